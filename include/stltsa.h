@@ -1,0 +1,482 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/*
+ * libstltsa: motion clips as low-dimensional curves, motion units and cycles.
+ *
+ * The method is spatio-temporal local tangent space alignment (STLTSA): Li, Niu, Zhang, Hu,
+ * "Spatio-temporal LTSA and Its Application to Motion Decomposition", ICONIP 2012; LTSA itself:
+ * Zhang, Zha, "Principal Manifolds and Nonlinear Dimension Reduction via Local Tangent Space
+ * Alignment", SIAM J. Sci. Comput. 26, 2004. "Section" and "equation" below are the former's.
+ *
+ * The short way, three calls:
+ *
+ *     stltsa_clip *clip = NULL;
+ *     stltsa_decomposition *units = NULL;
+ *     if (stltsa_clip_open("walk.bvh", NULL, &clip) == STLTSA_OK &&
+ *         stltsa_decompose(clip, NULL, &units) == STLTSA_OK)
+ *         for (int64_t i = 0; i < stltsa_decomposition_unit_count(units); ++i) {
+ *             stltsa_interval u;
+ *             stltsa_decomposition_unit(units, i, &u);
+ *             printf("%s %.2f s .. %.2f s\n", stltsa_unit_name(u.kind), u.begin_s, u.end_s);
+ *         }
+ *     else
+ *         fprintf(stderr, "%s\n", stltsa_last_error());
+ *     stltsa_decomposition_free(units);
+ *     stltsa_clip_free(clip);
+ *
+ * Rules that hold for every function:
+ *
+ * Errors.     A function that can fail returns stltsa_status: STLTSA_OK (0) or a negative
+ *             STLTSA_E_*. stltsa_last_error() then says in words what was wrong, where, and what
+ *             to do. On failure a handle output is set to NULL, arrays are left as they were, and
+ *             the handles passed in stay usable. Nothing is ever printed, no signal handler is
+ *             installed, the environment is not read, the floating-point mode is not changed, and
+ *             the process is never ended.
+ * Ownership.  Handles are made by the library and belong to the caller, who ends them with the
+ *             matching _free, which takes NULL. Inputs are read during the call only. A returned
+ *             const char * belongs to the handle it came from and lives as long.
+ * Threads.    Any number of threads may use const handles at once, and different calls may run at
+ *             once (ARPACK is not reentrant: the library lets one eigenproblem run at a time; it
+ *             cannot know of other users of the same libarpack in the process). A handle that is
+ *             not const in a signature is used by one thread at a time. Progress callbacks run on
+ *             the thread that made the call. While a fit runs, OpenBLAS is set to one thread for
+ *             the whole process, then back.
+ * Sameness.   Same input, options and build give the same bits on every run, for any number of
+ *             threads. The sign of each coordinate is such that its entry of largest size is
+ *             positive.
+ * Units.      Frames count from 0 in the source file. Intervals are half-open, [begin, end).
+ *             Rotations are quaternions w x y z. Lengths are in the file's own unit. Seconds are
+ *             frame / fps.
+ * Options.    A NULL options pointer means the defaults. Everywhere 0 means "choose for me" where
+ *             the option's text says so.
+ */
+#ifndef STLTSA_H
+#define STLTSA_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#define STLTSA_VERSION_MAJOR 0
+#define STLTSA_VERSION_MINOR 1
+#define STLTSA_VERSION_PATCH 0
+
+#if defined(_WIN32)
+#define STLTSA_API
+#elif defined(__GNUC__)
+#define STLTSA_API __attribute__((visibility("default")))
+#else
+#define STLTSA_API
+#endif
+
+#ifdef __cplusplus
+#define STLTSA_NOEXCEPT noexcept
+extern "C" {
+#else
+#define STLTSA_NOEXCEPT
+#endif
+
+/* ---- Status ----------------------------------------------------------------------------- */
+
+typedef int32_t stltsa_status;
+
+/* Values are never reused; new ones may be added: treat an unknown negative value as failure. */
+enum {
+    STLTSA_OK = 0,
+    STLTSA_E_ARGUMENT = -1,      /* NULL where not allowed, unknown key, value out of range */
+    STLTSA_E_SHAPE = -2,         /* rows, columns or strides do not fit */
+    STLTSA_E_NOT_FINITE = -3,    /* a NaN or an infinity among the frames */
+    STLTSA_E_TOO_FEW_FRAMES = -4, /* fewer (distinct) frames than the neighbors ask for */
+    STLTSA_E_NO_MEMORY = -5,     /* also: rows * cols overflows */
+    STLTSA_E_IO = -6,            /* a file cannot be opened, read or written */
+    STLTSA_E_FORMAT = -7,        /* a file is not what its format says; text has the line */
+    STLTSA_E_DISCONNECTED = -8,  /* the neighborhood graph falls apart and one was needed */
+    STLTSA_E_DEGENERATE = -9,    /* the frames do not vary, or not in enough directions */
+    STLTSA_E_NOT_CONVERGED = -10, /* the eigensolver gave up */
+    STLTSA_E_CANCELLED = -11,    /* the progress callback asked to stop */
+    STLTSA_E_UNSUPPORTED = -12,  /* not in this build (CHOLMOD), or not for this clip */
+    STLTSA_E_INTERNAL = -13      /* a defect of the library: please report */
+};
+
+/* "STLTSA_E_SHAPE" and so on; "STLTSA_E_UNKNOWN" for values this version does not know. */
+STLTSA_API const char *stltsa_status_name(stltsa_status status) STLTSA_NOEXCEPT;
+
+/* The text of the last failure on this thread; "" before any. Valid until this thread's next
+ * call that fails. Never NULL. */
+STLTSA_API const char *stltsa_last_error(void) STLTSA_NOEXCEPT;
+
+/* "0.1.0". The version of the library that runs, not of this header. */
+STLTSA_API const char *stltsa_version(void) STLTSA_NOEXCEPT;
+
+/* ---- Arrays ----------------------------------------------------------------------------- */
+
+enum { STLTSA_F32 = 1, STLTSA_F64 = 2 }; /* dtype: IEEE float32, float64, native byte order */
+
+/* A caller's array, rows x cols: frames are rows. Strides are in bytes, may be negative, and need
+ * not be multiples of the entry size; both 0 means packed rows. Set reserved to 0. These two
+ * structs are frozen. */
+typedef struct stltsa_in {
+    const void *data;
+    int64_t rows, cols;
+    int64_t row_stride, col_stride;
+    int32_t dtype, reserved;
+} stltsa_in;
+
+typedef struct stltsa_out {
+    void *data;
+    int64_t rows, cols;
+    int64_t row_stride, col_stride;
+    int32_t dtype, reserved;
+} stltsa_out;
+
+/* ---- Options ---------------------------------------------------------------------------- */
+
+typedef struct stltsa_options stltsa_options;
+
+/* Keys. stltsa_option_describe() gives name, type, range, default and text of each at run time;
+ * the command's flags and the bindings' keywords are made from that table. */
+enum {
+    STLTSA_NEIGHBORS = 1,    /* int   k; 0: 1.2 periods where a period is found, else 1.2 s (12
+                                      where the frame rate is unknown) */
+    STLTSA_WINDOW = 2,       /* int   w, frames to each side; 0: as neighbors */
+    STLTSA_DIMENSION = 3,    /* int   d; 0: fit 2, decompose the best of 1 to 3 */
+    STLTSA_MODE = 4,         /* int   STLTSA_MODE_* */
+    STLTSA_INCLUDE_SELF = 5, /* int   1: a frame is among its own k neighbors (Zhang and Zha);
+                                      0: it is not (as scikit-learn has it) */
+    STLTSA_LINKS = 6,        /* int   recurrent: neighbors from outside the exclusion zone */
+    STLTSA_EXCLUSION = 7,    /* int   recurrent: half width of that zone in frames; 0: window */
+    STLTSA_THREADS = 8,      /* int   0: every core */
+    STLTSA_FEATURES = 9,     /* int   STLTSA_FEATURES_* */
+    STLTSA_UP_AXIS = 10,     /* int   0: found from the clip; 1, 2, 3: x, y, z */
+    STLTSA_KEEP_START = 11,  /* int   1: do not drop a T-pose at the start */
+    STLTSA_FPS = 12,         /* real  frames a second, over what the file says; 0: the file's */
+    STLTSA_RATE = 13,        /* real  decompose: decimate to at most this rate in Hz; 0: keep */
+    STLTSA_SMOOTHING = 14,   /* real  sigma in seconds of the Gaussian on the features; 0: none */
+    STLTSA_PERIOD_MIN = 15,  /* real  shortest period looked for, seconds */
+    STLTSA_PERIOD_MAX = 16,  /* real  longest period looked for, seconds */
+    STLTSA_EIGENGAP = 17,    /* real  tau of section 2.3 as a fraction of k */
+    STLTSA_VARIANCE = 18,    /* real  share of local variance that local PCA must hold */
+    STLTSA_SKELETON = 19     /* text  path of the ASF file of an AMC clip; "": beside the clip */
+};
+
+enum { STLTSA_MODE_TEMPORAL = 1, STLTSA_MODE_SPATIAL = 2, STLTSA_MODE_RECURRENT = 3 };
+
+enum {
+    STLTSA_FEATURES_AUTO = 0,        /* positions where there is a skeleton, else raw */
+    STLTSA_FEATURES_POSITIONS = 1,   /* joints and end sites, root position and yaw removed */
+    STLTSA_FEATURES_ROTATIONS6D = 2, /* two columns of each rotation matrix, root yaw removed */
+    STLTSA_FEATURES_EULER = 3,       /* the file's angles in radians, unwrapped (the paper's) */
+    STLTSA_FEATURES_RAW = 4          /* the file's numbers */
+};
+
+enum { STLTSA_TYPE_INT = 1, STLTSA_TYPE_REAL = 2, STLTSA_TYPE_TEXT = 3 };
+
+/* One row of the options table. Texts are static. `choices` is NULL, or "temporal=1 spatial=2"
+ * for keys whose values have names. Append-only: set size to sizeof(stltsa_option_info). */
+typedef struct stltsa_option_info {
+    size_t size;
+    int32_t key, type;
+    const char *name;    /* "neighbors": the command's --neighbors */
+    const char *text;    /* one sentence */
+    const char *choices;
+    double minimum, maximum, standard; /* ints and reals; the text default is always "" */
+} stltsa_option_info;
+
+STLTSA_API int64_t stltsa_option_count(void) STLTSA_NOEXCEPT;
+STLTSA_API stltsa_status stltsa_option_describe(int64_t index,
+                                                stltsa_option_info *info) STLTSA_NOEXCEPT;
+
+STLTSA_API stltsa_status stltsa_options_new(stltsa_options **options) STLTSA_NOEXCEPT;
+STLTSA_API void stltsa_options_free(stltsa_options *options) STLTSA_NOEXCEPT;
+
+/* Set one option. E_ARGUMENT: unknown key, key of another type, or value outside its range; the
+ * text says the range. A text is copied. */
+STLTSA_API stltsa_status stltsa_options_set_int(stltsa_options *options, int32_t key,
+                                                int64_t value) STLTSA_NOEXCEPT;
+STLTSA_API stltsa_status stltsa_options_set_real(stltsa_options *options, int32_t key,
+                                                 double value) STLTSA_NOEXCEPT;
+STLTSA_API stltsa_status stltsa_options_set_text(stltsa_options *options, int32_t key,
+                                                 const char *value) STLTSA_NOEXCEPT;
+/* Read one option back; options NULL reads the default. */
+STLTSA_API stltsa_status stltsa_options_get_int(const stltsa_options *options, int32_t key,
+                                                int64_t *value) STLTSA_NOEXCEPT;
+STLTSA_API stltsa_status stltsa_options_get_real(const stltsa_options *options, int32_t key,
+                                                 double *value) STLTSA_NOEXCEPT;
+STLTSA_API stltsa_status stltsa_options_get_text(const stltsa_options *options, int32_t key,
+                                                 const char **value) STLTSA_NOEXCEPT;
+
+/* Stages of the work as the progress callback sees them; a call passes through some of them. */
+enum {
+    STLTSA_STAGE_READ = 0,
+    STLTSA_STAGE_FEATURES = 1,
+    STLTSA_STAGE_NEIGHBORS = 2,
+    STLTSA_STAGE_TANGENTS = 3,
+    STLTSA_STAGE_ALIGNMENT = 4,
+    STLTSA_STAGE_SPECTRUM = 5,
+    STLTSA_STAGE_UNITS = 6
+};
+
+/* `fraction` of the stage is done, 0 to 1. Nonzero cancels: the call returns E_CANCELLED. It runs
+ * on the caller's thread and must not throw or long-jump through the library. */
+typedef int32_t (*stltsa_progress)(void *user, int32_t stage, double fraction);
+
+STLTSA_API stltsa_status stltsa_options_set_progress(stltsa_options *options,
+                                                     stltsa_progress progress,
+                                                     void *user) STLTSA_NOEXCEPT;
+
+/* ---- Clips ------------------------------------------------------------------------------ */
+
+typedef struct stltsa_clip stltsa_clip;
+
+enum {
+    STLTSA_FORMAT_BVH = 1,
+    STLTSA_FORMAT_AMC = 2, /* needs its ASF: option skeleton, or found by subject number */
+    STLTSA_FORMAT_CSV = 3, /* numbers split by , ; tab or blanks; a header line is optional */
+    STLTSA_FORMAT_NPY = 4, /* NumPy 1.0 to 3.0, 1-D or 2-D, float32 or float64, C or Fortran */
+    STLTSA_FORMAT_MATRIX = 5 /* stltsa_clip_from_matrix */
+};
+
+/* Reads a clip; the format is told by the suffix, else by the content. Options used: fps,
+ * skeleton, progress. E_IO, E_FORMAT (text: path, line, what to do), E_NOT_FINITE. */
+STLTSA_API stltsa_status stltsa_clip_open(const char *path, const stltsa_options *options,
+                                          stltsa_clip **clip) STLTSA_NOEXCEPT;
+
+/* The same from memory; format 0: told by the content. */
+STLTSA_API stltsa_status stltsa_clip_parse(const void *bytes, size_t size, int32_t format,
+                                           const stltsa_options *options,
+                                           stltsa_clip **clip) STLTSA_NOEXCEPT;
+
+/* A clip of bare features, rows = frames; copied. fps > 0. */
+STLTSA_API stltsa_status stltsa_clip_from_matrix(const stltsa_in *frames, double fps,
+                                                 stltsa_clip **clip) STLTSA_NOEXCEPT;
+STLTSA_API void stltsa_clip_free(stltsa_clip *clip) STLTSA_NOEXCEPT;
+
+STLTSA_API int64_t stltsa_clip_frames(const stltsa_clip *clip) STLTSA_NOEXCEPT;
+STLTSA_API double stltsa_clip_fps(const stltsa_clip *clip) STLTSA_NOEXCEPT; /* 0: unknown */
+STLTSA_API int32_t stltsa_clip_format(const stltsa_clip *clip) STLTSA_NOEXCEPT;
+STLTSA_API int64_t stltsa_clip_channels(const stltsa_clip *clip) STLTSA_NOEXCEPT;
+/* Joints and end sites in file order, parents first; 0 for a bare matrix. */
+STLTSA_API int64_t stltsa_clip_joints(const stltsa_clip *clip) STLTSA_NOEXCEPT;
+/* Index of the parent, -1 for the root. */
+STLTSA_API stltsa_status stltsa_clip_joint(const stltsa_clip *clip, int64_t joint,
+                                           const char **name, int64_t *parent,
+                                           int32_t *is_end_site) STLTSA_NOEXCEPT;
+
+/* World positions by forward kinematics: frames x (3 * joints), x y z of joint 0, joint 1, ...
+ * E_UNSUPPORTED without a skeleton. */
+STLTSA_API stltsa_status stltsa_clip_positions(const stltsa_clip *clip,
+                                               const stltsa_out *positions) STLTSA_NOEXCEPT;
+/* Local rotations: frames x (4 * joints), w x y z, of continuous sign over time. */
+STLTSA_API stltsa_status stltsa_clip_rotations(const stltsa_clip *clip,
+                                               const stltsa_out *rotations) STLTSA_NOEXCEPT;
+
+/* Features of every source frame, unsmoothed: frames x the count below. Options: features, up
+ * axis. */
+STLTSA_API stltsa_status stltsa_clip_feature_count(const stltsa_clip *clip,
+                                                   const stltsa_options *options,
+                                                   int64_t *count) STLTSA_NOEXCEPT;
+STLTSA_API stltsa_status stltsa_clip_features(const stltsa_clip *clip,
+                                              const stltsa_options *options,
+                                              const stltsa_out *features) STLTSA_NOEXCEPT;
+
+/* One JSON object that says all of the above (schema: stltsa-clip/1); end it with
+ * stltsa_string_free. */
+STLTSA_API stltsa_status stltsa_clip_json(const stltsa_clip *clip, char **json) STLTSA_NOEXCEPT;
+STLTSA_API void stltsa_string_free(char *text) STLTSA_NOEXCEPT;
+
+/* ---- The manifold curve: STLTSA --------------------------------------------------------- */
+
+typedef struct stltsa_model stltsa_model;
+
+/* Fits a model to frames x features (finite; at least k + 1 distinct frames in a row). Several
+ * clips: one after another in `frames`, `lengths[clips]` their frames, summing to rows;
+ * lengths NULL: one clip. Temporal neighbors never cross clips. Every connected component of the
+ * neighborhood graph is embedded on its own (columns centered, of unit norm); ask
+ * STLTSA_MODEL_COMPONENTS before you compare coordinates across clips or cuts.
+ * Options: neighbors, window, dimension, mode, include_self, links, exclusion, threads, fps (for
+ * the automatic k), period_min, period_max, progress. Repeated frames are collapsed first and
+ * get the coordinates of the one they repeat.
+ * E_SHAPE, E_NOT_FINITE, E_TOO_FEW_FRAMES, E_ARGUMENT (needs d + 2 <= k <= w + 1), E_DEGENERATE,
+ * E_NOT_CONVERGED, E_UNSUPPORTED (spatial, recurrent without CHOLMOD), E_CANCELLED,
+ * E_NO_MEMORY. Section 2.2. */
+STLTSA_API stltsa_status stltsa_fit(const stltsa_in *frames, const int64_t *lengths, int64_t clips,
+                                    const stltsa_options *options,
+                                    stltsa_model **model) STLTSA_NOEXCEPT;
+
+/* The same from a clip: its features, T-pose start dropped, smoothed and (option rate) decimated.
+ * Row i of the model is source frame STLTSA_MODEL_FIRST_FRAME + i * STLTSA_MODEL_FRAME_STEP. */
+STLTSA_API stltsa_status stltsa_fit_clip(const stltsa_clip *clip, const stltsa_options *options,
+                                         stltsa_model **model) STLTSA_NOEXCEPT;
+STLTSA_API void stltsa_model_free(stltsa_model *model) STLTSA_NOEXCEPT;
+
+enum {
+    STLTSA_MODEL_FRAMES = 1,      /* int   rows of the coordinates */
+    STLTSA_MODEL_FEATURES = 2,    /* int   columns that were fitted */
+    STLTSA_MODEL_DIMENSION = 3,   /* int   d */
+    STLTSA_MODEL_NEIGHBORS = 4,   /* int   k used */
+    STLTSA_MODEL_WINDOW = 5,      /* int   w used */
+    STLTSA_MODEL_MODE = 6,        /* int */
+    STLTSA_MODEL_INCLUDE_SELF = 7, /* int */
+    STLTSA_MODEL_LINKS = 8,       /* int */
+    STLTSA_MODEL_EXCLUSION = 9,   /* int */
+    STLTSA_MODEL_COMPONENTS = 10, /* int   connected components of the neighborhood graph */
+    STLTSA_MODEL_REPEATED = 11,   /* int   frames collapsed because they repeat the one before */
+    STLTSA_MODEL_RANK_DEFICIENT = 12, /* int windows of fewer than d directions */
+    STLTSA_MODEL_SOLVES = 13,     /* int   applications of the inverse operator by ARPACK */
+    STLTSA_MODEL_FIRST_FRAME = 14, /* int  see stltsa_fit_clip; 0 for matrices */
+    STLTSA_MODEL_FRAME_STEP = 15, /* int   1 for matrices */
+    STLTSA_MODEL_RESIDUAL = 16,   /* real  max ||B u - lambda u|| / k over the coordinates */
+    STLTSA_MODEL_ERROR_ESTIMATE = 17, /* real largest principal angle to the exact embedding of
+                                               these neighborhoods, estimated, radians */
+    STLTSA_MODEL_GAP = 18,        /* real  smallest lambda_{d+2} / lambda_{d+1} of a component;
+                                           near 1: the d-dimensional curve is ill-defined */
+    STLTSA_MODEL_CLOCK = 19,      /* real  |rank correlation| of coordinate 1 with time: 1 means
+                                           that it tells the time and nothing else */
+    STLTSA_MODEL_FPS = 20,        /* real  of the rows; 0: unknown */
+    STLTSA_MODEL_PERIOD = 21      /* real  seconds, that the automatic k rests on; 0: none */
+};
+STLTSA_API stltsa_status stltsa_model_get_int(const stltsa_model *model, int32_t key,
+                                              int64_t *value) STLTSA_NOEXCEPT;
+STLTSA_API stltsa_status stltsa_model_get_real(const stltsa_model *model, int32_t key,
+                                               double *value) STLTSA_NOEXCEPT;
+
+/* rows x d. */
+STLTSA_API stltsa_status stltsa_model_coords(const stltsa_model *model,
+                                             const stltsa_out *coords) STLTSA_NOEXCEPT;
+/* components x (d + 2): lambda_1 = 0, lambda_2, ... lambda_{d+2} of each, ascending; NaN where a
+ * component is too small to have as many. */
+STLTSA_API stltsa_status stltsa_model_eigenvalues(const stltsa_model *model,
+                                                  const stltsa_out *values) STLTSA_NOEXCEPT;
+/* Component of each row, 0-based, numbered by first row; labels[rows]. */
+STLTSA_API stltsa_status stltsa_model_components(const stltsa_model *model, int64_t rows,
+                                                 int64_t *labels) STLTSA_NOEXCEPT;
+/* What a user should know: only a clock, disconnected, rank-deficient windows, small gap. */
+STLTSA_API int64_t stltsa_model_warning_count(const stltsa_model *model) STLTSA_NOEXCEPT;
+STLTSA_API const char *stltsa_model_warning(const stltsa_model *model,
+                                            int64_t index) STLTSA_NOEXCEPT; /* "" past the end */
+STLTSA_API stltsa_status stltsa_model_json(const stltsa_model *model, char **json) STLTSA_NOEXCEPT;
+
+/* ---- Intrinsic dimension (section 2.3) --------------------------------------------------- */
+
+typedef struct stltsa_dimension_result stltsa_dimension_result;
+
+/* Two estimates of the dimension of the manifold: the paper's first eigengap above tau, and the
+ * median number of local principal directions that hold `variance` of a neighborhood. B is built
+ * with tangent dimension `dimension` (0: 2). The eigengap counts lambda_1 = 0, and tends to
+ * answer one more than the tangent dimension: read it beside local PCA. Inputs and errors as
+ * stltsa_fit; a disconnected or degenerate graph is an answer ("cannot tell"), not an error. */
+STLTSA_API stltsa_status stltsa_dimension(const stltsa_in *frames, const int64_t *lengths,
+                                          int64_t clips, const stltsa_options *options,
+                                          stltsa_dimension_result **result) STLTSA_NOEXCEPT;
+STLTSA_API stltsa_status stltsa_dimension_clip(const stltsa_clip *clip,
+                                               const stltsa_options *options,
+                                               stltsa_dimension_result **result) STLTSA_NOEXCEPT;
+STLTSA_API void stltsa_dimension_free(stltsa_dimension_result *result) STLTSA_NOEXCEPT;
+
+/* 0: cannot tell; the reason then is the text ("" otherwise). */
+STLTSA_API int64_t stltsa_dimension_eigengap(const stltsa_dimension_result *result,
+                                             const char **reason) STLTSA_NOEXCEPT;
+STLTSA_API int64_t stltsa_dimension_local_pca(const stltsa_dimension_result *result,
+                                              const char **reason) STLTSA_NOEXCEPT;
+/* Eigenvalues of B / k, ascending, the zero one first; mean share of a neighborhood's variance
+ * along its principal direction 1, 2, ... Copies at most `capacity`; returns how many there are.
+ */
+STLTSA_API int64_t stltsa_dimension_eigenvalues(const stltsa_dimension_result *result,
+                                                double *values, int64_t capacity) STLTSA_NOEXCEPT;
+STLTSA_API int64_t stltsa_dimension_local_variances(const stltsa_dimension_result *result,
+                                                    double *values,
+                                                    int64_t capacity) STLTSA_NOEXCEPT;
+STLTSA_API stltsa_status stltsa_dimension_json(const stltsa_dimension_result *result,
+                                               char **json) STLTSA_NOEXCEPT;
+
+/* ---- Motion units and cycles (section 3.1) ----------------------------------------------- */
+
+typedef struct stltsa_decomposition stltsa_decomposition;
+
+enum {
+    STLTSA_UNIT_PREPARING = 1,
+    STLTSA_UNIT_INITIAL = 2,
+    STLTSA_UNIT_CYCLIC = 3,
+    STLTSA_UNIT_FINAL = 4,
+    STLTSA_UNIT_WIND_UP = 5,
+    STLTSA_UNIT_ACTION = 6, /* moving, and no cycle is claimed */
+    STLTSA_UNIT_CYCLE = 7   /* one cycle of the cyclic unit */
+};
+/* "preparing", "initial", "cyclic", "final", "wind-up", "action", "cycle"; "" for others. */
+STLTSA_API const char *stltsa_unit_name(int32_t kind) STLTSA_NOEXCEPT;
+
+/* [begin, end) in source frames, rounded; in seconds with fractions of a frame kept. Frozen. */
+typedef struct stltsa_interval {
+    int64_t begin, end;
+    double begin_s, end_s;
+    int32_t kind, reserved;
+} stltsa_interval;
+
+/* Cuts a clip into units and cycles. The period is found first, k and w follow from it, the
+ * coordinate that swings once per cycle is chosen among tangent dimensions 1 to 3, smoothed, and
+ * cut at its steepest points between peaks and valleys (the second derivative's zeros). Units
+ * that are absent are left out; a clip without trustworthy cycles gets activity segments and a
+ * reason. That is an answer (STLTSA_OK), not an error.
+ * Options: all of features, up axis, keep_start, rate, smoothing, period_*, neighbors, window,
+ * dimension, mode, threads, progress. A clip of unknown fps: E_ARGUMENT (set option fps).
+ * Other errors as stltsa_fit. */
+STLTSA_API stltsa_status stltsa_decompose(const stltsa_clip *clip, const stltsa_options *options,
+                                          stltsa_decomposition **decomposition) STLTSA_NOEXCEPT;
+STLTSA_API void stltsa_decomposition_free(stltsa_decomposition *decomposition) STLTSA_NOEXCEPT;
+
+/* Units in order of time; they cover [0, frames of the clip) without gap or overlap. */
+STLTSA_API int64_t
+stltsa_decomposition_unit_count(const stltsa_decomposition *decomposition) STLTSA_NOEXCEPT;
+STLTSA_API stltsa_status stltsa_decomposition_unit(const stltsa_decomposition *decomposition,
+                                                   int64_t index,
+                                                   stltsa_interval *unit) STLTSA_NOEXCEPT;
+/* Cycles in order of time, each from margin i to margin i + 2, back to back. */
+STLTSA_API int64_t
+stltsa_decomposition_cycle_count(const stltsa_decomposition *decomposition) STLTSA_NOEXCEPT;
+STLTSA_API stltsa_status stltsa_decomposition_cycle(const stltsa_decomposition *decomposition,
+                                                    int64_t index,
+                                                    stltsa_interval *cycle) STLTSA_NOEXCEPT;
+
+enum {
+    STLTSA_DECOMPOSITION_SAMPLES = 1,     /* int  working samples: rows of curve and coords */
+    STLTSA_DECOMPOSITION_FIRST_FRAME = 2, /* int  sample i is frame first + i * step */
+    STLTSA_DECOMPOSITION_FRAME_STEP = 3,  /* int */
+    STLTSA_DECOMPOSITION_NEIGHBORS = 4,   /* int  k used, in samples */
+    STLTSA_DECOMPOSITION_WINDOW = 5,      /* int  w used, in samples */
+    STLTSA_DECOMPOSITION_DIMENSION = 6,   /* int  tangent dimension used; columns of coords */
+    STLTSA_DECOMPOSITION_COORDINATE = 7,  /* int  1-based column that was cut; 0: none */
+    STLTSA_DECOMPOSITION_REPRESENTATIVE = 8, /* int index of the paper's cycle (first to third
+                                                    candidate); -1: none */
+    STLTSA_DECOMPOSITION_BEST = 9,        /* int  index of the cycle most like the others; -1 */
+    STLTSA_DECOMPOSITION_FEATURES = 10,   /* int  STLTSA_FEATURES_* used */
+    STLTSA_DECOMPOSITION_PERIOD = 11,     /* real seconds; 0: none */
+    STLTSA_DECOMPOSITION_CYCLICITY = 12,  /* real of the coordinate that was cut; 1: perfect */
+    STLTSA_DECOMPOSITION_LAG_QUALITY = 13, /* real 1 - D(T) of the period; 1: perfect */
+    STLTSA_DECOMPOSITION_FPS = 14         /* real of the working samples */
+};
+STLTSA_API stltsa_status stltsa_decomposition_get_int(const stltsa_decomposition *decomposition,
+                                                      int32_t key, int64_t *value) STLTSA_NOEXCEPT;
+STLTSA_API stltsa_status stltsa_decomposition_get_real(const stltsa_decomposition *decomposition,
+                                                       int32_t key, double *value) STLTSA_NOEXCEPT;
+
+/* The smoothed coordinate that was cut: samples x 1. */
+STLTSA_API stltsa_status stltsa_decomposition_curve(const stltsa_decomposition *decomposition,
+                                                    const stltsa_out *curve) STLTSA_NOEXCEPT;
+/* The two coordinates of the loop (Fig. 1): samples x 2. */
+STLTSA_API stltsa_status stltsa_decomposition_loop(const stltsa_decomposition *decomposition,
+                                                   const stltsa_out *loop) STLTSA_NOEXCEPT;
+/* Why no cycle is claimed, in words with the numbers; "" where cycles are. */
+STLTSA_API const char *
+stltsa_decomposition_reason(const stltsa_decomposition *decomposition) STLTSA_NOEXCEPT;
+STLTSA_API int64_t
+stltsa_decomposition_warning_count(const stltsa_decomposition *decomposition) STLTSA_NOEXCEPT;
+STLTSA_API const char *
+stltsa_decomposition_warning(const stltsa_decomposition *decomposition,
+                             int64_t index) STLTSA_NOEXCEPT;
+/* The object of schema stltsa-decomposition/1; end it with stltsa_string_free. */
+STLTSA_API stltsa_status stltsa_decomposition_json(const stltsa_decomposition *decomposition,
+                                                   char **json) STLTSA_NOEXCEPT;
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif /* STLTSA_H */

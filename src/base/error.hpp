@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The one way a room says that it cannot go on: a status for programs, a sentence for people.
+#pragma once
+
+#include <cstdint>
+#include <exception>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace stltsa {
+
+/// Same values as STLTSA_OK, STLTSA_E_*, ... in stltsa.h (checked in src/capi).
+enum class Status : std::int32_t {
+    ok = 0,
+    argument = -1,
+    shape = -2,
+    not_finite = -3,
+    too_few_frames = -4,
+    no_memory = -5,
+    io = -6,
+    format = -7,
+    disconnected = -8,
+    degenerate = -9,
+    not_converged = -10,
+    cancelled = -11,
+    unsupported = -12,
+    internal = -13,
+};
+
+class Error : public std::exception {
+  public:
+    Error(Status status, std::string text) : status_(status), text_(std::move(text)) {}
+    Status status() const noexcept { return status_; }
+    const char* what() const noexcept override { return text_.c_str(); }
+
+  private:
+    Status status_;
+    std::string text_;
+};
+
+/// Throws an Error whose text says what is wrong, where, and what to do.
+template <class... Args>
+[[noreturn]] void fail(Status status, fmt::format_string<Args...> text, Args&&... args) {
+    throw Error(status, fmt::format(text, std::forward<Args>(args)...));
+}
+
+} // namespace stltsa

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/parallel.hpp"
+
+#include <sched.h>
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <limits>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace stltsa {
+namespace {
+
+/// The work shared by all threads of one loop.
+class BlockQueue {
+  public:
+    BlockQueue(std::int64_t blocks, const std::function<void(std::int64_t)>& body)
+        : blocks_(blocks), body_(body) {}
+
+    /// Takes and runs one block; false when there is nothing left to do.
+    bool run_one() {
+        if (stopped_.load())
+            return false;
+        const std::int64_t block = next_.fetch_add(1);
+        if (block >= blocks_)
+            return false;
+        try {
+            body_(block);
+            done_.fetch_add(1);
+        } catch (...) {
+            record(block, std::current_exception());
+        }
+        return true;
+    }
+
+    /// Keeps the exception of the lowest block, so that the error does not depend on timing
+    /// among the blocks that ran; block -1 is the poll's own.
+    void record(std::int64_t block, std::exception_ptr error) {
+        const std::lock_guard lock(mutex_);
+        if (block < error_block_) {
+            error_block_ = block;
+            error_ = error;
+        }
+        stopped_.store(true);
+    }
+
+    std::int64_t done() const { return done_.load(); }
+    void rethrow() const {
+        if (error_)
+            std::rethrow_exception(error_);
+    }
+
+  private:
+    const std::int64_t blocks_;
+    const std::function<void(std::int64_t)>& body_;
+    std::atomic<std::int64_t> next_{0};
+    std::atomic<std::int64_t> done_{0};
+    std::atomic<bool> stopped_{false};
+    std::mutex mutex_;
+    std::int64_t error_block_ = std::numeric_limits<std::int64_t>::max();
+    std::exception_ptr error_;
+};
+
+} // namespace
+
+int thread_count(std::int64_t requested) {
+    constexpr std::int64_t most = 1024;
+    if (requested > 0)
+        return static_cast<int>(std::min(requested, most));
+    // hardware_concurrency() counts the machine; a container or taskset allows fewer.
+    cpu_set_t allowed;
+    CPU_ZERO(&allowed);
+    if (sched_getaffinity(0, sizeof allowed, &allowed) == 0)
+        return std::max(1, CPU_COUNT(&allowed));
+    return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+void parallel_blocks(std::int64_t blocks, int threads,
+                     const std::function<void(std::int64_t)>& body,
+                     const std::function<void(std::int64_t)>& poll) {
+    BlockQueue queue(blocks, body);
+    std::vector<std::thread> workers;
+    const std::int64_t extra = std::min<std::int64_t>(threads, blocks) - 1;
+    try {
+        for (std::int64_t i = 0; i < extra; ++i)
+            workers.emplace_back([&queue] {
+                while (queue.run_one()) {
+                }
+            });
+    } catch (const std::system_error&) {
+        // The system gives no more threads: the ones that started and this one do the work.
+    }
+    try {
+        while (queue.run_one())
+            if (poll)
+                poll(queue.done());
+    } catch (...) {
+        queue.record(-1, std::current_exception());
+    }
+    for (auto& worker : workers)
+        worker.join();
+    queue.rethrow();
+}
+
+} // namespace stltsa

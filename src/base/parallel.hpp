@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Parallel loops whose result does not depend on the number of threads: the work is cut into
+// blocks by the caller, each block writes only its own outputs, and sums over blocks are made
+// afterwards in block order.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+namespace stltsa {
+
+/// Threads to use for `requested` (0 = every core this process may run on); at least 1.
+int thread_count(std::int64_t requested);
+
+/// Runs body(block) for block = 0 .. blocks-1 on up to `threads` threads. `poll(done)` is called on
+/// the caller's thread as blocks finish and may throw to stop early. The first exception
+/// (lowest block) is rethrown on the caller's thread after every worker has stopped.
+void parallel_blocks(std::int64_t blocks, int threads,
+                     const std::function<void(std::int64_t block)>& body,
+                     const std::function<void(std::int64_t done)>& poll = {});
+
+} // namespace stltsa

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Progress and cancellation: polled on the caller's thread between pieces of work.
+#pragma once
+
+#include <cstdint>
+
+#include "base/error.hpp"
+
+namespace stltsa {
+
+/// Same values as STLTSA_STAGE_* in stltsa.h (checked in src/capi).
+enum class Stage : std::int32_t {
+    read = 0,
+    features = 1,
+    neighbors = 2,
+    tangents = 3,
+    alignment = 4,
+    spectrum = 5,
+    units = 6,
+};
+
+class Progress {
+  public:
+    using Callback = std::int32_t (*)(void* user, std::int32_t stage, double fraction);
+
+    Progress() = default;
+    Progress(Callback callback, void* user) : callback_(callback), user_(user) {}
+
+    /// Tells the caller how far a stage has come; throws Status::cancelled when it answers nonzero.
+    void report(Stage stage, double fraction) const {
+        if (callback_ != nullptr &&
+            callback_(user_, static_cast<std::int32_t>(stage), fraction) != 0)
+            fail(Status::cancelled, "cancelled by the progress callback");
+    }
+
+  private:
+    Callback callback_ = nullptr;
+    void* user_ = nullptr;
+};
+
+} // namespace stltsa

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "linalg/arpack.hpp"
+
+#include <algorithm>
+#include <mutex>
+
+#include <arpack.h>
+
+#include "linalg/eigen.hpp"
+
+static_assert(sizeof(a_int) == sizeof(std::int32_t), "ARPACK with 32-bit integers is needed");
+
+namespace stltsa {
+namespace {
+
+/// ARPACK keeps state between its reverse-communication calls (Fortran SAVE), so one eigenproblem
+/// runs at a time, from the first call of dsaupd to the end of dseupd.
+std::mutex arpack_mutex;
+
+constexpr a_int max_restarts = 10000;
+
+/// Lanczos vectors: enough that convergence does not depend on luck with the few wanted ones.
+/// 20 is where the number of applications stops falling on real clips.
+a_int subspace_size(std::int64_t order, std::int64_t count) {
+    return static_cast<a_int>(std::min(order, std::max<std::int64_t>(2 * count + 4, 20)));
+}
+
+/// One run of dsaupd's reverse communication, then dseupd.
+class Lanczos {
+  public:
+    Lanczos(std::span<const double> start, std::int64_t count)
+        : order_(static_cast<a_int>(start.size())), count_(static_cast<a_int>(count)),
+          subspace_(subspace_size(order_, count)), residual_(start.begin(), start.end()),
+          basis_(checked_size(subspace_, order_)), work_(checked_size(3, order_)),
+          small_work_(checked_size(subspace_, subspace_ + 8)) {
+        parameters_[0] = 1; // exact shifts
+        parameters_[2] = max_restarts;
+        parameters_[3] = 1; // block size
+        parameters_[6] = 1; // mode 1: A x = lambda x
+    }
+
+    std::int64_t iterate(const Operator& apply, const std::function<void()>& poll) {
+        const auto length = static_cast<std::size_t>(order_);
+        a_int ido = 0;
+        a_int info = 1; // start from residual_
+        std::int64_t applications = 0;
+        for (;;) {
+            dsaupd_c(&ido, "I", order_, "LA", count_, 0.0, residual_.data(), subspace_,
+                     basis_.data(), order_, parameters_, pointers_, work_.data(),
+                     small_work_.data(), small_work_size(), &info);
+            if (ido != 1 && ido != -1)
+                break;
+            apply({work_.data() + pointers_[0] - 1, length},
+                  {work_.data() + pointers_[1] - 1, length});
+            ++applications;
+            poll();
+        }
+        if (info == 1 || info == 3)
+            fail(Status::not_converged,
+                 "the eigensolver found {} of {} eigenvalues in {} "
+                 "iterations; the smallest eigenvalues may not be separated: try another "
+                 "number of neighbors or a lower dimension",
+                 parameters_[4], count_, max_restarts);
+        if (info != 0)
+            fail(Status::internal, "ARPACK dsaupd failed (info {})", info);
+        return applications;
+    }
+
+    Eigenpairs extract() {
+        Eigenpairs pairs{std::vector<double>(static_cast<std::size_t>(count_)),
+                         Matrix(count_, order_), 0};
+        std::vector<a_int> select(static_cast<std::size_t>(subspace_), 1);
+        a_int info = 0;
+        dseupd_c(1, "A", select.data(), pairs.values.data(), pairs.vectors.data(), order_, 0.0, "I",
+                 order_, "LA", count_, 0.0, residual_.data(), subspace_, basis_.data(), order_,
+                 parameters_, pointers_, work_.data(), small_work_.data(), small_work_size(),
+                 &info);
+        if (info != 0)
+            fail(Status::internal, "ARPACK dseupd failed (info {})", info);
+        // dseupd gives ascending order.
+        std::reverse(pairs.values.begin(), pairs.values.end());
+        for (std::int64_t r = 0; r < count_ / 2; ++r)
+            std::swap_ranges(pairs.vectors.row(r), pairs.vectors.row(r) + order_,
+                             pairs.vectors.row(count_ - 1 - r));
+        return pairs;
+    }
+
+  private:
+    a_int small_work_size() const { return static_cast<a_int>(small_work_.size()); }
+
+    a_int order_, count_, subspace_;
+    AlignedVector<double> residual_, basis_, work_, small_work_;
+    a_int parameters_[11] = {};
+    a_int pointers_[11] = {};
+};
+
+/// Below this order a dense problem is both quicker and free of Lanczos breakdown.
+constexpr std::int64_t dense_order = 64;
+
+Eigenpairs dense_eigenpairs(const Operator& apply, std::int64_t order, std::int64_t count) {
+    Matrix matrix(order, order);
+    AlignedVector<double> unit(static_cast<std::size_t>(order));
+    for (std::int64_t i = 0; i < order; ++i) {
+        unit[static_cast<std::size_t>(i)] = 1;
+        apply(unit, {matrix.row(i), static_cast<std::size_t>(order)});
+        unit[static_cast<std::size_t>(i)] = 0;
+    }
+    for (std::int64_t i = 0; i < order; ++i)
+        for (std::int64_t j = 0; j < i; ++j)
+            matrix(i, j) = matrix(j, i) = 0.5 * (matrix(i, j) + matrix(j, i));
+    std::vector<double> values;
+    symmetric_eigen(matrix, values);
+    Eigenpairs pairs{{}, Matrix(count, order), order};
+    for (std::int64_t r = 0; r < count; ++r) {
+        pairs.values.push_back(values[static_cast<std::size_t>(order - 1 - r)]);
+        std::copy_n(matrix.row(order - 1 - r), order, pairs.vectors.row(r));
+    }
+    return pairs;
+}
+
+} // namespace
+
+Eigenpairs largest_eigenpairs(const Operator& apply, std::span<const double> start,
+                              std::int64_t count, const std::function<void()>& poll) {
+    const auto order = static_cast<std::int64_t>(start.size());
+    if (order <= std::max(dense_order, 2 * count + 8))
+        return dense_eigenpairs(apply, order, count);
+    const std::lock_guard lock(arpack_mutex);
+    Lanczos lanczos(start, count);
+    const std::int64_t applications = lanczos.iterate(apply, poll);
+    Eigenpairs pairs = lanczos.extract();
+    pairs.applications = applications;
+    return pairs;
+}
+
+} // namespace stltsa

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "linalg/eigen.hpp"
+
+#include <lapacke.h>
+
+static_assert(sizeof(lapack_int) == sizeof(std::int32_t), "LAPACK with 32-bit integers is needed");
+
+namespace stltsa {
+
+TopEigenpairs::TopEigenpairs(std::int64_t order, std::int64_t count)
+    : order_(static_cast<std::int32_t>(order)), count_(static_cast<std::int32_t>(count)),
+      matrix_(checked_size(order, order)), values_(static_cast<std::size_t>(order)),
+      vectors_(checked_size(order, count)), support_(2 * static_cast<std::size_t>(order)) {
+    double work_size = 0;
+    lapack_int integer_work_size = 0;
+    lapack_int found = 0;
+    LAPACKE_dsyevr_work(LAPACK_COL_MAJOR, 'V', 'I', 'L', order_, matrix_.data(), order_, 0, 0,
+                        order_ - count_ + 1, order_, 0, &found, values_.data(), vectors_.data(),
+                        order_, support_.data(), &work_size, -1, &integer_work_size, -1);
+    work_.resize(static_cast<std::size_t>(work_size));
+    integer_work_.resize(static_cast<std::size_t>(integer_work_size));
+}
+
+void TopEigenpairs::solve() {
+    lapack_int found = 0;
+    const lapack_int info = LAPACKE_dsyevr_work(
+        LAPACK_COL_MAJOR, 'V', 'I', 'L', order_, matrix_.data(), order_, 0, 0, order_ - count_ + 1,
+        order_, 0, &found, values_.data(), vectors_.data(), order_, support_.data(), work_.data(),
+        static_cast<lapack_int>(work_.size()), integer_work_.data(),
+        static_cast<lapack_int>(integer_work_.size()));
+    if (info != 0 || found != count_)
+        fail(Status::internal,
+             "LAPACK dsyevr failed on a matrix of order {} (info {}, {} of {} "
+             "eigenpairs)",
+             order_, info, found, count_);
+}
+
+double TopEigenpairs::value(std::int64_t pair) const {
+    return values_[static_cast<std::size_t>(count_ - 1 - pair)];
+}
+
+const double* TopEigenpairs::vector(std::int64_t pair) const {
+    return vectors_.data() + (count_ - 1 - pair) * order_;
+}
+
+void symmetric_eigen(Matrix& matrix, std::vector<double>& values) {
+    const auto order = static_cast<lapack_int>(matrix.rows());
+    values.assign(static_cast<std::size_t>(order), 0);
+    if (order == 0)
+        return;
+    // A symmetric matrix is its own transpose, so LAPACK's columns are our rows.
+    const lapack_int info =
+        LAPACKE_dsyevd(LAPACK_COL_MAJOR, 'V', 'L', order, matrix.data(), order, values.data());
+    if (info == LAPACK_WORK_MEMORY_ERROR)
+        throw std::bad_alloc();
+    if (info != 0)
+        fail(Status::internal, "LAPACK dsyevd failed on a matrix of order {} (info {})", order,
+             info);
+}
+
+} // namespace stltsa

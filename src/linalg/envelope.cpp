@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "linalg/envelope.hpp"
+
+#include <cmath>
+
+#include "linalg/simd.hpp"
+
+namespace stltsa {
+
+EnvelopeMatrix::EnvelopeMatrix(std::vector<std::int64_t> reach) : reach_(std::move(reach)) {
+    offset_.reserve(reach_.size());
+    std::int64_t total = 0;
+    for (std::size_t j = 0; j < reach_.size(); ++j) {
+        offset_.push_back(total);
+        total += reach_[j] - static_cast<std::int64_t>(j) + 1;
+    }
+    entries_.resize(checked_size(total, 1));
+}
+
+namespace {
+
+/// Subtracts column j's outer product from the columns it reaches.
+void update_trailing(EnvelopeMatrix& matrix, std::int64_t j) {
+    const double* from = matrix.column(j);
+    const std::int64_t last = matrix.reach(j);
+    for (std::int64_t c = j + 1; c <= last; ++c)
+        axpy(-from[c - j], from + (c - j), matrix.column(c), last - c + 1);
+}
+
+} // namespace
+
+bool cholesky(EnvelopeMatrix& matrix, double smallest) {
+    std::vector<double> diagonal(static_cast<std::size_t>(matrix.order()));
+    for (std::int64_t j = 0; j < matrix.order(); ++j)
+        diagonal[static_cast<std::size_t>(j)] = matrix.column(j)[0];
+    for (std::int64_t j = 0; j < matrix.order(); ++j) {
+        double* column = matrix.column(j);
+        if (!(column[0] > smallest * diagonal[static_cast<std::size_t>(j)]))
+            return false;
+        const double pivot = std::sqrt(column[0]);
+        column[0] = pivot;
+        for (std::int64_t r = 1; r <= matrix.reach(j) - j; ++r)
+            column[r] /= pivot;
+        update_trailing(matrix, j);
+    }
+    return true;
+}
+
+void cholesky_solve(const EnvelopeMatrix& factor, std::span<double> x) {
+    const std::int64_t n = factor.order();
+    double* values = x.data();
+    for (std::int64_t j = 0; j < n; ++j) {
+        const double* column = factor.column(j);
+        values[j] /= column[0];
+        axpy(-values[j], column + 1, values + j + 1, factor.reach(j) - j);
+    }
+    for (std::int64_t j = n - 1; j >= 0; --j) {
+        const double* column = factor.column(j);
+        values[j] -= dot(column + 1, values + j + 1, factor.reach(j) - j);
+        values[j] /= column[0];
+    }
+}
+
+} // namespace stltsa

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Symmetric matrices stored as the envelope of their lower triangle, and their Cholesky factor.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "linalg/matrix.hpp"
+
+namespace stltsa {
+
+/// Column j holds rows j .. reach[j], adjacent in memory. reach does not decrease, so a Cholesky
+/// factor fits in the same envelope.
+class EnvelopeMatrix {
+  public:
+    explicit EnvelopeMatrix(std::vector<std::int64_t> reach);
+
+    std::int64_t order() const { return static_cast<std::int64_t>(reach_.size()); }
+    std::int64_t reach(std::int64_t column) const {
+        return reach_[static_cast<std::size_t>(column)];
+    }
+    /// First entry of a column: the diagonal.
+    double* column(std::int64_t j) {
+        return entries_.data() + offset_[static_cast<std::size_t>(j)];
+    }
+    const double* column(std::int64_t j) const {
+        return entries_.data() + offset_[static_cast<std::size_t>(j)];
+    }
+
+  private:
+    std::vector<std::int64_t> reach_;
+    std::vector<std::int64_t> offset_;
+    AlignedVector<double> entries_;
+};
+
+/// L L^T = matrix, in place; false, with the matrix destroyed, where a pivot is at or below
+/// `smallest` times its diagonal entry: the matrix is singular to working precision.
+bool cholesky(EnvelopeMatrix& matrix, double smallest);
+
+/// x := (L L^T)^-1 x
+void cholesky_solve(const EnvelopeMatrix& factor, std::span<double> x);
+
+} // namespace stltsa

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The three loops that everything else spends its time in, written so that the compiler turns them
+// into vector code without being allowed to reorder sums: eight partial sums in fixed order.
+#pragma once
+
+#include <cstdint>
+
+namespace stltsa {
+
+inline constexpr std::int64_t lanes = 8;
+
+inline double sum_lanes(const double (&s)[lanes]) {
+    return ((s[0] + s[4]) + (s[2] + s[6])) + ((s[1] + s[5]) + (s[3] + s[7]));
+}
+
+/// |a - b|^2 by subtraction: exact zero for equal frames, no cancellation of large norms.
+inline double squared_distance(const double* a, const double* b, std::int64_t count) {
+    double s[lanes] = {};
+    std::int64_t i = 0;
+    for (; i + lanes <= count; i += lanes)
+        for (std::int64_t l = 0; l < lanes; ++l) {
+            const double d = a[i + l] - b[i + l];
+            s[l] += d * d;
+        }
+    for (std::int64_t l = 0; i < count; ++i, ++l) {
+        const double d = a[i] - b[i];
+        s[l] += d * d;
+    }
+    return sum_lanes(s);
+}
+
+inline double dot(const double* a, const double* b, std::int64_t count) {
+    double s[lanes] = {};
+    std::int64_t i = 0;
+    for (; i + lanes <= count; i += lanes)
+        for (std::int64_t l = 0; l < lanes; ++l)
+            s[l] += a[i + l] * b[i + l];
+    for (std::int64_t l = 0; i < count; ++i, ++l)
+        s[l] += a[i] * b[i];
+    return sum_lanes(s);
+}
+
+/// y += alpha x
+inline void axpy(double alpha, const double* x, double* y, std::int64_t count) {
+    for (std::int64_t i = 0; i < count; ++i)
+        y[i] += alpha * x[i];
+}
+
+} // namespace stltsa

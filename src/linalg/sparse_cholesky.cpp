@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "linalg/sparse_cholesky.hpp"
+
+#include <algorithm>
+#include <new>
+
+#include <suitesparse/cholmod.h>
+
+#include "base/error.hpp"
+
+namespace stltsa {
+namespace {
+
+/// Shift for a singular matrix, as a share of its largest diagonal entry.
+constexpr double tiny_shift = 1e-13;
+/// Pivots this far apart mean a singular matrix: rounding alone leaves them about 1e-16 apart.
+constexpr double smallest_rcond = 1e-14;
+
+/// CHOLMOD's own view of our arrays: nothing is copied.
+cholmod_sparse view_of(SparseColumns& matrix) {
+    cholmod_sparse view{};
+    view.nrow = view.ncol = static_cast<std::size_t>(matrix.order);
+    view.nzmax = matrix.values.size();
+    view.p = matrix.begin.data();
+    view.i = matrix.rows.data();
+    view.x = matrix.values.data();
+    view.stype = -1; // lower triangle
+    view.itype = CHOLMOD_LONG;
+    view.xtype = CHOLMOD_REAL;
+    view.dtype = CHOLMOD_DOUBLE;
+    view.sorted = 1;
+    view.packed = 1;
+    return view;
+}
+
+double largest_diagonal(const SparseColumns& matrix) {
+    double largest = 0;
+    for (std::int64_t c = 0; c < matrix.order; ++c)
+        largest = std::max(
+            largest,
+            matrix.values[static_cast<std::size_t>(matrix.begin[static_cast<std::size_t>(c)])]);
+    return largest;
+}
+
+cholmod_dense view_of(double* x, std::size_t count) {
+    cholmod_dense view{};
+    view.nrow = view.d = view.nzmax = count;
+    view.ncol = 1;
+    view.x = x;
+    view.xtype = CHOLMOD_REAL;
+    view.dtype = CHOLMOD_DOUBLE;
+    return view;
+}
+
+} // namespace
+
+struct SparseCholesky::Parts {
+    cholmod_common common{};
+    cholmod_factor* factor = nullptr;
+    cholmod_dense *result = nullptr, *work_y = nullptr, *work_e = nullptr;
+
+    Parts() {
+        cholmod_l_start(&common);
+        common.print = 0; // the library never prints
+        // AMD is the best ordering on these graphs and always there.
+        common.nmethods = 1;
+        common.method[0].ordering = CHOLMOD_AMD;
+    }
+    ~Parts() {
+        cholmod_l_free_dense(&result, &common);
+        cholmod_l_free_dense(&work_y, &common);
+        cholmod_l_free_dense(&work_e, &common);
+        cholmod_l_free_factor(&factor, &common);
+        cholmod_l_finish(&common);
+    }
+    Parts(const Parts&) = delete;
+
+    void check() const {
+        if (common.status == CHOLMOD_OUT_OF_MEMORY || common.status == CHOLMOD_TOO_LARGE)
+            throw std::bad_alloc();
+        if (common.status < 0)
+            fail(Status::internal, "CHOLMOD failed (status {})", common.status);
+    }
+    bool factorize(cholmod_sparse& matrix, double shift) {
+        double beta[2] = {shift, 0};
+        cholmod_l_factorize_p(&matrix, beta, nullptr, 0, factor, &common);
+        check();
+        return common.status == CHOLMOD_OK && factor->minor == factor->n &&
+               cholmod_l_rcond(factor, &common) > smallest_rcond;
+    }
+};
+
+SparseCholesky::SparseCholesky(SparseColumns matrix) : parts_(std::make_unique<Parts>()) {
+    cholmod_sparse view = view_of(matrix);
+    parts_->factor = cholmod_l_analyze(&view, &parts_->common);
+    parts_->check();
+    if (parts_->factorize(view, 0))
+        return;
+    parts_->factorize(view, tiny_shift * largest_diagonal(matrix));
+    if (parts_->factor->minor != parts_->factor->n)
+        fail(Status::degenerate, "the alignment matrix is singular beyond repair: the frames do "
+                                 "not vary in enough directions");
+}
+
+SparseCholesky::~SparseCholesky() = default;
+
+void SparseCholesky::solve(std::span<double> x) const {
+    cholmod_dense right = view_of(x.data(), x.size());
+    cholmod_l_solve2(CHOLMOD_A, parts_->factor, &right, nullptr, &parts_->result, nullptr,
+                     &parts_->work_y, &parts_->work_e, &parts_->common);
+    parts_->check();
+    std::copy_n(static_cast<const double*>(parts_->result->x), x.size(), x.begin());
+}
+
+} // namespace stltsa

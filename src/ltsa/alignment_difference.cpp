@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Alignment in differences. With x = S z (S the running sum), B' = S^T B S keeps the band of B, has
+// no null vector, and its smallest eigenvalues are larger by about n^2. Every row of
+// (I - e e^T/k - G G^T) sums to zero, so S^T B S can be written down patch by patch: for frames
+// p_0 < ... < p_{k-1} and p_0 <= c <= c' < p_{k-1}, with a(c) the number of frames beyond c and
+// h_l(c) the sum of g_l over them,
+//     B'(c', c) += a(c') (k - a(c)) / k - sum_l h_l(c') h_l(c).
+#include "ltsa/alignment.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "base/parallel.hpp"
+#include "linalg/envelope.hpp"
+
+namespace stltsa::ltsa {
+
+void center(std::span<double> x) {
+    const double mean = std::accumulate(x.begin(), x.end(), 0.0) / static_cast<double>(x.size());
+    for (double& value : x)
+        value -= mean;
+}
+
+namespace {
+
+/// Pivots this small against their diagonal entry mean a flat direction: regular ones stay above
+/// 5e-5 on motion and on smooth synthetic curves, flat ones are below 1e-16.
+constexpr double smallest_pivot = 1e-13;
+
+/// Frames in a flat space of d dimensions make B' singular: the embedding is its null space. A
+/// shift of this share of the largest diagonal entry then stands in for the zero eigenvalues, the
+/// same for all of them; inverse iteration through the patches removes what it does to the vectors.
+constexpr double flat_shift = 1e-13;
+
+/// Columns that one thread assembles at a time.
+constexpr std::int64_t column_block = 512;
+
+std::vector<std::int64_t> envelope_of(const Patches& patches) {
+    std::vector<std::int64_t> reach(static_cast<std::size_t>(patches.frames() - 1));
+    std::iota(reach.begin(), reach.end(), 0);
+    for (std::int64_t p = 0; p < patches.count(); ++p) {
+        const auto frames = patches.of(p);
+        if (frames.front() == frames.back())
+            continue;
+        std::int64_t& column = reach[static_cast<std::size_t>(frames.front())];
+        column = std::max<std::int64_t>(column, frames.back() - 1);
+    }
+    for (std::size_t c = 1; c < reach.size(); ++c)
+        reach[c] = std::max(reach[c], reach[c - 1]);
+    return reach;
+}
+
+/// One patch spread over the differences it covers.
+class PatchTerms {
+  public:
+    explicit PatchTerms(std::int64_t dimension) : sums_(static_cast<std::size_t>(dimension)) {}
+
+    void set(const Patches& patches, std::int64_t patch) {
+        const auto frames = patches.of(patch);
+        first_ = frames.front();
+        const auto span = static_cast<std::size_t>(frames.back() - frames.front());
+        const auto k = static_cast<std::size_t>(patches.size());
+        beyond_.resize(span);
+        for (auto& sum : sums_)
+            sum.resize(span);
+        std::size_t next = k; // frames[next] is the first one beyond c
+        std::vector<double>& h = suffix_;
+        h.assign(sums_.size(), 0.0);
+        for (std::size_t c = span; c-- > 0;) {
+            while (next > 0 && static_cast<std::size_t>(frames[next - 1] - first_) > c) {
+                --next;
+                for (std::size_t l = 0; l < sums_.size(); ++l)
+                    h[l] += patches.direction(patch, static_cast<std::int64_t>(l))[next];
+            }
+            beyond_[c] = static_cast<double>(k - next);
+            for (std::size_t l = 0; l < sums_.size(); ++l)
+                sums_[l][c] = h[l];
+        }
+        size_ = static_cast<double>(k);
+    }
+
+    /// Adds this patch's part of the columns [begin, end).
+    void add_to(EnvelopeMatrix& matrix, std::int64_t begin, std::int64_t end) const {
+        const auto span = static_cast<std::int64_t>(beyond_.size());
+        for (std::int64_t c = std::max(begin, first_); c < std::min(end, first_ + span); ++c) {
+            double* column = matrix.column(c);
+            const double* a = beyond_.data() + (c - first_);
+            const std::int64_t length = span - (c - first_);
+            const double before = (size_ - a[0]) / size_;
+            for (std::int64_t r = 0; r < length; ++r)
+                column[r] += a[r] * before;
+            for (const auto& sum : sums_) {
+                const double* h = sum.data() + (c - first_);
+                for (std::int64_t r = 0; r < length; ++r)
+                    column[r] -= h[0] * h[r];
+            }
+        }
+    }
+
+  private:
+    std::int64_t first_ = 0;
+    double size_ = 0;
+    std::vector<double> beyond_;
+    std::vector<std::vector<double>> sums_;
+    std::vector<double> suffix_;
+};
+
+/// For each block of columns the range of patches that may touch it: patches are in order of their
+/// center frame, not of their first, so the range is a hull.
+struct PatchRange {
+    std::int64_t begin, end;
+};
+
+std::vector<PatchRange> patches_by_block(const Patches& patches, std::int64_t blocks) {
+    std::vector<PatchRange> ranges(static_cast<std::size_t>(blocks), {patches.count(), 0});
+    for (std::int64_t p = 0; p < patches.count(); ++p) {
+        const auto frames = patches.of(p);
+        const std::int64_t last = std::max(frames.front(), frames.back() - 1) / column_block;
+        for (std::int64_t b = frames.front() / column_block; b <= std::min(last, blocks - 1); ++b) {
+            auto& range = ranges[static_cast<std::size_t>(b)];
+            range.begin = std::min(range.begin, p);
+            range.end = std::max(range.end, p + 1);
+        }
+    }
+    return ranges;
+}
+
+/// Every column receives its patches in the same order whatever the number of threads.
+void assemble(const Patches& patches, int threads, EnvelopeMatrix& matrix) {
+    const std::int64_t blocks = (matrix.order() + column_block - 1) / column_block;
+    const auto ranges = patches_by_block(patches, blocks);
+    parallel_blocks(blocks, threads, [&](std::int64_t b) {
+        PatchTerms terms(patches.dimension());
+        const auto range = ranges[static_cast<std::size_t>(b)];
+        const std::int64_t begin = b * column_block;
+        const std::int64_t end = std::min(begin + column_block, matrix.order());
+        for (std::int64_t p = range.begin; p < range.end; ++p) {
+            const auto frames = patches.of(p);
+            if (frames.front() >= end || frames.back() <= begin)
+                continue;
+            terms.set(patches, p);
+            terms.add_to(matrix, begin, end);
+        }
+    });
+}
+
+void shift_diagonal(EnvelopeMatrix& matrix, double share) {
+    double largest = 0;
+    for (std::int64_t c = 0; c < matrix.order(); ++c)
+        largest = std::max(largest, matrix.column(c)[0]);
+    for (std::int64_t c = 0; c < matrix.order(); ++c)
+        matrix.column(c)[0] += share * largest;
+}
+
+class DifferenceAlignment final : public Alignment {
+  public:
+    DifferenceAlignment(const Patches& patches, int threads)
+        : Alignment(patches), factor_(envelope_of(patches)) {
+        assemble(patches, threads, factor_);
+        if (cholesky(factor_, smallest_pivot))
+            return;
+        factor_ = EnvelopeMatrix(envelope_of(patches));
+        assemble(patches, threads, factor_);
+        shift_diagonal(factor_, flat_shift);
+        if (!cholesky(factor_, 0))
+            fail(Status::degenerate, "the frames do not vary in {} directions",
+                 patches.dimension());
+    }
+
+    /// S^T x: sums of the values beyond each difference.
+    void restrict_to(std::span<const double> x, std::span<double> unknowns) const override {
+        double sum = 0;
+        for (std::size_t c = unknowns.size(); c-- > 0;) {
+            sum += x[c + 1];
+            unknowns[c] = sum;
+        }
+    }
+
+    void prolong(std::span<const double> unknowns, std::span<double> x) const override {
+        x[0] = 0;
+        for (std::size_t c = 0; c < unknowns.size(); ++c)
+            x[c + 1] = x[c] + unknowns[c];
+        center(x);
+    }
+
+    void solve(std::span<double> unknowns) const override { cholesky_solve(factor_, unknowns); }
+
+    /// Running sums within the patch: differences of far values of x would lose their digits.
+    void gather(std::int64_t patch, std::span<const double> unknowns,
+                double* values) const override {
+        const auto frames = patches_->of(patch);
+        double sum = 0;
+        values[0] = 0;
+        for (std::size_t j = 1; j < frames.size(); ++j) {
+            for (auto c = frames[j - 1]; c < frames[j]; ++c)
+                sum += unknowns[static_cast<std::size_t>(c)];
+            values[j] = sum;
+        }
+    }
+
+    void apply(std::span<const double> in, std::span<double> out) const override {
+        std::vector<double> values(static_cast<std::size_t>(patches_->size()));
+        std::fill(out.begin(), out.end(), 0.0);
+        for (std::int64_t p = 0; p < patches_->count(); ++p) {
+            gather(p, in, values.data());
+            patches_->project(p, values.data());
+            const auto frames = patches_->of(p);
+            double beyond = 0;
+            for (std::size_t j = frames.size() - 1; j > 0; --j) {
+                beyond += values[j];
+                for (auto c = frames[j - 1]; c < frames[j]; ++c)
+                    out[static_cast<std::size_t>(c)] += beyond;
+            }
+        }
+    }
+
+  private:
+    EnvelopeMatrix factor_;
+};
+
+} // namespace
+
+std::unique_ptr<Alignment> difference_alignment(const Patches& patches, int threads) {
+    return std::make_unique<DifferenceAlignment>(patches, threads);
+}
+
+} // namespace stltsa::ltsa

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Alignment for neighborhoods that reach anywhere: the value of the last frame is set to zero, so
+// the remaining rows and columns of B are regular, and a solution, centered, is that of the
+// pseudo-inverse. Differences would fill the matrix here.
+#include "ltsa/alignment.hpp"
+
+#ifdef STLTSA_CHOLMOD
+#include <algorithm>
+
+#include "linalg/simd.hpp"
+#include "linalg/sparse_cholesky.hpp"
+#endif
+
+namespace stltsa::ltsa {
+
+#ifdef STLTSA_CHOLMOD
+namespace {
+
+/// Which patches hold a frame, and where: the patches of frame f are entries
+/// begin[f] .. begin[f + 1] - 1, ascending.
+struct Holders {
+    struct Place {
+        std::int32_t patch, position;
+    };
+    std::vector<std::int64_t> begin;
+    std::vector<Place> places;
+};
+
+Holders holders_of(const Patches& patches) {
+    Holders holders;
+    holders.begin.assign(static_cast<std::size_t>(patches.frames()) + 1, 0);
+    for (std::int64_t p = 0; p < patches.count(); ++p)
+        for (const std::int32_t frame : patches.of(p))
+            ++holders.begin[static_cast<std::size_t>(frame) + 1];
+    for (std::size_t f = 1; f < holders.begin.size(); ++f)
+        holders.begin[f] += holders.begin[f - 1];
+    holders.places.resize(static_cast<std::size_t>(holders.begin.back()));
+    auto next = holders.begin;
+    for (std::int64_t p = 0; p < patches.count(); ++p) {
+        std::int32_t position = 0;
+        for (const std::int32_t frame : patches.of(p))
+            holders.places[static_cast<std::size_t>(next[static_cast<std::size_t>(frame)]++)] = {
+                static_cast<std::int32_t>(p), position++};
+    }
+    return holders;
+}
+
+/// Column `column` of B from its diagonal down, summed patch by patch in fixed order.
+class ColumnSum {
+  public:
+    ColumnSum(const Patches& patches, const Holders& holders)
+        : patches_(patches), holders_(holders), value_(static_cast<std::size_t>(patches.frames())),
+          seen_(static_cast<std::size_t>(patches.frames()), -1) {}
+
+    void compute(std::int64_t column) {
+        rows.clear();
+        const auto begin = holders_.begin[static_cast<std::size_t>(column)];
+        const auto end = holders_.begin[static_cast<std::size_t>(column) + 1];
+        for (auto at = begin; at < end; ++at)
+            add(holders_.places[static_cast<std::size_t>(at)], column);
+        std::sort(rows.begin(), rows.end());
+    }
+
+    std::vector<std::int32_t> rows;
+    double value(std::int32_t row) const { return value_[static_cast<std::size_t>(row)]; }
+
+  private:
+    void add(Holders::Place place, std::int64_t column) {
+        const auto frames = patches_.of(place.patch);
+        const double k = static_cast<double>(patches_.size());
+        for (auto j = static_cast<std::size_t>(place.position); j < frames.size(); ++j) {
+            const auto row = static_cast<std::size_t>(frames[j]);
+            double term = (frames[j] == column ? 1.0 : 0.0) - 1.0 / k;
+            for (std::int64_t l = 0; l < patches_.dimension(); ++l) {
+                const double* g = patches_.direction(place.patch, l);
+                term -= g[place.position] * g[j];
+            }
+            if (seen_[row] != column) {
+                seen_[row] = column;
+                value_[row] = 0;
+                rows.push_back(frames[j]);
+            }
+            value_[row] += term;
+        }
+    }
+
+    const Patches& patches_;
+    const Holders& holders_;
+    std::vector<double> value_;
+    std::vector<std::int64_t> seen_; ///< column for which a value was started
+};
+
+SparseColumns assemble(const Patches& patches) {
+    const Holders holders = holders_of(patches);
+    ColumnSum sum(patches, holders);
+    const std::int64_t order = patches.frames() - 1; // the last frame is the ground
+    SparseColumns matrix{order, {0}, {}, {}};
+    for (std::int64_t column = 0; column < order; ++column) {
+        sum.compute(column);
+        for (const std::int32_t row : sum.rows)
+            if (row < order) {
+                matrix.rows.push_back(row);
+                matrix.values.push_back(sum.value(row));
+            }
+        matrix.begin.push_back(static_cast<std::int64_t>(matrix.rows.size()));
+    }
+    return matrix;
+}
+
+class GroundedAlignment final : public Alignment {
+  public:
+    explicit GroundedAlignment(const Patches& patches)
+        : Alignment(patches), factor_(assemble(patches)) {}
+
+    void restrict_to(std::span<const double> x, std::span<double> unknowns) const override {
+        std::copy_n(x.begin(), unknowns.size(), unknowns.begin());
+    }
+
+    void prolong(std::span<const double> unknowns, std::span<double> x) const override {
+        std::copy(unknowns.begin(), unknowns.end(), x.begin());
+        x.back() = 0;
+        center(x);
+    }
+
+    void solve(std::span<double> unknowns) const override { factor_.solve(unknowns); }
+
+    void gather(std::int64_t patch, std::span<const double> unknowns,
+                double* values) const override {
+        const auto frames = patches_->of(patch);
+        for (std::size_t j = 0; j < frames.size(); ++j) {
+            const auto frame = static_cast<std::size_t>(frames[j]);
+            values[j] = frame < unknowns.size() ? unknowns[frame] : 0.0;
+        }
+    }
+
+    void apply(std::span<const double> in, std::span<double> out) const override {
+        std::vector<double> values(static_cast<std::size_t>(patches_->size()));
+        std::fill(out.begin(), out.end(), 0.0);
+        for (std::int64_t p = 0; p < patches_->count(); ++p) {
+            gather(p, in, values.data());
+            patches_->project(p, values.data());
+            const auto frames = patches_->of(p);
+            for (std::size_t j = 0; j < frames.size(); ++j)
+                if (static_cast<std::size_t>(frames[j]) < out.size())
+                    out[static_cast<std::size_t>(frames[j])] += values[j];
+        }
+    }
+
+  private:
+    SparseCholesky factor_;
+};
+
+} // namespace
+
+std::unique_ptr<Alignment> grounded_alignment(const Patches& patches) {
+    return std::make_unique<GroundedAlignment>(patches);
+}
+#else
+std::unique_ptr<Alignment> grounded_alignment(const Patches&) {
+    fail(Status::unsupported, "the modes spatial and recurrent need SuiteSparse CHOLMOD, and this "
+                              "library was built without it (-Dcholmod=disabled); use temporal");
+}
+#endif
+
+} // namespace stltsa::ltsa

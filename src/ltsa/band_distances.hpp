@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "linalg/matrix.hpp"
+
+namespace stltsa::ltsa {
+
+/// Squared distances between frames [begin, end) of x that are at most `width` frames apart,
+/// each pair computed once and shared by all neighborhoods that hold it.
+class BandDistances {
+  public:
+    BandDistances(ConstMatrixView x, std::int64_t begin, std::int64_t end, std::int64_t width);
+
+    double operator()(std::int64_t p, std::int64_t q) const {
+        const std::int64_t low = std::min(p, q);
+        return distances_(low - begin_, std::max(p, q) - low);
+    }
+
+  private:
+    std::int64_t begin_;
+    Matrix distances_; ///< row p - begin, column q - p
+};
+
+/// Frames of the blocks that parallel loops over frames take: large enough that the 2w frames at
+/// a block's borders, computed twice, do not matter.
+inline std::int64_t frame_block(std::int64_t window) {
+    return std::max<std::int64_t>(256, 4 * window);
+}
+
+} // namespace stltsa::ltsa

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ltsa/components.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace stltsa::ltsa {
+namespace {
+
+/// Union-find with path halving; a root is the smallest frame of its set.
+class DisjointSets {
+  public:
+    explicit DisjointSets(std::int64_t count) : parent_(static_cast<std::size_t>(count)) {
+        std::iota(parent_.begin(), parent_.end(), 0);
+    }
+    std::int32_t find(std::int32_t frame) {
+        while (parent(frame) != frame) {
+            parent(frame) = parent(parent(frame));
+            frame = parent(frame);
+        }
+        return frame;
+    }
+    void unite(std::int32_t a, std::int32_t b) {
+        a = find(a);
+        b = find(b);
+        parent(std::max(a, b)) = std::min(a, b);
+    }
+
+  private:
+    std::int32_t& parent(std::int32_t frame) { return parent_[static_cast<std::size_t>(frame)]; }
+    std::vector<std::int32_t> parent_;
+};
+
+} // namespace
+
+Components connected_components(const Neighborhoods& neighborhoods) {
+    const std::int64_t n = neighborhoods.frames();
+    DisjointSets sets(n);
+    for (std::int64_t i = 0; i < n; ++i) {
+        // Frame i may be missing from its own neighborhood (include_self off): its window still
+        // describes the motion around it, but it does not tie i.
+        const auto members = neighborhoods.of(i);
+        for (const std::int32_t member : members)
+            sets.unite(members.front(), member);
+    }
+    Components components;
+    components.of_frame.resize(static_cast<std::size_t>(n));
+    components.position.resize(static_cast<std::size_t>(n));
+    for (std::int32_t i = 0; i < n; ++i) {
+        const std::int32_t root = sets.find(i);
+        if (root == i) {
+            components.of_frame[static_cast<std::size_t>(i)] = components.count++;
+            components.members.emplace_back();
+        }
+        const auto c =
+            static_cast<std::size_t>(components.of_frame[static_cast<std::size_t>(root)]);
+        components.of_frame[static_cast<std::size_t>(i)] = static_cast<std::int64_t>(c);
+        components.position[static_cast<std::size_t>(i)] =
+            static_cast<std::int32_t>(components.members[c].size());
+        components.members[c].push_back(i);
+    }
+    return components;
+}
+
+} // namespace stltsa::ltsa

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "ltsa/neighbors.hpp"
+
+namespace stltsa::ltsa {
+
+/// The connected components of the graph in which all frames of a neighborhood are connected.
+/// The alignment matrix has one zero eigenvalue for each, so they are counted before anything is
+/// embedded.
+struct Components {
+    std::int64_t count = 0;
+    std::vector<std::int64_t> of_frame;             ///< numbered by first frame
+    std::vector<std::vector<std::int32_t>> members; ///< ascending
+    std::vector<std::int32_t> position;             ///< of a frame within its component
+};
+
+Components connected_components(const Neighborhoods& neighborhoods);
+
+} // namespace stltsa::ltsa

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ltsa/dimension.hpp"
+
+#include <algorithm>
+
+#include "linalg/blas_threads.hpp"
+#include "ltsa/embed.hpp"
+
+namespace stltsa::ltsa {
+namespace {
+
+/// Eigenvalues shown beyond the tangent dimension: enough to see where the gap is.
+constexpr int eigenvalues_beyond = 5;
+/// Neighborhoods looked at by local PCA: a median over more does not move.
+constexpr std::int64_t sampled_neighborhoods = 1000;
+/// Directions of variance listed.
+constexpr std::int64_t listed_variances = 10;
+
+/// The paper's rule: the smallest d whose gap lambda_{d+1} - lambda_d is above tau. Eigenvalues
+/// count from lambda_1 = 0.
+int first_gap(const std::vector<double>& scaled, double threshold) {
+    for (std::size_t d = 1; d < scaled.size(); ++d)
+        if (scaled[d] - scaled[d - 1] > threshold)
+            return static_cast<int>(d);
+    return 0;
+}
+
+void eigengap(const Graph& graph, const Progress& progress, Dimension& result) {
+    if (graph.components.count > 1) {
+        result.eigengap_reason = fmt::format(
+            "the neighborhood graph has {} parts, each with a zero eigenvalue of its own: their "
+            "number would be counted, not the dimension",
+            graph.components.count);
+        return;
+    }
+    const int count = static_cast<int>(std::min<std::int64_t>(
+        graph.parameters.dimension + eigenvalues_beyond, graph.frames.x.rows));
+    const Model model = embed(graph, graph.parameters.dimension, count, progress);
+    const auto k = static_cast<double>(graph.neighborhoods.size);
+    for (const double value : model.components.front().eigenvalues)
+        result.eigenvalues.push_back(value / k);
+    if (model.components.front().rank_deficient_windows == graph.frames.x.rows) {
+        result.eigengap_reason = fmt::format("every window varies in fewer than {} directions",
+                                             graph.parameters.dimension);
+        return;
+    }
+    result.eigengap = first_gap(result.eigenvalues, result.threshold);
+    if (result.eigengap == 0)
+        result.eigengap_reason = fmt::format("no gap between the first {} eigenvalues exceeds {} k",
+                                             count, result.threshold);
+}
+
+/// Directions that hold `share` of the sum of one spectrum (descending); 0 for a zero spectrum.
+int directions_holding(const double* spectrum, std::int64_t count, double share) {
+    double total = 0;
+    for (std::int64_t l = 0; l < count; ++l)
+        total += spectrum[l];
+    double held = 0;
+    for (std::int64_t l = 0; l < count && total > 0; ++l) {
+        held += spectrum[l];
+        if (held >= share * total)
+            return static_cast<int>(l + 1);
+    }
+    return 0;
+}
+
+void local_pca(const Graph& graph, const Progress& progress, Dimension& result) {
+    const std::int64_t n = graph.frames.x.rows;
+    const std::int64_t count = std::min(graph.neighborhoods.size, graph.frames.x.cols);
+    const std::int64_t stride = std::max<std::int64_t>(1, n / sampled_neighborhoods);
+    const Matrix spectra = local_spectra(graph.frames.x, graph.neighborhoods, count, stride,
+                                         graph.parameters.threads, progress);
+    std::vector<int> dimensions;
+    result.local_variances.assign(static_cast<std::size_t>(std::min(count, listed_variances)), 0);
+    for (std::int64_t i = 0; i < spectra.rows(); ++i) {
+        const int d = directions_holding(spectra.row(i), count, result.local_variance);
+        if (d == 0)
+            continue;
+        dimensions.push_back(d);
+        double total = 0;
+        for (std::int64_t l = 0; l < count; ++l)
+            total += spectra(i, l);
+        for (std::size_t l = 0; l < result.local_variances.size(); ++l)
+            result.local_variances[l] += spectra(i, static_cast<std::int64_t>(l)) / total;
+    }
+    if (dimensions.empty()) {
+        result.local_pca_reason = "no neighborhood varies at all";
+        return;
+    }
+    for (double& share : result.local_variances)
+        share /= static_cast<double>(dimensions.size());
+    const auto middle = dimensions.begin() + static_cast<std::ptrdiff_t>(dimensions.size() / 2);
+    std::nth_element(dimensions.begin(), middle, dimensions.end());
+    result.local_pca = *middle;
+}
+
+} // namespace
+
+Dimension intrinsic_dimension(ConstMatrixView frames, std::span<const std::int64_t> lengths,
+                              const Parameters& parameters, const DimensionOptions& options,
+                              const Progress& progress) {
+    const SingleThreadedBlas single;
+    const Graph graph = build_graph(frames, lengths, parameters, progress);
+    Dimension result;
+    result.parameters = parameters;
+    result.threshold = options.threshold;
+    result.local_variance = options.local_variance;
+    eigengap(graph, progress, result);
+    local_pca(graph, progress, result);
+    return result;
+}
+
+} // namespace stltsa::ltsa

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ltsa/embed.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "ltsa/alignment.hpp"
+#include "ltsa/patches.hpp"
+#include "ltsa/spectrum.hpp"
+#include "ltsa/warnings.hpp"
+
+namespace stltsa::ltsa {
+
+Graph build_graph(ConstMatrixView frames, std::span<const std::int64_t> lengths,
+                  const Parameters& parameters, const Progress& progress) {
+    check_frames(frames, lengths);
+    Graph graph;
+    graph.parameters = parameters;
+    graph.frames = collapse_repeats(frames, lengths);
+    check_parameters(parameters, graph.frames);
+    graph.neighborhoods =
+        find_neighbors(graph.frames.x, graph.frames.lengths, parameters, progress);
+    graph.components = connected_components(graph.neighborhoods);
+    const bool banded = parameters.mode == Mode::temporal;
+    graph.tangents = local_tangents(graph.frames.x, graph.neighborhoods, parameters.dimension,
+                                    banded ? parameters.window : 0, parameters.threads, progress);
+    return graph;
+}
+
+namespace {
+
+/// The entry of largest size, the first of equals, is made positive.
+void fix_sign(double* values, std::int64_t count) {
+    const double* largest = std::max_element(
+        values, values + count, [](double a, double b) { return std::abs(a) < std::abs(b); });
+    if (*largest < 0)
+        std::transform(values, values + count, values, [](double v) { return -v; });
+}
+
+Component summarize(const Patches& patches, const Spectrum& spectrum, int dimension,
+                    int eigenvalues) {
+    Component component;
+    component.frames = patches.frames();
+    component.eigenvalues.assign(static_cast<std::size_t>(eigenvalues),
+                                 std::numeric_limits<double>::quiet_NaN());
+    component.eigenvalues[0] = 0;
+    std::copy_n(spectrum.values.begin(),
+                std::min(spectrum.values.size(), component.eigenvalues.size() - 1),
+                component.eigenvalues.begin() + 1);
+    component.residual = spectrum.residual;
+    component.error_estimate = std::max(spectrum.change, std::numeric_limits<double>::epsilon());
+    const auto d = static_cast<std::size_t>(dimension);
+    if (component.eigenvalues.size() > d + 1)
+        component.gap = component.eigenvalues[d + 1] / component.eigenvalues[d];
+    component.rank_deficient_windows = patches.rank_deficient();
+    component.solves = spectrum.solves;
+    return component;
+}
+
+/// Fills the rows of `coords` (distinct frames x dimension) that belong to a component.
+Component embed_component(const Graph& graph, std::int64_t index, int dimension, int eigenvalues,
+                          const Progress& progress, Matrix& coords) {
+    const auto& members = graph.components.members[static_cast<std::size_t>(index)];
+    const Patches patches(graph.neighborhoods, graph.tangents, graph.components, index, dimension);
+    if (patches.frames() < dimension + 2)
+        fail(Status::disconnected,
+             "frame {} is in a part of the neighborhood graph of {} frames, too "
+             "few for {} coordinates; use more neighbors",
+             members.front(), patches.frames(), dimension);
+    progress.report(Stage::alignment, 0.0);
+    const bool banded = graph.parameters.mode == Mode::temporal;
+    const auto alignment = banded ? difference_alignment(patches, graph.parameters.threads)
+                                  : grounded_alignment(patches);
+    progress.report(Stage::alignment, 1.0);
+    Spectrum spectrum = smallest_eigenpairs(
+        *alignment, std::min<std::int64_t>(eigenvalues - 1, patches.frames() - 1), dimension,
+        progress);
+    for (int l = 0; l < dimension; ++l) {
+        fix_sign(spectrum.vectors.row(l), patches.frames());
+        for (std::size_t i = 0; i < members.size(); ++i)
+            coords(members[i], l) = spectrum.vectors(l, static_cast<std::int64_t>(i));
+    }
+    return summarize(patches, spectrum, dimension, eigenvalues);
+}
+
+} // namespace
+
+Model embed(const Graph& graph, int dimension, int eigenvalues, const Progress& progress) {
+    Model model;
+    model.parameters = graph.parameters;
+    model.parameters.dimension = dimension;
+    model.features = graph.frames.x.cols;
+    model.repeated_frames = graph.frames.repeated;
+    Matrix coords(graph.frames.x.rows, dimension);
+    for (std::int64_t c = 0; c < graph.components.count; ++c)
+        model.components.push_back(
+            embed_component(graph, c, dimension, eigenvalues, progress, coords));
+
+    const auto& row_of = graph.frames.row_of;
+    model.coords = Matrix(static_cast<std::int64_t>(row_of.size()), dimension);
+    for (std::size_t i = 0; i < row_of.size(); ++i) {
+        std::copy_n(coords.row(row_of[i]), dimension,
+                    model.coords.row(static_cast<std::int64_t>(i)));
+        model.component_of.push_back(
+            graph.components.of_frame[static_cast<std::size_t>(row_of[i])]);
+    }
+    model.clock = clock_likeness(graph, coords);
+    model.warnings = warnings_of(graph, model);
+    return model;
+}
+
+} // namespace stltsa::ltsa

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ltsa/model.hpp"
+
+#include "linalg/blas_threads.hpp"
+#include "ltsa/embed.hpp"
+
+namespace stltsa::ltsa {
+namespace {
+
+int eigenvalue_count(const Parameters& parameters, int dimension) {
+    return parameters.spectrum > 0 ? parameters.spectrum : dimension + 2;
+}
+
+} // namespace
+
+Model fit(ConstMatrixView frames, std::span<const std::int64_t> lengths,
+          const Parameters& parameters, const Progress& progress) {
+    const SingleThreadedBlas single;
+    const Graph graph = build_graph(frames, lengths, parameters, progress);
+    Model model = embed(graph, parameters.dimension,
+                        eigenvalue_count(parameters, parameters.dimension), progress);
+    model.lengths.assign(lengths.begin(), lengths.end());
+    return model;
+}
+
+std::vector<Model> fit_dimensions(ConstMatrixView frames, std::span<const std::int64_t> lengths,
+                                  const Parameters& parameters, const Progress& progress) {
+    const SingleThreadedBlas single;
+    const Graph graph = build_graph(frames, lengths, parameters, progress);
+    std::vector<Model> models;
+    for (int d = 1; d <= parameters.dimension; ++d) {
+        models.push_back(embed(graph, d, eigenvalue_count(parameters, d), progress));
+        models.back().lengths.assign(lengths.begin(), lengths.end());
+    }
+    return models;
+}
+
+} // namespace stltsa::ltsa

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ltsa/frames.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace stltsa::ltsa {
+
+void check_frames(ConstMatrixView frames, std::span<const std::int64_t> lengths) {
+    if (frames.rows < 1 || frames.cols < 1)
+        fail(Status::shape, "{} frames of {} features were given; at least one of each is needed",
+             frames.rows, frames.cols);
+    if (frames.rows > std::numeric_limits<std::int32_t>::max())
+        fail(Status::unsupported, "{} frames are more than the {} that can be numbered",
+             frames.rows, std::numeric_limits<std::int32_t>::max());
+    std::int64_t rest = frames.rows;
+    for (std::size_t c = 0; c < lengths.size(); ++c) {
+        if (lengths[c] < 1 || lengths[c] > rest)
+            fail(Status::shape,
+                 "clip {} has length {}, with {} frames left of {}; lengths must be "
+                 "positive and sum to the number of frames",
+                 c, lengths[c], rest, frames.rows);
+        rest -= lengths[c];
+    }
+    if (rest != 0)
+        fail(Status::shape, "the clips' lengths sum to {}, not to the {} frames given",
+             frames.rows - rest, frames.rows);
+    for (std::int64_t i = 0; i < frames.rows; ++i)
+        for (std::int64_t c = 0; c < frames.cols; ++c)
+            if (!std::isfinite(frames(i, c)))
+                fail(Status::not_finite, "frame {}, feature {} is {}; fill or cut gaps first", i, c,
+                     std::isnan(frames(i, c)) ? "not a number" : "infinite");
+}
+
+namespace {
+
+bool same_frame(ConstMatrixView frames, std::int64_t a, std::int64_t b) {
+    return std::equal(frames.row(a), frames.row(a) + frames.cols, frames.row(b));
+}
+
+} // namespace
+
+DistinctFrames collapse_repeats(ConstMatrixView frames, std::span<const std::int64_t> lengths) {
+    DistinctFrames distinct;
+    std::vector<std::int64_t> kept;
+    distinct.row_of.reserve(static_cast<std::size_t>(frames.rows));
+    std::int64_t first = 0;
+    for (const std::int64_t length : lengths) {
+        const auto before = kept.size();
+        for (std::int64_t i = first; i < first + length; ++i) {
+            if (i == first || !same_frame(frames, i, i - 1))
+                kept.push_back(i);
+            distinct.row_of.push_back(static_cast<std::int64_t>(kept.size()) - 1);
+        }
+        distinct.lengths.push_back(static_cast<std::int64_t>(kept.size() - before));
+        first += length;
+    }
+    distinct.repeated = frames.rows - static_cast<std::int64_t>(kept.size());
+    distinct.x = frames;
+    if (distinct.repeated > 0) {
+        distinct.storage = Matrix(static_cast<std::int64_t>(kept.size()), frames.cols);
+        for (std::size_t r = 0; r < kept.size(); ++r)
+            std::copy_n(frames.row(kept[r]), frames.cols,
+                        distinct.storage.row(static_cast<std::int64_t>(r)));
+        distinct.x = distinct.storage.view();
+    }
+    return distinct;
+}
+
+namespace {
+
+void check_clip_lengths(const Parameters& parameters, const DistinctFrames& frames,
+                        std::int64_t needed) {
+    const bool one = frames.lengths.size() == 1;
+    for (std::size_t c = 0; c < frames.lengths.size(); ++c)
+        if (frames.lengths[c] < needed)
+            fail(Status::too_few_frames,
+                 "{} has {} distinct frames, and {} neighbors need at least "
+                 "{}; use fewer neighbors{}",
+                 one ? "the clip" : fmt::format("clip {}", c), frames.lengths[c],
+                 parameters.neighbors, needed, one ? "" : " or leave it out");
+}
+
+} // namespace
+
+void check_parameters(const Parameters& p, const DistinctFrames& frames) {
+    if (p.dimension < 1)
+        fail(Status::argument, "dimension is {}; at least 1 is needed", p.dimension);
+    if (p.neighbors < p.dimension + 2)
+        fail(Status::argument,
+             "{} neighbors cannot span {} dimensions: at least dimension + 2 = {} "
+             "are needed",
+             p.neighbors, p.dimension, p.dimension + 2);
+    const std::int64_t self = p.include_self ? 1 : 0;
+    if (p.mode == Mode::spatial) {
+        if (frames.x.rows < p.neighbors + 1)
+            fail(Status::too_few_frames,
+                 "{} distinct frames are too few for {} neighbors: at "
+                 "least {} are needed",
+                 frames.x.rows, p.neighbors, p.neighbors + 1);
+        return;
+    }
+    if (p.neighbors > p.window + self)
+        fail(Status::argument,
+             "{} neighbors do not fit into the window of {} frames to each side, "
+             "which leaves {} at the ends of a clip; use a window of at least {}",
+             p.neighbors, p.window, p.window + self, p.neighbors - self);
+    check_clip_lengths(p, frames, p.neighbors + 1);
+    if (p.mode == Mode::recurrent && p.links < 1)
+        fail(Status::argument, "recurrent neighbors with {} links; at least 1 is needed", p.links);
+    if (p.mode == Mode::recurrent && p.exclusion < p.window)
+        fail(Status::argument,
+             "the exclusion zone of +-{} frames is smaller than the window of +-{} "
+             "that the temporal neighbors come from",
+             p.exclusion, p.window);
+}
+
+} // namespace stltsa::ltsa

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Checks of the frames before any work, and frames that repeat the one before.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "linalg/matrix.hpp"
+#include "ltsa/parameters.hpp"
+
+namespace stltsa::ltsa {
+
+/// Throws for empty or non-finite frames and for lengths that do not sum to the rows.
+void check_frames(ConstMatrixView frames, std::span<const std::int64_t> lengths);
+
+/// The frames without those that equal their predecessor in every feature. A window of held
+/// frames has no tangent, and a hold longer than the window would cut the clip in two.
+struct DistinctFrames {
+    Matrix storage; ///< used only where something repeats
+    ConstMatrixView x;
+    std::vector<std::int64_t> lengths;
+    std::vector<std::int64_t> row_of; ///< distinct row of each frame
+    std::int64_t repeated = 0;
+};
+
+DistinctFrames collapse_repeats(ConstMatrixView frames, std::span<const std::int64_t> lengths);
+
+/// Throws for parameters that do not fit each other or the distinct frames.
+void check_parameters(const Parameters& parameters, const DistinctFrames& frames);
+
+} // namespace stltsa::ltsa

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ltsa/local_pca.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <cblas.h>
+
+#include "linalg/simd.hpp"
+
+namespace stltsa::ltsa {
+
+LocalPca::LocalPca(ConstMatrixView x, std::int64_t size, std::int64_t count)
+    : x_(x), size_(size), eigen_(std::min(size, x.cols), count) {
+    if (frame_side()) {
+        mean_.resize(static_cast<std::size_t>(size));
+    } else {
+        centered_ = Matrix(size, x.cols);
+        mean_.resize(static_cast<std::size_t>(x.cols));
+    }
+}
+
+void LocalPca::compute(std::span<const std::int32_t> neighborhood, const Distance& distance) {
+    // X^T X and X X^T have the same nonzero eigenvalues: take the smaller one.
+    if (frame_side()) {
+        gram(neighborhood, distance);
+    } else {
+        center_frames(neighborhood);
+        covariance();
+    }
+    eigen_.solve();
+}
+
+/// The correlation matrix from distances, -1/2 J D J with J = I - e e^T / k: exact zeros for
+/// equal frames and no loss from large means.
+void LocalPca::gram(std::span<const std::int32_t> neighborhood, const Distance& distance) {
+    const std::int64_t k = size_;
+    double* matrix = eigen_.matrix();
+    std::fill(mean_.begin(), mean_.end(), 0.0);
+    for (std::int64_t a = 0; a < k; ++a) {
+        matrix[a * k + a] = 0;
+        for (std::int64_t b = a + 1; b < k; ++b) {
+            const double d = distance(neighborhood[static_cast<std::size_t>(a)],
+                                      neighborhood[static_cast<std::size_t>(b)]);
+            matrix[a * k + b] = d;
+            mean_[static_cast<std::size_t>(a)] += d;
+            mean_[static_cast<std::size_t>(b)] += d;
+        }
+    }
+    double total = 0;
+    for (double& m : mean_) {
+        m /= static_cast<double>(k);
+        total += m;
+    }
+    total /= static_cast<double>(k);
+    trace_ = 0;
+    for (std::int64_t a = 0; a < k; ++a) {
+        const double shift = total - mean_[static_cast<std::size_t>(a)];
+        for (std::int64_t b = a; b < k; ++b)
+            matrix[a * k + b] =
+                -0.5 * (matrix[a * k + b] - mean_[static_cast<std::size_t>(b)] + shift);
+        trace_ += matrix[a * k + a];
+    }
+}
+
+void LocalPca::center_frames(std::span<const std::int32_t> neighborhood) {
+    const std::int64_t m = x_.cols;
+    // Centered about the middle frame first, so that a large common offset costs no digits.
+    const double* origin = x_.row(neighborhood[neighborhood.size() / 2]);
+    std::fill(mean_.begin(), mean_.end(), 0.0);
+    for (std::int64_t a = 0; a < size_; ++a) {
+        const double* frame = x_.row(neighborhood[static_cast<std::size_t>(a)]);
+        for (std::int64_t c = 0; c < m; ++c) {
+            centered_(a, c) = frame[c] - origin[c];
+            mean_[static_cast<std::size_t>(c)] += centered_(a, c);
+        }
+    }
+    for (std::int64_t a = 0; a < size_; ++a)
+        for (std::int64_t c = 0; c < m; ++c)
+            centered_(a, c) -= mean_[static_cast<std::size_t>(c)] / static_cast<double>(size_);
+}
+
+void LocalPca::covariance() {
+    const auto m = static_cast<int>(x_.cols);
+    cblas_dsyrk(CblasColMajor, CblasLower, CblasNoTrans, m, static_cast<int>(size_), 1.0,
+                centered_.data(), m, 0.0, eigen_.matrix(), m);
+    trace_ = 0;
+    for (std::int64_t c = 0; c < m; ++c)
+        trace_ += eigen_.matrix()[c * m + c];
+}
+
+void LocalPca::direction(std::int64_t l, double* out, const double* before) const {
+    const double* vector = eigen_.vector(l);
+    if (frame_side()) {
+        std::copy_n(vector, size_, out);
+    } else {
+        for (std::int64_t a = 0; a < size_; ++a)
+            out[a] = dot(centered_.row(a), vector, x_.cols);
+    }
+    double mean = 0;
+    for (std::int64_t a = 0; a < size_; ++a)
+        mean += out[a];
+    mean /= static_cast<double>(size_);
+    for (std::int64_t a = 0; a < size_; ++a)
+        out[a] -= mean;
+    for (std::int64_t b = 0; b < l; ++b)
+        axpy(-dot(before + b * size_, out, size_), before + b * size_, out, size_);
+    const double norm = std::sqrt(dot(out, out, size_));
+    if (norm > 0)
+        for (std::int64_t a = 0; a < size_; ++a)
+            out[a] /= norm;
+}
+
+} // namespace stltsa::ltsa

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Principal directions of one neighborhood at a time; keeps its workspace.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+
+#include "linalg/eigen.hpp"
+#include "linalg/matrix.hpp"
+
+namespace stltsa::ltsa {
+
+class LocalPca {
+  public:
+    /// For neighborhoods of `size` frames, `count` directions (at most min(size, features)).
+    LocalPca(ConstMatrixView x, std::int64_t size, std::int64_t count);
+
+    /// Squared distance of two frames.
+    using Distance = std::function<double(std::int64_t, std::int64_t)>;
+    void compute(std::span<const std::int32_t> neighborhood, const Distance& distance);
+
+    /// Eigenvalue l of the correlation matrix, descending from l = 0.
+    double value(std::int64_t l) const { return eigen_.value(l); }
+    /// Sum of all eigenvalues.
+    double trace() const { return trace_; }
+    /// Writes the unit vector over the neighborhood's frames that belongs to value(l), orthogonal
+    /// to e and to the directions `before` it (rows of `size` entries).
+    void direction(std::int64_t l, double* out, const double* before) const;
+
+  private:
+    bool frame_side() const { return size_ <= x_.cols; }
+    void center_frames(std::span<const std::int32_t> neighborhood);
+    void covariance();
+    void gram(std::span<const std::int32_t> neighborhood, const Distance& distance);
+
+    ConstMatrixView x_;
+    std::int64_t size_;
+    TopEigenpairs eigen_;
+    Matrix centered_; ///< size x features, only on the feature side
+    AlignedVector<double> mean_;
+    double trace_ = 0;
+};
+
+} // namespace stltsa::ltsa

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The result of STLTSA and what is known about its quality.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/progress.hpp"
+#include "linalg/matrix.hpp"
+#include "ltsa/parameters.hpp"
+
+namespace stltsa::ltsa {
+
+/// One connected part of the neighborhood graph; each is embedded on its own.
+struct Component {
+    std::int64_t frames = 0;         ///< distinct frames in it
+    std::vector<double> eigenvalues; ///< ascending, the zero one first: 0, lambda_2, lambda_3, ...
+    double residual = 0;             ///< max over wanted u of ||B u - lambda u|| / k
+    double error_estimate = 0; ///< estimated largest principal angle to the exact subspace, radians
+    double gap = 0;            ///< lambda_{d+2} / lambda_{d+1}; near 1: the subspace is ill-defined
+    std::int64_t rank_deficient_windows = 0;
+    std::int64_t solves = 0; ///< applications of the inverse operator by ARPACK
+};
+
+struct Model {
+    Parameters parameters;
+    std::int64_t features = 0;
+    std::vector<std::int64_t> lengths; ///< frames of each clip
+    Matrix coords;                     ///< frames x d; per component: centered, unit norm columns
+    std::vector<std::int64_t> component_of; ///< per frame, 0-based, numbered by first frame
+    std::vector<Component> components;
+    std::int64_t repeated_frames = 0; ///< frames equal to the one before, collapsed before the fit
+    double clock = 0; ///< |correlation| of ranks of coordinate 1 with time; ~1: only a clock
+    std::vector<std::string> warnings;
+};
+
+/// Fits STLTSA to `frames` (rows = frames of all clips one after another; lengths sum to rows).
+/// Throws Error for frames that are too few, parameters out of range, NaN, no memory, cancelled.
+Model fit(ConstMatrixView frames, std::span<const std::int64_t> lengths,
+          const Parameters& parameters, const Progress& progress);
+
+/// The same for tangent dimensions 1 .. parameters.dimension, sharing neighbors and tangents;
+/// element d-1 of the result has dimension d.
+std::vector<Model> fit_dimensions(ConstMatrixView frames, std::span<const std::int64_t> lengths,
+                                  const Parameters& parameters, const Progress& progress);
+
+} // namespace stltsa::ltsa

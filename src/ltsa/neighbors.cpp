@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ltsa/neighbors.hpp"
+
+#include <algorithm>
+
+#include "base/parallel.hpp"
+#include "ltsa/band_distances.hpp"
+
+namespace stltsa::ltsa {
+
+void select_nearest(std::vector<Candidate>& candidates, std::span<std::int32_t> out) {
+    const auto nth = candidates.begin() + static_cast<std::ptrdiff_t>(out.size());
+    if (nth != candidates.end())
+        std::nth_element(candidates.begin(), nth, candidates.end());
+    std::transform(candidates.begin(), nth, out.begin(),
+                   [](const Candidate& candidate) { return candidate.frame; });
+    std::sort(out.begin(), out.end());
+}
+
+Neighborhoods find_neighbors(ConstMatrixView x, std::span<const std::int64_t> lengths,
+                             const Parameters& parameters, const Progress& progress) {
+    switch (parameters.mode) {
+    case Mode::spatial:
+        return spatial_neighbors(x, parameters, progress);
+    case Mode::recurrent:
+        return recurrent_neighbors(x, lengths, parameters, progress);
+    case Mode::temporal:
+        break;
+    }
+    return temporal_neighbors(x, lengths, parameters, progress);
+}
+
+namespace {
+
+/// One block of frames of one clip.
+struct Block {
+    std::int64_t clip_begin, clip_end; ///< frames of the clip
+    std::int64_t begin, end;           ///< frames of the block
+};
+
+std::vector<Block> clip_blocks(std::span<const std::int64_t> lengths, std::int64_t block) {
+    std::vector<Block> blocks;
+    std::int64_t first = 0;
+    for (const std::int64_t length : lengths) {
+        for (std::int64_t begin = first; begin < first + length; begin += block)
+            blocks.push_back(
+                {first, first + length, begin, std::min(begin + block, first + length)});
+        first += length;
+    }
+    return blocks;
+}
+
+void fill_block(ConstMatrixView x, const Block& block, const Parameters& parameters,
+                Neighborhoods& neighborhoods) {
+    const std::int64_t w = parameters.window;
+    // Distances are needed from each frame of the block to its own window only.
+    const std::int64_t low = std::max(block.clip_begin, block.begin - w);
+    const std::int64_t high = std::min(block.clip_end, block.end + w);
+    const BandDistances distances(x, low, high, w);
+    std::vector<Candidate> candidates;
+    for (std::int64_t i = block.begin; i < block.end; ++i) {
+        candidates.clear();
+        for (std::int64_t j = std::max(low, i - w); j < std::min(high, i + w + 1); ++j)
+            if (j != i || parameters.include_self)
+                candidates.push_back({distances(i, j), static_cast<std::int32_t>(j)});
+        select_nearest(candidates, neighborhoods.of(i));
+    }
+}
+
+} // namespace
+
+Neighborhoods temporal_neighbors(ConstMatrixView x, std::span<const std::int64_t> lengths,
+                                 const Parameters& parameters, const Progress& progress) {
+    Neighborhoods neighborhoods{parameters.neighbors, {}};
+    neighborhoods.index.resize(checked_size(x.rows, parameters.neighbors));
+    const auto blocks = clip_blocks(lengths, frame_block(parameters.window));
+    const auto count = static_cast<std::int64_t>(blocks.size());
+    parallel_blocks(
+        count, parameters.threads,
+        [&](std::int64_t b) {
+            fill_block(x, blocks[static_cast<std::size_t>(b)], parameters, neighborhoods);
+        },
+        [&](std::int64_t done) {
+            progress.report(Stage::neighbors,
+                            static_cast<double>(done) / static_cast<double>(count));
+        });
+    return neighborhoods;
+}
+
+} // namespace stltsa::ltsa

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which frames are neighbors of which (paper, section 2.1).
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/progress.hpp"
+#include "linalg/matrix.hpp"
+#include "ltsa/parameters.hpp"
+
+namespace stltsa::ltsa {
+
+/// The neighborhood of each frame: k frame numbers, ascending.
+struct Neighborhoods {
+    std::int64_t size = 0; ///< k
+    std::vector<std::int32_t> index;
+
+    std::int64_t frames() const { return static_cast<std::int64_t>(index.size()) / size; }
+    std::span<const std::int32_t> of(std::int64_t frame) const {
+        return {index.data() + frame * size, static_cast<std::size_t>(size)};
+    }
+    std::span<std::int32_t> of(std::int64_t frame) {
+        return {index.data() + frame * size, static_cast<std::size_t>(size)};
+    }
+};
+
+/// A frame that may become a neighbor.
+struct Candidate {
+    double distance;
+    std::int32_t frame;
+    /// Nearer first, ties by frame number.
+    bool operator<(const Candidate& other) const {
+        return distance < other.distance || (distance == other.distance && frame < other.frame);
+    }
+};
+
+/// Writes the frame numbers of the `out.size()` smallest candidates in ascending order.
+void select_nearest(std::vector<Candidate>& candidates, std::span<std::int32_t> out);
+
+/// The neighborhoods that `parameters` ask for. Frames of all clips one after another.
+Neighborhoods find_neighbors(ConstMatrixView x, std::span<const std::int64_t> lengths,
+                             const Parameters& parameters, const Progress& progress);
+
+/// The k nearest within +-window frames of the same clip. The window is cut off at the ends.
+Neighborhoods temporal_neighbors(ConstMatrixView x, std::span<const std::int64_t> lengths,
+                                 const Parameters& parameters, const Progress& progress);
+/// The k nearest among all frames.
+Neighborhoods spatial_neighbors(ConstMatrixView x, const Parameters& parameters,
+                                const Progress& progress);
+/// The temporal ones, plus the `links` nearest frames outside the exclusion zone, which is
+/// +-exclusion frames of the same clip.
+Neighborhoods recurrent_neighbors(ConstMatrixView x, std::span<const std::int64_t> lengths,
+                                  const Parameters& parameters, const Progress& progress);
+
+} // namespace stltsa::ltsa

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+
+namespace stltsa::ltsa {
+
+/// Where the neighbors of a frame are looked for. Same values as STLTSA_MODE_* (checked in capi).
+enum class Mode : std::int32_t {
+    temporal = 1,  ///< within +-window frames of the same clip (paper, section 2.1)
+    spatial = 2,   ///< among all frames of all clips (classical LTSA)
+    recurrent = 3, ///< temporal, plus the `links` nearest frames outside the exclusion zone
+};
+
+/// What a fit needs beside the frames; every field is set (no "auto" below this room).
+struct Parameters {
+    std::int64_t neighbors = 12; ///< k, the frame itself counted when include_self
+    std::int64_t window = 12;    ///< w, frames to each side
+    int dimension = 2;           ///< d
+    Mode mode = Mode::temporal;
+    bool include_self = true;
+    std::int64_t links = 4;     ///< recurrent: neighbors from outside the exclusion zone
+    std::int64_t exclusion = 0; ///< recurrent: frames to each side that are not links
+    int spectrum = 0;           ///< eigenvalues to compute per component; 0: dimension + 3
+    int threads = 1;
+};
+
+} // namespace stltsa::ltsa

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ltsa/warnings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace stltsa::ltsa {
+namespace {
+
+/// Beyond this rank correlation with time a coordinate has no turning point worth the name.
+constexpr double clock_threshold = 0.98;
+/// Below this ratio of eigenvalues the embedding may turn within its subspace's neighbor.
+constexpr double small_gap = 1.05;
+/// An estimated error beyond this is no longer invisible in a plot.
+constexpr double large_error = 1e-6;
+
+} // namespace
+
+double clock_likeness(const Graph& graph, const Matrix& coords) {
+    const auto& members =
+        *std::max_element(graph.components.members.begin(), graph.components.members.end(),
+                          [](const auto& a, const auto& b) { return a.size() < b.size(); });
+    std::vector<std::size_t> order(members.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return coords(members[a], 0) < coords(members[b], 0);
+    });
+    double squares = 0;
+    for (std::size_t rank = 0; rank < order.size(); ++rank) {
+        const double d = static_cast<double>(order[rank]) - static_cast<double>(rank);
+        squares += d * d;
+    }
+    const auto n = static_cast<double>(order.size());
+    return std::abs(1 - 6 * squares / (n * (n * n - 1)));
+}
+
+std::vector<std::string> warnings_of(const Graph& graph, const Model& model) {
+    std::vector<std::string> warnings;
+    const auto clips = static_cast<std::int64_t>(graph.frames.lengths.size());
+    if (graph.components.count > clips || (graph.components.count > 1 && clips == 1))
+        warnings.push_back(fmt::format(
+            "the neighborhood graph falls apart into {} parts, the second begins at distinct frame "
+            "{}; each part has coordinates of its own (a cut in the clip? try recurrent, or more "
+            "neighbors)",
+            graph.components.count, graph.components.members[1].front()));
+    if (model.parameters.mode == Mode::temporal && model.clock > clock_threshold)
+        warnings.push_back(fmt::format(
+            "coordinate 1 is only a clock (rank correlation with time {:.3f}): the window of {} "
+            "neighbors is short against the motion's cycle; use about 1.2 cycles",
+            model.clock, model.parameters.neighbors));
+    std::int64_t deficient = 0;
+    double gap = INFINITY;
+    double error = 0;
+    for (const Component& component : model.components) {
+        deficient += component.rank_deficient_windows;
+        if (component.gap > 0)
+            gap = std::min(gap, component.gap);
+        error = std::max(error, component.error_estimate);
+    }
+    if (deficient > 0)
+        warnings.push_back(fmt::format("{} of {} windows vary in fewer than {} directions",
+                                       deficient, graph.frames.x.rows, model.parameters.dimension));
+    if (gap < small_gap)
+        warnings.push_back(fmt::format(
+            "the eigenvalues on both sides of dimension {} differ by {:.2g} % only: another "
+            "dimension is better defined",
+            model.parameters.dimension, 100 * (gap - 1)));
+    if (error > large_error)
+        warnings.push_back(
+            fmt::format("the embedding may be off by {:.1g} radians: the eigenvalues "
+                        "are at the limit of double precision",
+                        error));
+    return warnings;
+}
+
+} // namespace stltsa::ltsa

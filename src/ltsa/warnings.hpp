@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a user should know before trusting an embedding.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ltsa/embed.hpp"
+
+namespace stltsa::ltsa {
+
+/// |Spearman's rank correlation| of the first coordinate of the largest component with time:
+/// 1 where the coordinate only tells the time. `coords`: distinct frames x d.
+double clock_likeness(const Graph& graph, const Matrix& coords);
+
+std::vector<std::string> warnings_of(const Graph& graph, const Model& model);
+
+} // namespace stltsa::ltsa
