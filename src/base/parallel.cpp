@@ -83,15 +83,17 @@ void parallel_blocks(std::int64_t blocks, int threads,
                      const std::function<void(std::int64_t)>& poll) {
     BlockQueue queue(blocks, body);
     std::vector<std::thread> workers;
-    const std::int64_t extra = std::min<std::int64_t>(threads, blocks) - 1;
+    const std::int64_t extra =
+        std::max<std::int64_t>(0, std::min<std::int64_t>(threads, blocks) - 1);
+    workers.reserve(static_cast<std::size_t>(extra));
     try {
         for (std::int64_t i = 0; i < extra; ++i)
             workers.emplace_back([&queue] {
                 while (queue.run_one()) {
                 }
             });
-    } catch (const std::system_error&) {
-        // The system gives no more threads: the ones that started and this one do the work.
+    } catch (const std::exception&) {
+        // No more threads or memory for them: the ones that started and this one do the work.
     }
     try {
         while (queue.run_one())

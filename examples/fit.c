@@ -1,0 +1,105 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Your own numbers in, coordinates out: no clip file, just a matrix with a row per frame.
+ *
+ * The frames here go round a circle three times that is bent into six dimensions; STLTSA finds
+ * the two coordinates of the circle again. Shown on the way: options, progress, cancelling, errors.
+ *
+ *     cc fit.c $(pkg-config --cflags --libs stltsa) -lm -o fit && ./fit
+ */
+#include <math.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include <stltsa.h>
+
+enum { FRAMES = 300, FEATURES = 6, PERIOD = 100 };
+
+static void make_frames(double frames[FRAMES][FEATURES]) {
+    for (int t = 0; t < FRAMES; ++t) {
+        const double angle = 2 * 3.14159265358979323846 * t / PERIOD;
+        const double x = cos(angle), y = sin(angle);
+        const double row[FEATURES] = {x, y, 0.3 * x * y, 0.2 * x * x, 0.5 * x + y, 0.1 * y * y};
+        for (int c = 0; c < FEATURES; ++c)
+            frames[t][c] = row[c];
+    }
+}
+
+static volatile sig_atomic_t interrupted = 0;
+
+static void on_interrupt(int signal_number) {
+    (void)signal_number;
+    interrupted = 1;
+}
+
+/* Called on this thread as the work goes on. Nonzero ends it: the call returns E_CANCELLED. */
+static int32_t on_progress(void* user, int32_t stage, double fraction) {
+    int* calls_left = user; /* negative: no limit */
+    (void)stage;
+    (void)fraction;
+    if (*calls_left > 0)
+        --*calls_left;
+    return interrupted || *calls_left == 0;
+}
+
+static stltsa_status set_options(stltsa_options* options, int* calls_left) {
+    stltsa_status status = stltsa_options_set_int(options, STLTSA_DIMENSION, 2);
+    if (status == STLTSA_OK) /* 1.2 periods: fewer and the first coordinate only tells the time */
+        status = stltsa_options_set_int(options, STLTSA_NEIGHBORS, PERIOD * 6 / 5);
+    if (status == STLTSA_OK)
+        status = stltsa_options_set_progress(options, on_progress, calls_left);
+    return status;
+}
+
+static stltsa_status print_coordinates(const stltsa_model* model) {
+    static double coords[FRAMES][2];
+    const stltsa_out out = {coords, FRAMES, 2, 0, 0, STLTSA_F64, 0}; /* strides 0: packed rows */
+    int64_t neighbors = 0;
+    double residual = 0;
+
+    stltsa_status status = stltsa_model_coords(model, &out);
+    if (status == STLTSA_OK)
+        status = stltsa_model_get_int(model, STLTSA_MODEL_NEIGHBORS, &neighbors);
+    if (status == STLTSA_OK)
+        status = stltsa_model_get_real(model, STLTSA_MODEL_RESIDUAL, &residual);
+    if (status != STLTSA_OK)
+        return status;
+
+    printf("%d frames, %lld neighbors, residual %.1e\n", FRAMES, (long long)neighbors, residual);
+    for (int t = 0; t < FRAMES; t += PERIOD / 4)
+        printf("frame %3d  %8.5f  %8.5f\n", t, coords[t][0], coords[t][1]);
+    for (int64_t i = 0; i < stltsa_model_warning_count(model); ++i)
+        printf("warning: %s\n", stltsa_model_warning(model, i));
+    return STLTSA_OK;
+}
+
+int main(void) {
+    static double frames[FRAMES][FEATURES];
+    const stltsa_in in = {frames, FRAMES, FEATURES, 0, 0, STLTSA_F64, 0};
+    stltsa_options* options = NULL;
+    stltsa_model* model = NULL;
+    int calls_left = -1;
+
+    make_frames(frames);
+    signal(SIGINT, on_interrupt); /* Ctrl-C cancels the fit; the library installs no handler */
+
+    stltsa_status status = stltsa_options_new(&options);
+    if (status == STLTSA_OK)
+        status = set_options(options, &calls_left);
+    if (status == STLTSA_OK)
+        status = stltsa_fit(&in, NULL, 1, options, &model); /* lengths NULL: it is one clip */
+    if (status == STLTSA_OK)
+        status = print_coordinates(model);
+    if (status != STLTSA_OK)
+        fprintf(stderr, "%s: %s\n", stltsa_status_name(status), stltsa_last_error());
+    stltsa_model_free(model);
+
+    /* The same again, cancelled at the second report: no model, and nothing is lost. */
+    calls_left = 2;
+    if (status == STLTSA_OK && stltsa_fit(&in, NULL, 1, options, &model) == STLTSA_E_CANCELLED &&
+        model == NULL)
+        printf("the second fit was cancelled, as asked\n");
+
+    stltsa_options_free(options);
+    return status == STLTSA_OK ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <memory>
+#include <string_view>
+
+#include "capi/arrays.hpp"
+#include "capi/guard.hpp"
+#include "capi/handles.hpp"
+#include "capi/options.hpp"
+#include "ltsa/frames.hpp"
+
+using namespace stltsa;
+using capi::guard;
+using capi::required;
+
+namespace {
+
+constexpr bool same(clip::Format format, int value) {
+    return static_cast<int>(format) == value;
+}
+static_assert(same(clip::Format::bvh, STLTSA_FORMAT_BVH) &&
+              same(clip::Format::amc, STLTSA_FORMAT_AMC) &&
+              same(clip::Format::csv, STLTSA_FORMAT_CSV) &&
+              same(clip::Format::npy, STLTSA_FORMAT_NPY) &&
+              same(clip::Format::matrix, STLTSA_FORMAT_MATRIX));
+
+const clip::Skeleton& skeleton_of(const stltsa_clip& clip) {
+    if (!clip.clip.skeleton)
+        fail(Status::unsupported, "the clip has no skeleton: it was read from bare numbers");
+    return *clip.clip.skeleton;
+}
+
+Matrix clip_features(const stltsa_clip& clip, const stltsa_options* options) {
+    const auto prepare = capi::OptionsReader(options).prepare_options();
+    return clip::features(clip.clip, prepare.features, prepare.up);
+}
+
+clip::Format format_of(int32_t format, std::string_view bytes) {
+    if (format == 0)
+        return clip::sniff(bytes);
+    if (format < STLTSA_FORMAT_BVH || format > STLTSA_FORMAT_NPY)
+        fail(Status::argument,
+             "format is {}; 0 or STLTSA_FORMAT_BVH .. STLTSA_FORMAT_NPY is needed", format);
+    return static_cast<clip::Format>(format);
+}
+
+} // namespace
+
+stltsa_status stltsa_clip_open(const char* path, const stltsa_options* options,
+                               stltsa_clip** clip) noexcept {
+    return guard([&] {
+        required(clip, "clip") = nullptr;
+        const capi::OptionsReader reader(options);
+        reader.progress().report(Stage::read, 0);
+        auto made = std::make_unique<stltsa_clip>(
+            stltsa_clip{clip::read(&required(path, "path"), reader.read_options())});
+        reader.progress().report(Stage::read, 1);
+        *clip = made.release();
+    });
+}
+
+stltsa_status stltsa_clip_parse(const void* bytes, size_t size, int32_t format,
+                                const stltsa_options* options, stltsa_clip** clip) noexcept {
+    return guard([&] {
+        required(clip, "clip") = nullptr;
+        const auto* text = static_cast<const char*>(bytes);
+        if (size > 0)
+            required(text, "bytes");
+        const std::string_view all(text, size);
+        const capi::OptionsReader reader(options);
+        reader.progress().report(Stage::read, 0);
+        auto made = std::make_unique<stltsa_clip>(
+            stltsa_clip{clip::parse(all, format_of(format, all), "memory", reader.read_options())});
+        made->clip.path.clear();
+        reader.progress().report(Stage::read, 1);
+        *clip = made.release();
+    });
+}
+
+stltsa_status stltsa_clip_from_matrix(const stltsa_in* frames, double fps,
+                                      stltsa_clip** clip) noexcept {
+    return guard([&] {
+        required(clip, "clip") = nullptr;
+        const capi::InputFrames input(frames, "frames");
+        if (!(fps > 0 && fps <= 1e6))
+            fail(Status::argument, "fps is {}; it must be above 0 and at most 1000000", fps);
+        auto made = std::make_unique<stltsa_clip>();
+        made->clip.fps = fps;
+        const std::int64_t rows = input.view().rows;
+        ltsa::check_frames(input.view(), {&rows, 1});
+        made->clip.values = Matrix(rows, input.view().cols);
+        std::copy_n(input.view().data, checked_size(rows, input.view().cols),
+                    made->clip.values.data());
+        *clip = made.release();
+    });
+}
+
+void stltsa_clip_free(stltsa_clip* clip) noexcept {
+    delete clip;
+}
+
+int64_t stltsa_clip_frames(const stltsa_clip* clip) noexcept {
+    return clip == nullptr ? 0 : clip->clip.frames();
+}
+
+double stltsa_clip_fps(const stltsa_clip* clip) noexcept {
+    return clip == nullptr ? 0 : clip->clip.fps;
+}
+
+int32_t stltsa_clip_format(const stltsa_clip* clip) noexcept {
+    return clip == nullptr ? 0 : static_cast<int32_t>(clip->clip.format);
+}
+
+int64_t stltsa_clip_channels(const stltsa_clip* clip) noexcept {
+    return clip == nullptr ? 0 : clip->clip.values.cols();
+}
+
+int64_t stltsa_clip_joints(const stltsa_clip* clip) noexcept {
+    if (clip == nullptr || !clip->clip.skeleton)
+        return 0;
+    return static_cast<int64_t>(clip->clip.skeleton->joints.size());
+}
+
+stltsa_status stltsa_clip_joint(const stltsa_clip* clip, int64_t joint, const char** name,
+                                int64_t* parent, int32_t* is_end_site) noexcept {
+    return guard([&] {
+        const auto& joints = skeleton_of(required(clip, "clip")).joints;
+        if (joint < 0 || joint >= static_cast<int64_t>(joints.size()))
+            fail(Status::argument, "joint {} is not in 0 .. {}", joint, joints.size() - 1);
+        const clip::Joint& found = joints[static_cast<std::size_t>(joint)];
+        if (name != nullptr)
+            *name = found.name.c_str();
+        if (parent != nullptr)
+            *parent = found.parent;
+        if (is_end_site != nullptr)
+            *is_end_site = found.end_site ? 1 : 0;
+    });
+}
+
+stltsa_status stltsa_clip_positions(const stltsa_clip* clip, const stltsa_out* positions) noexcept {
+    return guard([&] {
+        const auto joints = static_cast<int64_t>(skeleton_of(required(clip, "clip")).joints.size());
+        capi::check_output(positions, "positions", clip->clip.frames(), 3 * joints);
+        capi::write_output(positions, "positions", clip::positions(clip->clip).view());
+    });
+}
+
+stltsa_status stltsa_clip_rotations(const stltsa_clip* clip, const stltsa_out* rotations) noexcept {
+    return guard([&] {
+        const auto joints = static_cast<int64_t>(skeleton_of(required(clip, "clip")).joints.size());
+        capi::check_output(rotations, "rotations", clip->clip.frames(), 4 * joints);
+        capi::write_output(rotations, "rotations", clip::rotations(clip->clip).view());
+    });
+}
+
+stltsa_status stltsa_clip_feature_count(const stltsa_clip* clip, const stltsa_options* options,
+                                        int64_t* count) noexcept {
+    return guard(
+        [&] { required(count, "count") = clip_features(required(clip, "clip"), options).cols(); });
+}
+
+stltsa_status stltsa_clip_features(const stltsa_clip* clip, const stltsa_options* options,
+                                   const stltsa_out* features) noexcept {
+    return guard([&] {
+        capi::write_output(features, "features",
+                           clip_features(required(clip, "clip"), options).view());
+    });
+}
+
+stltsa_status stltsa_clip_json(const stltsa_clip* clip, char** json) noexcept {
+    return guard([&] {
+        required(json, "json") = nullptr;
+        *json = capi::caller_string(capi::clip_json(required(clip, "clip").clip));
+    });
+}
+
+void stltsa_string_free(char* text) noexcept {
+    delete[] text;
+}

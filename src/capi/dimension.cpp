@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ltsa/dimension.hpp"
+
+#include <algorithm>
+#include <memory>
+
+#include "capi/arrays.hpp"
+#include "capi/dimension.hpp"
+#include "capi/guard.hpp"
+#include "capi/source.hpp"
+#include "ltsa/frames.hpp"
+
+using namespace stltsa;
+using capi::guard;
+using capi::required;
+
+namespace stltsa::capi {
+
+ltsa::DimensionOptions dimension_options(const OptionsReader& options) {
+    return {options.real(STLTSA_EIGENGAP), options.real(STLTSA_VARIANCE)};
+}
+
+} // namespace stltsa::capi
+
+namespace {
+
+/// Frames too degenerate to work with are an answer here: the reason stands for both estimates.
+ltsa::Dimension estimate(ConstMatrixView samples, const std::vector<std::int64_t>& lengths,
+                         const ltsa::Parameters& parameters, const capi::OptionsReader& options) {
+    try {
+        return ltsa::intrinsic_dimension(samples, lengths, parameters,
+                                         capi::dimension_options(options), options.progress());
+    } catch (const Error& error) {
+        if (error.status() != Status::degenerate && error.status() != Status::disconnected)
+            throw;
+        ltsa::Dimension unknown;
+        unknown.parameters = parameters;
+        unknown.eigengap_reason = unknown.local_pca_reason = error.what();
+        return unknown;
+    }
+}
+
+std::unique_ptr<stltsa_dimension_result> estimate_samples(ConstMatrixView samples,
+                                                          const std::vector<std::int64_t>& lengths,
+                                                          const capi::OptionsReader& options,
+                                                          capi::Source source) {
+    ltsa::check_frames(samples, lengths);
+    auto result = std::make_unique<stltsa_dimension_result>();
+    const auto parameters =
+        capi::choose_parameters(samples, options, capi::eigengap_tangent_dimension, source);
+    result->dimension = estimate(samples, lengths, parameters, options);
+    result->source = std::move(source);
+    return result;
+}
+
+int64_t copy_values(const std::vector<double>& from, double* values, int64_t capacity) {
+    if (values != nullptr)
+        std::copy_n(from.begin(),
+                    std::clamp<int64_t>(capacity, 0, static_cast<int64_t>(from.size())), values);
+    return static_cast<int64_t>(from.size());
+}
+
+} // namespace
+
+stltsa_status stltsa_dimension(const stltsa_in* frames, const int64_t* lengths, int64_t clips,
+                               const stltsa_options* options,
+                               stltsa_dimension_result** result) noexcept {
+    return guard([&] {
+        required(result, "result") = nullptr;
+        const capi::InputFrames input(frames, "frames");
+        const capi::OptionsReader reader(options);
+        *result =
+            estimate_samples(input.view(), capi::clip_lengths(lengths, clips, input.view().rows),
+                             reader, capi::matrix_source(input.view(), reader))
+                .release();
+    });
+}
+
+stltsa_status stltsa_dimension_clip(const stltsa_clip* clip, const stltsa_options* options,
+                                    stltsa_dimension_result** result) noexcept {
+    return guard([&] {
+        required(result, "result") = nullptr;
+        const capi::OptionsReader reader(options);
+        auto prepared = capi::prepare_clip(required(clip, "clip"), reader);
+        *result = estimate_samples(prepared.samples.view(), {prepared.samples.rows()}, reader,
+                                   std::move(prepared.source))
+                      .release();
+    });
+}
+
+void stltsa_dimension_free(stltsa_dimension_result* result) noexcept {
+    delete result;
+}
+
+int64_t stltsa_dimension_eigengap(const stltsa_dimension_result* result,
+                                  const char** reason) noexcept {
+    if (reason != nullptr)
+        *reason = result == nullptr ? "" : result->dimension.eigengap_reason.c_str();
+    return result == nullptr ? 0 : result->dimension.eigengap;
+}
+
+int64_t stltsa_dimension_local_pca(const stltsa_dimension_result* result,
+                                   const char** reason) noexcept {
+    if (reason != nullptr)
+        *reason = result == nullptr ? "" : result->dimension.local_pca_reason.c_str();
+    return result == nullptr ? 0 : result->dimension.local_pca;
+}
+
+int64_t stltsa_dimension_eigenvalues(const stltsa_dimension_result* result, double* values,
+                                     int64_t capacity) noexcept {
+    return result == nullptr ? 0 : copy_values(result->dimension.eigenvalues, values, capacity);
+}
+
+int64_t stltsa_dimension_local_variances(const stltsa_dimension_result* result, double* values,
+                                         int64_t capacity) noexcept {
+    return result == nullptr ? 0 : copy_values(result->dimension.local_variances, values, capacity);
+}
+
+stltsa_status stltsa_dimension_json(const stltsa_dimension_result* result, char** json) noexcept {
+    return guard([&] {
+        required(json, "json") = nullptr;
+        const auto& source = required(result, "result").source;
+        *json = capi::caller_string(capi::dimension_json(
+            {source.clip_or_null(), source.samples, source.period, &result->dimension}));
+    });
+}

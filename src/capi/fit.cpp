@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include "capi/arrays.hpp"
+#include "capi/guard.hpp"
+#include "capi/source.hpp"
+#include "ltsa/frames.hpp"
+
+using namespace stltsa;
+using capi::guard;
+using capi::required;
+
+namespace {
+
+constexpr int standard_dimension = 2;
+
+std::unique_ptr<stltsa_model> fit_samples(ConstMatrixView samples,
+                                          const std::vector<std::int64_t>& lengths,
+                                          const capi::OptionsReader& options, capi::Source source) {
+    ltsa::check_frames(samples, lengths);
+    auto model = std::make_unique<stltsa_model>();
+    const auto parameters = capi::choose_parameters(samples, options, standard_dimension, source);
+    model->model = ltsa::fit(samples, lengths, parameters, options.progress());
+    model->source = std::move(source);
+    return model;
+}
+
+std::int64_t sum_over_components(const stltsa_model& model, std::int64_t ltsa::Component::*field) {
+    std::int64_t sum = 0;
+    for (const auto& component : model.model.components)
+        sum += component.*field;
+    return sum;
+}
+
+double largest(const stltsa_model& model, double ltsa::Component::*field) {
+    double value = 0;
+    for (const auto& component : model.model.components)
+        value = std::max(value, component.*field);
+    return value;
+}
+
+double smallest_gap(const stltsa_model& model) {
+    double gap = std::numeric_limits<double>::infinity();
+    for (const auto& component : model.model.components)
+        gap = std::min(gap, component.gap);
+    return gap;
+}
+
+std::int64_t integer_of(const stltsa_model& model, int32_t key) {
+    const auto& parameters = model.model.parameters;
+    switch (key) {
+    case STLTSA_MODEL_FRAMES:
+        return model.model.coords.rows();
+    case STLTSA_MODEL_FEATURES:
+        return model.model.features;
+    case STLTSA_MODEL_DIMENSION:
+        return parameters.dimension;
+    case STLTSA_MODEL_NEIGHBORS:
+        return parameters.neighbors;
+    case STLTSA_MODEL_WINDOW:
+        return parameters.window;
+    case STLTSA_MODEL_MODE:
+        return static_cast<std::int64_t>(parameters.mode);
+    case STLTSA_MODEL_INCLUDE_SELF:
+        return parameters.include_self ? 1 : 0;
+    case STLTSA_MODEL_LINKS:
+        return parameters.links;
+    case STLTSA_MODEL_EXCLUSION:
+        return parameters.exclusion;
+    case STLTSA_MODEL_COMPONENTS:
+        return static_cast<std::int64_t>(model.model.components.size());
+    case STLTSA_MODEL_REPEATED:
+        return model.model.repeated_frames;
+    case STLTSA_MODEL_RANK_DEFICIENT:
+        return sum_over_components(model, &ltsa::Component::rank_deficient_windows);
+    case STLTSA_MODEL_SOLVES:
+        return sum_over_components(model, &ltsa::Component::solves);
+    case STLTSA_MODEL_FIRST_FRAME:
+        return model.source.samples.first;
+    case STLTSA_MODEL_FRAME_STEP:
+        return model.source.samples.step;
+    default:
+        fail(Status::argument, "{} is no integer key of a model", key);
+    }
+}
+
+double real_of(const stltsa_model& model, int32_t key) {
+    switch (key) {
+    case STLTSA_MODEL_RESIDUAL:
+        return largest(model, &ltsa::Component::residual);
+    case STLTSA_MODEL_ERROR_ESTIMATE:
+        return largest(model, &ltsa::Component::error_estimate);
+    case STLTSA_MODEL_GAP:
+        return smallest_gap(model);
+    case STLTSA_MODEL_CLOCK:
+        return model.model.clock;
+    case STLTSA_MODEL_FPS:
+        return model.source.samples.fps;
+    case STLTSA_MODEL_PERIOD:
+        return model.source.period.period;
+    default:
+        fail(Status::argument, "{} is no real key of a model", key);
+    }
+}
+
+} // namespace
+
+stltsa_status stltsa_fit(const stltsa_in* frames, const int64_t* lengths, int64_t clips,
+                         const stltsa_options* options, stltsa_model** model) noexcept {
+    return guard([&] {
+        required(model, "model") = nullptr;
+        const capi::InputFrames input(frames, "frames");
+        const capi::OptionsReader reader(options);
+        *model = fit_samples(input.view(), capi::clip_lengths(lengths, clips, input.view().rows),
+                             reader, capi::matrix_source(input.view(), reader))
+                     .release();
+    });
+}
+
+stltsa_status stltsa_fit_clip(const stltsa_clip* clip, const stltsa_options* options,
+                              stltsa_model** model) noexcept {
+    return guard([&] {
+        required(model, "model") = nullptr;
+        const capi::OptionsReader reader(options);
+        auto prepared = capi::prepare_clip(required(clip, "clip"), reader);
+        *model = fit_samples(prepared.samples.view(), {prepared.samples.rows()}, reader,
+                             std::move(prepared.source))
+                     .release();
+    });
+}
+
+void stltsa_model_free(stltsa_model* model) noexcept {
+    delete model;
+}
+
+stltsa_status stltsa_model_get_int(const stltsa_model* model, int32_t key,
+                                   int64_t* value) noexcept {
+    return guard([&] { required(value, "value") = integer_of(required(model, "model"), key); });
+}
+
+stltsa_status stltsa_model_get_real(const stltsa_model* model, int32_t key,
+                                    double* value) noexcept {
+    return guard([&] { required(value, "value") = real_of(required(model, "model"), key); });
+}
+
+stltsa_status stltsa_model_coords(const stltsa_model* model, const stltsa_out* coords) noexcept {
+    return guard([&] {
+        capi::write_output(coords, "coords", required(model, "model").model.coords.view());
+    });
+}
+
+stltsa_status stltsa_model_eigenvalues(const stltsa_model* model,
+                                       const stltsa_out* values) noexcept {
+    return guard([&] {
+        const auto& components = required(model, "model").model.components;
+        Matrix all(static_cast<std::int64_t>(components.size()),
+                   model->model.parameters.dimension + 2);
+        for (std::size_t c = 0; c < components.size(); ++c)
+            std::copy_n(components[c].eigenvalues.begin(), all.cols(),
+                        all.row(static_cast<std::int64_t>(c)));
+        capi::write_output(values, "values", all.view());
+    });
+}
+
+stltsa_status stltsa_model_components(const stltsa_model* model, int64_t rows,
+                                      int64_t* labels) noexcept {
+    return guard([&] {
+        const auto& component_of = required(model, "model").model.component_of;
+        if (rows != static_cast<int64_t>(component_of.size()))
+            fail(Status::shape, "rows is {}; the model has {}", rows, component_of.size());
+        std::copy(component_of.begin(), component_of.end(), &required(labels, "labels"));
+    });
+}
+
+int64_t stltsa_model_warning_count(const stltsa_model* model) noexcept {
+    return model == nullptr ? 0 : static_cast<int64_t>(model->model.warnings.size());
+}
+
+const char* stltsa_model_warning(const stltsa_model* model, int64_t index) noexcept {
+    if (index < 0 || index >= stltsa_model_warning_count(model))
+        return "";
+    return model->model.warnings[static_cast<std::size_t>(index)].c_str();
+}
+
+stltsa_status stltsa_model_json(const stltsa_model* model, char** json) noexcept {
+    return guard([&] {
+        required(json, "json") = nullptr;
+        const auto& source = required(model, "model").source;
+        *json = capi::caller_string(capi::model_json(
+            {source.clip_or_null(), source.samples, source.period, &model->model}));
+    });
+}

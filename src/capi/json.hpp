@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The JSON text of results, one line each, as docs/schema describes it. What does not change the
+// result (the number of threads) is left out, so that equal results are equal texts.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "clip/clip.hpp"
+#include "clip/features.hpp"
+#include "ltsa/dimension.hpp"
+#include "ltsa/model.hpp"
+#include "motion/decompose.hpp"
+#include "stltsa.h"
+
+namespace stltsa::capi {
+
+/// What every result repeats of the clip that it came from.
+struct ClipFacts {
+    std::string path; ///< empty: from memory
+    clip::Format format = clip::Format::matrix;
+    std::int64_t frames = 0;
+    double fps = 0; ///< 0: unknown
+    std::vector<std::string> notes;
+};
+ClipFacts clip_facts(const clip::Clip& clip);
+
+/// How the frames of a clip became the working samples: sample i is frame first + i * step.
+struct SampleFacts {
+    std::int64_t count = 0;
+    std::int64_t first = 0;
+    std::int64_t step = 1;
+    double fps = 0; ///< of the samples; 0: unknown
+    clip::Features features = clip::Features::raw;
+    std::int64_t feature_count = 0;
+    clip::Axis up = clip::Axis::automatic; ///< automatic: none was needed
+    double smoothing = 0;                  ///< seconds
+};
+
+/// What the choice of the neighbors rests on.
+struct PeriodFacts {
+    double period = 0;      ///< seconds; 0: none found
+    double lag_quality = 0; ///< 1 - D(period); 0 without a period
+    double shortest = 0;    ///< seconds, of the search; 0: no search was made
+    double longest = 0;
+};
+
+struct ModelFacts {
+    const ClipFacts* clip = nullptr; ///< nullptr: fitted to a matrix
+    SampleFacts samples;
+    PeriodFacts period;
+    const ltsa::Model* model = nullptr;
+};
+
+struct DimensionFacts {
+    const ClipFacts* clip = nullptr; ///< nullptr: of a matrix
+    SampleFacts samples;
+    PeriodFacts period;
+    const ltsa::Dimension* dimension = nullptr;
+};
+
+struct DecompositionFacts {
+    const ClipFacts* clip = nullptr;
+    SampleFacts samples;
+    PeriodFacts period; ///< what was found and the range that was searched
+    const motion::Decomposition* decomposition = nullptr;
+    std::span<const stltsa_interval> units;     ///< in frames of the source file
+    std::span<const stltsa_interval> cycles;    ///< the same
+    const ltsa::Dimension* dimension = nullptr; ///< nullptr: not estimated
+};
+
+std::string clip_json(const clip::Clip& clip);
+std::string model_json(const ModelFacts& facts);
+std::string dimension_json(const DimensionFacts& facts);
+std::string decomposition_json(const DecompositionFacts& facts);
+
+} // namespace stltsa::capi

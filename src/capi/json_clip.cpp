@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "capi/json_parts.hpp"
+
+namespace stltsa::capi {
+namespace {
+
+Json joints(const clip::Clip& clip) {
+    Json list = Json::array();
+    if (!clip.skeleton)
+        return list;
+    for (const clip::Joint& joint : clip.skeleton->joints)
+        list.push_back({{"name", joint.name},
+                        {"parent", joint.parent < 0 ? Json(nullptr) : Json(joint.parent)},
+                        {"end_site", joint.end_site}});
+    return list;
+}
+
+} // namespace
+
+ClipFacts clip_facts(const clip::Clip& clip) {
+    return {clip.path, clip.format, clip.frames(), clip.fps, clip.notes};
+}
+
+std::string clip_json(const clip::Clip& clip) {
+    const clip::Axis up =
+        clip.skeleton ? clip::up_axis(clip, clip::Axis::automatic) : clip::Axis::automatic;
+    const Matrix features = clip::features(clip, clip::Features::automatic, up);
+    const auto kind = clip.skeleton ? clip::Features::positions : clip::Features::raw;
+
+    const ClipFacts facts = clip_facts(clip);
+    const std::int64_t tpose = clip.skeleton ? clip::tpose_frames(features.view()) : 0;
+
+    Json object = json_head("clip");
+    object["clip"] = json_clip(&facts, kind, tpose);
+    object["channels"] = {{"count", clip.values.cols()}, {"names", clip.channel_names}};
+    object["joints"] = joints(clip);
+    object["up_axis"] = json_axis(up);
+    object["feature_count"] = features.cols();
+    return json_text(object);
+}
+
+} // namespace stltsa::capi

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Parts that the JSON objects of clips, models and decompositions share.
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "capi/json.hpp"
+
+namespace stltsa::capi {
+
+using Json = nlohmann::ordered_json;
+
+/// {"format": "stltsa-<kind>/1", "library": "<version>"}: the head of every object.
+Json json_head(const char* kind);
+
+/// One line of text. A path need not be UTF-8, and must not be a reason to fail: bytes that are
+/// not are replaced. NaN and infinities become null.
+std::string json_text(const Json& object);
+
+Json json_string_or_null(const std::string& text);
+/// null for 0: how the library says "none" or "unknown" of a rate, a period, a dimension.
+Json json_positive_or_null(double value);
+Json json_count_or_null(std::int64_t value);
+
+const char* json_name(clip::Format format);
+const char* json_name(clip::Features features);
+const char* json_name(ltsa::Mode mode);
+Json json_axis(clip::Axis axis);
+
+/// `dropped`: frames at the start that are left out (T-pose). null for no clip.
+Json json_clip(const ClipFacts* clip, clip::Features features, std::int64_t dropped);
+Json json_clip(const ClipFacts* clip, const SampleFacts& samples);
+Json json_samples(const SampleFacts& samples);
+Json json_parameters(const ltsa::Parameters& parameters, const PeriodFacts& period);
+
+} // namespace stltsa::capi

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "capi/source.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "motion/decompose.hpp"
+
+namespace stltsa::capi {
+
+char* caller_string(const std::string& text) {
+    char* copy = new char[text.size() + 1];
+    std::memcpy(copy, text.c_str(), text.size() + 1);
+    return copy;
+}
+
+Source matrix_source(ConstMatrixView frames, const OptionsReader& options) {
+    Source source;
+    source.samples.count = frames.rows;
+    source.samples.fps = options.real(STLTSA_FPS);
+    source.samples.feature_count = frames.cols;
+    return source;
+}
+
+ClipSamples prepare_clip(const stltsa_clip& clip, const OptionsReader& options) {
+    const auto prepare = options.prepare_options();
+    options.progress().report(Stage::features, 0);
+    clip::Prepared prepared = clip::prepare(clip.clip, prepare);
+    options.progress().report(Stage::features, 1);
+    ClipSamples result;
+    result.source.from_clip = true;
+    result.source.clip = clip_facts(clip.clip);
+    result.source.samples = {
+        prepared.samples.rows(), prepared.first,          prepared.step, prepared.fps,
+        prepared.features,       prepared.samples.cols(), prepared.up,   prepare.smoothing};
+    result.samples = std::move(prepared.samples);
+    return result;
+}
+
+namespace {
+
+/// k where the rate, and so the period, is unknown.
+constexpr std::int64_t neighbors_without_rate = 12;
+
+std::int64_t choose_neighbors(ConstMatrixView samples, const OptionsReader& options,
+                              Source& source) {
+    const double fps = source.samples.fps;
+    if (!(fps > 0))
+        return neighbors_without_rate;
+    const auto search = options.decompose_options();
+    source.period.shortest = search.shortest_period;
+    source.period.longest = search.longest_period;
+    const motion::Period found =
+        motion::find_period(samples, fps, search.shortest_period, search.longest_period);
+    source.period.period = found.samples / fps;
+    source.period.lag_quality = found.quality;
+    return motion::neighbors_for(found, fps);
+}
+
+} // namespace
+
+ltsa::Parameters choose_parameters(ConstMatrixView samples, const OptionsReader& options,
+                                   int standard_dimension, Source& source) {
+    ltsa::Parameters p;
+    const auto dimension = static_cast<int>(options.integer(STLTSA_DIMENSION));
+    p.dimension = dimension > 0 ? dimension : standard_dimension;
+    p.mode = static_cast<ltsa::Mode>(options.integer(STLTSA_MODE));
+    p.include_self = options.integer(STLTSA_INCLUDE_SELF) != 0;
+    p.links = options.integer(STLTSA_LINKS);
+    p.threads = options.threads();
+    p.neighbors = options.integer(STLTSA_NEIGHBORS);
+    if (p.neighbors == 0) {
+        const std::int64_t wanted = choose_neighbors(samples, options, source);
+        // A clip shorter than that is one neighborhood; dimension + 2 is the least that works.
+        p.neighbors = std::max<std::int64_t>(std::min(wanted, samples.rows - 1), p.dimension + 2);
+    }
+    const std::int64_t window = options.integer(STLTSA_WINDOW);
+    p.window = window > 0 ? window : p.neighbors;
+    const std::int64_t exclusion = options.integer(STLTSA_EXCLUSION);
+    p.exclusion = exclusion > 0 ? exclusion : p.window;
+    return p;
+}
+
+} // namespace stltsa::capi

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+#include <numbers>
+#include <unordered_map>
+
+#include "clip/asf.hpp"
+#include "clip/formats.hpp"
+#include "clip/number.hpp"
+#include "clip/text_cursor.hpp"
+
+namespace stltsa::clip {
+namespace {
+
+/// A joint's place among the columns, and the frame in which it was read last.
+struct Slot {
+    const Joint* joint;
+    std::size_t column;
+    std::int64_t frame = -1;
+};
+
+class AmcReader {
+  public:
+    AmcReader(TextCursor& in, const AsfFile& asf, const std::string& asf_name)
+        : in_(in), asf_name_(asf_name), degrees_(asf.degrees) {
+        for (const Joint& joint : asf.skeleton.joints) {
+            if (joint.channels.empty())
+                continue;
+            slots_.emplace(joint.name, Slot{&joint, columns_});
+            columns_ += joint.channels.size();
+        }
+    }
+
+    void read(Clip& clip) {
+        for (std::string_view line = in_.line(); !line.empty(); line = in_.line())
+            statement(line);
+        if (frame_ < 0)
+            in_.fail(Status::format, "the file has no frames");
+        end_frame();
+        clip.values = Matrix(frame_ + 1, static_cast<std::int64_t>(columns_));
+        std::copy(values_.begin(), values_.end(), clip.values.data());
+        clip.fps = fps_;
+    }
+
+  private:
+    void statement(std::string_view line) {
+        const std::string_view word = next_word(line);
+        if (word[0] == '#')
+            return;
+        if (word[0] == ':')
+            header(word, line);
+        else if (const auto number = parse_integer(word))
+            begin_frame(*number);
+        else
+            bone(word, line);
+    }
+
+    void header(std::string_view word, std::string_view line) {
+        if (equals_ignoring_case(word, ":degrees"))
+            degrees_ = true;
+        else if (equals_ignoring_case(word, ":radians"))
+            degrees_ = false;
+        else if (equals_ignoring_case(word, ":samples-per-second"))
+            fps_ = rate(next_word(line));
+    }
+
+    double rate(std::string_view word) {
+        const auto value = parse_number(word);
+        if (!value || !(*value > 0) || !std::isfinite(*value))
+            in_.fail(Status::format, "{} is not a frame rate", quoted(word));
+        return *value;
+    }
+
+    /// Frames are numbered from any number, without gaps: a gap would distort time.
+    void begin_frame(std::int64_t number) {
+        if (number < 0)
+            in_.fail(Status::format, "a frame cannot have the number {}", number);
+        if (frame_ >= 0) {
+            end_frame();
+            if (number - number_ != 1)
+                in_.fail(Status::format, "frame {} follows frame {}: frames are missing", number,
+                         number_);
+        }
+        number_ = number;
+        ++frame_;
+        bones_read_ = 0;
+        values_.resize(values_.size() + columns_);
+    }
+
+    void end_frame() {
+        if (bones_read_ == slots_.size())
+            return;
+        std::string missing; // the first by name, so that the text is always the same
+        for (const auto& [name, slot] : slots_)
+            if (slot.frame != frame_ && (missing.empty() || name < missing))
+                missing = name;
+        in_.fail(Status::format,
+                 "frame {} ends before this line without bone {}, which moves in {}; a truncated "
+                 "file, or the wrong skeleton?",
+                 number_, quoted(missing), asf_name_);
+    }
+
+    void bone(std::string_view word, std::string_view line) {
+        if (frame_ < 0)
+            in_.fail(Status::format, "{} stands before the number of the first frame",
+                     quoted(word));
+        Slot& slot = find(word);
+        if (slot.frame == frame_)
+            in_.fail(Status::format, "bone {} comes twice in frame {}", quoted(word), number_);
+        slot.frame = frame_;
+        ++bones_read_;
+        double* values = &values_[static_cast<std::size_t>(frame_) * columns_ + slot.column];
+        const std::vector<Channel>& channels = slot.joint->channels;
+        for (std::size_t c = 0; c < channels.size(); ++c)
+            values[c] = number(slot, channels[c], next_word(line));
+        if (!trim(line).empty())
+            in_.fail(Status::format,
+                     "bone {} has {} degrees of freedom in {}, but more numbers here; is it the "
+                     "wrong skeleton?",
+                     quoted(word), channels.size(), asf_name_);
+    }
+
+    Slot& find(std::string_view word) {
+        name_.assign(word);
+        auto found = slots_.find(name_);
+        if (found == slots_.end())
+            found = slots_.find(to_lower(word));
+        if (found == slots_.end())
+            in_.fail(Status::format, "{} has no moving bone {}; is it the wrong skeleton?",
+                     asf_name_, quoted(word));
+        return found->second;
+    }
+
+    double number(const Slot& slot, Channel channel, std::string_view word) {
+        if (word.empty())
+            in_.fail(Status::format,
+                     "bone {} has {} degrees of freedom in {}, but fewer numbers here; is it the "
+                     "wrong skeleton?",
+                     quoted(slot.joint->name), slot.joint->channels.size(), asf_name_);
+        const auto value = parse_number(word);
+        if (!value)
+            in_.fail(Status::format, "{} is not a number", quoted(word));
+        if (!std::isfinite(*value))
+            in_.fail(Status::not_finite, "frame {}, channel {}.{} is {}", frame_, slot.joint->name,
+                     channel_name(channel), *value);
+        return is_rotation(channel) && !degrees_ ? *value * (180 / std::numbers::pi) : *value;
+    }
+
+    TextCursor& in_;
+    const std::string& asf_name_;
+    std::unordered_map<std::string, Slot> slots_;
+    std::size_t columns_ = 0;
+    std::size_t bones_read_ = 0;
+    std::vector<double> values_;
+    std::int64_t frame_ = -1;
+    std::int64_t number_ = 0;
+    std::string name_; ///< kept for its memory
+    bool degrees_;
+    double fps_ = 0;
+};
+
+} // namespace
+
+Clip parse_amc(std::string_view bytes, const std::string& name, const std::string& skeleton_path) {
+    AsfFile asf = parse_asf(read_file(skeleton_path), skeleton_path);
+    if (channel_count(asf.skeleton) == 0)
+        fail(Status::format, "{}: nothing in this skeleton can move", skeleton_path);
+    TextCursor in(bytes, name);
+    Clip clip;
+    AmcReader(in, asf, skeleton_path).read(clip);
+    clip.skeleton = std::move(asf.skeleton);
+    clip.channel_names = channel_names(*clip.skeleton);
+    return clip;
+}
+
+} // namespace stltsa::clip

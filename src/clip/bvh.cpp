@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+
+#include "clip/bvh_hierarchy.hpp"
+#include "clip/formats.hpp"
+#include "clip/number.hpp"
+#include "clip/quaternion.hpp"
+
+namespace stltsa::clip {
+namespace {
+
+/// What follows "Frames" or "Frame Time" on the next line; the colon may touch anything.
+std::string_view header_value(TextCursor& in, std::string_view first, std::string_view second) {
+    const std::string_view line = trim(in.line());
+    std::string_view rest = line;
+    for (const std::string_view word : {first, second, std::string_view(":")}) {
+        if (!starts_with_ignoring_case(rest, word))
+            in.fail(Status::format, "'{}{}{}:' is expected here, not {}", first,
+                    second.empty() ? "" : " ", second, quoted(line));
+        rest = trim(rest.substr(word.size()));
+    }
+    return rest;
+}
+
+std::int64_t read_frame_count(TextCursor& in) {
+    const std::string_view text = header_value(in, "Frames", "");
+    const auto frames = parse_integer(text);
+    if (!frames || *frames < 0)
+        in.fail(Status::format, "'Frames:' must be followed by their number, not {}", quoted(text));
+    if (*frames == 0)
+        in.fail(Status::format, "the file has no frames, only a skeleton");
+    return *frames;
+}
+
+double read_fps(TextCursor& in, Clip& clip) {
+    const std::string_view text = header_value(in, "Frame", "Time");
+    const auto seconds = parse_number(text);
+    if (!seconds || *seconds < 0 || !std::isfinite(*seconds))
+        in.fail(Status::format, "'Frame Time:' must be followed by seconds, not {}", quoted(text));
+    const double fps = 1 / *seconds;
+    if (std::isfinite(fps))
+        return round_rate(fps);
+    clip.notes.push_back("Frame Time is 0: the frame rate is unknown");
+    return 0;
+}
+
+/// Reads the rows as a stream of numbers: a row may go on over several lines, but begins a line.
+class RowReader {
+  public:
+    RowReader(TextCursor& in, Clip& clip, std::int64_t frames, std::int64_t channels)
+        : in_(in), clip_(clip), frames_(frames), channels_(channels) {}
+
+    void read() {
+        // A number takes two bytes at least: refuse before anything is allocated.
+        const auto most = static_cast<std::int64_t>(in_.bytes_left() / 2 + 1) / channels_;
+        if (frames_ > most)
+            truncated();
+        clip_.values = Matrix(frames_, channels_);
+        for (frame_ = 0; frame_ < frames_; ++frame_)
+            read_row();
+        if (!in_.word().empty()) {
+            check_row_begin();
+            in_.fail(Status::format,
+                     "more numbers follow than Frames: {} says: there are {} for {} channels",
+                     frames_, count_numbers(), channels_);
+        }
+    }
+
+  private:
+    void read_row() {
+        for (std::int64_t c = 0; c < channels_; ++c) {
+            const std::string_view word = in_.word();
+            if (word.empty())
+                truncated();
+            if (c == 0)
+                check_row_begin();
+            const auto value = parse_number(word);
+            if (!value)
+                in_.fail(Status::format, "{} is not a number (frame {}, channel {})", quoted(word),
+                         frame_, name(c));
+            if (!std::isfinite(*value))
+                in_.fail(Status::not_finite, "frame {}, channel {} is {}", frame_, name(c), *value);
+            clip_.values(frame_, c) = *value;
+        }
+        row_end_ = in_.line_number();
+    }
+
+    /// Called at the first word of a row. In the middle of a line it shows that the row before had
+    /// too many numbers, or took some of the next because it had too few.
+    void check_row_begin() {
+        const std::int64_t line = in_.line_number();
+        if (frame_ > 0 && line == row_end_)
+            in_.fail_at(row_begin_, Status::format,
+                        "frame {} has {} numbers where the hierarchy has {} channels", frame_ - 1,
+                        row_begin_ == row_end_ ? "more" : "fewer", channels_);
+        row_begin_ = line;
+    }
+
+    [[noreturn]] void truncated() {
+        const std::int64_t count = count_numbers();
+        in_.fail(Status::format,
+                 "the file ends early: Frames: {} of {} channels, but the numbers are enough for "
+                 "{} frames{}",
+                 frames_, channels_, count / channels_,
+                 count % channels_ == 0 ? "" : fmt::format(" and {} more", count % channels_));
+    }
+
+    /// Numbers in all of the data; leaves in_ at the last of them.
+    std::int64_t count_numbers() {
+        std::int64_t count = 0;
+        for (TextCursor cursor = begin_; !cursor.word().empty(); ++count)
+            in_ = cursor;
+        return count;
+    }
+
+    const std::string& name(std::int64_t c) const {
+        return clip_.channel_names[static_cast<std::size_t>(c)];
+    }
+
+    TextCursor& in_;
+    Clip& clip_;
+    const TextCursor begin_{in_};
+    const std::int64_t frames_;
+    const std::int64_t channels_;
+    std::int64_t frame_ = 0;
+    std::int64_t row_begin_ = 0;
+    std::int64_t row_end_ = 0;
+};
+
+/// The original description of the format has translation channels add to OFFSET. In the files
+/// that exist they replace it: the OFFSET of a root is a copy of its first position, and where
+/// every joint has translations these repeat the OFFSETs (and the common importers replace). Only
+/// where the translations below the root stay nearer to zero than to the OFFSETs do they add.
+bool translations_add(const Skeleton& skeleton, const Matrix& values) {
+    double from_zero = 0;
+    double from_offset = 0;
+    for (std::int64_t frame = 0; frame < values.rows(); ++frame) {
+        const double* value = values.row(frame);
+        for (const Joint& joint : skeleton.joints)
+            for (const Channel channel : joint.channels) {
+                const double t = *value++;
+                if (joint.parent < 0 || is_rotation(channel))
+                    continue;
+                const double o = joint.offset[static_cast<std::size_t>(channel_axis(channel))];
+                from_zero += t * t;
+                from_offset += (t - o) * (t - o);
+            }
+    }
+    return from_zero < from_offset;
+}
+
+} // namespace
+
+Clip parse_bvh(std::string_view bytes, const std::string& name) {
+    TextCursor in(bytes, name);
+    Clip clip;
+    clip.skeleton = read_bvh_hierarchy(in);
+    clip.channel_names = channel_names(*clip.skeleton);
+    const std::int64_t channels = channel_count(*clip.skeleton);
+    if (channels == 0)
+        in.fail(Status::format, "no joint has CHANNELS");
+    const std::int64_t frames = read_frame_count(in);
+    clip.fps = read_fps(in, clip);
+    RowReader(in, clip, frames, channels).read();
+    if (translations_add(*clip.skeleton, clip.values)) {
+        clip.skeleton->translations_add = true;
+        clip.notes.push_back("positions of joints below the root are taken to add to OFFSET");
+    }
+    return clip;
+}
+
+} // namespace stltsa::clip

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A motion clip: a skeleton with a pose per frame, or a bare matrix of channels per frame.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "linalg/matrix.hpp"
+
+namespace stltsa::clip {
+
+using Vec3 = std::array<double, 3>;
+
+/// Unit quaternion w + xi + yj + zk; rotates vectors of the child frame into the parent frame.
+struct Quaternion {
+    double w = 1, x = 0, y = 0, z = 0;
+};
+
+enum class Format : std::int32_t { bvh = 1, amc = 2, csv = 3, npy = 4, matrix = 5 };
+
+/// What one number of a joint's row in the file means.
+enum class Channel : std::int8_t { tx, ty, tz, rx, ry, rz };
+
+struct Joint {
+    std::string name;
+    int parent = -1; ///< index of a joint before this one, -1 for the root
+    Vec3 offset{};   ///< from the parent joint, in the parent joint's axes, file units
+    std::vector<Channel> channels; ///< in file order; empty for end sites and rigid joints
+    Quaternion axis;               ///< ASF bone axis C: local rotation = C M C^-1; identity for BVH
+    bool end_site = false;
+};
+
+struct Skeleton {
+    std::vector<Joint> joints; ///< parents before children
+    /// Rotations are about fixed axes, first listed first applied (ASF); else about axes that
+    /// move along, so that the matrix of the first listed stands leftmost (BVH).
+    bool fixed_axes = false;
+    /// Translation channels add to the joint's offset (ASF); else they replace it (BVH).
+    bool translations_add = false;
+};
+
+struct Clip {
+    std::string path; ///< as given, empty for memory
+    Format format = Format::matrix;
+    double fps = 0; ///< 0: unknown
+    std::optional<Skeleton> skeleton;
+    /// frames x channels as in the file (degrees for rotations); the matrix itself for CSV and NPY.
+    Matrix values;
+    std::vector<std::string> channel_names; ///< one per column of values; may be empty for matrices
+    std::vector<std::string> notes; ///< what the reader assumed, e.g. "no frame rate in AMC: 120"
+
+    std::int64_t frames() const { return values.rows(); }
+};
+
+struct ReadOptions {
+    double fps = 0;       ///< 0: the file's own; else overrides it
+    std::string skeleton; ///< ASF path for AMC; empty: looked for beside the file
+};
+
+/// Reads a file, its format told by suffix, else by content. Throws Error (io, format, ...), the
+/// text with path, line number and what to do.
+Clip read(const std::string& path, const ReadOptions& options);
+
+/// Parses a file's bytes. For AMC options.skeleton must name the ASF file.
+Clip parse(std::string_view bytes, Format format, const std::string& name,
+           const ReadOptions& options);
+
+/// Tells the format from the bytes (NPY magic, HIERARCHY, AMC keywords, else CSV).
+Format sniff(std::string_view bytes);
+
+} // namespace stltsa::clip

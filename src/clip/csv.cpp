@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+
+#include "clip/csv_cells.hpp"
+#include "clip/csv_time.hpp"
+#include "clip/formats.hpp"
+#include "clip/text_cursor.hpp"
+
+namespace stltsa::clip {
+namespace {
+
+using Cells = std::vector<std::string_view>;
+
+bool is_header(const Cells& cells) {
+    return std::any_of(cells.begin(), cells.end(),
+                       [](std::string_view cell) { return !is_gap(cell) && !parse_cell(cell); });
+}
+
+/// Passes over comments.
+std::string_view next_row(TextCursor& in) {
+    std::string_view line = in.line();
+    while (!line.empty() && trim(line)[0] == '#')
+        line = in.line();
+    return line;
+}
+
+/// A header may hold any characters, so the line after the first one decides.
+char data_separator(TextCursor ahead, std::string_view first) {
+    const std::string_view second = next_row(ahead);
+    return find_separator(second.empty() ? first : second);
+}
+
+class CsvReader {
+  public:
+    CsvReader(TextCursor& in, Clip& clip) : in_(in), clip_(clip) {}
+
+    void read() {
+        std::string_view line = next_row(in_);
+        separator_ = data_separator(in_, line);
+        if (!line.empty() && is_header(split(line))) {
+            header(split(line));
+            line = next_row(in_);
+        }
+        for (; !line.empty(); line = next_row(in_))
+            row(split(line));
+        if (rows_ == 0)
+            in_.fail(Status::format, "the file has no rows of numbers");
+        clip_.values = Matrix(rows_, static_cast<std::int64_t>(columns_));
+        std::copy(values_.begin(), values_.end(), clip_.values.data());
+    }
+
+  private:
+    Cells split(std::string_view line) const {
+        auto cells = split_cells(line, separator_);
+        if (!cells)
+            in_.fail(Status::format, "a quote is not closed on this line");
+        return *std::move(cells);
+    }
+
+    void header(Cells cells) {
+        if (cells.back().empty()) // every line ends with a separator
+            cells.pop_back();
+        clip_.channel_names.assign(cells.begin(), cells.end());
+        columns_ = cells.size();
+    }
+
+    void row(Cells cells) {
+        if (cells.back().empty() && cells.size() == (columns_ == 0 ? cells.size() : columns_ + 1))
+            cells.pop_back();
+        if (columns_ == 0)
+            columns_ = cells.size();
+        if (cells.size() != columns_ || columns_ == 0)
+            in_.fail(Status::format, "{} cells, where the lines before have {}", cells.size(),
+                     columns_);
+        for (std::size_t c = 0; c < columns_; ++c)
+            values_.push_back(number(cells[c], c));
+        ++rows_;
+    }
+
+    double number(std::string_view cell, std::size_t c) const {
+        if (is_gap(cell))
+            in_.fail(Status::not_finite, "column {} is empty: fill gaps before", title(c));
+        const auto value = parse_cell(cell);
+        if (!value)
+            in_.fail(Status::format, "column {}: {} is not a number", title(c), quoted(cell));
+        if (!std::isfinite(*value))
+            in_.fail(Status::not_finite, "column {} is {}", title(c), *value);
+        return *value;
+    }
+
+    std::string title(std::size_t c) const {
+        const auto& names = clip_.channel_names;
+        return names.empty() ? fmt::format("{}", c + 1)
+                             : fmt::format("{} ({})", c + 1, quoted(names[c]));
+    }
+
+    TextCursor& in_;
+    Clip& clip_;
+    char separator_ = ',';
+    std::size_t columns_ = 0;
+    std::int64_t rows_ = 0;
+    std::vector<double> values_;
+};
+
+} // namespace
+
+Clip parse_csv(std::string_view bytes, const std::string& name, const ReadOptions& options) {
+    TextCursor in(bytes, name);
+    Clip clip;
+    CsvReader(in, clip).read();
+    extract_time(clip, name, options);
+    return clip;
+}
+
+} // namespace stltsa::clip

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "clip/csv_cells.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "clip/number.hpp"
+#include "clip/text_cursor.hpp"
+
+namespace stltsa::clip {
+namespace {
+
+constexpr std::string_view blanks = " \t";
+
+std::size_t skip_blanks(std::string_view line, std::size_t from, char separator) {
+    while (from < line.size() && line[from] != separator && blanks.find(line[from]) != blanks.npos)
+        ++from;
+    return from;
+}
+
+/// Position of the quote that closes the one before `from`; doubled quotes do not.
+std::size_t closing_quote(std::string_view line, std::size_t from) {
+    std::size_t quote = line.find('"', from);
+    while (quote + 1 < line.size() && line[quote + 1] == '"')
+        quote = line.find('"', quote + 2);
+    return quote;
+}
+
+} // namespace
+
+char find_separator(std::string_view line) {
+    const bool tabs = trim(line).find('\t') != line.npos && line.find(",\t") == line.npos;
+    const char separator = line.find(';') != line.npos   ? ';'
+                           : tabs                        ? '\t'
+                           : line.find(',') != line.npos ? ','
+                                                         : ' ';
+    // "1,5 2,5": no number holds a blank, so the commas are decimal ones.
+    const auto cells = split_cells(line, separator);
+    const bool too_long = cells && std::any_of(cells->begin(), cells->end(), [](auto cell) {
+                              return cell.find_first_of(blanks) != cell.npos;
+                          });
+    return too_long ? ' ' : separator;
+}
+
+std::optional<std::vector<std::string_view>> split_cells(std::string_view line, char separator) {
+    const std::string_view ends = separator == ' ' ? blanks : std::string_view(&separator, 1);
+    if (separator == ' ')
+        line = trim(line);
+    std::vector<std::string_view> cells;
+    for (std::size_t begin = 0;;) {
+        begin = skip_blanks(line, begin, separator == ' ' ? '\0' : separator);
+        std::size_t end = 0;
+        if (begin < line.size() && line[begin] == '"') {
+            const std::size_t quote = closing_quote(line, begin + 1);
+            if (quote == line.npos)
+                return std::nullopt;
+            cells.push_back(trim(line.substr(begin + 1, quote - begin - 1)));
+            end = line.find_first_of(ends, quote);
+        } else {
+            end = line.find_first_of(ends, begin);
+            cells.push_back(trim(line.substr(begin, end - begin)));
+        }
+        if (end == line.npos)
+            return cells;
+        begin = end + 1;
+    }
+}
+
+bool is_gap(std::string_view cell) {
+    constexpr std::string_view words[] = {"", "nan", "na", "n/a", "null", "none", "-"};
+    return std::any_of(std::begin(words), std::end(words),
+                       [cell](std::string_view word) { return equals_ignoring_case(cell, word); });
+}
+
+std::optional<double> parse_cell(std::string_view cell) {
+    const std::size_t comma = cell.find(',');
+    if (comma == cell.npos)
+        return parse_number(cell);
+    if (cell.find('.') != cell.npos)
+        return std::nullopt; // thousands separators
+    std::string text(cell);
+    text[comma] = '.';
+    return parse_number(text);
+}
+
+} // namespace stltsa::clip

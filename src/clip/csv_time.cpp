@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "clip/csv_time.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "clip/number.hpp"
+#include "clip/text_cursor.hpp"
+
+namespace stltsa::clip {
+namespace {
+
+/// "Time (ms)" -> "timems".
+std::string letters_of(std::string_view name) {
+    std::string letters = to_lower(name);
+    std::erase_if(letters, [](char c) { return c < 'a' || c > 'z'; });
+    return letters;
+}
+
+/// Seconds in the unit of a time column; 0 for a name that does not mean time.
+double time_unit(std::string_view name) {
+    struct Unit {
+        std::string_view name;
+        double seconds;
+    };
+    constexpr Unit units[] = {
+        {"time", 1},        {"times", 1},         {"timesec", 1},     {"timesecs", 1},
+        {"timeseconds", 1}, {"timestamp", 1},     {"t", 1},           {"ts", 1},
+        {"seconds", 1},     {"timems", 1e-3},     {"timemsec", 1e-3}, {"tms", 1e-3},
+        {"timeus", 1e-6},   {"timestampms", 1e-3}};
+    const std::string letters = letters_of(name);
+    for (const Unit& unit : units)
+        if (letters == unit.name)
+            return unit.seconds;
+    return 0;
+}
+
+bool counts_frames(std::string_view name, std::int64_t column) {
+    constexpr std::string_view words[] = {"frame",      "frames", "frameno", "framenumber",
+                                          "frameindex", "index",  "sample"};
+    const std::string letters = letters_of(name);
+    return (column == 0 && trim(name).empty()) ||
+           std::find(std::begin(words), std::end(words), letters) != std::end(words);
+}
+
+/// Smallest and largest step of a column.
+struct Steps {
+    double least, most, mean;
+
+    Steps(const Matrix& values, std::int64_t column) {
+        const std::int64_t last = values.rows() - 1;
+        least = most = values(1, column) - values(0, column);
+        mean = (values(last, column) - values(0, column)) / static_cast<double>(last);
+        for (std::int64_t i = 1; i < last; ++i) {
+            const double step = values(i + 1, column) - values(i, column);
+            least = std::min(least, step);
+            most = std::max(most, step);
+        }
+    }
+
+    /// Even but for the rounding of times to a few digits.
+    bool even() const { return least >= 0.5 * mean && most <= 1.5 * mean; }
+};
+
+void remove_column(Clip& clip, std::int64_t column) {
+    const Matrix& from = clip.values;
+    Matrix to(from.rows(), from.cols() - 1);
+    for (std::int64_t i = 0; i < from.rows(); ++i) {
+        const double* row = from.row(i);
+        std::copy(row + column + 1, row + from.cols(), std::copy(row, row + column, to.row(i)));
+    }
+    clip.values = std::move(to);
+    clip.channel_names.erase(clip.channel_names.begin() + column);
+}
+
+/// True when the column was time and is gone.
+bool take_time(Clip& clip, std::int64_t column, double unit, const std::string& name,
+               const ReadOptions& options) {
+    const std::string title = quoted(clip.channel_names[static_cast<std::size_t>(column)]);
+    const Steps steps(clip.values, column);
+    if (!(steps.least > 0)) {
+        clip.notes.push_back(fmt::format("column {} does not increase: kept as a channel", title));
+        return false;
+    }
+    if (!steps.even() && options.fps == 0)
+        fail(Status::format,
+             "{}: the steps of column {} range from {} to {}: resample to a constant rate, or set "
+             "option fps to take the rows as evenly spaced",
+             name, title, steps.least, steps.most);
+    const double fps = 1 / (steps.mean * unit);
+    clip.fps = std::isfinite(fps) ? round_rate(fps) : 0;
+    clip.notes.push_back(fmt::format("column {} is time, not a channel", title));
+    remove_column(clip, column);
+    return true;
+}
+
+bool take_count(Clip& clip, std::int64_t column) {
+    const std::string title = quoted(clip.channel_names[static_cast<std::size_t>(column)]);
+    const Steps steps(clip.values, column);
+    const bool counts = steps.least == 1 && steps.most == 1;
+    clip.notes.push_back(
+        counts ? fmt::format("column {} counts frames: not a channel", title)
+               : fmt::format("column {} does not count frames: kept as a channel", title));
+    if (counts)
+        remove_column(clip, column);
+    return counts;
+}
+
+void note_silent_time(Clip& clip) {
+    const Steps steps(clip.values, 0);
+    if (steps.least > 0 && steps.most - steps.least <= 1e-3 * steps.mean)
+        clip.notes.push_back("column 1 grows by equal steps: if it is time or a count, remove it, "
+                             "or say so in a header line");
+}
+
+} // namespace
+
+void extract_time(Clip& clip, const std::string& name, const ReadOptions& options) {
+    if (clip.values.rows() < 2)
+        return;
+    if (clip.channel_names.empty())
+        return note_silent_time(clip);
+    for (std::int64_t column = 0; column < clip.values.cols();) {
+        const std::string title = clip.channel_names[static_cast<std::size_t>(column)];
+        const double unit = time_unit(title);
+        const bool taken = unit > 0 ? take_time(clip, column, unit, name, options)
+                                    : counts_frames(title, column) && take_count(clip, column);
+        column += taken ? 0 : 1;
+    }
+    if (clip.values.cols() == 0)
+        fail(Status::format, "{}: no channel is left besides time", name);
+}
+
+} // namespace stltsa::clip

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The readers of single formats, and what they share.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "clip/clip.hpp"
+
+namespace stltsa::clip {
+
+/// The whole file; Status::io with the system's reason where it cannot be read.
+std::string read_file(const std::string& path);
+
+/// The ASF file that belongs to an AMC file, looked for in the same folder.
+std::string find_skeleton(const std::string& amc_path);
+
+// Each gets the file's bytes and the name to use in messages. They set all of Clip but path and
+// format; fps is the file's own, 0 where it has none.
+Clip parse_bvh(std::string_view bytes, const std::string& name);
+Clip parse_amc(std::string_view bytes, const std::string& name, const std::string& skeleton_path);
+Clip parse_csv(std::string_view bytes, const std::string& name, const ReadOptions& options);
+Clip parse_npy(std::string_view bytes, const std::string& name);
+
+/// "rx" and so on.
+std::string_view channel_name(Channel channel);
+inline bool is_rotation(Channel channel) {
+    return channel >= Channel::rx;
+}
+/// 0, 1, 2 for x, y, z.
+inline int channel_axis(Channel channel) {
+    return static_cast<int>(channel) % 3;
+}
+
+/// "hip.rz" for every column of a skeleton's values.
+std::vector<std::string> channel_names(const Skeleton& skeleton);
+std::int64_t channel_count(const Skeleton& skeleton);
+
+} // namespace stltsa::clip

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "clip/heading.hpp"
+
+#include <algorithm>
+
+namespace stltsa::clip {
+namespace {
+
+double component(const Quaternion& q, int axis) {
+    return axis == 0 ? q.x : axis == 1 ? q.y : q.z;
+}
+
+Quaternion about(int axis, double w, double v) {
+    return {w, axis == 0 ? v : 0, axis == 1 ? v : 0, axis == 2 ? v : 0};
+}
+
+/// Squared length of the twist part: 1 for a pure turn about the axis, 0 upside down.
+double twist_size(const Quaternion& q, int axis) {
+    const double v = component(q, axis);
+    return q.w * q.w + v * v;
+}
+
+/// Whether the root's axes are upside down most of the time.
+bool is_inverted(const Clip& clip, std::size_t root, int up) {
+    // Axes at right angles to the world's give 1, 1/2 or 0: this parts the last from the others.
+    constexpr double threshold = 0.25;
+    double sum = 0;
+    Pose pose;
+    for (std::int64_t frame = 0; frame < clip.frames(); ++frame) {
+        pose.place(*clip.skeleton, clip.values.row(frame), root + 1);
+        sum += twist_size(pose.world[root], up);
+    }
+    return sum < threshold * static_cast<double>(clip.frames());
+}
+
+bool rests(const Matrix& values, std::int64_t begin, std::int64_t end) {
+    const double* first = values.row(0);
+    for (std::int64_t frame = 1; frame < values.rows(); ++frame)
+        if (!std::equal(first + begin, first + end, values.row(frame) + begin))
+            return false;
+    return true;
+}
+
+} // namespace
+
+std::size_t body_root(const Clip& clip) {
+    const std::vector<Joint>& joints = clip.skeleton->joints;
+    std::int64_t column = 0;
+    for (std::size_t j = 0; j < joints.size(); ++j) {
+        const std::int64_t end = column + static_cast<std::int64_t>(joints[j].channels.size());
+        const auto children = std::count_if(joints.begin(), joints.end(), [j](const Joint& joint) {
+            return joint.parent == static_cast<int>(j);
+        });
+        if (!rests(clip.values, column, end))
+            return j;
+        if (children != 1)
+            break;
+        column = end;
+    }
+    return 0;
+}
+
+Heading::Heading(const Clip& clip, std::size_t root, Axis up)
+    : root_(root), up_(static_cast<int>(up) - 1) {
+    if (is_inverted(clip, root, up_))
+        correction_ = about((up_ + 1) % 3, 0, 1);
+}
+
+Quaternion Heading::next(const Pose& pose) {
+    const Quaternion q = pose.world[root_] * correction_;
+    const double size = twist_size(q, up_);
+    constexpr double undefined = 1e-6; // within a tenth of a degree of upside down
+    if (size > undefined)
+        yaw_ = about(up_, q.w / std::sqrt(size), component(q, up_) / std::sqrt(size));
+    return yaw_;
+}
+
+} // namespace stltsa::clip

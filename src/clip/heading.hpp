@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is removed from the poses: where the body stands and which way it faces.
+#pragma once
+
+#include "clip/features.hpp"
+#include "clip/kinematics.hpp"
+
+namespace stltsa::clip {
+
+/// The joint that carries the body: the root, or, where an exporter put resting joints above the
+/// body's own root, the first below them that moves. Joints before it are its ancestors, joints
+/// after it its descendants.
+std::size_t body_root(const Clip& clip);
+
+/// The yaw of the body root: the twist about the up axis in the swing-twist decomposition of its
+/// world rotation, frame by frame. Needs no names of joints.
+class Heading {
+  public:
+    Heading(const Clip& clip, std::size_t root, Axis up);
+
+    /// Yaw of the next frame. Where it is undefined (upside down) the last one holds.
+    Quaternion next(const Pose& pose);
+
+  private:
+    std::size_t root_;
+    int up_;
+    /// Turns the root's own axes, where they stand upside down while the body stands upright:
+    /// there the twist is undefined.
+    Quaternion correction_;
+    Quaternion yaw_;
+};
+
+} // namespace stltsa::clip

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Numbers as files write them, read the same in every locale.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace stltsa::clip {
+
+/// The whole of `text` as a number, a leading '+' allowed. May be infinite or NaN ("nan", "inf",
+/// 1e999); what is too small for a double is 0. Nothing when it is no number.
+std::optional<double> parse_number(std::string_view text);
+
+std::optional<std::int64_t> parse_integer(std::string_view text);
+
+/// 120.00048 -> 120: frame times are written with a few digits, and mean the integral rate.
+double round_rate(double fps);
+
+} // namespace stltsa::clip

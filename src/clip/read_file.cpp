@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <memory>
+#include <system_error>
+
+#include "clip/formats.hpp"
+
+namespace stltsa::clip {
+namespace {
+
+[[noreturn]] void cannot(const char* what, const std::string& path, int error) {
+    fail(Status::io, "{}: cannot {}: {}", path, what, std::generic_category().message(error));
+}
+
+} // namespace
+
+std::string read_file(const std::string& path) {
+    // Far above any clip; a device without end stops here.
+    constexpr std::size_t most = std::size_t{1} << 34;
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
+                                                               &std::fclose);
+    if (!file)
+        cannot("open", path, errno);
+    std::string bytes;
+    std::array<char, 1 << 16> chunk;
+    for (;;) {
+        const std::size_t count = std::fread(chunk.data(), 1, chunk.size(), file.get());
+        bytes.append(chunk.data(), count);
+        if (bytes.size() > most)
+            fail(Status::unsupported, "{}: larger than {} bytes", path, most);
+        if (count < chunk.size())
+            break;
+    }
+    if (std::ferror(file.get()) != 0)
+        cannot("read", path, errno);
+    return bytes;
+}
+
+} // namespace stltsa::clip

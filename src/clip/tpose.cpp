@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "clip/features.hpp"
+
+namespace stltsa::clip {
+namespace {
+
+/// The most that is ever dropped: a tool that smooths or resamples smears the jump out of a
+/// T-pose over a few frames.
+constexpr std::int64_t most_frames = 8;
+
+double distance(const double* a, const double* b, std::int64_t count) {
+    double sum = 0;
+    for (std::int64_t i = 0; i < count; ++i)
+        sum += (a[i] - b[i]) * (a[i] - b[i]);
+    return std::sqrt(sum);
+}
+
+/// The step that 95 % of the steps do not exceed.
+double usual_largest(std::vector<double> steps) {
+    const std::size_t rank = (steps.size() - 1) * 95 / 100;
+    std::nth_element(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(rank), steps.end());
+    return steps[rank];
+}
+
+} // namespace
+
+std::int64_t tpose_frames(ConstMatrixView features) {
+    // Too short to tell a jump from the motion.
+    if (features.rows < 3 * most_frames)
+        return 0;
+    std::vector<double> steps;
+    for (std::int64_t i = 0; i + 1 < features.rows; ++i)
+        steps.push_back(distance(features.row(i), features.row(i + 1), features.cols));
+    const double usual = usual_largest({steps.begin() + most_frames, steps.end()});
+    if (!(usual > 0) || steps[0] <= 4 * usual)
+        return 0;
+    std::int64_t count = 0;
+    while (count < most_frames && steps[static_cast<std::size_t>(count)] > usual)
+        ++count;
+    return count;
+}
+
+} // namespace stltsa::clip

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <limits>
+
+#include "clip/features.hpp"
+#include "clip/kinematics.hpp"
+#include "clip/text_cursor.hpp"
+
+namespace stltsa::clip {
+namespace {
+
+/// Enough to see how the body stands.
+constexpr std::int64_t most_frames = 200;
+
+/// Joints whose names contain one of the words.
+std::vector<std::size_t> named(const Skeleton& skeleton,
+                               std::initializer_list<std::string_view> words) {
+    std::vector<std::size_t> found;
+    for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
+        const std::string name = to_lower(skeleton.joints[j].name);
+        if (std::any_of(words.begin(), words.end(),
+                        [&name](std::string_view word) { return name.find(word) != name.npos; }))
+            found.push_back(j);
+    }
+    return found;
+}
+
+Vec3 mean_position(const Pose& pose, const std::vector<std::size_t>& joints) {
+    Vec3 sum{};
+    for (const std::size_t j : joints)
+        sum = sum + pose.position[j];
+    return (1.0 / static_cast<double>(joints.size())) * sum;
+}
+
+/// Size of the body along each axis.
+Vec3 extent(const Pose& pose) {
+    Vec3 result{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto [least, most] =
+            std::minmax_element(pose.position.begin(), pose.position.end(),
+                                [axis](const Vec3& a, const Vec3& b) { return a[axis] < b[axis]; });
+        result[axis] = (*most)[axis] - (*least)[axis];
+    }
+    return result;
+}
+
+} // namespace
+
+Axis up_axis(const Clip& clip, Axis requested) {
+    if (requested != Axis::automatic)
+        return requested;
+    if (!clip.skeleton || clip.format == Format::amc)
+        return Axis::y;
+    const std::vector<std::size_t> heads = named(*clip.skeleton, {"head"});
+    const std::vector<std::size_t> feet = named(*clip.skeleton, {"foot", "feet", "toe", "ankle"});
+    const bool by_name = !heads.empty() && !feet.empty();
+    const std::int64_t step = 1 + (clip.frames() - 1) / most_frames;
+    Vec3 sum{};
+    Pose pose;
+    for (std::int64_t frame = 0; frame < clip.frames(); frame += step) {
+        pose.place(*clip.skeleton, clip.values.row(frame));
+        sum =
+            sum + (by_name ? mean_position(pose, heads) - mean_position(pose, feet) : extent(pose));
+    }
+    Axis up = Axis::y; // also where sizes are equal
+    for (const Axis axis : {Axis::z, Axis::x}) {
+        const auto size = [&sum](Axis a) { return std::abs(sum[static_cast<std::size_t>(a) - 1]); };
+        if (size(axis) > size(up))
+            up = axis;
+    }
+    return up;
+}
+
+} // namespace stltsa::clip

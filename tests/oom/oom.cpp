@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Memory that runs out at any point: every allocation of a whole piece of work is made to fail in
+// turn. Each time the answer must be STLTSA_E_NO_MEMORY with a text and no handle, nothing may
+// leak (the count of live allocations comes back), and the same work must succeed afterwards.
+#include <atomic>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <new>
+#include <string>
+#include <vector>
+
+#include "stltsa.h"
+
+namespace {
+
+std::atomic<std::int64_t> live{0};
+std::atomic<std::int64_t> until_failure{-1}; // negative: never
+
+void* allocate(std::size_t size, std::size_t alignment) {
+    if (until_failure.load() >= 0 && until_failure.fetch_sub(1) == 0)
+        throw std::bad_alloc();
+    const std::size_t rounded = (size + alignment - 1) / alignment * alignment;
+    void* memory = std::aligned_alloc(alignment, rounded == 0 ? alignment : rounded);
+    if (memory == nullptr)
+        throw std::bad_alloc();
+    ++live;
+    return memory;
+}
+
+void release(void* memory) noexcept {
+    if (memory != nullptr)
+        --live;
+    std::free(memory);
+}
+
+constexpr std::size_t usual = alignof(std::max_align_t);
+
+} // namespace
+
+void* operator new(std::size_t size) { return allocate(size, usual); }
+void* operator new[](std::size_t size) { return allocate(size, usual); }
+void* operator new(std::size_t size, std::align_val_t alignment) {
+    return allocate(size, static_cast<std::size_t>(alignment));
+}
+void operator delete(void* memory) noexcept { release(memory); }
+void operator delete[](void* memory) noexcept { release(memory); }
+void operator delete(void* memory, std::size_t) noexcept { release(memory); }
+void operator delete[](void* memory, std::size_t) noexcept { release(memory); }
+void operator delete(void* memory, std::align_val_t) noexcept { release(memory); }
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { release(memory); }
+
+namespace {
+
+struct Work {
+    const char* name;
+    stltsa_status (*run)(const std::string& input);
+};
+
+/// Eight channels of a motion of period 1 s at 30 fps, as CSV.
+std::string cyclic_csv() {
+    std::string text = "a,b,c,d,e,f,g,h\n";
+    for (int i = 0; i < 150; ++i)
+        for (int c = 0; c < 8; ++c)
+            text += std::to_string(std::sin(2 * M_PI * i / 30.0 * (1 + c % 2) + c) + 0.001 * i) +
+                    (c < 7 ? "," : "\n");
+    return text;
+}
+
+/// Ends with the status of the first call that failed; every handle must then be NULL.
+stltsa_status decompose(const std::string& input) {
+    stltsa_options* options = nullptr;
+    stltsa_clip* clip = nullptr;
+    stltsa_decomposition* units = nullptr;
+    char* json = nullptr;
+    stltsa_status status = stltsa_options_new(&options);
+    if (status == STLTSA_OK)
+        status = stltsa_options_set_real(options, STLTSA_FPS, 30);
+    if (status == STLTSA_OK)
+        status = stltsa_clip_parse(input.data(), input.size(), STLTSA_FORMAT_CSV, options, &clip);
+    if (status == STLTSA_OK)
+        status = stltsa_decompose(clip, options, &units);
+    else if (clip != nullptr)
+        status = 1;
+    if (status == STLTSA_OK)
+        status = stltsa_decomposition_json(units, &json);
+    stltsa_string_free(json);
+    stltsa_decomposition_free(units);
+    stltsa_clip_free(clip);
+    stltsa_options_free(options);
+    return status;
+}
+
+stltsa_status fit_mode(std::int64_t mode) {
+    static double frames[200][4];
+    for (int i = 0; i < 200; ++i)
+        for (int c = 0; c < 4; ++c)
+            frames[i][c] = std::sin(0.05 * i * (c + 1)) + 0.01 * i;
+    const stltsa_in in = {frames, 200, 4, 0, 0, STLTSA_F64, 0};
+    stltsa_options* options = nullptr;
+    stltsa_model* model = nullptr;
+    stltsa_status status = stltsa_options_new(&options);
+    if (status == STLTSA_OK)
+        status = stltsa_options_set_int(options, STLTSA_MODE, mode);
+    if (status == STLTSA_OK)
+        status = stltsa_options_set_int(options, STLTSA_THREADS, 2);
+    if (status == STLTSA_OK)
+        status = stltsa_fit(&in, nullptr, 0, options, &model);
+    if (status != STLTSA_OK && model != nullptr)
+        status = 1;
+    stltsa_model_free(model);
+    stltsa_options_free(options);
+    return status;
+}
+
+stltsa_status fit_temporal(const std::string&) { return fit_mode(STLTSA_MODE_TEMPORAL); }
+stltsa_status fit_spatial(const std::string&) {
+    const stltsa_status status = fit_mode(STLTSA_MODE_SPATIAL);
+    return status == STLTSA_E_UNSUPPORTED ? STLTSA_OK : status; // a build without CHOLMOD
+}
+
+/// Fails allocation 0, 1, 2, ... until one run succeeds; false on any wrong answer.
+bool survives(const Work& work, const std::string& input) {
+    if (work.run(input) != STLTSA_OK) { // also makes what the first use of a library keeps
+        std::printf("%s fails with all memory: %s\n", work.name, stltsa_last_error());
+        return false;
+    }
+    std::int64_t failures = 0;
+    for (std::int64_t n = 0;; ++n) {
+        const std::int64_t before = live.load();
+        until_failure = n;
+        const stltsa_status status = work.run(input);
+        const bool used = until_failure.exchange(-1) < 0;
+        if (live.load() != before) {
+            std::printf("%s: failing allocation %lld leaks %lld\n", work.name,
+                        static_cast<long long>(n), static_cast<long long>(live.load() - before));
+            return false;
+        }
+        if (!used)
+            break; // the work needed fewer allocations than n
+        // A thread that could not start leaves its share to the others: no failure then.
+        if (status != STLTSA_OK && status != STLTSA_E_NO_MEMORY) {
+            std::printf("%s: failing allocation %lld gives %s (%s)\n", work.name,
+                        static_cast<long long>(n), stltsa_status_name(status), stltsa_last_error());
+            return false;
+        }
+        failures += status == STLTSA_E_NO_MEMORY;
+    }
+    std::printf("%s: %lld allocations failed in turn\n", work.name,
+                static_cast<long long>(failures));
+    return failures > 100;
+}
+
+} // namespace
+
+int main() {
+    const Work works[] = {
+        {"decompose", decompose}, {"fit temporal", fit_temporal}, {"fit spatial", fit_spatial}};
+    const std::string input = cyclic_csv();
+    bool good = true;
+    for (const Work& work : works)
+        good = survives(work, input) && good;
+    return good ? 0 : 1;
+}
