@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include <fmt/format.h>
+#include "base/text.hpp"
 
 namespace stltsa {
 
@@ -43,7 +43,7 @@ class Error : public std::exception {
 /// Throws an Error whose text says what is wrong, where, and what to do.
 template <class... Args>
 [[noreturn]] void fail(Status status, fmt::format_string<Args...> text, Args&&... args) {
-    throw Error(status, fmt::format(text, std::forward<Args>(args)...));
+    throw Error(status, format_text(text, std::forward<Args>(args)...));
 }
 
 } // namespace stltsa

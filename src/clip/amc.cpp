@@ -140,8 +140,8 @@ class AmcReader {
         if (!value)
             in_.fail(Status::format, "{} is not a number", quoted(word));
         if (!std::isfinite(*value))
-            in_.fail(Status::not_finite, "frame {}, channel {}.{} is {}", frame_, slot.joint->name,
-                     channel_name(channel), *value);
+            in_.fail(Status::not_finite, "frame {}, {} of bone {} is {}", frame_,
+                     channel_name(channel), quoted(slot.joint->name), *value);
         return is_rotation(channel) && !degrees_ ? *value * (180 / std::numbers::pi) : *value;
     }
 

@@ -37,11 +37,10 @@ double read_fps(TextCursor& in, Clip& clip) {
     const auto seconds = parse_number(text);
     if (!seconds || *seconds < 0 || !std::isfinite(*seconds))
         in.fail(Status::format, "'Frame Time:' must be followed by seconds, not {}", quoted(text));
-    const double fps = 1 / *seconds;
-    if (std::isfinite(fps))
-        return round_rate(fps);
-    clip.notes.push_back("Frame Time is 0: the frame rate is unknown");
-    return 0;
+    const double fps = rate_of(*seconds);
+    if (fps == 0)
+        clip.notes.push_back("Frame Time is 0: the file has no frame rate");
+    return fps;
 }
 
 /// Reads the rows as a stream of numbers: a row may go on over several lines, but begins a line.
@@ -102,7 +101,7 @@ class RowReader {
                  "the file ends early: Frames: {} of {} channels, but the numbers are enough for "
                  "{} frames{}",
                  frames_, channels_, count / channels_,
-                 count % channels_ == 0 ? "" : fmt::format(" and {} more", count % channels_));
+                 count % channels_ == 0 ? "" : format_text(" and {} more", count % channels_));
     }
 
     /// Numbers in all of the data; leaves in_ at the last of them.
@@ -113,8 +112,8 @@ class RowReader {
         return count;
     }
 
-    const std::string& name(std::int64_t c) const {
-        return clip_.channel_names[static_cast<std::size_t>(c)];
+    std::string name(std::int64_t c) const {
+        return quoted(clip_.channel_names[static_cast<std::size_t>(c)]);
     }
 
     TextCursor& in_;

@@ -114,7 +114,7 @@ class HierarchyReader {
         joint.end_site = end_site;
         if (joint.name.empty())
             joint.name = end_site ? this->joint().name + " end"
-                                  : fmt::format("joint {}", skeleton_.joints.size());
+                                  : format_text("joint {}", skeleton_.joints.size());
         open_.push_back({static_cast<int>(skeleton_.joints.size()), line});
         skeleton_.joints.push_back(std::move(joint));
     }

@@ -54,7 +54,7 @@ class CsvReader {
     Cells split(std::string_view line) const {
         auto cells = split_cells(line, separator_);
         if (!cells)
-            in_.fail(Status::format, "a quote is not closed on this line");
+            in_.fail(Status::format, "a quote is not closed at the end of its cell");
         return *std::move(cells);
     }
 
@@ -80,7 +80,7 @@ class CsvReader {
 
     double number(std::string_view cell, std::size_t c) const {
         if (is_gap(cell))
-            in_.fail(Status::not_finite, "column {} is empty: fill gaps before", title(c));
+            in_.fail(Status::not_finite, "column {} has no value: fill the gaps first", title(c));
         const auto value = parse_cell(cell);
         if (!value)
             in_.fail(Status::format, "column {}: {} is not a number", title(c), quoted(cell));
@@ -91,8 +91,8 @@ class CsvReader {
 
     std::string title(std::size_t c) const {
         const auto& names = clip_.channel_names;
-        return names.empty() ? fmt::format("{}", c + 1)
-                             : fmt::format("{} ({})", c + 1, quoted(names[c]));
+        return names.empty() ? format_text("{}", c + 1)
+                             : format_text("{} ({})", c + 1, quoted(names[c]));
     }
 
     TextCursor& in_;

@@ -21,7 +21,7 @@ std::size_t skip_blanks(std::string_view line, std::size_t from, char separator)
 /// Position of the quote that closes the one before `from`; doubled quotes do not.
 std::size_t closing_quote(std::string_view line, std::size_t from) {
     std::size_t quote = line.find('"', from);
-    while (quote + 1 < line.size() && line[quote + 1] == '"')
+    while (quote != line.npos && line.substr(quote).starts_with("\"\""))
         quote = line.find('"', quote + 2);
     return quote;
 }
@@ -52,10 +52,10 @@ std::optional<std::vector<std::string_view>> split_cells(std::string_view line, 
         std::size_t end = 0;
         if (begin < line.size() && line[begin] == '"') {
             const std::size_t quote = closing_quote(line, begin + 1);
-            if (quote == line.npos)
+            end = quote == line.npos ? quote : line.find_first_of(ends, quote);
+            if (quote == line.npos || !trim(line.substr(quote + 1, end - quote - 1)).empty())
                 return std::nullopt;
             cells.push_back(trim(line.substr(begin + 1, quote - begin - 1)));
-            end = line.find_first_of(ends, quote);
         } else {
             end = line.find_first_of(ends, begin);
             cells.push_back(trim(line.substr(begin, end - begin)));

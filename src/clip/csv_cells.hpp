@@ -10,7 +10,8 @@ namespace stltsa::clip {
 /// The separator that a line of data uses: ; tab , or ' ' for any blanks.
 char find_separator(std::string_view line);
 
-/// Cells without blanks and quotes around them. Nothing when a quote is not closed.
+/// Cells without blanks and quotes around them. Nothing when a quote is not closed, or more
+/// follows it in the cell.
 std::optional<std::vector<std::string_view>> split_cells(std::string_view line, char separator);
 
 /// Empty, or one of the words for "no value".

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "clip/number.hpp"
 #include "clip/text_cursor.hpp"
@@ -43,23 +44,24 @@ bool counts_frames(std::string_view name, std::int64_t column) {
            std::find(std::begin(words), std::end(words), letters) != std::end(words);
 }
 
-/// Smallest and largest step of a column.
+/// The steps of a column from row to row.
 struct Steps {
-    double least, most, mean;
+    double least, median, most, mean;
 
     Steps(const Matrix& values, std::int64_t column) {
-        const std::int64_t last = values.rows() - 1;
-        least = most = values(1, column) - values(0, column);
-        mean = (values(last, column) - values(0, column)) / static_cast<double>(last);
-        for (std::int64_t i = 1; i < last; ++i) {
-            const double step = values(i + 1, column) - values(i, column);
-            least = std::min(least, step);
-            most = std::max(most, step);
-        }
+        std::vector<double> steps;
+        for (std::int64_t i = 0; i + 1 < values.rows(); ++i)
+            steps.push_back(values(i + 1, column) - values(i, column));
+        std::sort(steps.begin(), steps.end());
+        least = steps.front();
+        median = steps[steps.size() / 2];
+        most = steps.back();
+        mean = (values(values.rows() - 1, column) - values(0, column)) /
+               static_cast<double>(steps.size());
     }
 
-    /// Even but for the rounding of times to a few digits.
-    bool even() const { return least >= 0.5 * mean && most <= 1.5 * mean; }
+    /// Even but for the rounding of times to a few digits. A missing row makes a double step.
+    bool even() const { return least >= 0.5 * median && most <= 1.5 * median; }
 };
 
 void remove_column(Clip& clip, std::int64_t column) {
@@ -79,7 +81,7 @@ bool take_time(Clip& clip, std::int64_t column, double unit, const std::string& 
     const std::string title = quoted(clip.channel_names[static_cast<std::size_t>(column)]);
     const Steps steps(clip.values, column);
     if (!(steps.least > 0)) {
-        clip.notes.push_back(fmt::format("column {} does not increase: kept as a channel", title));
+        clip.notes.push_back(format_text("column {} does not increase: kept as a channel", title));
         return false;
     }
     if (!steps.even() && options.fps == 0)
@@ -87,9 +89,8 @@ bool take_time(Clip& clip, std::int64_t column, double unit, const std::string& 
              "{}: the steps of column {} range from {} to {}: resample to a constant rate, or set "
              "option fps to take the rows as evenly spaced",
              name, title, steps.least, steps.most);
-    const double fps = 1 / (steps.mean * unit);
-    clip.fps = std::isfinite(fps) ? round_rate(fps) : 0;
-    clip.notes.push_back(fmt::format("column {} is time, not a channel", title));
+    clip.fps = rate_of(steps.mean * unit);
+    clip.notes.push_back(format_text("column {} is time, not a channel", title));
     remove_column(clip, column);
     return true;
 }
@@ -99,8 +100,8 @@ bool take_count(Clip& clip, std::int64_t column) {
     const Steps steps(clip.values, column);
     const bool counts = steps.least == 1 && steps.most == 1;
     clip.notes.push_back(
-        counts ? fmt::format("column {} counts frames: not a channel", title)
-               : fmt::format("column {} does not count frames: kept as a channel", title));
+        counts ? format_text("column {} counts frames: not a channel", title)
+               : format_text("column {} does not count frames: kept as a channel", title));
     if (counts)
         remove_column(clip, column);
     return counts;

@@ -85,7 +85,7 @@ class DictReader {
         const bool known =
             descr.size() == 3 && std::string_view("<>=").find(descr[0]) != descr.npos;
         if (!known || (descr.substr(1) != "f4" && descr.substr(1) != "f8"))
-            unsupported(fmt::format("an array of dtype {}", quoted(descr)));
+            unsupported(format_text("an array of dtype {}", quoted(descr)));
         header_.big_endian =
             descr[0] == '>' || (descr[0] == '=' && std::endian::native == std::endian::big);
         header_.item_size = descr[2] == '4' ? 4 : 8;

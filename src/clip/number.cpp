@@ -46,11 +46,14 @@ std::optional<std::int64_t> parse_integer(std::string_view text) {
     return value;
 }
 
-double round_rate(double fps) {
+double rate_of(double seconds) {
     // .008333 gives 120.005; the nearest rate that is no integer, 29.97, is 0.1 % off.
     constexpr double tolerance = 5e-4;
+    const double fps = seconds > 0 ? 1 / seconds : 0;
+    if (!std::isfinite(fps))
+        return 0;
     const double whole = std::round(fps);
-    return whole > 0 && std::abs(fps - whole) <= tolerance * whole ? whole : fps;
+    return std::abs(fps - whole) <= tolerance * whole ? whole : fps;
 }
 
 } // namespace stltsa::clip

@@ -14,7 +14,8 @@ std::optional<double> parse_number(std::string_view text);
 
 std::optional<std::int64_t> parse_integer(std::string_view text);
 
-/// 120.00048 -> 120: frame times are written with a few digits, and mean the integral rate.
-double round_rate(double fps);
+/// Frames a second from the seconds of one; 0 where these are 0 (or as good as). Frame times are
+/// written with a few digits and mean the integral rate: .0083333 -> 120.
+double rate_of(double seconds);
 
 } // namespace stltsa::clip

@@ -54,7 +54,7 @@ void set_amc_rate(Clip& clip, const ReadOptions& options) {
         return;
     clip.fps = amc_fps;
     clip.notes.push_back(
-        fmt::format("AMC files carry no frame rate: {} a second assumed (option fps)", amc_fps));
+        format_text("AMC files carry no frame rate: {} a second assumed (option fps)", amc_fps));
 }
 
 Clip parse_format(std::string_view bytes, Format format, const std::string& name,

@@ -12,7 +12,7 @@ std::vector<std::string> channel_names(const Skeleton& skeleton) {
     std::vector<std::string> names;
     for (const Joint& joint : skeleton.joints)
         for (const Channel channel : joint.channels)
-            names.push_back(fmt::format("{}.{}", joint.name, channel_name(channel)));
+            names.push_back(format_text("{}.{}", joint.name, channel_name(channel)));
     return names;
 }
 

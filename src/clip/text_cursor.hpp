@@ -51,7 +51,7 @@ class TextCursor {
     [[noreturn]] void fail_at(std::int64_t line, Status status, fmt::format_string<Args...> text,
                               Args&&... args) const {
         stltsa::fail(status, "{}:{}: {}", name_, line,
-                     fmt::format(text, std::forward<Args>(args)...));
+                     format_text(text, std::forward<Args>(args)...));
     }
 
   private:

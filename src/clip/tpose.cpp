@@ -39,7 +39,7 @@ std::int64_t tpose_frames(ConstMatrixView features) {
     if (!(usual > 0) || steps[0] <= 4 * usual)
         return 0;
     std::int64_t count = 0;
-    while (count < most_frames && steps[static_cast<std::size_t>(count)] > usual)
+    while (count < most_frames && steps[static_cast<std::size_t>(count)] > 1.5 * usual)
         ++count;
     return count;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
-#include <limits>
+#include <cmath>
 
 #include "clip/features.hpp"
 #include "clip/kinematics.hpp"
@@ -44,13 +44,8 @@ Vec3 extent(const Pose& pose) {
     return result;
 }
 
-} // namespace
-
-Axis up_axis(const Clip& clip, Axis requested) {
-    if (requested != Axis::automatic)
-        return requested;
-    if (!clip.skeleton || clip.format == Format::amc)
-        return Axis::y;
+/// Sum over the clip of what shows the up axis: from the feet to the head, by name, or the extent.
+Vec3 stance(const Clip& clip) {
     const std::vector<std::size_t> heads = named(*clip.skeleton, {"head"});
     const std::vector<std::size_t> feet = named(*clip.skeleton, {"foot", "feet", "toe", "ankle"});
     const bool by_name = !heads.empty() && !feet.empty();
@@ -59,16 +54,31 @@ Axis up_axis(const Clip& clip, Axis requested) {
     Pose pose;
     for (std::int64_t frame = 0; frame < clip.frames(); frame += step) {
         pose.place(*clip.skeleton, clip.values.row(frame));
-        sum =
-            sum + (by_name ? mean_position(pose, heads) - mean_position(pose, feet) : extent(pose));
+        const Vec3 shown =
+            by_name ? mean_position(pose, heads) - mean_position(pose, feet) : extent(pose);
+        sum = sum + shown;
     }
-    Axis up = Axis::y; // also where sizes are equal
-    for (const Axis axis : {Axis::z, Axis::x}) {
-        const auto size = [&sum](Axis a) { return std::abs(sum[static_cast<std::size_t>(a) - 1]); };
-        if (size(axis) > size(up))
-            up = axis;
-    }
-    return up;
+    return sum;
+}
+
+/// The axis along which v is largest; y where others are no larger.
+Axis largest(const Vec3& v) {
+    const auto size = [&v](Axis axis) { return std::abs(v[static_cast<std::size_t>(axis) - 1]); };
+    Axis result = Axis::y;
+    for (const Axis axis : {Axis::z, Axis::x})
+        if (size(axis) > size(result))
+            result = axis;
+    return result;
+}
+
+} // namespace
+
+Axis up_axis(const Clip& clip, Axis requested) {
+    if (requested != Axis::automatic)
+        return requested;
+    if (!clip.skeleton || clip.format == Format::amc)
+        return Axis::y;
+    return largest(stance(clip));
 }
 
 } // namespace stltsa::clip

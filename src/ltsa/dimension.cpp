@@ -27,7 +27,7 @@ int first_gap(const std::vector<double>& scaled, double threshold) {
 
 void eigengap(const Graph& graph, const Progress& progress, Dimension& result) {
     if (graph.components.count > 1) {
-        result.eigengap_reason = fmt::format(
+        result.eigengap_reason = format_text(
             "the neighborhood graph has {} parts, each with a zero eigenvalue of its own: their "
             "number would be counted, not the dimension",
             graph.components.count);
@@ -40,13 +40,13 @@ void eigengap(const Graph& graph, const Progress& progress, Dimension& result) {
     for (const double value : model.components.front().eigenvalues)
         result.eigenvalues.push_back(value / k);
     if (model.components.front().rank_deficient_windows == graph.frames.x.rows) {
-        result.eigengap_reason = fmt::format("every window varies in fewer than {} directions",
+        result.eigengap_reason = format_text("every window varies in fewer than {} directions",
                                              graph.parameters.dimension);
         return;
     }
     result.eigengap = first_gap(result.eigenvalues, result.threshold);
     if (result.eigengap == 0)
-        result.eigengap_reason = fmt::format("no gap between the first {} eigenvalues exceeds {} k",
+        result.eigengap_reason = format_text("no gap between the first {} eigenvalues exceeds {} k",
                                              count, result.threshold);
 }
 

@@ -78,7 +78,7 @@ void check_clip_lengths(const Parameters& parameters, const DistinctFrames& fram
             fail(Status::too_few_frames,
                  "{} has {} distinct frames, and {} neighbors need at least "
                  "{}; use fewer neighbors{}",
-                 one ? "the clip" : fmt::format("clip {}", c), frames.lengths[c],
+                 one ? "the clip" : format_text("clip {}", c), frames.lengths[c],
                  parameters.neighbors, needed, one ? "" : " or leave it out");
 }
 

@@ -39,13 +39,13 @@ std::vector<std::string> warnings_of(const Graph& graph, const Model& model) {
     std::vector<std::string> warnings;
     const auto clips = static_cast<std::int64_t>(graph.frames.lengths.size());
     if (graph.components.count > clips || (graph.components.count > 1 && clips == 1))
-        warnings.push_back(fmt::format(
+        warnings.push_back(format_text(
             "the neighborhood graph falls apart into {} parts, the second begins at distinct frame "
             "{}; each part has coordinates of its own (a cut in the clip? try recurrent, or more "
             "neighbors)",
             graph.components.count, graph.components.members[1].front()));
     if (model.parameters.mode == Mode::temporal && model.clock > clock_threshold)
-        warnings.push_back(fmt::format(
+        warnings.push_back(format_text(
             "coordinate 1 is only a clock (rank correlation with time {:.3f}): the window of {} "
             "neighbors is short against the motion's cycle; use about 1.2 cycles",
             model.clock, model.parameters.neighbors));
@@ -59,16 +59,16 @@ std::vector<std::string> warnings_of(const Graph& graph, const Model& model) {
         error = std::max(error, component.error_estimate);
     }
     if (deficient > 0)
-        warnings.push_back(fmt::format("{} of {} windows vary in fewer than {} directions",
+        warnings.push_back(format_text("{} of {} windows vary in fewer than {} directions",
                                        deficient, graph.frames.x.rows, model.parameters.dimension));
     if (gap < small_gap)
-        warnings.push_back(fmt::format(
+        warnings.push_back(format_text(
             "the eigenvalues on both sides of dimension {} differ by {:.2g} % only: another "
             "dimension is better defined",
             model.parameters.dimension, 100 * (gap - 1)));
     if (error > large_error)
         warnings.push_back(
-            fmt::format("the embedding may be off by {:.1g} radians: the eigenvalues "
+            format_text("the embedding may be off by {:.1g} radians: the eigenvalues "
                         "are at the limit of double precision",
                         error));
     return warnings;

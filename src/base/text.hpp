@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Texts by {fmt}, whose code is compiled once, in text.cpp: instantiated in every file that makes
+// a message it would be most of the time the library takes to build.
+#pragma once
+
+#include <string>
+
+#include <fmt/core.h>
+
+namespace stltsa {
+
+std::string format_arguments(fmt::string_view text, fmt::format_args arguments);
+
+/// fmt::format, checked against the arguments when compiled.
+template <class... Args>
+std::string format_text(fmt::format_string<Args...> text, Args&&... args) {
+    return format_arguments(text, fmt::make_format_args(args...));
+}
+
+} // namespace stltsa

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "motion/activity.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numeric>
+
+#include "linalg/simd.hpp"
+#include "motion/smoothing.hpp"
+
+namespace stltsa::motion {
+namespace {
+
+/// Limbs need longer than this to start or stop; noise of the capture is faster.
+constexpr double speed_smoothing_s = 0.1;
+/// Slower than this share of the typical speed is no motion. Gait never gets below 0.45.
+constexpr double moving_level = 0.4;
+
+/// From the first sample, so that rounding of what never moves is no motion.
+Matrix displacement(ConstMatrixView samples) {
+    Matrix moved(samples.rows, samples.cols);
+    for (std::int64_t i = 0; i < samples.rows; ++i)
+        for (std::int64_t c = 0; c < samples.cols; ++c)
+            moved(i, c) = samples(i, c) - samples(0, c);
+    return moved;
+}
+
+std::vector<double> pose_speed(ConstMatrixView samples, double sigma) {
+    const Matrix x = smooth(displacement(samples).view(), sigma);
+    const std::int64_t n = x.rows();
+    std::vector<double> speed(static_cast<std::size_t>(n));
+    if (n < 3)
+        return speed;
+    for (std::int64_t i = 1; i + 1 < n; ++i)
+        speed[static_cast<std::size_t>(i)] =
+            std::sqrt(squared_distance(x.row(i + 1), x.row(i - 1), x.cols())) / 2;
+    speed.front() = speed[1];
+    speed.back() = speed[speed.size() - 2];
+    return speed;
+}
+
+/// The median over the way instead of over time: long standing does not lower it.
+double typical_speed(std::vector<double> speed) {
+    std::sort(speed.begin(), speed.end(), std::greater<>());
+    const double way = std::accumulate(speed.begin(), speed.end(), 0.0);
+    double covered = 0;
+    for (const double v : speed) {
+        covered += v;
+        if (covered >= way / 2)
+            return v;
+    }
+    return 0;
+}
+
+} // namespace
+
+bool is_moving(double level) {
+    return level > moving_level;
+}
+
+Activity measure_activity(ConstMatrixView samples, double fps) {
+    Activity activity;
+    activity.speed = pose_speed(samples, speed_smoothing_s * fps);
+    activity.typical = typical_speed(activity.speed);
+    activity.level.resize(activity.speed.size());
+    if (activity.typical > 0)
+        std::transform(activity.speed.begin(), activity.speed.end(), activity.level.begin(),
+                       [&](double v) { return std::min(v / activity.typical, 1.0); });
+    return activity;
+}
+
+Span moving_span(const Activity& activity, std::int64_t margin) {
+    const std::int64_t n = activity.samples();
+    std::int64_t first = 0;
+    std::int64_t last = n - 1;
+    while (first < n && !activity.moving(first))
+        ++first;
+    while (last > first && !activity.moving(last))
+        --last;
+    if (first == n)
+        return {0, n};
+    first = std::max<std::int64_t>(0, first - margin);
+    last = std::min(n - 1, last + margin);
+    return {first, last - first + 1};
+}
+
+} // namespace stltsa::motion

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "motion/coordinate.hpp"
+
+#include <cmath>
+
+namespace stltsa::motion {
+namespace {
+
+/// A model of more dimensions follows the motion less simply: it must be better by this.
+constexpr double clearly_better = 0.1;
+
+/// Correlation of the coordinate with itself `lag` samples later, about the means of both parts.
+double autocorrelation(std::span<const double> u, std::span<const double> level, std::size_t lag) {
+    if (lag + 1 >= u.size())
+        return 0;
+    double weight = 0, early = 0, late = 0;
+    for (std::size_t t = 0; t + lag < u.size(); ++t) {
+        const double w = std::sqrt(level[t] * level[t + lag]);
+        weight += w;
+        early += w * u[t];
+        late += w * u[t + lag];
+    }
+    if (!(weight > 0))
+        return 0;
+    early /= weight;
+    late /= weight;
+    double both = 0, early_square = 0, late_square = 0;
+    for (std::size_t t = 0; t + lag < u.size(); ++t) {
+        const double w = std::sqrt(level[t] * level[t + lag]);
+        both += w * (u[t] - early) * (u[t + lag] - late);
+        early_square += w * (u[t] - early) * (u[t] - early);
+        late_square += w * (u[t + lag] - late) * (u[t + lag] - late);
+    }
+    const double scale = std::sqrt(early_square * late_square);
+    return scale > 0 ? both / scale : 0;
+}
+
+/// The same for a lag between two samples.
+double autocorrelation_at(std::span<const double> u, std::span<const double> level, double lag) {
+    const auto below = static_cast<std::size_t>(lag);
+    const double part = lag - std::floor(lag);
+    return (1 - part) * autocorrelation(u, level, below) +
+           part * autocorrelation(u, level, below + 1);
+}
+
+} // namespace
+
+double cyclicity(std::span<const double> coordinate, std::span<const double> level, double period) {
+    return 0.5 * (autocorrelation_at(coordinate, level, period) -
+                  autocorrelation_at(coordinate, level, period / 2));
+}
+
+Coordinate choose_coordinate(const std::vector<ltsa::Model>& models, std::size_t first,
+                             std::size_t end, std::span<const double> level, double period) {
+    Coordinate chosen;
+    for (std::size_t m = first; m < end; ++m) {
+        Coordinate best{m, 0, -1};
+        for (std::int64_t c = 0; c < models[m].coords.cols(); ++c) {
+            const double found = cyclicity(column_of(models[m].coords.view(), c), level, period);
+            if (found > best.cyclicity)
+                best = {m, c, found};
+        }
+        if (m == first || best.cyclicity > chosen.cyclicity + clearly_better)
+            chosen = best;
+    }
+    return chosen;
+}
+
+std::vector<double> column_of(ConstMatrixView matrix, std::int64_t column) {
+    std::vector<double> values;
+    values.reserve(static_cast<std::size_t>(matrix.rows));
+    for (std::int64_t i = 0; i < matrix.rows; ++i)
+        values.push_back(matrix(i, column));
+    return values;
+}
+
+} // namespace stltsa::motion

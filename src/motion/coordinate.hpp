@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which coordinate of which embedding swings once per cycle.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "ltsa/model.hpp"
+
+namespace stltsa::motion {
+
+/// Half of (autocorrelation at one period - at half a period), samples weighted by their activity
+/// level. 1: swings to and fro once per period; near 0: a clock; negative: twice per period.
+double cyclicity(std::span<const double> coordinate, std::span<const double> level, double period);
+
+struct Coordinate {
+    std::size_t model = 0;   ///< index into the models
+    std::int64_t column = 0; ///< of its coords
+    double cyclicity = -1;
+};
+
+/// The best column of models `first` to `end` - 1; of a model with more columns only where it is
+/// clearly better. The models' rows are the samples of `level`.
+Coordinate choose_coordinate(const std::vector<ltsa::Model>& models, std::size_t first,
+                             std::size_t end, std::span<const double> level, double period);
+
+std::vector<double> column_of(ConstMatrixView matrix, std::int64_t column);
+
+} // namespace stltsa::motion

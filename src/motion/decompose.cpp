@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "motion/decompose.hpp"
+
+#include <cmath>
+
+#include "ltsa/frames.hpp"
+#include "motion/coordinate.hpp"
+#include "motion/cycles.hpp"
+#include "motion/embedding.hpp"
+#include "motion/evidence.hpp"
+#include "motion/margins.hpp"
+#include "motion/period.hpp"
+#include "motion/segments.hpp"
+#include "motion/smoothing.hpp"
+
+namespace stltsa::motion {
+namespace {
+
+constexpr std::int64_t least_samples = 4;
+/// The curve is smoothed by this share of a cycle: less than a sixteenth of it is a detail.
+constexpr double curve_smoothing = 0.06;
+/// What a cycle of human motion takes where nothing is known.
+constexpr double usual_cycle_s = 1.2;
+
+void check(ConstMatrixView samples, double fps) {
+    ltsa::check_frames(samples, {&samples.rows, 1});
+    if (!(fps > 0))
+        fail(Status::argument, "a frame rate of {} was given; it must be positive", fps);
+    if (samples.rows < least_samples)
+        fail(Status::too_few_frames, "{} samples are too few to decompose; at least {} are needed",
+             samples.rows, least_samples);
+}
+
+/// The chosen fit, brought to all samples.
+void show_embedding(const Embedding& embedding, const Coordinate& chosen, double cycle,
+                    Decomposition& result) {
+    const std::int64_t samples = result.coords.rows();
+    const ltsa::Model& model = embedding.models[chosen.model];
+    result.parameters = model.parameters;
+    result.coordinate = static_cast<int>(chosen.column) + 1;
+    result.coords = extended(model.coords, embedding.span, samples);
+    result.curve = smooth(column_of(result.coords.view(), chosen.column), curve_smoothing * cycle);
+    result.eigenvalues = model.components.front().eigenvalues;
+    result.warnings = model.warnings;
+    if (embedding.models.size() > 1)
+        result.loop = extended(embedding.models[1].coords, embedding.span, samples);
+}
+
+/// All that a clip has that cannot be embedded.
+Decomposition blank(std::int64_t samples) {
+    Decomposition result;
+    result.coords = Matrix(samples, 1);
+    result.loop = Matrix(samples, 2);
+    result.curve.assign(static_cast<std::size_t>(samples), 0.0);
+    return result;
+}
+
+std::string no_period(const Activity& activity, double fps, const DecomposeOptions& options) {
+    if (!(activity.typical > 0))
+        return "no period: nothing moves";
+    return format_text("no period: the motion, which lasts {:.2f} s, repeats itself at no lag from "
+                       "{:.2f} s to {:.2f} s",
+                       static_cast<double>(activity.samples()) / fps, options.shortest_period,
+                       options.longest_period);
+}
+
+std::string fell_apart(const ltsa::Model& model) {
+    return format_text("no continuous curve: the neighborhood graph falls apart into {} parts (a "
+                       "cut in the clip?)",
+                       model.components.size());
+}
+
+void claim_cycles(const std::vector<double>& run, ConstMatrixView samples, const Activity& activity,
+                  double period, Decomposition& result) {
+    result.period = period;
+    result.units = cyclic_units(run, activity, period);
+    result.cycles = cycles_between(run);
+    result.representative = 0;
+    result.best = most_typical(result.cycles, samples);
+}
+
+/// Cuts the chosen coordinate; result.reason says why not where there is nothing to cut.
+void cut(const Embedding& embedding, ConstMatrixView samples, const Activity& activity,
+         const Period& period, double fps, const DecomposeOptions& options, Decomposition& result) {
+    const Span span = embedding.span;
+    const auto asked = static_cast<std::size_t>(options.dimension);
+    const Coordinate chosen = choose_coordinate(
+        embedding.models, asked > 0 ? asked - 1 : 0, asked > 0 ? asked : embedding.models.size(),
+        activity.levels(span.first, span.count), period.samples);
+    show_embedding(embedding, chosen, period.samples, result);
+    const auto& model = embedding.models[chosen.model];
+    const auto run = longest_run(find_margins(result.curve, activity), period.samples);
+    const Evidence evidence =
+        weigh(run, samples, activity, column_of(result.coords.view(), chosen.column),
+              chosen.cyclicity, period, fps);
+    result.cyclicity = evidence.cyclicity;
+    result.lag_quality = evidence.period.quality;
+    result.reason = model.components.size() > 1 ? fell_apart(model) : doubt(evidence, fps);
+    if (result.reason.empty())
+        claim_cycles(run, samples, activity, evidence.period.samples, result);
+}
+
+} // namespace
+
+Decomposition decompose(ConstMatrixView samples, double fps, const DecomposeOptions& options,
+                        const Progress& progress) {
+    check(samples, fps);
+    progress.report(Stage::units, 0);
+    const Activity activity = measure_activity(samples, fps);
+    const Period period =
+        find_period(samples, activity, fps, options.shortest_period, options.longest_period);
+    const double cycle = period.samples > 0 ? period.samples : usual_cycle_s * fps;
+    const Embedding embedding = embed(samples, moving_span(activity, std::lround(cycle)),
+                                      neighbors_for(period, fps), options, progress);
+    Decomposition result = blank(samples.rows);
+    result.parameters = embedding.parameters;
+    result.lag_quality = period.quality;
+    if (!(activity.typical > 0)) {
+        result.reason = "no period: nothing moves";
+    } else if (embedding.models.empty()) {
+        result.reason = embedding.problem;
+    } else if (period.samples > 0) {
+        cut(embedding, samples, activity, period, fps, options, result);
+    } else {
+        // The paper's: two dimensions, the first coordinate.
+        const auto asked = static_cast<std::size_t>(options.dimension > 0 ? options.dimension : 2);
+        show_embedding(embedding, {std::min(asked, embedding.models.size()) - 1, 0, 0}, cycle,
+                       result);
+        result.reason = no_period(activity, fps, options);
+    }
+    if (!result.reason.empty())
+        result.units = action_units(activity, fps);
+    progress.report(Stage::units, 1);
+    return result;
+}
+
+} // namespace stltsa::motion

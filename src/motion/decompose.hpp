@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// From the samples of a clip to its motion units and cycles (paper, section 3.1). Everything here
+// counts in samples of the given matrix; mapping to source frames is the caller's.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/progress.hpp"
+#include "linalg/matrix.hpp"
+#include "ltsa/parameters.hpp"
+
+namespace stltsa::motion {
+
+/// Same values as STLTSA_UNIT_* (checked in capi).
+enum class UnitKind : std::int32_t {
+    preparing = 1,
+    initial = 2,
+    cyclic = 3,
+    final = 4,
+    wind_up = 5,
+    action = 6, ///< something moves, and no cycle is claimed
+};
+
+/// [begin, end) in samples, fractions of a sample kept.
+struct Unit {
+    UnitKind kind = UnitKind::action;
+    double begin = 0;
+    double end = 0;
+};
+
+struct Cycle {
+    double begin = 0;
+    double end = 0;
+};
+
+struct DecomposeOptions {
+    std::int64_t neighbors = 0; ///< 0: 1.2 periods
+    std::int64_t window = 0;    ///< 0: as neighbors
+    int dimension = 0;          ///< tangent dimension; 0: the best of 1 to 3
+    ltsa::Mode mode = ltsa::Mode::temporal;
+    double shortest_period = 0.3; ///< seconds
+    double longest_period = 6.0;  ///< seconds
+    int threads = 1;
+};
+
+struct Decomposition {
+    // What was found.
+    double period = 0;       ///< samples; 0: none
+    std::vector<Unit> units; ///< cover [0, samples) without gap or overlap
+    std::vector<Cycle> cycles;
+    std::int64_t representative = -1; ///< paper: first to third candidate; index into cycles
+    std::int64_t best = -1;           ///< the cycle most like the others; index into cycles
+    std::string reason; ///< why no cycle is claimed, in words with numbers; else empty
+
+    // How it was found.
+    ltsa::Parameters parameters; ///< of the fit that was used
+    int coordinate = 0;          ///< 1-based column of the embedding that was cut; 0: none
+    double cyclicity = 0;        ///< of that coordinate, at most 1
+    double lag_quality = 0;      ///< 1 - D(T), 0 without a period
+    Matrix coords;               ///< samples x d of the fit used
+    Matrix loop;                 ///< samples x 2, the two coordinates to show as a loop (Fig. 1)
+    std::vector<double> curve;   ///< the smoothed coordinate that was cut, one per sample
+    std::vector<double> eigenvalues;
+    std::vector<std::string> warnings;
+};
+
+/// `samples`: frames x features at `fps` (> 0).
+Decomposition decompose(ConstMatrixView samples, double fps, const DecomposeOptions& options,
+                        const Progress& progress);
+
+/// The period alone, in samples (0: none found) with its quality: what auto neighbors rest on.
+struct Period {
+    double samples = 0;
+    double quality = 0;
+};
+Period find_period(ConstMatrixView samples, double fps, double shortest_s, double longest_s);
+
+/// k that makes a coordinate swing once per cycle: 1.2 periods, or 1.2 seconds without one.
+std::int64_t neighbors_for(const Period& period, double fps);
+
+} // namespace stltsa::motion

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "motion/margins.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "motion/extrema.hpp"
+#include "motion/smoothing.hpp"
+#include "motion/statistics.hpp"
+
+namespace stltsa::motion {
+namespace {
+
+/// A turn of the curve is one where the curve then changes by this share of its height.
+constexpr double prominence = 0.25;
+/// A swing belongs to the cycle where its height is this share of the median swing, or the median
+/// this share of it: less where the clip begins or ends within the swing.
+constexpr double like_swing = 0.6;
+/// The half swing out of standing has about half of the height; noise lets it seem more.
+constexpr double like_swing_beside_rest = 0.8;
+/// Likewise for its steepness against swings of the same direction: first steps are slow.
+constexpr double like_steepness = 0.7;
+/// A cycle's length in periods.
+constexpr double shortest_cycle = 0.7;
+constexpr double longest_cycle = 1.4;
+
+/// From the 5th to the 95th percentile, of the samples where something moves.
+double height(std::span<const double> curve, const Activity& activity) {
+    std::vector<double> moving;
+    for (std::size_t i = 0; i < curve.size(); ++i)
+        if (activity.moving(static_cast<std::int64_t>(i)))
+            moving.push_back(curve[i]);
+    return quantile(moving, 0.95) - quantile(moving, 0.05);
+}
+
+Margin between(const Extremum& before, const Extremum& after, std::span<const double> curve,
+               std::span<const double> slopes, const Activity& activity) {
+    const auto steep = [&](std::int64_t i) {
+        return std::abs(slopes[static_cast<std::size_t>(i)]);
+    };
+    std::int64_t steepest = before.at;
+    for (std::int64_t i = before.at; i <= after.at; ++i)
+        if (steep(i) > steep(steepest))
+            steepest = i;
+    Margin margin;
+    margin.at = static_cast<double>(steepest);
+    margin.rising = !before.peak;
+    margin.from_rest = !activity.moving(before.at);
+    margin.to_rest = !activity.moving(after.at);
+    // Steepest at the end of the clip: the steepest point itself may lie outside.
+    if (steepest < 2 || steepest + 2 >= activity.samples() || !activity.moving(steepest))
+        return margin;
+    margin.at += parabola_vertex(steep(steepest - 1), steep(steepest), steep(steepest + 1));
+    margin.swing = std::abs(curve[static_cast<std::size_t>(after.at)] -
+                            curve[static_cast<std::size_t>(before.at)]);
+    margin.steepness = steep(steepest);
+    return margin;
+}
+
+template <class Value, class Which>
+double median_of(const std::vector<Margin>& margins, Value value, Which which) {
+    std::vector<double> values;
+    for (const Margin& margin : margins)
+        if (which(margin))
+            values.push_back(value(margin));
+    return median(values);
+}
+
+/// Which margins belong to swings as high and as steep as the others.
+std::vector<bool> alike(const std::vector<Margin>& margins) {
+    const double swing = median_of(
+        margins, [](const Margin& m) { return m.swing; },
+        [](const Margin& m) { return m.swing > 0; });
+    const auto like_others = [&](const Margin& m) {
+        return m.swing > 0 && m.swing >= like_swing * swing && swing >= like_swing * m.swing;
+    };
+    const auto steepness = [&](bool rising) {
+        return median_of(
+            margins, [](const Margin& m) { return m.steepness; },
+            [&](const Margin& m) { return like_others(m) && m.rising == rising; });
+    };
+    const double falling_steepness = steepness(false);
+    const double rising_steepness = steepness(true);
+    std::vector<bool> result;
+    for (const Margin& m : margins)
+        result.push_back(like_others(m) &&
+                         m.steepness >=
+                             like_steepness * (m.rising ? rising_steepness : falling_steepness));
+    return result;
+}
+
+using Run = std::vector<Margin>;
+
+/// Whether `next` may follow the run: one period after the margin before the last.
+bool continues(const Run& run, const Margin& next, double period) {
+    if (run.empty())
+        return true;
+    if (run.size() == 1)
+        return next.at - run.back().at <= longest_cycle * period;
+    const double cycle = next.at - run[run.size() - 2].at;
+    return cycle >= shortest_cycle * period && cycle <= longest_cycle * period;
+}
+
+void drop_half_swings(Run& run) {
+    const double least = like_swing_beside_rest * median_of(
+                                                      run, [](const Margin& m) { return m.swing; },
+                                                      [](const Margin&) { return true; });
+    if (!run.empty() && run.front().from_rest && run.front().swing < least)
+        run.erase(run.begin());
+    if (!run.empty() && run.back().to_rest && run.back().swing < least)
+        run.pop_back();
+}
+
+} // namespace
+
+std::vector<Margin> find_margins(std::span<const double> curve, const Activity& activity) {
+    const auto extrema = alternating_extrema(curve, prominence * height(curve, activity));
+    const std::vector<double> slopes = slope(curve);
+    std::vector<Margin> margins;
+    for (std::size_t e = 0; e + 1 < extrema.size(); ++e)
+        margins.push_back(between(extrema[e], extrema[e + 1], curve, slopes, activity));
+    return margins;
+}
+
+std::vector<double> longest_run(const std::vector<Margin>& margins, double period) {
+    const std::vector<bool> usable = alike(margins);
+    Run longest;
+    Run run;
+    for (std::size_t i = 0; i < margins.size(); ++i) {
+        if (!usable[i]) {
+            run.clear();
+            continue;
+        }
+        if (!continues(run, margins[i], period))
+            run.erase(run.begin(), run.end() - 1);
+        if (!continues(run, margins[i], period))
+            run.clear();
+        run.push_back(margins[i]);
+        if (run.size() > longest.size())
+            longest = run;
+    }
+    drop_half_swings(longest);
+    std::vector<double> positions;
+    for (const Margin& margin : longest)
+        positions.push_back(margin.at);
+    return positions;
+}
+
+} // namespace stltsa::motion

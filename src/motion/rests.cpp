@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "motion/rests.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "motion/statistics.hpp"
+
+namespace stltsa::motion {
+namespace {
+
+/// A perfectly still body moves from this share of the motion's speed on: a walker's joints by
+/// some millimeters a second.
+constexpr double still = 0.03;
+
+/// Speed up to which the body still stands.
+double standing_speed(std::span<const double> standing, double reference) {
+    const double middle = median(standing);
+    // The lower quartile lies 0.67 standard deviations below the median; the upper one would hold
+    // the first motion.
+    const double two_deviations = 3 * (middle - quantile(standing, 0.25));
+    return std::max(middle + two_deviations, still * reference);
+}
+
+/// Where the speed crosses `limit` between two samples.
+double crossing(std::size_t low, std::size_t high, std::span<const double> speed, double limit) {
+    const double part = (limit - speed[low]) / (speed[high] - speed[low]);
+    return static_cast<double>(low) + part * (static_cast<double>(high) - static_cast<double>(low));
+}
+
+/// The stretch [first, last) below the level, without the motion at its ends.
+Rest cut_back(std::span<const double> speed, std::size_t first, std::size_t last,
+              double reference) {
+    const double limit = standing_speed(speed.subspan(first, last - first), reference);
+    Rest rest{static_cast<double>(first), static_cast<double>(last)};
+    if (first > 0) {
+        std::size_t i = first;
+        while (i + 1 < last && speed[i] >= limit)
+            ++i;
+        rest.begin = speed[i] < limit ? crossing(i, i - 1, speed, limit) : static_cast<double>(i);
+    }
+    if (last < speed.size()) {
+        std::size_t i = last - 1;
+        while (i > first && speed[i] >= limit)
+            --i;
+        rest.end = speed[i] < limit ? crossing(i, i + 1, speed, limit) : static_cast<double>(i);
+    }
+    return rest;
+}
+
+} // namespace
+
+std::vector<Rest> find_rests(std::span<const double> speed, double level, double reference,
+                             double hold) {
+    std::vector<Rest> rests;
+    std::size_t first = 0;
+    while (first < speed.size()) {
+        if (speed[first] >= level) {
+            ++first;
+            continue;
+        }
+        std::size_t last = first;
+        while (last < speed.size() && speed[last] < level)
+            ++last;
+        const bool at_end = first == 0 || last == speed.size();
+        if (static_cast<double>(last - first) >= (at_end ? hold / 2 : hold)) {
+            const Rest rest = cut_back(speed, first, last, reference);
+            if (rest.begin < rest.end)
+                rests.push_back(rest);
+        }
+        first = last;
+    }
+    return rests;
+}
+
+} // namespace stltsa::motion

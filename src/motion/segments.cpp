@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "motion/segments.hpp"
+
+#include <cmath>
+
+#include "motion/rests.hpp"
+#include "motion/statistics.hpp"
+
+namespace stltsa::motion {
+namespace {
+
+/// Beside cycles the body stands below this share of their median speed, for this share of the
+/// period. Gait stays above 0.45; the level leaves room for the noise of a standing body.
+constexpr double standing_beside_cycles = 0.4;
+constexpr double hold_periods = 0.25;
+/// Among other motion, below this share of the typical speed, for this long.
+constexpr double standing_among_actions = 0.25;
+constexpr double hold_s = 0.3;
+
+void append(std::vector<Unit>& units, UnitKind kind, double begin, double end) {
+    if (end > begin)
+        units.push_back({kind, begin, end});
+}
+
+} // namespace
+
+std::vector<Unit> cyclic_units(const std::vector<double>& run, const Activity& activity,
+                               double period) {
+    const auto first = static_cast<std::size_t>(std::lround(run.front()));
+    const auto last = static_cast<std::size_t>(std::lround(run.back()));
+    const auto speed = std::span<const double>(activity.speed);
+    const double reference = median(speed.subspan(first, last + 1 - first));
+    double moves = 0;
+    double stops = static_cast<double>(activity.samples());
+    for (const Rest& rest :
+         find_rests(speed, standing_beside_cycles * reference, reference, hold_periods * period)) {
+        if (rest.end <= run.front())
+            moves = rest.end;
+        if (rest.begin >= run.back())
+            stops = std::min(stops, rest.begin);
+    }
+    std::vector<Unit> units;
+    append(units, UnitKind::preparing, 0, moves);
+    append(units, UnitKind::initial, moves, run.front());
+    append(units, UnitKind::cyclic, run.front(), run.back());
+    append(units, UnitKind::final, run.back(), stops);
+    append(units, UnitKind::wind_up, stops, static_cast<double>(activity.samples()));
+    return units;
+}
+
+std::vector<Unit> action_units(const Activity& activity, double fps) {
+    const auto end = static_cast<double>(activity.samples());
+    if (!(activity.typical > 0))
+        return {{UnitKind::preparing, 0, end}};
+    std::vector<Unit> units;
+    double done = 0;
+    for (const Rest& rest : find_rests(activity.speed, standing_among_actions * activity.typical,
+                                       activity.typical, hold_s * fps)) {
+        append(units, UnitKind::action, done, rest.begin);
+        const bool winds_up = rest.begin > 0 && rest.end >= end;
+        append(units, winds_up ? UnitKind::wind_up : UnitKind::preparing, rest.begin, rest.end);
+        done = rest.end;
+    }
+    append(units, UnitKind::action, done, end);
+    return units;
+}
+
+} // namespace stltsa::motion

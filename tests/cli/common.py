@@ -1,0 +1,150 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the tests of the command share: running it, and clips to run it on."""
+
+import functools
+import json
+import math
+import os
+import pathlib
+import random
+import signal
+import subprocess
+import tempfile
+import unittest
+
+STLTSA = os.environ["STLTSA"]
+WALKER = os.environ["STLTSA_WALKER"]
+SCHEMAS = pathlib.Path(os.environ["STLTSA_SCHEMAS"])
+MANUAL = pathlib.Path(os.environ["STLTSA_MANUAL"])
+
+COMMANDS = ("info", "fit", "dimension", "decompose")
+
+_folder = tempfile.TemporaryDirectory(prefix="stltsa-cli-")
+CLIPS = pathlib.Path(_folder.name)
+
+
+def plain_environment(**changes):
+    """The caller's environment without what turns colors on or off."""
+    environment = {k: v for k, v in os.environ.items() if k not in ("NO_COLOR", "TERM")}
+    return {**environment, **changes}
+
+
+def default_signals():
+    """Scripts' background jobs ignore SIGINT, and what they start inherits that."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
+
+
+def run(*arguments, **settings):
+    """Runs the command; output as bytes."""
+    settings.setdefault("stdin", subprocess.DEVNULL)
+    if "input" in settings:
+        del settings["stdin"]
+    return subprocess.run(
+        [STLTSA, *map(os.fspath, arguments)],
+        stdout=settings.pop("stdout", subprocess.PIPE),
+        stderr=subprocess.PIPE,
+        env=settings.pop("env", plain_environment()),
+        timeout=120,
+        check=False,
+        **settings,
+    )
+
+
+class CommandTest(unittest.TestCase):
+    """Adds checks of a run, and a folder of its own to each test."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="stltsa-cli-")
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def done(self, *arguments, **settings):
+        """Standard output of a run that must end well."""
+        result = run(*arguments, **settings)
+        self.assertEqual(result.returncode, 0, result.stderr.decode(errors="replace"))
+        return result.stdout
+
+    def json(self, *arguments, **settings):
+        return json.loads(self.done(*arguments, "--json", **settings))
+
+    def fails(self, status, *arguments, **settings):
+        """Message of a run that must fail so, saying why and writing no result."""
+        result = run(*arguments, **settings)
+        message = result.stderr.decode(errors="replace")
+        self.assertEqual(result.returncode, status, message)
+        self.assertTrue(message.startswith("stltsa: "), message)
+        if result.stdout is not None:
+            self.assertEqual(result.stdout, b"")
+        return message
+
+    def assert_empty(self, folder):
+        self.assertEqual(sorted(p.name for p in folder.iterdir()), [])
+
+
+# ---- Clips. Each is made once per test program. ----
+
+
+@functools.cache
+def walk(fps=120):
+    """A synthetic walk: stands, three cycles, stands."""
+    path = CLIPS / f"walk{fps}.bvh"
+    subprocess.run(
+        [WALKER, "-o", path, "--borders", CLIPS / f"walk{fps}.json", "--fps", str(fps)], check=True
+    )
+    return path
+
+
+def write_csv(name, rows, heading=""):
+    path = CLIPS / name
+    lines = [",".join(f"{value:.6g}" for value in row) for row in rows]
+    path.write_text(heading + "\n".join(lines) + "\n", encoding="ascii")
+    return path
+
+
+@functools.cache
+def circle():
+    """Bare numbers, three turns of a noisy loop; no frame rate in the file."""
+    noise = random.Random(1)
+    turns = [2 * math.pi * i / 60 for i in range(180)]
+    return write_csv(
+        "circle.csv",
+        [
+            [math.cos(t), math.sin(t), 0.3 * math.sin(2 * t) + 0.01 * noise.random()]
+            for t in turns
+        ],
+    )
+
+
+@functools.cache
+def crowd():
+    """Many turns of one loop, so that round frame numbers lie on one another."""
+    turns = [2 * math.pi * i / 50 for i in range(1500)]
+    return write_csv("crowd.csv", [[math.cos(t), math.sin(t), math.sin(2 * t)] for t in turns])
+
+
+@functools.cache
+def drift():
+    """Moves on and never comes back: no cycle."""
+    return write_csv("drift.csv", [[0.1 * i, (0.02 * i) ** 2, 1.0] for i in range(200)])
+
+
+@functools.cache
+def still():
+    """Nothing moves."""
+    return write_csv("still.csv", [[1.0, 2.0, 3.0]] * 100)
+
+
+@functools.cache
+def cut():
+    """Two takes far apart in space: with few neighbors, two pieces."""
+    return write_csv(
+        "cut.csv",
+        [[math.cos(0.1 * i) + (1000 if i >= 60 else 0), math.sin(0.1 * i)] for i in range(120)],
+    )
+
+
+@functools.cache
+def long_clip():
+    """Long enough that a spatial fit takes seconds."""
+    noise = random.Random(2)
+    return write_csv("long.csv", [[noise.gauss(0, 1) for _ in range(8)] for _ in range(20000)])

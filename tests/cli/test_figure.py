@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Figures: well-formed, the same bytes every time, and drawn from the result."""
+
+import shutil
+import unittest
+import xml.etree.ElementTree as ET
+
+from common import CommandTest, circle, crowd, drift, walk
+
+SVG = "{http://www.w3.org/2000/svg}"
+
+
+class Figure(CommandTest):
+    def figure(self, command, *arguments, name="figure.svg"):
+        path = self.folder / name
+        self.done(command, *arguments, "--plot", path)
+        return ET.fromstring(path.read_bytes())
+
+    def of_class(self, root, name):
+        return [e for e in root.iter() if e.get("class") == name]
+
+    def texts(self, root):
+        return [e.text for e in root.iter(SVG + "text")]
+
+    def test_same_bytes(self):
+        one, two = self.folder / "1.svg", self.folder / "2.svg"
+        self.done("decompose", walk(), "--threads", "1", "--plot", one)
+        self.done("decompose", walk(), "--threads", "2", "--plot", two)
+        self.assertEqual(one.read_bytes(), two.read_bytes())
+
+    def test_bars_and_axis_are_the_times(self):
+        found = self.json("decompose", walk())
+        root = self.figure("decompose", walk())
+        frame = next(e for e in root.iter(SVG + "rect") if e.get("class") == "frame")
+        left, width = float(frame.get("x")), float(frame.get("width"))
+
+        def place(frames):
+            return left + width * frames / found["clip"]["frames"]
+
+        for name, intervals, inset in (
+            ("unit", found["units"], 0.02),
+            ("band", found["units"], 0.02),
+            ("cycle", found["cycles"], 1.02),
+        ):
+            bars = self.of_class(root, name)
+            self.assertEqual(len(bars), len(intervals))
+            for bar, interval in zip(bars, intervals):
+                x, bar_width = float(bar.get("x")), float(bar.get("width"))
+                self.assertAlmostEqual(x, place(interval["begin"]), delta=inset)
+                self.assertAlmostEqual(x + bar_width, place(interval["end"]), delta=inset)
+        ticks = self.of_class(root, "tick")
+        self.assertGreater(len(ticks), 4)
+        for tick in ticks:
+            self.assertAlmostEqual(float(tick.get("x")), place(120 * float(tick.text)), delta=0.02)
+        for kind in {unit["kind"] for unit in found["units"]}:
+            self.assertIn(kind, self.texts(root))
+
+    def test_postures(self):
+        root = self.figure("decompose", walk())
+        postures = self.of_class(root, "posture")
+        frames = [int(posture.get("data-frame")) for posture in postures]
+        self.assertTrue(5 <= len(frames) <= 14, frames)
+        slot = self.json("info", walk())["clip"]["frames"] / len(frames)
+        for i, frame in enumerate(frames):
+            self.assertLess(abs(frame - (i + 0.5) * slot), 0.4 * slot)
+        for frame in frames:
+            self.assertIn(str(frame), self.texts(root))
+
+    def test_bare_numbers_have_no_postures(self):
+        root = self.figure("decompose", circle(), "--fps", "30")
+        self.assertEqual(self.of_class(root, "posture"), [])
+        self.assertTrue(self.of_class(root, "unit"))
+
+    def test_no_cycle_tells_why(self):
+        reason = self.json("decompose", drift(), "--fps", "30")["reason"]
+        told = " ".join(self.texts(self.figure("decompose", drift(), "--fps", "30")))
+        self.assertIn(reason, told)
+
+    def test_name_is_escaped(self):
+        path = self.folder / 'a<b>&"c".bvh'
+        shutil.copy(walk(), path)
+        self.assertIn(path.name, self.texts(self.figure("decompose", path)))
+
+    def test_fit(self):
+        for options in (("--dimension", "1"), ("--dimension", "3")):
+            root = self.figure("fit", walk(), *options)
+            self.assertTrue(list(root.iter(SVG + "polyline")))
+            self.assertEqual(self.of_class(root, "unit"), [])
+        self.figure("fit", circle())
+
+    def test_loop_numbers_do_not_overlap(self):
+        root = self.figure("decompose", crowd(), "--fps", "50")
+        numbers = self.of_class(root, "number")
+        self.assertGreater(len(numbers), 2)
+        boxes = [
+            (float(n.get("x")), float(n.get("y")), 0.55 * 9.5 * len(n.text)) for n in numbers
+        ]
+        for i, (x, y, width) in enumerate(boxes):
+            for other_x, other_y, other_width in boxes[:i]:
+                apart = abs(x - other_x) >= (width + other_width) / 2 or abs(y - other_y) >= 7
+                self.assertTrue(apart, (boxes[i], (other_x, other_y)))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,201 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""JSON: its schemas, and what its numbers say."""
+
+import copy
+import json
+import os
+import shutil
+import unittest
+
+import jsonschema
+import numpy
+
+from common import CLIPS, SCHEMAS, CommandTest, circle, cut, drift, run, walk
+
+KINDS = {"info": "clip", "fit": "model", "dimension": "dimension", "decompose": "decomposition"}
+
+
+def validator(kind):
+    schema = json.loads((SCHEMAS / f"stltsa-{kind}-1.schema.json").read_text())
+    jsonschema.Draft202012Validator.check_schema(schema)
+    return jsonschema.Draft202012Validator(schema)
+
+
+def npy_clip():
+    path = CLIPS / "circle.npy"
+    numpy.save(path, numpy.loadtxt(circle(), delimiter=",").astype(numpy.float32))
+    return path
+
+
+class Schemas(CommandTest):
+    def check(self, command, *arguments, status=0):
+        result = run(command, *arguments, "--json")
+        self.assertEqual(result.returncode, status, result.stderr)
+        self.assertEqual(result.stdout.count(b"\n"), 1)
+        found = json.loads(result.stdout)
+        self.assertEqual(found["format"], f"stltsa-{KINDS[command]}/1")
+        errors = list(validator(KINDS[command]).iter_errors(found))
+        self.assertEqual([e.message for e in errors], [])
+        return found
+
+    def test_walk(self):
+        for command in KINDS:
+            with self.subTest(command):
+                self.check(command, walk())
+
+    def test_bare_numbers(self):
+        for command in KINDS:
+            with self.subTest(command):
+                self.check(command, circle(), "--fps", "30")
+                self.check(command, npy_clip(), "--fps", "30")
+
+    def test_unknown_frame_rate(self):
+        for command in ("info", "fit", "dimension"):
+            with self.subTest(command):
+                self.assertIsNone(self.check(command, circle())["clip"]["fps"])
+
+    def test_options(self):
+        self.check("fit", walk(), "--mode", "recurrent", "--links", "3", "--no-include-self")
+        self.check("fit", circle(), "--mode", "spatial", "--neighbors", "10")
+        self.check("fit", cut(), "--neighbors", "5", "--window", "8", status=4)
+        self.check("dimension", walk(), "--variance", "0.9", "--eigengap", "0.2")
+        self.check("decompose", walk(), "--features", "euler", "--dimension", "2", "--rate", "0")
+        self.check("decompose", walk(), "--curve")
+        self.check("decompose", drift(), "--fps", "30")
+
+    def test_refuse_what_they_do_not_know(self):
+        """Of strict schemas: every object, changed by one unknown member, is refused."""
+
+        def objects(value, path=()):
+            if isinstance(value, dict):
+                yield path
+            for key, member in (
+                value.items()
+                if isinstance(value, dict)
+                else enumerate(value)
+                if isinstance(value, list)
+                else ()
+            ):
+                yield from objects(member, (*path, key))
+
+        for command, kind in KINDS.items():
+            found = self.check(command, walk())
+            for path in objects(found):
+                changed = copy.deepcopy(found)
+                target = changed
+                for key in path:
+                    target = target[key]
+                target["unknown"] = 1
+                with self.subTest(command, path=path):
+                    self.assertFalse(validator(kind).is_valid(changed))
+
+
+class Content(CommandTest):
+    def test_info(self):
+        lines = walk().read_text().splitlines()
+        motion = lines.index("MOTION")
+        frames = int(lines[motion + 1].split()[1])
+        found = self.json("info", walk())
+        self.assertEqual(found["clip"]["frames"], frames)
+        self.assertEqual(found["clip"]["fps"], 120)
+        self.assertAlmostEqual(found["clip"]["duration_s"], frames / 120)
+        joints = sum(line.split()[0] in ("ROOT", "JOINT", "End") for line in lines if line.strip())
+        self.assertEqual(len(found["joints"]), joints)
+        self.assertEqual(found["channels"]["count"], len(lines[motion + 3].split()))
+        self.assertEqual(found["up_axis"], "y")
+
+    def test_fps_over_the_files(self):
+        self.assertEqual(self.json("info", walk(), "--fps", "60")["clip"]["fps"], 60)
+
+    def test_units_cover_the_clip(self):
+        found = self.json("decompose", walk())
+        units = found["units"]
+        self.assertEqual(units[0]["begin"], 0)
+        self.assertEqual(units[-1]["end"], found["clip"]["frames"])
+        for before, after in zip(units, units[1:]):
+            self.assertEqual(before["end"], after["begin"])
+            self.assertEqual(before["end_s"], after["begin_s"])
+        for unit in units:
+            self.assertLess(unit["begin"], unit["end"])
+            self.assertAlmostEqual(unit["begin_s"] * 120, unit["begin"], delta=0.51)
+
+    def test_cycles_of_the_walk(self):
+        found = self.json("decompose", walk())
+        cycles = found["cycles"]
+        self.assertEqual(len(cycles), 3)
+        for before, after in zip(cycles, cycles[1:]):
+            self.assertEqual(before["end"], after["begin"])
+        for name in ("representative_cycle", "best_cycle"):
+            chosen = dict(found[name])
+            self.assertEqual(cycles[chosen.pop("index")], chosen)
+        self.assertIsNone(found["reason"])
+        self.assertAlmostEqual(found["period_s"], 1.1, delta=0.05)
+
+    def test_no_cycle_has_a_reason(self):
+        found = self.json("decompose", drift(), "--fps", "30")
+        self.assertEqual(found["cycles"], [])
+        self.assertIsNone(found["representative_cycle"])
+        self.assertTrue(found["reason"])
+
+    def test_curve(self):
+        found = self.json("decompose", walk(), "--curve")
+        samples, curve = found["samples"], found["curve"]
+        self.assertEqual(
+            curve["frames"],
+            [samples["first_frame"] + i * samples["frame_step"] for i in range(samples["count"])],
+        )
+        self.assertEqual(len(curve["values"]), samples["count"])
+        self.assertEqual(len(curve["loop"]), samples["count"])
+        without = self.json("decompose", walk())
+        del found["curve"]
+        self.assertEqual(found, without)
+
+    def test_lengths_in_seconds(self):
+        for rate in ("0", "20", "30", "45", "50", "120", "1000"):
+            with self.subTest(rate=rate):
+                found = self.json(
+                    "fit", walk(), "--rate", rate, "--neighbors", "0.5s", "--window", "0.8s"
+                )
+                fps = found["samples"]["fps"]
+                self.assertEqual(found["parameters"]["neighbors"], round(0.5 * fps))
+                self.assertEqual(found["parameters"]["window"], round(0.8 * fps))
+
+    def test_lengths_in_samples(self):
+        found = self.json("fit", walk(), "--neighbors", "17", "--window", "20")
+        self.assertEqual(found["parameters"]["neighbors"], 17)
+        self.assertEqual(found["parameters"]["window"], 20)
+
+    def test_options_reach_the_library(self):
+        found = self.json(
+            *("fit", walk(), "--mode", "recurrent", "--links", "3", "--exclusion", "99"),
+            *("--dimension", "3", "--no-include-self", "--features", "rotations6d"),
+            *("--smoothing", "0", "--rate", "60", "--up-axis", "z"),
+        )
+        parameters = found["parameters"]
+        self.assertEqual(parameters["mode"], "recurrent")
+        self.assertEqual(parameters["links"], 3)
+        self.assertEqual(parameters["exclusion"], 99)
+        self.assertEqual(parameters["dimension"], 3)
+        self.assertFalse(parameters["include_self"])
+        self.assertEqual(found["clip"]["features"], "rotations6d")
+        self.assertEqual(found["samples"]["smoothing_s"], 0)
+        self.assertEqual(found["samples"]["frame_step"], 2)
+        self.assertEqual(found["samples"]["up_axis"], "z")
+
+    def test_same_text_for_any_number_of_threads(self):
+        for command in KINDS:
+            if command == "info":
+                continue
+            texts = {self.done(command, walk(), "--json", "--threads", n) for n in ("1", "2")}
+            self.assertEqual(len(texts), 1, command)
+
+    def test_path_that_is_not_utf8(self):
+        path = os.fsencode(self.folder) + b"/walk\xff.bvh"
+        shutil.copy(walk(), path)
+        for command in KINDS:
+            with self.subTest(command):
+                self.assertTrue(self.json(command, path)["clip"]["path"].endswith("walk\ufffd.bvh"))
+
+
+if __name__ == "__main__":
+    unittest.main()

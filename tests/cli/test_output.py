@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Where results go, and that they arrive whole or not at all."""
+
+import json
+import os
+import subprocess
+import unittest
+
+import numpy
+
+from common import STLTSA, CommandTest, circle, plain_environment, run, still, walk
+
+
+class Streams(CommandTest):
+    def test_standard_input_is_the_file(self):
+        for clip in (walk(), circle()):
+            for command in ("info", "fit"):
+                from_file = self.json(command, clip)
+                from_stdin = self.json(command, "-", input=clip.read_bytes())
+                self.assertEqual(from_file["clip"].pop("path"), str(clip))
+                self.assertIsNone(from_stdin["clip"].pop("path"))
+                self.assertEqual(from_file, from_stdin)
+
+    def test_full_disk(self):
+        with open("/dev/full", "wb") as full:
+            self.assertIn("No space", self.fails(1, "info", walk(), stdout=full))
+            self.assertIn("No space", self.fails(1, "--help", stdout=full))
+
+    def test_closed_pipe(self):
+        reader, writer = os.pipe()
+        os.close(reader)
+        with os.fdopen(writer, "wb") as closed:
+            self.assertIn("Broken pipe", self.fails(1, "info", walk(), stdout=closed))
+
+    def test_closed_standard_output(self):
+        """A file opened later must not become standard output."""
+        figure = self.folder / "figure.svg"
+        result = subprocess.run(
+            ["sh", "-c", '"$@" >&-', "sh", STLTSA, "decompose", walk(), "--plot", figure],
+            stderr=subprocess.PIPE,
+            env=plain_environment(),
+            check=False,
+        )
+        self.assertEqual(result.returncode, 1)
+        self.assertIn(b"standard output", result.stderr)
+        self.assert_empty(self.folder)
+
+
+class Files(CommandTest):
+    def test_output(self):
+        path = self.folder / "walk.txt"
+        text = self.done("decompose", walk())
+        self.assertEqual(self.done("decompose", walk(), "-o", path), b"")
+        self.assertEqual(path.read_bytes(), text)
+
+    def test_failed_writes_leave_nothing(self):
+        for full in ("/dev/full", "/nonexistent/x.svg", self.folder):
+            with self.subTest(full=full):
+                self.fails(1, "decompose", walk(), "-o", full)
+                self.fails(1, "decompose", walk(), "-o", self.folder / "a", "--plot", full)
+                self.assert_empty(self.folder)
+        self.assertTrue(os.path.exists("/dev/full"))
+
+    def test_failed_run_leaves_the_old_file(self):
+        path = self.folder / "old.svg"
+        path.write_text("old", encoding="ascii")
+        self.fails(4, "fit", still(), "--smoothing", "0", "--plot", path)
+        self.assertEqual(path.read_text(encoding="ascii"), "old")
+
+    def test_file_is_replaced_with_its_mode_and_through_links(self):
+        path = self.folder / "walk.json"
+        path.write_text("old", encoding="ascii")
+        path.chmod(0o640)
+        link = self.folder / "link.json"
+        link.symlink_to(path)
+        self.done("decompose", walk(), "--json", "-o", link)
+        self.assertTrue(link.is_symlink())
+        self.assertEqual(path.stat().st_mode & 0o777, 0o640)
+        self.assertEqual(json.loads(path.read_text())["format"], "stltsa-decomposition/1")
+        self.assertEqual(len(list(self.folder.iterdir())), 2)
+
+    def test_new_file_obeys_the_umask(self):
+        path = self.folder / "walk.json"
+        self.done("decompose", walk(), "-o", path, umask=0o027)
+        self.assertEqual(path.stat().st_mode & 0o777, 0o640)
+
+    def test_device(self):
+        self.assertEqual(
+            self.done("decompose", walk(), "-o", "/dev/stdout"), self.done("decompose", walk())
+        )
+
+
+class Coordinates(CommandTest):
+    def test_npy_and_csv(self):
+        for dimension in (1, 3):
+            npy, csv = self.folder / "y.npy", self.folder / "y.csv"
+            options = ("--dimension", str(dimension), "--coords")
+            found = self.json("fit", circle(), *options, npy)
+            self.done("fit", circle(), *options, csv)
+            array = numpy.load(npy)
+            self.assertEqual(array.dtype, numpy.float64)
+            self.assertEqual((npy.stat().st_size - array.nbytes) % 64, 0)
+            self.assertEqual(array.shape, (found["samples"]["count"], dimension))
+            self.assertFalse(numpy.isfortran(array) and dimension > 1)
+            heading = csv.read_text(encoding="ascii").splitlines()[0]
+            self.assertEqual(heading, ",".join(f"y{i + 1}" for i in range(dimension)))
+            text = numpy.loadtxt(csv, delimiter=",", skiprows=1, ndmin=2)
+            numpy.testing.assert_array_equal(array, text)
+            # What any coordinates are: centered, of unit norm, so no other array of that shape.
+            numpy.testing.assert_allclose(array.sum(axis=0), 0, atol=1e-9)
+            numpy.testing.assert_allclose((array**2).sum(axis=0), 1, rtol=1e-9)
+
+    def test_the_command_reads_what_it_writes(self):
+        for name in ("y.npy", "y.csv"):
+            path = self.folder / name
+            self.done("fit", walk(), "--dimension", "3", "--coords", path)
+            found = self.json("info", path)
+            self.assertEqual(found["channels"]["count"], 3)
+
+
+class Quiet(CommandTest):
+    def test_warnings_go_to_stderr_unless_seen(self):
+        clock = ("fit", walk(), "--neighbors", "5")
+        with_json = run(*clock, "--json")
+        warnings = json.loads(with_json.stdout)["warnings"]
+        self.assertTrue(warnings)
+        self.assertIn(b"stltsa: warning: " + warnings[0].encode(), with_json.stderr)
+        self.assertEqual(run(*clock, "--json", "-q").stderr, b"")
+        table = run(*clock)
+        self.assertEqual(table.stderr, b"")
+        self.assertIn(b"warning:", table.stdout)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Tables for people say what the JSON says."""
+
+import re
+import unittest
+
+from common import CommandTest, circle, walk
+
+
+class Reports(CommandTest):
+    def rows(self, text, first):
+        """Cells of the rows below the heading that starts with `first`."""
+        lines = text.splitlines()
+        start = next(i for i, line in enumerate(lines) if line.split()[:1] == [first])
+        for line in lines[start + 1 :]:
+            if not line.strip():
+                return
+            yield line.split()
+
+    def test_decompose(self):
+        found = self.json("decompose", walk())
+        text = self.done("decompose", walk()).decode("ascii")
+        self.assertTrue(text.startswith("walk120.bvh: 3 cycles, period "), text)
+        units = [(r[0], int(r[1]), int(r[3])) for r in self.rows(text, "unit")]
+        self.assertEqual(units, [(u["kind"], u["begin"], u["end"]) for u in found["units"]])
+        cycles = [(int(r[1]), int(r[3])) for r in self.rows(text, "cycle")]
+        self.assertEqual(cycles, [(c["begin"], c["end"]) for c in found["cycles"]])
+        chosen = [i for i, r in enumerate(self.rows(text, "cycle")) if "representative" in r[-1] + r[-2]]
+        self.assertEqual(chosen, [found["representative_cycle"]["index"]])
+        seconds = [(float(r[4]), float(r[6]), float(r[7])) for r in self.rows(text, "unit")]
+        for (begin, end, length), unit in zip(seconds, found["units"]):
+            self.assertAlmostEqual(begin, unit["begin_s"], delta=0.0006)
+            self.assertAlmostEqual(end, unit["end_s"], delta=0.0006)
+            self.assertAlmostEqual(length, unit["end_s"] - unit["begin_s"], delta=0.0006)
+
+    def test_fit(self):
+        found = self.json("fit", walk())
+        text = self.done("fit", walk()).decode("ascii")
+        (row,) = list(self.rows(text, "piece"))[:1]
+        eigenvalues = [float(cell) for cell in row[6:]]
+        expected = found["components"][0]["eigenvalues"]
+        self.assertEqual(len(eigenvalues), len(expected))
+        for shown, value in zip(eigenvalues, expected):
+            self.assertAlmostEqual(shown, value, delta=0.006 * abs(value))
+        self.assertIn(f"k = {found['parameters']['neighbors']} ", text)
+
+    def test_dimension(self):
+        found = self.json("dimension", walk())
+        text = self.done("dimension", walk()).decode("ascii")
+        told = re.search(r"dimension (\d+|cannot tell) by local PCA, (\d+|cannot tell) by", text)
+        for shown, name in zip(told.groups(), ("local_pca", "eigengap")):
+            expected = found[name]["dimension"]
+            self.assertEqual(shown, "cannot tell" if expected is None else str(expected))
+        shares = [r for r in self.rows(text, "direction")]
+        for row, share in zip(shares, found["local_pca"]["shares"]):
+            self.assertAlmostEqual(float(row[1]), share, delta=0.0001)
+            bar = row[2] if len(row) > 2 else ""
+            self.assertEqual(len(bar), round(40 * share))
+
+    def test_info(self):
+        text = self.done("info", walk()).decode("ascii")
+        found = self.json("info", walk())
+        self.assertTrue(
+            text.startswith(f"walk120.bvh: {found['clip']['frames']} frames of BVH at 120 a second")
+        )
+        self.assertIn(f"{len(found['joints'])} (with ", text)
+        self.assertIn("frame rate unknown", self.done("info", circle()).decode("ascii"))
+
+
+if __name__ == "__main__":
+    unittest.main()

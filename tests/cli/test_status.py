@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Exit status and messages."""
+
+import unittest
+
+from common import COMMANDS, CommandTest, circle, cut, drift, run, still, walk, write_csv
+
+
+class Usage(CommandTest):
+    def test_wrong_command_lines(self):
+        clip = walk()
+        for line, hint in (
+            ((), "info, fit, dimension"),
+            (("frobnicate",), "frobnicate"),
+            (("info",), "clip"),
+            (("info", clip, "--bogus"), "--bogus"),
+            (("info", clip, clip), "not expected"),
+            (("info", clip, "--neighbors", "5"), "--neighbors"),
+            (("decompose", clip, "--links", "5"), "--links"),
+            (("fit", clip, "--neighbors"), "--neighbors"),
+            (("fit", clip, "--neighbors", "many"), "1.2s"),
+            (("fit", clip, "--neighbors", "-1"), "from 0"),
+            (("fit", clip, "--neighbors", "1.5"), "1.2s"),
+            (("fit", clip, "--neighbors", "-1s"), "1.2s"),
+            (("fit", clip, "--neighbors", "0s"), "1.2s"),
+            (("fit", clip, "--neighbors", "infs"), "1.2s"),
+            (("fit", clip, "--dimension", "2s"), "whole number"),
+            (("fit", clip, "--mode", "1"), "temporal|spatial|recurrent"),
+            (("fit", clip, "--rate", "nan"), "rate"),
+            (("fit", clip, "--rate", "1,5"), "number"),
+            (("dimension", clip, "--variance", "2"), "from 0.01 to 1"),
+            (("fit", clip, "--coords", "y.txt"), ".npy"),
+            (("decompose", clip, "--curve"), "--json"),
+            (("fit", clip, "--neighbors", "3", "--dimension", "2"), "neighbors"),
+        ):
+            with self.subTest(line=line):
+                self.assertIn(hint, self.fails(2, *line, cwd=self.folder))
+        self.assert_empty(self.folder)
+
+    def test_rate_is_needed(self):
+        self.assertIn("fps", self.fails(2, "decompose", circle()))
+        self.assertIn("--fps", self.fails(2, "fit", circle(), "--neighbors", "1.2s"))
+
+    def test_help_and_version(self):
+        for line in (("--help",), *((command, "--help") for command in COMMANDS)):
+            text = self.done(*line).decode()
+            self.assertLess(text.index("Examples:"), text.index("Usage:"))
+            self.assertLessEqual(max(map(len, text.splitlines())), 80, line)
+        self.assertRegex(
+            self.done("--version").decode(), r"^stltsa \d+\.\d+\.\d+ \(libstltsa \d+\.\d+\.\d+\)\n$"
+        )
+
+    def test_every_command_has_examples_of_itself(self):
+        for command in COMMANDS:
+            text = self.done(command, "--help").decode()
+            examples = text[text.index("Examples:") : text.index("Usage:")].split("\n")[1:]
+            self.assertTrue(all(e.startswith(f"  stltsa {command} ") for e in examples if e))
+
+
+class Unreadable(CommandTest):
+    def test_input(self):
+        broken = self.folder / "broken.bvh"
+        broken.write_text("HIERARCHY\nROOT hips\n{\n  OFFSET 0 0\n", encoding="ascii")
+        short = self.folder / "short.csv"
+        short.write_text("1,2,3\n4,5\n", encoding="ascii")
+        unfinite = write_csv("nan.csv", [[1, 2], [float("nan"), 4]])
+        for command in COMMANDS:
+            for path, hint in (
+                (self.folder / "missing.bvh", "missing.bvh"),
+                (self.folder, str(self.folder)),
+                (broken, "broken.bvh:5"),
+                (short, "short.csv:2"),
+                (unfinite, "nan.csv"),
+            ):
+                with self.subTest(command, path=path.name):
+                    self.assertIn(hint, self.fails(3, command, path))
+
+    def test_standard_input(self):
+        self.fails(3, "info", "-", input=b"")
+        self.fails(3, "info", "-", input=b"\x00\x01\x02")
+
+    def test_skeleton(self):
+        self.fails(3, "info", walk().with_suffix(".amc"))
+        clip = self.folder / "07_01.amc"
+        clip.write_text(":FULLY-SPECIFIED\n:DEGREES\n1\nroot 0 0 0 0 0 0\n", encoding="ascii")
+        self.assertIn("asf", self.fails(3, "info", clip).lower())
+
+
+class Untrustworthy(CommandTest):
+    def test_nothing_moves(self):
+        for command in ("fit", "dimension"):
+            with self.subTest(command):
+                self.fails(4, command, still(), "--smoothing", "0")
+
+    def test_too_few_frames(self):
+        few = write_csv("few.csv", [[0, 1], [1, 0], [2, 2]])
+        for command in ("fit", "decompose"):
+            with self.subTest(command):
+                self.fails(4, command, few, "--fps", "30")
+
+    def test_curve_in_pieces_is_given_and_told(self):
+        coords = self.folder / "y.csv"
+        result = run("fit", cut(), "--neighbors", "5", "--window", "8", "--coords", coords)
+        self.assertEqual(result.returncode, 4)
+        self.assertIn(b"2 pieces", result.stdout)
+        self.assertTrue(coords.exists())
+
+    def test_no_cycle_is_an_answer(self):
+        self.assertIn(b"no cycle", self.done("decompose", drift(), "--fps", "30"))
+
+
+if __name__ == "__main__":
+    unittest.main()

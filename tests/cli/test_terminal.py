@@ -1,0 +1,151 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a terminal sees: progress, colors, Ctrl-C."""
+
+import os
+import pty
+import re
+import select
+import signal
+import subprocess
+import time
+import unittest
+
+from common import STLTSA, CommandTest, default_signals, long_clip, plain_environment, walk
+
+COLOR = re.compile(rb"\x1b\[\d")  # not the bar's \x1b[K, which wipes a line
+
+
+class Terminal:
+    """The command with a pseudo-terminal as its standard output, error or both."""
+
+    def __init__(self, *arguments, on=("stdout", "stderr"), **environment):
+        self.master, slave = pty.openpty()
+        streams = {
+            name: slave if name in on else subprocess.PIPE for name in ("stdout", "stderr")
+        }
+        self.process = subprocess.Popen(
+            [STLTSA, *map(os.fspath, arguments)],
+            stdin=subprocess.DEVNULL,
+            env=plain_environment(**{"TERM": "xterm", **environment}),
+            preexec_fn=default_signals,
+            **streams,
+        )
+        os.close(slave)
+        self.seen = b""
+
+    def read(self, seconds):
+        """More of what the terminal shows; False at the end."""
+        if not select.select([self.master], [], [], seconds)[0]:
+            return True
+        try:
+            block = os.read(self.master, 65536)
+        except OSError:  # Linux tells so that the other side is closed
+            block = b""
+        self.seen += block
+        return bool(block)
+
+    def wait_for(self, text, seconds=60):
+        end = time.monotonic() + seconds
+        while text not in self.seen and time.monotonic() < end and self.read(0.1):
+            pass
+        return text in self.seen
+
+    def finish(self):
+        """Exit status, what the terminal showed, and what the pipe got."""
+        while self.read(60):
+            pass
+        os.close(self.master)
+        out, err = self.process.communicate(timeout=60)
+        return self.process.returncode, self.seen, (out or b"") + (err or b"")
+
+
+class Progress(CommandTest):
+    def test_bar_on_a_terminal_only(self):
+        status, seen, piped = Terminal("fit", walk(), on=("stderr",)).finish()
+        self.assertEqual(status, 0)
+        self.assertIn(b"spectrum", seen)
+        self.assertRegex(seen, rb"\[#*\.*\]")
+        self.assertTrue(seen.endswith(b"\r\x1b[K"), seen[-20:])
+        self.assertEqual(piped.count(b"\x1b"), 0)
+        status, seen, piped = Terminal("fit", walk(), on=("stdout",)).finish()
+        self.assertEqual((status, piped), (0, b""))
+
+    def test_quiet(self):
+        status, seen, _ = Terminal("fit", walk(), "-q", on=("stderr",)).finish()
+        self.assertEqual((status, seen), (0, b""))
+
+
+class Colors(CommandTest):
+    def shown(self, *arguments, **environment):
+        status, seen, _ = Terminal("info", walk(), *arguments, on=("stdout",), **environment).finish()
+        self.assertEqual(status, 0)
+        return seen
+
+    def test_colors(self):
+        self.assertRegex(self.shown(), COLOR)
+        self.assertRegex(self.shown(NO_COLOR=""), COLOR)
+        for plain in (
+            self.shown("--no-color"),
+            self.shown(NO_COLOR="1"),
+            self.shown(TERM="dumb"),
+            self.done("info", walk(), env=plain_environment(TERM="xterm")),
+        ):
+            self.assertNotRegex(plain, COLOR)
+
+    def test_errors(self):
+        missing = ("info", self.folder / "missing.bvh")
+        self.assertRegex(Terminal(*missing, on=("stderr",)).finish()[1], COLOR)
+        self.assertNotRegex(Terminal(*missing, on=("stderr",), NO_COLOR="1").finish()[1], COLOR)
+
+
+class Interrupt(CommandTest):
+    def test_while_it_works(self):
+        files = [self.folder / name for name in ("y.npy", "y.svg")]
+        terminal = Terminal(
+            *("fit", long_clip(), "--mode", "spatial", "--neighbors", "12", "--json"),
+            *("--coords", files[0], "--plot", files[1]),
+        )
+        self.assertTrue(terminal.wait_for(b"neighbors"), terminal.seen)
+        start = time.monotonic()
+        terminal.process.send_signal(signal.SIGINT)
+        status, seen, _ = terminal.finish()
+        self.assertEqual(status, 130)
+        self.assertTrue(seen.endswith(b" cancelled\r\n"), seen[-80:])
+        self.assertNotIn(b"stltsa-model/1", seen)
+        self.assertLess(time.monotonic() - start, 10)
+        self.assert_empty(self.folder)
+
+    def test_while_it_reads(self):
+        with subprocess.Popen(
+            [STLTSA, "info", "-"],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            preexec_fn=default_signals,
+        ) as process:
+            process.stdin.write(b"1,2,3\n" * 50000)  # more than a pipe holds: it is reading
+            process.stdin.flush()
+            time.sleep(0.5)  # it waits for more
+            process.send_signal(signal.SIGINT)
+            self.assertEqual(process.wait(60), 130)
+            self.assertEqual(process.stdout.read(), b"")
+            self.assertEqual(process.stderr.read(), b"stltsa: cancelled\n")
+
+    def test_ignored_where_the_caller_ignores_it(self):
+        with subprocess.Popen(
+            [STLTSA, "info", "-"],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_IGN),
+        ) as process:
+            process.stdin.write(b"1,2,3\n" * 50000)
+            process.stdin.flush()
+            process.send_signal(signal.SIGINT)
+            out, _ = process.communicate(timeout=60)
+            self.assertEqual(process.returncode, 0)
+            self.assertIn(b"50000 frames", out)
+
+
+if __name__ == "__main__":
+    unittest.main()

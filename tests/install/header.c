@@ -1,0 +1,17 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Compiled, never run: the header is the first and only include, and comes twice. */
+#include <stltsa.h>
+
+#include <stltsa.h>
+
+/* Frozen layouts (64-bit). A negative size does not compile, in any C or C++. */
+#define HOLDS(name, condition) typedef char name[(condition) ? 1 : -1]
+HOLDS(size_of_in, sizeof(void*) != 8 || sizeof(stltsa_in) == 48);
+HOLDS(size_of_out, sizeof(void*) != 8 || sizeof(stltsa_out) == 48);
+HOLDS(size_of_interval, sizeof(stltsa_interval) == 40);
+HOLDS(size_of_status, sizeof(stltsa_status) == 4);
+
+const char* name_of(stltsa_status status);
+const char* name_of(stltsa_status status) {
+    return stltsa_status_name(status);
+}

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// T-pose starts, smoothing, decimation, and the way back to source frames.
+#include "clip_testing.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "clip/features.hpp"
+
+namespace {
+
+using namespace clip_testing;
+using namespace stltsa::clip;
+using stltsa::Matrix;
+
+/// A smooth motion of ten features; its first `smeared` frames move out of another pose.
+Matrix motion(std::int64_t frames, std::int64_t smeared, double size = 20) {
+    Matrix rows(frames, 10);
+    for (std::int64_t i = 0; i < frames; ++i)
+        for (std::int64_t c = 0; c < 10; ++c) {
+            rows(i, c) =
+                std::sin(0.05 * static_cast<double>(i * (1 + c % 3)) + static_cast<double>(c));
+            if (i < smeared)
+                rows(i, c) +=
+                    size * std::pow(1 - static_cast<double>(i) / static_cast<double>(smeared), 2);
+        }
+    return rows;
+}
+
+void finds_tpose_starts(void**) {
+    for (std::int64_t smeared = 1; smeared <= 5; ++smeared)
+        for (const std::int64_t frames : {60, 200, 1000})
+            assert_int_equal(tpose_frames(motion(frames, smeared).view()), smeared);
+}
+
+void finds_none_where_there_is_none(void**) {
+    for (const std::int64_t frames : {2, 10, 60, 200, 1000})
+        assert_int_equal(tpose_frames(motion(frames, 0).view()), 0);
+    assert_int_equal(tpose_frames(motion(20, 1).view()), 0); // too short to say
+    assert_int_equal(tpose_frames(motion(1, 0).view()), 0);
+    assert_int_equal(tpose_frames(Matrix(100, 3).view()), 0);      // nothing moves
+    assert_int_equal(tpose_frames(motion(200, 1, 0.2).view()), 0); // no more than a quick start
+    Matrix still(100, 3);
+    still(0, 0) = 1; // one step and then nothing to compare it with
+    assert_int_equal(tpose_frames(still.view()), 0);
+}
+
+void never_drops_more_than_eight(void**) {
+    assert_int_equal(tpose_frames(motion(1000, 30, 400).view()), 8);
+}
+
+void finds_no_tpose_inside(void**) {
+    Matrix rows = motion(200, 0);
+    for (std::int64_t i = 100; i < 200; ++i)
+        rows(i, 0) += 20; // a jump later on is not its matter
+    assert_int_equal(tpose_frames(rows.view()), 0);
+}
+
+/// One joint on a stick, turning smoothly; its first `tpose` frames come from another pose.
+Clip turning(std::int64_t frames, double fps, std::int64_t tpose) {
+    Clip clip =
+        parse("HIERARCHY\nROOT a\n{\nOFFSET 0 0 0\nJOINT b\n{\nOFFSET 0 1 0\nCHANNELS 1 "
+              "Zrotation\nEnd Site\n{\nOFFSET 0 2 0\n}\n}\n}\nMOTION\nFrames: 1\nFrame Time: "
+              "1\n0\n",
+              Format::bvh);
+    clip.fps = fps;
+    clip.values = Matrix(frames, 1);
+    for (std::int64_t i = 0; i < frames; ++i)
+        clip.values(i, 0) = 20 * std::sin(0.02 * static_cast<double>(i)) +
+                            30 * static_cast<double>(std::max<std::int64_t>(0, tpose - i));
+    return clip;
+}
+
+void samples_are_source_frames(void**) {
+    for (const std::int64_t tpose : {0, 1, 3}) {
+        const Clip clip = turning(201, 120, tpose);
+        PrepareOptions options;
+        options.smoothing = 0;
+        const Prepared prepared = prepare(clip, options);
+        assert_int_equal(prepared.first, tpose);
+        assert_int_equal(prepared.step, 4);
+        assert_true(prepared.fps == 30);
+        assert_true(prepared.features == Features::positions && prepared.up == Axis::y);
+        const Matrix all = features(clip, Features::positions, Axis::y);
+        const Matrix& samples = prepared.samples;
+        assert_int_equal(samples.rows(), (201 - tpose + 3) / 4);
+        for (std::int64_t i = 0; i < samples.rows(); ++i)
+            for (std::int64_t c = 0; c < samples.cols(); ++c)
+                assert_true(samples(i, c) == all(prepared.first + i * prepared.step, c));
+    }
+}
+
+void the_start_is_kept_on_demand(void**) {
+    PrepareOptions options;
+    options.drop_tpose = false;
+    assert_int_equal(prepare(turning(200, 120, 3), options).first, 0);
+}
+
+void steps_follow_the_rate(void**) {
+    const struct {
+        double fps, rate;
+        std::int64_t step;
+    } cases[] = {{120, 30, 4}, {30, 30, 1}, {15, 30, 1}, {100, 30, 3},
+                 {120, 0, 1},  {60, 30, 2}, {0, 30, 1},  {1e300, 1e-300, 200}};
+    for (const auto& c : cases) {
+        PrepareOptions options;
+        options.rate = c.rate;
+        const Prepared prepared = prepare(turning(200, c.fps, 0), options);
+        assert_int_equal(prepared.step, c.step);
+        assert_true(prepared.fps == c.fps / static_cast<double>(c.step));
+    }
+}
+
+Clip column(const std::vector<double>& values, double fps) {
+    Clip clip;
+    clip.fps = fps;
+    clip.values = Matrix(static_cast<std::int64_t>(values.size()), 1);
+    std::copy(values.begin(), values.end(), clip.values.data());
+    return clip;
+}
+
+void smooths_by_a_gaussian(void**) {
+    // sigma = 0.05 s = 5 frames. An impulse in the middle comes back as the kernel.
+    std::vector<double> impulse(101, 0.0);
+    impulse[50] = 1;
+    PrepareOptions options;
+    options.rate = 0;
+    const Matrix smooth = prepare(column(impulse, 100), options).samples;
+    double sum = 0;
+    for (std::int64_t i = 0; i < 101; ++i) {
+        sum += smooth(i, 0);
+        ASSERT_NEAR(
+            smooth(i, 0) / smooth(50, 0),
+            std::abs(i - 50) > 20 ? 0 : std::exp(-0.02 * static_cast<double>((i - 50) * (i - 50))),
+            1e-12);
+    }
+    ASSERT_NEAR(sum, 1, 1e-12);
+}
+
+void smoothing_keeps_constants_to_the_ends(void**) {
+    const Matrix smooth = prepare(column(std::vector<double>(50, 3.25), 120), {}).samples;
+    assert_int_equal(smooth.rows(), 13);
+    for (std::int64_t i = 0; i < smooth.rows(); ++i)
+        ASSERT_NEAR(smooth(i, 0), 3.25, 1e-14);
+}
+
+void smoothing_does_not_see_dropped_frames(void**) {
+    const Prepared prepared = prepare(turning(200, 120, 3), {});
+    assert_int_equal(prepared.first, 3);
+    const Clip clip = turning(200, 120, 0);
+    PrepareOptions options;
+    options.rate = 0;
+    Clip rest = clip;
+    rest.values = Matrix(197, 1);
+    std::copy(clip.values.row(3), clip.values.row(199) + 1, rest.values.data());
+    const Matrix expected = prepare(rest, options).samples;
+    for (std::int64_t i = 0; i < prepared.samples.rows(); ++i)
+        for (std::int64_t c = 0; c < prepared.samples.cols(); ++c)
+            assert_true(prepared.samples(i, c) == expected(4 * i, c));
+}
+
+void bare_matrices_have_no_tpose(void**) {
+    std::vector<double> values(200, 0.0);
+    for (std::size_t i = 1; i < 200; ++i)
+        values[i] = 100 + std::sin(0.1 * static_cast<double>(i));
+    const Prepared prepared = prepare(column(values, 30), {});
+    assert_int_equal(prepared.first, 0);
+    assert_true(prepared.features == Features::raw);
+}
+
+} // namespace
+
+int main() {
+    const CMUnitTest tests[] = {
+        cmocka_unit_test(finds_tpose_starts),
+        cmocka_unit_test(finds_none_where_there_is_none),
+        cmocka_unit_test(never_drops_more_than_eight),
+        cmocka_unit_test(finds_no_tpose_inside),
+        cmocka_unit_test(samples_are_source_frames),
+        cmocka_unit_test(the_start_is_kept_on_demand),
+        cmocka_unit_test(steps_follow_the_rate),
+        cmocka_unit_test(smooths_by_a_gaussian),
+        cmocka_unit_test(smoothing_keeps_constants_to_the_ends),
+        cmocka_unit_test(smoothing_does_not_see_dropped_frames),
+        cmocka_unit_test(bare_matrices_have_no_tpose),
+    };
+    return cmocka_run_group_tests(tests, nullptr, nullptr);
+}

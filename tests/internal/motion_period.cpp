@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The lag after which a motion repeats itself.
+#include "motion_testing.hpp"
+
+#include "motion/period.hpp"
+
+namespace {
+
+using namespace motion_testing;
+using stltsa::motion::Activity;
+using stltsa::motion::find_period;
+using stltsa::motion::LagSamples;
+using stltsa::motion::measure_activity;
+using stltsa::motion::Period;
+
+Period period_of(const Matrix& samples, double fps) {
+    return find_period(samples.view(), fps, 0.3, 6);
+}
+
+void finds_the_period_of_harmonics(void**) {
+    for (const double fps : {15.0, 30.0, 60.0, 120.0})
+        for (const double seconds : {0.7, 1.1, 1.63, 3.9}) {
+            const auto samples = static_cast<std::int64_t>(3.5 * seconds * fps);
+            const Period found = period_of(
+                sampled(samples, 10, fps,
+                        [&](double t, std::int64_t c) { return cyclic_pose(t / seconds, c); }),
+                fps);
+            ASSERT_NEAR(found.samples / fps, seconds, 0.005 * seconds);
+            assert_true(found.quality > 0.9);
+        }
+}
+
+/// Left and right step are mirror images: after half a cycle most of the pose is the opposite, but
+/// what both sides share is the same again.
+void is_not_trapped_by_half_cycles(void**) {
+    const double fps = 30, seconds = 1.2;
+    const Matrix walk = sampled(200, 10, fps, [&](double t, std::int64_t c) {
+        const double sides = c % 2 == 0 ? 0.6 : -0.6;
+        return sides * std::sin(turn * t / seconds) +
+               std::cos(2 * turn * t / seconds + static_cast<double>(c));
+    });
+    ASSERT_NEAR(period_of(walk, fps).samples / fps, seconds, 0.005 * seconds);
+}
+
+/// After two cycles the motion is a little more like itself than after one.
+void prefers_the_single_cycle_to_its_multiples(void**) {
+    const double fps = 30, seconds = 1.0;
+    const Matrix walk = sampled(240, 10, fps, [&](double t, std::int64_t c) {
+        return cyclic_pose(t / seconds, c) +
+               0.25 * std::sin(turn * t / (2 * seconds) + static_cast<double>(c));
+    });
+    ASSERT_NEAR(period_of(walk, fps).samples / fps, seconds, 0.01);
+}
+
+void standing_does_not_count(void**) {
+    Exercise exercise;
+    exercise.stands = 8;
+    exercise.rests = 5;
+    const double fps = 30;
+    Matrix samples = exercise.samples(fps);
+    ASSERT_NEAR(period_of(samples, fps).samples / fps, exercise.period, 0.01);
+    add_noise(samples, 0.05, 1);
+    ASSERT_NEAR(period_of(samples, fps).samples / fps, exercise.period, 0.02);
+}
+
+void finds_none_in_what_does_not_repeat(void**) {
+    const double fps = 30;
+    Matrix noise(300, 30);
+    add_noise(noise, 1, 7);
+    assert_true(period_of(noise, fps).quality < 0.3);
+    const Matrix line =
+        sampled(300, 5, fps, [](double t, std::int64_t c) { return t * static_cast<double>(c); });
+    assert_true(period_of(line, fps).samples == 0);
+    assert_true(period_of(Matrix(300, 5), fps).samples == 0);
+    assert_true(period_of(Matrix(3, 5), fps).samples == 0);
+}
+
+/// One cycle and a quarter: the quarter that is seen twice proves nothing.
+void asks_for_enough_seen_twice(void**) {
+    const double fps = 30, seconds = 2;
+    const auto cycles = [&](double count) {
+        return sampled(static_cast<std::int64_t>(count * seconds * fps), 10, fps,
+                       [&](double t, std::int64_t c) { return cyclic_pose(t / seconds, c); });
+    };
+    assert_true(period_of(cycles(1.25), fps).samples == 0);
+    ASSERT_NEAR(period_of(cycles(1.7), fps).samples / fps, seconds, 0.01);
+    // The same with standing around it, so that the clip itself is long enough.
+    Exercise once;
+    once.period = 3;
+    once.cycles = 1;
+    once.fading = 0.1;
+    assert_true(period_of(once.samples(fps), fps).samples == 0);
+}
+
+void lag_curve_has_known_values(void**) {
+    const double fps = 30;
+    const Matrix circle = sampled(300, 2, fps, [](double t, std::int64_t c) {
+        return c == 0 ? std::cos(turn * t) : std::sin(turn * t);
+    });
+    const Activity activity = measure_activity(circle.view(), fps);
+    const LagSamples samples(circle.view(), activity.level, fps);
+    assert_int_equal(samples.step, 1);
+    const auto curve = lag_curve(samples, 0, 60);
+    ASSERT_NEAR(curve[0], 0, 1e-12);
+    ASSERT_NEAR(curve[15], 2, 0.01); // the opposite
+    ASSERT_NEAR(curve[30], 0, 1e-9);
+    // Between them 1 - cos; the means of 253 samples are not quite 0.
+    ASSERT_NEAR(curve[40], 1 - std::cos(turn / 3), 0.02);
+}
+
+void refines_within_a_stretch(void**) {
+    const double fps = 30;
+    const Matrix walk =
+        sampled(120, 10, fps, [](double t, std::int64_t c) { return cyclic_pose(t / 1.1, c); });
+    const Activity activity = measure_activity(walk.view(), fps);
+    const auto level = activity.levels(0, 120);
+    const auto near = stltsa::motion::refine_period(walk.view(), level, 1.2 * fps, fps);
+    assert_true(near.has_value());
+    ASSERT_NEAR(near->samples / fps, 1.1, 0.005);
+    // Its own period is out of reach; or too short to tell.
+    assert_false(stltsa::motion::refine_period(walk.view(), level, 0.8 * fps, fps).has_value());
+    assert_false(
+        stltsa::motion::refine_period(walk.view().block(0, 40), level, 1.1 * fps, fps).has_value());
+}
+
+} // namespace
+
+int main() {
+    const CMUnitTest tests[] = {
+        cmocka_unit_test(finds_the_period_of_harmonics),
+        cmocka_unit_test(is_not_trapped_by_half_cycles),
+        cmocka_unit_test(prefers_the_single_cycle_to_its_multiples),
+        cmocka_unit_test(standing_does_not_count),
+        cmocka_unit_test(finds_none_in_what_does_not_repeat),
+        cmocka_unit_test(asks_for_enough_seen_twice),
+        cmocka_unit_test(lag_curve_has_known_values),
+        cmocka_unit_test(refines_within_a_stretch),
+    };
+    return cmocka_run_group_tests(tests, nullptr, nullptr);
+}

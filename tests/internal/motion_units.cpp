@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Activity, rests, and the units that are made of them.
+#include "motion_testing.hpp"
+
+#include <algorithm>
+
+#include "motion/activity.hpp"
+#include "motion/rests.hpp"
+#include "motion/segments.hpp"
+
+namespace {
+
+using namespace motion_testing;
+using namespace stltsa::motion;
+
+void typical_speed_is_that_of_the_motion(void**) {
+    // A feature that moves at 2 a sample for 60 of 400 samples, and else drifts at 0.01.
+    Matrix samples(400, 1);
+    for (std::int64_t i = 1; i < 400; ++i)
+        samples(i, 0) = samples(i - 1, 0) + (i >= 200 && i < 260 ? 2 : 0.01);
+    const Activity activity = measure_activity(samples.view(), 30);
+    ASSERT_NEAR(activity.typical, 2, 0.05);
+    assert_true(activity.moving(230));
+    assert_false(activity.moving(100));
+    ASSERT_NEAR(activity.level[230], 1, 1e-9);
+
+    Span span = moving_span(activity, 0);
+    ASSERT_NEAR(static_cast<double>(span.first), 200, 3);
+    ASSERT_NEAR(static_cast<double>(span.first + span.count), 260, 3);
+    span = moving_span(activity, 250);
+    assert_int_equal(span.first, 0);
+    assert_int_equal(span.count, 400);
+}
+
+void what_never_moves_has_no_activity(void**) {
+    Matrix still(50, 3);
+    for (std::int64_t i = 0; i < 50; ++i)
+        still(i, 1) = 0.1; // not exact in binary: smoothing must not make motion of it
+    const Activity activity = measure_activity(still.view(), 30);
+    assert_true(activity.typical == 0);
+    assert_int_equal(moving_span(activity, 5).count, 50);
+    const auto units = action_units(activity, 30);
+    assert_int_equal(units.size(), 1);
+    assert_true(units[0].kind == UnitKind::preparing);
+}
+
+/// Speed 0 up to `onset`, then rising by 0.05 a sample up to 1; noise of a standing body added.
+std::vector<double> starts_at(double onset, double sway, std::size_t samples) {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> even(-1, 1);
+    std::vector<double> speed;
+    for (std::size_t i = 0; i < samples; ++i) {
+        const double ramp = std::clamp(0.05 * (static_cast<double>(i) - onset), 0.0, 1.0);
+        speed.push_back(std::hypot(ramp, sway * (1 + 0.2 * even(random))));
+    }
+    return speed;
+}
+
+void rests_end_at_the_onset(void**) {
+    for (const double sway : {0.0, 0.02, 0.1, 0.2}) {
+        const auto speed = starts_at(60, sway, 150);
+        const auto rests = find_rests(speed, 0.4, 1, 8);
+        assert_int_equal(rests.size(), 1);
+        ASSERT_NEAR(rests[0].begin, 0, 0);
+        ASSERT_NEAR(rests[0].end, 61, 2.5);
+
+        std::vector<double> reversed(speed.rbegin(), speed.rend());
+        const auto last = find_rests(reversed, 0.4, 1, 8);
+        assert_int_equal(last.size(), 1);
+        ASSERT_NEAR(last[0].end, 150, 0);
+        ASSERT_NEAR(last[0].begin, 149 - rests[0].end, 1e-9);
+    }
+}
+
+void short_dips_are_no_rests(void**) {
+    std::vector<double> speed(100, 1.0);
+    std::fill_n(speed.begin() + 40, 7, 0.0);
+    assert_true(find_rests(speed, 0.4, 1, 8).empty());
+    speed[47] = 0;
+    assert_int_equal(find_rests(speed, 0.4, 1, 8).size(), 1);
+    // At the ends of a clip half of it may lie outside.
+    std::fill_n(speed.begin(), 3, 0.0);
+    assert_int_equal(find_rests(speed, 0.4, 1, 8).size(), 1);
+    speed[3] = 0;
+    assert_int_equal(find_rests(speed, 0.4, 1, 8).size(), 2);
+}
+
+Activity activity_of(std::vector<double> speed) {
+    Activity activity;
+    activity.typical = 1;
+    activity.level = speed;
+    activity.speed = std::move(speed);
+    return activity;
+}
+
+void check_cover(const std::vector<Unit>& units, double samples) {
+    assert_true(!units.empty());
+    assert_true(units.front().begin == 0 && units.back().end == samples);
+    for (std::size_t i = 0; i < units.size(); ++i) {
+        assert_true(units[i].begin < units[i].end);
+        assert_true(i == 0 || units[i].begin == units[i - 1].end);
+    }
+}
+
+std::vector<UnitKind> kinds(const std::vector<Unit>& units) {
+    std::vector<UnitKind> result;
+    for (const Unit& unit : units)
+        result.push_back(unit.kind);
+    return result;
+}
+
+void five_units_or_fewer(void**) {
+    using enum UnitKind;
+    const std::vector<double> run{60.25, 75, 90.5, 105, 120.75};
+    std::vector<double> speed(200, 1.0);
+    auto units = cyclic_units(run, activity_of(speed), 30);
+    check_cover(units, 200);
+    assert_true(kinds(units) == (std::vector{initial, cyclic, final}));
+    assert_true(units[1].begin == 60.25 && units[1].end == 120.75);
+
+    std::fill_n(speed.begin(), 40, 0.0);
+    units = cyclic_units(run, activity_of(speed), 30);
+    check_cover(units, 200);
+    assert_true(kinds(units) == (std::vector{preparing, initial, cyclic, final}));
+    ASSERT_NEAR(units[0].end, 39, 1.01);
+
+    // Of two rests after the cycles the first one ends the motion; those inside are cycles' own.
+    std::fill_n(speed.begin() + 140, 20, 0.0);
+    std::fill_n(speed.begin() + 180, 20, 0.0);
+    std::fill_n(speed.begin() + 80, 9, 0.0);
+    units = cyclic_units(run, activity_of(speed), 30);
+    check_cover(units, 200);
+    assert_true(kinds(units) == (std::vector{preparing, initial, cyclic, final, wind_up}));
+    ASSERT_NEAR(units[4].begin, 140, 1.01);
+}
+
+void actions_between_rests(void**) {
+    using enum UnitKind;
+    std::vector<double> speed(300, 1.0);
+    std::fill_n(speed.begin(), 30, 0.0);
+    std::fill_n(speed.begin() + 120, 40, 0.0);
+    std::fill_n(speed.begin() + 270, 30, 0.0);
+    const auto units = action_units(activity_of(speed), 30);
+    check_cover(units, 300);
+    assert_true(kinds(units) == (std::vector{preparing, action, preparing, action, wind_up}));
+    assert_true(kinds(action_units(activity_of(std::vector<double>(100, 1.0)), 30)) ==
+                std::vector{action});
+}
+
+} // namespace
+
+int main() {
+    const CMUnitTest tests[] = {
+        cmocka_unit_test(typical_speed_is_that_of_the_motion),
+        cmocka_unit_test(what_never_moves_has_no_activity),
+        cmocka_unit_test(rests_end_at_the_onset),
+        cmocka_unit_test(short_dips_are_no_rests),
+        cmocka_unit_test(five_units_or_fewer),
+        cmocka_unit_test(actions_between_rests),
+    };
+    return cmocka_run_group_tests(tests, nullptr, nullptr);
+}

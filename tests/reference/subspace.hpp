@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Bases of column spaces, kept as one vector per row: orthonormalization, the largest principal
+// angle, and block inverse iteration.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "differences.hpp"
+#include "jacobi.hpp"
+
+namespace reference {
+
+template <class T>
+T inner(const T* a, const T* b, std::size_t n) {
+    T sum(0);
+    for (std::size_t i = 0; i < n; ++i)
+        sum += a[i] * b[i];
+    return sum;
+}
+
+/// Takes the rows of `basis` (orthonormal) out of the vector x.
+template <class T>
+void project_out(const Table<T>& basis, std::size_t rows, T* x) {
+    for (std::size_t r = 0; r < rows; ++r) {
+        const T part = inner(basis.row(r), x, basis.cols);
+        for (std::size_t i = 0; i < basis.cols; ++i)
+            x[i] -= part * basis.row(r)[i];
+    }
+}
+
+/// Gram-Schmidt, twice (Kahan and Parlett's "twice is enough").
+template <class T>
+void orthonormalize(Table<T>& x) {
+    for (std::size_t r = 0; r < x.rows; ++r) {
+        for (int pass = 0; pass < 2; ++pass) {
+            project_out(x, r, x.row(r));
+            const T scale = T(1) / sqrt(inner(x.row(r), x.row(r), x.cols));
+            for (std::size_t i = 0; i < x.cols; ++i)
+                x.row(r)[i] *= scale;
+        }
+    }
+}
+
+/// Sine of the largest principal angle between the row spaces of a and b, of equal dimension: the
+/// norm of what is left of b outside a. Exact for the smallest angles, unlike an arc cosine.
+template <class T>
+T largest_angle(Table<T> a, Table<T> b) {
+    orthonormalize(a);
+    orthonormalize(b);
+    for (std::size_t r = 0; r < b.rows; ++r)
+        project_out(a, a.rows, b.row(r));
+    Table<T> gram(b.rows, b.rows);
+    for (std::size_t i = 0; i < b.rows; ++i)
+        for (std::size_t j = 0; j < b.rows; ++j)
+            gram(i, j) = inner(b.row(i), b.row(j), b.cols);
+    const T largest = symmetric_eigen(gram).values[0];
+    return largest > T(0) ? sqrt(largest) : T(0);
+}
+
+/// rotation (rows x p) times x (p x n): new basis vectors from old ones.
+template <class T>
+Table<T> combine(const Table<T>& rotation, const Table<T>& x, std::size_t rows) {
+    Table<T> result(rows, x.cols);
+    for (std::size_t r = 0; r < rows; ++r)
+        for (std::size_t s = 0; s < x.rows; ++s)
+            for (std::size_t i = 0; i < x.cols; ++i)
+                result.row(r)[i] += rotation(r, s) * x.row(s)[i];
+    return result;
+}
+
+template <class T>
+struct Spectrum {
+    std::vector<T> lambda; ///< lambda_2, lambda_3, ..., ascending; d + 1 of them
+    Table<T> coords;       ///< d x n, orthonormal rows
+    int iterations = 0;
+    double change = 1; ///< sine of the angle of the last step
+};
+
+/// Smooth, independent and centered: cos(pi v (i + 1/2) / n), v = 1 .. p.
+template <class T>
+Table<T> cosines(std::size_t p, std::size_t n) {
+    Table<T> x(p, n);
+    const double step = std::acos(-1.0) / static_cast<double>(n);
+    for (std::size_t v = 0; v < p; ++v)
+        for (std::size_t i = 0; i < n; ++i)
+            x(v, i) =
+                T(std::cos(step * static_cast<double>(v + 1) * (static_cast<double>(i) + 0.5)));
+    orthonormalize(x);
+    return x;
+}
+
+/// The d smallest nonzero eigenpairs of B by block inverse iteration on d + 5 vectors with a
+/// Rayleigh-Ritz step each, until the d-dimensional space turns by less than `tolerance`.
+template <class T>
+Spectrum<T> smallest_eigenpairs(const Band<T>& factor, std::size_t d, double tolerance) {
+    const std::size_t n = factor.rows() + 1;
+    const std::size_t p = std::min(d + 5, n - 1);
+    Table<T> x = cosines<T>(p, n);
+    Spectrum<T> result;
+    for (result.iterations = 1; result.iterations <= 2000; ++result.iterations) {
+        Table<T> y = x;
+        std::vector<T> column;
+        for (std::size_t v = 0; v < p; ++v) {
+            column.assign(x.row(v), x.row(v) + n);
+            apply_pseudo_inverse(factor, column);
+            std::copy(column.begin(), column.end(), y.row(v));
+        }
+        Table<T> projected(p, p);
+        for (std::size_t u = 0; u < p; ++u)
+            for (std::size_t v = 0; v <= u; ++v)
+                projected(u, v) = projected(v, u) =
+                    (inner(x.row(u), y.row(v), n) + inner(x.row(v), y.row(u), n)) / T(2);
+        const auto eigen = symmetric_eigen(projected);
+        Table<T> coords = combine(eigen.vectors, x, d);
+        if (result.coords.rows == d)
+            result.change = static_cast<double>(largest_angle(result.coords, coords));
+        result.coords = std::move(coords);
+        result.lambda.clear();
+        for (std::size_t v = 0; v < std::min(p, d + 1); ++v)
+            result.lambda.push_back(T(1) / eigen.values[v]);
+        if (result.change < tolerance)
+            return result;
+        x = combine(eigen.vectors, y, p);
+        orthonormalize(x);
+    }
+    throw std::runtime_error("block inverse iteration did not converge");
+}
+
+} // namespace reference

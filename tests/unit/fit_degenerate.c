@@ -1,0 +1,211 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Clips that real recordings contain and that break a careless LTSA: held frames, cuts, stretches
+ * with fewer directions than coordinates. */
+#include "support.h"
+
+enum { rows = 200, cols = 8, d = 2, k = 12, w = 12 };
+
+struct fit {
+    stltsa_model* model;
+    double* coords;
+    int64_t rows;
+};
+
+static struct fit fit_rows(const double* x, int64_t count) {
+    struct fit f = {NULL, NULL, count};
+    stltsa_options* options = new_options(k, w, d);
+    const stltsa_in in = packed_in(x, count, cols);
+    must(stltsa_fit(&in, NULL, 1, options, &f.model));
+    f.coords = new_coords(f.model);
+    stltsa_options_free(options);
+    return f;
+}
+
+static void free_fit(struct fit f) {
+    stltsa_model_free(f.model);
+    free(f.coords);
+}
+
+/* Frame i of x, times[i] times. */
+static double* new_held(const double* x, const int64_t* times, int64_t* total) {
+    *total = 0;
+    for (int i = 0; i < rows; ++i)
+        *total += times[i];
+    double* held = new_matrix(*total, cols);
+    int64_t at = 0;
+    for (int i = 0; i < rows; ++i)
+        for (int64_t t = 0; t < times[i]; ++t)
+            memcpy(held + cols * at++, x + i * cols, cols * sizeof *x);
+    return held;
+}
+
+static void assert_holds_collapse(const int64_t* times) {
+    double* x = new_motion(rows, cols, 61);
+    int64_t total = 0;
+    double* held = new_held(x, times, &total);
+    const struct fit want = fit_rows(x, rows);
+    const struct fit got = fit_rows(held, total);
+    assert_int_equal(model_int(got.model, STLTSA_MODEL_FRAMES), total);
+    assert_int_equal(model_int(got.model, STLTSA_MODEL_REPEATED), total - rows);
+    assert_int_equal(model_int(got.model, STLTSA_MODEL_COMPONENTS), 1);
+    int64_t at = 0;
+    for (int i = 0; i < rows; ++i)
+        for (int64_t t = 0; t < times[i]; ++t)
+            assert_same_bits(want.coords + i * d, got.coords + d * at++, d);
+    free_fit(got);
+    free_fit(want);
+    free(held);
+    free(x);
+}
+
+static void frames_held_three_times_collapse(void** state) {
+    (void)state;
+    int64_t times[rows];
+    for (int i = 0; i < rows; ++i)
+        times[i] = 3;
+    assert_holds_collapse(times);
+}
+
+/* Longer than any window: at the start, inside, at the end. */
+static void holds_longer_than_the_window_collapse(void** state) {
+    (void)state;
+    int64_t times[rows];
+    for (int i = 0; i < rows; ++i)
+        times[i] = i == 0 || i == 90 || i == rows - 1 ? 3 * w : 1;
+    assert_holds_collapse(times);
+}
+
+/* The same pose twice, but not in a row, is two frames. */
+static void a_pose_that_comes_back_is_not_a_repeat(void** state) {
+    (void)state;
+    double* x = new_motion(rows, cols, 62);
+    memcpy(x + 103 * cols, x + 100 * cols, cols * sizeof *x);
+    const struct fit f = fit_rows(x, rows);
+    assert_int_equal(model_int(f.model, STLTSA_MODEL_REPEATED), 0);
+    assert_int_equal(model_int(f.model, STLTSA_MODEL_COMPONENTS), 1);
+    for (int i = 0; i < rows * d; ++i)
+        assert_true(isfinite(f.coords[i]));
+    free_fit(f);
+    free(x);
+}
+
+/* A jump that no neighborhood spans: each side is embedded as if it were alone. */
+static void a_hard_cut_gives_two_components(void** state) {
+    (void)state;
+    enum { cut = 80 };
+    double* x = new_motion(rows, cols, 63);
+    for (int i = cut; i < rows; ++i)
+        x[i * cols] += 1000;
+    const struct fit f = fit_rows(x, rows);
+    assert_int_equal(model_int(f.model, STLTSA_MODEL_COMPONENTS), 2);
+    assert_true(stltsa_model_warning_count(f.model) >= 1);
+    int64_t labels[rows];
+    must(stltsa_model_components(f.model, rows, labels));
+    for (int i = 0; i < rows; ++i)
+        assert_int_equal(labels[i], i >= cut);
+    const struct fit before = fit_rows(x, cut);
+    const struct fit after = fit_rows(x + cut * cols, rows - cut);
+    assert_below(largest_difference(f.coords, before.coords, cut * d), 1e-10, "before the cut");
+    assert_below(largest_difference(f.coords + cut * d, after.coords, (rows - cut) * d), 1e-10,
+                 "after the cut");
+
+    double values[2 * (d + 2)];
+    const stltsa_out out = packed_out(values, 2, d + 2);
+    must(stltsa_model_eigenvalues(f.model, &out));
+    double alone[d + 2];
+    const stltsa_out first = packed_out(alone, 1, d + 2);
+    must(stltsa_model_eigenvalues(before.model, &first));
+    for (int v = 1; v < d + 2; ++v)
+        assert_below(fabs(values[v] / alone[v] - 1), 1e-9, "eigenvalue of the first component");
+    free_fit(after);
+    free_fit(before);
+    free_fit(f);
+    free(x);
+}
+
+/* 60 frames on a straight line among frames that are not: their windows have one direction. */
+static void windows_on_a_line_are_counted(void** state) {
+    (void)state;
+    enum { begin = 70, end = 130 };
+    double* x = new_motion(rows, cols, 64);
+    for (int i = 0; i < rows; ++i)
+        for (int c = 0; c < cols; ++c)
+            x[i * cols + c] = round(x[i * cols + c] * 4096);
+    for (int i = begin; i < end; ++i)
+        for (int c = 0; c < cols; ++c)
+            x[i * cols + c] = x[begin * cols + c] + 64.0 * (i - begin) * (c + 1);
+    for (int c = 0; c < cols; ++c) { /* no jump at the end of the line */
+        const double step = x[(end - 1) * cols + c] - x[end * cols + c] + 64.0 * (c + 1);
+        for (int i = end; i < rows; ++i)
+            x[i * cols + c] += step;
+    }
+    const struct fit f = fit_rows(x, rows);
+    const int64_t deficient = model_int(f.model, STLTSA_MODEL_RANK_DEFICIENT);
+    assert_in_range(deficient, end - begin - 2 * w, end - begin);
+    assert_true(stltsa_model_warning_count(f.model) >= 1);
+    for (int a = 0; a < d; ++a)
+        for (int b = 0; b < d; ++b) {
+            double product = 0;
+            for (int i = 0; i < rows; ++i)
+                product += f.coords[i * d + a] * f.coords[i * d + b];
+            assert_below(fabs(product - (a == b)), 1e-12, "inner product of coordinates");
+        }
+    free_fit(f);
+    free(x);
+}
+
+static void assert_refused(const double* x, int64_t count, stltsa_status status) {
+    stltsa_options* options = new_options(k, w, d);
+    const stltsa_in in = packed_in(x, count, cols);
+    stltsa_model* model = (stltsa_model*)&in;
+    assert_int_equal(stltsa_fit(&in, NULL, 1, options, &model), status);
+    assert_null(model);
+    assert_true(strlen(stltsa_last_error()) > 20);
+    stltsa_options_free(options);
+}
+
+static void a_line_has_no_second_coordinate(void** state) {
+    (void)state;
+    double* x = new_matrix(rows, cols);
+    for (int i = 0; i < rows; ++i)
+        for (int c = 0; c < cols; ++c)
+            x[i * cols + c] = i * (c + 1);
+    assert_refused(x, rows, STLTSA_E_DEGENERATE);
+    free(x);
+}
+
+static void a_statue_has_too_few_frames(void** state) {
+    (void)state;
+    double* x = new_matrix(rows, cols);
+    assert_refused(x, rows, STLTSA_E_TOO_FEW_FRAMES);
+    free(x);
+}
+
+/* k + 1 distinct frames are enough, and one less is not, held or not. */
+static void as_many_distinct_frames_as_it_takes(void** state) {
+    (void)state;
+    double* x = new_motion(rows, cols, 65);
+    const struct fit f = fit_rows(x, k + 1);
+    for (int i = 0; i < (k + 1) * d; ++i)
+        assert_true(isfinite(f.coords[i]));
+    free_fit(f);
+    assert_refused(x, k, STLTSA_E_TOO_FEW_FRAMES);
+    for (int i = k; i < rows; ++i)
+        memcpy(x + i * cols, x + (k - 1) * cols, cols * sizeof *x);
+    assert_refused(x, rows, STLTSA_E_TOO_FEW_FRAMES);
+    free(x);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(frames_held_three_times_collapse),
+        cmocka_unit_test(holds_longer_than_the_window_collapse),
+        cmocka_unit_test(a_pose_that_comes_back_is_not_a_repeat),
+        cmocka_unit_test(a_hard_cut_gives_two_components),
+        cmocka_unit_test(windows_on_a_line_are_counted),
+        cmocka_unit_test(a_line_has_no_second_coordinate),
+        cmocka_unit_test(a_statue_has_too_few_frames),
+        cmocka_unit_test(as_many_distinct_frames_as_it_takes),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,269 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Bad input is found before any work, named in words, and leaves nothing half done. */
+#include "support.h"
+
+enum { rows = 100, cols = 6 };
+
+struct fixture {
+    double* x;
+    stltsa_options* options;
+};
+
+static int set_up(void** state) {
+    struct fixture* f = calloc(1, sizeof *f);
+    f->x = new_motion(rows, cols, 71);
+    f->options = new_options(12, 12, 2);
+    *state = f;
+    return 0;
+}
+
+static int tear_down(void** state) {
+    struct fixture* f = *state;
+    stltsa_options_free(f->options);
+    free(f->x);
+    free(f);
+    return 0;
+}
+
+/* The fit must fail with `status`, say `words` (NULL: whatever), and give no handle. */
+static void assert_fails(const stltsa_in* in, const int64_t* lengths, int64_t clips,
+                         const stltsa_options* options, stltsa_status status, const char* words) {
+    int some_memory = 0;
+    stltsa_model* model = (stltsa_model*)(void*)&some_memory;
+    const stltsa_status got = stltsa_fit(in, lengths, clips, options, &model);
+    if (got != status)
+        print_error("got %s: %s\n", stltsa_status_name(got), stltsa_last_error());
+    assert_int_equal(got, status);
+    assert_null(model);
+    assert_true(strlen(stltsa_last_error()) > 10);
+    if (words != NULL && strstr(stltsa_last_error(), words) == NULL)
+        print_error("no \"%s\" in: %s\n", words, stltsa_last_error());
+    assert_true(words == NULL || strstr(stltsa_last_error(), words) != NULL);
+}
+
+static void nan_is_named_with_frame_and_channel(void** state) {
+    const struct fixture* f = *state;
+    const double bad[] = {NAN, INFINITY, -INFINITY};
+    for (int b = 0; b < 3; ++b) {
+        double* x = copy_of(f->x, rows * cols);
+        x[87 * cols + 4] = bad[b];
+        x[95 * cols + 1] = bad[b];
+        const stltsa_in in = packed_in(x, rows, cols);
+        assert_fails(&in, NULL, 1, f->options, STLTSA_E_NOT_FINITE, "87");
+        assert_non_null(strstr(stltsa_last_error(), "4"));
+        free(x);
+    }
+}
+
+static void nan_in_float32_and_in_the_last_entry(void** state) {
+    const struct fixture* f = *state;
+    float x[rows * cols];
+    for (int i = 0; i < rows * cols; ++i)
+        x[i] = (float)f->x[i];
+    x[rows * cols - 1] = NAN;
+    const stltsa_in in = {x, rows, cols, 0, 0, STLTSA_F32, 0};
+    assert_fails(&in, NULL, 1, f->options, STLTSA_E_NOT_FINITE, "99");
+}
+
+static void numbers_too_large_to_square(void** state) {
+    const struct fixture* f = *state;
+    double* x = copy_of(f->x, rows * cols);
+    for (int i = 0; i < rows * cols; ++i)
+        x[i] *= 1e200;
+    const stltsa_in in = packed_in(x, rows, cols);
+    stltsa_model* model = NULL;
+    if (stltsa_fit(&in, NULL, 1, f->options, &model) == STLTSA_OK) {
+        double* coords = new_coords(model); /* an answer is fine if it is one */
+        for (int i = 0; i < rows * 2; ++i)
+            assert_true(isfinite(coords[i]));
+        free(coords);
+    }
+    stltsa_model_free(model);
+    free(x);
+}
+
+static void assert_parameters_fail(const double* x, int64_t k, int64_t w, int64_t d) {
+    stltsa_options* options = new_options(k, w, d);
+    const stltsa_in in = packed_in(x, rows, cols);
+    assert_fails(&in, NULL, 1, options, STLTSA_E_ARGUMENT, NULL);
+    stltsa_options_free(options);
+}
+
+/* d + 2 <= k <= w + 1, and both ends of that are allowed. */
+static void neighbors_fit_window_and_dimension(void** state) {
+    const struct fixture* f = *state;
+    assert_parameters_fail(f->x, 12, 10, 2);
+    assert_parameters_fail(f->x, 12, 1, 2);
+    assert_parameters_fail(f->x, 3, 12, 2);
+    assert_parameters_fail(f->x, 4, 12, 3);
+    const stltsa_in in = packed_in(f->x, rows, cols);
+    const int64_t good[][3] = {{12, 11, 2}, {4, 3, 2}, {4, 12, 2}};
+    for (int g = 0; g < 3; ++g) {
+        stltsa_options* options = new_options(good[g][0], good[g][1], good[g][2]);
+        stltsa_model* model = NULL;
+        must(stltsa_fit(&in, NULL, 1, options, &model));
+        stltsa_model_free(model);
+        stltsa_options_free(options);
+    }
+}
+
+static void too_few_frames(void** state) {
+    const struct fixture* f = *state;
+    for (int64_t n = 1; n <= 12; ++n) {
+        const stltsa_in in = packed_in(f->x, n, cols);
+        assert_fails(&in, NULL, 1, f->options, STLTSA_E_TOO_FEW_FRAMES, NULL);
+    }
+    const stltsa_in in = packed_in(f->x, rows, cols);
+    const int64_t lengths[] = {60, 10, 30};
+    assert_fails(&in, lengths, 3, f->options, STLTSA_E_TOO_FEW_FRAMES, NULL);
+}
+
+static void lengths_must_sum_to_the_rows(void** state) {
+    const struct fixture* f = *state;
+    const stltsa_in in = packed_in(f->x, rows, cols);
+    const int64_t less[] = {50, 49};
+    const int64_t more[] = {50, 51};
+    const int64_t negative[] = {150, -50};
+    const int64_t wrapped[] = {INT64_MAX, INT64_MAX, rows + 2};
+    assert_fails(&in, less, 2, f->options, STLTSA_E_SHAPE, "99");
+    assert_fails(&in, more, 2, f->options, STLTSA_E_SHAPE, "51");
+    assert_fails(&in, negative, 2, f->options, STLTSA_E_SHAPE, NULL);
+    assert_fails(&in, wrapped, 3, f->options, STLTSA_E_SHAPE, NULL);
+    stltsa_model* model = NULL;
+    assert_true(stltsa_fit(&in, less, 0, f->options, &model) < 0);
+    assert_true(stltsa_fit(&in, less, -1, f->options, &model) < 0);
+    assert_null(model);
+}
+
+static void null_is_refused(void** state) {
+    const struct fixture* f = *state;
+    const stltsa_in in = packed_in(f->x, rows, cols);
+    const stltsa_in no_data = packed_in(NULL, rows, cols);
+    assert_fails(NULL, NULL, 1, f->options, STLTSA_E_ARGUMENT, NULL);
+    assert_fails(&no_data, NULL, 1, f->options, STLTSA_E_ARGUMENT, NULL);
+    assert_int_equal(stltsa_fit(&in, NULL, 1, f->options, NULL), STLTSA_E_ARGUMENT);
+    stltsa_model_free(NULL);
+    stltsa_options_free(NULL);
+    stltsa_clip_free(NULL);
+    stltsa_dimension_free(NULL);
+    stltsa_decomposition_free(NULL);
+    stltsa_string_free(NULL);
+}
+
+static void shapes_that_are_none(void** state) {
+    const struct fixture* f = *state;
+    const int64_t bad[][2] = {{0, cols}, {rows, 0}, {-1, cols}, {rows, -1}};
+    for (int b = 0; b < 4; ++b) {
+        const stltsa_in in = packed_in(f->x, bad[b][0], bad[b][1]);
+        stltsa_model* model = NULL;
+        assert_true(stltsa_fit(&in, NULL, 1, f->options, &model) < 0);
+        assert_null(model);
+    }
+    stltsa_in in = packed_in(f->x, rows, cols);
+    in.dtype = 3;
+    assert_fails(&in, NULL, 1, f->options, STLTSA_E_ARGUMENT, NULL);
+}
+
+/* Refused from the numbers alone: nothing of these arrays may be read. */
+static void sizes_that_overflow(void** state) {
+    const struct fixture* f = *state;
+    const int64_t huge[][2] = {
+        {INT64_MAX, 2}, {INT64_MAX / 4, 8}, {INT64_C(1) << 32, INT64_C(1) << 32}, {3, INT64_MAX}};
+    for (int h = 0; h < 4; ++h) {
+        const stltsa_in in = packed_in(f->x, huge[h][0], huge[h][1]);
+        assert_fails(&in, NULL, 1, f->options, STLTSA_E_NO_MEMORY, NULL);
+    }
+}
+
+static void options_out_of_range(void** state) {
+    (void)state;
+    stltsa_options* options = NULL;
+    must(stltsa_options_new(&options));
+    assert_int_equal(stltsa_options_set_int(options, STLTSA_NEIGHBORS, -1), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_options_set_int(options, STLTSA_DIMENSION, -1), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_options_set_int(options, STLTSA_MODE, 9), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_options_set_int(options, STLTSA_FPS, 30), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_options_set_real(options, STLTSA_FPS, NAN), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_options_set_int(options, 9999, 1), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_options_set_int(NULL, STLTSA_NEIGHBORS, 12), STLTSA_E_ARGUMENT);
+    int64_t value = -1;
+    must(stltsa_options_get_int(options, STLTSA_NEIGHBORS, &value));
+    assert_int_equal(value, 0);
+    stltsa_options_free(options);
+}
+
+struct countdown {
+    int calls_left;
+    int stages_seen[STLTSA_STAGE_UNITS + 1];
+};
+
+static int32_t count_down(void* user, int32_t stage, double fraction) {
+    struct countdown* c = user;
+    assert_in_range(stage, STLTSA_STAGE_READ, STLTSA_STAGE_UNITS);
+    assert_true(fraction >= 0 && fraction <= 1);
+    ++c->stages_seen[stage];
+    return c->calls_left-- == 0;
+}
+
+/* Cancelled at its first call, its second, ... until a fit passes: each time cleanly. */
+static void cancelled_at_every_call(void** state) {
+    const struct fixture* f = *state;
+    const stltsa_in in = packed_in(f->x, rows, cols);
+    stltsa_options* options = new_options(12, 12, 2);
+    struct countdown c;
+    int cancelled = 0;
+    for (;; ++cancelled) {
+        memset(&c, 0, sizeof c);
+        c.calls_left = cancelled;
+        must(stltsa_options_set_progress(options, count_down, &c));
+        stltsa_model* model = NULL;
+        const stltsa_status status = stltsa_fit(&in, NULL, 1, options, &model);
+        if (status == STLTSA_OK) {
+            stltsa_model_free(model);
+            break;
+        }
+        assert_int_equal(status, STLTSA_E_CANCELLED);
+        assert_null(model);
+        assert_true(cancelled < 10000);
+    }
+    assert_true(c.stages_seen[STLTSA_STAGE_NEIGHBORS] > 0);
+    assert_true(c.stages_seen[STLTSA_STAGE_TANGENTS] > 0);
+    assert_true(c.stages_seen[STLTSA_STAGE_ALIGNMENT] > 0);
+    assert_true(c.stages_seen[STLTSA_STAGE_SPECTRUM] > 0);
+    assert_true(cancelled >= 4);
+    stltsa_options_free(options);
+}
+
+/* After a failure the same handles give the same answer as before it. */
+static void handles_survive_a_failure(void** state) {
+    const struct fixture* f = *state;
+    double* want = fit_coords(f->x, rows, cols, 2);
+    const stltsa_in short_clip = packed_in(f->x, 5, cols);
+    assert_fails(&short_clip, NULL, 1, f->options, STLTSA_E_TOO_FEW_FRAMES, NULL);
+    const stltsa_in in = packed_in(f->x, rows, cols);
+    stltsa_model* model = NULL;
+    must(stltsa_fit(&in, NULL, 1, f->options, &model));
+    double* got = new_coords(model);
+    assert_same_bits(want, got, rows * 2);
+    free(got);
+    stltsa_model_free(model);
+    free(want);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(nan_is_named_with_frame_and_channel),
+        cmocka_unit_test(nan_in_float32_and_in_the_last_entry),
+        cmocka_unit_test(numbers_too_large_to_square),
+        cmocka_unit_test(neighbors_fit_window_and_dimension),
+        cmocka_unit_test(too_few_frames),
+        cmocka_unit_test(lengths_must_sum_to_the_rows),
+        cmocka_unit_test(null_is_refused),
+        cmocka_unit_test(shapes_that_are_none),
+        cmocka_unit_test(sizes_that_overflow),
+        cmocka_unit_test(options_out_of_range),
+        cmocka_unit_test(cancelled_at_every_call),
+        cmocka_unit_test(handles_survive_a_failure),
+    };
+    return cmocka_run_group_tests(tests, set_up, tear_down);
+}

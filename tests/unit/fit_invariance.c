@@ -1,0 +1,276 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* What must not change the coordinates: how the frames lie in space and in memory, how many
+ * threads work, what else runs. */
+#include <threads.h>
+
+#include "support.h"
+
+enum { rows = 600, cols = 12, d = 2 };
+
+static void rotation_and_shift_change_nothing(void** state) {
+    (void)state;
+    double* x = new_motion(rows, cols, 21);
+    double* rotation = new_directions(cols, cols, 22);
+    double* moved = new_product(x, rotation, rows, cols, cols);
+    for (int i = 0; i < rows * cols; ++i)
+        moved[i] += 3 * (i % cols);
+    double* want = fit_coords(x, rows, cols, d);
+    double* got = fit_coords(moved, rows, cols, d);
+    assert_below(largest_difference(want, got, rows * d), 1e-9, "change by rotation and shift");
+    free(got);
+    free(want);
+    free(moved);
+    free(rotation);
+    free(x);
+}
+
+static void scale_changes_nothing(void** state) {
+    (void)state;
+    double* x = new_motion(rows, cols, 23);
+    double* want = fit_coords(x, rows, cols, d);
+    static const double scales[] = {0x1p10, -0.5, 1e6, 1e-9};
+    for (int s = 0; s < 4; ++s) {
+        double* scaled = copy_of(x, rows * cols);
+        for (int i = 0; i < rows * cols; ++i)
+            scaled[i] *= scales[s];
+        double* got = fit_coords(scaled, rows, cols, d);
+        assert_below(largest_difference(want, got, rows * d), 1e-9, "change by scale");
+        if (s < 2) /* a power of two rounds nothing */
+            assert_same_bits(want, got, rows * d);
+        free(got);
+        free(scaled);
+    }
+    free(want);
+    free(x);
+}
+
+static void shift_that_rounds_nothing_changes_no_bit(void** state) {
+    (void)state;
+    double* x = new_motion(rows, cols, 24);
+    for (int i = 0; i < rows * cols; ++i)
+        x[i] = round(x[i] * 0x1p20) * 0x1p-20;
+    double* want = fit_coords(x, rows, cols, d);
+    for (int i = 0; i < rows * cols; ++i)
+        x[i] += 1024;
+    double* got = fit_coords(x, rows, cols, d);
+    assert_same_bits(want, got, rows * d);
+    free(got);
+    free(want);
+    free(x);
+}
+
+static void order_of_channels_does_not_matter(void** state) {
+    (void)state;
+    double* x = new_motion(rows, cols, 25);
+    double* shuffled = new_matrix(rows, cols);
+    for (int i = 0; i < rows; ++i)
+        for (int c = 0; c < cols; ++c)
+            shuffled[i * cols + (5 * c + 3) % cols] = x[i * cols + c];
+    double* want = fit_coords(x, rows, cols, d);
+    double* got = fit_coords(shuffled, rows, cols, d);
+    assert_below(largest_difference(want, got, rows * d), 1e-9, "change by order of channels");
+    free(got);
+    free(want);
+    free(shuffled);
+    free(x);
+}
+
+/* Without the boundary: time backwards is the same curve, backwards. */
+static void time_backwards_reverses_the_curve(void** state) {
+    (void)state;
+    double* x = new_motion(rows, cols, 26);
+    double* backwards = new_matrix(rows, cols);
+    for (int i = 0; i < rows; ++i)
+        memcpy(backwards + i * cols, x + (rows - 1 - i) * cols, cols * sizeof *x);
+    double* want = fit_coords(x, rows, cols, d);
+    double* got = fit_coords(backwards, rows, cols, d);
+    for (int i = 0; i < rows; ++i)
+        assert_below(largest_difference(want + i * d, got + (rows - 1 - i) * d, d), 1e-9,
+                     "change by reversing time");
+    free(got);
+    free(want);
+    free(backwards);
+    free(x);
+}
+
+static double* fit_with_threads(const double* x, int64_t threads) {
+    stltsa_options* options = new_options(12, 12, d);
+    must(stltsa_options_set_int(options, STLTSA_THREADS, threads));
+    const stltsa_in in = packed_in(x, rows, cols);
+    stltsa_model* model = NULL;
+    must(stltsa_fit(&in, NULL, 1, options, &model));
+    double* coords = new_coords(model);
+    stltsa_model_free(model);
+    stltsa_options_free(options);
+    return coords;
+}
+
+static void number_of_threads_changes_no_bit(void** state) {
+    (void)state;
+    double* x = new_motion(rows, cols, 27);
+    double* want = fit_with_threads(x, 1);
+    for (int64_t threads = 0; threads <= 4; ++threads) {
+        double* got = fit_with_threads(x, threads);
+        assert_same_bits(want, got, rows * d);
+        free(got);
+    }
+    free(want);
+    free(x);
+}
+
+static int fit_in_a_thread(void* argument) {
+    double** xy = argument;
+    xy[1] = fit_with_threads(xy[0], 1);
+    return 0;
+}
+
+/* ARPACK keeps state between calls: fits at the same time must not see each other's. */
+static void fits_at_the_same_time_change_no_bit(void** state) {
+    (void)state;
+    enum { count = 6 };
+    double* x[count];
+    double* want[count];
+    for (int f = 0; f < count; ++f) {
+        x[f] = new_motion(rows, cols, 30 + (uint64_t)f);
+        want[f] = fit_with_threads(x[f], 1);
+    }
+    for (int round = 0; round < 5; ++round) {
+        thrd_t threads[count];
+        double* jobs[count][2];
+        for (int f = 0; f < count; ++f) {
+            jobs[f][0] = x[f];
+            jobs[f][1] = NULL;
+            assert_int_equal(thrd_create(&threads[f], fit_in_a_thread, jobs[f]), thrd_success);
+        }
+        for (int f = 0; f < count; ++f)
+            thrd_join(threads[f], NULL);
+        for (int f = 0; f < count; ++f) {
+            assert_non_null(jobs[f][1]);
+            assert_same_bits(want[f], jobs[f][1], rows * d);
+            free(jobs[f][1]);
+        }
+    }
+    for (int f = 0; f < count; ++f) {
+        free(want[f]);
+        free(x[f]);
+    }
+}
+
+static double* fit_array(const stltsa_in* in) {
+    stltsa_options* options = new_options(12, 12, d);
+    stltsa_model* model = NULL;
+    must(stltsa_fit(in, NULL, 1, options, &model));
+    double* coords = new_coords(model);
+    stltsa_model_free(model);
+    stltsa_options_free(options);
+    return coords;
+}
+
+/* Lays frame i, channel c at byte `origin + i * row + c * col` and fits that. */
+static void assert_layout_changes_no_bit(const double* x, const double* want, int64_t size,
+                                         int64_t origin, int64_t row, int64_t col) {
+    unsigned char* memory = malloc((size_t)size);
+    assert_non_null(memory);
+    memset(memory, 0xff, (size_t)size); /* NaN: whatever is not ours */
+    for (int i = 0; i < rows; ++i)
+        for (int c = 0; c < cols; ++c)
+            memcpy(memory + origin + i * row + c * col, x + i * cols + c, sizeof *x);
+    const stltsa_in in = {memory + origin, rows, cols, row, col, STLTSA_F64, 0};
+    double* got = fit_array(&in);
+    assert_same_bits(want, got, rows * d);
+    free(got);
+    free(memory);
+}
+
+static void layout_in_memory_changes_no_bit(void** state) {
+    (void)state;
+    double* x = new_motion(rows, cols, 40);
+    double* want = fit_coords(x, rows, cols, d);
+    const int64_t all = rows * cols * 8;
+    assert_layout_changes_no_bit(x, want, all, 0, cols * 8, 8);
+    assert_layout_changes_no_bit(x, want, rows * (cols + 3) * 8, 0, (cols + 3) * 8, 8);
+    assert_layout_changes_no_bit(x, want, 2 * all, 0, cols * 16, 16);
+    assert_layout_changes_no_bit(x, want, all, 0, 8, rows * 8);
+    assert_layout_changes_no_bit(x, want, all, (rows - 1) * cols * 8, -cols * 8, 8);
+    assert_layout_changes_no_bit(x, want, all, (cols - 1) * 8, cols * 8, -8);
+    assert_layout_changes_no_bit(x, want, rows * (cols * 8 + 1) + 1, 1, cols * 8 + 1, 8);
+    free(want);
+    free(x);
+}
+
+static void float32_is_the_same_numbers(void** state) {
+    (void)state;
+    double* x = new_motion(rows, cols, 41);
+    double* exact = fit_coords(x, rows, cols, d);
+    float* narrow = malloc(rows * cols * sizeof *narrow);
+    assert_non_null(narrow);
+    for (int i = 0; i < rows * cols; ++i) {
+        narrow[i] = (float)x[i];
+        x[i] = narrow[i];
+    }
+    double* want = fit_coords(x, rows, cols, d);
+    const stltsa_in in = {narrow, rows, cols, 0, 0, STLTSA_F32, 0};
+    double* got = fit_array(&in);
+    assert_same_bits(want, got, rows * d);
+    assert_below(largest_difference(exact, got, rows * d), 1e-4, "change by rounding to float32");
+    assert_true(largest_difference(exact, got, rows * d) > 0);
+    free(got);
+    free(want);
+    free(narrow);
+    free(exact);
+    free(x);
+}
+
+/* Clips of 600, 250 and 300 frames in two orders: each comes out as if it were alone. */
+static void order_of_clips_only_permutes(void** state) {
+    (void)state;
+    enum { clips = 3, total = 1150 };
+    static const int64_t length[clips] = {600, 250, 300};
+    static const int order[2][clips] = {{0, 1, 2}, {2, 0, 1}};
+    stltsa_options* options = new_options(12, 12, d);
+    for (int o = 0; o < 2; ++o) {
+        double* x = new_matrix(total, cols);
+        int64_t lengths[clips];
+        int64_t at = 0;
+        for (int p = 0; p < clips; ++p) {
+            lengths[p] = length[order[o][p]];
+            double* clip = new_motion(lengths[p], cols, 50 + (uint64_t)order[o][p]);
+            memcpy(x + at * cols, clip, (size_t)(lengths[p] * cols) * sizeof *x);
+            free(clip);
+            at += lengths[p];
+        }
+        const stltsa_in in = packed_in(x, total, cols);
+        stltsa_model* model = NULL;
+        must(stltsa_fit(&in, lengths, clips, options, &model));
+        assert_int_equal(model_int(model, STLTSA_MODEL_COMPONENTS), clips);
+        double* together = new_coords(model);
+        at = 0;
+        for (int p = 0; p < clips; ++p) {
+            double* alone = fit_coords(x + at * cols, lengths[p], cols, d);
+            assert_below(largest_difference(alone, together + at * d, lengths[p] * d), 1e-10,
+                         "clip among others against alone");
+            free(alone);
+            at += lengths[p];
+        }
+        free(together);
+        stltsa_model_free(model);
+        free(x);
+    }
+    stltsa_options_free(options);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(rotation_and_shift_change_nothing),
+        cmocka_unit_test(scale_changes_nothing),
+        cmocka_unit_test(shift_that_rounds_nothing_changes_no_bit),
+        cmocka_unit_test(order_of_channels_does_not_matter),
+        cmocka_unit_test(time_backwards_reverses_the_curve),
+        cmocka_unit_test(number_of_threads_changes_no_bit),
+        cmocka_unit_test(fits_at_the_same_time_change_no_bit),
+        cmocka_unit_test(layout_in_memory_changes_no_bit),
+        cmocka_unit_test(float32_is_the_same_numbers),
+        cmocka_unit_test(order_of_clips_only_permutes),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

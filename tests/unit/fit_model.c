@@ -1,0 +1,167 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* What holds for every fit: the form of the coordinates, and that the model's answers agree. */
+#include "support.h"
+
+enum { rows = 500, cols = 9, d = 3 };
+
+struct fixture {
+    double* x;
+    double* coords;
+    stltsa_model* model;
+};
+
+static int set_up(void** state) {
+    struct fixture* f = calloc(1, sizeof *f);
+    f->x = new_motion(rows, cols, 11);
+    stltsa_options* options = new_options(12, 14, d);
+    const stltsa_in in = packed_in(f->x, rows, cols);
+    must(stltsa_fit(&in, NULL, 1, options, &f->model));
+    stltsa_options_free(options);
+    f->coords = new_coords(f->model);
+    *state = f;
+    return 0;
+}
+
+static int tear_down(void** state) {
+    struct fixture* f = *state;
+    stltsa_model_free(f->model);
+    free(f->coords);
+    free(f->x);
+    free(f);
+    return 0;
+}
+
+static void columns_are_centered_and_orthonormal(void** state) {
+    const struct fixture* f = *state;
+    for (int a = 0; a < d; ++a) {
+        double sum = 0;
+        for (int i = 0; i < rows; ++i)
+            sum += f->coords[i * d + a];
+        assert_below(fabs(sum), 1e-12, "sum of a coordinate");
+        for (int b = 0; b <= a; ++b) {
+            double product = 0;
+            for (int i = 0; i < rows; ++i)
+                product += f->coords[i * d + a] * f->coords[i * d + b];
+            assert_below(fabs(product - (a == b)), 1e-12, "inner product of coordinates");
+        }
+    }
+}
+
+static void entry_of_largest_size_is_positive(void** state) {
+    const struct fixture* f = *state;
+    for (int a = 0; a < d; ++a) {
+        double largest = 0;
+        for (int i = 0; i < rows; ++i)
+            if (fabs(f->coords[i * d + a]) > fabs(largest))
+                largest = f->coords[i * d + a];
+        assert_true(largest > 0);
+    }
+}
+
+static void eigenvalues_ascend_from_zero(void** state) {
+    const struct fixture* f = *state;
+    double values[d + 2];
+    const stltsa_out out = packed_out(values, 1, d + 2);
+    must(stltsa_model_eigenvalues(f->model, &out));
+    assert_true(values[0] == 0);
+    for (int v = 1; v < d + 2; ++v)
+        assert_true(values[v] > 0 && values[v] >= values[v - 1]);
+    assert_below(fabs(model_real(f->model, STLTSA_MODEL_GAP) - values[d + 1] / values[d]), 1e-12,
+                 "gap against eigenvalues");
+}
+
+static void model_says_what_it_did(void** state) {
+    const struct fixture* f = *state;
+    assert_int_equal(model_int(f->model, STLTSA_MODEL_FRAMES), rows);
+    assert_int_equal(model_int(f->model, STLTSA_MODEL_FEATURES), cols);
+    assert_int_equal(model_int(f->model, STLTSA_MODEL_DIMENSION), d);
+    assert_int_equal(model_int(f->model, STLTSA_MODEL_NEIGHBORS), 12);
+    assert_int_equal(model_int(f->model, STLTSA_MODEL_WINDOW), 14);
+    assert_int_equal(model_int(f->model, STLTSA_MODEL_MODE), STLTSA_MODE_TEMPORAL);
+    assert_int_equal(model_int(f->model, STLTSA_MODEL_INCLUDE_SELF), 1);
+    assert_int_equal(model_int(f->model, STLTSA_MODEL_COMPONENTS), 1);
+    assert_int_equal(model_int(f->model, STLTSA_MODEL_REPEATED), 0);
+    assert_int_equal(model_int(f->model, STLTSA_MODEL_RANK_DEFICIENT), 0);
+    assert_int_equal(model_int(f->model, STLTSA_MODEL_FIRST_FRAME), 0);
+    assert_int_equal(model_int(f->model, STLTSA_MODEL_FRAME_STEP), 1);
+    assert_in_range(model_int(f->model, STLTSA_MODEL_SOLVES), 1, 200);
+    assert_true(model_real(f->model, STLTSA_MODEL_FPS) == 0);
+    assert_below(model_real(f->model, STLTSA_MODEL_RESIDUAL), 1e-12, "residual");
+    assert_below(model_real(f->model, STLTSA_MODEL_ERROR_ESTIMATE), 1e-7, "error estimate");
+    assert_true(model_real(f->model, STLTSA_MODEL_ERROR_ESTIMATE) > 0);
+}
+
+static void questions_of_the_wrong_kind_are_refused(void** state) {
+    const struct fixture* f = *state;
+    int64_t whole = 77;
+    double real = 77;
+    assert_int_equal(stltsa_model_get_int(f->model, 9999, &whole), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_model_get_int(f->model, STLTSA_MODEL_GAP, &whole), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_model_get_real(f->model, STLTSA_MODEL_FRAMES, &real),
+                     STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_model_get_int(f->model, STLTSA_MODEL_FRAMES, NULL), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_model_get_int(NULL, STLTSA_MODEL_FRAMES, &whole), STLTSA_E_ARGUMENT);
+    assert_true(whole == 77 && real == 77);
+    assert_string_equal(stltsa_model_warning(f->model, 1000), "");
+    assert_string_equal(stltsa_model_warning(f->model, -1), "");
+}
+
+static void outputs_of_the_wrong_shape_are_refused(void** state) {
+    const struct fixture* f = *state;
+    double* coords = new_matrix(rows, d + 1);
+    stltsa_out out = packed_out(coords, rows, d + 1);
+    assert_int_equal(stltsa_model_coords(f->model, &out), STLTSA_E_SHAPE);
+    out = packed_out(coords, rows - 1, d);
+    assert_int_equal(stltsa_model_coords(f->model, &out), STLTSA_E_SHAPE);
+    out = packed_out(NULL, rows, d);
+    assert_int_equal(stltsa_model_coords(f->model, &out), STLTSA_E_ARGUMENT);
+    for (int i = 0; i < rows * (d + 1); ++i)
+        assert_true(coords[i] == 0);
+    int64_t label = 77;
+    assert_int_equal(stltsa_model_components(f->model, rows - 1, &label), STLTSA_E_SHAPE);
+    assert_int_equal(label, 77);
+    free(coords);
+}
+
+static void outputs_take_any_stride_and_type(void** state) {
+    const struct fixture* f = *state;
+    double transposed[d * rows];
+    const stltsa_out t = {transposed, rows, d, sizeof(double), rows * (int64_t)sizeof(double),
+                          STLTSA_F64, 0};
+    must(stltsa_model_coords(f->model, &t));
+    float narrow[2 * rows * d];
+    for (int i = 0; i < 2 * rows * d; ++i)
+        narrow[i] = 7;
+    const stltsa_out gaps = {narrow,     rows, d, 2 * d * (int64_t)sizeof(float), 2 * sizeof(float),
+                             STLTSA_F32, 0};
+    must(stltsa_model_coords(f->model, &gaps));
+    for (int i = 0; i < rows; ++i)
+        for (int a = 0; a < d; ++a) {
+            assert_true(transposed[a * rows + i] == f->coords[i * d + a]);
+            assert_true(narrow[2 * (i * d + a)] == (float)f->coords[i * d + a]);
+            assert_true(narrow[2 * (i * d + a) + 1] == 7);
+        }
+}
+
+static void every_frame_has_its_component(void** state) {
+    const struct fixture* f = *state;
+    int64_t labels[rows];
+    memset(labels, 0xff, sizeof labels);
+    must(stltsa_model_components(f->model, rows, labels));
+    for (int i = 0; i < rows; ++i)
+        assert_int_equal(labels[i], 0);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(columns_are_centered_and_orthonormal),
+        cmocka_unit_test(entry_of_largest_size_is_positive),
+        cmocka_unit_test(eigenvalues_ascend_from_zero),
+        cmocka_unit_test(model_says_what_it_did),
+        cmocka_unit_test(questions_of_the_wrong_kind_are_refused),
+        cmocka_unit_test(outputs_of_the_wrong_shape_are_refused),
+        cmocka_unit_test(outputs_take_any_stride_and_type),
+        cmocka_unit_test(every_frame_has_its_component),
+    };
+    return cmocka_run_group_tests(tests, set_up, tear_down);
+}

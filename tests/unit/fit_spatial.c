@@ -1,0 +1,175 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* The modes whose neighbors are not all temporal: spatial (classical LTSA) and recurrent. */
+#include "support.h"
+
+static stltsa_options* new_mode_options(int64_t k, int64_t d, int64_t mode) {
+    stltsa_options* options = new_options(k, k, d);
+    must(stltsa_options_set_int(options, STLTSA_MODE, mode));
+    return options;
+}
+
+static stltsa_model* fit_mode(const double* x, int64_t rows, int64_t cols,
+                              const stltsa_options* options) {
+    const stltsa_in in = packed_in(x, rows, cols);
+    stltsa_model* model = NULL;
+    must(stltsa_fit(&in, NULL, 1, options, &model));
+    return model;
+}
+
+/* Points all over a rolled sheet, in no order; `sheet` gets their place on it. */
+static double* new_swiss_roll(int64_t rows, double* sheet) {
+    double* x = new_matrix(rows, 3);
+    uint64_t seed = 81;
+    for (int64_t i = 0; i < rows; ++i) {
+        const double t = 1.5 * pi * (1 + 2 * uniform(&seed));
+        const double height = 21 * uniform(&seed);
+        x[3 * i] = t * cos(t);
+        x[3 * i + 1] = height;
+        x[3 * i + 2] = t * sin(t);
+        sheet[2 * i] = (t * sqrt(1 + t * t) + asinh(t)) / 2; /* length along the spiral */
+        sheet[2 * i + 1] = height;
+    }
+    return x;
+}
+
+static void swiss_roll_is_unrolled(void** state) {
+    (void)state;
+    enum { rows = 1500 };
+    double* sheet = new_matrix(rows, 2);
+    double* x = new_swiss_roll(rows, sheet);
+    stltsa_options* options = new_mode_options(12, 2, STLTSA_MODE_SPATIAL);
+    stltsa_model* model = fit_mode(x, rows, 3, options);
+    assert_int_equal(model_int(model, STLTSA_MODEL_COMPONENTS), 1);
+    double* coords = new_coords(model);
+    assert_below(affine_misfit(coords, 2, sheet, rows, 2), 0.05, "misfit of the unrolled sheet");
+    free(coords);
+    stltsa_model_free(model);
+    stltsa_options_free(options);
+    free(x);
+    free(sheet);
+}
+
+/* Without time in the neighborhoods, the order of the frames is only their names. */
+static void order_of_frames_only_permutes(void** state) {
+    (void)state;
+    enum { rows = 600, cols = 3, d = 2 };
+    double* sheet = new_matrix(rows, 2);
+    double* x = new_swiss_roll(rows, sheet);
+    double* shuffled = new_matrix(rows, cols);
+    for (int i = 0; i < rows; ++i)
+        memcpy(shuffled + (i * 7 + 5) % rows * cols, x + i * cols, cols * sizeof *x);
+    stltsa_options* options = new_mode_options(14, d, STLTSA_MODE_SPATIAL);
+    stltsa_model* a = fit_mode(x, rows, cols, options);
+    stltsa_model* b = fit_mode(shuffled, rows, cols, options);
+    double* want = new_coords(a);
+    double* got = new_coords(b);
+    for (int i = 0; i < rows; ++i)
+        assert_below(largest_difference(want + i * d, got + (i * 7 + 5) % rows * d, d), 1e-9,
+                     "change by order of frames");
+    free(got);
+    free(want);
+    stltsa_model_free(b);
+    stltsa_model_free(a);
+    stltsa_options_free(options);
+    free(shuffled);
+    free(x);
+    free(sheet);
+}
+
+static void number_of_threads_changes_no_bit(void** state) {
+    (void)state;
+    enum { rows = 500, cols = 6, d = 2 };
+    double* x = new_motion(rows, cols, 83);
+    for (int64_t mode = STLTSA_MODE_SPATIAL; mode <= STLTSA_MODE_RECURRENT; ++mode) {
+        stltsa_options* options = new_mode_options(12, d, mode);
+        must(stltsa_options_set_int(options, STLTSA_THREADS, 1));
+        stltsa_model* a = fit_mode(x, rows, cols, options);
+        must(stltsa_options_set_int(options, STLTSA_THREADS, 2));
+        stltsa_model* b = fit_mode(x, rows, cols, options);
+        double* want = new_coords(a);
+        double* got = new_coords(b);
+        assert_same_bits(want, got, rows * d);
+        free(got);
+        free(want);
+        stltsa_model_free(b);
+        stltsa_model_free(a);
+        stltsa_options_free(options);
+    }
+    free(x);
+}
+
+/* Five turns of a circle with a slow drift: links join the turns, and one turn lies on the next. */
+static void links_close_the_loop(void** state) {
+    (void)state;
+    enum { rows = 500, period = 100, cols = 3, d = 2 };
+    double* x = new_matrix(rows, cols);
+    for (int i = 0; i < rows; ++i) {
+        x[i * cols] = cos(2 * pi * i / period);
+        x[i * cols + 1] = sin(2 * pi * i / period);
+        x[i * cols + 2] = 1e-3 * i / period + 0.1 * sin(4 * pi * i / period);
+    }
+    stltsa_options* options = new_mode_options(12, d, STLTSA_MODE_RECURRENT);
+    stltsa_model* model = fit_mode(x, rows, cols, options);
+    assert_int_equal(model_int(model, STLTSA_MODEL_COMPONENTS), 1);
+    assert_in_range(model_int(model, STLTSA_MODEL_LINKS), 1, 12);
+    double* coords = new_coords(model);
+    double largest = 0;
+    for (int i = 0; i < rows * d; ++i)
+        largest = fmax(largest, fabs(coords[i]));
+    for (int i = 0; i + period < rows; ++i)
+        assert_below(largest_difference(coords + i * d, coords + (i + period) * d, d),
+                     0.05 * largest, "distance from one turn to the next");
+    free(coords);
+    stltsa_model_free(model);
+    stltsa_options_free(options);
+    free(x);
+}
+
+/* The same motion twice as two clips: components of their own in time, one with links. */
+static void links_join_clips(void** state) {
+    (void)state;
+    enum { rows = 400, half = 200, cols = 6, d = 2 };
+    double* x = new_motion(rows, cols, 84);
+    for (int i = 0; i < half * cols; ++i)
+        x[half * cols + i] = x[i] + 1e-3 * sin(i);
+    const stltsa_in in = packed_in(x, rows, cols);
+    const int64_t lengths[] = {half, half};
+    for (int linked = 0; linked < 2; ++linked) {
+        stltsa_options* options =
+            new_mode_options(12, d, linked ? STLTSA_MODE_RECURRENT : STLTSA_MODE_TEMPORAL);
+        stltsa_model* model = NULL;
+        must(stltsa_fit(&in, lengths, 2, options, &model));
+        assert_int_equal(model_int(model, STLTSA_MODEL_COMPONENTS), linked ? 1 : 2);
+        stltsa_model_free(model);
+        stltsa_options_free(options);
+    }
+    free(x);
+}
+
+/* A library built without CHOLMOD says so, and there is nothing to test. */
+static int mode_is_there(void) {
+    double* x = new_motion(60, 4, 85);
+    stltsa_options* options = new_mode_options(12, 2, STLTSA_MODE_SPATIAL);
+    const stltsa_in in = packed_in(x, 60, 4);
+    stltsa_model* model = NULL;
+    const stltsa_status status = stltsa_fit(&in, NULL, 1, options, &model);
+    stltsa_model_free(model);
+    stltsa_options_free(options);
+    free(x);
+    return status != STLTSA_E_UNSUPPORTED;
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(swiss_roll_is_unrolled),
+        cmocka_unit_test(order_of_frames_only_permutes),
+        cmocka_unit_test(number_of_threads_changes_no_bit),
+        cmocka_unit_test(links_close_the_loop),
+        cmocka_unit_test(links_join_clips),
+    };
+    if (!mode_is_there()) {
+        print_message("SKIPPED: this build has no CHOLMOD\n");
+        return 77;
+    }
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

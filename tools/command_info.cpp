@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "commands.hpp"
+#include "report.hpp"
+#include "session.hpp"
+
+namespace tool {
+
+Exit run_info(const Arguments& arguments) {
+    Session session(arguments);
+    const Json clip = json_of(stltsa_clip_json, session.clip());
+    session.finish(clip, info_report(clip, session.title(), session.colors()));
+    return Exit::done;
+}
+
+} // namespace tool

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "grid.hpp"
+
+namespace tool {
+
+/// NumPy's format 1.0: float64, C order.
+std::string npy_bytes(const Grid& grid);
+
+/// Heading y1,y2,... and a line per row; numbers read back to the same bits.
+std::string csv_text(const Grid& grid);
+
+} // namespace tool

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <exception>
+#include <string>
+#include <utility>
+
+namespace tool {
+
+/// What the command says to the shell; documented in the manual page.
+enum class Exit {
+    done = 0, ///< "no cycle" is an answer too
+    failed = 1,
+    usage = 2,
+    unreadable = 3,    ///< the input
+    untrustworthy = 4, ///< the input gives no result that can be relied on
+    interrupted = 130, ///< 128 + SIGINT, as shells have it
+};
+
+/// Ends the command: a sentence for stderr and the exit status.
+class Failure : public std::exception {
+  public:
+    Failure(Exit status, std::string text) : status_(status), text_(std::move(text)) {}
+    Exit status() const noexcept { return status_; }
+    const char* what() const noexcept override { return text_.c_str(); }
+
+  private:
+    Exit status_;
+    std::string text_;
+};
+
+} // namespace tool

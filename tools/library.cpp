@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "library.hpp"
+
+#include "exit_status.hpp"
+
+namespace tool {
+namespace {
+
+Exit exit_of(stltsa_status status) {
+    switch (status) {
+    case STLTSA_E_ARGUMENT:
+        return Exit::usage;
+    case STLTSA_E_IO:
+    case STLTSA_E_FORMAT:
+    case STLTSA_E_NOT_FINITE:
+        return Exit::unreadable;
+    case STLTSA_E_TOO_FEW_FRAMES:
+    case STLTSA_E_DISCONNECTED:
+    case STLTSA_E_DEGENERATE:
+        return Exit::untrustworthy;
+    case STLTSA_E_CANCELLED:
+        return Exit::interrupted;
+    default:
+        return Exit::failed;
+    }
+}
+
+[[noreturn]] void fail_with(stltsa_status status, Exit exit) {
+    throw Failure(exit, status == STLTSA_E_CANCELLED ? "cancelled" : stltsa_last_error());
+}
+
+} // namespace
+
+void check(stltsa_status status) {
+    if (status != STLTSA_OK)
+        fail_with(status, exit_of(status));
+}
+
+void check_reading(stltsa_status status) {
+    switch (status) {
+    case STLTSA_OK:
+        return;
+    case STLTSA_E_ARGUMENT:
+    case STLTSA_E_CANCELLED:
+    case STLTSA_E_NO_MEMORY:
+    case STLTSA_E_INTERNAL:
+        fail_with(status, exit_of(status));
+    default:
+        fail_with(status, Exit::unreadable);
+    }
+}
+
+} // namespace tool

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The command stltsa: motion clips to units and cycles, through the public API of libstltsa.
+#include <csignal>
+#include <cstdio>
+
+#include "commands.hpp"
+#include "interrupt.hpp"
+#include "output.hpp"
+#include "style.hpp"
+
+namespace {
+
+using namespace tool;
+
+Exit run(const Arguments& arguments) {
+    switch (arguments.command) {
+    case Command::info:
+        return run_info(arguments);
+    case Command::fit:
+        return run_fit(arguments);
+    case Command::dimension:
+        return run_dimension(arguments);
+    case Command::decompose:
+        return run_decompose(arguments);
+    }
+    return Exit::usage;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    bool colors = true;
+    try {
+        watch_interrupt();
+        std::signal(SIGPIPE, SIG_IGN); // a closed pipe is a failed write, with its message
+        const Arguments arguments = parse_arguments(argc, argv);
+        colors = !arguments.no_color;
+        if (arguments.answer.empty())
+            return static_cast<int>(run(arguments));
+        write_stdout(arguments.answer);
+        return static_cast<int>(Exit::done);
+    } catch (const Failure& failure) {
+        print_message(failure.what(), Tone::error, colors);
+        return static_cast<int>(failure.status());
+    } catch (const std::exception& error) {
+        print_message(error.what(), Tone::error, colors);
+        return static_cast<int>(Exit::failed);
+    }
+}

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "make_figure.hpp"
+
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "plot/figure.hpp"
+#include "report.hpp"
+#include "text.hpp"
+
+namespace tool {
+namespace {
+
+/// The body, for clips with a skeleton; `up` is "x", "y" or "z".
+std::optional<plot::SideView> bodies_of(const stltsa_clip* clip, const Json& up) {
+    const std::int64_t joints = stltsa_clip_joints(clip);
+    if (joints == 0)
+        return std::nullopt;
+    plot::Bodies bodies;
+    for (std::int64_t i = 0; i < joints; ++i) {
+        const char* name = nullptr;
+        std::int64_t parent = -1;
+        std::int32_t end_site = 0;
+        check(stltsa_clip_joint(clip, i, &name, &parent, &end_site));
+        bodies.joints.push_back({name, parent});
+    }
+    const std::int64_t frames = stltsa_clip_frames(clip);
+    bodies.positions = grid_of(stltsa_clip_positions, clip, frames, 3 * joints);
+    bodies.rotations = grid_of(stltsa_clip_rotations, clip, frames, 4 * joints);
+    bodies.up = up.is_null() ? 1 : up.get<std::string>()[0] - 'x';
+    return plot::SideView(std::move(bodies));
+}
+
+/// The file's name, from the JSON: there it is UTF-8, whatever the name's bytes are.
+std::string title_of(const Json& clip) {
+    if (clip["path"].is_null())
+        return "standard input";
+    return std::filesystem::path(clip["path"].get<std::string>()).filename().string();
+}
+
+plot::Figure figure_of(const Session& session, const Json& object) {
+    plot::Figure figure;
+    figure.title = title_of(object["clip"]);
+    figure.frames = stltsa_clip_frames(session.clip());
+    figure.fps = stltsa_clip_fps(session.clip());
+    figure.first = object["samples"]["first_frame"];
+    figure.step = object["samples"]["frame_step"];
+    figure.bodies = bodies_of(session.clip(), object["samples"]["up_axis"]);
+    return figure;
+}
+
+std::vector<std::string> facts_of(const Json& object) {
+    return {neighbors_text(object), "samples: " + samples_text(object),
+            "features: " + features_text(object)};
+}
+
+std::string embedding_text(const Json& object) {
+    return fmt::format("period {:.3f} s, lag quality {:.2f}, cyclicity {:.2f}",
+                       object["period_s"].get<double>(), object["lag_quality"].get<double>(),
+                       object["embedding"]["cyclicity"].get<double>());
+}
+
+template <class Count, class Get>
+std::vector<stltsa_interval> intervals(const stltsa_decomposition* from, Count count, Get get) {
+    std::vector<stltsa_interval> list(static_cast<std::size_t>(count(from)));
+    for (std::size_t i = 0; i < list.size(); ++i)
+        check(get(from, static_cast<std::int64_t>(i), &list[i]));
+    return list;
+}
+
+} // namespace
+
+std::string decomposition_figure(const Session& session, const Json& object,
+                                 const stltsa_decomposition* decomposition) {
+    plot::Figure figure = figure_of(session, object);
+    figure.summary = decomposition_summary(object);
+    figure.facts = facts_of(object);
+    if (!object["period_s"].is_null())
+        figure.facts.insert(figure.facts.begin(), embedding_text(object));
+    const auto count = object["samples"]["count"].get<std::int64_t>();
+    const Json& column = object["embedding"]["coordinate"];
+    figure.curve_name = column.is_null() ? "coordinate" : "coordinate " + column.dump();
+    figure.curve = grid_of(stltsa_decomposition_curve, decomposition, count, 1).values;
+    figure.loop_names = {"first coordinate of the loop", "second coordinate of the loop"};
+    figure.loop = grid_of(stltsa_decomposition_loop, decomposition, count, 2);
+    figure.units =
+        intervals(decomposition, stltsa_decomposition_unit_count, stltsa_decomposition_unit);
+    figure.cycles =
+        intervals(decomposition, stltsa_decomposition_cycle_count, stltsa_decomposition_cycle);
+    check(stltsa_decomposition_get_int(decomposition, STLTSA_DECOMPOSITION_REPRESENTATIVE,
+                                       &figure.representative));
+    return plot::figure_svg(figure);
+}
+
+std::string fit_figure(const Session& session, const Json& object, const stltsa_model* model,
+                       const Grid& coords) {
+    plot::Figure figure = figure_of(session, object);
+    figure.summary = fmt::format("curve of {}, mode {}",
+                                 counted(static_cast<std::size_t>(coords.cols), "coordinate"),
+                                 object["parameters"]["mode"].get<std::string>());
+    figure.facts = facts_of(object);
+    figure.curve_name = "coordinate 1";
+    figure.pieces.resize(static_cast<std::size_t>(coords.rows));
+    check(stltsa_model_components(model, coords.rows, figure.pieces.data()));
+    for (std::int64_t i = 0; i < coords.rows; ++i)
+        figure.curve.push_back(coords(i, 0));
+    if (coords.cols >= 2) {
+        figure.loop_names = {"coordinate 1", "coordinate 2"};
+        figure.loop = Grid(coords.rows, 2);
+        for (std::int64_t i = 0; i < coords.rows; ++i)
+            for (std::int64_t c = 0; c < 2; ++c)
+                figure.loop(i, c) = coords(i, c);
+    }
+    return plot::figure_svg(figure);
+}
+
+} // namespace tool

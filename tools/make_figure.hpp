@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// From results to the figure.
+#pragma once
+
+#include <string>
+
+#include "session.hpp"
+
+namespace tool {
+
+std::string decomposition_figure(const Session& session, const Json& object,
+                                 const stltsa_decomposition* decomposition);
+
+/// Coordinate 1 over time, and the first two coordinates where there are as many.
+std::string fit_figure(const Session& session, const Json& object, const stltsa_model* model,
+                       const Grid& coords);
+
+} // namespace tool

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "option_flags.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <sstream>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <fmt/format.h>
+
+#include "exit_status.hpp"
+#include "library.hpp"
+#include "text.hpp"
+
+namespace tool {
+namespace {
+
+stltsa_option_info describe(std::int32_t key) {
+    for (std::int64_t i = 0; i < stltsa_option_count(); ++i) {
+        stltsa_option_info info{};
+        info.size = sizeof info;
+        check(stltsa_option_describe(i, &info));
+        if (info.key == key)
+            return info;
+    }
+    throw Failure(Exit::failed, fmt::format("the library has no option {}", key));
+}
+
+/// keep_start: --keep-start
+std::string flag_name(const stltsa_option_info& info) {
+    std::string name = info.name;
+    std::ranges::replace(name, '_', '-');
+    return "--" + name;
+}
+
+bool is_switch(const stltsa_option_info& info) {
+    return info.type == STLTSA_TYPE_INT && info.choices == nullptr && info.minimum == 0 &&
+           info.maximum == 1;
+}
+
+bool counts_frames(std::int32_t key) {
+    return key == STLTSA_NEIGHBORS || key == STLTSA_WINDOW || key == STLTSA_EXCLUSION;
+}
+
+/// "temporal=1 spatial=2" to pairs.
+std::vector<std::pair<std::string, std::int64_t>> choices_of(const stltsa_option_info& info) {
+    std::vector<std::pair<std::string, std::int64_t>> choices;
+    std::istringstream words(info.choices);
+    for (std::string word; words >> word;) {
+        const std::size_t equals = word.find('=');
+        choices.emplace_back(word.substr(0, equals), std::stoll(word.substr(equals + 1)));
+    }
+    return choices;
+}
+
+std::string choice_names(const stltsa_option_info& info) {
+    std::string names;
+    for (const auto& [name, value] : choices_of(info))
+        names += (names.empty() ? "" : "|") + name;
+    return names;
+}
+
+std::string value_name(const stltsa_option_info& info) {
+    if (info.choices != nullptr)
+        return choice_names(info);
+    if (info.type == STLTSA_TYPE_TEXT)
+        return "FILE";
+    return counts_frames(info.key) ? "N|SECONDSs" : "N";
+}
+
+/// The default where the text does not say it ("0: ...").
+std::string default_text(const stltsa_option_info& info) {
+    if (info.choices != nullptr) {
+        for (const auto& [name, value] : choices_of(info))
+            if (static_cast<double>(value) == info.standard)
+                return fmt::format(" Default: {}.", name);
+    } else if (is_switch(info)) {
+        return info.standard != 0 ? " Default: on." : "";
+    } else if (info.type != STLTSA_TYPE_TEXT && info.standard != 0) {
+        return fmt::format(" Default: {}.", info.standard);
+    }
+    return "";
+}
+
+template <class T>
+std::optional<T> number_in(std::string_view text) {
+    T value{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size())
+        return std::nullopt;
+    return value;
+}
+
+[[noreturn]] void refuse(const stltsa_option_info& info, const std::string& typed,
+                         std::string_view wanted) {
+    throw Failure(Exit::usage,
+                  fmt::format("{} is given '{}': it takes {}", flag_name(info), typed, wanted));
+}
+
+/// Seconds of "1.2s"; nothing where there is no such suffix or none is allowed.
+std::optional<double> seconds_in(const stltsa_option_info& info, const std::string& typed) {
+    if (!counts_frames(info.key) || !typed.ends_with('s'))
+        return std::nullopt;
+    const auto seconds = number_in<double>(std::string_view(typed).substr(0, typed.size() - 1));
+    if (!seconds || !(*seconds > 0) || !std::isfinite(*seconds))
+        refuse(info, typed, "frames (36) or seconds (1.2s)");
+    return seconds;
+}
+
+/// A value that the library refuses is a wrong command line; its text says the range.
+void set_checked(stltsa_status status, const stltsa_option_info& info) {
+    if (status != STLTSA_OK)
+        throw Failure(Exit::usage, fmt::format("{}: {}", flag_name(info), stltsa_last_error()));
+}
+
+void set_whole(stltsa_options* options, const stltsa_option_info& info, const std::string& typed) {
+    if (info.choices != nullptr) {
+        for (const auto& [name, value] : choices_of(info))
+            if (name == typed)
+                return set_checked(stltsa_options_set_int(options, info.key, value), info);
+        refuse(info, typed, choice_names(info));
+    }
+    const auto value = number_in<std::int64_t>(typed);
+    if (!value)
+        refuse(info, typed,
+               counts_frames(info.key) ? "frames (36) or seconds (1.2s)" : "a whole number");
+    set_checked(stltsa_options_set_int(options, info.key, *value), info);
+}
+
+void set_real(stltsa_options* options, const stltsa_option_info& info, const std::string& typed) {
+    const auto value = number_in<double>(typed);
+    if (!value)
+        refuse(info, typed, "a number");
+    set_checked(stltsa_options_set_real(options, info.key, *value), info);
+}
+
+} // namespace
+
+void add_option_flags(CLI::App& app, std::span<const std::int32_t> keys,
+                      std::map<std::int32_t, std::string>& typed) {
+    constexpr std::size_t help_columns = 48;
+    for (const std::int32_t key : keys) {
+        const stltsa_option_info info = describe(key);
+        const std::string flag = flag_name(info);
+        const std::string text = wrapped(info.text + default_text(info), help_columns);
+        if (is_switch(info)) {
+            const std::string both = flag + ",!--no-" + flag.substr(2);
+            app.add_flag_function(
+                   both, [&typed, key](std::int64_t count) { typed[key] = count > 0 ? "1" : "0"; },
+                   text)
+                ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+        } else {
+            app.add_option_function<std::string>(
+                   flag, [&typed, key](const std::string& value) { typed[key] = value; }, text)
+                ->type_name(value_name(info));
+        }
+    }
+}
+
+void set_options(stltsa_options* options, const std::map<std::int32_t, std::string>& typed) {
+    for (const auto& [key, value] : typed) {
+        const stltsa_option_info info = describe(key);
+        if (info.type == STLTSA_TYPE_TEXT)
+            set_checked(stltsa_options_set_text(options, key, value.c_str()), info);
+        else if (info.type == STLTSA_TYPE_REAL)
+            set_real(options, info, value);
+        else if (!seconds_in(info, value))
+            set_whole(options, info, value);
+    }
+}
+
+void set_lengths(stltsa_options* options, const std::map<std::int32_t, std::string>& typed,
+                 double rate) {
+    for (const auto& [key, value] : typed) {
+        const stltsa_option_info info = describe(key);
+        const auto seconds = seconds_in(info, value);
+        if (!seconds)
+            continue;
+        if (!(rate > 0))
+            throw Failure(Exit::usage,
+                          fmt::format("{} is given in seconds, and the clip's frame rate is "
+                                      "unknown: give it with --fps, or the length in frames",
+                                      flag_name(info)));
+        // At least 1: 0 would mean "choose for me".
+        const double frames = std::max(1.0, std::round(*seconds * rate));
+        const double most = std::min(frames, info.maximum);
+        set_checked(stltsa_options_set_int(options, key, static_cast<std::int64_t>(most)), info);
+    }
+}
+
+} // namespace tool

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The library's options as flags: names, texts, ranges and choices come from its options table.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+
+#include <stltsa.h>
+
+namespace CLI {
+class App;
+}
+
+namespace tool {
+
+/// Adds the flags of these STLTSA_* keys to a command; what is typed goes into `typed`.
+void add_option_flags(CLI::App& app, std::span<const std::int32_t> keys,
+                      std::map<std::int32_t, std::string>& typed);
+
+/// Sets what was typed. Lengths in seconds (1.2s) need the rate of the frames that they count,
+/// so they are left for set_lengths(). Throws Failure with Exit::usage.
+void set_options(stltsa_options* options, const std::map<std::int32_t, std::string>& typed);
+
+/// Sets the lengths typed in seconds; rate 0: unknown, which is an error if there is any.
+void set_lengths(stltsa_options* options, const std::map<std::int32_t, std::string>& typed,
+                 double rate);
+
+} // namespace tool

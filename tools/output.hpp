@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Results reach their place whole or not at all.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tool {
+
+/// Writes all of it to standard output. Throws Failure when that fails (full disk, closed pipe).
+void write_stdout(std::string_view text);
+
+/// The files of one run: each is written beside its place, and all are moved there by commit().
+/// Without a commit() nothing stays. What is no regular file (/dev/full, a pipe) is written to
+/// directly, by commit().
+class OutputFiles {
+  public:
+    OutputFiles() = default;
+    ~OutputFiles();
+    OutputFiles(const OutputFiles&) = delete;
+    OutputFiles& operator=(const OutputFiles&) = delete;
+
+    void add(const std::string& path, std::string content);
+    void commit();
+
+  private:
+    struct Staged {
+        std::string path;      ///< of the place, links followed
+        std::string temporary; ///< empty: written directly
+        std::string content;   ///< of those only
+    };
+    std::vector<Staged> staged_;
+};
+
+/// Throws Failure early where a file could not be made there later.
+void check_output_place(const std::string& path);
+
+} // namespace tool

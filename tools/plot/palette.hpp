@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Colors that stay apart for the color-blind and in gray: Okabe and Ito, "Color Universal Design",
+// 2008.
+#pragma once
+
+#include <cstdint>
+
+namespace tool::plot {
+
+struct UnitColors {
+    const char* line; ///< of the curve and the bar
+    const char* band; ///< the same, faint
+    const char* text; ///< on the bar
+};
+
+/// Of a STLTSA_UNIT_*; any other value: the color of a curve that is not cut.
+UnitColors unit_colors(std::int32_t kind);
+
+inline constexpr const char* ink = "#222222";
+inline constexpr const char* faint_ink = "#767676";
+inline constexpr const char* hairline = "#b8b8b8";
+
+} // namespace tool::plot

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The parts of the picture, each drawn into a rectangle of the paper.
+#pragma once
+
+#include <vector>
+
+#include "plot/figure.hpp"
+#include "plot/svg.hpp"
+
+namespace tool::plot {
+
+/// Samples [begin, end) that one line of one color joins; a line ends where the next begins, but
+/// for the last one of a piece.
+struct Stretch {
+    std::int64_t begin = 0;
+    std::int64_t end = 0;
+    std::int32_t kind = 0;
+};
+/// The samples cut where the unit or the piece changes.
+std::vector<Stretch> stretches(const Figure& figure);
+
+void draw_curve_panel(Svg& svg, const Figure& figure, const Rect& area);
+void draw_loop_panel(Svg& svg, const Figure& figure, const Rect& area);
+void draw_key(Svg& svg, const Figure& figure, const Rect& area);
+
+/// The two bars above the curve: units with their names, cycles with their numbers. Returns the
+/// height used.
+double draw_unit_bars(Svg& svg, const Figure& figure, const Rect& area);
+
+} // namespace tool::plot

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Results as text for people, made from the JSON objects, so that the two cannot disagree.
+#pragma once
+
+#include <string>
+
+#include "library.hpp"
+
+namespace tool {
+
+std::string info_report(const Json& clip, const std::string& title, bool colors);
+std::string model_report(const Json& model, const std::string& title, bool colors);
+std::string dimension_report(const Json& dimension, const std::string& title, bool colors);
+std::string decomposition_report(const Json& decomposition, const std::string& title, bool colors);
+
+/// "3 cycles of 1.10 s", or why there is none.
+std::string decomposition_summary(const Json& decomposition);
+
+/// What results share: "40 samples (1.33 s)", "positions, 96 columns, up axis y" and so on.
+std::string samples_text(const Json& result);
+std::string neighbors_text(const Json& result);
+std::string features_text(const Json& result);
+
+} // namespace tool

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tool {
+
+/// Cuts text at blanks into lines that fit; a word that does not fit alone gets its own line.
+std::vector<std::string> wrapped(std::string_view text,
+                                 const std::function<bool(const std::string& line)>& fits);
+
+/// The same for lines of so many characters, as one text.
+std::string wrapped(std::string_view text, std::size_t columns);
+
+/// Characters in UTF-8 text.
+std::size_t characters(std::string_view text);
+
+/// "1 cycle", "2 cycles".
+std::string counted(std::size_t count, std::string_view noun);
+
+} // namespace tool
