@@ -5,13 +5,13 @@ namespace stltsa::capi {
 namespace {
 
 Json joints(const clip::Clip& clip) {
-    Json list = Json::array();
+    std::vector<Json> list;
     if (!clip.skeleton)
         return list;
     for (const clip::Joint& joint : clip.skeleton->joints)
-        list.push_back({{"name", joint.name},
-                        {"parent", joint.parent < 0 ? Json(nullptr) : Json(joint.parent)},
-                        {"end_site", joint.end_site}});
+        list.push_back(JsonObject("name", joint.name, "parent",
+                                  joint.parent < 0 ? Json(nullptr) : Json(joint.parent), "end_site",
+                                  joint.end_site));
     return list;
 }
 
@@ -30,13 +30,13 @@ std::string clip_json(const clip::Clip& clip) {
     const ClipFacts facts = clip_facts(clip);
     const std::int64_t tpose = clip.skeleton ? clip::tpose_frames(features.view()) : 0;
 
-    Json object = json_head("clip");
-    object["clip"] = json_clip(&facts, kind, tpose);
-    object["channels"] = {{"count", clip.values.cols()}, {"names", clip.channel_names}};
-    object["joints"] = joints(clip);
-    object["up_axis"] = json_axis(up);
-    object["feature_count"] = features.cols();
-    return json_text(object);
+    JsonObject object = json_head("clip");
+    object.set("clip", json_clip(&facts, kind, tpose));
+    object.set("channels", JsonObject("count", clip.values.cols(), "names", clip.channel_names));
+    object.set("joints", joints(clip));
+    object.set("up_axis", json_axis(up));
+    object.set("feature_count", features.cols());
+    return object.text();
 }
 
 } // namespace stltsa::capi

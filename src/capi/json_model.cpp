@@ -5,57 +5,56 @@ namespace stltsa::capi {
 namespace {
 
 Json component_json(const ltsa::Component& component) {
-    return {{"frames", component.frames},
-            {"eigenvalues", component.eigenvalues},
-            {"residual", component.residual},
-            {"error_estimate_rad", component.error_estimate},
-            {"gap", component.gap},
-            {"rank_deficient_windows", component.rank_deficient_windows},
-            {"solves", component.solves}};
+    return JsonObject("frames", component.frames, "eigenvalues", component.eigenvalues, "residual",
+                      component.residual, "error_estimate_rad", component.error_estimate, "gap",
+                      component.gap, "rank_deficient_windows", component.rank_deficient_windows,
+                      "solves", component.solves);
 }
 
 Json components_json(const std::vector<ltsa::Component>& components) {
-    Json list = Json::array();
+    std::vector<Json> list;
     for (const ltsa::Component& component : components)
         list.push_back(component_json(component));
     return list;
 }
 
-Json estimate(int dimension, const std::string& reason) {
-    return {{"dimension", json_count_or_null(dimension)}, {"reason", json_string_or_null(reason)}};
+JsonObject estimate(int dimension, const std::string& reason) {
+    return JsonObject("dimension", json_count_or_null(dimension), "reason",
+                      json_string_or_null(reason));
 }
 
 } // namespace
 
 std::string model_json(const ModelFacts& facts) {
     const ltsa::Model& model = *facts.model;
-    Json object = json_head("model");
-    object["clip"] = json_clip(facts.clip, facts.samples);
-    object["samples"] = json_samples(facts.samples);
-    object["samples"]["lengths"] = model.lengths;
-    object["parameters"] = json_parameters(model.parameters, facts.period);
-    object["period_s"] = json_positive_or_null(facts.period.period);
-    object["clock"] = model.clock;
-    object["repeated_frames"] = model.repeated_frames;
-    object["components"] = components_json(model.components);
-    object["warnings"] = model.warnings;
-    return json_text(object);
+    JsonObject object = json_head("model");
+    object.set("clip", json_clip(facts.clip, facts.samples));
+    JsonObject samples = json_samples(facts.samples);
+    samples.set("lengths", model.lengths);
+    object.set("samples", samples);
+    object.set("parameters", json_parameters(model.parameters, facts.period));
+    object.set("period_s", json_positive_or_null(facts.period.period));
+    object.set("clock", model.clock);
+    object.set("repeated_frames", model.repeated_frames);
+    object.set("components", components_json(model.components));
+    object.set("warnings", model.warnings);
+    return object.text();
 }
 
 std::string dimension_json(const DimensionFacts& facts) {
     const ltsa::Dimension& dimension = *facts.dimension;
-    Json object = json_head("dimension");
-    object["clip"] = json_clip(facts.clip, facts.samples);
-    object["samples"] = json_samples(facts.samples);
-    object["parameters"] = json_parameters(dimension.parameters, facts.period);
-    object["period_s"] = json_positive_or_null(facts.period.period);
-    object["local_pca"] = estimate(dimension.local_pca, dimension.local_pca_reason);
-    object["local_pca"]["variance"] = dimension.local_variance;
-    object["local_pca"]["shares"] = dimension.local_variances;
-    object["eigengap"] = estimate(dimension.eigengap, dimension.eigengap_reason);
-    object["eigengap"]["threshold"] = dimension.threshold;
-    object["eigengap"]["eigenvalues"] = dimension.eigenvalues;
-    return json_text(object);
+    JsonObject object = json_head("dimension");
+    object.set("clip", json_clip(facts.clip, facts.samples));
+    object.set("samples", json_samples(facts.samples));
+    object.set("parameters", json_parameters(dimension.parameters, facts.period));
+    object.set("period_s", json_positive_or_null(facts.period.period));
+    JsonObject local_pca = estimate(dimension.local_pca, dimension.local_pca_reason);
+    local_pca.set("variance", dimension.local_variance, "shares", dimension.local_variances);
+    object.set("local_pca", local_pca);
+    JsonObject eigengap = estimate(dimension.eigengap, dimension.eigengap_reason);
+    eigengap.set("threshold", dimension.threshold, "eigenvalues", dimension.eigenvalues);
+    object.set("eigengap", eigengap);
+    return object.text();
 }
 
 } // namespace stltsa::capi

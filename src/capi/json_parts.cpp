@@ -3,13 +3,8 @@
 
 namespace stltsa::capi {
 
-Json json_head(const char* kind) {
-    return {{"format", std::string("stltsa-") + kind + "/1"}, {"library", stltsa_version()}};
-}
-
-std::string json_text(const Json& object) {
-    constexpr int one_line = -1;
-    return object.dump(one_line, ' ', false, Json::error_handler_t::replace);
+JsonObject json_head(const char* kind) {
+    return JsonObject("format", std::string("stltsa-") + kind + "/1", "library", stltsa_version());
 }
 
 Json json_string_or_null(const std::string& text) {
@@ -86,42 +81,33 @@ Json json_clip(const ClipFacts* clip, clip::Features features, std::int64_t drop
     if (clip == nullptr)
         return nullptr;
     const bool timed = clip->fps > 0;
-    return {
-        {"path", json_string_or_null(clip->path)},
-        {"format", json_name(clip->format)},
-        {"frames", clip->frames},
-        {"fps", json_positive_or_null(clip->fps)},
-        {"duration_s", timed ? Json(static_cast<double>(clip->frames) / clip->fps) : Json(nullptr)},
-        {"features", json_name(features)},
-        {"dropped_start_frames", dropped},
-        {"notes", clip->notes}};
+    return JsonObject("path", json_string_or_null(clip->path), "format", json_name(clip->format),
+                      "frames", clip->frames, "fps", json_positive_or_null(clip->fps), "duration_s",
+                      timed ? Json(static_cast<double>(clip->frames) / clip->fps) : Json(nullptr),
+                      "features", json_name(features), "dropped_start_frames", dropped, "notes",
+                      clip->notes);
 }
 
 Json json_clip(const ClipFacts* clip, const SampleFacts& samples) {
     return json_clip(clip, samples.features, samples.first);
 }
 
-Json json_samples(const SampleFacts& samples) {
-    return {{"count", samples.count},
-            {"first_frame", samples.first},
-            {"frame_step", samples.step},
-            {"fps", json_positive_or_null(samples.fps)},
-            {"feature_count", samples.feature_count},
-            {"up_axis", json_axis(samples.up)},
-            {"smoothing_s", samples.smoothing}};
+JsonObject json_samples(const SampleFacts& samples) {
+    return JsonObject("count", samples.count, "first_frame", samples.first, "frame_step",
+                      samples.step, "fps", json_positive_or_null(samples.fps), "feature_count",
+                      samples.feature_count, "up_axis", json_axis(samples.up), "smoothing_s",
+                      samples.smoothing);
 }
 
 Json json_parameters(const ltsa::Parameters& parameters, const PeriodFacts& period) {
-    Json object = {{"mode", json_name(parameters.mode)},
-                   {"neighbors", parameters.neighbors},
-                   {"window", parameters.window},
-                   {"dimension", parameters.dimension},
-                   {"include_self", parameters.include_self}};
+    JsonObject object("mode", json_name(parameters.mode), "neighbors", parameters.neighbors,
+                      "window", parameters.window, "dimension", parameters.dimension,
+                      "include_self", parameters.include_self);
     const bool recurrent = parameters.mode == ltsa::Mode::recurrent;
-    object["links"] = recurrent ? Json(parameters.links) : Json(nullptr);
-    object["exclusion"] = recurrent ? Json(parameters.exclusion) : Json(nullptr);
-    object["period_min_s"] = json_positive_or_null(period.shortest);
-    object["period_max_s"] = json_positive_or_null(period.longest);
+    object.set("links", recurrent ? Json(parameters.links) : Json(nullptr));
+    object.set("exclusion", recurrent ? Json(parameters.exclusion) : Json(nullptr));
+    object.set("period_min_s", json_positive_or_null(period.shortest));
+    object.set("period_max_s", json_positive_or_null(period.longest));
     return object;
 }
 

@@ -4,20 +4,13 @@
 
 #include <string>
 
-#include <nlohmann/json.hpp>
-
 #include "capi/json.hpp"
+#include "capi/json_value.hpp"
 
 namespace stltsa::capi {
 
-using Json = nlohmann::ordered_json;
-
 /// {"format": "stltsa-<kind>/1", "library": "<version>"}: the head of every object.
-Json json_head(const char* kind);
-
-/// One line of text. A path need not be UTF-8, and must not be a reason to fail: bytes that are
-/// not are replaced. NaN and infinities become null.
-std::string json_text(const Json& object);
+JsonObject json_head(const char* kind);
 
 Json json_string_or_null(const std::string& text);
 /// null for 0: how the library says "none" or "unknown" of a rate, a period, a dimension.
@@ -32,7 +25,7 @@ Json json_axis(clip::Axis axis);
 /// `dropped`: frames at the start that are left out (T-pose). null for no clip.
 Json json_clip(const ClipFacts* clip, clip::Features features, std::int64_t dropped);
 Json json_clip(const ClipFacts* clip, const SampleFacts& samples);
-Json json_samples(const SampleFacts& samples);
+JsonObject json_samples(const SampleFacts& samples);
 Json json_parameters(const ltsa::Parameters& parameters, const PeriodFacts& period);
 
 } // namespace stltsa::capi

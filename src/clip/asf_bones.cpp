@@ -19,8 +19,7 @@ class SectionReader {
     AsfSections read() {
         sections_.root.name = "root";
         for (std::string_view line = in_.line(); !line.empty(); line = in_.line())
-            if (section_ != ":documentation" || trim(line)[0] == ':')
-                statement(line.substr(0, line.find('#')));
+            statement(line.substr(0, line.find('#')));
         if (in_bone_)
             in_.fail(Status::format, "the file ends inside bone {}", quoted(bone().name));
         return std::move(sections_);
@@ -29,6 +28,7 @@ class SectionReader {
   private:
     AsfBone& bone() { return sections_.bones.back(); }
 
+    /// Sections without a meaning here (:documentation, :skin, ...) are passed over.
     void statement(std::string_view line) {
         const std::string word = to_lower(next_word(line, separators));
         if (word.empty())

@@ -76,10 +76,8 @@ std::optional<double> parse_cell(std::string_view cell) {
     const std::size_t comma = cell.find(',');
     if (comma == cell.npos)
         return parse_number(cell);
-    if (cell.find('.') != cell.npos)
-        return std::nullopt; // thousands separators
     std::string text(cell);
-    text[comma] = '.';
+    text[comma] = '.'; // thousands separators leave a second point or comma, and no number
     return parse_number(text);
 }
 

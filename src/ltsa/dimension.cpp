@@ -33,17 +33,18 @@ void eigengap(const Graph& graph, const Progress& progress, Dimension& result) {
             graph.components.count);
         return;
     }
+    const auto& ranks = graph.tangents.rank;
+    if (*std::max_element(ranks.begin(), ranks.end()) < graph.parameters.dimension) {
+        result.eigengap_reason = format_text("every window varies in fewer than {} directions",
+                                             graph.parameters.dimension);
+        return;
+    }
     const int count = static_cast<int>(std::min<std::int64_t>(
         graph.parameters.dimension + eigenvalues_beyond, graph.frames.x.rows));
     const Model model = embed(graph, graph.parameters.dimension, count, progress);
     const auto k = static_cast<double>(graph.neighborhoods.size);
     for (const double value : model.components.front().eigenvalues)
         result.eigenvalues.push_back(value / k);
-    if (model.components.front().rank_deficient_windows == graph.frames.x.rows) {
-        result.eigengap_reason = format_text("every window varies in fewer than {} directions",
-                                             graph.parameters.dimension);
-        return;
-    }
     result.eigengap = first_gap(result.eigenvalues, result.threshold);
     if (result.eigengap == 0)
         result.eigengap_reason = format_text("no gap between the first {} eigenvalues exceeds {} k",

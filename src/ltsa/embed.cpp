@@ -69,6 +69,11 @@ Component embed_component(const Graph& graph, std::int64_t index, int dimension,
              "frame {} is in a part of the neighborhood graph of {} frames, too "
              "few for {} coordinates; use more neighbors",
              members.front(), patches.frames(), dimension);
+    if (patches.rank_deficient() == patches.count())
+        fail(Status::degenerate,
+             "the frames vary in fewer than {} directions everywhere; use a "
+             "lower dimension",
+             dimension);
     progress.report(Stage::alignment, 0.0);
     const bool banded = graph.parameters.mode == Mode::temporal;
     const auto alignment = banded ? difference_alignment(patches, graph.parameters.threads)

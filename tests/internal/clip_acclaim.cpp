@@ -76,6 +76,24 @@ void turns_about_the_axes_of_the_bone(void**) {
     check_point(point(positions(clip), 0, 3), {6 - 5, -8, 0});
 }
 
+void axes_of_bones_turn_in_their_order(void**) {
+    // x by 90, then z by 90: the bone's own x ends along y; in the order ZYX along z.
+    const std::string twice = replaced(small_asf, "axis 0 90 0 XYZ", "axis 90 0 90 XYZ");
+    const std::string amc = "1\nroot 0 0 0 0 0 0\nthigh 0 0 0\nshank 90\n";
+    check_point(point(positions(acclaim(amc, twice)), 0, 3), {6, -8 - 5, 0});
+    const Clip other = acclaim(amc, replaced(twice, "90 0 90 XYZ", "90 0 90 zyx"));
+    check_point(point(positions(other), 0, 3), {6 + 5, -8, 0});
+}
+
+void lengths_do_not_depend_on_that_of_direction(void**) {
+    const Clip clip =
+        acclaim(small_amc, replaced(small_asf, "direction 0.6 -0.8 0", "direction 3 -4 0"));
+    check_point(clip.skeleton->joints[2].offset, {6, -8, 0});
+    const Clip none =
+        acclaim(small_amc, replaced(small_asf, "direction 0 -1 0", "direction 0 0 0"));
+    check_point(none.skeleton->joints[3].offset, {0, 0, 0});
+}
+
 void turns_about_fixed_axes_in_the_listed_order(void**) {
     // rx first: y -> z, then rz: z stays.
     const Clip clip = acclaim("1\nroot 0 0 0 90 0 90\nthigh 0 0 0\nshank 0\n", small_asf);
@@ -121,7 +139,7 @@ void reads_dialects(void**) {
           {replaced(small_amc, "thigh 5", "THIGH 5"),
            replaced(small_asf, "name thigh", "name Thigh")},
           {replaced(small_amc, "shank 91\n", "shank 91"),
-           replaced(small_asf, "XYZ\n", "XYZ # C\n")},
+           replaced(small_asf, "dof rx ry rz\n", "dof rx ry rz # all\n")},
           {replaced(small_amc, "root 1 2", "# note\n\n  root\t+1 2.0"),
            replaced(small_asf, "axis 0 0 20 XYZ", "axis (0, 0, 20) xyz")},
           {replaced(small_amc, "1\nroot", "57\nroot"),
@@ -258,6 +276,8 @@ int main() {
         cmocka_unit_test(makes_joints_of_bones),
         cmocka_unit_test(at_rest_bones_point_as_the_skeleton_says),
         cmocka_unit_test(turns_about_the_axes_of_the_bone),
+        cmocka_unit_test(axes_of_bones_turn_in_their_order),
+        cmocka_unit_test(lengths_do_not_depend_on_that_of_direction),
         cmocka_unit_test(turns_about_fixed_axes_in_the_listed_order),
         cmocka_unit_test(degrees_of_freedom_in_any_order),
         cmocka_unit_test(radians_become_degrees),

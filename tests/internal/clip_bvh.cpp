@@ -94,6 +94,7 @@ void reads_keywords_in_any_case(void**) {
     check_same(text);
     check_same(every(small_bvh, "rotation", "ROTATION"));
     check_same(every(small_bvh, "Xposition", "xPosition"));
+    check_same(every(small_bvh, "position", "translation"));
 }
 
 void reads_headers_of_the_data_however_spaced(void**) {

@@ -108,6 +108,7 @@ void malformed(void**) {
                  csv("a,b\n1,2\n\n3,x\n"));
     ASSERT_FAILS(Status::format, "test:2: column 1: '1.234,5' is not a number",
                  csv("1;2\n1.234,5;2\n"));
+    ASSERT_FAILS(Status::format, "'1,234,567' is not a number", csv("1;2\n1,234,567;2\n"));
     ASSERT_FAILS(Status::not_finite, "test:3: column 2 ('b') has no value",
                  csv("a,b,c\n1,2,3\n4,,6\n"));
     for (const char* gap : {"NaN", "NA", "-", "null", " "})

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// JSON texts, built up from finished parts. Not by a library: the common one (nlohmann's) asks for
+// memory in its destructors, and so ends the process when there is none.
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace stltsa::capi {
+
+/// One value, written out.
+class Json {
+  public:
+    Json(std::nullptr_t) : text_("null") {}
+    template <std::same_as<bool> Bool> // no pointer is a truth value
+    Json(Bool value) : text_(value ? "true" : "false") {}
+    Json(int value) : Json(static_cast<std::int64_t>(value)) {}
+    Json(std::int64_t value);
+    /// The shortest digits that read back to the same bits; null for NaN and infinities.
+    Json(double value);
+    /// Bytes that are not UTF-8 are replaced: a path must not be a reason to fail.
+    Json(std::string_view text);
+    Json(const std::string& text) : Json(std::string_view(text)) {}
+    Json(const char* text) : Json(std::string_view(text)) {}
+    template <class T>
+    Json(const std::vector<T>& values) : text_("[") {
+        for (const T& value : values)
+            append(Json(value));
+        text_ += ']';
+    }
+
+    const std::string& text() const { return text_; }
+
+  private:
+    void append(const Json& element) {
+        if (text_.size() > 1)
+            text_ += ',';
+        text_ += element.text_;
+    }
+    friend class JsonObject;
+    std::string text_;
+};
+
+/// Keys and values in the order in which they were set.
+class JsonObject {
+  public:
+    template <class... Pairs>
+    explicit JsonObject(const Pairs&... pairs) {
+        set(pairs...);
+    }
+
+    void set() {}
+    template <class... Rest>
+    void set(const char* key, const Json& value, const Rest&... rest) {
+        if (!members_.empty())
+            members_ += ',';
+        members_ += Json(key).text();
+        members_ += ':';
+        members_ += value.text();
+        set(rest...);
+    }
+
+    operator Json() const {
+        Json whole(nullptr);
+        whole.text_ = text();
+        return whole;
+    }
+    std::string text() const { return '{' + members_ + '}'; }
+
+  private:
+    std::string members_;
+};
+
+} // namespace stltsa::capi
