@@ -16,18 +16,19 @@ namespace {
 constexpr double speed_smoothing_s = 0.1;
 /// Slower than this share of the typical speed is no motion. Gait never gets below 0.45.
 constexpr double moving_level = 0.4;
+/// Slower than this share of the samples' size, per sample, is rounding.
+constexpr double rounding = 1e-12;
 
-/// From the first sample, so that rounding of what never moves is no motion.
-Matrix displacement(ConstMatrixView samples) {
-    Matrix moved(samples.rows, samples.cols);
+double largest(ConstMatrixView samples) {
+    double size = 0;
     for (std::int64_t i = 0; i < samples.rows; ++i)
         for (std::int64_t c = 0; c < samples.cols; ++c)
-            moved(i, c) = samples(i, c) - samples(0, c);
-    return moved;
+            size = std::max(size, std::abs(samples(i, c)));
+    return size;
 }
 
 std::vector<double> pose_speed(ConstMatrixView samples, double sigma) {
-    const Matrix x = smooth(displacement(samples).view(), sigma);
+    const Matrix x = smooth(samples, sigma);
     const std::int64_t n = x.rows();
     std::vector<double> speed(static_cast<std::size_t>(n));
     if (n < 3)
@@ -63,6 +64,8 @@ Activity measure_activity(ConstMatrixView samples, double fps) {
     Activity activity;
     activity.speed = pose_speed(samples, speed_smoothing_s * fps);
     activity.typical = typical_speed(activity.speed);
+    if (activity.typical <= rounding * largest(samples))
+        activity.typical = 0;
     activity.level.resize(activity.speed.size());
     if (activity.typical > 0)
         std::transform(activity.speed.begin(), activity.speed.end(), activity.level.begin(),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "motion/coordinate.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace stltsa::motion {
@@ -43,6 +44,22 @@ double autocorrelation_at(std::span<const double> u, std::span<const double> lev
            part * autocorrelation(u, level, below + 1);
 }
 
+struct Column {
+    std::int64_t column;
+    double cyclicity;
+};
+
+/// The columns, the most cyclic one first.
+std::vector<Column> by_cyclicity(ConstMatrixView coords, std::span<const double> level,
+                                 double period) {
+    std::vector<Column> columns;
+    for (std::int64_t c = 0; c < coords.cols; ++c)
+        columns.push_back({c, cyclicity(column_of(coords, c), level, period)});
+    std::stable_sort(columns.begin(), columns.end(),
+                     [](const Column& a, const Column& b) { return a.cyclicity > b.cyclicity; });
+    return columns;
+}
+
 } // namespace
 
 double cyclicity(std::span<const double> coordinate, std::span<const double> level, double period) {
@@ -54,14 +71,24 @@ Coordinate choose_coordinate(const std::vector<ltsa::Model>& models, std::size_t
                              std::size_t end, std::span<const double> level, double period) {
     Coordinate chosen;
     for (std::size_t m = first; m < end; ++m) {
-        Coordinate best{m, 0, -1};
-        for (std::int64_t c = 0; c < models[m].coords.cols(); ++c) {
-            const double found = cyclicity(column_of(models[m].coords.view(), c), level, period);
-            if (found > best.cyclicity)
-                best = {m, c, found};
-        }
+        const auto best = by_cyclicity(models[m].coords.view(), level, period).front();
         if (m == first || best.cyclicity > chosen.cyclicity + clearly_better)
-            chosen = best;
+            chosen = {m, best.column, best.cyclicity};
+    }
+    return chosen;
+}
+
+Loop choose_loop(const std::vector<ltsa::Model>& models, std::span<const double> level,
+                 double period) {
+    Loop chosen;
+    double score = -1;
+    for (std::size_t m = 1; m < models.size(); ++m) {
+        const auto columns = by_cyclicity(models[m].coords.view(), level, period);
+        if (m > 1 && columns[1].cyclicity <= score + clearly_better)
+            continue;
+        score = columns[1].cyclicity;
+        const auto [first, second] = std::minmax(columns[0].column, columns[1].column);
+        chosen = {m, first, second};
     }
     return chosen;
 }

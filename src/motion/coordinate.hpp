@@ -24,6 +24,18 @@ struct Coordinate {
 Coordinate choose_coordinate(const std::vector<ltsa::Model>& models, std::size_t first,
                              std::size_t end, std::span<const double> level, double period);
 
+/// Two columns of one model that make a loop when drawn against each other.
+struct Loop {
+    std::size_t model = 1;
+    std::int64_t first = 0;
+    std::int64_t second = 1;
+};
+
+/// The two most cyclic columns of the model whose second one is best: where the second swings
+/// twice per cycle, they draw an eight. Of models with more columns only where clearly better.
+Loop choose_loop(const std::vector<ltsa::Model>& models, std::span<const double> level,
+                 double period);
+
 std::vector<double> column_of(ConstMatrixView matrix, std::int64_t column);
 
 } // namespace stltsa::motion

@@ -42,8 +42,17 @@ void show_embedding(const Embedding& embedding, const Coordinate& chosen, double
     result.curve = smooth(column_of(result.coords.view(), chosen.column), curve_smoothing * cycle);
     result.eigenvalues = model.components.front().eigenvalues;
     result.warnings = model.warnings;
-    if (embedding.models.size() > 1)
-        result.loop = extended(embedding.models[1].coords, embedding.span, samples);
+}
+
+void show_loop(const Embedding& embedding, const Loop& loop, Decomposition& result) {
+    if (loop.model >= embedding.models.size())
+        return;
+    const std::int64_t samples = result.loop.rows();
+    const Matrix coords = extended(embedding.models[loop.model].coords, embedding.span, samples);
+    for (std::int64_t i = 0; i < samples; ++i) {
+        result.loop(i, 0) = coords(i, loop.first);
+        result.loop(i, 1) = coords(i, loop.second);
+    }
 }
 
 /// All that a clip has that cannot be embedded.
@@ -82,12 +91,13 @@ void claim_cycles(const std::vector<double>& run, ConstMatrixView samples, const
 /// Cuts the chosen coordinate; result.reason says why not where there is nothing to cut.
 void cut(const Embedding& embedding, ConstMatrixView samples, const Activity& activity,
          const Period& period, double fps, const DecomposeOptions& options, Decomposition& result) {
-    const Span span = embedding.span;
+    const auto level = activity.levels(embedding.span.first, embedding.span.count);
     const auto asked = static_cast<std::size_t>(options.dimension);
-    const Coordinate chosen = choose_coordinate(
-        embedding.models, asked > 0 ? asked - 1 : 0, asked > 0 ? asked : embedding.models.size(),
-        activity.levels(span.first, span.count), period.samples);
+    const Coordinate chosen =
+        choose_coordinate(embedding.models, asked > 0 ? asked - 1 : 0,
+                          asked > 0 ? asked : embedding.models.size(), level, period.samples);
     show_embedding(embedding, chosen, period.samples, result);
+    show_loop(embedding, choose_loop(embedding.models, level, period.samples), result);
     const auto& model = embedding.models[chosen.model];
     const auto run = longest_run(find_margins(result.curve, activity), period.samples);
     const Evidence evidence =
@@ -126,6 +136,7 @@ Decomposition decompose(ConstMatrixView samples, double fps, const DecomposeOpti
         const auto asked = static_cast<std::size_t>(options.dimension > 0 ? options.dimension : 2);
         show_embedding(embedding, {std::min(asked, embedding.models.size()) - 1, 0, 0}, cycle,
                        result);
+        show_loop(embedding, {}, result);
         result.reason = no_period(activity, fps, options);
     }
     if (!result.reason.empty())

@@ -47,7 +47,7 @@ struct DecomposeOptions {
 
 struct Decomposition {
     // What was found.
-    double period = 0;       ///< samples; 0: none
+    double period = 0;       ///< samples; 0: none, or no cycle is claimed
     std::vector<Unit> units; ///< cover [0, samples) without gap or overlap
     std::vector<Cycle> cycles;
     std::int64_t representative = -1; ///< paper: first to third candidate; index into cycles
@@ -56,9 +56,9 @@ struct Decomposition {
 
     // How it was found.
     ltsa::Parameters parameters; ///< of the fit that was used
-    int coordinate = 0;          ///< 1-based column of the embedding that was cut; 0: none
-    double cyclicity = 0;        ///< of that coordinate, at most 1
-    double lag_quality = 0;      ///< 1 - D(T), 0 without a period
+    int coordinate = 0;          ///< 1-based column of coords that `curve` shows; 0: no embedding
+    double cyclicity = 0;        ///< of that coordinate, at most 1; 0 where nothing repeats
+    double lag_quality = 0;      ///< 1 - D(T) of the best lag T; 0 where nothing repeats
     Matrix coords;               ///< samples x d of the fit used
     Matrix loop;                 ///< samples x 2, the two coordinates to show as a loop (Fig. 1)
     std::vector<double> curve;   ///< the smoothed coordinate that was cut, one per sample

@@ -9,9 +9,9 @@
 namespace stltsa::motion {
 namespace {
 
-/// A perfectly still body moves from this share of the motion's speed on: a walker's joints by
-/// some millimeters a second.
-constexpr double still = 0.03;
+/// A perfectly still body moves from this share of the motion's speed on. The speed is smoothed, so
+/// that it begins to rise before a sudden start; through this share it rises about at the start.
+constexpr double still = 0.15;
 
 /// Speed up to which the body still stands.
 double standing_speed(std::span<const double> standing, double reference) {

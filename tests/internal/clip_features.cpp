@@ -173,6 +173,19 @@ void heading_goes_on_through_upside_down(void**) {
     }
 }
 
+void heading_holds_where_it_is_undefined(void**) {
+    Clip clip = swinging(1, 2);
+    clip.values = Matrix(2, 21);
+    clip.values(0, 5) = 40;  // yaw alone, then
+    clip.values(1, 3) = 180; // upside down
+    const Matrix body = features(clip, Features::positions, Axis::y);
+    const Vec3& offset = clip.skeleton->joints[2].offset;
+    const Vec3 expected =
+        rotate(axis_rotation(1, to_radians(-40)), {-offset[0], -offset[1], offset[2]});
+    for (std::size_t i = 0; i < 3; ++i)
+        ASSERT_NEAR(body(1, static_cast<std::int64_t>(6 + i)), expected[i], 1e-12);
+}
+
 void heading_of_a_root_whose_axes_are_upside_down(void**) {
     // The same motion on a rig whose root axes are turned by half a turn.
     Clip clip = swinging(1);
@@ -214,6 +227,13 @@ void resting_joints_above_the_body_are_passed_over(void**) {
     }
     for (const Features kind : {Features::positions, Features::rotations6d, Features::euler})
         check_same(features(below, kind, Axis::y), features(clip, kind, Axis::y), 1e-11);
+}
+
+void a_resting_root_of_several_limbs_stays_the_root(void**) {
+    Clip clip = swinging(1);
+    for (std::int64_t i = 0; i < clip.frames(); ++i)
+        std::fill(clip.values.row(i), clip.values.row(i) + 6, 12.5);
+    assert_int_equal(features(clip, Features::positions, Axis::y).cols(), 18);
 }
 
 void up_is_from_feet_to_head(void**) {
@@ -277,8 +297,10 @@ int main() {
         cmocka_unit_test(euler_is_unwrapped_radians_below_the_root),
         cmocka_unit_test(raw_is_the_file),
         cmocka_unit_test(heading_goes_on_through_upside_down),
+        cmocka_unit_test(heading_holds_where_it_is_undefined),
         cmocka_unit_test(heading_of_a_root_whose_axes_are_upside_down),
         cmocka_unit_test(resting_joints_above_the_body_are_passed_over),
+        cmocka_unit_test(a_resting_root_of_several_limbs_stays_the_root),
         cmocka_unit_test(up_is_from_feet_to_head),
         cmocka_unit_test(up_is_the_largest_extent_without_names),
         cmocka_unit_test(up_follows_the_motion_not_the_rest_pose),

@@ -101,8 +101,8 @@ void steps_follow_the_rate(void**) {
     const struct {
         double fps, rate;
         std::int64_t step;
-    } cases[] = {{120, 30, 4}, {30, 30, 1}, {15, 30, 1}, {100, 30, 3},
-                 {120, 0, 1},  {60, 30, 2}, {0, 30, 1},  {1e300, 1e-300, 200}};
+    } cases[] = {{120, 30, 4}, {30, 30, 1}, {15, 30, 1}, {100, 30, 3},        {120, 0, 1},
+                 {60, 30, 2},  {50, 30, 2}, {0, 30, 1},  {1e300, 1e-300, 200}};
     for (const auto& c : cases) {
         PrepareOptions options;
         options.rate = c.rate;

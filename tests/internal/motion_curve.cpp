@@ -147,6 +147,15 @@ void more_dimensions_must_be_clearly_better(void**) {
     chosen = choose_coordinate(models, 2, 3, level, 40);
     assert_int_equal(chosen.model, 2);
     assert_int_equal(chosen.column, 1);
+
+    // A loop takes two columns that swing once per cycle.
+    Loop loop = choose_loop(models, level, 40);
+    assert_int_equal(loop.model, 1);
+    models[2] = model({0.9, 0.1, 0.8});
+    loop = choose_loop(models, level, 40);
+    assert_int_equal(loop.model, 2);
+    assert_int_equal(loop.first, 0);
+    assert_int_equal(loop.second, 2);
 }
 
 void margins_lie_at_the_steepest_points(void**) {

@@ -1,0 +1,190 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Clips through the C API: what is read, and what comes out of it. */
+#include "support.h"
+
+/* A thigh and a shank of lengths 4 and 3 that hang from the hip. Frame 1 turns the thigh by 90
+ * degrees about z, so that what hung along -y points along +x. */
+static const char leg[] =
+    "HIERARCHY\n"
+    "ROOT hip\n{\n OFFSET 0 0 0\n"
+    " CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation\n"
+    " JOINT knee\n {\n  OFFSET 0 -4 0\n"
+    "  CHANNELS 3 Zrotation Xrotation Yrotation\n"
+    "  End Site\n  {\n   OFFSET 0 -3 0\n  }\n }\n}\n"
+    "MOTION\nFrames: 2\nFrame Time: 0.01\n"
+    "1 2 3 0 0 0 0 0 0\n"
+    "1 2 3 90 0 0 0 0 0\n";
+
+static stltsa_clip* parsed(const char* text, int32_t format) {
+    stltsa_clip* clip = NULL;
+    must(stltsa_clip_parse(text, strlen(text), format, NULL, &clip));
+    return clip;
+}
+
+static void a_bvh_says_what_it_is(void** state) {
+    (void)state;
+    stltsa_clip* clip = parsed(leg, 0);
+    assert_int_equal(stltsa_clip_format(clip), STLTSA_FORMAT_BVH);
+    assert_int_equal(stltsa_clip_frames(clip), 2);
+    assert_true(fabs(stltsa_clip_fps(clip) - 100) < 1e-9);
+    assert_int_equal(stltsa_clip_channels(clip), 9);
+    assert_int_equal(stltsa_clip_joints(clip), 3);
+    const char* name = NULL;
+    int64_t parent = -5;
+    int32_t end = -1;
+    must(stltsa_clip_joint(clip, 0, &name, &parent, &end));
+    assert_string_equal(name, "hip");
+    assert_int_equal(parent, -1);
+    assert_int_equal(end, 0);
+    must(stltsa_clip_joint(clip, 2, NULL, &parent, &end));
+    assert_int_equal(parent, 1);
+    assert_int_equal(end, 1);
+    assert_int_equal(stltsa_clip_joint(clip, 3, &name, &parent, &end), STLTSA_E_ARGUMENT);
+    stltsa_clip_free(clip);
+}
+
+static void positions_and_rotations(void** state) {
+    (void)state;
+    stltsa_clip* clip = parsed(leg, STLTSA_FORMAT_BVH);
+    double p[2 * 9];
+    double q[2 * 12];
+    const stltsa_out positions = packed_out(p, 2, 9);
+    const stltsa_out rotations = packed_out(q, 2, 12);
+    must(stltsa_clip_positions(clip, &positions));
+    const double want[2 * 9] = {1, 2, 3, 1, -2, 3, 1, -5, 3, 1, 2, 3, 5, 2, 3, 8, 2, 3};
+    assert_below(largest_difference(p, want, 18), 1e-12, "position");
+    must(stltsa_clip_rotations(clip, &rotations));
+    const double half = sqrt(0.5);
+    assert_below(fabs(q[0] - 1), 1e-12, "identity");
+    assert_below(fabs(fabs(q[12]) - half) + fabs(q[12] - q[15]), 1e-12, "quarter turn about z");
+    const stltsa_out wrong = packed_out(p, 2, 8);
+    assert_int_equal(stltsa_clip_positions(clip, &wrong), STLTSA_E_SHAPE);
+    stltsa_clip_free(clip);
+}
+
+static void features_leave_out_place_and_heading(void** state) {
+    (void)state;
+    char moved[sizeof leg + 64];
+    strcpy(moved, leg);
+    /* The second frame: elsewhere, and turned about y only. */
+    strcpy(strstr(moved, "1 2 3 90"), "-7 2 40 0 0 77 0 0 0\n");
+    stltsa_clip* clip = parsed(moved, 0);
+    stltsa_options* options = NULL;
+    must(stltsa_options_new(&options));
+    must(stltsa_options_set_int(options, STLTSA_UP_AXIS, 2));
+    int64_t count = 0;
+    must(stltsa_clip_feature_count(clip, options, &count));
+    double* x = new_matrix(2, count);
+    const stltsa_out out = packed_out(x, 2, count);
+    must(stltsa_clip_features(clip, options, &out));
+    assert_below(largest_difference(x, x + count, count), 1e-12, "feature of the same pose");
+    must(stltsa_options_set_int(options, STLTSA_FEATURES, STLTSA_FEATURES_RAW));
+    must(stltsa_clip_feature_count(clip, options, &count));
+    assert_int_equal(count, 9);
+    free(x);
+    stltsa_options_free(options);
+    stltsa_clip_free(clip);
+}
+
+static void bare_numbers(void** state) {
+    (void)state;
+    stltsa_clip* clip = parsed("a;b\n1;2\n3;4\n5;6.5\n", STLTSA_FORMAT_CSV);
+    assert_int_equal(stltsa_clip_frames(clip), 3);
+    assert_int_equal(stltsa_clip_channels(clip), 2);
+    assert_int_equal(stltsa_clip_joints(clip), 0);
+    assert_true(stltsa_clip_fps(clip) == 0);
+    double x[6];
+    const stltsa_out out = packed_out(x, 3, 2);
+    must(stltsa_clip_features(clip, NULL, &out));
+    assert_true(x[0] == 1 && x[5] == 6.5);
+    assert_int_equal(stltsa_clip_positions(clip, &out), STLTSA_E_UNSUPPORTED);
+    assert_int_equal(stltsa_clip_joint(clip, 0, NULL, NULL, NULL), STLTSA_E_UNSUPPORTED);
+    stltsa_decomposition* units = NULL;
+    assert_int_equal(stltsa_decompose(clip, NULL, &units), STLTSA_E_ARGUMENT);
+    assert_non_null(strstr(stltsa_last_error(), "fps"));
+    assert_null(units);
+    stltsa_clip_free(clip);
+}
+
+static void a_matrix_becomes_a_clip_of_its_own(void** state) {
+    (void)state;
+    double x[] = {1, 2, 3, 4};
+    const stltsa_in in = packed_in(x, 2, 2);
+    stltsa_clip* clip = NULL;
+    must(stltsa_clip_from_matrix(&in, 50, &clip));
+    x[0] = 99; /* copied, so not seen */
+    double y[4];
+    const stltsa_out out = packed_out(y, 2, 2);
+    must(stltsa_clip_features(clip, NULL, &out));
+    assert_true(y[0] == 1 && y[3] == 4);
+    assert_true(stltsa_clip_fps(clip) == 50);
+    stltsa_clip_free(clip);
+    clip = (stltsa_clip*)(void*)x;
+    assert_int_equal(stltsa_clip_from_matrix(&in, 0, &clip), STLTSA_E_ARGUMENT);
+    assert_null(clip);
+    assert_int_equal(stltsa_clip_from_matrix(&in, NAN, &clip), STLTSA_E_ARGUMENT);
+    x[2] = NAN;
+    assert_int_equal(stltsa_clip_from_matrix(&in, 50, &clip), STLTSA_E_NOT_FINITE);
+    assert_int_equal(stltsa_clip_from_matrix(NULL, 50, &clip), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_clip_from_matrix(&in, 50, NULL), STLTSA_E_ARGUMENT);
+}
+
+static void assert_open_fails(const char* path, stltsa_status status, const char* words) {
+    stltsa_clip* clip = (stltsa_clip*)(void*)leg;
+    assert_int_equal(stltsa_clip_open(path, NULL, &clip), status);
+    assert_null(clip);
+    assert_non_null(strstr(stltsa_last_error(), words));
+}
+
+static void what_cannot_be_read_is_said(void** state) {
+    (void)state;
+    assert_open_fails(NULL, STLTSA_E_ARGUMENT, "path");
+    assert_open_fails("/nowhere/at all.bvh", STLTSA_E_IO, "/nowhere/at all.bvh");
+    assert_open_fails("/", STLTSA_E_IO, "/");
+    stltsa_clip* clip = NULL;
+    char text[sizeof leg];
+    strcpy(text, leg);
+    memcpy(strstr(text, "-3 0"), "-3 x", 4); /* in line 11 */
+    assert_int_equal(stltsa_clip_parse(text, strlen(text), 0, NULL, &clip), STLTSA_E_FORMAT);
+    assert_non_null(strstr(stltsa_last_error(), "12"));
+    assert_int_equal(stltsa_clip_parse(leg, strlen(leg), 99, NULL, &clip), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_clip_parse(NULL, 4, 0, NULL, &clip), STLTSA_E_ARGUMENT);
+    assert_true(stltsa_clip_parse(NULL, 0, 0, NULL, &clip) < 0);
+    assert_null(clip);
+}
+
+static void null_handles_are_harmless(void** state) {
+    (void)state;
+    stltsa_clip_free(NULL);
+    stltsa_string_free(NULL);
+    assert_int_equal(stltsa_clip_frames(NULL), 0);
+    assert_int_equal(stltsa_clip_joints(NULL), 0);
+    assert_true(stltsa_clip_fps(NULL) == 0);
+    char* json = NULL;
+    assert_int_equal(stltsa_clip_json(NULL, &json), STLTSA_E_ARGUMENT);
+}
+
+static void json_escapes_what_a_file_may_hold(void** state) {
+    (void)state;
+    const char csv[] = "\"a \\ b\",\xff\n1,2\n3,4\n";
+    stltsa_clip* clip = parsed(csv, STLTSA_FORMAT_CSV);
+    char* json = NULL;
+    must(stltsa_clip_json(clip, &json));
+    assert_non_null(strstr(json, "\"names\":[\"a \\\\ b\",\"\xEF\xBF\xBD\"]"));
+    stltsa_string_free(json);
+    stltsa_clip_free(clip);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_bvh_says_what_it_is),
+        cmocka_unit_test(positions_and_rotations),
+        cmocka_unit_test(features_leave_out_place_and_heading),
+        cmocka_unit_test(bare_numbers),
+        cmocka_unit_test(a_matrix_becomes_a_clip_of_its_own),
+        cmocka_unit_test(what_cannot_be_read_is_said),
+        cmocka_unit_test(null_handles_are_harmless),
+        cmocka_unit_test(json_escapes_what_a_file_may_hold),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

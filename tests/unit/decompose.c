@@ -1,0 +1,305 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Units and cycles through the C API, on the synthetic walker, whose borders are known exactly. */
+#include "support.h"
+
+/* Of the walker's defaults, see tests/walker/README.md. */
+static const double true_period = 1.1;
+static const double true_ends[] = {1.0, 1.8928494573520722, 5.1928494573520725, 6.027};
+static const char* walker_path;
+
+static stltsa_clip* opened(void) {
+    stltsa_clip* clip = NULL;
+    must(stltsa_clip_open(walker_path, NULL, &clip));
+    return clip;
+}
+
+static stltsa_decomposition* decomposed(const stltsa_clip* clip, const stltsa_options* options) {
+    stltsa_decomposition* units = NULL;
+    must(stltsa_decompose(clip, options, &units));
+    return units;
+}
+
+static stltsa_interval unit(const stltsa_decomposition* d, int64_t index) {
+    stltsa_interval interval;
+    must(stltsa_decomposition_unit(d, index, &interval));
+    return interval;
+}
+
+static int64_t get_int(const stltsa_decomposition* d, int32_t key) {
+    int64_t value = -99;
+    must(stltsa_decomposition_get_int(d, key, &value));
+    return value;
+}
+
+static double get_real(const stltsa_decomposition* d, int32_t key) {
+    double value = NAN;
+    must(stltsa_decomposition_get_real(d, key, &value));
+    return value;
+}
+
+static void five_units_in_order(void** state) {
+    (void)state;
+    stltsa_clip* clip = opened();
+    stltsa_decomposition* d = decomposed(clip, NULL);
+    assert_int_equal(stltsa_decomposition_unit_count(d), 5);
+    for (int i = 0; i < 5; ++i) {
+        const stltsa_interval u = unit(d, i);
+        assert_int_equal(u.kind, STLTSA_UNIT_PREPARING + i);
+        if (i < 4)
+            assert_below(fabs(u.end_s - true_ends[i]), 0.1, "border");
+        assert_int_equal(u.begin, i == 0 ? 0 : unit(d, i - 1).end);
+        assert_below(fabs(u.begin_s * stltsa_clip_fps(clip) - (double)u.begin), 0.51, "begin_s");
+    }
+    assert_int_equal(unit(d, 4).end, stltsa_clip_frames(clip));
+    assert_string_equal(stltsa_decomposition_reason(d), "");
+    stltsa_decomposition_free(d);
+    stltsa_clip_free(clip);
+}
+
+static void three_cycles_back_to_back(void** state) {
+    (void)state;
+    stltsa_clip* clip = opened();
+    stltsa_decomposition* d = decomposed(clip, NULL);
+    assert_int_equal(stltsa_decomposition_cycle_count(d), 3);
+    for (int i = 0; i < 3; ++i) {
+        stltsa_interval cycle, before;
+        must(stltsa_decomposition_cycle(d, i, &cycle));
+        assert_int_equal(cycle.kind, STLTSA_UNIT_CYCLE);
+        assert_below(fabs(cycle.end_s - cycle.begin_s - true_period), 0.05, "cycle");
+        if (i > 0) {
+            must(stltsa_decomposition_cycle(d, i - 1, &before));
+            assert_int_equal(cycle.begin, before.end);
+        }
+    }
+    assert_below(fabs(get_real(d, STLTSA_DECOMPOSITION_PERIOD) / true_period - 1), 0.01, "period");
+    assert_true(get_real(d, STLTSA_DECOMPOSITION_CYCLICITY) > 0.9);
+    assert_in_range(get_int(d, STLTSA_DECOMPOSITION_REPRESENTATIVE), 0, 2);
+    assert_in_range(get_int(d, STLTSA_DECOMPOSITION_BEST), 0, 2);
+    stltsa_interval none;
+    assert_int_equal(stltsa_decomposition_cycle(d, 3, &none), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_decomposition_unit(d, -1, &none), STLTSA_E_ARGUMENT);
+    stltsa_decomposition_free(d);
+    stltsa_clip_free(clip);
+}
+
+static double* new_curve(const stltsa_decomposition* d, int64_t* count) {
+    *count = get_int(d, STLTSA_DECOMPOSITION_SAMPLES);
+    double* curve = new_matrix(*count, 1);
+    const stltsa_out out = packed_out(curve, *count, 1);
+    must(stltsa_decomposition_curve(d, &out));
+    return curve;
+}
+
+static void threads_change_no_bit(void** state) {
+    (void)state;
+    stltsa_clip* clip = opened();
+    double* curves[2];
+    int64_t count = 0;
+    for (int t = 0; t < 2; ++t) {
+        stltsa_options* options = NULL;
+        must(stltsa_options_new(&options));
+        must(stltsa_options_set_int(options, STLTSA_THREADS, t + 1));
+        stltsa_decomposition* d = decomposed(clip, options);
+        curves[t] = new_curve(d, &count);
+        stltsa_decomposition_free(d);
+        stltsa_options_free(options);
+    }
+    assert_same_bits(curves[0], curves[1], count);
+    free(curves[0]);
+    free(curves[1]);
+    stltsa_clip_free(clip);
+}
+
+/* Rows of the walker's features, shifted and with their channels reversed. */
+static void shift_and_order_of_channels_change_no_unit(void** state) {
+    (void)state;
+    stltsa_clip* clip = opened();
+    const int64_t rows = stltsa_clip_frames(clip);
+    int64_t cols = 0;
+    must(stltsa_clip_feature_count(clip, NULL, &cols));
+    double* x = new_matrix(rows, cols);
+    double* y = new_matrix(rows, cols);
+    const stltsa_out out = packed_out(x, rows, cols);
+    must(stltsa_clip_features(clip, NULL, &out));
+    for (int64_t i = 0; i < rows; ++i)
+        for (int64_t c = 0; c < cols; ++c)
+            y[i * cols + c] = x[i * cols + cols - 1 - c] + 64;
+    stltsa_decomposition* d[2];
+    const double* inputs[] = {x, y};
+    for (int v = 0; v < 2; ++v) {
+        const stltsa_in in = packed_in(inputs[v], rows, cols);
+        stltsa_clip* bare = NULL;
+        must(stltsa_clip_from_matrix(&in, stltsa_clip_fps(clip), &bare));
+        d[v] = decomposed(bare, NULL);
+        stltsa_clip_free(bare);
+    }
+    assert_int_equal(stltsa_decomposition_unit_count(d[0]), 5);
+    assert_int_equal(stltsa_decomposition_unit_count(d[1]), 5);
+    for (int i = 0; i < 5; ++i) {
+        assert_int_equal(unit(d[0], i).kind, unit(d[1], i).kind);
+        assert_int_equal(unit(d[0], i).end, unit(d[1], i).end);
+    }
+    stltsa_decomposition_free(d[0]);
+    stltsa_decomposition_free(d[1]);
+    free(x);
+    free(y);
+    stltsa_clip_free(clip);
+}
+
+static void noise_has_no_cycle_but_a_reason(void** state) {
+    (void)state;
+    enum { rows = 300, cols = 6 };
+    double* x = new_matrix(rows, cols);
+    uint64_t seed = 5;
+    for (int i = 0; i < rows * cols; ++i)
+        x[i] = uniform(&seed);
+    const stltsa_in in = packed_in(x, rows, cols);
+    stltsa_clip* clip = NULL;
+    must(stltsa_clip_from_matrix(&in, 30, &clip));
+    stltsa_decomposition* d = decomposed(clip, NULL);
+    assert_int_equal(stltsa_decomposition_cycle_count(d), 0);
+    assert_true(strlen(stltsa_decomposition_reason(d)) > 20);
+    assert_int_equal(get_int(d, STLTSA_DECOMPOSITION_REPRESENTATIVE), -1);
+    assert_true(get_real(d, STLTSA_DECOMPOSITION_PERIOD) == 0);
+    assert_int_equal(unit(d, 0).begin, 0);
+    assert_int_equal(unit(d, stltsa_decomposition_unit_count(d) - 1).end, rows);
+    for (int64_t i = 0; i < stltsa_decomposition_unit_count(d); ++i)
+        assert_int_not_equal(unit(d, i).kind, STLTSA_UNIT_CYCLIC);
+    stltsa_decomposition_free(d);
+    stltsa_clip_free(clip);
+    free(x);
+}
+
+struct stop {
+    int64_t calls, after;
+};
+
+static int32_t stop_after(void* user, int32_t stage, double fraction) {
+    struct stop* stop = user;
+    assert_in_range(stage, STLTSA_STAGE_READ, STLTSA_STAGE_UNITS);
+    assert_true(fraction >= 0 && fraction <= 1);
+    return ++stop->calls > stop->after;
+}
+
+static void cancelled_at_every_call(void** state) {
+    (void)state;
+    stltsa_clip* clip = opened();
+    stltsa_options* options = NULL;
+    must(stltsa_options_new(&options));
+    stltsa_status status = STLTSA_E_CANCELLED;
+    struct stop stop = {0, 0};
+    must(stltsa_options_set_progress(options, stop_after, &stop));
+    for (stop.after = 0; status == STLTSA_E_CANCELLED; stop.after += 1 + stop.after / 4) {
+        stltsa_decomposition* d = (stltsa_decomposition*)(void*)&stop;
+        stop.calls = 0;
+        status = stltsa_decompose(clip, options, &d);
+        assert_true((d == NULL) == (status != STLTSA_OK));
+        stltsa_decomposition_free(d);
+    }
+    assert_int_equal(status, STLTSA_OK);
+    assert_true(stop.after > 10);
+    stltsa_options_free(options);
+    stltsa_clip_free(clip);
+}
+
+static void wrong_arguments(void** state) {
+    (void)state;
+    stltsa_clip* clip = opened();
+    stltsa_decomposition* d = decomposed(clip, NULL);
+    int64_t whole = 7;
+    double real = 7;
+    double two[2];
+    const stltsa_out small = packed_out(two, 2, 1);
+    stltsa_decomposition* none = d;
+    assert_int_equal(stltsa_decompose(NULL, NULL, &none), STLTSA_E_ARGUMENT);
+    assert_null(none);
+    assert_int_equal(stltsa_decompose(clip, NULL, NULL), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_decomposition_get_int(d, STLTSA_DECOMPOSITION_PERIOD, &whole),
+                     STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_decomposition_get_real(d, STLTSA_DECOMPOSITION_BEST, &real),
+                     STLTSA_E_ARGUMENT);
+    assert_true(whole == 7 && real == 7);
+    assert_int_equal(stltsa_decomposition_curve(d, &small), STLTSA_E_SHAPE);
+    assert_int_equal(stltsa_decomposition_loop(d, NULL), STLTSA_E_ARGUMENT);
+    assert_string_equal(stltsa_decomposition_warning(d, 1000), "");
+    assert_int_equal(stltsa_decomposition_unit_count(NULL), 0);
+    stltsa_decomposition_free(NULL);
+    stltsa_decomposition_free(d);
+    stltsa_clip_free(clip);
+}
+
+static void dimension_of_the_walk(void** state) {
+    (void)state;
+    stltsa_clip* clip = opened();
+    stltsa_dimension_result* result = NULL;
+    const char* reason = NULL;
+    double shares[3];
+    must(stltsa_dimension_clip(clip, NULL, &result));
+    assert_in_range(stltsa_dimension_local_pca(result, &reason), 1, 5);
+    assert_string_equal(reason, "");
+    assert_true(stltsa_dimension_eigenvalues(result, NULL, 0) >= 4);
+    assert_true(stltsa_dimension_local_variances(result, shares, 3) >= 3);
+    assert_true(shares[0] > shares[1] && shares[1] > shares[2] && shares[0] < 1);
+    stltsa_dimension_free(result);
+    stltsa_clip_free(clip);
+}
+
+static void dimension_of_a_cut_clip_cannot_be_told(void** state) {
+    (void)state;
+    enum { rows = 200, cols = 5 };
+    double* x = new_motion(rows, cols, 3);
+    for (int i = rows / 2 * cols; i < rows * cols; ++i)
+        x[i] += 1000;
+    const stltsa_in in = packed_in(x, rows, cols);
+    stltsa_options* options = new_options(12, 12, 2);
+    stltsa_dimension_result* result = NULL;
+    const char* reason = NULL;
+    must(stltsa_dimension(&in, NULL, 0, options, &result));
+    assert_int_equal(stltsa_dimension_eigengap(result, &reason), 0);
+    assert_non_null(strstr(reason, "2 parts"));
+    stltsa_dimension_free(result);
+    stltsa_dimension_free(NULL);
+    stltsa_options_free(options);
+    free(x);
+}
+
+static void dimension_of_a_helix_is_two(void** state) {
+    (void)state;
+    /* Half a turn within a neighborhood: bent in one plane, far less along the axis. */
+    enum { rows = 300, cols = 3 };
+    double* x = new_matrix(rows, cols);
+    for (int i = 0; i < rows; ++i) {
+        x[i * cols] = cos(0.25 * i);
+        x[i * cols + 1] = sin(0.25 * i);
+        x[i * cols + 2] = 0.001 * i;
+    }
+    const stltsa_in in = packed_in(x, rows, cols);
+    stltsa_options* options = new_options(12, 12, 2);
+    stltsa_dimension_result* result = NULL;
+    must(stltsa_dimension(&in, NULL, 0, options, &result));
+    assert_int_equal(stltsa_dimension_local_pca(result, NULL), 2);
+    stltsa_dimension_free(result);
+    stltsa_options_free(options);
+    free(x);
+}
+
+int main(int argc, char** argv) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(five_units_in_order),
+        cmocka_unit_test(three_cycles_back_to_back),
+        cmocka_unit_test(threads_change_no_bit),
+        cmocka_unit_test(shift_and_order_of_channels_change_no_unit),
+        cmocka_unit_test(noise_has_no_cycle_but_a_reason),
+        cmocka_unit_test(cancelled_at_every_call),
+        cmocka_unit_test(wrong_arguments),
+        cmocka_unit_test(dimension_of_the_walk),
+        cmocka_unit_test(dimension_of_a_cut_clip_cannot_be_told),
+        cmocka_unit_test(dimension_of_a_helix_is_two),
+    };
+    if (argc < 2) {
+        fprintf(stderr, "usage: unit_decompose WALKER.bvh\n");
+        return 2;
+    }
+    walker_path = argv[1];
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,137 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Options, status names and the library's word about itself. */
+#include "support.h"
+
+static stltsa_option_info describe(int64_t index) {
+    stltsa_option_info info;
+    memset(&info, 0, sizeof info);
+    info.size = sizeof info;
+    must(stltsa_option_describe(index, &info));
+    return info;
+}
+
+static void every_option_is_described_and_holds_its_default(void** state) {
+    (void)state;
+    assert_int_equal(stltsa_option_count(), STLTSA_SKELETON);
+    for (int64_t i = 0; i < stltsa_option_count(); ++i) {
+        const stltsa_option_info info = describe(i);
+        assert_int_equal(info.key, i + 1);
+        assert_true(strlen(info.name) > 1);
+        assert_true(strlen(info.text) > 15 && info.text[strlen(info.text) - 1] == '.');
+        if (info.type == STLTSA_TYPE_INT) {
+            int64_t value = -1;
+            must(stltsa_options_get_int(NULL, info.key, &value));
+            assert_true((double)value == info.standard);
+        } else if (info.type == STLTSA_TYPE_REAL) {
+            double value = -1;
+            must(stltsa_options_get_real(NULL, info.key, &value));
+            assert_true(value == info.standard);
+        } else {
+            const char* value = NULL;
+            must(stltsa_options_get_text(NULL, info.key, &value));
+            assert_string_equal(value, "");
+        }
+        assert_true(info.minimum <= info.standard && info.standard <= info.maximum);
+    }
+}
+
+static void values_come_back_and_texts_are_copied(void** state) {
+    (void)state;
+    stltsa_options* options = NULL;
+    char path[] = "skeleton.asf";
+    const char* text = NULL;
+    int64_t whole = 0;
+    double real = 0;
+    must(stltsa_options_new(&options));
+    must(stltsa_options_set_int(options, STLTSA_WINDOW, 77));
+    must(stltsa_options_set_real(options, STLTSA_SMOOTHING, 0.25));
+    must(stltsa_options_set_text(options, STLTSA_SKELETON, path));
+    path[0] = 'X';
+    must(stltsa_options_get_int(options, STLTSA_WINDOW, &whole));
+    must(stltsa_options_get_real(options, STLTSA_SMOOTHING, &real));
+    must(stltsa_options_get_text(options, STLTSA_SKELETON, &text));
+    assert_int_equal(whole, 77);
+    assert_true(real == 0.25);
+    assert_string_equal(text, "skeleton.asf");
+    stltsa_options_free(options);
+}
+
+static void ranges_types_and_keys_are_checked(void** state) {
+    (void)state;
+    stltsa_options* options = NULL;
+    int64_t value = 5;
+    must(stltsa_options_new(&options));
+    for (int64_t i = 0; i < stltsa_option_count(); ++i) {
+        const stltsa_option_info info = describe(i);
+        if (info.type == STLTSA_TYPE_TEXT)
+            continue;
+        const double wrong[] = {info.minimum - 1, info.maximum + 1, NAN};
+        const int count = info.type == STLTSA_TYPE_REAL ? 3 : 2;
+        for (int w = 0; w < count; ++w) {
+            const stltsa_status status =
+                info.type == STLTSA_TYPE_REAL
+                    ? stltsa_options_set_real(options, info.key, wrong[w])
+                    : stltsa_options_set_int(options, info.key, (int64_t)wrong[w]);
+            assert_int_equal(status, STLTSA_E_ARGUMENT);
+            assert_non_null(strstr(stltsa_last_error(), info.name));
+        }
+    }
+    assert_int_equal(stltsa_options_set_int(options, 0, 1), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_options_set_int(options, 10000, 1), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_options_set_int(options, STLTSA_SMOOTHING, 1), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_options_set_real(options, STLTSA_WINDOW, 1), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_options_set_text(options, STLTSA_WINDOW, "1"), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_options_set_text(options, STLTSA_SKELETON, NULL), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_options_set_int(NULL, STLTSA_WINDOW, 1), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_options_get_int(options, STLTSA_WINDOW, NULL), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_options_get_int(options, 10000, &value), STLTSA_E_ARGUMENT);
+    assert_int_equal(value, 5);
+    assert_int_equal(stltsa_options_new(NULL), STLTSA_E_ARGUMENT);
+    stltsa_options_free(options);
+    stltsa_options_free(NULL);
+}
+
+static void a_shorter_description_is_not_written_past(void** state) {
+    (void)state;
+    union {
+        stltsa_option_info info;
+        unsigned char bytes[sizeof(stltsa_option_info)];
+    } u;
+    memset(u.bytes, 0xAB, sizeof u.bytes);
+    u.info.size = offsetof(stltsa_option_info, minimum);
+    must(stltsa_option_describe(0, &u.info));
+    assert_string_equal(u.info.name, "neighbors");
+    for (size_t i = offsetof(stltsa_option_info, minimum); i < sizeof u.bytes; ++i)
+        assert_int_equal(u.bytes[i], 0xAB);
+    u.info.size = 4;
+    assert_int_equal(stltsa_option_describe(0, &u.info), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_option_describe(-1, &u.info), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_option_describe(0, NULL), STLTSA_E_ARGUMENT);
+}
+
+static void names(void** state) {
+    (void)state;
+    assert_string_equal(stltsa_status_name(STLTSA_OK), "STLTSA_OK");
+    assert_string_equal(stltsa_status_name(STLTSA_E_SHAPE), "STLTSA_E_SHAPE");
+    assert_string_equal(stltsa_status_name(STLTSA_E_INTERNAL), "STLTSA_E_INTERNAL");
+    assert_string_equal(stltsa_status_name(-1000), "STLTSA_E_UNKNOWN");
+    assert_string_equal(stltsa_status_name(1), "STLTSA_E_UNKNOWN");
+    assert_string_equal(stltsa_status_name(INT32_MIN), "STLTSA_E_UNKNOWN");
+    assert_string_equal(stltsa_unit_name(STLTSA_UNIT_WIND_UP), "wind-up");
+    assert_string_equal(stltsa_unit_name(0), "");
+    char version[32];
+    snprintf(version, sizeof version, "%d.%d.%d", STLTSA_VERSION_MAJOR, STLTSA_VERSION_MINOR,
+             STLTSA_VERSION_PATCH);
+    assert_string_equal(stltsa_version(), version);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_option_is_described_and_holds_its_default),
+        cmocka_unit_test(values_come_back_and_texts_are_copied),
+        cmocka_unit_test(ranges_types_and_keys_are_checked),
+        cmocka_unit_test(a_shorter_description_is_not_written_past),
+        cmocka_unit_test(names),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
