@@ -148,7 +148,7 @@ enum {
     STLTSA_UP_AXIS = 10,     /* int   0: found from the clip; 1, 2, 3: x, y, z */
     STLTSA_KEEP_START = 11,  /* int   1: do not drop a T-pose at the start */
     STLTSA_FPS = 12,         /* real  frames a second, over what the file says; 0: the file's */
-    STLTSA_RATE = 13,        /* real  decompose: decimate to at most this rate in Hz; 0: keep */
+    STLTSA_RATE = 13,        /* real  clips: keep one frame in fps / rate, rounded; 0: all */
     STLTSA_SMOOTHING = 14,   /* real  sigma in seconds of the Gaussian on the features; 0: none */
     STLTSA_PERIOD_MIN = 15,  /* real  shortest period looked for, seconds */
     STLTSA_PERIOD_MAX = 16,  /* real  longest period looked for, seconds */

@@ -31,9 +31,14 @@ ClipSamples prepare_clip(const stltsa_clip& clip, const OptionsReader& options) 
     ClipSamples result;
     result.source.from_clip = true;
     result.source.clip = clip_facts(clip.clip);
-    result.source.samples = {
-        prepared.samples.rows(), prepared.first,          prepared.step, prepared.fps,
-        prepared.features,       prepared.samples.cols(), prepared.up,   prepare.smoothing};
+    result.source.samples = {prepared.samples.rows(),
+                             prepared.first,
+                             prepared.step,
+                             prepared.fps,
+                             prepared.features,
+                             prepared.samples.cols(),
+                             prepared.up,
+                             clip.clip.fps > 0 ? prepare.smoothing : 0};
     result.samples = std::move(prepared.samples);
     return result;
 }

@@ -239,6 +239,11 @@ void a_resting_root_of_several_limbs_stays_the_root(void**) {
 void up_is_from_feet_to_head(void**) {
     for (const std::size_t up : {0u, 1u, 2u})
         assert_int_equal(static_cast<int>(up_axis(swinging(up), Axis::automatic)), up + 1);
+    // Axes that point down are as good.
+    Clip down = swinging(2);
+    for (Joint& joint : down.skeleton->joints)
+        joint.offset[2] = -joint.offset[2];
+    assert_true(up_axis(down, Axis::automatic) == Axis::z);
     // Arms stretched out wider than the body is high do not mislead.
     Clip wide = swinging(1);
     wide.skeleton->joints[4].offset[2] = 40;

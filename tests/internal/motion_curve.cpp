@@ -149,6 +149,7 @@ void more_dimensions_must_be_clearly_better(void**) {
     assert_int_equal(chosen.column, 1);
 
     // A loop takes two columns that swing once per cycle.
+    models[2] = model({1.0, 0.1, 0.1});
     Loop loop = choose_loop(models, level, 40);
     assert_int_equal(loop.model, 1);
     models[2] = model({0.9, 0.1, 0.8});

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "motion/decompose.hpp"
+#include "motion/smoothing.hpp"
 
 namespace {
 
@@ -73,9 +74,12 @@ void long_standing_changes_nothing(void**) {
     exercise.stands = 15;
     exercise.rests = 10;
     Matrix samples = exercise.samples(30);
-    for (std::int64_t i = 0; i < samples.rows(); ++i) // slow sway
+    Matrix sway(samples.rows(), samples.cols());
+    add_noise(sway, 1, 9);
+    sway = smooth(sway.view(), 12); // leaves 0.15 of it
+    for (std::int64_t i = 0; i < samples.rows(); ++i)
         for (std::int64_t c = 0; c < samples.cols(); ++c)
-            samples(i, c) += 0.05 * std::sin(0.01 * static_cast<double>((i + 40 * c) * (c + 1)));
+            samples(i, c) += sway(i, c);
     const Decomposition d = decomposed(samples, 30);
     check_shape(d, samples.rows());
     assert_int_equal(d.units.size(), 5);

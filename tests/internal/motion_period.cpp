@@ -59,8 +59,13 @@ void standing_does_not_count(void**) {
     const double fps = 30;
     Matrix samples = exercise.samples(fps);
     ASSERT_NEAR(period_of(samples, fps).samples / fps, exercise.period, 0.01);
-    add_noise(samples, 0.05, 1);
-    ASSERT_NEAR(period_of(samples, fps).samples / fps, exercise.period, 0.02);
+    add_noise(samples, 0.1, 1);
+    const Period standing = period_of(samples, fps);
+    ASSERT_NEAR(standing.samples / fps, exercise.period, 0.02);
+    exercise.stands = exercise.rests = 0.2;
+    samples = exercise.samples(fps);
+    add_noise(samples, 0.1, 1);
+    ASSERT_NEAR(standing.quality, period_of(samples, fps).quality, 0.03);
 }
 
 void finds_none_in_what_does_not_repeat(void**) {

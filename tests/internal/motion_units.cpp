@@ -14,13 +14,14 @@ using namespace motion_testing;
 using namespace stltsa::motion;
 
 void typical_speed_is_that_of_the_motion(void**) {
-    // A feature that moves at 2 a sample for 60 of 400 samples, and else drifts at 0.01.
+    // A feature that moves at 2 a sample for 60 of 400 samples, and else drifts at 0.01; once it
+    // jerks.
     Matrix samples(400, 1);
     for (std::int64_t i = 1; i < 400; ++i)
-        samples(i, 0) = samples(i - 1, 0) + (i >= 200 && i < 260 ? 2 : 0.01);
+        samples(i, 0) = samples(i - 1, 0) + (i >= 200 && i < 260 ? 2 : 0.01) + (i == 230 ? 20 : 0);
     const Activity activity = measure_activity(samples.view(), 30);
     ASSERT_NEAR(activity.typical, 2, 0.05);
-    assert_true(activity.moving(230));
+    assert_true(activity.moving(210));
     assert_false(activity.moving(100));
     ASSERT_NEAR(activity.level[230], 1, 1e-9);
 
@@ -70,6 +71,19 @@ void rests_end_at_the_onset(void**) {
         ASSERT_NEAR(last[0].end, 150, 0);
         ASSERT_NEAR(last[0].begin, 149 - rests[0].end, 1e-9);
     }
+}
+
+/// A body that sways is fastest just before it starts, and that is no start yet.
+void sway_is_standing(void**) {
+    std::vector<double> speed;
+    for (std::size_t i = 0; i < 150; ++i) {
+        const double since = static_cast<double>(i) - 60;
+        const double sway = 0.2 * (1 + 0.3 * std::cos(turn * since / 40));
+        speed.push_back(std::hypot(std::clamp(0.05 * since, 0.0, 1.0), sway));
+    }
+    const auto rests = find_rests(speed, 0.4, 1, 8);
+    assert_int_equal(rests.size(), 1);
+    ASSERT_NEAR(rests[0].end, 63, 3);
 }
 
 void short_dips_are_no_rests(void**) {
@@ -154,6 +168,7 @@ int main() {
         cmocka_unit_test(typical_speed_is_that_of_the_motion),
         cmocka_unit_test(what_never_moves_has_no_activity),
         cmocka_unit_test(rests_end_at_the_onset),
+        cmocka_unit_test(sway_is_standing),
         cmocka_unit_test(short_dips_are_no_rests),
         cmocka_unit_test(five_units_or_fewer),
         cmocka_unit_test(actions_between_rests),
