@@ -120,7 +120,7 @@ class Coordinates(CommandTest):
 
 class Quiet(CommandTest):
     def test_warnings_go_to_stderr_unless_seen(self):
-        clock = ("fit", walk(), "--neighbors", "5")
+        clock = ("fit", walk(), "--neighbors", "5", "--dimension", "1")
         with_json = run(*clock, "--json")
         warnings = json.loads(with_json.stdout)["warnings"]
         self.assertTrue(warnings)

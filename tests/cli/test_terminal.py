@@ -19,7 +19,10 @@ class Terminal:
     """The command with a pseudo-terminal as its standard output, error or both."""
 
     def __init__(self, *arguments, on=("stdout", "stderr"), **environment):
-        self.master, slave = pty.openpty()
+        try:
+            self.master, slave = pty.openpty()
+        except OSError as error:
+            raise unittest.SkipTest(f"no terminal to be had: {error}")
         streams = {
             name: slave if name in on else subprocess.PIPE for name in ("stdout", "stderr")
         }
