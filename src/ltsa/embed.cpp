@@ -39,6 +39,14 @@ void fix_sign(double* values, std::int64_t count) {
         std::transform(values, values + count, values, [](double v) { return -v; });
 }
 
+/// In differences the first correction undoes what rounding did to B' and its factor, which is more
+/// than what the rounding of the tangents, that no correction sees, does: so it bounds the error.
+/// Grounded, the factor is so much less exact that its own correction would say nothing.
+double error_estimate(const Spectrum& spectrum, bool banded) {
+    return std::max(banded ? spectrum.first_change : spectrum.last_change,
+                    std::numeric_limits<double>::epsilon());
+}
+
 Component summarize(const Patches& patches, const Spectrum& spectrum, int dimension,
                     int eigenvalues) {
     Component component;
@@ -50,7 +58,6 @@ Component summarize(const Patches& patches, const Spectrum& spectrum, int dimens
                 std::min(spectrum.values.size(), component.eigenvalues.size() - 1),
                 component.eigenvalues.begin() + 1);
     component.residual = spectrum.residual;
-    component.error_estimate = std::max(spectrum.change, std::numeric_limits<double>::epsilon());
     const auto d = static_cast<std::size_t>(dimension);
     if (component.eigenvalues.size() > d + 1)
         component.gap = component.eigenvalues[d + 1] / component.eigenvalues[d];
@@ -87,7 +94,9 @@ Component embed_component(const Graph& graph, std::int64_t index, int dimension,
         for (std::size_t i = 0; i < members.size(); ++i)
             coords(members[i], l) = spectrum.vectors(l, static_cast<std::int64_t>(i));
     }
-    return summarize(patches, spectrum, dimension, eigenvalues);
+    Component component = summarize(patches, spectrum, dimension, eigenvalues);
+    component.error_estimate = error_estimate(spectrum, banded);
+    return component;
 }
 
 } // namespace

@@ -29,7 +29,7 @@ std::int64_t Patches::rank_deficient() const {
     });
 }
 
-void Patches::project(std::int64_t patch, double* v) const {
+void Patches::project_once(std::int64_t patch, double* v) const {
     double mean = 0;
     for (std::int64_t j = 0; j < size_; ++j)
         mean += v[j];

@@ -219,10 +219,13 @@ Spectrum smallest_eigenpairs(const Alignment& alignment, std::int64_t count, std
         const Matrix previous = basis.x;
         correct(alignment, spectrum.values, basis);
         spectrum.values = rayleigh_ritz(alignment, basis);
-        spectrum.change = largest_angle(previous, basis.x, dimension);
-        if (spectrum.change < small_change || spectrum.change > before / 2)
+        const double change = largest_angle(previous, basis.x, dimension);
+        if (i == 0)
+            spectrum.first_change = change;
+        spectrum.last_change = change;
+        if (change < small_change || change > before / 2)
             break;
-        before = spectrum.change;
+        before = change;
     }
     for (std::int64_t j = 0; j < dimension; ++j)
         spectrum.residual =
