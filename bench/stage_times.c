@@ -12,7 +12,7 @@
 
 #include "stltsa.h"
 
-static const char *const stage_names[] = {"read",      "features", "neighbors", "tangents",
+static const char* const stage_names[] = {"read",      "features", "neighbors", "tangents",
                                           "alignment", "spectrum", "units"};
 enum { stages = 7 };
 
@@ -27,8 +27,8 @@ static double now(void) {
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-static int32_t record(void *user, int32_t stage, double fraction) {
-    struct times *times = user;
+static int32_t record(void* user, int32_t stage, double fraction) {
+    struct times* times = user;
     const double time = now();
     (void)fraction;
     if (stage >= 0 && stage < stages)
@@ -44,11 +44,11 @@ static void check(stltsa_status status) {
     }
 }
 
-int main(int argc, char **argv) {
+int main(int argc, char** argv) {
     struct times times = {0, {0}};
-    stltsa_options *options = NULL;
-    stltsa_clip *clip = NULL;
-    stltsa_decomposition *units = NULL;
+    stltsa_options* options = NULL;
+    stltsa_clip* clip = NULL;
+    stltsa_decomposition* units = NULL;
     double total;
     int stage;
     if (argc < 2) {
