@@ -40,17 +40,33 @@ constexpr std::size_t usual = alignof(std::max_align_t);
 
 } // namespace
 
-void* operator new(std::size_t size) { return allocate(size, usual); }
-void* operator new[](std::size_t size) { return allocate(size, usual); }
+void* operator new(std::size_t size) {
+    return allocate(size, usual);
+}
+void* operator new[](std::size_t size) {
+    return allocate(size, usual);
+}
 void* operator new(std::size_t size, std::align_val_t alignment) {
     return allocate(size, static_cast<std::size_t>(alignment));
 }
-void operator delete(void* memory) noexcept { release(memory); }
-void operator delete[](void* memory) noexcept { release(memory); }
-void operator delete(void* memory, std::size_t) noexcept { release(memory); }
-void operator delete[](void* memory, std::size_t) noexcept { release(memory); }
-void operator delete(void* memory, std::align_val_t) noexcept { release(memory); }
-void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { release(memory); }
+void operator delete(void* memory) noexcept {
+    release(memory);
+}
+void operator delete[](void* memory) noexcept {
+    release(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+    release(memory);
+}
+void operator delete[](void* memory, std::size_t) noexcept {
+    release(memory);
+}
+void operator delete(void* memory, std::align_val_t) noexcept {
+    release(memory);
+}
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
+    release(memory);
+}
 
 namespace {
 
@@ -115,7 +131,9 @@ stltsa_status fit_mode(std::int64_t mode) {
     return status;
 }
 
-stltsa_status fit_temporal(const std::string&) { return fit_mode(STLTSA_MODE_TEMPORAL); }
+stltsa_status fit_temporal(const std::string&) {
+    return fit_mode(STLTSA_MODE_TEMPORAL);
+}
 stltsa_status fit_spatial(const std::string&) {
     const stltsa_status status = fit_mode(STLTSA_MODE_SPATIAL);
     return status == STLTSA_E_UNSUPPORTED ? STLTSA_OK : status; // a build without CHOLMOD
