@@ -23,7 +23,7 @@ struct Layout {
 
 std::pair<double, double> range_of(const std::vector<double>& values) {
     double low = INFINITY;
-    double high = -INFINITY;
+    double high = -HUGE_VAL;
     for (const double v : values)
         if (std::isfinite(v)) {
             low = std::min(low, v);

@@ -18,7 +18,7 @@ constexpr double air = 22; // between the frame and the loop, for numbers outsid
 /// Samples to points, one scale for both axes, the loop in the middle.
 std::vector<Point> loop_points(const Grid& loop, const Rect& area) {
     Point low{INFINITY, INFINITY};
-    Point high{-INFINITY, -INFINITY};
+    Point high{-HUGE_VAL, -HUGE_VAL};
     for (std::int64_t i = 0; i < loop.rows; ++i) {
         low = {std::min(low.x, loop(i, 0)), std::min(low.y, loop(i, 1))};
         high = {std::max(high.x, loop(i, 0)), std::max(high.y, loop(i, 1))};
