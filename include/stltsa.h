@@ -163,7 +163,7 @@ enum {
     STLTSA_FEATURES_AUTO = 0,        /* positions where there is a skeleton, else raw */
     STLTSA_FEATURES_POSITIONS = 1,   /* joints and end sites, root position and yaw removed */
     STLTSA_FEATURES_ROTATIONS6D = 2, /* two columns of each rotation matrix, root yaw removed */
-    STLTSA_FEATURES_EULER = 3,       /* the file's angles in radians, unwrapped (the paper's) */
+    STLTSA_FEATURES_EULER = 3,       /* the angles below the root in radians, unwrapped (the paper) */
     STLTSA_FEATURES_RAW = 4          /* the file's numbers */
 };
 
