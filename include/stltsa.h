@@ -93,7 +93,8 @@ enum {
     STLTSA_E_NOT_CONVERGED = -10, /* the eigensolver gave up */
     STLTSA_E_CANCELLED = -11,    /* the progress callback asked to stop */
     STLTSA_E_UNSUPPORTED = -12,  /* not in this build (CHOLMOD), or not for this clip */
-    STLTSA_E_INTERNAL = -13      /* a defect of the library: please report */
+    STLTSA_E_INTERNAL = -13,     /* a defect of the library: please report */
+    STLTSA_E_NO_COMMON_POSTURE = -14 /* two pieces of motion have no posture at which to join */
 };
 
 /* "STLTSA_E_SHAPE" and so on; "STLTSA_E_UNKNOWN" for values this version does not know. */
@@ -154,7 +155,26 @@ enum {
     STLTSA_PERIOD_MAX = 16,  /* real  longest period looked for, seconds */
     STLTSA_EIGENGAP = 17,    /* real  tau of section 2.3 as a fraction of k */
     STLTSA_VARIANCE = 18,    /* real  share of local variance that local PCA must hold */
-    STLTSA_SKELETON = 19     /* text  path of the ASF file of an AMC clip; "": beside the clip */
+    STLTSA_SKELETON = 19,    /* text  path of the ASF file of an AMC clip; "": beside the clip */
+    STLTSA_KEEP_FRAMES = 20, /* int   1: a model keeps the frames it was fitted to, and so can map
+                                      and unmap; 0: it keeps the coordinates only */
+    STLTSA_MAP_NEIGHBORS = 21, /* int rows that a local map rests on; 0: max(d + 5, 10) */
+    STLTSA_MAP_BLEND = 22,   /* int   local maps that are blended */
+    STLTSA_HINT_WINDOW = 23, /* int   rows to each side of a hint; 0: a fifth of k */
+    STLTSA_COMPONENT = 24,   /* int   unmap: component that the coordinates are of, 0-based; -1:
+                                      the only one there is */
+    STLTSA_GAMMA = 25,       /* real  gamma of section 3.2, in units of the coordinate; -1: one
+                                      robust standard deviation of the residuals */
+    STLTSA_KNOTS = 26,       /* real  denoise: seconds (rows where the rate is unknown) between
+                                      knots; 0: an eighth of the period, else 4 rows */
+    STLTSA_ROBUST = 27,      /* int   denoise: 1: spikes do not pull at the curve */
+    STLTSA_CROSSFADE = 28,   /* real  synthesize: seconds to each side of a seam; -1: 0.06 of a
+                                      repeated stretch, 0.15 s where clips join */
+    STLTSA_SEARCH = 29,      /* real  synthesize: seconds by which a cut may move to find a common
+                                      posture; -1: a tenth of a repeated stretch, half a second
+                                      where clips join */
+    STLTSA_POSTURE_LIMIT = 30 /* real synthesize: largest distance of the postures at a seam, over
+                                      what is common between a motion's own repetitions; 0: none */
 };
 
 enum { STLTSA_MODE_TEMPORAL = 1, STLTSA_MODE_SPATIAL = 2, STLTSA_MODE_RECURRENT = 3 };
@@ -211,7 +231,10 @@ enum {
     STLTSA_STAGE_TANGENTS = 3,
     STLTSA_STAGE_ALIGNMENT = 4,
     STLTSA_STAGE_SPECTRUM = 5,
-    STLTSA_STAGE_UNITS = 6
+    STLTSA_STAGE_UNITS = 6,
+    STLTSA_STAGE_MAP = 7,
+    STLTSA_STAGE_DENOISE = 8,
+    STLTSA_STAGE_SYNTHESIS = 9
 };
 
 /* `fraction` of the stage is done, 0 to 1. Nonzero cancels: the call returns E_CANCELLED. It runs
@@ -282,6 +305,14 @@ STLTSA_API stltsa_status stltsa_clip_features(const stltsa_clip *clip,
 STLTSA_API stltsa_status stltsa_clip_json(const stltsa_clip *clip, char **json) STLTSA_NOEXCEPT;
 STLTSA_API void stltsa_string_free(char *text) STLTSA_NOEXCEPT;
 
+/* Writes a clip, whole or not at all. The format is told by the suffix: .bvh (any skeleton: its
+ * hierarchy, channel order, units and frame time), .amc (only what was read from AMC; the ASF file
+ * stays as it is), .csv, .npy (the numbers of any clip). Numbers read back to the same bits.
+ * E_ARGUMENT (another suffix), E_UNSUPPORTED (the clip has no skeleton, or none of that kind, or no
+ * frame rate where the format needs one), E_IO. */
+STLTSA_API stltsa_status stltsa_clip_save(const stltsa_clip *clip,
+                                          const char *path) STLTSA_NOEXCEPT;
+
 /* ---- The manifold curve: STLTSA --------------------------------------------------------- */
 
 typedef struct stltsa_model stltsa_model;
@@ -331,7 +362,10 @@ enum {
     STLTSA_MODEL_CLOCK = 19,      /* real  |rank correlation| of coordinate 1 with time: 1 means
                                            that it tells the time and nothing else */
     STLTSA_MODEL_FPS = 20,        /* real  of the rows; 0: unknown */
-    STLTSA_MODEL_PERIOD = 21      /* real  seconds, that the automatic k rests on; 0: none */
+    STLTSA_MODEL_PERIOD = 21,     /* real  seconds, that the automatic k rests on; 0: none */
+    STLTSA_MODEL_SUPPORT = 22     /* real  distance from the fitted frames, in units of the
+                                           features, up to which a new frame counts as one of
+                                           their kind; see stltsa_map. 0: the model cannot map */
 };
 STLTSA_API stltsa_status stltsa_model_get_int(const stltsa_model *model, int32_t key,
                                               int64_t *value) STLTSA_NOEXCEPT;
@@ -474,6 +508,168 @@ stltsa_decomposition_warning(const stltsa_decomposition *decomposition,
 /* The object of schema stltsa-decomposition/1; end it with stltsa_string_free. */
 STLTSA_API stltsa_status stltsa_decomposition_json(const stltsa_decomposition *decomposition,
                                                    char **json) STLTSA_NOEXCEPT;
+
+/* ---- Mapping, both ways (section 2.4) ---------------------------------------------------- */
+
+/* Places new frames on the curve. Near each frame of the model the map is linear, as LTSA assumes;
+ * the maps of the STLTSA_MAP_BLEND nearest frames are blended, each resting on STLTSA_MAP_NEIGHBORS
+ * frames of the whole model. A frame that was fitted gets its own coordinates, to the bit.
+ *
+ * frames    rows x features of the model, finite
+ * hints     NULL, or for each row the model row near which it is looked for (within
+ *           STLTSA_HINT_WINDOW rows of the same clip), -1: everywhere. For a stream: the nearest
+ *           row of the frame before, plus one.
+ * coords    rows x d
+ * distance  NULL, or rows x 1: distance from the fitted frames over STLTSA_MODEL_SUPPORT. Beyond 1
+ *           the frame is unlike what was learned, and its coordinates mean little.
+ * nearest   NULL, or the nearest model row of each row; its component (stltsa_model_components) is
+ *           the one that the coordinates belong to
+ * Options: map_neighbors, map_blend, hint_window, threads, progress. E_SHAPE, E_NOT_FINITE,
+ * E_ARGUMENT, E_UNSUPPORTED (the model kept no frames), E_CANCELLED. */
+STLTSA_API stltsa_status stltsa_map(const stltsa_model *model, const stltsa_in *frames,
+                                    const int64_t *hints, const stltsa_options *options,
+                                    const stltsa_out *coords, const stltsa_out *distance,
+                                    int64_t *nearest) STLTSA_NOEXCEPT;
+
+/* The same for every source frame of a clip: rows = stltsa_clip_frames(clip). Features, up axis and
+ * smoothing are the model's; so a clip that was fitted gets its own coordinates at its model rows.
+ * The model must be fitted to a clip; E_SHAPE where the two have other features. */
+STLTSA_API stltsa_status stltsa_map_clip(const stltsa_model *model, const stltsa_clip *clip,
+                                         const stltsa_options *options, const stltsa_out *coords,
+                                         const stltsa_out *distance,
+                                         int64_t *nearest) STLTSA_NOEXCEPT;
+
+/* The way back: frames (rows x features) from points of the manifold (rows x d). Distance is the
+ * point's from the curve, over what is common between neighboring rows of the model; beyond 1 the
+ * frame is a guess. One coordinate alone cannot tell a swing to from the swing fro: give hints, or
+ * fit more. For a model of a clip with a skeleton the frames are the features of the poses that
+ * stltsa_unmap_clip gives, so that bones keep their lengths. Options: as stltsa_map, and component.
+ * E_DISCONNECTED: the model has several components, and option component does not say which. */
+STLTSA_API stltsa_status stltsa_unmap(const stltsa_model *model, const stltsa_in *coords,
+                                      const int64_t *hints, const stltsa_options *options,
+                                      const stltsa_out *frames, const stltsa_out *distance,
+                                      int64_t *nearest) STLTSA_NOEXCEPT;
+
+/* Poses from points of the manifold, as a clip at the model's frame rate with the skeleton that was
+ * fitted: rotations of all joints, height and tilt; the body stays over the origin and faces
+ * one way. E_UNSUPPORTED for a model of bare numbers. */
+STLTSA_API stltsa_status stltsa_unmap_clip(const stltsa_model *model, const stltsa_in *coords,
+                                           const int64_t *hints, const stltsa_options *options,
+                                           const stltsa_out *distance, int64_t *nearest,
+                                           stltsa_clip **poses) STLTSA_NOEXCEPT;
+
+/* ---- Model files ------------------------------------------------------------------------- */
+
+/* A model as bytes: versioned, little-endian, checksummed, the same on every machine; what comes
+ * back has the same bits. Parsing takes hostile bytes: E_FORMAT says what is wrong with them. End
+ * the bytes with stltsa_bytes_free. */
+STLTSA_API stltsa_status stltsa_model_serialize(const stltsa_model *model, unsigned char **bytes,
+                                                size_t *size) STLTSA_NOEXCEPT;
+STLTSA_API stltsa_status stltsa_model_parse(const void *bytes, size_t size,
+                                            stltsa_model **model) STLTSA_NOEXCEPT;
+STLTSA_API void stltsa_bytes_free(unsigned char *bytes) STLTSA_NOEXCEPT;
+
+/* The same to and from a file, which is written whole or not at all. E_IO, E_FORMAT. */
+STLTSA_API stltsa_status stltsa_model_save(const stltsa_model *model,
+                                           const char *path) STLTSA_NOEXCEPT;
+STLTSA_API stltsa_status stltsa_model_load(const char *path, stltsa_model **model) STLTSA_NOEXCEPT;
+
+/* ---- Denoising (section 3.2) ------------------------------------------------------------- */
+
+typedef struct stltsa_denoising stltsa_denoising;
+
+/* Cleans coordinates, rows x columns, each column for itself. The curve is a penalized least-squares
+ * cubic spline over time, its smoothing chosen by generalized cross-validation; points farther than
+ * gamma from it are moved towards it by their mean distance, as in equation (1), but never across
+ * it. Several clips: as in stltsa_fit; each has a spline of its own. Look for extrema and margins on
+ * the curve, never on the moved points. Options: gamma, knots, robust, fps, period_min, period_max,
+ * progress. E_SHAPE, E_NOT_FINITE, E_TOO_FEW_FRAMES (fewer than 8 rows in a clip). */
+STLTSA_API stltsa_status stltsa_denoise(const stltsa_in *coords, const int64_t *lengths,
+                                        int64_t clips, const stltsa_options *options,
+                                        stltsa_denoising **denoising) STLTSA_NOEXCEPT;
+/* The coordinates of a model, component by component; rate and period are the model's. */
+STLTSA_API stltsa_status stltsa_denoise_model(const stltsa_model *model,
+                                              const stltsa_options *options,
+                                              stltsa_denoising **denoising) STLTSA_NOEXCEPT;
+STLTSA_API void stltsa_denoising_free(stltsa_denoising *denoising) STLTSA_NOEXCEPT;
+
+enum {
+    STLTSA_DENOISING_ROWS = 1,    /* int */
+    STLTSA_DENOISING_COLUMNS = 2, /* int */
+    STLTSA_DENOISING_MOVED = 3,   /* int   points that were moved */
+    STLTSA_DENOISING_GAMMA = 4,   /* real  threshold used */
+    STLTSA_DENOISING_SHIFT = 5,   /* real  d_t: mean distance of the points beyond gamma */
+    STLTSA_DENOISING_NOISE = 6,   /* real  robust standard deviation of the residuals */
+    STLTSA_DENOISING_FREEDOM = 7  /* real  effective degrees of freedom of the curve */
+};
+/* Of one column, over all clips. */
+STLTSA_API stltsa_status stltsa_denoising_get_int(const stltsa_denoising *denoising, int32_t key,
+                                                  int64_t column, int64_t *value) STLTSA_NOEXCEPT;
+STLTSA_API stltsa_status stltsa_denoising_get_real(const stltsa_denoising *denoising, int32_t key,
+                                                   int64_t column, double *value) STLTSA_NOEXCEPT;
+/* rows x columns: the fitted curve f_c; the points after equation (1); by how much each was moved
+ * (0: it was not). */
+STLTSA_API stltsa_status stltsa_denoising_curve(const stltsa_denoising *denoising,
+                                                const stltsa_out *curve) STLTSA_NOEXCEPT;
+STLTSA_API stltsa_status stltsa_denoising_cleaned(const stltsa_denoising *denoising,
+                                                  const stltsa_out *cleaned) STLTSA_NOEXCEPT;
+STLTSA_API stltsa_status stltsa_denoising_moves(const stltsa_denoising *denoising,
+                                                const stltsa_out *moves) STLTSA_NOEXCEPT;
+/* The object of schema stltsa-denoising/1. */
+STLTSA_API stltsa_status stltsa_denoising_json(const stltsa_denoising *denoising,
+                                               char **json) STLTSA_NOEXCEPT;
+
+/* ---- New motion from units (section 4) ---------------------------------------------------- */
+
+/* Frames [begin, end) of a clip, `repeat` times (1: once). Set reserved to 0. Frozen. */
+typedef struct stltsa_piece {
+    const stltsa_clip *clip;
+    int64_t begin, end;
+    int64_t repeat, reserved;
+} stltsa_piece;
+
+typedef struct stltsa_synthesis stltsa_synthesis;
+
+/* Joins pieces, in order, into one clip. Where a piece does not go on where the one before ended,
+ * the cuts are moved (option search) to the pair of frames whose postures and velocities are most
+ * alike, and the two are crossfaded; the body goes on from where it stood, facing the way it faced.
+ * Pieces that follow each other in their clip are joined as they were, so the units of a clip give
+ * the clip back. All clips need one hierarchy; the first one gives hierarchy, channels, units and
+ * frame rate, to which others are resampled. Options: crossfade, search, posture_limit, up axis,
+ * progress. E_ARGUMENT, E_UNSUPPORTED (bare numbers, other hierarchies, no frame rate),
+ * E_NO_COMMON_POSTURE (beyond posture_limit; the text says at which seam and by how much). */
+STLTSA_API stltsa_status stltsa_synthesize(const stltsa_piece *pieces, int64_t count,
+                                           const stltsa_options *options,
+                                           stltsa_synthesis **synthesis) STLTSA_NOEXCEPT;
+STLTSA_API void stltsa_synthesis_free(stltsa_synthesis *synthesis) STLTSA_NOEXCEPT;
+/* The new clip; it belongs to the synthesis. */
+STLTSA_API const stltsa_clip *
+stltsa_synthesis_clip(const stltsa_synthesis *synthesis) STLTSA_NOEXCEPT;
+
+/* A place where one piece gives way to another (or to its own repetition). Append-only: set size
+ * to sizeof(stltsa_seam). */
+typedef struct stltsa_seam {
+    size_t size;
+    int64_t frame;           /* first frame of the new clip that is the later piece's */
+    int64_t piece, next;     /* indices of the pieces that meet there */
+    int64_t cut_end, cut_begin; /* the cuts, in frames of their clips (resampled, where they were):
+                                   the earlier piece ends before cut_end, the later begins there */
+    int64_t crossfade;       /* frames to each side that are blended; 0: joined as it was */
+    double posture;          /* distance of postures and velocities at the cuts over what is common
+                                between repetitions of the same motion; 1: as alike as those */
+    double step, acceleration; /* largest pose step, and second difference, near the seam over the
+                                95th percentile of the pieces': 1 and below is not to be seen */
+} stltsa_seam;
+STLTSA_API int64_t stltsa_synthesis_seam_count(const stltsa_synthesis *synthesis) STLTSA_NOEXCEPT;
+STLTSA_API stltsa_status stltsa_synthesis_seam(const stltsa_synthesis *synthesis, int64_t index,
+                                               stltsa_seam *seam) STLTSA_NOEXCEPT;
+STLTSA_API int64_t
+stltsa_synthesis_warning_count(const stltsa_synthesis *synthesis) STLTSA_NOEXCEPT;
+STLTSA_API const char *stltsa_synthesis_warning(const stltsa_synthesis *synthesis,
+                                                int64_t index) STLTSA_NOEXCEPT;
+/* The object of schema stltsa-synthesis/1. */
+STLTSA_API stltsa_status stltsa_synthesis_json(const stltsa_synthesis *synthesis,
+                                               char **json) STLTSA_NOEXCEPT;
 
 #ifdef __cplusplus
 }

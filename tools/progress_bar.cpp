@@ -29,6 +29,12 @@ const char* stage_name(std::int32_t stage) {
         return "spectrum";
     case STLTSA_STAGE_UNITS:
         return "units";
+    case STLTSA_STAGE_MAP:
+        return "mapping";
+    case STLTSA_STAGE_DENOISE:
+        return "denoising";
+    case STLTSA_STAGE_SYNTHESIS:
+        return "synthesis";
     default:
         return "working";
     }

@@ -27,6 +27,7 @@ enum class Status : std::int32_t {
     cancelled = -11,
     unsupported = -12,
     internal = -13,
+    no_common_posture = -14,
 };
 
 class Error : public std::exception {

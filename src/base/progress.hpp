@@ -17,6 +17,9 @@ enum class Stage : std::int32_t {
     alignment = 4,
     spectrum = 5,
     units = 6,
+    map = 7,
+    denoise = 8,
+    synthesis = 9,
 };
 
 class Progress {

@@ -68,6 +68,41 @@ constexpr stltsa_option_info rows[] = {
     real(STLTSA_VARIANCE, "variance",
          "Share of a neighborhood's variance that local PCA must hold.", 0.01, 1, 0.95),
     text(STLTSA_SKELETON, "skeleton", "The ASF file of an AMC clip; empty: beside the clip."),
+    whole(STLTSA_KEEP_FRAMES, "keep_frames",
+          "Keep in a model the frames it was fitted to, so that it can map.", 0, 1, 1),
+    whole(STLTSA_MAP_NEIGHBORS, "map_neighbors",
+          "Rows that a local map rests on; 0: the dimension and 5 more, at least 10.", 0,
+          most_frames, 0),
+    whole(STLTSA_MAP_BLEND, "map_blend", "Local maps that are blended.", 1, 1000, 3),
+    whole(
+        STLTSA_HINT_WINDOW, "hint_window",
+        "Rows to each side of a hint in which a frame is looked for; 0: a fifth of the neighbors.",
+        0, most_frames, 0),
+    whole(STLTSA_COMPONENT, "component",
+          "Component of the model that coordinates are of, counted from 0; -1: the only one.", -1,
+          most_frames, -1),
+    real(STLTSA_GAMMA, "gamma",
+         "Distance from the curve beyond which a point is noisy, in units of the coordinate; -1: "
+         "one robust standard deviation.",
+         -1, 1e300, -1),
+    real(STLTSA_KNOTS, "knots",
+         "Seconds between the knots of the smooth curve, rows where the rate is unknown; 0: an "
+         "eighth of the period, else 4 rows.",
+         0, 1e6, 0),
+    whole(STLTSA_ROBUST, "robust", "Fit the smooth curve so that spikes do not pull at it.", 0, 1,
+          1),
+    real(STLTSA_CROSSFADE, "crossfade",
+         "Seconds to each side of a seam that are blended; -1: 0.06 of a repeated stretch, 0.15 "
+         "where clips join.",
+         -1, 60, -1),
+    real(STLTSA_SEARCH, "search",
+         "Seconds by which a cut may move to find a common posture; -1: a tenth of a repeated "
+         "stretch, 0.5 where clips join.",
+         -1, 3600, -1),
+    real(STLTSA_POSTURE_LIMIT, "posture_limit",
+         "Largest distance of the postures at a seam, over what is common between repetitions of "
+         "one motion; 0: none.",
+         0, 1e300, 3),
 };
 
 } // namespace

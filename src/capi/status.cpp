@@ -21,7 +21,8 @@ static_assert(same(Status::argument, STLTSA_E_ARGUMENT) && same(Status::shape, S
               same(Status::not_converged, STLTSA_E_NOT_CONVERGED) &&
               same(Status::cancelled, STLTSA_E_CANCELLED) &&
               same(Status::unsupported, STLTSA_E_UNSUPPORTED) &&
-              same(Status::internal, STLTSA_E_INTERNAL));
+              same(Status::internal, STLTSA_E_INTERNAL) &&
+              same(Status::no_common_posture, STLTSA_E_NO_COMMON_POSTURE));
 
 constexpr bool same(Stage stage, int value) {
     return static_cast<int>(stage) == value;
@@ -32,9 +33,11 @@ static_assert(same(Stage::read, STLTSA_STAGE_READ) &&
               same(Stage::tangents, STLTSA_STAGE_TANGENTS) &&
               same(Stage::alignment, STLTSA_STAGE_ALIGNMENT) &&
               same(Stage::spectrum, STLTSA_STAGE_SPECTRUM) &&
-              same(Stage::units, STLTSA_STAGE_UNITS));
+              same(Stage::units, STLTSA_STAGE_UNITS) && same(Stage::map, STLTSA_STAGE_MAP) &&
+              same(Stage::denoise, STLTSA_STAGE_DENOISE) &&
+              same(Stage::synthesis, STLTSA_STAGE_SYNTHESIS));
 
-constexpr std::array<const char*, 14> status_names = {"STLTSA_OK",
+constexpr std::array<const char*, 15> status_names = {"STLTSA_OK",
                                                       "STLTSA_E_ARGUMENT",
                                                       "STLTSA_E_SHAPE",
                                                       "STLTSA_E_NOT_FINITE",
@@ -47,7 +50,8 @@ constexpr std::array<const char*, 14> status_names = {"STLTSA_OK",
                                                       "STLTSA_E_NOT_CONVERGED",
                                                       "STLTSA_E_CANCELLED",
                                                       "STLTSA_E_UNSUPPORTED",
-                                                      "STLTSA_E_INTERNAL"};
+                                                      "STLTSA_E_INTERNAL",
+                                                      "STLTSA_E_NO_COMMON_POSTURE"};
 
 // Fixed storage: remembering that memory ran out must not ask for memory. Of trivial type, so
 // that threads may end in any order.

@@ -46,7 +46,8 @@ struct Skeleton {
 struct Clip {
     std::string path; ///< as given, empty for memory
     Format format = Format::matrix;
-    double fps = 0; ///< 0: unknown
+    double fps = 0;        ///< 0: unknown
+    double frame_time = 0; ///< seconds as the file says them (.0083333 for 120); 0: 1 / fps
     std::optional<Skeleton> skeleton;
     /// frames x channels as in the file (degrees for rotations); the matrix itself for CSV and NPY.
     Matrix values;
