@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From a rotation to the angles of a joint's channels.
+// From where a joint is to be, and how it is to be turned, to the numbers of its channels.
 #pragma once
 
 #include "clip/clip.hpp"
@@ -10,7 +10,11 @@ namespace stltsa::clip {
 /// axes). `values`: the joint's numbers in a row of the clip; what they hold before chooses among
 /// the sets of angles that mean the same rotation: the nearest one, so that nothing jumps from
 /// frame to frame. A joint with fewer than three rotation channels gets the nearest rotation that
-/// it can make.
+/// it can make. Values that mean the rotation already stay as they are, to the bit.
 void put_rotation(const Joint& joint, bool fixed_axes, const Quaternion& local, double* values);
+
+/// Writes the joint's position channels for a place in the parent's axes; axes along which it has
+/// none are left out.
+void put_position(const Joint& joint, bool translations_add, const Vec3& place, double* values);
 
 } // namespace stltsa::clip

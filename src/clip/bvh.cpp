@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
 
+#include "clip/bvh_form.hpp"
 #include "clip/bvh_hierarchy.hpp"
 #include "clip/formats.hpp"
 #include "clip/number.hpp"
@@ -32,15 +33,16 @@ std::int64_t read_frame_count(TextCursor& in) {
     return *frames;
 }
 
-double read_fps(TextCursor& in, Clip& clip) {
+void read_rate(TextCursor& in, Clip& clip) {
     const std::string_view text = header_value(in, "Frame", "Time");
     const auto seconds = parse_number(text);
     if (!seconds || *seconds < 0 || !std::isfinite(*seconds))
         in.fail(Status::format, "'Frame Time:' must be followed by seconds, not {}", quoted(text));
-    const double fps = rate_of(*seconds);
-    if (fps == 0)
+    clip.fps = rate_of(*seconds);
+    if (clip.fps == 0)
         clip.notes.push_back("Frame Time is 0: the file has no frame rate");
-    return fps;
+    else
+        clip.frame_time = *seconds;
 }
 
 /// Reads the rows as a stream of numbers: a row may go on over several lines, but begins a line.
@@ -126,28 +128,6 @@ class RowReader {
     std::int64_t row_end_ = 0;
 };
 
-/// The original description of the format has translation channels add to OFFSET. In the files
-/// that exist they replace it: the OFFSET of a root is a copy of its first position, and where
-/// every joint has translations these repeat the OFFSETs (and the common importers replace). Only
-/// where the translations below the root stay nearer to zero than to the OFFSETs do they add.
-bool translations_add(const Skeleton& skeleton, const Matrix& values) {
-    double from_zero = 0;
-    double from_offset = 0;
-    for (std::int64_t frame = 0; frame < values.rows(); ++frame) {
-        const double* value = values.row(frame);
-        for (const Joint& joint : skeleton.joints)
-            for (const Channel channel : joint.channels) {
-                const double t = *value++;
-                if (joint.parent < 0 || is_rotation(channel))
-                    continue;
-                const double o = joint.offset[static_cast<std::size_t>(channel_axis(channel))];
-                from_zero += t * t;
-                from_offset += (t - o) * (t - o);
-            }
-    }
-    return from_zero < from_offset;
-}
-
 } // namespace
 
 Clip parse_bvh(std::string_view bytes, const std::string& name) {
@@ -159,9 +139,9 @@ Clip parse_bvh(std::string_view bytes, const std::string& name) {
     if (channels == 0)
         in.fail(Status::format, "no joint has CHANNELS");
     const std::int64_t frames = read_frame_count(in);
-    clip.fps = read_fps(in, clip);
+    read_rate(in, clip);
     RowReader(in, clip, frames, channels).read();
-    if (translations_add(*clip.skeleton, clip.values)) {
+    if (positions_add_to_offsets(*clip.skeleton, clip.values)) {
         clip.skeleton->translations_add = true;
         clip.notes.push_back("positions of joints below the root are taken to add to OFFSET");
     }

@@ -16,16 +16,11 @@ void need_skeleton(const Clip& clip, std::string_view what) {
         fail(Status::unsupported, "{} need a skeleton: this clip is a bare matrix (use raw)", what);
 }
 
-bool turns(const Joint& joint) {
-    return std::any_of(joint.channels.begin(), joint.channels.end(), is_rotation);
-}
-
 /// Positions relative to the body root, as seen along its heading.
-Matrix body_positions(const Clip& clip, Axis up) {
-    const std::size_t root = body_root(clip);
+Matrix body_positions(const Clip& clip, Heading heading) {
+    const std::size_t root = heading.root();
     const std::size_t count = clip.skeleton->joints.size();
     Matrix result(clip.frames(), static_cast<std::int64_t>(3 * (count - root)));
-    Heading heading(clip, root, up);
     Pose pose;
     for (std::int64_t frame = 0; frame < clip.frames(); ++frame) {
         pose.place(*clip.skeleton, clip.values.row(frame));
@@ -47,19 +42,10 @@ double* put_6d(const Quaternion& q, double* out) {
     return out;
 }
 
-std::vector<std::size_t> turning_joints(const Clip& clip, std::size_t first) {
-    std::vector<std::size_t> joints;
-    for (std::size_t j = first; j < clip.skeleton->joints.size(); ++j)
-        if (turns(clip.skeleton->joints[j]))
-            joints.push_back(j);
-    return joints;
-}
-
-Matrix rotations6d(const Clip& clip, Axis up) {
-    const std::size_t root = body_root(clip);
-    const std::vector<std::size_t> joints = turning_joints(clip, root);
+Matrix rotations6d(const Clip& clip, Heading heading) {
+    const std::size_t root = heading.root();
+    const std::vector<std::size_t> joints = turning_joints(*clip.skeleton, root);
     Matrix result(clip.frames(), static_cast<std::int64_t>(6 * joints.size()));
-    Heading heading(clip, root, up);
     Pose pose;
     for (std::int64_t frame = 0; frame < clip.frames(); ++frame) {
         pose.place(*clip.skeleton, clip.values.row(frame));
@@ -72,9 +58,8 @@ Matrix rotations6d(const Clip& clip, Axis up) {
 }
 
 /// Columns of the rotation channels of all joints below the body root.
-std::vector<std::int64_t> angle_columns(const Clip& clip) {
+std::vector<std::int64_t> angle_columns(const Clip& clip, std::size_t root) {
     std::vector<std::int64_t> columns;
-    const std::size_t root = body_root(clip);
     std::int64_t column = 0;
     for (std::size_t j = 0; j < clip.skeleton->joints.size(); ++j)
         for (const Channel channel : clip.skeleton->joints[j].channels) {
@@ -85,9 +70,9 @@ std::vector<std::int64_t> angle_columns(const Clip& clip) {
     return columns;
 }
 
-Matrix euler(const Clip& clip) {
+Matrix euler(const Clip& clip, std::size_t root) {
     constexpr double turn = 2 * std::numbers::pi;
-    const std::vector<std::int64_t> columns = angle_columns(clip);
+    const std::vector<std::int64_t> columns = angle_columns(clip, root);
     Matrix result(clip.frames(), static_cast<std::int64_t>(columns.size()));
     for (std::int64_t frame = 0; frame < clip.frames(); ++frame)
         for (std::int64_t c = 0; c < result.cols(); ++c) {
@@ -97,19 +82,6 @@ Matrix euler(const Clip& clip) {
             result(frame, c) = angle;
         }
     return result;
-}
-
-Matrix compute(const Clip& clip, Features kind, Axis up) {
-    switch (kind) {
-    case Features::positions:
-        return body_positions(clip, up);
-    case Features::rotations6d:
-        return rotations6d(clip, up);
-    case Features::euler:
-        return euler(clip);
-    default:
-        return clip.values;
-    }
 }
 
 /// Numbers near the largest double can overflow on the way through the skeleton.
@@ -164,8 +136,25 @@ Features feature_kind(const Clip& clip, Features requested) {
     return requested;
 }
 
-Matrix features(const Clip& clip, Features kind, Axis up) {
-    Matrix result = compute(clip, feature_kind(clip, kind), up_axis(clip, up));
+Matrix body_features(const Clip& clip, Features kind, Heading heading) {
+    switch (kind) {
+    case Features::positions:
+        return body_positions(clip, heading);
+    case Features::rotations6d:
+        return rotations6d(clip, heading);
+    case Features::euler:
+        return euler(clip, heading.root());
+    default:
+        return clip.values;
+    }
+}
+
+Matrix features(const Clip& clip, Features requested, Axis up) {
+    const Features kind = feature_kind(clip, requested);
+    Matrix result =
+        kind == Features::raw
+            ? clip.values
+            : body_features(clip, kind, Heading(clip, body_root(clip), up_axis(clip, up)));
     if (result.cols() == 0)
         fail(Status::unsupported, "no joint of this clip has rotations: use other features");
     check_finite(result);

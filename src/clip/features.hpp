@@ -58,6 +58,12 @@ struct Prepared {
 
 Prepared prepare(const Clip& clip, const PrepareOptions& options);
 
+/// Features of every frame of the file, smoothed as prepare() does, whose samples are rows first,
+/// first + step, ... of these. Frames of a T-pose that it drops stay as they are. `smoothing` as in
+/// PrepareOptions.
+Matrix smoothed_features(const Clip& clip, Features kind, Axis up, double smoothing,
+                         bool drop_tpose);
+
 /// Frames at the start that belong to a T-pose snapping into the motion (0 where there is none).
 std::int64_t tpose_frames(ConstMatrixView features);
 

@@ -9,6 +9,10 @@
 
 namespace stltsa::clip {
 
+/// AMC files carry no frame rate. The CMU database, where most of them come from, was captured at
+/// this one.
+constexpr double amc_fps = 120;
+
 /// The whole file; Status::io with the system's reason where it cannot be read.
 std::string read_file(const std::string& path);
 
@@ -35,5 +39,11 @@ inline int channel_axis(Channel channel) {
 /// "hip.rz" for every column of a skeleton's values.
 std::vector<std::string> channel_names(const Skeleton& skeleton);
 std::int64_t channel_count(const Skeleton& skeleton);
+
+/// Where each joint's channels begin among the columns of a skeleton's values.
+std::vector<std::size_t> channel_begins(const Skeleton& skeleton);
+
+/// The joints from this one on that have rotation channels.
+std::vector<std::size_t> turning_joints(const Skeleton& skeleton, std::size_t first);
 
 } // namespace stltsa::clip

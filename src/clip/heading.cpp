@@ -67,6 +67,8 @@ Heading::Heading(const Clip& clip, std::size_t root, Axis up)
 }
 
 Quaternion Heading::next(const Pose& pose) {
+    if (up_ < 0)
+        return yaw_;
     const Quaternion q = pose.world[root_] * correction_;
     const double size = twist_size(q, up_);
     constexpr double undefined = 1e-6; // within a tenth of a degree of upside down

@@ -18,16 +18,24 @@ class Heading {
   public:
     Heading(const Clip& clip, std::size_t root, Axis up);
 
+    /// Of poses whose yaw has been taken away.
+    explicit Heading(std::size_t root) : root_(root) {}
+
     /// Yaw of the next frame. Where it is undefined (upside down) the last one holds.
     Quaternion next(const Pose& pose);
 
+    std::size_t root() const { return root_; }
+
   private:
     std::size_t root_;
-    int up_;
+    int up_ = -1; ///< index of the up axis; none: there is no yaw
     /// Turns the root's own axes, where they stand upside down while the body stands upright:
     /// there the twist is undefined.
     Quaternion correction_;
     Quaternion yaw_;
 };
+
+/// Features of a clip whose body root and heading are known; not Features::automatic.
+Matrix body_features(const Clip& clip, Features kind, Heading heading);
 
 } // namespace stltsa::clip

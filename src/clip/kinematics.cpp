@@ -4,9 +4,7 @@
 #include "clip/formats.hpp"
 
 namespace stltsa::clip {
-namespace {
 
-/// The product of a joint's rotation channels.
 Quaternion joint_rotation(const Joint& joint, bool fixed_axes, const double* values) {
     Quaternion product;
     for (std::size_t c = 0; c < joint.channels.size(); ++c) {
@@ -18,6 +16,8 @@ Quaternion joint_rotation(const Joint& joint, bool fixed_axes, const double* val
     }
     return joint.axis * product * conjugate(joint.axis);
 }
+
+namespace {
 
 /// Where the joint sits in its parent's axes.
 Vec3 joint_translation(const Joint& joint, bool translations_add, const double* values) {

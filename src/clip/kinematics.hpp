@@ -13,6 +13,9 @@ inline double to_radians(double degrees) {
     return degrees * (std::numbers::pi / 180);
 }
 
+/// The local rotation that a joint's numbers in a row mean: the product of its rotation channels.
+Quaternion joint_rotation(const Joint& joint, bool fixed_axes, const double* values);
+
 /// One frame of a skeleton, an entry per joint.
 struct Pose {
     std::vector<Quaternion> local; ///< child axes to parent axes

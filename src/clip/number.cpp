@@ -3,6 +3,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace stltsa::clip {
@@ -34,6 +35,17 @@ std::optional<double> parse_number(std::string_view text) {
     if (stop != end || error == std::errc::invalid_argument)
         return std::nullopt;
     return error == std::errc::result_out_of_range ? out_of_range(text) : value;
+}
+
+void append_number(std::string& text, double value) {
+    // Zeros that only tell the place are spelled out as long as a number stays readable.
+    const double size = std::abs(value);
+    const bool plain = value == 0 || (size >= 1e-5 && size < 1e16);
+    char digits[32];
+    const auto result =
+        std::to_chars(std::begin(digits), std::end(digits), value,
+                      plain ? std::chars_format::fixed : std::chars_format::scientific);
+    text.append(digits, result.ptr);
 }
 
 std::optional<std::int64_t> parse_integer(std::string_view text) {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Numbers as files write them, read the same in every locale.
+// Numbers as files write them, the same in every locale.
 #pragma once
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace stltsa::clip {
@@ -11,6 +12,9 @@ namespace stltsa::clip {
 /// The whole of `text` as a number, a leading '+' allowed. May be infinite or NaN ("nan", "inf",
 /// 1e999); what is too small for a double is 0. Nothing when it is no number.
 std::optional<double> parse_number(std::string_view text);
+
+/// Adds the shortest digits that read back to the same bits.
+void append_number(std::string& text, double value);
 
 std::optional<std::int64_t> parse_integer(std::string_view text);
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "clip/clip.hpp"
@@ -11,10 +12,13 @@
 
 namespace stltsa::clip {
 
-/// What the poses of one clip have in common. A pose vector holds, for every joint that turns, the
-/// logarithm (axis times angle, radians) of its rotation relative to its mean over the clip, the
-/// body root's with the yaw taken away, and the body root's height: small numbers, continuous over
-/// time, in which lines are poses.
+/// What the poses of one clip have in common. A pose vector holds
+/// - the height of the body root;
+/// - for every joint that turns, from the body root on, the logarithm (axis times angle, radians)
+///   of its rotation relative to its mean over the clip; the body root's in the world, with the yaw
+///   taken away;
+/// - the position channels below the body root that change over the clip (most clips have none).
+/// So they are small numbers, continuous over time, in which lines are poses.
 struct PoseCode {
     Format format = Format::bvh;
     Skeleton skeleton;
@@ -22,7 +26,9 @@ struct PoseCode {
     Axis up = Axis::y;
     double frame_time = 0;         ///< of the source clip; 0: 1 / fps
     std::vector<double> rest;      ///< a row of the clip: what poses do not say stays as it is here
-    std::vector<Quaternion> means; ///< per joint that turns, body root included
+    std::size_t root = 0;          ///< the body root (heading.hpp)
+    std::vector<Quaternion> means; ///< of turning_joints(skeleton, root)
+    std::vector<std::size_t> moves; ///< columns of the position channels in the vector
 
     std::int64_t size() const; ///< of a pose vector
 };
@@ -34,7 +40,12 @@ struct CodedPoses {
 };
 CodedPoses encode_poses(const Clip& clip, Axis up);
 
-/// A clip of these poses: the body root over the origin, at its height, yaw taken away.
+/// A clip of these poses: the body root over the origin, at its height, yaw taken away. Angles are
+/// the nearest to those of the row before, the first row's to `rest`.
 Clip decode_poses(const PoseCode& code, ConstMatrixView vectors, double fps);
+
+/// Features of decoded poses, column by column those of the clip that was encoded. (features()
+/// would look for the body root among these frames, and few frames may not show it.)
+Matrix pose_features(const PoseCode& code, const Clip& poses, Features kind);
 
 } // namespace stltsa::clip

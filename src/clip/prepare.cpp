@@ -6,13 +6,20 @@
 #include "linalg/gaussian.hpp"
 
 namespace stltsa::clip {
+namespace {
+
+std::int64_t dropped_frames(const Clip& clip, const Matrix& features, bool drop_tpose) {
+    return drop_tpose && clip.skeleton ? tpose_frames(features.view()) : 0;
+}
+
+} // namespace
+
 Prepared prepare(const Clip& clip, const PrepareOptions& options) {
     Prepared prepared;
     prepared.features = feature_kind(clip, options.features);
     prepared.up = clip.skeleton ? up_axis(clip, options.up) : Axis::automatic;
     const Matrix all = features(clip, prepared.features, prepared.up);
-    if (options.drop_tpose && clip.skeleton)
-        prepared.first = tpose_frames(all.view());
+    prepared.first = dropped_frames(clip, all, options.drop_tpose);
     // Without a frame rate seconds mean nothing: neither decimated nor smoothed.
     if (clip.fps > 0 && options.rate > 0)
         prepared.step = static_cast<std::int64_t>(
@@ -22,6 +29,16 @@ Prepared prepare(const Clip& clip, const PrepareOptions& options) {
         gaussian_smoothed(all.view().block(prepared.first, all.rows() - prepared.first),
                           options.smoothing * clip.fps, prepared.step);
     return prepared;
+}
+
+Matrix smoothed_features(const Clip& clip, Features kind, Axis up, double smoothing,
+                         bool drop_tpose) {
+    Matrix all = features(clip, kind, up);
+    const std::int64_t first = dropped_frames(clip, all, drop_tpose);
+    const Matrix smoothed =
+        gaussian_smoothed(all.view().block(first, all.rows() - first), smoothing * clip.fps);
+    std::copy_n(smoothed.data(), smoothed.rows() * smoothed.cols(), all.row(first));
+    return all;
 }
 
 } // namespace stltsa::clip

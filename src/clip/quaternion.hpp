@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <numbers>
 
 #include "clip/clip.hpp"
 
@@ -31,6 +32,10 @@ inline Quaternion axis_rotation(int axis, double radians) {
     return {c, axis == 0 ? s : 0, axis == 1 ? s : 0, axis == 2 ? s : 0};
 }
 
+inline double dot(const Vec3& a, const Vec3& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
 inline Vec3 cross(const Vec3& a, const Vec3& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
@@ -56,6 +61,26 @@ inline Vec3 rotate(const Quaternion& q, const Vec3& v) {
     const Vec3 u{q.x, q.y, q.z};
     const Vec3 t = 2 * cross(u, v);
     return v + q.w * t + cross(u, t);
+}
+
+/// The rotation about a vector by its length in radians: the exponential map.
+inline Quaternion rotation_by(const Vec3& vector) {
+    const double angle = norm(vector);
+    const double s = angle > 0 ? std::sin(angle / 2) / angle : 0.5;
+    return {std::cos(angle / 2), s * vector[0], s * vector[1], s * vector[2]};
+}
+
+/// The inverse, the logarithm: of the vectors that mean this rotation, which differ by whole turns,
+/// the one nearest to `near`.
+inline Vec3 rotation_vector(const Quaternion& q, const Vec3& near = {}) {
+    const Vec3 v{q.x, q.y, q.z};
+    const double size = norm(v);
+    if (size == 0)
+        return {};
+    constexpr double turn = 2 * std::numbers::pi;
+    const Vec3 axis = (1 / size) * v;
+    const double angle = 2 * std::atan2(size, q.w);
+    return (angle + turn * std::round((dot(axis, near) - angle) / turn)) * axis;
 }
 
 } // namespace stltsa::clip

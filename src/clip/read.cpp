@@ -7,10 +7,6 @@
 namespace stltsa::clip {
 namespace {
 
-/// AMC files carry no frame rate. The CMU database, where most of them come from, was captured at
-/// this one.
-constexpr double amc_fps = 120;
-
 std::optional<Format> format_of_suffix(const std::string& path) {
     struct Suffix {
         std::string_view text;
@@ -99,8 +95,10 @@ Clip parse(std::string_view bytes, Format format, const std::string& name,
     Clip clip = parse_format(bytes, format, shown, options);
     clip.path = name;
     clip.format = format;
-    if (options.fps > 0)
+    if (options.fps > 0) {
         clip.fps = options.fps;
+        clip.frame_time = 0;
+    }
     return clip;
 }
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
 #include "clip/formats.hpp"
 
 namespace stltsa::clip {
@@ -21,6 +23,26 @@ std::int64_t channel_count(const Skeleton& skeleton) {
     for (const Joint& joint : skeleton.joints)
         count += joint.channels.size();
     return static_cast<std::int64_t>(count);
+}
+
+std::vector<std::size_t> channel_begins(const Skeleton& skeleton) {
+    std::vector<std::size_t> begins;
+    std::size_t next = 0;
+    for (const Joint& joint : skeleton.joints) {
+        begins.push_back(next);
+        next += joint.channels.size();
+    }
+    return begins;
+}
+
+std::vector<std::size_t> turning_joints(const Skeleton& skeleton, std::size_t first) {
+    std::vector<std::size_t> joints;
+    for (std::size_t j = first; j < skeleton.joints.size(); ++j) {
+        const std::vector<Channel>& channels = skeleton.joints[j].channels;
+        if (std::any_of(channels.begin(), channels.end(), is_rotation))
+            joints.push_back(j);
+    }
+    return joints;
 }
 
 } // namespace stltsa::clip

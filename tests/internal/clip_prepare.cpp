@@ -160,6 +160,27 @@ void smoothing_does_not_see_dropped_frames(void**) {
             assert_true(prepared.samples(i, c) == expected(4 * i, c));
 }
 
+void features_of_all_frames_hold_the_samples(void**) {
+    for (const std::int64_t tpose : {0, 3})
+        for (const bool drop : {true, false}) {
+            const Clip clip = turning(201, 120, tpose);
+            PrepareOptions options;
+            options.drop_tpose = drop;
+            const auto prepared = prepare(clip, options);
+            const Matrix all = smoothed_features(clip, prepared.features, prepared.up,
+                                                 options.smoothing, options.drop_tpose);
+            const Matrix raw = features(clip, prepared.features, prepared.up);
+            assert_int_equal(all.rows(), 201);
+            assert_memory_equal(all.data(), raw.data(),
+                                static_cast<std::size_t>(prepared.first * all.cols()) *
+                                    sizeof(double));
+            for (std::int64_t i = 0; i < prepared.samples.rows(); ++i)
+                assert_memory_equal(all.row(prepared.first + i * prepared.step),
+                                    prepared.samples.row(i),
+                                    static_cast<std::size_t>(all.cols()) * sizeof(double));
+        }
+}
+
 void bare_matrices_have_no_tpose(void**) {
     std::vector<double> values(200, 0.0);
     for (std::size_t i = 1; i < 200; ++i)
@@ -183,6 +204,7 @@ int main() {
         cmocka_unit_test(smooths_by_a_gaussian),
         cmocka_unit_test(smoothing_keeps_constants_to_the_ends),
         cmocka_unit_test(smoothing_does_not_see_dropped_frames),
+        cmocka_unit_test(features_of_all_frames_hold_the_samples),
         cmocka_unit_test(bare_matrices_have_no_tpose),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);

@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "clip/features.hpp"
+#include "clip/pose_code.hpp"
+#include "clip/write.hpp"
 
 namespace {
 
@@ -106,6 +108,68 @@ void the_skeleton_of_another_is_found_or_asked_for(void**) {
     assert_int_equal(read_clip("13_30.amc", "86.asf").frames(), 2465);
 }
 
+double largest(const Matrix& matrix) {
+    double result = 0;
+    for (std::int64_t i = 0; i < matrix.rows() * matrix.cols(); ++i)
+        result = std::max(result, std::abs(matrix.data()[i]));
+    return result;
+}
+
+double largest_difference(const Matrix& a, const Matrix& b) {
+    assert_int_equal(a.rows(), b.rows());
+    assert_int_equal(a.cols(), b.cols());
+    double result = 0;
+    for (std::int64_t i = 0; i < a.rows() * a.cols(); ++i)
+        result = std::max(result, std::abs(a.data()[i] - b.data()[i]));
+    return result;
+}
+
+void are_the_same_after_writing(void**) {
+    const TemporaryFolder temporary;
+    for (const Expected& expected : clips) {
+        const Clip clip = read_clip(expected.name);
+        const std::string copy = temporary.path(expected.name);
+        write(clip, copy);
+        ReadOptions options;
+        if (clip.format == Format::amc)
+            options.skeleton = folder() + std::string(expected.name, 2) + ".asf";
+        const Clip again = stltsa::clip::read(copy, options);
+        assert_int_equal(again.frames(), clip.frames());
+        assert_memory_equal(again.values.data(), clip.values.data(),
+                            static_cast<std::size_t>(clip.frames() * clip.values.cols()) * 8);
+        assert_true(again.channel_names == clip.channel_names);
+        assert_true(again.fps == clip.fps && again.frame_time == clip.frame_time);
+        assert_true(largest_difference(positions(again), positions(clip)) == 0);
+    }
+}
+
+void amc_and_bvh_show_the_same_motion(void**) {
+    const TemporaryFolder temporary;
+    for (const char* name : {"35_01.amc", "02_03.amc", "86_01.amc"}) {
+        const Clip clip = read_clip(name);
+        write(clip, temporary.path("copy.bvh"));
+        const Clip bvh = stltsa::clip::read(temporary.path("copy.bvh"), {});
+        const double difference =
+            largest_difference(positions(bvh), positions(clip)) / largest(positions(clip));
+        print_message("%s: %.1e of the largest coordinate\n", name, difference);
+        assert_true(difference < 1e-12);
+    }
+}
+
+void poses_come_back_from_their_vectors(void**) {
+    for (const Expected& expected : clips) {
+        const Clip clip = read_clip(expected.name);
+        const CodedPoses coded = encode_poses(clip, Axis::automatic);
+        const Clip decoded = decode_poses(coded.code, coded.vectors.view(), clip.fps);
+        const Matrix wanted = features(clip, Features::positions, Axis::y);
+        const double difference =
+            largest_difference(features(decoded, Features::positions, Axis::y), wanted) /
+            largest(wanted);
+        print_message("%s: %.1e of the body's size\n", expected.name, difference);
+        assert_true(difference < 1e-12);
+    }
+}
+
 } // namespace
 
 int main() {
@@ -119,6 +183,9 @@ int main() {
         cmocka_unit_test(bones_keep_their_lengths),
         cmocka_unit_test(walkers_stand_upright_on_the_floor),
         cmocka_unit_test(the_skeleton_of_another_is_found_or_asked_for),
+        cmocka_unit_test(are_the_same_after_writing),
+        cmocka_unit_test(amc_and_bvh_show_the_same_motion),
+        cmocka_unit_test(poses_come_back_from_their_vectors),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

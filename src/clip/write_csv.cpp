@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
+#include "clip/csv_cells.hpp"
+#include "clip/number.hpp"
+#include "clip/text_cursor.hpp"
+#include "clip/write.hpp"
+
+namespace stltsa::clip {
+namespace {
+
+/// A name that reads back as one cell, whatever separates the cells.
+void append_name(std::string& text, std::string_view name) {
+    const auto plain = [](char c) {
+        return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ||
+               c == '.' || c == '_' || c == '-';
+    };
+    if (!name.empty() && std::all_of(name.begin(), name.end(), plain)) {
+        text += name;
+        return;
+    }
+    text += '"';
+    for (const char c : name)
+        text += c == '"' ? '\'' : c;
+    text += '"';
+}
+
+/// A line that would be taken for numbers is no header.
+bool can_be_header(const std::vector<std::string>& names) {
+    return std::any_of(names.begin(), names.end(),
+                       [](const std::string& name) { return !is_gap(name) && !parse_cell(name); });
+}
+
+/// Every column has a name, where one has.
+std::string header(const Clip& clip, bool with_time) {
+    std::vector<std::string> names;
+    if (with_time)
+        names.emplace_back("time");
+    for (std::int64_t c = 0; c < clip.values.cols(); ++c)
+        names.push_back(clip.channel_names.empty()
+                            ? format_text("{}", c + 1)
+                            : clip.channel_names[static_cast<std::size_t>(c)]);
+    std::string text;
+    if (!can_be_header(names))
+        return text;
+    for (const std::string& name : names) {
+        text += text.empty() ? "" : ",";
+        append_name(text, name);
+    }
+    // An empty cell at the end is taken for the end of a line that ends with a separator.
+    return text + (trim(names.back()).empty() ? ",\n" : "\n");
+}
+
+} // namespace
+
+std::string format_csv(const Clip& clip) {
+    // The reader finds the frame rate in the steps of time, so one row would not tell it.
+    const bool with_time = clip.fps > 0 && clip.frames() > 1;
+    std::string text = header(clip, with_time);
+    for (std::int64_t i = 0; i < clip.frames(); ++i) {
+        if (with_time) {
+            append_number(text, static_cast<double>(i) / clip.fps);
+            text += ',';
+        }
+        for (std::int64_t c = 0; c < clip.values.cols(); ++c) {
+            text += c == 0 ? "" : ",";
+            append_number(text, clip.values(i, c));
+        }
+        text += '\n';
+    }
+    return text;
+}
+
+} // namespace stltsa::clip
