@@ -18,4 +18,11 @@ double quantile(std::span<const double> values, double share) {
     return sorted[below] + (place - std::floor(place)) * (sorted[above] - sorted[below]);
 }
 
+double robust_deviation(std::span<const double> values) {
+    std::vector<double> sizes(values.size());
+    std::transform(values.begin(), values.end(), sizes.begin(),
+                   [](double value) { return std::abs(value); });
+    return 1.4826 * median(sizes);
+}
+
 } // namespace stltsa::motion

@@ -13,4 +13,8 @@ inline double median(std::span<const double> values) {
     return quantile(values, 0.5);
 }
 
+/// Standard deviation of noise about 0, a few spikes left out of account: 1.4826 times the median
+/// size (MAD).
+double robust_deviation(std::span<const double> values);
+
 } // namespace stltsa::motion
