@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "synthesis/hierarchy.hpp"
+
+#include <algorithm>
+
+#include "clip/quaternion.hpp"
+
+namespace stltsa::synthesis {
+namespace {
+
+using clip::Joint;
+using clip::Skeleton;
+
+/// Share of its length by which an offset may differ, and share of the longest one that is
+/// rounding in a file of few digits.
+constexpr double tolerance = 0.01;
+constexpr double rounding = 1e-4;
+
+constexpr const char* advice =
+    "; clips are joined that were recorded of, or retargeted to, one skeleton";
+
+double longest_offset(const Skeleton& skeleton) {
+    double longest = 0;
+    for (const Joint& joint : skeleton.joints)
+        longest = std::max(longest, clip::norm(joint.offset));
+    return longest;
+}
+
+bool same_axis(const clip::Quaternion& a, const clip::Quaternion& b) {
+    return std::abs(dot(a, b)) > 1 - 1e-9;
+}
+
+void check_joint(const Joint& a, const Joint& b, std::size_t index, const std::string& name) {
+    if (a.name != b.name || a.end_site != b.end_site)
+        fail(Status::unsupported, "{} has the joint \"{}\" where the first clip has \"{}\"{}", name,
+             b.name, a.name, advice);
+    if (a.parent != b.parent)
+        fail(Status::unsupported,
+             "joint {} (\"{}\") of {} hangs on another joint than in the first "
+             "clip{}",
+             index, b.name, name, advice);
+    if (a.channels != b.channels || !same_axis(a.axis, b.axis))
+        fail(Status::unsupported, "joint \"{}\" of {} has other channels than in the first clip{}",
+             b.name, name, advice);
+}
+
+/// Over 1: too different. The root's offset says nothing where channels replace it.
+double offset_difference(const Skeleton& a, const Skeleton& b, std::size_t j, double longest) {
+    const Joint& first = a.joints[j];
+    if (first.parent < 0 && !first.channels.empty())
+        return 0;
+    const double length = std::max(clip::norm(first.offset), clip::norm(b.joints[j].offset));
+    const double allowed = std::max(tolerance * length, rounding * longest);
+    return allowed > 0 ? clip::norm(clip::operator-(first.offset, b.joints[j].offset)) / allowed
+                       : 0;
+}
+
+} // namespace
+
+std::string check_same_body(const clip::Clip& first, const clip::Clip& other,
+                            const std::string& name) {
+    const Skeleton& a = *first.skeleton;
+    const Skeleton& b = *other.skeleton;
+    if (a.joints.size() != b.joints.size())
+        fail(Status::unsupported, "{} has {} joints, the first clip has {}{}", name,
+             b.joints.size(), a.joints.size(), advice);
+    if (a.fixed_axes != b.fixed_axes || a.translations_add != b.translations_add)
+        fail(Status::unsupported, "{} is of another format than the first clip{}", name, advice);
+    const double longest = longest_offset(a);
+    std::string differs;
+    double most = tolerance * rounding;
+    for (std::size_t j = 0; j < a.joints.size(); ++j) {
+        check_joint(a.joints[j], b.joints[j], j, name);
+        const double difference = offset_difference(a, b, j, longest);
+        if (difference > 1)
+            fail(Status::unsupported,
+                 "joint \"{}\" of {} has an offset that differs by more than "
+                 "1 % from the first clip's{}",
+                 b.joints[j].name, name, advice);
+        if (difference > most) {
+            most = difference;
+            differs = b.joints[j].name;
+        }
+    }
+    return differs;
+}
+
+} // namespace stltsa::synthesis

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a synthesis works on: the clips brought to one body and one frame rate.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "synthesis/plan.hpp"
+#include "synthesis/synthesis.hpp"
+
+namespace stltsa::synthesis {
+
+struct Material {
+    Body body;
+    clip::Axis up;
+    std::vector<Track> tracks; ///< one per clip
+    std::vector<Part> parts;   ///< one per piece
+    std::vector<std::string> warnings;
+};
+
+/// Checks the pieces, at least one, and makes their tracks.
+Material prepare_material(std::span<const Piece> pieces, clip::Axis up, const Progress& progress);
+
+} // namespace stltsa::synthesis

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// From pieces to the stretches that are played one after another.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "synthesis/track.hpp"
+
+namespace stltsa::synthesis {
+
+/// A piece on its track.
+struct Part {
+    std::size_t track = 0;
+    std::int64_t begin = 0;
+    std::int64_t end = 0;
+    std::int64_t repeat = 1;
+};
+
+/// Frames of one track that are played without a seam: pieces that follow each other.
+struct Run {
+    std::size_t track = 0;
+    std::int64_t begin = 0;
+    std::int64_t end = 0;
+    std::int64_t first_piece = 0;
+    std::int64_t last_piece = 0;
+};
+
+/// At least one run; a seam lies between each two.
+std::vector<Run> make_runs(std::span<const Part> parts);
+
+} // namespace stltsa::synthesis

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "synthesis/seams.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "synthesis/likeness.hpp"
+
+namespace stltsa::synthesis {
+namespace {
+
+/// Of the cycle that is repeated; seconds where clips join.
+constexpr double crossfade_share = 0.1;
+constexpr double search_share = 0.1;
+constexpr double crossfade_s = 0.15;
+constexpr double search_s = 0.5;
+/// A difference in velocity counts as what it grows to in this share of a cycle.
+constexpr double velocity_share = 0.1;
+/// Where nothing repeats: about a cycle of gait.
+constexpr double usual_cycle_s = 1;
+
+/// The option, or what is chosen for it, in frames.
+std::int64_t frames_of(double option, double chosen, double fps) {
+    return std::llround((option < 0 ? chosen : option) * fps);
+}
+
+/// Of two periods of which either may be missing.
+double shorter(double a, double b) {
+    return a > 0 && b > 0 ? std::min(a, b) : std::max(a, b);
+}
+
+/// A repeated stretch is a whole number of cycles.
+double cycle_of(double seconds, double period) {
+    return seconds / std::max(1.0, std::round(seconds / period));
+}
+
+class Chooser {
+  public:
+    Chooser(std::span<const Track> tracks, std::span<const Part> parts, const Options& options,
+            const Progress& progress)
+        : tracks_(tracks), parts_(parts), options_(options), progress_(progress) {}
+
+    ChosenCut between(const Run& earlier, const Run& later) const {
+        const bool repeats = earlier.last_piece == later.first_piece;
+        return repeats ? repetition(part(earlier.last_piece)) : meeting(earlier, later);
+    }
+
+  private:
+    const Part& part(std::int64_t piece) const { return parts_[static_cast<std::size_t>(piece)]; }
+
+    ChosenCut repetition(const Part& part) const {
+        const Track& track = tracks_[part.track];
+        const std::int64_t length = part.end - part.begin;
+        const double seconds = static_cast<double>(length) / track.fps;
+        const double period = period_near(track, part.begin, part.end);
+        const double cycle = cycle_of(seconds, period > 0 ? period : usual_cycle_s);
+        const double velocity_s = velocity_share * cycle;
+        const Join join{&track, &track, part.end, part.begin, length, length, true};
+        ChosenCut chosen = choose(join, crossfade_share * cycle, search_share * cycle, velocity_s);
+        set_posture(chosen, repetition_distance(track, part.begin, part.end, period, velocity_s));
+        return chosen;
+    }
+
+    ChosenCut meeting(const Run& a, const Run& b) const {
+        const Track& earlier = tracks_[a.track];
+        const Track& later = tracks_[b.track];
+        const double period_a = period_near(earlier, a.begin, a.end);
+        const double period_b = period_near(later, b.begin, b.end);
+        const double cycle = shorter(period_a, period_b);
+        const double velocity_s = velocity_share * (cycle > 0 ? cycle : usual_cycle_s);
+        const Join join{&earlier, &later, a.end, b.begin, a.end - a.begin, b.end - b.begin, false};
+        ChosenCut chosen = choose(join, crossfade_s, search_s, velocity_s);
+        set_posture(chosen, (repetition_distance(earlier, a.begin, a.end, period_a, velocity_s) +
+                             repetition_distance(later, b.begin, b.end, period_b, velocity_s)) /
+                                2);
+        return chosen;
+    }
+
+    ChosenCut choose(const Join& join, double crossfade, double search, double velocity_s) const {
+        const double fps = join.earlier->fps;
+        const CutOptions options{frames_of(options_.search, search, fps),
+                                 frames_of(options_.crossfade, crossfade, fps), velocity_s};
+        return {find_cut(join, options, progress_), options.crossfade, 0};
+    }
+
+    static void set_posture(ChosenCut& chosen, double common) {
+        chosen.posture = chosen.cut.distance > 0 ? chosen.cut.distance / common : 0;
+    }
+
+    std::span<const Track> tracks_;
+    std::span<const Part> parts_;
+    const Options& options_;
+    const Progress& progress_;
+};
+
+} // namespace
+
+std::vector<ChosenCut> choose_cuts(std::span<const Track> tracks, std::span<const Part> parts,
+                                   std::span<const Run> runs, const Options& options,
+                                   const Progress& progress) {
+    const Chooser chooser(tracks, parts, options, progress);
+    std::vector<ChosenCut> cuts;
+    for (std::size_t i = 0; i + 1 < runs.size(); ++i) {
+        const bool same_as_before = i > 0 && runs[i - 1].last_piece == runs[i].first_piece &&
+                                    runs[i].last_piece == runs[i + 1].first_piece &&
+                                    runs[i].first_piece == runs[i].last_piece;
+        cuts.push_back(same_as_before ? cuts.back() : chooser.between(runs[i], runs[i + 1]));
+    }
+    return cuts;
+}
+
+} // namespace stltsa::synthesis

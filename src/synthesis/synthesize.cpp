@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
+#include "synthesis/material.hpp"
+#include "synthesis/measures.hpp"
+#include "synthesis/seams.hpp"
+#include "synthesis/splice.hpp"
+#include "synthesis/synthesis.hpp"
+
+namespace stltsa::synthesis {
+namespace {
+
+/// From here on a seam may be seen.
+constexpr double visible_step = 1.4;
+constexpr double visible_acceleration = 3;
+
+/// The first clip in all but its motion.
+clip::Clip empty_clip(const clip::Clip& first) {
+    clip::Clip made;
+    made.format = first.format;
+    made.fps = first.fps;
+    made.frame_time = first.frame_time;
+    made.skeleton = first.skeleton;
+    made.channel_names = first.channel_names;
+    return made;
+}
+
+class Synthesizer {
+  public:
+    Synthesizer(Material material, const Options& options, const Progress& progress)
+        : material_(std::move(material)), options_(options), progress_(progress),
+          runs_(make_runs(material_.parts)),
+          cuts_(choose_cuts(material_.tracks, material_.parts, runs_, options, progress)) {
+        result_.warnings = material_.warnings;
+        result_.up = material_.up;
+    }
+
+    Synthesis make(const clip::Clip& first) {
+        const std::int64_t frames = place_seams();
+        for (const Seam& seam : result_.seams)
+            check_posture(seam);
+        result_.clip = empty_clip(first);
+        result_.clip.values = splice(frames);
+        measure_seams();
+        for (std::size_t i = 0; i < result_.seams.size(); ++i)
+            warn_of(i);
+        return std::move(result_);
+    }
+
+  private:
+    const Track& track(std::size_t run) const { return material_.tracks[runs_[run].track]; }
+    /// Frames of a run between the cuts at its ends.
+    std::int64_t start(std::size_t run) const {
+        return run == 0 ? runs_[run].begin : cuts_[run - 1].cut.begin;
+    }
+    std::int64_t stop(std::size_t run) const {
+        return run == cuts_.size() ? runs_[run].end : cuts_[run].cut.end;
+    }
+
+    /// Returns the frames of the new clip.
+    std::int64_t place_seams() {
+        std::int64_t frames = stop(0) - start(0);
+        for (std::size_t i = 0; i < cuts_.size(); ++i) {
+            const Cut& cut = cuts_[i].cut;
+            result_.seams.push_back({frames, runs_[i].last_piece, runs_[i + 1].first_piece, cut.end,
+                                     cut.begin, cut.crossfade, cuts_[i].posture, 0, 0});
+            frames += stop(i + 1) - start(i + 1);
+        }
+        return frames;
+    }
+
+    std::string where(const Seam& seam) const {
+        return format_text("the seam at frame {}, from frame {} of {} to frame {} of {}",
+                           seam.frame, seam.cut_end, piece_track(seam.piece).name, seam.cut_begin,
+                           piece_track(seam.next).name);
+    }
+
+    const Part& part(std::int64_t piece) const {
+        return material_.parts[static_cast<std::size_t>(piece)];
+    }
+    const Track& piece_track(std::int64_t piece) const {
+        return material_.tracks[part(piece).track];
+    }
+
+    void check_posture(const Seam& seam) const {
+        if (options_.posture_limit > 0 && seam.posture > options_.posture_limit)
+            fail(
+                Status::no_common_posture,
+                "at {}, where pieces[{}] and pieces[{}] meet, the postures are {:.1f} times as far "
+                "apart as those of repetitions of one motion are, over the limit of {}: choose "
+                "pieces that meet in a posture, raise the option search or posture_limit, or put "
+                "a piece between them",
+                where(seam), seam.piece, seam.next, seam.posture, options_.posture_limit);
+    }
+
+    Matrix splice(std::int64_t frames) const {
+        Splicer splicer(material_.body, frames);
+        std::int64_t crossed = 0; ///< frames of a run that the crossfade before it has covered
+        for (std::size_t i = 0; i < runs_.size(); ++i) {
+            progress_.report(Stage::synthesis,
+                             static_cast<double>(i) / static_cast<double>(runs_.size()));
+            const bool last = i == cuts_.size();
+            const std::int64_t covered = last ? 0 : cuts_[i].cut.crossfade;
+            splicer.play(track(i), start(i) + crossed, stop(i) - covered);
+            if (!last)
+                splicer.cross(track(i), track(i + 1), cuts_[i].cut);
+            crossed = covered;
+        }
+        return splicer.take();
+    }
+
+    Roughness usual(std::int64_t piece) const {
+        return usual_roughness(piece_track(piece), part(piece).begin, part(piece).end);
+    }
+
+    void measure_seams() {
+        const Track made =
+            make_track(material_.body, result_.clip.values, result_.clip.fps, "the new clip");
+        std::vector<Roughness> pieces;
+        for (std::size_t p = 0; p < material_.parts.size(); ++p)
+            pieces.push_back(usual(static_cast<std::int64_t>(p)));
+        for (Seam& seam : result_.seams) {
+            const Roughness& a = pieces[static_cast<std::size_t>(seam.piece)];
+            const Roughness& b = pieces[static_cast<std::size_t>(seam.next)];
+            const Roughness found = roughness_near(made, seam.frame);
+            seam.step = ratio(found.step, std::max(a.step, b.step));
+            seam.acceleration = ratio(found.acceleration, std::max(a.acceleration, b.acceleration));
+        }
+    }
+
+    static double ratio(double found, double usual) { return found > 0 ? found / usual : 0; }
+
+    void warn_of(std::size_t i) {
+        const Seam& seam = result_.seams[i];
+        const auto warn = [&](const std::string& text) {
+            result_.warnings.push_back(format_text("{}: {}", where(seam), text));
+        };
+        if (options_.posture_limit > 0 && seam.posture > options_.posture_limit / 2)
+            warn(format_text("the postures are {:.1f} times as far apart as those of repetitions",
+                             seam.posture));
+        if (seam.step > visible_step)
+            warn(format_text("the body moves {:.1f} times as fast as it usually does at most",
+                             seam.step));
+        if (seam.acceleration > visible_acceleration)
+            warn(
+                format_text("the body is accelerated {:.1f} times as much as it usually is at most",
+                            seam.acceleration));
+        if (seam.crossfade == 0 && cuts_[i].wanted_crossfade > 0)
+            warn("nothing is blended, as the clips have no frames beyond the cuts");
+    }
+
+    Material material_;
+    const Options& options_;
+    const Progress& progress_;
+    std::vector<Run> runs_;
+    std::vector<ChosenCut> cuts_;
+    Synthesis result_;
+};
+
+} // namespace
+
+Synthesis synthesize(std::span<const Piece> pieces, const Options& options,
+                     const Progress& progress) {
+    Synthesizer synthesizer(prepare_material(pieces, options.up, progress), options, progress);
+    return synthesizer.make(*pieces[0].clip);
+}
+
+} // namespace stltsa::synthesis
