@@ -166,13 +166,13 @@ enum {
     STLTSA_GAMMA = 25,       /* real  gamma of section 3.2, in units of the coordinate; -1: one
                                       robust standard deviation of the residuals */
     STLTSA_KNOTS = 26,       /* real  denoise: seconds (rows where the rate is unknown) between
-                                      knots; 0: an eighth of the period, else 4 rows */
+                                      knots; 0: a tenth of the period, else 2 rows */
     STLTSA_ROBUST = 27,      /* int   denoise: 1: spikes do not pull at the curve */
-    STLTSA_CROSSFADE = 28,   /* real  synthesize: seconds to each side of a seam; -1: 0.06 of a
-                                      repeated stretch, 0.15 s where clips join */
+    STLTSA_CROSSFADE = 28,   /* real  synthesize: seconds to each side of a seam; -1: a tenth of the
+                                      cycle that is repeated, 0.15 s where clips join */
     STLTSA_SEARCH = 29,      /* real  synthesize: seconds by which a cut may move to find a common
-                                      posture; -1: a tenth of a repeated stretch, half a second
-                                      where clips join */
+                                      posture; -1: a tenth of the cycle that is repeated, half
+                                      a second where clips join */
     STLTSA_POSTURE_LIMIT = 30 /* real synthesize: largest distance of the postures at a seam, over
                                       what is common between a motion's own repetitions; 0: none */
 };
@@ -307,7 +307,8 @@ STLTSA_API void stltsa_string_free(char *text) STLTSA_NOEXCEPT;
 
 /* Writes a clip, whole or not at all. The format is told by the suffix: .bvh (any skeleton: its
  * hierarchy, channel order, units and frame time), .amc (only what was read from AMC; the ASF file
- * stays as it is), .csv, .npy (the numbers of any clip). Numbers read back to the same bits.
+ * stays as it is), .csv, .npy (the numbers of any clip; CSV with a first column of time where the
+ * frame rate is known). Numbers read back to the same bits.
  * E_ARGUMENT (another suffix), E_UNSUPPORTED (the clip has no skeleton, or none of that kind, or no
  * frame rate where the format needs one), E_IO. */
 STLTSA_API stltsa_status stltsa_clip_save(const stltsa_clip *clip,
@@ -518,7 +519,8 @@ STLTSA_API stltsa_status stltsa_decomposition_json(const stltsa_decomposition *d
  * frames    rows x features of the model, finite
  * hints     NULL, or for each row the model row near which it is looked for (within
  *           STLTSA_HINT_WINDOW rows of the same clip), -1: everywhere. For a stream: the nearest
- *           row of the frame before, plus one.
+ *           row of the frame before, plus a small STLTSA_HINT_WINDOW, so that time never runs
+ *           back.
  * coords    rows x d
  * distance  NULL, or rows x 1: distance from the fitted frames over STLTSA_MODEL_SUPPORT. Beyond 1
  *           the frame is unlike what was learned, and its coordinates mean little.

@@ -7,6 +7,7 @@
 #include "capi/guard.hpp"
 #include "capi/handles.hpp"
 #include "capi/options.hpp"
+#include "clip/write.hpp"
 #include "ltsa/frames.hpp"
 
 using namespace stltsa;
@@ -172,6 +173,10 @@ stltsa_status stltsa_clip_json(const stltsa_clip* clip, char** json) noexcept {
         required(json, "json") = nullptr;
         *json = capi::caller_string(capi::clip_json(required(clip, "clip").clip));
     });
+}
+
+stltsa_status stltsa_clip_save(const stltsa_clip* clip, const char* path) noexcept {
+    return guard([&] { clip::write(required(clip, "clip").clip, &required(path, "path")); });
 }
 
 void stltsa_string_free(char* text) noexcept {

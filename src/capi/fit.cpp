@@ -6,6 +6,7 @@
 
 #include "capi/arrays.hpp"
 #include "capi/guard.hpp"
+#include "capi/mapping.hpp"
 #include "capi/source.hpp"
 #include "ltsa/frames.hpp"
 
@@ -26,6 +27,18 @@ std::unique_ptr<stltsa_model> fit_samples(ConstMatrixView samples,
     model->model = ltsa::fit(samples, lengths, parameters, options.progress());
     model->source = std::move(source);
     return model;
+}
+
+/// `frames`: those that were fitted.
+void keep_frames(stltsa_model& model, Matrix frames) {
+    model.kept.frames = std::move(frames);
+    capi::prepare_mapping(model);
+}
+
+Matrix copied(ConstMatrixView view) {
+    Matrix copy(view.rows, view.cols);
+    std::copy_n(view.data, view.rows * view.cols, copy.data());
+    return copy;
 }
 
 std::int64_t sum_over_components(const stltsa_model& model, std::int64_t ltsa::Component::*field) {
@@ -101,6 +114,8 @@ double real_of(const stltsa_model& model, int32_t key) {
         return model.source.samples.fps;
     case STLTSA_MODEL_PERIOD:
         return model.source.period.period;
+    case STLTSA_MODEL_SUPPORT:
+        return model.mapping ? model.mapping->support() : 0;
     default:
         fail(Status::argument, "{} is no real key of a model", key);
     }
@@ -114,9 +129,11 @@ stltsa_status stltsa_fit(const stltsa_in* frames, const int64_t* lengths, int64_
         required(model, "model") = nullptr;
         const capi::InputFrames input(frames, "frames");
         const capi::OptionsReader reader(options);
-        *model = fit_samples(input.view(), capi::clip_lengths(lengths, clips, input.view().rows),
-                             reader, capi::matrix_source(input.view(), reader))
-                     .release();
+        auto made = fit_samples(input.view(), capi::clip_lengths(lengths, clips, input.view().rows),
+                                reader, capi::matrix_source(input.view(), reader));
+        if (reader.integer(STLTSA_KEEP_FRAMES) != 0)
+            keep_frames(*made, copied(input.view()));
+        *model = made.release();
     });
 }
 
@@ -126,9 +143,14 @@ stltsa_status stltsa_fit_clip(const stltsa_clip* clip, const stltsa_options* opt
         required(model, "model") = nullptr;
         const capi::OptionsReader reader(options);
         auto prepared = capi::prepare_clip(required(clip, "clip"), reader);
-        *model = fit_samples(prepared.samples.view(), {prepared.samples.rows()}, reader,
-                             std::move(prepared.source))
-                     .release();
+        auto made = fit_samples(prepared.samples.view(), {prepared.samples.rows()}, reader,
+                                std::move(prepared.source));
+        if (reader.integer(STLTSA_KEEP_FRAMES) != 0) {
+            made->kept.drop_tpose = reader.integer(STLTSA_KEEP_START) == 0;
+            capi::keep_poses(*made, clip->clip);
+            keep_frames(*made, std::move(prepared.samples));
+        }
+        *model = made.release();
     });
 }
 

@@ -2,12 +2,16 @@
 // What stands behind the opaque handles of stltsa.h.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "capi/json.hpp"
+#include "capi/json_synthesis.hpp"
 #include "clip/clip.hpp"
+#include "clip/pose_code.hpp"
 #include "ltsa/dimension.hpp"
+#include "ltsa/mapping.hpp"
 #include "ltsa/model.hpp"
 #include "motion/decompose.hpp"
 #include "stltsa.h"
@@ -24,6 +28,15 @@ struct Source {
     const ClipFacts* clip_or_null() const { return from_clip ? &clip : nullptr; }
 };
 
+/// What a model keeps of its source so that it can map.
+struct Kept {
+    Matrix frames;          ///< as they were fitted, a row of the model each; empty: cannot map
+    bool drop_tpose = true; ///< of clips that are mapped, as it was of the one that was fitted
+    bool has_poses = false; ///< fitted to a clip with a skeleton: the next two are there
+    clip::PoseCode code;
+    Matrix poses; ///< pose vectors, a row of the model each
+};
+
 /// A copy of a text that the caller frees with stltsa_string_free.
 char* caller_string(const std::string& text);
 
@@ -36,6 +49,9 @@ struct stltsa_clip {
 struct stltsa_model {
     stltsa::ltsa::Model model;
     stltsa::capi::Source source;
+    stltsa::capi::Kept kept;
+    /// Follows from the rest and looks into it: capi::prepare_mapping() makes it.
+    std::optional<stltsa::ltsa::Mapping> mapping;
 };
 
 struct stltsa_dimension_result {
@@ -50,4 +66,21 @@ struct stltsa_decomposition {
     stltsa::capi::Source source;
     std::vector<stltsa_interval> units;
     std::vector<stltsa_interval> cycles;
+};
+
+struct stltsa_denoising {
+    stltsa::motion::Denoised result;
+    stltsa::motion::DenoiseOptions options; ///< as used
+    std::vector<std::int64_t> lengths;      ///< rows that each spline goes through
+    stltsa::capi::Source source;
+    stltsa::capi::PeriodFacts period; ///< that the knots rest on
+    std::optional<stltsa::ltsa::Parameters> fit; ///< none: the coordinates were given
+    std::vector<std::string> warnings;           ///< of that fit
+};
+
+struct stltsa_synthesis {
+    stltsa::synthesis::Synthesis result; ///< without its clip, which is the next member
+    stltsa_clip clip;
+    stltsa::synthesis::Options options;
+    std::vector<stltsa::capi::PieceFacts> pieces;
 };

@@ -13,6 +13,7 @@
 #include "ltsa/dimension.hpp"
 #include "ltsa/model.hpp"
 #include "motion/decompose.hpp"
+#include "motion/denoise.hpp"
 #include "stltsa.h"
 
 namespace stltsa::capi {
@@ -71,9 +72,22 @@ struct DecompositionFacts {
     const ltsa::Dimension* dimension = nullptr; ///< nullptr: not estimated
 };
 
+struct DenoisingFacts {
+    const ClipFacts* clip = nullptr; ///< nullptr: coordinates without a clip
+    SampleFacts samples;
+    PeriodFacts period;                    ///< that the knots rest on
+    const ltsa::Parameters* fit = nullptr; ///< nullptr: the coordinates were given
+    PeriodFacts fit_period;                ///< that its neighbors rest on
+    motion::DenoiseOptions options;        ///< as used
+    std::span<const std::int64_t> lengths; ///< rows that each spline goes through
+    const motion::Denoised* denoised = nullptr;
+    std::span<const std::string> warnings; ///< of the fit
+};
+
 std::string clip_json(const clip::Clip& clip);
 std::string model_json(const ModelFacts& facts);
 std::string dimension_json(const DimensionFacts& facts);
 std::string decomposition_json(const DecompositionFacts& facts);
+std::string denoising_json(const DenoisingFacts& facts);
 
 } // namespace stltsa::capi

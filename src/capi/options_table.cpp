@@ -86,18 +86,18 @@ constexpr stltsa_option_info rows[] = {
          "one robust standard deviation.",
          -1, 1e300, -1),
     real(STLTSA_KNOTS, "knots",
-         "Seconds between the knots of the smooth curve, rows where the rate is unknown; 0: an "
-         "eighth of the period, else 4 rows.",
+         "Seconds between the knots of the smooth curve, rows where the rate is unknown; 0: a "
+         "tenth of the period, else 2 rows.",
          0, 1e6, 0),
     whole(STLTSA_ROBUST, "robust", "Fit the smooth curve so that spikes do not pull at it.", 0, 1,
           1),
     real(STLTSA_CROSSFADE, "crossfade",
-         "Seconds to each side of a seam that are blended; -1: 0.06 of a repeated stretch, 0.15 "
-         "where clips join.",
+         "Seconds to each side of a seam that are blended; -1: a tenth of the cycle that is "
+         "repeated, 0.15 where clips join.",
          -1, 60, -1),
     real(STLTSA_SEARCH, "search",
-         "Seconds by which a cut may move to find a common posture; -1: a tenth of a repeated "
-         "stretch, 0.5 where clips join.",
+         "Seconds by which a cut may move to find a common posture; -1: a tenth of the cycle "
+         "that is repeated, 0.5 where clips join.",
          -1, 3600, -1),
     real(STLTSA_POSTURE_LIMIT, "posture_limit",
          "Largest distance of the postures at a seam, over what is common between repetitions of "

@@ -8,9 +8,13 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <new>
 #include <string>
 #include <vector>
+
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include "stltsa.h"
 
@@ -109,6 +113,88 @@ stltsa_status decompose(const std::string& input) {
     return status;
 }
 
+/// A clip written to files; nothing else may be left in their folder.
+stltsa_status save(const std::string&) {
+    static const std::string bvh =
+        "HIERARCHY\nROOT hip\n{\nOFFSET 0 0 0\nCHANNELS 3 Zrotation Xrotation Yrotation\n"
+        "JOINT a joint of a long name\n{\nOFFSET 0 1 0\nCHANNELS 1 Xrotation\nEnd Site\n{\n"
+        "OFFSET 0 1 0\n}\n}\n}\nMOTION\nFrames: 2\nFrame Time: 0.01\n1 2 3 4\n1 2 3 5\n";
+    static const std::string folder =
+        std::filesystem::temp_directory_path() / ("stltsa-oom-" + std::to_string(::getpid()));
+    static const std::string paths[] = {folder + "/a.bvh", folder + "/a.csv", folder + "/a.npy"};
+    stltsa_clip* clip = nullptr;
+    stltsa_status status =
+        stltsa_clip_parse(bvh.data(), bvh.size(), STLTSA_FORMAT_BVH, nullptr, &clip);
+    ::mkdir(folder.c_str(), 0777);
+    for (const std::string& path : paths) {
+        if (status == STLTSA_OK)
+            status = stltsa_clip_save(clip, path.c_str());
+        ::unlink(path.c_str());
+    }
+    stltsa_clip_free(clip);
+    return ::rmdir(folder.c_str()) == 0 ? status : 1;
+}
+
+/// A swing with two joints, 40 frames of 30 a second.
+std::string swinging_bvh() {
+    std::string text =
+        "HIERARCHY\nROOT hip\n{\nOFFSET 0 0 0\nCHANNELS 3 Zrotation Xrotation Yrotation\n"
+        "JOINT knee\n{\nOFFSET 0 -1 0\nCHANNELS 1 Xrotation\nEnd Site\n{\nOFFSET 0 -1 0\n}\n}\n}\n"
+        "MOTION\nFrames: 40\nFrame Time: 0.0333333\n";
+    for (int i = 0; i < 40; ++i)
+        for (int c = 0; c < 4; ++c)
+            text += std::to_string(20 * std::sin(2 * M_PI * i / 15.0 + c) + 0.1 * i) +
+                    (c < 3 ? " " : "\n");
+    return text;
+}
+
+const stltsa_clip* swinging() {
+    static stltsa_clip* clip = [] {
+        const std::string bvh = swinging_bvh();
+        stltsa_clip* made = nullptr;
+        stltsa_clip_parse(bvh.data(), bvh.size(), STLTSA_FORMAT_BVH, nullptr, &made);
+        return made;
+    }();
+    return clip;
+}
+
+/// A model that keeps frames and poses.
+stltsa_status fit_clip(const std::string&) {
+    stltsa_model* model = nullptr;
+    stltsa_status status = stltsa_fit_clip(swinging(), nullptr, &model);
+    if (status != STLTSA_OK && model != nullptr)
+        status = 1;
+    stltsa_model_free(model);
+    return status;
+}
+
+/// To the curve and back, to features and to poses.
+stltsa_status map(const std::string&) {
+    static const stltsa_model* model = [] {
+        stltsa_model* made = nullptr;
+        stltsa_fit_clip(swinging(), nullptr, &made);
+        return made;
+    }();
+    double coords[40][2], frames[3][9], distance[40];
+    std::int64_t nearest[40];
+    const stltsa_in points = {coords[7], 3, 2, 0, 0, STLTSA_F64, 0};
+    const stltsa_out coords_out = {coords, 40, 2, 0, 0, STLTSA_F64, 0};
+    const stltsa_out frames_out = {frames, 3, 9, 0, 0, STLTSA_F64, 0};
+    const stltsa_out distance_out = {distance, 40, 1, 0, 0, STLTSA_F64, 0};
+    stltsa_clip* poses = nullptr;
+    stltsa_status status =
+        stltsa_map_clip(model, swinging(), nullptr, &coords_out, &distance_out, nearest);
+    coords[7][0] += 0.01; // off the rows, so that there is something to blend
+    if (status == STLTSA_OK)
+        status = stltsa_unmap(model, &points, nullptr, nullptr, &frames_out, nullptr, nullptr);
+    if (status == STLTSA_OK)
+        status = stltsa_unmap_clip(model, &points, nearest, nullptr, nullptr, nullptr, &poses);
+    if (status != STLTSA_OK && poses != nullptr)
+        status = 1;
+    stltsa_clip_free(poses);
+    return status;
+}
+
 stltsa_status fit_mode(std::int64_t mode) {
     static double frames[200][4];
     for (int i = 0; i < 200; ++i)
@@ -137,6 +223,30 @@ stltsa_status fit_temporal(const std::string&) {
 stltsa_status fit_spatial(const std::string&) {
     const stltsa_status status = fit_mode(STLTSA_MODE_SPATIAL);
     return status == STLTSA_E_UNSUPPORTED ? STLTSA_OK : status; // a build without CHOLMOD
+}
+
+stltsa_status denoise(const std::string&) {
+    static double coords[200][2];
+    for (int i = 0; i < 200; ++i)
+        for (int c = 0; c < 2; ++c)
+            coords[i][c] = std::sin(0.2 * i + c) + 0.1 * std::sin(37.0 * i * i);
+    const stltsa_in in = {coords, 200, 2, 0, 0, STLTSA_F64, 0};
+    stltsa_options* options = nullptr;
+    stltsa_denoising* denoising = nullptr;
+    char* json = nullptr;
+    stltsa_status status = stltsa_options_new(&options);
+    if (status == STLTSA_OK)
+        status = stltsa_options_set_real(options, STLTSA_FPS, 30);
+    if (status == STLTSA_OK)
+        status = stltsa_denoise(&in, nullptr, 1, options, &denoising);
+    if (status == STLTSA_OK)
+        status = stltsa_denoising_json(denoising, &json);
+    else if (denoising != nullptr)
+        status = 1;
+    stltsa_string_free(json);
+    stltsa_denoising_free(denoising);
+    stltsa_options_free(options);
+    return status;
 }
 
 /// Fails allocation 0, 1, 2, ... until one run succeeds; false on any wrong answer.
@@ -174,8 +284,10 @@ bool survives(const Work& work, const std::string& input) {
 } // namespace
 
 int main() {
-    const Work works[] = {
-        {"decompose", decompose}, {"fit temporal", fit_temporal}, {"fit spatial", fit_spatial}};
+    const Work works[] = {{"decompose", decompose},    {"save", save},
+                          {"fit clip", fit_clip},      {"map", map},
+                          {"denoise", denoise},        {"fit temporal", fit_temporal},
+                          {"fit spatial", fit_spatial}};
     const std::string input = cyclic_csv();
     bool good = true;
     for (const Work& work : works)

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Values to bytes and back: little-endian, of fixed widths, in the order in which they are named,
+// so that one function names them for both ways.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <concepts>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+#include "base/error.hpp"
+#include "linalg/matrix.hpp"
+
+namespace stltsa::capi {
+
+/// What stands for itself: numbers, truth values and enumerations.
+template <class T>
+concept Scalar = std::is_arithmetic_v<T> || std::is_enum_v<T>;
+
+/// Unsigned bits that hold a scalar in the file: enumerations by their type, truth values as 0
+/// or 1.
+template <Scalar T>
+using BitsOf = std::conditional_t<sizeof(T) == 1, std::uint8_t,
+                                  std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>>;
+
+class ArchiveWriter {
+  public:
+    template <class... Values>
+    void operator()(const Values&... values) {
+        (put(values), ...);
+    }
+    /// Elements that are no scalars: `each(archive, element)` names their parts.
+    template <class T, class Each>
+    void list(const std::vector<T>& values, const Each& each) {
+        put_size(values.size());
+        for (const T& value : values)
+            each(*this, value);
+    }
+
+    const std::string& bytes() const { return bytes_; }
+    std::string& bytes() { return bytes_; }
+
+  private:
+    template <Scalar T>
+    void put(T value) {
+        auto bits = std::bit_cast<BitsOf<T>>(value);
+        for (std::size_t byte = 0; byte < sizeof bits; ++byte)
+            bytes_ += static_cast<char>((bits >> (8 * byte)) & 0xff);
+    }
+    void put_size(std::size_t size) { put(static_cast<std::uint64_t>(size)); }
+    void put(const std::string& text) {
+        put_size(text.size());
+        bytes_ += text;
+    }
+    template <class T>
+    void put(const std::vector<T>& values) {
+        put_size(values.size());
+        for (const auto& value : values)
+            put(value);
+    }
+    template <class T, std::size_t count>
+    void put(const std::array<T, count>& values) {
+        for (const T& value : values)
+            put(value);
+    }
+    void put(const Matrix& matrix) {
+        put(matrix.rows());
+        put(matrix.cols());
+        for (std::int64_t i = 0; i < matrix.rows() * matrix.cols(); ++i)
+            put(matrix.data()[i]);
+    }
+
+    std::string bytes_;
+};
+
+/// Throws Status::format where the bytes end too early or cannot be what is named. Nothing larger
+/// than what the bytes left could fill is ever allocated.
+class ArchiveReader {
+  public:
+    explicit ArchiveReader(std::string_view bytes) : rest_(bytes) {}
+
+    template <class... Values>
+    void operator()(Values&... values) {
+        (get(values), ...);
+    }
+    template <class T, class Each>
+    void list(std::vector<T>& values, const Each& each) {
+        values.clear();
+        for (std::size_t count = get_count(1); count > 0; --count) {
+            T value;
+            each(*this, value);
+            values.push_back(std::move(value));
+        }
+    }
+
+    std::size_t bytes_left() const { return rest_.size(); }
+
+  private:
+    [[noreturn]] static void damaged() {
+        fail(Status::format, "the model is damaged: its parts do not fit each other");
+    }
+    std::string_view take(std::size_t count) {
+        if (count > rest_.size())
+            damaged();
+        const std::string_view taken = rest_.substr(0, count);
+        rest_.remove_prefix(count);
+        return taken;
+    }
+    template <Scalar T>
+    void get(T& value) {
+        BitsOf<T> bits = 0;
+        const std::string_view taken = take(sizeof bits);
+        for (std::size_t byte = 0; byte < sizeof bits; ++byte)
+            bits = static_cast<BitsOf<T>>(
+                bits | (BitsOf<T>{static_cast<unsigned char>(taken[byte])} << (8 * byte)));
+        if constexpr (std::same_as<T, bool>) {
+            if (bits > 1)
+                damaged();
+            value = bits == 1;
+        } else {
+            value = std::bit_cast<T>(bits);
+        }
+    }
+    /// A number of elements that take at least `least` bytes each.
+    std::size_t get_count(std::size_t least) {
+        std::uint64_t count = 0;
+        get(count);
+        if (count > rest_.size() / least)
+            damaged();
+        return static_cast<std::size_t>(count);
+    }
+    void get(std::string& text) { text = take(get_count(1)); }
+    template <class T>
+    void get(std::vector<T>& values) {
+        values.clear();
+        for (std::size_t count = get_count(1); count > 0; --count)
+            get(values.emplace_back());
+    }
+    template <class T, std::size_t count>
+    void get(std::array<T, count>& values) {
+        for (T& value : values)
+            get(value);
+    }
+    void get(Matrix& matrix) {
+        std::int64_t rows = 0;
+        std::int64_t cols = 0;
+        get(rows);
+        get(cols);
+        const auto most = static_cast<std::int64_t>(rest_.size() / sizeof(double));
+        if (rows < 0 || cols < 0 || (cols > 0 && rows > most / cols))
+            damaged();
+        matrix = Matrix(rows, cols);
+        for (std::int64_t i = 0; i < rows * cols; ++i)
+            get(matrix.data()[i]);
+    }
+
+    std::string_view rest_;
+};
+
+} // namespace stltsa::capi

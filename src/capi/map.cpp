@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Mapping both ways: stltsa_map, stltsa_unmap and the same for clips.
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "base/parallel.hpp"
+#include "capi/arrays.hpp"
+#include "capi/guard.hpp"
+#include "capi/mapping.hpp"
+#include "capi/options.hpp"
+#include "linalg/blas_threads.hpp"
+
+using namespace stltsa;
+using capi::guard;
+using capi::required;
+
+namespace stltsa::capi {
+
+void prepare_mapping(stltsa_model& model) {
+    if (model.kept.frames.rows() > 0)
+        model.mapping.emplace(model.kept.frames.view(), model.model,
+                              model.source.period.period * model.source.samples.fps);
+}
+
+void keep_poses(stltsa_model& model, const clip::Clip& clip) {
+    if (!clip.skeleton)
+        return;
+    const SampleFacts& samples = model.source.samples;
+    clip::CodedPoses coded = clip::encode_poses(clip, samples.up);
+    Matrix poses(samples.count, coded.code.size());
+    for (std::int64_t row = 0; row < samples.count; ++row)
+        std::copy_n(coded.vectors.row(samples.first + row * samples.step), poses.cols(),
+                    poses.row(row));
+    model.kept.code = std::move(coded.code);
+    model.kept.poses = std::move(poses);
+    model.kept.has_poses = true;
+}
+
+} // namespace stltsa::capi
+
+namespace {
+
+constexpr std::int64_t rows_per_block = 16;
+
+const ltsa::Mapping& mapping_of(const stltsa_model& model) {
+    if (!model.mapping)
+        fail(Status::unsupported, "the model kept no frames, so that it cannot map: fit it with "
+                                  "the option keep_frames");
+    return *model.mapping;
+}
+
+ltsa::MapParameters map_parameters(const stltsa_model& model, const capi::OptionsReader& options) {
+    const ltsa::Parameters& fitted = model.model.parameters;
+    ltsa::MapParameters p;
+    p.neighbors = options.integer(STLTSA_MAP_NEIGHBORS);
+    if (p.neighbors == 0)
+        p.neighbors = std::max<std::int64_t>(fitted.dimension + 5, 10);
+    p.blend = options.integer(STLTSA_MAP_BLEND);
+    p.hint_window = options.integer(STLTSA_HINT_WINDOW);
+    if (p.hint_window == 0)
+        p.hint_window = std::max<std::int64_t>(fitted.neighbors / 5, 1);
+    return p;
+}
+
+/// Throws unless there are `cols` finite numbers in each row.
+void check_points(ConstMatrixView points, const char* name, std::int64_t cols, const char* what) {
+    if (points.cols != cols)
+        fail(Status::shape, "{} has {} columns; the model has {} {}", name, points.cols, cols,
+             what);
+    for (std::int64_t r = 0; r < points.rows; ++r)
+        for (std::int64_t c = 0; c < cols; ++c)
+            if (!std::isfinite(points(r, c)))
+                fail(Status::not_finite, "{}: row {}, column {} is {}", name, r, c,
+                     std::isnan(points(r, c)) ? "not a number" : "infinite");
+}
+
+/// The caller's hints, or none.
+class Hints {
+  public:
+    Hints(const std::int64_t* hints, std::int64_t rows, const stltsa_model& model) : hints_(hints) {
+        const std::int64_t count = model.model.coords.rows();
+        for (std::int64_t r = 0; hints != nullptr && r < rows; ++r)
+            if (hints[r] < ltsa::no_hint || hints[r] >= count)
+                fail(Status::argument,
+                     "hint {} is {}; it must be a row of the model, 0 to {}, or "
+                     "-1 for none",
+                     r, hints[r], count - 1);
+    }
+    std::int64_t operator[](std::int64_t row) const {
+        return hints_ == nullptr ? ltsa::no_hint : hints_[row];
+    }
+
+  private:
+    const std::int64_t* hints_;
+};
+
+/// Where points lie on the model.
+struct Placed {
+    std::vector<double> distance;
+    std::vector<std::int64_t> nearest;
+
+    explicit Placed(std::int64_t rows)
+        : distance(static_cast<std::size_t>(rows)), nearest(static_cast<std::size_t>(rows)) {}
+
+    /// NULL where the caller does not ask.
+    static void check(const stltsa_out* distance, std::int64_t rows) {
+        if (distance != nullptr)
+            capi::check_output(distance, "distance", rows, 1);
+    }
+    void write(const stltsa_out* distance_out, std::int64_t* nearest_out) const {
+        if (distance_out != nullptr)
+            capi::write_column(distance_out, "distance", distance);
+        if (nearest_out != nullptr)
+            std::copy(nearest.begin(), nearest.end(), nearest_out);
+    }
+};
+
+/// Finds the place of each row, on all threads, and hands it to `put`.
+template <class Find, class Put>
+Placed place_rows(std::int64_t rows, const capi::OptionsReader& options, const Find& find,
+                  const Put& put) {
+    const SingleThreadedBlas single;
+    Placed placed(rows);
+    const std::int64_t blocks = (rows + rows_per_block - 1) / rows_per_block;
+    const auto place_block = [&](std::int64_t block) {
+        const std::int64_t begin = block * rows_per_block;
+        for (std::int64_t r = begin; r < std::min(begin + rows_per_block, rows); ++r) {
+            const ltsa::Placement place = find(r);
+            placed.distance[static_cast<std::size_t>(r)] = place.distance;
+            placed.nearest[static_cast<std::size_t>(r)] = place.nearest;
+            put(r, place);
+        }
+    };
+    parallel_blocks(blocks, options.threads(), place_block, [&](std::int64_t done) {
+        options.progress().report(Stage::map,
+                                  static_cast<double>(done) / static_cast<double>(blocks));
+    });
+    return placed;
+}
+
+template <class HintOf>
+Placed map_rows(const stltsa_model& model, ConstMatrixView frames, const HintOf& hint_of,
+                const capi::OptionsReader& options, Matrix& coords) {
+    const ltsa::Mapping& mapping = mapping_of(model);
+    const auto p = map_parameters(model, options);
+    coords = Matrix(frames.rows, model.model.coords.cols());
+    return place_rows(
+        frames.rows, options,
+        [&](std::int64_t r) { return mapping.find_frame(frames.row(r), hint_of(r), p); },
+        [&](std::int64_t r, const ltsa::Placement& place) {
+            place.apply(model.model.coords.view(), coords.row(r));
+        });
+}
+
+std::int64_t component_of(const stltsa_model& model, const capi::OptionsReader& options) {
+    const auto count = static_cast<std::int64_t>(model.model.components.size());
+    const std::int64_t component = options.integer(STLTSA_COMPONENT);
+    if (component >= count)
+        fail(Status::argument, "option component is {}; the model has {}", component, count);
+    if (component < 0 && count > 1)
+        fail(Status::disconnected,
+             "the model has {} components, whose coordinates do not compare: say with the option "
+             "component which the points are of",
+             count);
+    return std::max<std::int64_t>(component, 0);
+}
+
+template <class Put>
+Placed unmap_rows(const stltsa_model& model, ConstMatrixView coords, const Hints& hints,
+                  const capi::OptionsReader& options, const Put& put) {
+    const ltsa::Mapping& mapping = mapping_of(model);
+    const auto p = map_parameters(model, options);
+    const std::int64_t component = component_of(model, options);
+    return place_rows(
+        coords.rows, options,
+        [&](std::int64_t r) { return mapping.find_point(coords.row(r), component, hints[r], p); },
+        put);
+}
+
+/// The features of a pose, which is taken for itself, so that a row does not depend on the others.
+void put_pose_features(const stltsa_model& model, const ltsa::Placement& place, double* out) {
+    Matrix vector(1, model.kept.poses.cols());
+    place.apply(model.kept.poses.view(), vector.row(0));
+    const auto& samples = model.source.samples;
+    const clip::Clip pose = clip::decode_poses(model.kept.code, vector.view(), samples.fps);
+    const Matrix features = clip::pose_features(model.kept.code, pose, samples.features);
+    std::copy_n(features.row(0), features.cols(), out);
+}
+
+Matrix clip_features(const stltsa_model& model, const clip::Clip& clip) {
+    if (!model.source.from_clip)
+        fail(Status::unsupported, "the model was fitted to a matrix: map features (stltsa_map)");
+    const auto& samples = model.source.samples;
+    if (samples.features != clip::Features::raw && !clip.skeleton)
+        fail(Status::shape, "the model was fitted to poses, and this clip is bare numbers");
+    Matrix frames = clip::smoothed_features(clip, samples.features, samples.up, samples.smoothing,
+                                            model.kept.drop_tpose);
+    if (frames.cols() != model.model.features)
+        fail(Status::shape, "the clip has {} features; the model was fitted to {}", frames.cols(),
+             model.model.features);
+    return frames;
+}
+
+/// The row that was fitted to this very frame of the clip, or none.
+std::int64_t own_row(const stltsa_model& model, const Matrix& frames, std::int64_t frame) {
+    const auto& samples = model.source.samples;
+    const std::int64_t row = (frame - samples.first) / samples.step;
+    if (frame < samples.first || (frame - samples.first) % samples.step != 0 ||
+        row >= samples.count)
+        return ltsa::no_hint;
+    const double* fitted = model.kept.frames.row(row);
+    return std::equal(fitted, fitted + frames.cols(), frames.row(frame)) ? row : ltsa::no_hint;
+}
+
+} // namespace
+
+stltsa_status stltsa_map(const stltsa_model* model, const stltsa_in* frames, const int64_t* hints,
+                         const stltsa_options* options, const stltsa_out* coords,
+                         const stltsa_out* distance, int64_t* nearest) noexcept {
+    return guard([&] {
+        mapping_of(required(model, "model"));
+        const capi::OptionsReader reader(options);
+        const capi::InputFrames input(frames, "frames");
+        const std::int64_t rows = input.view().rows;
+        check_points(input.view(), "frames", model->model.features, "features");
+        capi::check_output(coords, "coords", rows, model->model.coords.cols());
+        Placed::check(distance, rows);
+        const Hints checked(hints, rows, *model);
+        Matrix mapped;
+        const Placed placed = map_rows(
+            *model, input.view(), [&](std::int64_t r) { return checked[r]; }, reader, mapped);
+        capi::write_output(coords, "coords", mapped.view());
+        placed.write(distance, nearest);
+    });
+}
+
+stltsa_status stltsa_map_clip(const stltsa_model* model, const stltsa_clip* clip,
+                              const stltsa_options* options, const stltsa_out* coords,
+                              const stltsa_out* distance, int64_t* nearest) noexcept {
+    return guard([&] {
+        mapping_of(required(model, "model"));
+        const capi::OptionsReader reader(options);
+        const std::int64_t rows = required(clip, "clip").clip.frames();
+        capi::check_output(coords, "coords", rows, model->model.coords.cols());
+        Placed::check(distance, rows);
+        const Matrix frames = clip_features(*model, clip->clip);
+        Matrix mapped;
+        const Placed placed = map_rows(
+            *model, frames.view(), [&](std::int64_t r) { return own_row(*model, frames, r); },
+            reader, mapped);
+        capi::write_output(coords, "coords", mapped.view());
+        placed.write(distance, nearest);
+    });
+}
+
+stltsa_status stltsa_unmap(const stltsa_model* model, const stltsa_in* coords, const int64_t* hints,
+                           const stltsa_options* options, const stltsa_out* frames,
+                           const stltsa_out* distance, int64_t* nearest) noexcept {
+    return guard([&] {
+        mapping_of(required(model, "model"));
+        const capi::OptionsReader reader(options);
+        const capi::InputFrames input(coords, "coords");
+        const std::int64_t rows = input.view().rows;
+        check_points(input.view(), "coords", model->model.coords.cols(), "coordinates");
+        capi::check_output(frames, "frames", rows, model->model.features);
+        Placed::check(distance, rows);
+        const Hints checked(hints, rows, *model);
+        Matrix unmapped(rows, model->model.features);
+        const Placed placed =
+            unmap_rows(*model, input.view(), checked, reader,
+                       [&](std::int64_t r, const ltsa::Placement& place) {
+                           if (model->kept.has_poses)
+                               put_pose_features(*model, place, unmapped.row(r));
+                           else
+                               place.apply(model->kept.frames.view(), unmapped.row(r));
+                       });
+        capi::write_output(frames, "frames", unmapped.view());
+        placed.write(distance, nearest);
+    });
+}
+
+stltsa_status stltsa_unmap_clip(const stltsa_model* model, const stltsa_in* coords,
+                                const int64_t* hints, const stltsa_options* options,
+                                const stltsa_out* distance, int64_t* nearest,
+                                stltsa_clip** poses) noexcept {
+    return guard([&] {
+        required(poses, "poses") = nullptr;
+        mapping_of(required(model, "model"));
+        if (!model->kept.has_poses)
+            fail(Status::unsupported, "the model was fitted to bare numbers, which are no poses: "
+                                      "take frames (stltsa_unmap)");
+        const capi::OptionsReader reader(options);
+        const capi::InputFrames input(coords, "coords");
+        const std::int64_t rows = input.view().rows;
+        check_points(input.view(), "coords", model->model.coords.cols(), "coordinates");
+        Placed::check(distance, rows);
+        const Hints checked(hints, rows, *model);
+        Matrix vectors(rows, model->kept.poses.cols());
+        const Placed placed = unmap_rows(*model, input.view(), checked, reader,
+                                         [&](std::int64_t r, const ltsa::Placement& place) {
+                                             place.apply(model->kept.poses.view(), vectors.row(r));
+                                         });
+        auto made = std::make_unique<stltsa_clip>(stltsa_clip{
+            clip::decode_poses(model->kept.code, vectors.view(), model->source.samples.fps)});
+        placed.write(distance, nearest);
+        *poses = made.release();
+    });
+}

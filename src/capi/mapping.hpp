@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "capi/handles.hpp"
+
+namespace stltsa::capi {
+
+/// Makes model.mapping, where frames were kept. Everything else of the model is in place by now,
+/// and the model stays where it is.
+void prepare_mapping(stltsa_model& model);
+
+/// Keeps the poses of the clip that the model was fitted to, where it has a skeleton.
+void keep_poses(stltsa_model& model, const clip::Clip& clip);
+
+} // namespace stltsa::capi

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "capi/model_archive.hpp"
+
+#include <algorithm>
+
+#include <zlib.h>
+
+#include "capi/archive.hpp"
+#include "capi/mapping.hpp"
+#include "capi/model_fields.hpp"
+
+namespace stltsa::capi {
+namespace {
+
+/// No text begins like this, and a transfer that changes line ends or the eighth bit breaks it.
+constexpr std::string_view magic("\x89STLTSA\n", 8);
+
+/// Counts up whenever the fields change; older files stay readable by their number.
+constexpr std::uint32_t version = 1;
+
+constexpr std::size_t head_size = magic.size() + sizeof version + sizeof(std::uint64_t);
+
+/// CRC-32: every change of up to 32 bits in a row is seen.
+std::uint32_t checksum(std::string_view bytes) {
+    uLong sum = crc32(0, nullptr, 0);
+    constexpr std::size_t most = std::size_t{1} << 30; // zlib counts in unsigned int
+    for (std::size_t at = 0; at < bytes.size(); at += most) {
+        const std::string_view part = bytes.substr(at, most);
+        sum =
+            crc32(sum, reinterpret_cast<const Bytef*>(part.data()), static_cast<uInt>(part.size()));
+    }
+    return static_cast<std::uint32_t>(sum);
+}
+
+/// The parts of a file whose head and checksum are right.
+std::string_view checked_parts(std::string_view bytes) {
+    if (!bytes.starts_with(magic.substr(0, std::min(magic.size(), bytes.size()))) || bytes.empty())
+        fail(Status::format, "this is no model: it does not begin as one "
+                             "(stltsa_model_save, or stltsa fit -o, writes models)");
+    constexpr std::size_t least = head_size + sizeof(std::uint32_t);
+    if (bytes.size() < least)
+        fail(Status::format, "the model is cut off: {} bytes are less than its head", bytes.size());
+    ArchiveReader head(bytes.substr(magic.size(), head_size - magic.size()));
+    std::uint32_t written = 0;
+    std::uint64_t size = 0;
+    head(written, size);
+    if (written != version)
+        fail(Status::format, "the model is of version {}, this library reads version {}", written,
+             version);
+    if (size != bytes.size() - least)
+        fail(Status::format,
+             "the model is cut off or has something behind it: {} bytes are here, "
+             "{} were written",
+             bytes.size(), size + least);
+    std::uint32_t sum = 0;
+    ArchiveReader(bytes.substr(bytes.size() - sizeof sum))(sum);
+    if (sum != checksum(bytes.substr(0, bytes.size() - sizeof sum)))
+        fail(Status::format, "the model is damaged: its checksum is wrong; save it again");
+    return bytes.substr(head_size, static_cast<std::size_t>(size));
+}
+
+} // namespace
+
+std::string archive_model(const stltsa_model& model) {
+    ArchiveWriter parts;
+    model_fields(parts, model);
+    ArchiveWriter head;
+    head(version, static_cast<std::uint64_t>(parts.bytes().size()));
+    std::string bytes(magic);
+    bytes += head.bytes();
+    bytes += parts.bytes();
+    ArchiveWriter end;
+    end(checksum(bytes));
+    return bytes += end.bytes();
+}
+
+std::unique_ptr<stltsa_model> restore_model(std::string_view bytes) {
+    ArchiveReader parts(checked_parts(bytes));
+    auto model = std::make_unique<stltsa_model>();
+    model_fields(parts, *model);
+    if (parts.bytes_left() > 0)
+        fail(Status::format, "the model is damaged: {} bytes follow its last part",
+             parts.bytes_left());
+    check_model_fields(*model);
+    prepare_mapping(*model);
+    return model;
+}
+
+} // namespace stltsa::capi

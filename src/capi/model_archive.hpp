@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Models as bytes: a head that says what and how long, the parts, and a checksum of all of it.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "capi/handles.hpp"
+
+namespace stltsa::capi {
+
+std::string archive_model(const stltsa_model& model);
+
+/// Throws Status::format for bytes that are no model, are cut off, altered or of a later version.
+std::unique_ptr<stltsa_model> restore_model(std::string_view bytes);
+
+} // namespace stltsa::capi

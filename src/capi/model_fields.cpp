@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "capi/model_fields.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "clip/formats.hpp"
+#include "clip/quaternion.hpp"
+
+namespace stltsa::capi {
+namespace {
+
+void expect(bool right, const char* what) {
+    if (!right)
+        fail(Status::format, "the model is damaged: its {} cannot be", what);
+}
+
+template <class Enumeration>
+bool in_range(Enumeration value, Enumeration first, Enumeration last) {
+    return value >= first && value <= last;
+}
+
+bool finite(const Matrix& matrix) {
+    return std::all_of(matrix.data(), matrix.data() + matrix.rows() * matrix.cols(),
+                       [](double value) { return std::isfinite(value); });
+}
+
+/// A finite number that is not negative.
+bool amount(double value) {
+    return std::isfinite(value) && value >= 0;
+}
+
+bool sums_to(const std::vector<std::int64_t>& lengths, std::int64_t rows) {
+    std::int64_t left = rows;
+    for (const std::int64_t length : lengths) {
+        if (length < 0 || length > left)
+            return false;
+        left -= length;
+    }
+    return left == 0;
+}
+
+void check_parameters(const ltsa::Parameters& p) {
+    expect(p.dimension >= 1 && p.neighbors >= 1 && p.window >= 1 && p.links >= 0 &&
+               p.exclusion >= 0 && in_range(p.mode, ltsa::Mode::temporal, ltsa::Mode::recurrent),
+           "parameters");
+}
+
+void check_embedding(const ltsa::Model& model) {
+    check_parameters(model.parameters);
+    const std::int64_t rows = model.coords.rows();
+    expect(rows >= 1 && model.coords.cols() == model.parameters.dimension && finite(model.coords),
+           "coordinates");
+    expect(model.features >= 1, "features");
+    expect(sums_to(model.lengths, rows), "lengths");
+    const auto components = static_cast<std::int64_t>(model.components.size());
+    expect(static_cast<std::int64_t>(model.component_of.size()) == rows &&
+               std::ranges::all_of(model.component_of,
+                                   [&](std::int64_t c) { return c >= 0 && c < components; }),
+           "components");
+    for (const ltsa::Component& component : model.components)
+        expect(static_cast<std::int64_t>(component.eigenvalues.size()) >=
+                   model.parameters.dimension + 2,
+               "eigenvalues");
+}
+
+void check_source(const Source& source, std::int64_t rows) {
+    const SampleFacts& samples = source.samples;
+    expect(in_range(source.clip.format, clip::Format::bvh, clip::Format::matrix) &&
+               source.clip.frames >= 0 && amount(source.clip.fps),
+           "clip");
+    expect(samples.count == rows && samples.first >= 0 && samples.step >= 1 &&
+               amount(samples.fps) && amount(samples.smoothing) &&
+               in_range(samples.features, clip::Features::automatic, clip::Features::raw) &&
+               in_range(samples.up, clip::Axis::automatic, clip::Axis::z),
+           "samples");
+    expect(amount(source.period.period), "period");
+}
+
+bool finite(const std::vector<double>& values) {
+    return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
+}
+
+bool is_unit(const clip::Quaternion& q) {
+    return std::abs(clip::dot(q, q) - 1) < 1e-9;
+}
+
+void check_skeleton(const clip::Skeleton& skeleton) {
+    const auto& joints = skeleton.joints;
+    for (std::size_t j = 0; j < joints.size(); ++j) {
+        const clip::Joint& joint = joints[j];
+        expect(joint.parent >= -1 && joint.parent < static_cast<int>(j) &&
+                   (j == 0) == (joint.parent == -1),
+               "joints");
+        expect(is_unit(joint.axis) &&
+                   std::ranges::all_of(joint.offset, [](double o) { return std::isfinite(o); }) &&
+                   std::ranges::all_of(joint.channels,
+                                       [](clip::Channel c) {
+                                           return in_range(c, clip::Channel::tx, clip::Channel::rz);
+                                       }),
+               "joints");
+    }
+}
+
+void check_code(const clip::PoseCode& code) {
+    expect(!code.skeleton.joints.empty(), "joints");
+    check_skeleton(code.skeleton);
+    const std::int64_t channels = clip::channel_count(code.skeleton);
+    const auto is_column = [&](std::size_t c) { return static_cast<std::int64_t>(c) < channels; };
+    expect(static_cast<std::int64_t>(code.rest.size()) == channels && finite(code.rest) &&
+               static_cast<std::int64_t>(code.channel_names.size()) == channels,
+           "channels");
+    expect(in_range(code.format, clip::Format::bvh, clip::Format::amc) &&
+               in_range(code.up, clip::Axis::x, clip::Axis::z) && amount(code.frame_time) &&
+               code.root < code.skeleton.joints.size() &&
+               code.means.size() == clip::turning_joints(code.skeleton, code.root).size() &&
+               std::ranges::all_of(code.means, is_unit) &&
+               std::ranges::all_of(code.moves, is_column),
+           "pose code");
+}
+
+void check_kept(const Kept& kept, const ltsa::Model& model, const Source& source) {
+    const std::int64_t rows = model.coords.rows();
+    if (kept.frames.rows() > 0)
+        expect(kept.frames.rows() == rows && kept.frames.cols() == model.features &&
+                   finite(kept.frames),
+               "frames");
+    if (!kept.has_poses)
+        return;
+    check_code(kept.code);
+    expect(source.from_clip && kept.frames.rows() == rows && kept.poses.rows() == rows &&
+               kept.poses.cols() == kept.code.size() && finite(kept.poses),
+           "poses");
+}
+
+} // namespace
+
+void check_model_fields(const stltsa_model& model) {
+    check_embedding(model.model);
+    check_source(model.source, model.model.coords.rows());
+    check_kept(model.kept, model.model, model.source);
+}
+
+} // namespace stltsa::capi

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What of a model is written, in which order: one function names the fields for both ways.
+#pragma once
+
+#include <concepts>
+#include <type_traits>
+
+#include "capi/handles.hpp"
+
+namespace stltsa::capi {
+
+/// T, const when it is written.
+template <class T, class Of>
+concept Is = std::same_as<std::remove_const_t<T>, Of>;
+
+/// Threads are left out: they do not change the model.
+template <class Archive, Is<ltsa::Parameters> T>
+void parameter_fields(Archive& archive, T& p) {
+    archive(p.neighbors, p.window, p.dimension, p.mode, p.include_self, p.links, p.exclusion,
+            p.spectrum);
+}
+
+template <class Archive, Is<ltsa::Model> T>
+void embedding_fields(Archive& archive, T& model) {
+    parameter_fields(archive, model.parameters);
+    archive(model.features, model.lengths, model.coords, model.component_of);
+    archive.list(model.components, [](auto& each, auto& c) {
+        each(c.frames, c.eigenvalues, c.residual, c.error_estimate, c.gap, c.rank_deficient_windows,
+             c.solves);
+    });
+    archive(model.repeated_frames, model.clock, model.warnings);
+}
+
+template <class Archive, Is<Source> T>
+void source_fields(Archive& archive, T& source) {
+    auto& clip = source.clip;
+    archive(source.from_clip, clip.path, clip.format, clip.frames, clip.fps, clip.notes);
+    auto& s = source.samples;
+    archive(s.count, s.first, s.step, s.fps, s.features, s.feature_count, s.up, s.smoothing);
+    auto& p = source.period;
+    archive(p.period, p.lag_quality, p.shortest, p.longest);
+}
+
+template <class Archive, Is<clip::Quaternion> T>
+void quaternion_fields(Archive& archive, T& q) {
+    archive(q.w, q.x, q.y, q.z);
+}
+
+template <class Archive, Is<clip::PoseCode> T>
+void code_fields(Archive& archive, T& code) {
+    archive(code.format, code.skeleton.fixed_axes, code.skeleton.translations_add);
+    archive.list(code.skeleton.joints, [](auto& each, auto& joint) {
+        each(joint.name, joint.parent, joint.offset, joint.channels, joint.end_site);
+        quaternion_fields(each, joint.axis);
+    });
+    archive(code.channel_names, code.up, code.frame_time, code.rest, code.root, code.moves);
+    archive.list(code.means, [](auto& each, auto& mean) { quaternion_fields(each, mean); });
+}
+
+template <class Archive, Is<Kept> T>
+void kept_fields(Archive& archive, T& kept) {
+    archive(kept.frames, kept.drop_tpose, kept.has_poses);
+    code_fields(archive, kept.code);
+    archive(kept.poses);
+}
+
+template <class Archive, Is<stltsa_model> T>
+void model_fields(Archive& archive, T& model) {
+    embedding_fields(archive, model.model);
+    source_fields(archive, model.source);
+    kept_fields(archive, model.kept);
+}
+
+/// Throws Status::format where the fields contradict each other: a checksum is no proof of who
+/// wrote a file.
+void check_model_fields(const stltsa_model& model);
+
+} // namespace stltsa::capi

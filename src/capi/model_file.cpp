@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cstring>
+
+#include "capi/guard.hpp"
+#include "capi/model_archive.hpp"
+#include "clip/formats.hpp"
+#include "clip/write.hpp"
+
+using namespace stltsa;
+using capi::guard;
+using capi::required;
+
+stltsa_status stltsa_model_serialize(const stltsa_model* model, unsigned char** bytes,
+                                     size_t* size) noexcept {
+    return guard([&] {
+        required(bytes, "bytes") = nullptr;
+        required(size, "size") = 0;
+        const std::string archive = capi::archive_model(required(model, "model"));
+        *bytes = new unsigned char[archive.size()];
+        std::memcpy(*bytes, archive.data(), archive.size());
+        *size = archive.size();
+    });
+}
+
+void stltsa_bytes_free(unsigned char* bytes) noexcept {
+    delete[] bytes;
+}
+
+stltsa_status stltsa_model_parse(const void* bytes, size_t size, stltsa_model** model) noexcept {
+    return guard([&] {
+        required(model, "model") = nullptr;
+        const char* text = static_cast<const char*>(bytes);
+        if (size > 0)
+            required(text, "bytes");
+        *model = capi::restore_model({text, size}).release();
+    });
+}
+
+stltsa_status stltsa_model_save(const stltsa_model* model, const char* path) noexcept {
+    return guard([&] {
+        clip::write_file(&required(path, "path"), capi::archive_model(required(model, "model")));
+    });
+}
+
+stltsa_status stltsa_model_load(const char* path, stltsa_model** model) noexcept {
+    return guard([&] {
+        required(model, "model") = nullptr;
+        const std::string name = &required(path, "path");
+        const std::string bytes = clip::read_file(name);
+        try {
+            *model = capi::restore_model(bytes).release();
+        } catch (const Error& error) {
+            fail(error.status(), "{}: {}", name, error.what());
+        }
+    });
+}

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cstring>
+#include <memory>
+
+#include "capi/guard.hpp"
+#include "capi/handles.hpp"
+#include "capi/options.hpp"
+
+using namespace stltsa;
+using capi::guard;
+using capi::required;
+
+namespace {
+
+synthesis::Piece piece_of(const stltsa_piece& piece, int64_t index) {
+    if (piece.clip == nullptr)
+        fail(Status::argument, "pieces[{}].clip is NULL", index);
+    if (piece.reserved != 0)
+        fail(Status::argument, "pieces[{}].reserved is {}; set it to 0", index, piece.reserved);
+    return {&piece.clip->clip, piece.begin, piece.end, piece.repeat};
+}
+
+std::vector<synthesis::Piece> pieces_of(const stltsa_piece* pieces, int64_t count) {
+    if (count < 1)
+        fail(Status::argument, "count is {}: at least one piece is needed", count);
+    const stltsa_piece* first = &required(pieces, "pieces");
+    std::vector<synthesis::Piece> result;
+    for (int64_t i = 0; i < count; ++i)
+        result.push_back(piece_of(first[i], i));
+    return result;
+}
+
+std::vector<capi::PieceFacts> facts_of(const std::vector<synthesis::Piece>& pieces) {
+    std::vector<capi::PieceFacts> facts;
+    for (const synthesis::Piece& piece : pieces)
+        facts.push_back({piece.clip->path, piece.begin, piece.end, piece.repeat});
+    return facts;
+}
+
+std::unique_ptr<stltsa_synthesis> synthesize(const std::vector<synthesis::Piece>& pieces,
+                                             const capi::OptionsReader& options) {
+    auto made = std::make_unique<stltsa_synthesis>();
+    made->options = {options.real(STLTSA_CROSSFADE), options.real(STLTSA_SEARCH),
+                     options.real(STLTSA_POSTURE_LIMIT), options.prepare_options().up};
+    made->pieces = facts_of(pieces);
+    made->result = synthesis::synthesize(pieces, made->options, options.progress());
+    made->clip.clip = std::move(made->result.clip);
+    return made;
+}
+
+stltsa_seam copy_of(const synthesis::Seam& seam) {
+    return {sizeof(stltsa_seam), seam.frame,     seam.piece,   seam.next, seam.cut_end,
+            seam.cut_begin,      seam.crossfade, seam.posture, seam.step, seam.acceleration};
+}
+
+} // namespace
+
+stltsa_status stltsa_synthesize(const stltsa_piece* pieces, int64_t count,
+                                const stltsa_options* options,
+                                stltsa_synthesis** synthesis) noexcept {
+    return guard([&] {
+        required(synthesis, "synthesis") = nullptr;
+        *synthesis = synthesize(pieces_of(pieces, count), capi::OptionsReader(options)).release();
+    });
+}
+
+void stltsa_synthesis_free(stltsa_synthesis* synthesis) noexcept {
+    delete synthesis;
+}
+
+const stltsa_clip* stltsa_synthesis_clip(const stltsa_synthesis* synthesis) noexcept {
+    return synthesis == nullptr ? nullptr : &synthesis->clip;
+}
+
+int64_t stltsa_synthesis_seam_count(const stltsa_synthesis* synthesis) noexcept {
+    return synthesis == nullptr ? 0 : static_cast<int64_t>(synthesis->result.seams.size());
+}
+
+stltsa_status stltsa_synthesis_seam(const stltsa_synthesis* synthesis, int64_t index,
+                                    stltsa_seam* seam) noexcept {
+    return guard([&] {
+        const auto& seams = required(synthesis, "synthesis").result.seams;
+        const std::size_t size = required(seam, "seam").size;
+        if (index < 0 || index >= static_cast<int64_t>(seams.size()))
+            fail(Status::argument, "seam {} does not exist: there are {}", index, seams.size());
+        // A caller built against a shorter struct gets the fields it knows.
+        if (size < sizeof(size_t) + sizeof(int64_t))
+            fail(Status::argument, "seam->size is {}; set it to sizeof(stltsa_seam)", size);
+        stltsa_seam copy = copy_of(seams[static_cast<std::size_t>(index)]);
+        copy.size = size;
+        std::memcpy(seam, &copy, std::min(size, sizeof copy));
+    });
+}
+
+int64_t stltsa_synthesis_warning_count(const stltsa_synthesis* synthesis) noexcept {
+    return synthesis == nullptr ? 0 : static_cast<int64_t>(synthesis->result.warnings.size());
+}
+
+const char* stltsa_synthesis_warning(const stltsa_synthesis* synthesis, int64_t index) noexcept {
+    if (index < 0 || index >= stltsa_synthesis_warning_count(synthesis))
+        return "";
+    return synthesis->result.warnings[static_cast<std::size_t>(index)].c_str();
+}
+
+stltsa_status stltsa_synthesis_json(const stltsa_synthesis* synthesis, char** json) noexcept {
+    return guard([&] {
+        required(json, "json") = nullptr;
+        const auto& s = required(synthesis, "synthesis");
+        *json = capi::caller_string(
+            capi::synthesis_json({&s.clip.clip, s.pieces, s.options, &s.result}));
+    });
+}

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A checksum is no proof of who wrote a file: bytes that are altered and then given the right
+// checksum must make a model that can be used, or be refused; nothing crashes (the sanitizers
+// watch), and no memory is asked for that the bytes do not justify.
+#include "clip_testing.hpp"
+
+#include <cmath>
+#include <vector>
+
+#include <zlib.h>
+
+#include "capi/archive.hpp"
+#include "capi/model_archive.hpp"
+#include "stltsa.h"
+
+namespace {
+
+using namespace clip_testing;
+
+constexpr std::size_t head = 8 + 4 + 8; // magic, version, size
+
+/// Two joints that swing, one of them about a single axis.
+std::string swinging_bvh(int frames) {
+    std::string text = "HIERARCHY\nROOT hip\n{\nOFFSET 0 0 0\n"
+                       "CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation\n"
+                       "JOINT knee\n{\nOFFSET 0 -40 0\nCHANNELS 1 Xrotation\n"
+                       "End Site\n{\nOFFSET 0 -40 0\n}\n}\n}\nMOTION\n";
+    text += "Frames: " + std::to_string(frames) + "\nFrame Time: 0.05\n";
+    for (int i = 0; i < frames; ++i) {
+        const double swing = std::sin(0.3 * i);
+        text += "0 90 " + std::to_string(0.1 * i) + " 0 " + std::to_string(20 * swing) + " 0 " +
+                std::to_string(30 - 25 * std::cos(0.3 * i)) + "\n";
+    }
+    return text;
+}
+
+std::string serialized_model() {
+    const std::string bvh = swinging_bvh(40);
+    stltsa_clip* clip = nullptr;
+    assert_int_equal(stltsa_clip_parse(bvh.data(), bvh.size(), STLTSA_FORMAT_BVH, nullptr, &clip),
+                     STLTSA_OK);
+    stltsa_options* options = nullptr;
+    assert_int_equal(stltsa_options_new(&options), STLTSA_OK);
+    stltsa_options_set_int(options, STLTSA_NEIGHBORS, 8);
+    stltsa_model* model = nullptr;
+    assert_int_equal(stltsa_fit_clip(clip, options, &model), STLTSA_OK);
+    std::string bytes = stltsa::capi::archive_model(*model);
+    stltsa_model_free(model);
+    stltsa_options_free(options);
+    stltsa_clip_free(clip);
+    return bytes;
+}
+
+/// Makes size and checksum right again.
+void seal(std::string& bytes) {
+    stltsa::capi::ArchiveWriter size;
+    size(static_cast<std::uint64_t>(bytes.size() - head - 4));
+    bytes.replace(12, 8, size.bytes());
+    stltsa::capi::ArchiveWriter sum;
+    sum(static_cast<std::uint32_t>(crc32(0, reinterpret_cast<const Bytef*>(bytes.data()),
+                                         static_cast<uInt>(bytes.size() - 4))));
+    bytes.replace(bytes.size() - 4, 4, sum.bytes());
+}
+
+/// Everything that looks into a model; whatever the status, nothing may crash.
+void use(const stltsa_model& model) {
+    char* json = nullptr;
+    if (stltsa_model_json(&model, &json) == STLTSA_OK)
+        stltsa_string_free(json);
+    std::int64_t features = 0;
+    std::int64_t dimension = 0;
+    stltsa_model_get_int(&model, STLTSA_MODEL_FEATURES, &features);
+    stltsa_model_get_int(&model, STLTSA_MODEL_DIMENSION, &dimension);
+    if (features < 1 || features > 1000 || dimension < 1 || dimension > 1000)
+        return;
+    std::vector<double> frame(static_cast<std::size_t>(features), 0.5);
+    std::vector<double> point(static_cast<std::size_t>(dimension), 0.01);
+    double distance = 0;
+    std::int64_t nearest = 0;
+    const stltsa_in frame_in{frame.data(), 1, features, 0, 0, STLTSA_F64, 0};
+    const stltsa_out frame_out{frame.data(), 1, features, 0, 0, STLTSA_F64, 0};
+    const stltsa_in point_in{point.data(), 1, dimension, 0, 0, STLTSA_F64, 0};
+    const stltsa_out point_out{point.data(), 1, dimension, 0, 0, STLTSA_F64, 0};
+    const stltsa_out distance_out{&distance, 1, 1, 0, 0, STLTSA_F64, 0};
+    stltsa_map(&model, &frame_in, nullptr, nullptr, &point_out, &distance_out, &nearest);
+    stltsa_unmap(&model, &point_in, nullptr, nullptr, &frame_out, &distance_out, &nearest);
+    stltsa_clip* poses = nullptr;
+    stltsa_unmap_clip(&model, &point_in, nullptr, nullptr, &distance_out, &nearest, &poses);
+    stltsa_clip_free(poses);
+}
+
+/// Whether the bytes were taken for a model.
+bool read(const std::string& bytes) {
+    std::unique_ptr<stltsa_model> model;
+    const Failure failure = failure_of([&] { model = stltsa::capi::restore_model(bytes); });
+    if (failure.status != Status::ok && failure.status != Status::format)
+        FAIL("status %d: %s", static_cast<int>(failure.status), failure.text.c_str());
+    if (model)
+        use(*model);
+    return model != nullptr;
+}
+
+void unaltered_bytes_are_a_model(void**) {
+    std::string bytes = serialized_model();
+    seal(bytes);
+    assert_true(read(bytes));
+}
+
+void altered_bytes(void**) {
+    const std::string bytes = serialized_model();
+    int refused = 0;
+    for (std::size_t at = head; at < bytes.size() - 4; ++at)
+        for (const int change : {0x01, 0x80, 0xff}) {
+            std::string changed = bytes;
+            changed[at] = static_cast<char>(changed[at] ^ change);
+            seal(changed);
+            refused += read(changed) ? 0 : 1;
+        }
+    assert_true(refused > 100); // counts, enumerations, parents
+}
+
+void cut_bytes(void**) {
+    const std::string bytes = serialized_model();
+    for (std::size_t size = head; size < bytes.size() - 4; ++size) {
+        std::string cut = bytes.substr(0, size) + "0000";
+        seal(cut);
+        assert_false(read(cut));
+    }
+}
+
+/// Huge counts, infinities and the like in the place of every eight bytes.
+void extreme_words(void**) {
+    const std::string bytes = serialized_model();
+    for (const std::uint64_t word :
+         {~std::uint64_t{0}, std::uint64_t{1} << 63, std::uint64_t{1} << 62,
+          std::uint64_t{0x7ff0000000000000}, std::uint64_t{0x7fefffffffffffff}, std::uint64_t{0}})
+        for (std::size_t at = head; at + 8 <= bytes.size() - 4; at += 4) {
+            std::string changed = bytes;
+            stltsa::capi::ArchiveWriter writer;
+            writer(word);
+            changed.replace(at, 8, writer.bytes());
+            seal(changed);
+            read(changed);
+        }
+}
+
+} // namespace
+
+int main() {
+    const CMUnitTest tests[] = {
+        cmocka_unit_test(unaltered_bytes_are_a_model),
+        cmocka_unit_test(altered_bytes),
+        cmocka_unit_test(cut_bytes),
+        cmocka_unit_test(extreme_words),
+    };
+    return cmocka_run_group_tests(tests, nullptr, nullptr);
+}

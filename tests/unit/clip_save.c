@@ -1,0 +1,135 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Clips to files through the C API: what is written, and what is said where that cannot be. */
+#define _XOPEN_SOURCE 700 /* mkdtemp, symlink */
+#include "support.h"
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+static const char pendulum[] =
+    "HIERARCHY\nROOT hip\n{\n OFFSET 0 0 0\n"
+    " CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation\n"
+    " End Site\n {\n  OFFSET 0 -3 0\n }\n}\n"
+    "MOTION\nFrames: 2\nFrame Time: .0083333\n"
+    "1 2 3 0 0 0\n"
+    "1 2 3.3 90.123456789 1e-7 0\n";
+
+static char folder[64];
+
+static int make_folder(void** state) {
+    (void)state;
+    strcpy(folder, "/tmp/stltsa-save-XXXXXX");
+    return mkdtemp(folder) == NULL;
+}
+
+static int remove_folder(void** state) {
+    (void)state;
+    return rmdir(folder); /* fails where a test, or the library, leaves a file */
+}
+
+static const char* in_folder(const char* name) {
+    static char path[128];
+    snprintf(path, sizeof path, "%s/%s", folder, name);
+    return path;
+}
+
+static stltsa_clip* parsed(const char* text) {
+    stltsa_clip* clip = NULL;
+    must(stltsa_clip_parse(text, strlen(text), 0, NULL, &clip));
+    return clip;
+}
+
+static void assert_save_fails(const stltsa_clip* clip, const char* path, stltsa_status status,
+                              const char* words) {
+    assert_int_equal(stltsa_clip_save(clip, path), status);
+    if (strstr(stltsa_last_error(), words) == NULL)
+        print_error("\"%s\" is not in \"%s\"\n", words, stltsa_last_error());
+    assert_non_null(strstr(stltsa_last_error(), words));
+}
+
+static void what_is_saved_reads_back(void** state) {
+    (void)state;
+    stltsa_clip* clip = parsed(pendulum);
+    for (int i = 0; i < 3; ++i) {
+        const char* path = in_folder((const char*[]){"a.bvh", "a.csv", "a.npy"}[i]);
+        must(stltsa_clip_save(clip, path));
+        stltsa_clip* again = NULL;
+        must(stltsa_clip_open(path, NULL, &again));
+        assert_int_equal(unlink(path), 0);
+        assert_int_equal(stltsa_clip_frames(again), 2);
+        assert_int_equal(stltsa_clip_channels(again), 6);
+        assert_true(stltsa_clip_fps(again) == (i == 2 ? 0 : 120)); /* NPY has no frame rate */
+        stltsa_options* raw = NULL;
+        must(stltsa_options_new(&raw));
+        must(stltsa_options_set_int(raw, STLTSA_FEATURES, STLTSA_FEATURES_RAW));
+        double x[12];
+        double y[12];
+        const stltsa_out before = packed_out(x, 2, 6);
+        const stltsa_out after = packed_out(y, 2, 6);
+        must(stltsa_clip_features(clip, raw, &before));
+        must(stltsa_clip_features(again, raw, &after));
+        assert_same_bits(x, y, 12);
+        stltsa_options_free(raw);
+        stltsa_clip_free(again);
+    }
+    stltsa_clip_free(clip);
+}
+
+static void clips_of_the_wrong_kind_are_refused(void** state) {
+    (void)state;
+    stltsa_clip* clip = parsed(pendulum);
+    assert_save_fails(clip, in_folder("a.txt"), STLTSA_E_ARGUMENT, ".bvh, .amc, .csv or .npy");
+    assert_save_fails(clip, in_folder("bvh"), STLTSA_E_ARGUMENT, "suffix");
+    assert_save_fails(clip, in_folder("a.amc"), STLTSA_E_UNSUPPORTED, "AMC");
+    assert_save_fails(clip, NULL, STLTSA_E_ARGUMENT, "path");
+    assert_save_fails(NULL, in_folder("a.bvh"), STLTSA_E_ARGUMENT, "clip");
+    stltsa_clip_free(clip);
+
+    stltsa_clip* numbers = parsed("1,2\n3,4\n");
+    assert_save_fails(numbers, in_folder("a.bvh"), STLTSA_E_UNSUPPORTED, "skeleton");
+    assert_save_fails(numbers, in_folder("a.amc"), STLTSA_E_UNSUPPORTED, "AMC");
+    stltsa_clip_free(numbers);
+
+    char text[sizeof pendulum];
+    strcpy(text, pendulum);
+    memset(strstr(text, ".0083333"), '0', 8);
+    stltsa_clip* timeless = parsed(text);
+    assert_save_fails(timeless, in_folder("a.bvh"), STLTSA_E_UNSUPPORTED, "fps");
+    stltsa_clip_free(timeless);
+}
+
+static void places_that_cannot_be_written_are_said(void** state) {
+    (void)state;
+    stltsa_clip* clip = parsed(pendulum);
+    assert_save_fails(clip, "/nowhere/at all.bvh", STLTSA_E_IO, "/nowhere/at all.bvh");
+    assert_int_equal(mkdir(in_folder("d.bvh"), 0777), 0);
+    assert_save_fails(clip, in_folder("d.bvh"), STLTSA_E_IO, "d.bvh: cannot write");
+    assert_int_equal(rmdir(in_folder("d.bvh")), 0);
+    assert_int_equal(symlink("/dev/full", in_folder("full.bvh")), 0);
+    assert_save_fails(clip, in_folder("full.bvh"), STLTSA_E_IO, "No space left");
+    assert_int_equal(unlink(in_folder("full.bvh")), 0);
+    stltsa_clip_free(clip);
+}
+
+static void a_folder_without_permission_is_said(void** state) {
+    (void)state;
+    if (geteuid() == 0) {
+        print_message("SKIPPED: to root every folder is writable\n");
+        skip();
+    }
+    stltsa_clip* clip = parsed(pendulum);
+    assert_int_equal(chmod(folder, 0500), 0);
+    assert_save_fails(clip, in_folder("a.bvh"), STLTSA_E_IO, "Permission denied");
+    assert_int_equal(chmod(folder, 0700), 0);
+    stltsa_clip_free(clip);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(what_is_saved_reads_back),
+        cmocka_unit_test(clips_of_the_wrong_kind_are_refused),
+        cmocka_unit_test(places_that_cannot_be_written_are_said),
+        cmocka_unit_test(a_folder_without_permission_is_said),
+    };
+    return cmocka_run_group_tests(tests, make_folder, remove_folder);
+}

@@ -1,0 +1,283 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Denoising through the public API: shapes, options, errors, models. */
+#include "support.h"
+
+enum { rows = 150, cols = 2 };
+
+/* Two noisy swings, one cycle in 33 rows. */
+static double* new_noisy(void) {
+    double* y = new_matrix(rows, cols);
+    uint64_t seed = 5;
+    for (int64_t i = 0; i < rows; ++i)
+        for (int64_t c = 0; c < cols; ++c)
+            y[i * cols + c] = sin(2 * pi * (double)i / 33 + (double)c) + 0.3 * uniform(&seed);
+    return y;
+}
+
+static stltsa_denoising* denoised(const double* y, const stltsa_options* options) {
+    const stltsa_in in = packed_in(y, rows, cols);
+    stltsa_denoising* denoising = NULL;
+    must(stltsa_denoise(&in, NULL, 1, options, &denoising));
+    return denoising;
+}
+
+typedef stltsa_status table(const stltsa_denoising*, const stltsa_out*);
+
+static double* new_table(const stltsa_denoising* denoising, table* fill, int64_t r, int64_t c) {
+    double* values = new_matrix(r, c);
+    const stltsa_out out = packed_out(values, r, c);
+    must(fill(denoising, &out));
+    return values;
+}
+
+static double real_of(const stltsa_denoising* denoising, int32_t key, int64_t column) {
+    double value = -1;
+    must(stltsa_denoising_get_real(denoising, key, column, &value));
+    return value;
+}
+
+static int64_t int_of(const stltsa_denoising* denoising, int32_t key, int64_t column) {
+    int64_t value = -1;
+    must(stltsa_denoising_get_int(denoising, key, column, &value));
+    return value;
+}
+
+static void cleaned_is_points_and_moves(void** state) {
+    (void)state;
+    double* y = new_noisy();
+    stltsa_denoising* d = denoised(y, NULL);
+    assert_int_equal(int_of(d, STLTSA_DENOISING_ROWS, 0), rows);
+    assert_int_equal(int_of(d, STLTSA_DENOISING_COLUMNS, 1), cols);
+    double* curve = new_table(d, stltsa_denoising_curve, rows, cols);
+    double* cleaned = new_table(d, stltsa_denoising_cleaned, rows, cols);
+    double* moves = new_table(d, stltsa_denoising_moves, rows, cols);
+    for (int64_t c = 0; c < cols; ++c) {
+        const double gamma = real_of(d, STLTSA_DENOISING_GAMMA, c);
+        assert_true(gamma == real_of(d, STLTSA_DENOISING_NOISE, c));
+        assert_true(real_of(d, STLTSA_DENOISING_SHIFT, c) > gamma);
+        assert_true(real_of(d, STLTSA_DENOISING_FREEDOM, c) > 2);
+        int64_t moved = 0;
+        for (int64_t i = c; i < rows * cols; i += cols) {
+            assert_int_equal(moves[i] != 0, fabs(y[i] - curve[i]) > gamma);
+            assert_below(fabs(y[i] + moves[i] - cleaned[i]), 1e-14, "y + moves - cleaned");
+            moved += moves[i] != 0;
+        }
+        assert_int_equal(int_of(d, STLTSA_DENOISING_MOVED, c), moved);
+    }
+    free(curve);
+    free(cleaned);
+    free(moves);
+    free(y);
+    stltsa_denoising_free(d);
+}
+
+/* Double the points and their noise: the same curve, twice as large, to the bit. */
+static void scale_and_repetition_change_no_bit(void** state) {
+    (void)state;
+    double* y = new_noisy();
+    stltsa_denoising* one = denoised(y, NULL);
+    stltsa_denoising* again = denoised(y, NULL);
+    double* curve = new_table(one, stltsa_denoising_curve, rows, cols);
+    double* same = new_table(again, stltsa_denoising_curve, rows, cols);
+    assert_same_bits(curve, same, rows * cols);
+    for (int64_t i = 0; i < rows * cols; ++i) {
+        y[i] *= 0x1p+600;
+        curve[i] *= 0x1p+600;
+    }
+    stltsa_denoising* large = denoised(y, NULL);
+    double* twice = new_table(large, stltsa_denoising_curve, rows, cols);
+    assert_same_bits(curve, twice, rows * cols);
+    free(curve);
+    free(same);
+    free(twice);
+    free(y);
+    stltsa_denoising_free(one);
+    stltsa_denoising_free(again);
+    stltsa_denoising_free(large);
+}
+
+static void options_are_used(void** state) {
+    (void)state;
+    double* y = new_noisy();
+    stltsa_options* options = NULL;
+    must(stltsa_options_new(&options));
+    must(stltsa_options_set_real(options, STLTSA_GAMMA, 1e9));
+    stltsa_denoising* d = denoised(y, options);
+    assert_true(real_of(d, STLTSA_DENOISING_GAMMA, 0) == 1e9);
+    assert_int_equal(int_of(d, STLTSA_DENOISING_MOVED, 0), 0);
+    double* cleaned = new_table(d, stltsa_denoising_cleaned, rows, cols);
+    assert_same_bits(cleaned, y, rows * cols);
+    free(cleaned);
+    stltsa_denoising_free(d);
+
+    /* Knots 2 s apart at 30 rows a second cannot swing with a cycle of 1.1 s. */
+    must(stltsa_options_set_real(options, STLTSA_FPS, 30));
+    must(stltsa_options_set_real(options, STLTSA_KNOTS, 2));
+    d = denoised(y, options);
+    assert_true(real_of(d, STLTSA_DENOISING_FREEDOM, 0) < 6);
+    stltsa_denoising_free(d);
+
+    must(stltsa_options_set_real(options, STLTSA_KNOTS, 0));
+    d = denoised(y, options);
+    char* json = NULL;
+    must(stltsa_denoising_json(d, &json));
+    const char* period = strstr(json, "\"period_s\":");
+    assert_non_null(period);
+    assert_below(fabs(strtod(period + 11, NULL) - 1.1), 0.05, "period");
+    stltsa_string_free(json);
+    stltsa_denoising_free(d);
+    stltsa_options_free(options);
+    free(y);
+}
+
+static void spikes_are_refused_by_default(void** state) {
+    (void)state;
+    double* y = new_noisy();
+    double* spiked = copy_of(y, rows * cols);
+    for (int64_t i = 20; i < rows; i += 30)
+        spiked[i * cols] += 20;
+    stltsa_options* plain = NULL;
+    must(stltsa_options_new(&plain));
+    must(stltsa_options_set_int(plain, STLTSA_ROBUST, 0));
+    double off[2];
+    for (int robust = 0; robust < 2; ++robust) {
+        stltsa_denoising* clean = denoised(y, plain);
+        stltsa_denoising* d = denoised(spiked, robust ? NULL : plain);
+        double* expected = new_table(clean, stltsa_denoising_curve, rows, cols);
+        double* curve = new_table(d, stltsa_denoising_curve, rows, cols);
+        off[robust] = largest_difference(expected, curve, rows * cols);
+        free(expected);
+        free(curve);
+        stltsa_denoising_free(clean);
+        stltsa_denoising_free(d);
+    }
+    assert_true(off[0] > 1);
+    assert_true(off[1] < 0.2);
+    stltsa_options_free(plain);
+    free(spiked);
+    free(y);
+}
+
+static void clips_are_apart(void** state) {
+    (void)state;
+    double* y = new_noisy();
+    for (int64_t i = 100 * cols; i < rows * cols; ++i)
+        y[i] += 1000;
+    const stltsa_in in = packed_in(y, rows, cols);
+    const int64_t lengths[] = {100, 50};
+    stltsa_denoising* d = NULL;
+    must(stltsa_denoise(&in, lengths, 2, NULL, &d));
+    double* curve = new_table(d, stltsa_denoising_curve, rows, cols);
+    assert_below(largest_difference(y, curve, rows * cols), 1, "distance from the curve");
+    free(curve);
+    free(y);
+    stltsa_denoising_free(d);
+}
+
+/* Of a model: its coordinates, and pieces where it fell apart. */
+static void models_are_cleaned_piece_by_piece(void** state) {
+    (void)state;
+    const int64_t n = 120;
+    double* x = new_motion(n, 5, 3);
+    for (int64_t i = 70 * 5; i < n * 5; ++i)
+        x[i] += 1e4;
+    stltsa_options* options = new_options(6, 8, 1);
+    const stltsa_in in = packed_in(x, n, 5);
+    stltsa_model* model = NULL;
+    must(stltsa_fit(&in, NULL, 1, options, &model));
+    assert_int_equal(model_int(model, STLTSA_MODEL_COMPONENTS), 2);
+    stltsa_denoising* d = NULL;
+    must(stltsa_denoise_model(model, options, &d));
+    char* json = NULL;
+    must(stltsa_denoising_json(d, &json));
+    assert_non_null(strstr(json, "\"lengths\":[70,50]"));
+    stltsa_string_free(json);
+    double* coords = new_coords(model);
+    double* cleaned = new_table(d, stltsa_denoising_cleaned, n, 1);
+    double* moves = new_table(d, stltsa_denoising_moves, n, 1);
+    for (int64_t i = 0; i < n; ++i)
+        assert_below(fabs(coords[i] + moves[i] - cleaned[i]), 1e-15, "coords + moves - cleaned");
+    free(coords);
+    free(cleaned);
+    free(moves);
+    free(x);
+    stltsa_denoising_free(d);
+    stltsa_model_free(model);
+    stltsa_options_free(options);
+}
+
+static int32_t cancel(void* user, int32_t stage, double fraction) {
+    (void)user;
+    return stage == STLTSA_STAGE_DENOISE && fraction > 0;
+}
+
+static void refuses(stltsa_status status, const stltsa_in* in, const int64_t* lengths,
+                    int64_t clips, const stltsa_options* options) {
+    stltsa_denoising* d = (stltsa_denoising*)in; /* anything but NULL */
+    assert_int_equal(stltsa_denoise(in, lengths, clips, options, &d), status);
+    assert_null(d);
+    assert_true(strlen(stltsa_last_error()) > 0);
+}
+
+static void errors(void** state) {
+    (void)state;
+    double* y = new_noisy();
+    stltsa_in in = packed_in(y, rows, cols);
+    const int64_t short_clip[] = {rows - 7, 7};
+    const int64_t too_few[] = {10, 10};
+    refuses(STLTSA_E_TOO_FEW_FRAMES, &in, short_clip, 2, NULL);
+    refuses(STLTSA_E_SHAPE, &in, too_few, 2, NULL);
+    refuses(STLTSA_E_ARGUMENT, &in, NULL, 2, NULL);
+    refuses(STLTSA_E_ARGUMENT, NULL, NULL, 1, NULL);
+    in.rows = 7;
+    refuses(STLTSA_E_TOO_FEW_FRAMES, &in, NULL, 1, NULL);
+    in.rows = 0;
+    refuses(STLTSA_E_SHAPE, &in, NULL, 1, NULL);
+    in.rows = rows;
+    stltsa_options* options = NULL;
+    must(stltsa_options_new(&options));
+    assert_int_equal(stltsa_options_set_real(options, STLTSA_GAMMA, -2), STLTSA_E_ARGUMENT);
+    must(stltsa_options_set_progress(options, cancel, NULL));
+    refuses(STLTSA_E_CANCELLED, &in, NULL, 1, options);
+    stltsa_options_free(options);
+
+    stltsa_denoising* d = denoised(y, NULL);
+    double value = 0;
+    int64_t count = 0;
+    char* json = NULL;
+    assert_int_equal(stltsa_denoising_get_real(d, STLTSA_DENOISING_GAMMA, cols, &value),
+                     STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_denoising_get_real(d, STLTSA_DENOISING_MOVED, 0, &value),
+                     STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_denoising_get_int(d, STLTSA_DENOISING_MOVED, -1, &count),
+                     STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_denoising_get_int(d, 99, 0, &count), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_denoising_get_int(NULL, STLTSA_DENOISING_ROWS, 0, &count),
+                     STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_denoising_json(NULL, &json), STLTSA_E_ARGUMENT);
+    const stltsa_out narrow = packed_out(y, rows, 1);
+    assert_int_equal(stltsa_denoising_curve(d, &narrow), STLTSA_E_SHAPE);
+    stltsa_denoising* none = d;
+    assert_int_equal(stltsa_denoise_model(NULL, NULL, &none), STLTSA_E_ARGUMENT);
+    assert_null(none);
+    stltsa_denoising_free(NULL);
+    stltsa_denoising_free(d);
+
+    y[17] = NAN;
+    refuses(STLTSA_E_NOT_FINITE, &in, NULL, 1, NULL);
+    assert_non_null(strstr(stltsa_last_error(), "8")); /* the row */
+    free(y);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(cleaned_is_points_and_moves),
+        cmocka_unit_test(scale_and_repetition_change_no_bit),
+        cmocka_unit_test(options_are_used),
+        cmocka_unit_test(spikes_are_refused_by_default),
+        cmocka_unit_test(clips_are_apart),
+        cmocka_unit_test(models_are_cleaned_piece_by_piece),
+        cmocka_unit_test(errors),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

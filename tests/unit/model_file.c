@@ -1,0 +1,198 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* A model that was written and read is the same one; bytes that are no model are refused. */
+#include "support.h"
+
+enum { rows = 90, cols = 7, d = 2 };
+
+struct fixture {
+    double* x;
+    stltsa_model* model;
+    unsigned char* bytes;
+    size_t size;
+};
+
+static int set_up(void** state) {
+    struct fixture* f = calloc(1, sizeof *f);
+    f->x = new_motion(rows, cols, 5);
+    stltsa_options* options = new_options(12, 14, d);
+    must(stltsa_options_set_real(options, STLTSA_FPS, 30));
+    const stltsa_in in = packed_in(f->x, rows, cols);
+    const int64_t lengths[2] = {50, 40};
+    must(stltsa_fit(&in, lengths, 2, options, &f->model));
+    stltsa_options_free(options);
+    must(stltsa_model_serialize(f->model, &f->bytes, &f->size));
+    *state = f;
+    return 0;
+}
+
+static int tear_down(void** state) {
+    struct fixture* f = *state;
+    stltsa_bytes_free(f->bytes);
+    stltsa_model_free(f->model);
+    free(f->x);
+    free(f);
+    return 0;
+}
+
+static void assert_same_model(const stltsa_model* a, const stltsa_model* b) {
+    char* text_a = NULL;
+    char* text_b = NULL;
+    must(stltsa_model_json(a, &text_a));
+    must(stltsa_model_json(b, &text_b));
+    assert_string_equal(text_a, text_b);
+    stltsa_string_free(text_a);
+    stltsa_string_free(text_b);
+    const size_t count = (size_t)(model_int(a, STLTSA_MODEL_FRAMES) * d);
+    double* coords_a = new_coords(a);
+    double* coords_b = new_coords(b);
+    assert_memory_equal(coords_a, coords_b, count * sizeof *coords_a);
+    free(coords_a);
+    free(coords_b);
+}
+
+/* Maps the fitted frames, moved a little, and back. */
+static double* new_round_trip(const stltsa_model* model, const double* x) {
+    double* moved = copy_of(x, rows * cols);
+    for (int i = 0; i < rows * cols; ++i)
+        moved[i] += 1e-3 * (double)(i % 5);
+    double* result = new_matrix(rows, d + cols);
+    const stltsa_in frames = packed_in(moved, rows, cols);
+    stltsa_out coords = packed_out(result, rows, d);
+    coords.row_stride = (d + cols) * (int64_t)sizeof(double);
+    coords.col_stride = (int64_t)sizeof(double);
+    must(stltsa_map(model, &frames, NULL, NULL, &coords, NULL, NULL));
+    stltsa_options* options = NULL;
+    must(stltsa_options_new(&options));
+    must(stltsa_options_set_int(options, STLTSA_COMPONENT, 1));
+    const stltsa_in points = {result, rows, d, coords.row_stride, coords.col_stride, STLTSA_F64, 0};
+    stltsa_out back = coords;
+    back.data = result + d;
+    back.cols = cols;
+    must(stltsa_unmap(model, &points, NULL, options, &back, NULL, NULL));
+    stltsa_options_free(options);
+    free(moved);
+    return result;
+}
+
+static void what_was_written_reads_back(void** state) {
+    const struct fixture* f = *state;
+    stltsa_model* again = NULL;
+    must(stltsa_model_parse(f->bytes, f->size, &again));
+    assert_same_model(f->model, again);
+    assert_int_equal(model_int(again, STLTSA_MODEL_COMPONENTS), 2);
+    unsigned char* bytes = NULL;
+    size_t size = 0;
+    must(stltsa_model_serialize(again, &bytes, &size));
+    assert_int_equal(size, f->size);
+    assert_memory_equal(bytes, f->bytes, size);
+    stltsa_bytes_free(bytes);
+    stltsa_model_free(again);
+}
+
+static void maps_as_before(void** state) {
+    const struct fixture* f = *state;
+    stltsa_model* again = NULL;
+    must(stltsa_model_parse(f->bytes, f->size, &again));
+    double* before = new_round_trip(f->model, f->x);
+    double* after = new_round_trip(again, f->x);
+    assert_memory_equal(before, after, (size_t)(rows * (d + cols)) * sizeof *before);
+    assert_true(model_real(f->model, STLTSA_MODEL_SUPPORT) > 0);
+    assert_true(model_real(f->model, STLTSA_MODEL_SUPPORT) ==
+                model_real(again, STLTSA_MODEL_SUPPORT));
+    free(before);
+    free(after);
+    stltsa_model_free(again);
+}
+
+static void files_hold_the_bytes(void** state) {
+    const struct fixture* f = *state;
+    const char* path = "unit-model-file.stltsa"; /* in the folder that the test runs in */
+    must(stltsa_model_save(f->model, path));
+    stltsa_model* again = NULL;
+    must(stltsa_model_load(path, &again));
+    assert_same_model(f->model, again);
+    stltsa_model_free(again);
+    FILE* file = fopen(path, "rb");
+    unsigned char* bytes = malloc(f->size + 1);
+    assert_int_equal(fread(bytes, 1, f->size + 1, file), f->size);
+    assert_memory_equal(bytes, f->bytes, f->size);
+    free(bytes);
+    fclose(file);
+    remove(path);
+}
+
+static void assert_no_model(const unsigned char* bytes, size_t size) {
+    stltsa_model* model = (stltsa_model*)&model;
+    assert_int_equal(stltsa_model_parse(bytes, size, &model), STLTSA_E_FORMAT);
+    assert_null(model);
+    assert_true(strlen(stltsa_last_error()) > 10);
+}
+
+static void every_cut_is_noticed(void** state) {
+    const struct fixture* f = *state;
+    for (size_t size = 0; size < f->size; ++size) {
+        /* A copy of that size, so that the sanitizers see a read beyond it. */
+        unsigned char* cut = malloc(size + (size == 0));
+        memcpy(cut, f->bytes, size);
+        assert_no_model(cut, size);
+        free(cut);
+    }
+    unsigned char* longer = calloc(f->size + 1, 1);
+    memcpy(longer, f->bytes, f->size);
+    assert_no_model(longer, f->size + 1);
+    free(longer);
+}
+
+static void every_altered_byte_is_noticed(void** state) {
+    const struct fixture* f = *state;
+    unsigned char* altered = malloc(f->size);
+    memcpy(altered, f->bytes, f->size);
+    for (size_t at = 0; at < f->size; ++at) {
+        altered[at] ^= 0x01;
+        assert_no_model(altered, f->size);
+        altered[at] ^= 0x81;
+        assert_no_model(altered, f->size);
+        altered[at] ^= 0x80;
+    }
+    assert_memory_equal(altered, f->bytes, f->size);
+    free(altered);
+}
+
+static void errors_say_what_is_wrong(void** state) {
+    const struct fixture* f = *state;
+    stltsa_model* model = NULL;
+    unsigned char* bytes = NULL;
+    size_t size = 0;
+    assert_int_equal(stltsa_model_serialize(NULL, &bytes, &size), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_model_serialize(f->model, NULL, &size), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_model_serialize(f->model, &bytes, NULL), STLTSA_E_ARGUMENT);
+    assert_null(bytes);
+    assert_int_equal(stltsa_model_parse(NULL, 10, &model), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_model_parse(NULL, 0, &model), STLTSA_E_FORMAT);
+    assert_int_equal(stltsa_model_parse(f->bytes, f->size, NULL), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_model_save(f->model, NULL), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_model_save(NULL, "x.stltsa"), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_model_save(f->model, "no/such/folder/x.stltsa"), STLTSA_E_IO);
+    assert_non_null(strstr(stltsa_last_error(), "no/such/folder/x.stltsa"));
+    assert_int_equal(stltsa_model_load(NULL, &model), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_model_load("no-such.stltsa", NULL), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_model_load("no-such.stltsa", &model), STLTSA_E_IO);
+    assert_non_null(strstr(stltsa_last_error(), "no-such.stltsa"));
+    unsigned char later[32];
+    memcpy(later, f->bytes, sizeof later);
+    later[8] = 2;
+    assert_int_equal(stltsa_model_parse(later, sizeof later, &model), STLTSA_E_FORMAT);
+    assert_non_null(strstr(stltsa_last_error(), "version 2"));
+    assert_int_equal(stltsa_model_parse("HIERARCHY", 9, &model), STLTSA_E_FORMAT);
+    assert_non_null(strstr(stltsa_last_error(), "no model"));
+    stltsa_bytes_free(NULL);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(what_was_written_reads_back),   cmocka_unit_test(maps_as_before),
+        cmocka_unit_test(files_hold_the_bytes),          cmocka_unit_test(every_cut_is_noticed),
+        cmocka_unit_test(every_altered_byte_is_noticed), cmocka_unit_test(errors_say_what_is_wrong),
+    };
+    return cmocka_run_group_tests(tests, set_up, tear_down);
+}
