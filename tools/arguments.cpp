@@ -9,6 +9,7 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <stltsa.h>
 
 #include "exit_status.hpp"
@@ -24,7 +25,11 @@ Examples:
   stltsa decompose walk.bvh --json --plot walk.svg
   stltsa decompose markers.csv --fps 100 --features raw
   stltsa decompose 35_01.amc --skeleton 35.asf
-  stltsa fit walk.bvh --coords y.npy --dimension 3
+  stltsa fit walk.bvh -o walk.stltsa --dimension 3
+  stltsa map walk.stltsa other.bvh -o y.npy        other frames on the same curve
+  stltsa unmap walk.stltsa y.npy -o poses.bvh      and back
+  stltsa denoise walk.bvh --plot before_after.svg  the curve without noise
+  stltsa synthesize walk.bvh:best*4 -o loop.bvh    new motion from units
   stltsa dimension walk.bvh
   stltsa info - < walk.bvh)";
 
@@ -44,8 +49,36 @@ constexpr const char* about_fit =
 
 Examples:
   stltsa fit walk.bvh --coords y.csv
+  stltsa fit walk.bvh --dimension 3 -o walk.stltsa
   stltsa fit walk.bvh --neighbors 1.2s --dimension 3 --coords y.npy
   stltsa fit walk.bvh --mode recurrent --links 4 --json)";
+
+constexpr const char* about_map =
+    R"(Places the frames of a clip on the curve of a model.
+
+Examples:
+  stltsa fit walk.bvh --dimension 3 -o walk.stltsa
+  stltsa map walk.stltsa other.bvh -o y.npy
+  stltsa map walk.stltsa other.bvh --json --curve)";
+
+constexpr const char* about_unmap =
+    R"(Makes poses, or frames, of points on the curve of a model.
+
+Examples:
+  stltsa unmap walk.stltsa y.npy -o poses.bvh
+  stltsa unmap walk.stltsa y.csv -o frames.csv --follow)";
+
+constexpr const char* about_synthesize =
+    R"(Joins pieces of clips into new motion.
+
+A piece is CLIP[:WHAT][*TIMES]. WHAT: frames (120-240), seconds (1.0s-2.0s), a
+unit (preparing, initial, cyclic, final, wind-up, action), best or representative
+(cycle), cycleN; the whole clip where it is left out.
+
+Examples:
+  stltsa synthesize 'walk.bvh:best*4' -o loop.bvh
+  stltsa synthesize walk.bvh:initial 'walk.bvh:best*8' walk.bvh:final -o long.bvh
+  stltsa synthesize walk.bvh run.bvh:cyclic -o walk-then-run.bvh)";
 
 constexpr const char* about_dimension =
     R"(Estimates the intrinsic dimension: local PCA, and the eigengap.
@@ -53,6 +86,14 @@ constexpr const char* about_dimension =
 Examples:
   stltsa dimension walk.bvh
   stltsa dimension walk.bvh --variance 0.99 --json)";
+
+constexpr const char* about_denoise =
+    R"(Cleans coordinates: fits a smooth curve, moves noisy points towards it.
+
+Examples:
+  stltsa denoise walk.bvh --dimension 1 --plot before_after.svg
+  stltsa denoise walk.stltsa -o cleaned.npy --curve-out curve.npy
+  stltsa denoise y.csv --coordinates --fps 30 --gamma 0.01)";
 
 constexpr const char* about_decompose = R"(Cuts a clip into motion units and cycles.
 
@@ -90,6 +131,12 @@ const Keys choosing = {STLTSA_NEIGHBORS, STLTSA_WINDOW,     STLTSA_DIMENSION,
                        STLTSA_MODE,      STLTSA_PERIOD_MIN, STLTSA_PERIOD_MAX};
 const Keys graph = {STLTSA_INCLUDE_SELF, STLTSA_LINKS, STLTSA_EXCLUSION};
 const Keys estimating = {STLTSA_EIGENGAP, STLTSA_VARIANCE};
+const Keys mapping = {STLTSA_MAP_NEIGHBORS, STLTSA_MAP_BLEND};
+const Keys unmapping = {STLTSA_COMPONENT, STLTSA_HINT_WINDOW};
+const Keys threading = {STLTSA_THREADS};
+const Keys denoising = {STLTSA_GAMMA, STLTSA_KNOTS, STLTSA_ROBUST};
+const Keys joining = {STLTSA_CROSSFADE, STLTSA_SEARCH, STLTSA_POSTURE_LIMIT, STLTSA_UP_AXIS};
+const Keys cutting = {STLTSA_PERIOD_MIN, STLTSA_PERIOD_MAX};
 
 /// Builds the parser; what it reads goes into `to`.
 class Parser {
@@ -103,22 +150,44 @@ class Parser {
                                                        STLTSA_VERSION_MAJOR, STLTSA_VERSION_MINOR,
                                                        STLTSA_VERSION_PATCH, stltsa_version()));
         app_.require_subcommand(1);
-        add(Command::info, "info", about_info, {reading});
-        CLI::App& fit = add(Command::fit, "fit", about_fit, {choosing, graph, preparing, reading});
+        const char* const a_clip = "A clip, or - for standard input.";
+        clip_command(Command::info, "info", about_info, a_clip, {reading});
+        CLI::App& fit = clip_command(Command::fit, "fit", about_fit, a_clip,
+                                     {choosing, graph, preparing, reading});
         fit.add_option("--coords", to_.coords,
                        "Write the coordinates, rows x d, to a .npy or\n"
                        ".csv file.")
             ->type_name("FILE");
+        add_product(fit, "Write the model, for map, unmap and denoise.");
         add_plot(fit);
-        CLI::App& dimension = add(Command::dimension, "dimension", about_dimension,
-                                  {estimating, choosing, graph, preparing, reading});
+        CLI::App& map =
+            model_command(Command::map, "map", about_map, a_clip, {mapping, threading, reading});
+        add_product(map, "Write the coordinates to a .npy or .csv file.");
+        map.add_flag("--curve", to_.curve,
+                     "Add coordinates, distances and nearest rows of all\nframes to the JSON.");
+        CLI::App& unmap = model_command(Command::unmap, "unmap", about_unmap,
+                                        "Coordinates: a CSV or NPY file, or - .",
+                                        {mapping, unmapping, threading});
+        add_product(unmap, "Write poses (.bvh, .amc) or frames (.npy, .csv).")->required();
+        unmap.add_flag("--follow", to_.follow,
+                       "Each point goes on where the one before was: what\none coordinate "
+                       "alone cannot tell.");
+        CLI::App& dimension = clip_command(Command::dimension, "dimension", about_dimension, a_clip,
+                                           {estimating, choosing, graph, preparing, reading});
         add_output(dimension);
-        CLI::App& decompose =
-            add(Command::decompose, "decompose", about_decompose, {choosing, preparing, reading});
+        CLI::App& decompose = clip_command(Command::decompose, "decompose", about_decompose, a_clip,
+                                           {choosing, preparing, reading});
         add_plot(decompose);
         add_output(decompose);
         decompose.add_flag("--curve", to_.curve,
                            "Add the curve and the loop, sample by sample, to\nthe JSON.");
+        add_denoise();
+        CLI::App& synthesize =
+            add(Command::synthesize, "synthesize", about_synthesize, {joining, cutting, reading});
+        synthesize.add_option("pieces", to_.pieces, "Pieces, in the order of the new motion.")
+            ->required();
+        add_product(synthesize, "Write the new motion to a .bvh, .amc, .csv or .npy\nfile.")
+            ->required();
     }
 
     void parse(int argc, const char* const* argv) {
@@ -144,16 +213,17 @@ class Parser {
         const auto named = [&](const CLI::App* command) { return command->get_name() == first; };
         if (first.starts_with('-') || std::ranges::any_of(app_.get_subcommands({}), named))
             return;
-        throw Failure(Exit::usage, fmt::format("{}: give info, fit, dimension or decompose\n"
-                                               "Try 'stltsa --help'.",
-                                               argc > 1 ? "there is no command '" + first + "'"
-                                                        : "a command is missing"));
+        throw Failure(
+            Exit::usage,
+            fmt::format("{}: give info, fit, map, unmap, dimension, decompose,\n"
+                        "denoise or synthesize\n"
+                        "Try 'stltsa --help'.",
+                        argc > 1 ? "there is no command '" + first + "'" : "a command is missing"));
     }
 
     CLI::App& add(Command command, const char* name, const char* text,
                   std::initializer_list<Keys> keys) {
         CLI::App& app = *app_.add_subcommand(name, text);
-        app.add_option("clip", to_.input, "A clip, or - for standard input.")->required();
         app.add_flag("--json", to_.json, "Write one JSON object on one line.");
         app.add_flag("-q,--quiet", to_.quiet, "Say nothing on stderr but errors.");
         app.add_flag("--no-color", to_.no_color, "No colors, as with NO_COLOR set.");
@@ -161,6 +231,39 @@ class Parser {
             add_option_flags(app, group, to_.options);
         app.callback([this, command] { to_.command = command; });
         return app;
+    }
+    CLI::App& clip_command(Command command, const char* name, const char* text, const char* input,
+                           std::initializer_list<Keys> keys) {
+        CLI::App& app = add(command, name, text, keys);
+        app.add_option("clip", to_.input, input)->required();
+        return app;
+    }
+    CLI::App& model_command(Command command, const char* name, const char* text, const char* input,
+                            std::initializer_list<Keys> keys) {
+        CLI::App& app = add(command, name, text, keys);
+        app.add_option("model", to_.model, "A model that stltsa fit -o wrote.")->required();
+        app.add_option(command == Command::map ? "clip" : "coords", to_.input, input)->required();
+        return app;
+    }
+    void add_denoise() {
+        CLI::App& denoise =
+            clip_command(Command::denoise, "denoise", about_denoise,
+                         "A model that stltsa fit -o wrote (.stltsa), a clip,\nor - .",
+                         {denoising, choosing, graph, preparing, reading});
+        denoise.add_flag("--coordinates", to_.coordinates,
+                         "The columns of the CSV or NPY file are coordinates:\ndo not fit.");
+        add_product(denoise, "Write the cleaned coordinates to a .npy or .csv\nfile.");
+        denoise
+            .add_option("--curve-out", to_.curve_product,
+                        "Write the fitted curve to a .npy or .csv file.")
+            ->type_name("FILE");
+        add_plot(denoise);
+        denoise.add_flag("--curve", to_.curve,
+                         "Add coordinates, curve and cleaned coordinates,\nrow by row, to the "
+                         "JSON.");
+    }
+    CLI::Option* add_product(CLI::App& app, const char* text) {
+        return app.add_option("-o,--output", to_.product, text)->type_name("FILE");
     }
     void add_output(CLI::App& app) {
         app.add_option("-o,--output", to_.output, "Write the result to a file.")->type_name("FILE");
@@ -173,11 +276,23 @@ class Parser {
     CLI::App app_;
 };
 
+void check_suffix(const char* flag, const std::string& path,
+                  std::initializer_list<std::string_view> suffixes) {
+    if (path.empty() || std::ranges::any_of(suffixes, [&](std::string_view suffix) {
+            return path.ends_with(suffix);
+        }))
+        return;
+    throw Failure(Exit::usage, fmt::format("{} {}: the name must end in {}", flag, path,
+                                           fmt::join(suffixes, ", ")));
+}
+
 void check_arguments(const Arguments& arguments) {
-    const std::string& coords = arguments.coords;
-    if (!coords.empty() && !coords.ends_with(".npy") && !coords.ends_with(".csv"))
-        throw Failure(Exit::usage,
-                      fmt::format("--coords {}: the name must end in .npy or .csv", coords));
+    check_suffix("--coords", arguments.coords, {".npy", ".csv"});
+    check_suffix("--curve-out", arguments.curve_product, {".npy", ".csv"});
+    if (arguments.command == Command::map || arguments.command == Command::denoise)
+        check_suffix("-o", arguments.product, {".npy", ".csv"});
+    if (arguments.command == Command::unmap || arguments.command == Command::synthesize)
+        check_suffix("-o", arguments.product, {".bvh", ".amc", ".npy", ".csv"});
     if (arguments.curve && !arguments.json)
         throw Failure(Exit::usage, "--curve goes with --json");
 }

@@ -4,21 +4,28 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace tool {
 
-enum class Command { info, fit, dimension, decompose };
+enum class Command { info, fit, map, unmap, dimension, decompose, denoise, synthesize };
 
 /// The command line, read.
 struct Arguments {
     Command command = Command::info;
     std::string input;                           ///< "-": standard input
+    std::string model;                           ///< map, unmap: the model file
+    std::vector<std::string> pieces;             ///< synthesize
     std::map<std::int32_t, std::string> options; ///< by STLTSA_* key, as typed
-    std::string output;                          ///< empty: standard output
+    std::string output;        ///< of the text that says what was found; empty: standard output
+    std::string product;       ///< what fit, map, unmap, denoise, synthesize make; empty: nothing
+    std::string curve_product; ///< denoise: the fitted curve
     std::string plot;
     std::string coords;
     bool json = false;
-    bool curve = false; ///< in the JSON
+    bool curve = false;       ///< in the JSON
+    bool coordinates = false; ///< denoise: the input's columns are coordinates
+    bool follow = false;      ///< unmap: each row is near the one before
     bool quiet = false;
     bool no_color = false;
 

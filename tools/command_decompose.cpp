@@ -27,6 +27,7 @@ Json samples_json(const stltsa_decomposition* decomposition, const Json& samples
 
 Exit run_decompose(const Arguments& arguments) {
     Session session(arguments);
+    session.open_input();
     const auto decomposition = made_by<Decomposition>([&](stltsa_decomposition** made) {
         return stltsa_decompose(session.clip(), session.options(), made);
     });

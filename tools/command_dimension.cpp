@@ -7,6 +7,7 @@ namespace tool {
 
 Exit run_dimension(const Arguments& arguments) {
     Session session(arguments);
+    session.open_input();
     const auto result = made_by<Dimension>([&](stltsa_dimension_result** made) {
         return stltsa_dimension_clip(session.clip(), session.options(), made);
     });

@@ -7,6 +7,7 @@ namespace tool {
 
 Exit run_info(const Arguments& arguments) {
     Session session(arguments);
+    session.open_input();
     const Json clip = json_of(stltsa_clip_json, session.clip());
     session.finish(clip, info_report(clip, session.title(), session.colors()));
     return Exit::done;

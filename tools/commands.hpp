@@ -8,7 +8,11 @@ namespace tool {
 
 Exit run_info(const Arguments& arguments);
 Exit run_fit(const Arguments& arguments);
+Exit run_map(const Arguments& arguments);
+Exit run_unmap(const Arguments& arguments);
 Exit run_dimension(const Arguments& arguments);
 Exit run_decompose(const Arguments& arguments);
+Exit run_denoise(const Arguments& arguments);
+Exit run_synthesize(const Arguments& arguments);
 
 } // namespace tool

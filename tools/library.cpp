@@ -50,4 +50,16 @@ void check_reading(stltsa_status status) {
     }
 }
 
+stltsa_out out_of(Grid& grid) {
+    return {grid.values.data(), grid.rows, grid.cols, 0, 0, STLTSA_F64, 0};
+}
+
+Grid coordinates_of(const stltsa_model* model) {
+    std::int64_t rows = 0;
+    std::int64_t cols = 0;
+    check(stltsa_model_get_int(model, STLTSA_MODEL_FRAMES, &rows));
+    check(stltsa_model_get_int(model, STLTSA_MODEL_DIMENSION, &cols));
+    return grid_of(stltsa_model_coords, model, rows, cols);
+}
+
 } // namespace tool

@@ -23,6 +23,8 @@ using Options = std::unique_ptr<stltsa_options, FreeHandle<stltsa_options_free>>
 using Clip = std::unique_ptr<stltsa_clip, FreeHandle<stltsa_clip_free>>;
 using Model = std::unique_ptr<stltsa_model, FreeHandle<stltsa_model_free>>;
 using Dimension = std::unique_ptr<stltsa_dimension_result, FreeHandle<stltsa_dimension_free>>;
+using Denoising = std::unique_ptr<stltsa_denoising, FreeHandle<stltsa_denoising_free>>;
+using Synthesis = std::unique_ptr<stltsa_synthesis, FreeHandle<stltsa_synthesis_free>>;
 using Decomposition = std::unique_ptr<stltsa_decomposition, FreeHandle<stltsa_decomposition_free>>;
 
 using Json = nlohmann::ordered_json;
@@ -49,14 +51,19 @@ Json json_of(stltsa_status (*write)(const Handle*, char**) noexcept, const Handl
     return Json::parse(text);
 }
 
+stltsa_out out_of(Grid& grid);
+
 /// The table that a library function `(handle, const stltsa_out*)` fills.
 template <class Handle>
 Grid grid_of(stltsa_status (*fill)(const Handle*, const stltsa_out*) noexcept, const Handle* handle,
              std::int64_t rows, std::int64_t cols) {
     Grid grid(rows, cols);
-    const stltsa_out out{grid.values.data(), rows, cols, 0, 0, STLTSA_F64, 0};
+    const stltsa_out out = out_of(grid);
     check(fill(handle, &out));
     return grid;
 }
+
+/// rows x d.
+Grid coordinates_of(const stltsa_model* model);
 
 } // namespace tool

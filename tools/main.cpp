@@ -18,10 +18,18 @@ Exit run(const Arguments& arguments) {
         return run_info(arguments);
     case Command::fit:
         return run_fit(arguments);
+    case Command::map:
+        return run_map(arguments);
+    case Command::unmap:
+        return run_unmap(arguments);
     case Command::dimension:
         return run_dimension(arguments);
     case Command::decompose:
         return run_decompose(arguments);
+    case Command::denoise:
+        return run_denoise(arguments);
+    case Command::synthesize:
+        return run_synthesize(arguments);
     }
     return Exit::usage;
 }

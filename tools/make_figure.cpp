@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "plot/denoise_figure.hpp"
 #include "plot/figure.hpp"
 #include "report.hpp"
 #include "text.hpp"
@@ -113,6 +114,28 @@ std::string fit_figure(const Session& session, const Json& object, const stltsa_
                 figure.loop(i, c) = coords(i, c);
     }
     return plot::figure_svg(figure);
+}
+
+std::string denoising_figure(const Json& object, const Grid& points,
+                             const stltsa_denoising* denoising) {
+    const Json& clip = object["clip"];
+    const Json& samples = object["samples"];
+    plot::DenoiseFigure figure;
+    figure.title = clip.is_null() ? "coordinates" : title_of(clip);
+    figure.summary = denoising_summary(object);
+    figure.facts = {"samples: " + samples_text(object), "knots: " + knots_text(object)};
+    figure.fps = samples["fps"].is_null() ? 0 : samples["fps"].get<double>();
+    figure.first = samples["first_frame"];
+    figure.step = samples["frame_step"];
+    figure.fps *= static_cast<double>(figure.step);
+    figure.lengths = samples["lengths"].get<std::vector<std::int64_t>>();
+    figure.before = points;
+    figure.after = grid_of(stltsa_denoising_cleaned, denoising, points.rows, points.cols);
+    figure.curve = grid_of(stltsa_denoising_curve, denoising, points.rows, points.cols);
+    figure.moves = grid_of(stltsa_denoising_moves, denoising, points.rows, points.cols);
+    for (const Json& column : object["columns"])
+        figure.gammas.push_back(column["gamma"]);
+    return plot::denoise_figure_svg(figure);
 }
 
 } // namespace tool

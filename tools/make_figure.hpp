@@ -15,4 +15,8 @@ std::string decomposition_figure(const Session& session, const Json& object,
 std::string fit_figure(const Session& session, const Json& object, const stltsa_model* model,
                        const Grid& coords);
 
+/// Each coordinate before and after, with the curve; `points`: before.
+std::string denoising_figure(const Json& object, const Grid& points,
+                             const stltsa_denoising* denoising);
+
 } // namespace tool

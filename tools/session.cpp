@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "coords_file.hpp"
 #include "exit_status.hpp"
 #include "interrupt.hpp"
 #include "option_flags.hpp"
@@ -47,24 +48,44 @@ double working_rate(const stltsa_clip* clip, const stltsa_options* options) {
 Session::Session(const Arguments& arguments)
     : arguments_(arguments), bar_(!arguments.quiet && ::isatty(STDERR_FILENO) != 0),
       options_(made_by<Options>(stltsa_options_new)) {
-    for (const std::string& path : {arguments.output, arguments.plot, arguments.coords})
+    for (const std::string& path : {arguments.output, arguments.plot, arguments.coords,
+                                    arguments.product, arguments.curve_product})
         if (!path.empty())
             check_output_place(path);
     check(stltsa_options_set_progress(options_.get(), ProgressBar::callback, &bar_));
     set_options(options_.get(), arguments.options);
-    read_clip();
-    set_lengths(options_.get(), arguments.options, working_rate(clip(), options()));
 }
 
-void Session::read_clip() {
+void Session::set_default(std::int32_t key, std::int64_t value) {
+    if (!arguments_.options.contains(key))
+        check(stltsa_options_set_int(options_.get(), key, value));
+}
+
+const stltsa_clip* Session::open_input() {
+    clip_ = open_clip(arguments_.input);
+    set_lengths(options_.get(), arguments_.options, working_rate(clip(), options()));
+    return clip();
+}
+
+Clip Session::open_clip(const std::string& path) const {
     stltsa_clip* clip = nullptr;
-    if (arguments_.input == "-") {
+    if (path == "-") {
         const std::string bytes = read_stdin();
         check_reading(stltsa_clip_parse(bytes.data(), bytes.size(), 0, options(), &clip));
     } else {
-        check_reading(stltsa_clip_open(arguments_.input.c_str(), options(), &clip));
+        check_reading(stltsa_clip_open(path.c_str(), options(), &clip));
     }
-    clip_.reset(clip);
+    return Clip(clip);
+}
+
+Model Session::open_model(const std::string& path) const {
+    stltsa_model* model = nullptr;
+    check_reading(stltsa_model_load(path.c_str(), &model));
+    return Model(model);
+}
+
+void Session::set_fps(double fps) {
+    check(stltsa_options_set_real(options_.get(), STLTSA_FPS, fps));
 }
 
 std::string Session::title() const {
@@ -79,6 +100,15 @@ bool Session::colors() const {
 
 void Session::add_file(const std::string& path, std::string content) {
     files_.add(path, std::move(content));
+}
+
+void Session::add_table(const std::string& path, const Grid& table) {
+    add_file(path, path.ends_with(".npy") ? npy_bytes(table) : csv_text(table));
+}
+
+void Session::add_clip(const std::string& path, const stltsa_clip* clip) {
+    saved_path_ = path;
+    saved_clip_ = clip;
 }
 
 /// Warnings are part of the table; where it is not what the user sees, they go to stderr too.
@@ -99,6 +129,8 @@ void Session::finish(const Json& object, const std::string& table) {
         write_stdout(text);
     else
         files_.add(arguments_.output, text);
+    if (saved_clip_ != nullptr)
+        check(stltsa_clip_save(saved_clip_, saved_path_.c_str()));
     files_.commit();
     warn(object);
 }

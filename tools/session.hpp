@@ -10,14 +10,23 @@
 
 namespace tool {
 
-/// What every command does: options set, the clip read, the result written.
+/// What every command does: options set, the input read, the result written. Throws Failure.
 class Session {
   public:
-    /// Opens the clip. Throws Failure.
+    /// Sets the options, and refuses places where no file can be made.
     explicit Session(const Arguments& arguments);
 
+    /// Opens arguments.input; lengths given in seconds are counted in its frames.
+    const stltsa_clip* open_input();
     const stltsa_clip* clip() const { return clip_.get(); }
+    Clip open_clip(const std::string& path) const;
+    Model open_model(const std::string& path) const;
+
+    /// As option fps: the rate that a file was found to have.
+    void set_fps(double fps);
     const stltsa_options* options() const { return options_.get(); }
+    /// What an option that nobody typed is here.
+    void set_default(std::int32_t key, std::int64_t value);
     const Arguments& arguments() const { return arguments_; }
 
     /// What people call the clip: the file's name without its folder.
@@ -26,11 +35,14 @@ class Session {
     bool colors() const;
 
     void add_file(const std::string& path, std::string content);
+    /// Coordinates as NPY or CSV, as the suffix says.
+    void add_table(const std::string& path, const Grid& table);
+    /// Its format is told by the suffix. The clip must live until finish().
+    void add_clip(const std::string& path, const stltsa_clip* clip);
     /// Writes the object as JSON or, without --json, `table`; then puts the files in their places.
     void finish(const Json& object, const std::string& table);
 
   private:
-    void read_clip();
     void warn(const Json& object) const;
 
     const Arguments& arguments_;
@@ -38,6 +50,8 @@ class Session {
     Options options_;
     Clip clip_;
     OutputFiles files_;
+    std::string saved_path_;
+    const stltsa_clip* saved_clip_ = nullptr;
 };
 
 } // namespace tool

@@ -12,7 +12,8 @@ import numpy
 
 from common import CLIPS, SCHEMAS, CommandTest, circle, cut, drift, run, walk
 
-KINDS = {"info": "clip", "fit": "model", "dimension": "dimension", "decompose": "decomposition"}
+KINDS = {"info": "clip", "fit": "model", "dimension": "dimension", "decompose": "decomposition",
+         "denoise": "denoising"}
 
 
 def validator(kind):
@@ -62,6 +63,9 @@ class Schemas(CommandTest):
         self.check("decompose", walk(), "--features", "euler", "--dimension", "2", "--rate", "0")
         self.check("decompose", walk(), "--curve")
         self.check("decompose", drift(), "--fps", "30")
+        self.check("denoise", walk(), "--curve", "--gamma", "0.01", "--knots", "0.2", "--no-robust")
+        self.check("denoise", circle(), "--coordinates")
+        self.check("denoise", cut(), "--neighbors", "5", "--window", "8")
 
     def test_refuse_what_they_do_not_know(self):
         """Of strict schemas: every object, changed by one unknown member, is refused."""

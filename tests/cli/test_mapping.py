@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""fit -o, map and unmap: there and back."""
+
+import json
+import math
+import unittest
+
+import jsonschema
+import numpy
+
+from common import SCHEMAS, CommandTest, circle, cut, run, walk, write_csv
+
+
+class Mapping(CommandTest):
+    def model(self, clip, *options):
+        path = self.folder / "model.stltsa"
+        self.done("fit", clip, "-o", path, *options)
+        return path
+
+    def coords(self, name):
+        path = self.folder / name
+        if name.endswith(".npy"):
+            return numpy.load(path)
+        return numpy.loadtxt(path, delimiter=",", skiprows=1)
+
+    def check_schema(self, found):
+        schema = json.loads((SCHEMAS / "stltsa-mapping-1.schema.json").read_text())
+        errors = jsonschema.Draft202012Validator(schema).iter_errors(found)
+        self.assertEqual([error.message for error in errors], [])
+
+    def test_a_fitted_clip_gets_its_own_coordinates(self):
+        model = self.model(walk(), "--coords", self.folder / "fit.npy", "--dimension", "3")
+        found = self.json("map", model, walk(), "-o", self.folder / "map.npy")
+        self.check_schema(found)
+        fitted, mapped = self.coords("fit.npy"), self.coords("map.npy")
+        step = 4  # 120 frames a second, 30 samples
+        numpy.testing.assert_array_equal(mapped[::step][: len(fitted)], fitted)
+        self.assertEqual(found["rows"], len(mapped))
+        self.assertLess(found["beyond"]["share"], 0.05)
+
+    def test_another_motion_is_told(self):
+        model = self.model(circle(), "--fps", "30")
+        far = write_csv("far.csv", [[50 + math.cos(t), 50.0, 0.0] for t in range(40)])
+        found = self.json("map", model, far, "--fps", "30")
+        self.assertEqual(found["beyond"]["stretches"], [{"begin": 0, "end": 40}])
+        self.assertIn("40 beyond", self.done("map", model, far, "--fps", "30").decode())
+
+    def test_rows_in_the_json(self):
+        model = self.model(circle(), "--fps", "30")
+        found = self.json("map", model, circle(), "--fps", "30", "--curve")
+        self.check_schema(found)
+        self.assertEqual(len(found["curve"]["coords"]), found["rows"])
+        self.assertEqual(found["curve"]["nearest"], list(range(180)))
+
+    def test_poses_come_back(self):
+        model = self.model(walk(), "--coords", self.folder / "y.csv", "--dimension", "3")
+        poses = self.folder / "poses.bvh"
+        found = self.json("unmap", model, self.folder / "y.csv", "-o", poses)
+        self.check_schema(found)
+        source, made = self.json("info", walk()), self.json("info", poses)
+        self.assertEqual(made["clip"]["frames"], found["rows"])
+        self.assertEqual(made["clip"]["fps"], 30)
+        self.assertEqual(made["joints"], source["joints"])
+        self.done("map", model, poses, "-o", self.folder / "again.csv")
+        fitted, again = self.coords("y.csv"), self.coords("again.csv")
+        error = numpy.sqrt(((fitted - again) ** 2).mean(axis=0)) / fitted.std(axis=0)
+        self.assertLess(error.max(), 0.2)  # poses are smoothed once more
+
+    def test_frames_come_back(self):
+        model = self.model(circle(), "--fps", "30", "--coords", self.folder / "y.npy")
+        self.done("unmap", model, self.folder / "y.npy", "-o", self.folder / "x.csv")
+        numbers = numpy.loadtxt(circle(), delimiter=",")
+        self.assertLess(numpy.abs(self.coords("x.csv") - numbers).max(), 0.1)
+
+    def test_one_coordinate_needs_to_follow(self):
+        """To and fro look the same in one coordinate; going on from the last row tells them."""
+        model = self.model(
+            circle(), "--fps", "30", "--dimension", "1", "--coords", self.folder / "y.npy"
+        )
+        numbers = numpy.loadtxt(circle(), delimiter=",")
+        between = (self.coords("y.npy")[1:] + self.coords("y.npy")[:-1]) / 2
+        numpy.save(self.folder / "between.npy", between)
+        errors = []
+        for flags in ((), ("--follow",)):
+            path = self.folder / "x.csv"
+            self.done("unmap", model, self.folder / "between.npy", "-o", path, *flags)
+            wrong = self.coords("x.csv") - (numbers[1:] + numbers[:-1]) / 2
+            errors.append(numpy.sqrt((wrong**2).mean()))
+        self.assertLess(errors[1], 0.5 * errors[0])
+
+    def test_wrong_use(self):
+        model = self.model(circle(), "--fps", "30")
+        self.assertIn("no model", self.fails(3, "map", circle(), circle()))
+        self.assertIn("absent", self.fails(3, "map", "absent.stltsa", circle()))
+        self.fails(2, "map", model, circle(), "-o", self.folder / "y.txt")
+        self.fails(2, "unmap", model, circle())
+        self.fails(2, "unmap", model, circle(), "-o", self.folder / "x.png")
+        self.assertIn("columns", self.fails(1, "unmap", model, circle(), "-o", self.folder / "x.csv"))
+        self.assertIn("skeleton", self.fails(2, "unmap", model, walk(), "-o", self.folder / "x.csv"))
+        self.done("fit", circle(), "--fps", "30", "--coords", self.folder / "y.csv")
+        message = self.fails(1, "unmap", model, self.folder / "y.csv", "-o", self.folder / "x.bvh")
+        self.assertIn("bare numbers", message)
+        two = write_csv("two.csv", [[0.0, float(i)] for i in range(40)])
+        self.assertIn("features", self.fails(1, "map", model, two, "--fps", "30"))
+
+    def test_pieces_need_a_choice(self):
+        path = self.folder / "model.stltsa"
+        options = ("--neighbors", "5", "--window", "8")
+        self.assertEqual(run("fit", cut(), "-o", path, *options).returncode, 4)
+        points = write_csv("points.csv", [[0.01, 0.01]])
+        message = self.fails(4, "unmap", path, points, "-o", self.folder / "x.csv")
+        self.assertIn("component", message)
+        self.done("unmap", path, points, "-o", self.folder / "x.csv", "--component", "1")
+        self.assertGreater(self.coords("x.csv")[0], 500)
+
+
+if __name__ == "__main__":
+    unittest.main()

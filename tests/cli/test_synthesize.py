@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""synthesize: pieces as people write them, and the clips that come out."""
+
+import json
+import unittest
+
+import jsonschema
+
+from common import SCHEMAS, CommandTest, circle, drift, walk
+
+
+class Synthesize(CommandTest):
+    def made(self, *pieces):
+        """The object about a new clip, and the clip's own."""
+        path = self.folder / "made.bvh"
+        found = self.json("synthesize", *pieces, "-o", path)
+        schema = json.loads((SCHEMAS / "stltsa-synthesis-1.schema.json").read_text())
+        errors = jsonschema.Draft202012Validator(schema).iter_errors(found)
+        self.assertEqual([error.message for error in errors], [])
+        info = self.json("info", path)["clip"]
+        self.assertEqual(info["frames"], found["clip"]["frames"])
+        self.assertEqual(info["fps"], 120)
+        return found, info
+
+    def units(self):
+        return self.json("decompose", walk())
+
+    def test_units_give_the_clip_back(self):
+        pieces = [f"{walk()}:{unit['kind']}" for unit in self.units()["units"]]
+        found, _ = self.made(*pieces)
+        self.assertEqual(found["seams"], [])
+        made = (self.folder / "made.bvh").read_text().split("MOTION")[1].split()
+        source = walk().read_text().split("MOTION")[1].split()
+        self.assertEqual([float(x) for x in made[5:]], [float(x) for x in source[5:]])
+
+    def test_a_cycle_again_and_again(self):
+        cycle = self.units()["best_cycle"]
+        length = cycle["end"] - cycle["begin"]
+        found, _ = self.made(f"{walk()}:best*4")
+        self.assertEqual(len(found["seams"]), 3)
+        self.assertAlmostEqual(found["clip"]["frames"], 4 * length, delta=0.4 * length)
+        for seam in found["seams"]:
+            self.assertLess(seam["step"], 1.4)
+
+    def test_pieces_by_frames_and_seconds(self):
+        frames, _ = self.made(f"{walk()}:120-480")
+        self.assertEqual(frames["clip"]["frames"], 360)
+        seconds, _ = self.made(f"{walk()}:1.0s-4.0s")
+        self.assertEqual(seconds["clip"]["frames"], 360)
+        self.assertEqual(seconds["pieces"][0]["begin"], 120)
+
+    def test_cycles_by_number(self):
+        found, _ = self.made(f"{walk()}:cycle1", f"{walk()}:cycle3")
+        self.assertEqual(len(found["pieces"]), 2)
+        out = self.folder / "x.bvh"
+        self.assertIn("no such part", self.fails(4, "synthesize", f"{walk()}:cycle9", "-o", out))
+
+    def test_the_table_names_the_pieces(self):
+        piece = f"{walk()}:best*2"
+        text = self.done("synthesize", piece, "-o", self.folder / "x.bvh").decode()
+        self.assertIn("1 seam", text)
+        self.assertIn("best*2", text)
+
+    def test_wrong_use(self):
+        out = self.folder / "x.bvh"
+        self.fails(2, "synthesize", walk())
+        self.fails(2, "synthesize", walk(), "-o", self.folder / "x.svg")
+        self.assertIn("'bset'", self.fails(2, "synthesize", f"{walk()}:bset", "-o", out))
+        self.assertIn("how often", self.fails(2, "synthesize", f"{walk()}*0", "-o", out))
+        self.fails(2, "synthesize", f"{walk()}:500-400", "-o", out)
+        self.fails(2, "synthesize", f"{walk()}:0-100000", "-o", out)
+        self.fails(3, "synthesize", "absent.bvh", "-o", out)
+        message = self.fails(1, "synthesize", circle(), "-o", self.folder / "x.csv", "--fps", "30")
+        self.assertIn("skeleton", message)
+        reason = self.fails(4, "synthesize", f"{drift()}:best", "-o", out, "--fps", "30")
+        self.assertIn("no period", reason)
+        self.assertFalse(out.exists())
+
+
+if __name__ == "__main__":
+    unittest.main()

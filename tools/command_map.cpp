@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "commands.hpp"
+#include "mapped.hpp"
+#include "report.hpp"
+#include "session.hpp"
+
+namespace tool {
+
+Exit run_map(const Arguments& arguments) {
+    Session session(arguments);
+    const Model model = session.open_model(arguments.model);
+    const stltsa_clip* clip = session.open_input();
+    Mapped mapped(stltsa_clip_frames(clip), whole_of(model.get(), STLTSA_MODEL_DIMENSION));
+    const stltsa_out coords = mapped.values_out();
+    const stltsa_out distance = mapped.distance_out();
+    check(stltsa_map_clip(model.get(), clip, session.options(), &coords, &distance,
+                          mapped.nearest.data()));
+    if (!arguments.product.empty())
+        session.add_table(arguments.product, mapped.values);
+    Json object = mapping_json("map", arguments, model.get(), mapped, clip);
+    if (arguments.curve)
+        object["curve"] = mapped_json(mapped);
+    session.finish(object, mapping_report(object, session.title(), session.colors()));
+    return Exit::done;
+}
+
+} // namespace tool

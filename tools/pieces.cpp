@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pieces.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+#include <string_view>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "exit_status.hpp"
+
+namespace tool {
+namespace {
+
+constexpr std::string_view parts[] = {"preparing", "initial", "cyclic", "final",
+                                      "wind-up",   "action",  "best",   "representative"};
+
+/// The whole text as a number that is not negative.
+template <class T>
+std::optional<T> number_in(std::string_view text) {
+    T value{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size() || value < T{})
+        return std::nullopt;
+    return value;
+}
+
+struct Range {
+    double begin = 0;
+    double end = 0;
+    bool seconds = false; ///< else frames
+};
+
+/// "120-240" or "1.0s-2.0s".
+std::optional<Range> range_in(std::string_view what) {
+    const std::size_t dash = what.find('-');
+    if (dash == what.npos)
+        return std::nullopt;
+    std::string_view begin = what.substr(0, dash);
+    std::string_view end = what.substr(dash + 1);
+    const bool seconds = begin.ends_with('s') && end.ends_with('s');
+    if (seconds) {
+        begin.remove_suffix(1);
+        end.remove_suffix(1);
+    }
+    const auto first = number_in<double>(begin);
+    const auto last = number_in<double>(end);
+    const auto whole = [](double value) { return value == std::floor(value) && value < 1e15; };
+    if (!first || !last || (!seconds && !(whole(*first) && whole(*last))))
+        return std::nullopt;
+    return Range{*first, *last, seconds};
+}
+
+/// The 3 of "cycle3".
+std::optional<std::size_t> cycle_in(std::string_view what) {
+    if (!what.starts_with("cycle"))
+        return std::nullopt;
+    return number_in<std::size_t>(what.substr(5));
+}
+
+bool is_part(std::string_view what) {
+    return std::ranges::find(parts, what) != std::end(parts) || range_in(what) || cycle_in(what);
+}
+
+[[noreturn]] void no_piece(const std::string& text, std::string_view why) {
+    throw Failure(Exit::usage, fmt::format("'{}': {}; a piece is CLIP[:WHAT][*TIMES], WHAT being "
+                                           "120-240, 1.0s-2.0s, cycle3, {}",
+                                           text, why, fmt::join(parts, ", ")));
+}
+
+bool is_file(const std::string& path) {
+    std::error_code ignored;
+    return std::filesystem::exists(path, ignored);
+}
+
+[[noreturn]] void missing(const PieceText& text, const Json& units) {
+    const std::string reason = units["reason"].is_null() ? "the clip has no such part"
+                                                         : units["reason"].get<std::string>();
+    throw Failure(Exit::untrustworthy, fmt::format("{}:{}: {} (stltsa decompose shows its units)",
+                                                   text.path, text.what, reason));
+}
+
+} // namespace
+
+PieceText parse_piece(const std::string& text) {
+    PieceText piece{text, "", 1};
+    if (is_file(text))
+        return piece;
+    if (const std::size_t star = text.rfind('*'); star != text.npos) {
+        const auto times = number_in<std::int64_t>(std::string_view(text).substr(star + 1));
+        if (!times || *times < 1)
+            no_piece(text, "after * comes how often, at least 1");
+        piece.repeat = *times;
+        piece.path.resize(star);
+    }
+    const std::size_t colon = piece.path.rfind(':');
+    if (colon == piece.path.npos || is_file(piece.path))
+        return piece;
+    piece.what = piece.path.substr(colon + 1);
+    piece.path.resize(colon);
+    if (!is_part(piece.what))
+        no_piece(text, fmt::format("there is no '{}' of a clip", piece.what));
+    return piece;
+}
+
+PieceFinder::Source& PieceFinder::source(const std::string& path) {
+    const auto [found, added] = sources_.try_emplace(path);
+    if (added)
+        found->second.clip = session_.open_clip(path);
+    return found->second;
+}
+
+const Json& PieceFinder::units(Source& source) {
+    if (source.units.is_null()) {
+        const auto decomposition = made_by<Decomposition>([&](stltsa_decomposition** made) {
+            return stltsa_decompose(source.clip.get(), session_.options(), made);
+        });
+        source.units = json_of(stltsa_decomposition_json, decomposition.get());
+    }
+    return source.units;
+}
+
+const Json& PieceFinder::interval(Source& source, const PieceText& text) {
+    const Json& all = units(source);
+    if (text.what == "best" || text.what == "representative") {
+        const Json& chosen = all[text.what + "_cycle"];
+        if (chosen.is_null())
+            missing(text, all);
+        return chosen;
+    }
+    if (const auto index = cycle_in(text.what)) {
+        if (*index < 1 || *index > all["cycles"].size())
+            missing(text, all);
+        return all["cycles"][*index - 1];
+    }
+    for (const Json& unit : all["units"])
+        if (unit["kind"] == text.what)
+            return unit;
+    missing(text, all);
+}
+
+stltsa_piece PieceFinder::find(const PieceText& text) {
+    Source& from = source(text.path);
+    stltsa_piece piece{from.clip.get(), 0, stltsa_clip_frames(from.clip.get()), text.repeat, 0};
+    if (text.what.empty())
+        return piece;
+    if (const auto range = range_in(text.what)) {
+        const double scale = range->seconds ? stltsa_clip_fps(from.clip.get()) : 1;
+        piece.begin = std::llround(range->begin * scale);
+        piece.end = std::llround(range->end * scale);
+    } else {
+        const Json& part = interval(from, text);
+        piece.begin = part["begin"];
+        piece.end = part["end"];
+    }
+    return piece;
+}
+
+} // namespace tool

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Pieces of clips as people write them: walk.bvh, walk.bvh:120-240, walk.bvh:best*4.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "library.hpp"
+#include "session.hpp"
+
+namespace tool {
+
+/// A piece, read but not looked up.
+struct PieceText {
+    std::string path;
+    std::string what; ///< empty: all of the clip
+    std::int64_t repeat = 1;
+};
+
+/// Throws Failure with Exit::usage. A file of that very name is a whole clip.
+PieceText parse_piece(const std::string& text);
+
+/// The clips of the pieces, each opened once, and cut into units where a piece asks for one.
+class PieceFinder {
+  public:
+    explicit PieceFinder(const Session& session) : session_(session) {}
+
+    stltsa_piece find(const PieceText& text);
+
+  private:
+    struct Source {
+        Clip clip;
+        Json units; ///< the decomposition; null until asked for
+    };
+    Source& source(const std::string& path);
+    const Json& units(Source& source);
+    const Json& interval(Source& source, const PieceText& text);
+
+    const Session& session_;
+    std::map<std::string, Source> sources_;
+};
+
+} // namespace tool

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plot/denoise_figure.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
+#include <stltsa.h>
+
+#include "plot/labels.hpp"
+#include "plot/palette.hpp"
+#include "plot/scale.hpp"
+#include "plot/svg.hpp"
+
+namespace tool::plot {
+namespace {
+
+constexpr double width = 720;
+constexpr double left = 54;
+constexpr double right = 14;
+constexpr double panel_height = 150;
+constexpr double axis_height = 34;
+constexpr double small_font = 9.5;
+/// More would be a page too long for the eye.
+constexpr std::int64_t most_columns = 3;
+
+const char* const curve_color = unit_colors(STLTSA_UNIT_CYCLIC).line;
+constexpr double band_opacity = 0.22;
+const char* const moved_color = unit_colors(STLTSA_UNIT_FINAL).line;
+
+/// One column, before or after.
+struct Panel {
+    const DenoiseFigure& figure;
+    std::int64_t column;
+    const Grid& points;
+    Rect frame;
+    Scale time;  ///< row to x
+    Scale value; ///< to y
+
+    Point at(const Grid& grid, std::int64_t row, double offset = 0) const {
+        return {time(static_cast<double>(row)), value(grid(row, column) + offset)};
+    }
+    double gamma() const { return figure.gammas[static_cast<std::size_t>(column)]; }
+};
+
+/// That of both panels, so that they can be compared.
+std::pair<double, double> range_of(const DenoiseFigure& figure, std::int64_t column) {
+    double low = INFINITY;
+    double high = -HUGE_VAL;
+    for (const Grid* grid : {&figure.before, &figure.after, &figure.curve})
+        for (std::int64_t r = 0; r < grid->rows; ++r) {
+            low = std::min(low, (*grid)(r, column));
+            high = std::max(high, (*grid)(r, column));
+        }
+    if (!(low < high))
+        return {low - 1, low + 1};
+    return {low, high};
+}
+
+Panel panel_of(const DenoiseFigure& figure, std::int64_t column, const Grid& points,
+               const Rect& frame) {
+    const auto [low, high] = range_of(figure, column);
+    constexpr double air = 8;
+    const auto last = static_cast<double>(std::max<std::int64_t>(1, points.rows - 1));
+    return {figure,
+            column,
+            points,
+            frame,
+            {0, last, frame.x + air, frame.right() - air},
+            {low, high, frame.bottom() - air, frame.y + air}};
+}
+
+void draw_axes(Svg& svg, const Panel& panel, const std::string& name, bool with_time) {
+    const DenoiseFigure& figure = panel.figure;
+    svg.rect(panel.frame,
+             {{"class", "frame"}, {"fill", "none"}, {"stroke", hairline}, {"stroke-width", 0.8}});
+    for (const Tick& tick : nice_ticks(panel.value.from, panel.value.to, 4)) {
+        const double y = panel.value(tick.value);
+        svg.line({panel.frame.x - 4, y}, {panel.frame.x, y},
+                 {{"stroke", ink}, {"stroke-width", 0.8}});
+        svg.text({panel.frame.x - 6, y + 3.5}, Anchor::end, tick.label,
+                 {{"font-size", small_font}});
+    }
+    svg.text({panel.frame.x, panel.frame.y - 5}, Anchor::start, name, {{"font-weight", "bold"}});
+    const double unit = figure.fps > 0 ? 1 / figure.fps : 1;
+    const auto time_of = [&](double row) {
+        return (static_cast<double>(figure.first) + row * static_cast<double>(figure.step)) * unit;
+    };
+    const double bottom = panel.frame.bottom();
+    const Scale time{time_of(panel.time.from), time_of(panel.time.to), panel.time.start,
+                     panel.time.end};
+    for (const Tick& tick : nice_ticks(time.from, time.to, 12)) {
+        const double x = time(tick.value);
+        svg.line({x, bottom}, {x, bottom + 4}, {{"stroke", ink}, {"stroke-width", 0.8}});
+        if (with_time)
+            svg.text({x, bottom + 15}, Anchor::middle, tick.label,
+                     {{"class", "tick"}, {"font-size", small_font}});
+    }
+    if (with_time)
+        svg.text({panel.frame.x + 0.5 * panel.frame.width, bottom + 28}, Anchor::middle,
+                 figure.fps > 0 ? "time in seconds" : "frame");
+}
+
+/// Calls draw(begin, end) for the rows of each piece.
+template <class Draw>
+void for_pieces(const DenoiseFigure& figure, Draw draw) {
+    std::int64_t begin = 0;
+    for (const std::int64_t length : figure.lengths) {
+        draw(begin, begin + length);
+        begin += length;
+    }
+}
+
+/// Within gamma of the curve; cut off at the frame.
+void draw_band(Svg& svg, const Panel& panel) {
+    const auto held = [&](Point p) {
+        return Point{p.x, std::clamp(p.y, panel.frame.y, panel.frame.bottom())};
+    };
+    for_pieces(panel.figure, [&](std::int64_t begin, std::int64_t end) {
+        std::vector<Point> outline;
+        for (std::int64_t r = begin; r < end; ++r)
+            outline.push_back(held(panel.at(panel.figure.curve, r, panel.gamma())));
+        for (std::int64_t r = end; r-- > begin;)
+            outline.push_back(held(panel.at(panel.figure.curve, r, -panel.gamma())));
+        svg.polyline(outline,
+                     {{"class", "band"}, {"fill", curve_color}, {"fill-opacity", band_opacity}});
+    });
+}
+
+void draw_curve(Svg& svg, const Panel& panel) {
+    for_pieces(panel.figure, [&](std::int64_t begin, std::int64_t end) {
+        std::vector<Point> line;
+        for (std::int64_t r = begin; r < end; ++r)
+            line.push_back(panel.at(panel.figure.curve, r));
+        svg.polyline(line, {{"class", "fitted"},
+                            {"fill", "none"},
+                            {"stroke", curve_color},
+                            {"stroke-width", 1.4},
+                            {"stroke-linejoin", "round"}});
+    });
+}
+
+/// Rings, and filled dots where a point was moved; one of those that would lie on one another.
+void draw_points(Svg& svg, const Panel& panel, bool moved) {
+    std::set<std::pair<long, long>> taken;
+    if (moved)
+        svg.open("g", {{"fill", moved_color}});
+    else
+        svg.open("g", {{"fill", "none"}, {"stroke", faint_ink}, {"stroke-width", 0.7}});
+    for (std::int64_t r = 0; r < panel.points.rows; ++r) {
+        const Point p = panel.at(panel.points, r);
+        if ((panel.figure.moves(r, panel.column) != 0) == moved &&
+            taken.emplace(std::lround(2 * p.x), std::lround(2 * p.y)).second)
+            svg.circle(p, moved ? 1.9 : 1.6, {{"class", moved ? "moved" : "point"}});
+    }
+    svg.close("g");
+}
+
+void draw_panel(Svg& svg, const Panel& panel, const std::string& name, bool with_time) {
+    draw_band(svg, panel);
+    draw_axes(svg, panel, name, with_time);
+    draw_points(svg, panel, false);
+    draw_curve(svg, panel);
+    draw_points(svg, panel, true);
+}
+
+/// What the marks mean, in one row; y is the text's.
+void draw_key(Svg& svg, double y) {
+    const double middle = y - 3.5;
+    svg.circle({left + 4, middle}, 1.6,
+               {{"fill", "none"}, {"stroke", faint_ink}, {"stroke-width", 0.7}});
+    svg.text({left + 12, y}, Anchor::start, "coordinate");
+    svg.circle({left + 96, middle}, 1.9, {{"fill", moved_color}});
+    svg.text({left + 104, y}, Anchor::start, "noisy, moved");
+    svg.line({left + 196, middle}, {left + 216, middle},
+             {{"stroke", curve_color}, {"stroke-width", 1.4}});
+    svg.text({left + 222, y}, Anchor::start, "fitted curve");
+    svg.rect({left + 310, middle - 5, 20, 10},
+             {{"fill", curve_color}, {"fill-opacity", band_opacity}});
+    svg.text({left + 336, y}, Anchor::start, "within gamma of it");
+}
+
+double draw_head(Svg& svg, const DenoiseFigure& figure) {
+    constexpr double title_font = 15;
+    constexpr double summary_font = 12;
+    svg.text({left, 22}, Anchor::start,
+             shortened(figure.title, 1.1 * title_font, width - left - right),
+             {{"font-size", title_font}, {"font-weight", "bold"}});
+    double y = 24;
+    for (const std::string& line : lines_of(figure.summary, summary_font, width - left - right))
+        svg.text({left, y += 16}, Anchor::start, line, {{"font-size", summary_font}});
+    draw_key(svg, y += 20);
+    return y + 8;
+}
+
+double draw_facts(Svg& svg, const DenoiseFigure& figure, double y) {
+    constexpr double font = 10.5;
+    for (const std::string& fact : figure.facts)
+        for (const std::string& line : lines_of(fact, font, width - left - right))
+            svg.text({left, y += 15}, Anchor::start, line, {{"font-size", font}});
+    return y;
+}
+
+} // namespace
+
+std::string denoise_figure_svg(const DenoiseFigure& figure) {
+    Svg svg;
+    double y = draw_head(svg, figure);
+    constexpr double heading = 18;
+    for (std::int64_t c = 0; c < std::min(figure.curve.cols, most_columns); ++c)
+        for (const bool before : {true, false}) {
+            const Rect frame{left, y + heading, width - left - right, panel_height};
+            const Panel panel = panel_of(figure, c, before ? figure.before : figure.after, frame);
+            draw_panel(
+                svg, panel,
+                fmt::format("coordinate {}, {} denoising", c + 1, before ? "before" : "after"),
+                !before);
+            y += heading + panel_height + (before ? 4 : axis_height);
+        }
+    y = draw_facts(svg, figure, y + 4);
+    return svg.document(width, y + 16, figure.title);
+}
+
+} // namespace tool::plot
