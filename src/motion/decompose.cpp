@@ -79,10 +79,10 @@ std::string fell_apart(const ltsa::Model& model) {
                        model.components.size());
 }
 
-void claim_cycles(const std::vector<double>& run, ConstMatrixView samples, const Activity& activity,
-                  double period, Decomposition& result) {
+void claim_cycles(const std::vector<double>& run, ConstMatrixView samples, double period,
+                  double fps, Decomposition& result) {
     result.period = period;
-    result.units = cyclic_units(run, activity, period);
+    result.units = cyclic_units(run, pose_speed(samples, border_smoothing(period, fps)), period);
     result.cycles = cycles_between(run);
     result.representative = 0;
     result.best = most_typical(result.cycles, samples);
@@ -107,7 +107,7 @@ void cut(const Embedding& embedding, ConstMatrixView samples, const Activity& ac
     result.lag_quality = evidence.period.quality;
     result.reason = model.components.size() > 1 ? fell_apart(model) : doubt(evidence, fps);
     if (result.reason.empty())
-        claim_cycles(run, samples, activity, evidence.period.samples, result);
+        claim_cycles(run, samples, evidence.period.samples, fps, result);
 }
 
 } // namespace

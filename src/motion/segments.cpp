@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "motion/segments.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "motion/rests.hpp"
@@ -13,9 +14,16 @@ namespace {
 /// period. Gait stays above 0.45; the level leaves room for the noise of a standing body.
 constexpr double standing_beside_cycles = 0.4;
 constexpr double hold_periods = 0.25;
+constexpr double still_beside_cycles = 0.25;
 /// Among other motion, below this share of the typical speed, for this long.
 constexpr double standing_among_actions = 0.25;
 constexpr double hold_s = 0.3;
+constexpr double still_among_actions = 0.15;
+/// The first step takes the longer, the slower the cycles are: so may the smoothing, which then
+/// displaces all starts by the same share of a cycle and leaves as little noise as it can.
+constexpr double smoothing_periods = 0.14;
+/// Slow exercises start no slower than that.
+constexpr double most_smoothing_s = 0.2;
 
 void append(std::vector<Unit>& units, UnitKind kind, double begin, double end) {
     if (end > begin)
@@ -24,16 +32,21 @@ void append(std::vector<Unit>& units, UnitKind kind, double begin, double end) {
 
 } // namespace
 
-std::vector<Unit> cyclic_units(const std::vector<double>& run, const Activity& activity,
+double border_smoothing(double period, double fps) {
+    return std::min(smoothing_periods * period, most_smoothing_s * fps);
+}
+
+std::vector<Unit> cyclic_units(const std::vector<double>& run, std::span<const double> speed,
                                double period) {
+    const auto samples = static_cast<double>(speed.size());
     const auto first = static_cast<std::size_t>(std::lround(run.front()));
     const auto last = static_cast<std::size_t>(std::lround(run.back()));
-    const auto speed = std::span<const double>(activity.speed);
     const double reference = median(speed.subspan(first, last + 1 - first));
     double moves = 0;
-    double stops = static_cast<double>(activity.samples());
-    for (const Rest& rest :
-         find_rests(speed, standing_beside_cycles * reference, reference, hold_periods * period)) {
+    double stops = samples;
+    const Standing standing{standing_beside_cycles * reference, hold_periods * period,
+                            still_beside_cycles * reference};
+    for (const Rest& rest : find_rests(speed, standing)) {
         if (rest.end <= run.front())
             moves = rest.end;
         if (rest.begin >= run.back())
@@ -44,7 +57,7 @@ std::vector<Unit> cyclic_units(const std::vector<double>& run, const Activity& a
     append(units, UnitKind::initial, moves, run.front());
     append(units, UnitKind::cyclic, run.front(), run.back());
     append(units, UnitKind::final, run.back(), stops);
-    append(units, UnitKind::wind_up, stops, static_cast<double>(activity.samples()));
+    append(units, UnitKind::wind_up, stops, samples);
     return units;
 }
 
@@ -54,8 +67,9 @@ std::vector<Unit> action_units(const Activity& activity, double fps) {
         return {{UnitKind::preparing, 0, end}};
     std::vector<Unit> units;
     double done = 0;
-    for (const Rest& rest : find_rests(activity.speed, standing_among_actions * activity.typical,
-                                       activity.typical, hold_s * fps)) {
+    const Standing standing{standing_among_actions * activity.typical, hold_s * fps,
+                            still_among_actions * activity.typical};
+    for (const Rest& rest : find_rests(activity.speed, standing)) {
         append(units, UnitKind::action, done, rest.begin);
         const bool winds_up = rest.begin > 0 && rest.end >= end;
         append(units, winds_up ? UnitKind::wind_up : UnitKind::preparing, rest.begin, rest.end);

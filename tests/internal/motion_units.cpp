@@ -45,6 +45,9 @@ void what_never_moves_has_no_activity(void**) {
     assert_true(units[0].kind == UnitKind::preparing);
 }
 
+/// Against motion at a speed of 1.
+constexpr Standing standing{0.4, 8, 0.15};
+
 /// Speed 0 up to `onset`, then rising by 0.05 a sample up to 1; noise of a standing body added.
 std::vector<double> starts_at(double onset, double sway, std::size_t samples) {
     std::mt19937 random(3);
@@ -60,13 +63,13 @@ std::vector<double> starts_at(double onset, double sway, std::size_t samples) {
 void rests_end_at_the_onset(void**) {
     for (const double sway : {0.0, 0.02, 0.1, 0.2}) {
         const auto speed = starts_at(60, sway, 150);
-        const auto rests = find_rests(speed, 0.4, 1, 8);
+        const auto rests = find_rests(speed, standing);
         assert_int_equal(rests.size(), 1);
         ASSERT_NEAR(rests[0].begin, 0, 0);
         ASSERT_NEAR(rests[0].end, 61, 2.5);
 
         std::vector<double> reversed(speed.rbegin(), speed.rend());
-        const auto last = find_rests(reversed, 0.4, 1, 8);
+        const auto last = find_rests(reversed, standing);
         assert_int_equal(last.size(), 1);
         ASSERT_NEAR(last[0].end, 150, 0);
         ASSERT_NEAR(last[0].begin, 149 - rests[0].end, 1e-9);
@@ -81,7 +84,7 @@ void sway_is_standing(void**) {
         const double sway = 0.2 * (1 + 0.3 * std::cos(turn * since / 40));
         speed.push_back(std::hypot(std::clamp(0.05 * since, 0.0, 1.0), sway));
     }
-    const auto rests = find_rests(speed, 0.4, 1, 8);
+    const auto rests = find_rests(speed, standing);
     assert_int_equal(rests.size(), 1);
     ASSERT_NEAR(rests[0].end, 63, 3);
 }
@@ -89,14 +92,14 @@ void sway_is_standing(void**) {
 void short_dips_are_no_rests(void**) {
     std::vector<double> speed(100, 1.0);
     std::fill_n(speed.begin() + 40, 7, 0.0);
-    assert_true(find_rests(speed, 0.4, 1, 8).empty());
+    assert_true(find_rests(speed, standing).empty());
     speed[47] = 0;
-    assert_int_equal(find_rests(speed, 0.4, 1, 8).size(), 1);
-    // At the ends of a clip half of it may lie outside.
-    std::fill_n(speed.begin(), 3, 0.0);
-    assert_int_equal(find_rests(speed, 0.4, 1, 8).size(), 1);
-    speed[3] = 0;
-    assert_int_equal(find_rests(speed, 0.4, 1, 8).size(), 2);
+    assert_int_equal(find_rests(speed, standing).size(), 1);
+    // Nor at the ends of a clip, which may be cut at a turning point.
+    std::fill_n(speed.begin(), 7, 0.0);
+    assert_int_equal(find_rests(speed, standing).size(), 1);
+    speed[7] = 0;
+    assert_int_equal(find_rests(speed, standing).size(), 2);
 }
 
 Activity activity_of(std::vector<double> speed) {
@@ -127,13 +130,13 @@ void five_units_or_fewer(void**) {
     using enum UnitKind;
     const std::vector<double> run{60.25, 75, 90.5, 105, 120.75};
     std::vector<double> speed(200, 1.0);
-    auto units = cyclic_units(run, activity_of(speed), 30);
+    auto units = cyclic_units(run, speed, 30);
     check_cover(units, 200);
     assert_true(kinds(units) == (std::vector{initial, cyclic, final}));
     assert_true(units[1].begin == 60.25 && units[1].end == 120.75);
 
     std::fill_n(speed.begin(), 40, 0.0);
-    units = cyclic_units(run, activity_of(speed), 30);
+    units = cyclic_units(run, speed, 30);
     check_cover(units, 200);
     assert_true(kinds(units) == (std::vector{preparing, initial, cyclic, final}));
     ASSERT_NEAR(units[0].end, 39, 1.01);
@@ -142,7 +145,7 @@ void five_units_or_fewer(void**) {
     std::fill_n(speed.begin() + 140, 20, 0.0);
     std::fill_n(speed.begin() + 180, 20, 0.0);
     std::fill_n(speed.begin() + 80, 9, 0.0);
-    units = cyclic_units(run, activity_of(speed), 30);
+    units = cyclic_units(run, speed, 30);
     check_cover(units, 200);
     assert_true(kinds(units) == (std::vector{preparing, initial, cyclic, final, wind_up}));
     ASSERT_NEAR(units[4].begin, 140, 1.01);
