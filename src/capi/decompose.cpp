@@ -85,7 +85,8 @@ std::unique_ptr<stltsa_decomposition> decompose(const stltsa_clip& clip,
         fail(Status::argument, "the clip's frame rate is unknown: set the option fps");
     auto prepared = capi::prepare_clip(clip, options);
     auto made = std::make_unique<stltsa_decomposition>();
-    const auto search = options.decompose_options();
+    auto search = options.decompose_options();
+    search.first_s = static_cast<double>(prepared.source.samples.first) / clip.clip.fps;
     made->source = std::move(prepared.source);
     made->result = motion::decompose(prepared.samples.view(), made->source.samples.fps, search,
                                      options.progress());

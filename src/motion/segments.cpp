@@ -22,12 +22,52 @@ constexpr double still_among_actions = 0.15;
 /// The first step takes the longer, the slower the cycles are: so may the smoothing, which then
 /// displaces all starts by the same share of a cycle and leaves as little noise as it can.
 constexpr double smoothing_periods = 0.14;
+/// Beyond the rests beside the cycles, what covers less is fidgeting.
+constexpr double least_motion_cycles = 0.5;
 /// Slow exercises start no slower than that.
 constexpr double most_smoothing_s = 0.2;
 
 void append(std::vector<Unit>& units, UnitKind kind, double begin, double end) {
     if (end > begin)
         units.push_back({kind, begin, end});
+}
+
+/// How fast a cycle is and how long it takes.
+struct Pace {
+    double speed = 0;
+    double period = 0;
+};
+
+/// More than fidgeting: fast enough for long enough. Of the way that is covered beyond the speed of
+/// standing it is as much as a part of a cycle covers.
+bool is_motion(std::span<const double> speed, const Pace& pace) {
+    const double standing = standing_beside_cycles * pace.speed;
+    double way = 0;
+    for (const double v : speed)
+        way += std::max(v - standing, 0.0);
+    return way >= least_motion_cycles * (pace.speed - standing) * pace.period;
+}
+
+/// Fills [begin, end), which starts or ends with the rest beside the cycles, with standing and with
+/// the motions between its rests.
+void append_standing(std::vector<Unit>& units, Unit all, std::vector<Rest> rests,
+                     std::span<const double> speed, const Pace& pace) {
+    rests.push_back({all.end, all.end});
+    double stands = all.begin; // since then
+    double moves = all.begin;  // if it does between two rests
+    for (const Rest& rest : rests) {
+        if (rest.begin < all.begin || rest.end > all.end)
+            continue;
+        const auto first = static_cast<std::size_t>(moves);
+        const auto end = static_cast<std::size_t>(rest.begin);
+        if (end > first && is_motion(speed.subspan(first, end - first), pace)) {
+            append(units, all.kind, stands, moves);
+            append(units, UnitKind::action, moves, rest.begin);
+            stands = rest.begin;
+        }
+        moves = rest.end;
+    }
+    append(units, all.kind, stands, all.end);
 }
 
 } // namespace
@@ -46,18 +86,19 @@ std::vector<Unit> cyclic_units(const std::vector<double>& run, std::span<const d
     double stops = samples;
     const Standing standing{standing_beside_cycles * reference, hold_periods * period,
                             still_beside_cycles * reference};
-    for (const Rest& rest : find_rests(speed, standing)) {
+    const std::vector<Rest> rests = find_rests(speed, standing);
+    for (const Rest& rest : rests) {
         if (rest.end <= run.front())
             moves = rest.end;
         if (rest.begin >= run.back())
             stops = std::min(stops, rest.begin);
     }
     std::vector<Unit> units;
-    append(units, UnitKind::preparing, 0, moves);
+    append_standing(units, {UnitKind::preparing, 0, moves}, rests, speed, {reference, period});
     append(units, UnitKind::initial, moves, run.front());
     append(units, UnitKind::cyclic, run.front(), run.back());
     append(units, UnitKind::final, run.back(), stops);
-    append(units, UnitKind::wind_up, stops, samples);
+    append_standing(units, {UnitKind::wind_up, stops, samples}, rests, speed, {reference, period});
     return units;
 }
 

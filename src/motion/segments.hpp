@@ -15,7 +15,8 @@ namespace stltsa::motion {
 double border_smoothing(double period, double fps);
 
 /// The five units of cyclic motion, without those that are absent: preparing and wind-up where the
-/// body stands next to the run of margins, initial and final up to and from there.
+/// body stands next to the run of margins, initial and final up to and from there. Beyond, where it
+/// moves again, are actions.
 std::vector<Unit> cyclic_units(const std::vector<double>& run, std::span<const double> speed,
                                double period);
 

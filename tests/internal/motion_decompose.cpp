@@ -114,6 +114,36 @@ void turning_points_are_no_rests(void**) {
     }
 }
 
+/// Two exercises with standing between: the longer one's cycles, the other an action, and a word.
+void says_what_else_moves(void**) {
+    Exercise shorter;
+    shorter.cycles = 2.5;
+    for (const double period : {1.2, 0.7}) {
+        shorter.period = period;
+        const Matrix a = Exercise{}.samples(30);
+        const Matrix b = shorter.samples(30);
+        Matrix both(a.rows() + b.rows(), 10);
+        std::copy_n(a.data(), a.rows() * 10, both.data());
+        std::copy_n(b.data(), b.rows() * 10, both.row(a.rows()));
+        DecomposeOptions options;
+        options.first_s = 100;
+        const Decomposition d = decomposed(both, 30, options);
+        check_shape(d, both.rows());
+        const auto last = std::find_if(d.units.rbegin(), d.units.rend(), [](const Unit& unit) {
+            return unit.kind == UnitKind::action;
+        });
+        assert_true(last != d.units.rend());
+        const double start = Exercise{}.seconds() + shorter.stands;
+        ASSERT_NEAR(last->begin / 30, start, 0.2);
+        ASSERT_NEAR(last->end / 30, Exercise{}.seconds() + shorter.moves_until(), 0.3);
+        const auto said = stltsa::format_text("from {:.2f} s", 100 + last->begin / 30);
+        assert_true(std::any_of(d.warnings.begin(), d.warnings.end(), [&](const std::string& text) {
+            return text.find(said) != text.npos;
+        }));
+        assert_true(d.cycles.size() >= 4 || !d.reason.empty());
+    }
+}
+
 /// Standing for many periods must not become a shape of its own.
 void long_standing_changes_nothing(void**) {
     Exercise exercise;
@@ -310,6 +340,7 @@ int main() {
         cmocka_unit_test(tempo_changes_no_border),
         cmocka_unit_test(noise_moves_no_border),
         cmocka_unit_test(turning_points_are_no_rests),
+        cmocka_unit_test(says_what_else_moves),
         cmocka_unit_test(long_standing_changes_nothing),
         cmocka_unit_test(permuting_channels_changes_nothing),
         cmocka_unit_test(moving_and_scaling_changes_nothing),

@@ -143,12 +143,46 @@ void five_units_or_fewer(void**) {
 
     // Of two rests after the cycles the first one ends the motion; those inside are cycles' own.
     std::fill_n(speed.begin() + 140, 20, 0.0);
-    std::fill_n(speed.begin() + 180, 20, 0.0);
+    std::fill_n(speed.begin() + 172, 28, 0.0);
     std::fill_n(speed.begin() + 80, 9, 0.0);
     units = cyclic_units(run, speed, 30);
     check_cover(units, 200);
     assert_true(kinds(units) == (std::vector{preparing, initial, cyclic, final, wind_up}));
     ASSERT_NEAR(units[4].begin, 140, 1.01);
+}
+
+/// What moves again beyond the rests beside the cycles is neither preparing nor wind-up.
+void other_motion_is_action(void**) {
+    using enum UnitKind;
+    const std::vector<double> run{190, 205, 220, 235, 250};
+    std::vector<double> speed(450, 0.05);
+    std::fill(speed.begin() + 170, speed.begin() + 270, 1.0);
+    std::fill(speed.begin() + 40, speed.begin() + 80, 0.9);
+    std::fill(speed.begin() + 330, speed.begin() + 420, 0.7);
+    auto units = cyclic_units(run, speed, 30);
+    check_cover(units, 450);
+    assert_true(kinds(units) == (std::vector{preparing, action, preparing, initial, cyclic, final,
+                                             wind_up, action, wind_up}));
+    ASSERT_NEAR(units[1].begin, 40, 1.01);
+    ASSERT_NEAR(units[1].end, 80, 1.01);
+    ASSERT_NEAR(units[7].begin, 330, 1.01);
+
+    // To the very ends of the clip.
+    std::fill(speed.begin(), speed.begin() + 40, 0.9);
+    std::fill(speed.begin() + 420, speed.end(), 0.7);
+    units = cyclic_units(run, speed, 30);
+    check_cover(units, 450);
+    assert_true(kinds(units) ==
+                (std::vector{action, preparing, initial, cyclic, final, wind_up, action}));
+
+    // Fidgeting: too short, or too slow.
+    std::fill(speed.begin(), speed.begin() + 170, 0.05);
+    std::fill(speed.begin() + 270, speed.end(), 0.05);
+    std::fill(speed.begin() + 40, speed.begin() + 50, 1.0);
+    std::fill(speed.begin() + 330, speed.begin() + 370, 0.5);
+    units = cyclic_units(run, speed, 30);
+    check_cover(units, 450);
+    assert_true(kinds(units) == (std::vector{preparing, initial, cyclic, final, wind_up}));
 }
 
 void actions_between_rests(void**) {
@@ -174,6 +208,7 @@ int main() {
         cmocka_unit_test(sway_is_standing),
         cmocka_unit_test(short_dips_are_no_rests),
         cmocka_unit_test(five_units_or_fewer),
+        cmocka_unit_test(other_motion_is_action),
         cmocka_unit_test(actions_between_rests),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
