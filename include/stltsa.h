@@ -432,7 +432,7 @@ enum {
     STLTSA_UNIT_CYCLIC = 3,
     STLTSA_UNIT_FINAL = 4,
     STLTSA_UNIT_WIND_UP = 5,
-    STLTSA_UNIT_ACTION = 6, /* moving, and no cycle is claimed */
+    STLTSA_UNIT_ACTION = 6, /* moving, and no cycle is claimed there */
     STLTSA_UNIT_CYCLE = 7   /* one cycle of the cyclic unit */
 };
 /* "preparing", "initial", "cyclic", "final", "wind-up", "action", "cycle"; "" for others. */
@@ -448,8 +448,9 @@ typedef struct stltsa_interval {
 /* Cuts a clip into units and cycles. The period is found first, k and w follow from it, the
  * coordinate that swings once per cycle is chosen among tangent dimensions 1 to 3, smoothed, and
  * cut at its steepest points between peaks and valleys (the second derivative's zeros). Units
- * that are absent are left out; a clip without trustworthy cycles gets activity segments and a
- * reason. That is an answer (STLTSA_OK), not an error.
+ * that are absent are left out; what moves apart from the one run of cycles, with standing
+ * between, is an action, and a warning says when. A clip without trustworthy cycles gets activity
+ * segments and a reason. That is an answer (STLTSA_OK), not an error.
  * Options: all of features, up axis, keep_start, rate, smoothing, period_*, neighbors, window,
  * dimension, mode, threads, progress. A clip of unknown fps: E_ARGUMENT (set option fps).
  * Other errors as stltsa_fit. */

@@ -37,14 +37,24 @@ class SourceFrames {
     }
 
     /// Units reach to both ends of the file: dropped frames belong to the first unit, frames after
-    /// the last sample to the last one.
+    /// the last sample to the last one. What rounds to no frame is no unit, and what
+    /// it kept apart is one.
     std::vector<stltsa_interval> units(const std::vector<motion::Unit>& found) const {
         std::vector<stltsa_interval> units;
-        for (const motion::Unit& unit : found)
-            units.push_back(interval(unit.begin, unit.end, static_cast<int32_t>(unit.kind)));
+        for (const motion::Unit& unit : found) {
+            auto next = interval(unit.begin, unit.end, static_cast<int32_t>(unit.kind));
+            next.begin = units.empty() ? 0 : units.back().end;
+            next.begin_s = units.empty() ? 0 : units.back().end_s;
+            if (next.end <= next.begin)
+                continue;
+            if (!units.empty() && units.back().kind == next.kind) {
+                units.back().end = next.end;
+                units.back().end_s = next.end_s;
+            } else {
+                units.push_back(next);
+            }
+        }
         if (!units.empty()) {
-            units.front().begin = 0;
-            units.front().begin_s = 0;
             units.back().end = clip_.frames;
             units.back().end_s = static_cast<double>(clip_.frames) / clip_.fps;
         }
@@ -85,7 +95,8 @@ std::unique_ptr<stltsa_decomposition> decompose(const stltsa_clip& clip,
         fail(Status::argument, "the clip's frame rate is unknown: set the option fps");
     auto prepared = capi::prepare_clip(clip, options);
     auto made = std::make_unique<stltsa_decomposition>();
-    const auto search = options.decompose_options();
+    auto search = options.decompose_options();
+    search.first_s = static_cast<double>(prepared.source.samples.first) / clip.clip.fps;
     made->source = std::move(prepared.source);
     made->result = motion::decompose(prepared.samples.view(), made->source.samples.fps, search,
                                      options.progress());

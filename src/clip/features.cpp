@@ -16,21 +16,28 @@ void need_skeleton(const Clip& clip, std::string_view what) {
         fail(Status::unsupported, "{} need a skeleton: this clip is a bare matrix (use raw)", what);
 }
 
+/// Calls body(pose, back, row) for every frame, `back` undoing the yaw of the body root.
+template <class Body>
+void for_each_pose(const Clip& clip, Heading heading, Matrix& rows, const Body& body) {
+    Pose pose;
+    for (std::int64_t frame = 0; frame < clip.frames(); ++frame) {
+        pose.place(*clip.skeleton, clip.values.row(frame));
+        body(pose, conjugate(heading.next(pose)), rows.row(frame));
+    }
+}
+
 /// Positions relative to the body root, as seen along its heading.
 Matrix body_positions(const Clip& clip, Heading heading) {
     const std::size_t root = heading.root();
     const std::size_t count = clip.skeleton->joints.size();
     Matrix result(clip.frames(), static_cast<std::int64_t>(3 * (count - root)));
-    Pose pose;
-    for (std::int64_t frame = 0; frame < clip.frames(); ++frame) {
-        pose.place(*clip.skeleton, clip.values.row(frame));
-        const Quaternion back = conjugate(heading.next(pose));
-        double* out = result.row(frame);
-        for (std::size_t j = root; j < count; ++j) {
-            const Vec3 p = rotate(back, pose.position[j] - pose.position[root]);
-            out = std::copy(p.begin(), p.end(), out);
-        }
-    }
+    for_each_pose(clip, heading, result,
+                  [&](const Pose& pose, const Quaternion& back, double* out) {
+                      for (std::size_t j = root; j < count; ++j) {
+                          const Vec3 p = rotate(back, pose.position[j] - pose.position[root]);
+                          out = std::copy(p.begin(), p.end(), out);
+                      }
+                  });
     return result;
 }
 
@@ -46,14 +53,11 @@ Matrix rotations6d(const Clip& clip, Heading heading) {
     const std::size_t root = heading.root();
     const std::vector<std::size_t> joints = turning_joints(*clip.skeleton, root);
     Matrix result(clip.frames(), static_cast<std::int64_t>(6 * joints.size()));
-    Pose pose;
-    for (std::int64_t frame = 0; frame < clip.frames(); ++frame) {
-        pose.place(*clip.skeleton, clip.values.row(frame));
-        const Quaternion back = conjugate(heading.next(pose));
-        double* out = result.row(frame);
-        for (const std::size_t j : joints)
-            out = put_6d(j == root ? back * pose.world[root] : pose.local[j], out);
-    }
+    for_each_pose(clip, heading, result,
+                  [&](const Pose& pose, const Quaternion& back, double* out) {
+                      for (const std::size_t j : joints)
+                          out = put_6d(j == root ? back * pose.world[root] : pose.local[j], out);
+                  });
     return result;
 }
 

@@ -31,10 +31,13 @@ class Alignment {
     virtual void solve(std::span<double> unknowns) const = 0;
     /// out := B' in, through the patches, never through the rounded matrix: what the
     /// refinement's residuals rest on.
-    virtual void apply(std::span<const double> in, std::span<double> out) const = 0;
+    void apply(std::span<const double> in, std::span<double> out) const;
     /// The patch's part of unknowns: values at its frames up to a constant, k entries.
     virtual void gather(std::int64_t patch, std::span<const double> unknowns,
                         double* values) const = 0;
+    /// The transpose of gather(), added to what is there.
+    virtual void scatter(std::int64_t patch, const double* values,
+                         std::span<double> unknowns) const = 0;
 
     const Patches& patches() const { return *patches_; }
 

@@ -15,12 +15,6 @@
 
 namespace stltsa::ltsa {
 
-void center(std::span<double> x) {
-    const double mean = std::accumulate(x.begin(), x.end(), 0.0) / static_cast<double>(x.size());
-    for (double& value : x)
-        value -= mean;
-}
-
 namespace {
 
 /// Pivots this small against their diagonal entry mean a flat direction: regular ones stay above
@@ -198,19 +192,14 @@ class DifferenceAlignment final : public Alignment {
         }
     }
 
-    void apply(std::span<const double> in, std::span<double> out) const override {
-        std::vector<double> values(static_cast<std::size_t>(patches_->size()));
-        std::fill(out.begin(), out.end(), 0.0);
-        for (std::int64_t p = 0; p < patches_->count(); ++p) {
-            gather(p, in, values.data());
-            patches_->project(p, values.data());
-            const auto frames = patches_->of(p);
-            double beyond = 0;
-            for (std::size_t j = frames.size() - 1; j > 0; --j) {
-                beyond += values[j];
-                for (auto c = frames[j - 1]; c < frames[j]; ++c)
-                    out[static_cast<std::size_t>(c)] += beyond;
-            }
+    void scatter(std::int64_t patch, const double* values,
+                 std::span<double> unknowns) const override {
+        const auto frames = patches_->of(patch);
+        double beyond = 0;
+        for (std::size_t j = frames.size() - 1; j > 0; --j) {
+            beyond += values[j];
+            for (auto c = frames[j - 1]; c < frames[j]; ++c)
+                unknowns[static_cast<std::size_t>(c)] += beyond;
         }
     }
 

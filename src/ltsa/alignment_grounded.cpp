@@ -133,17 +133,12 @@ class GroundedAlignment final : public Alignment {
         }
     }
 
-    void apply(std::span<const double> in, std::span<double> out) const override {
-        std::vector<double> values(static_cast<std::size_t>(patches_->size()));
-        std::fill(out.begin(), out.end(), 0.0);
-        for (std::int64_t p = 0; p < patches_->count(); ++p) {
-            gather(p, in, values.data());
-            patches_->project(p, values.data());
-            const auto frames = patches_->of(p);
-            for (std::size_t j = 0; j < frames.size(); ++j)
-                if (static_cast<std::size_t>(frames[j]) < out.size())
-                    out[static_cast<std::size_t>(frames[j])] += values[j];
-        }
+    void scatter(std::int64_t patch, const double* values,
+                 std::span<double> unknowns) const override {
+        const auto frames = patches_->of(patch);
+        for (std::size_t j = 0; j < frames.size(); ++j)
+            if (static_cast<std::size_t>(frames[j]) < unknowns.size())
+                unknowns[static_cast<std::size_t>(frames[j])] += values[j];
     }
 
   private:

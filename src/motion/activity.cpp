@@ -27,20 +27,6 @@ double largest(ConstMatrixView samples) {
     return size;
 }
 
-std::vector<double> pose_speed(ConstMatrixView samples, double sigma) {
-    const Matrix x = smooth(samples, sigma);
-    const std::int64_t n = x.rows();
-    std::vector<double> speed(static_cast<std::size_t>(n));
-    if (n < 3)
-        return speed;
-    for (std::int64_t i = 1; i + 1 < n; ++i)
-        speed[static_cast<std::size_t>(i)] =
-            std::sqrt(squared_distance(x.row(i + 1), x.row(i - 1), x.cols())) / 2;
-    speed.front() = speed[1];
-    speed.back() = speed[speed.size() - 2];
-    return speed;
-}
-
 /// The median over the way instead of over time: long standing does not lower it.
 double typical_speed(std::vector<double> speed) {
     std::sort(speed.begin(), speed.end(), std::greater<>());
@@ -55,6 +41,20 @@ double typical_speed(std::vector<double> speed) {
 }
 
 } // namespace
+
+std::vector<double> pose_speed(ConstMatrixView samples, double sigma) {
+    const Matrix x = smooth(samples, sigma);
+    const std::int64_t n = x.rows();
+    std::vector<double> speed(static_cast<std::size_t>(n));
+    if (n < 3)
+        return speed;
+    for (std::int64_t i = 1; i + 1 < n; ++i)
+        speed[static_cast<std::size_t>(i)] =
+            std::sqrt(squared_distance(x.row(i + 1), x.row(i - 1), x.cols())) / 2;
+    speed.front() = speed[1];
+    speed.back() = speed[speed.size() - 2];
+    return speed;
+}
 
 bool is_moving(double level) {
     return level > moving_level;

@@ -28,6 +28,9 @@ struct Activity {
     }
 };
 
+/// How far the pose, smoothed by `sigma` samples, moves per sample.
+std::vector<double> pose_speed(ConstMatrixView samples, double sigma);
+
 Activity measure_activity(ConstMatrixView samples, double fps);
 
 /// Samples first to first + count - 1.

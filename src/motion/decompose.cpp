@@ -21,6 +21,8 @@ constexpr std::int64_t least_samples = 4;
 constexpr double curve_smoothing = 0.06;
 /// What a cycle of human motion takes where nothing is known.
 constexpr double usual_cycle_s = 1.2;
+/// No period could be confirmed in less.
+constexpr double least_cycles = 1.5;
 
 void check(ConstMatrixView samples, double fps) {
     ltsa::check_frames(samples, {&samples.rows, 1});
@@ -79,10 +81,28 @@ std::string fell_apart(const ltsa::Model& model) {
                        model.components.size());
 }
 
-void claim_cycles(const std::vector<double>& run, ConstMatrixView samples, const Activity& activity,
-                  double period, Decomposition& result) {
+/// Says of motions that no cycle was looked for in them alone: those beside the cycles, or several
+/// where there are no cycles.
+void warn_of_motions(double fps, double first_s, Decomposition& result) {
+    std::vector<Unit> actions;
+    for (const Unit& unit : result.units)
+        if (unit.kind == UnitKind::action &&
+            (!result.cycles.empty() || unit.end - unit.begin >= least_cycles * usual_cycle_s * fps))
+            actions.push_back(unit);
+    if (result.cycles.empty() && actions.size() < 2)
+        return;
+    for (const Unit& unit : actions)
+        result.warnings.push_back(format_text(
+            "the clip holds {} motion from {:.2f} s to {:.2f} s: cut the clip there to see "
+            "whether it has cycles",
+            result.cycles.empty() ? "a separate" : "another", first_s + unit.begin / fps,
+            first_s + unit.end / fps));
+}
+
+void claim_cycles(const std::vector<double>& run, ConstMatrixView samples, double period,
+                  double fps, Decomposition& result) {
     result.period = period;
-    result.units = cyclic_units(run, activity, period);
+    result.units = cyclic_units(run, pose_speed(samples, border_smoothing(period, fps)), period);
     result.cycles = cycles_between(run);
     result.representative = 0;
     result.best = most_typical(result.cycles, samples);
@@ -107,7 +127,7 @@ void cut(const Embedding& embedding, ConstMatrixView samples, const Activity& ac
     result.lag_quality = evidence.period.quality;
     result.reason = model.components.size() > 1 ? fell_apart(model) : doubt(evidence, fps);
     if (result.reason.empty())
-        claim_cycles(run, samples, activity, evidence.period.samples, result);
+        claim_cycles(run, samples, evidence.period.samples, fps, result);
 }
 
 } // namespace
@@ -141,6 +161,7 @@ Decomposition decompose(ConstMatrixView samples, double fps, const DecomposeOpti
     }
     if (!result.reason.empty())
         result.units = action_units(activity, fps);
+    warn_of_motions(fps, options.first_s, result);
     progress.report(Stage::units, 1);
     return result;
 }

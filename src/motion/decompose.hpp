@@ -42,6 +42,7 @@ struct DecomposeOptions {
     ltsa::Mode mode = ltsa::Mode::temporal;
     double shortest_period = 0.3; ///< seconds
     double longest_period = 6.0;  ///< seconds
+    double first_s = 0;           ///< time of the first sample, for messages
     int threads = 1;
 };
 

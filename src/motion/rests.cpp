@@ -9,17 +9,13 @@
 namespace stltsa::motion {
 namespace {
 
-/// A perfectly still body moves from this share of the motion's speed on. The speed is smoothed, so
-/// that it begins to rise before a sudden start; through this share it rises about at the start.
-constexpr double still = 0.15;
-
 /// Speed up to which the body still stands.
-double standing_speed(std::span<const double> standing, double reference) {
-    const double middle = median(standing);
+double standing_speed(std::span<const double> stretch, double still) {
+    const double middle = median(stretch);
     // The lower quartile lies 0.67 standard deviations below the median; the upper one would hold
     // the first motion.
-    const double two_deviations = 3 * (middle - quantile(standing, 0.25));
-    return std::max(middle + two_deviations, still * reference);
+    const double two_deviations = 3 * (middle - quantile(stretch, 0.25));
+    return std::max(middle + two_deviations, still);
 }
 
 /// Where the speed crosses `limit` between two samples.
@@ -29,9 +25,8 @@ double crossing(std::size_t low, std::size_t high, std::span<const double> speed
 }
 
 /// The stretch [first, last) below the level, without the motion at its ends.
-Rest cut_back(std::span<const double> speed, std::size_t first, std::size_t last,
-              double reference) {
-    const double limit = standing_speed(speed.subspan(first, last - first), reference);
+Rest cut_back(std::span<const double> speed, std::size_t first, std::size_t last, double still) {
+    const double limit = standing_speed(speed.subspan(first, last - first), still);
     Rest rest{static_cast<double>(first), static_cast<double>(last)};
     if (first > 0) {
         std::size_t i = first;
@@ -50,21 +45,19 @@ Rest cut_back(std::span<const double> speed, std::size_t first, std::size_t last
 
 } // namespace
 
-std::vector<Rest> find_rests(std::span<const double> speed, double level, double reference,
-                             double hold) {
+std::vector<Rest> find_rests(std::span<const double> speed, const Standing& standing) {
     std::vector<Rest> rests;
     std::size_t first = 0;
     while (first < speed.size()) {
-        if (speed[first] >= level) {
+        if (speed[first] >= standing.below) {
             ++first;
             continue;
         }
         std::size_t last = first;
-        while (last < speed.size() && speed[last] < level)
+        while (last < speed.size() && speed[last] < standing.below)
             ++last;
-        const bool at_end = first == 0 || last == speed.size();
-        if (static_cast<double>(last - first) >= (at_end ? hold / 2 : hold)) {
-            const Rest rest = cut_back(speed, first, last, reference);
+        if (static_cast<double>(last - first) >= standing.hold) {
+            const Rest rest = cut_back(speed, first, last, standing.still);
             if (rest.begin < rest.end)
                 rests.push_back(rest);
         }

@@ -13,11 +13,19 @@ struct Rest {
     double end = 0;
 };
 
-/// Stretches where `speed` stays below `level` for at least `hold` samples (half of that at the
-/// ends of the clip), cut back to where the speed rises out of the standing itself: two standard
-/// deviations above its median, and at least to a small share of `reference`, the speed of the
-/// motion.
-std::vector<Rest> find_rests(std::span<const double> speed, double level, double reference,
-                             double hold);
+/// What standing still is.
+struct Standing {
+    double below = 0; ///< speed
+    double hold = 0;  ///< samples
+    /// A perfectly still body moves from this speed on. The speed is smoothed, so that it begins to
+    /// rise before the body starts; at this speed it rises about at the start.
+    double still = 0;
+};
+
+/// Stretches where `speed` stays below the limit for long enough, at the ends of the clip too:
+/// where a clip is cut at a turning point of the motion, that is no standing. They are cut back to
+/// where the speed rises out of the standing itself: two standard deviations above its median, and
+/// at least to `still`.
+std::vector<Rest> find_rests(std::span<const double> speed, const Standing& standing);
 
 } // namespace stltsa::motion

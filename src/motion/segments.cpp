@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "motion/segments.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "motion/rests.hpp"
@@ -13,38 +14,91 @@ namespace {
 /// period. Gait stays above 0.45; the level leaves room for the noise of a standing body.
 constexpr double standing_beside_cycles = 0.4;
 constexpr double hold_periods = 0.25;
+constexpr double still_beside_cycles = 0.25;
 /// Among other motion, below this share of the typical speed, for this long.
 constexpr double standing_among_actions = 0.25;
 constexpr double hold_s = 0.3;
+constexpr double still_among_actions = 0.15;
+/// The first step takes the longer, the slower the cycles are: so may the smoothing, which then
+/// displaces all starts by the same share of a cycle and leaves as little noise as it can.
+constexpr double smoothing_periods = 0.14;
+/// Beyond the rests beside the cycles, what covers less is fidgeting.
+constexpr double least_motion_cycles = 0.5;
+/// Slow exercises start no slower than that.
+constexpr double most_smoothing_s = 0.2;
 
 void append(std::vector<Unit>& units, UnitKind kind, double begin, double end) {
     if (end > begin)
         units.push_back({kind, begin, end});
 }
 
+/// How fast a cycle is and how long it takes.
+struct Pace {
+    double speed = 0;
+    double period = 0;
+};
+
+/// More than fidgeting: fast enough for long enough. Of the way that is covered beyond the speed of
+/// standing it is as much as a part of a cycle covers.
+bool is_motion(std::span<const double> speed, const Pace& pace) {
+    const double standing = standing_beside_cycles * pace.speed;
+    double way = 0;
+    for (const double v : speed)
+        way += std::max(v - standing, 0.0);
+    return way >= least_motion_cycles * (pace.speed - standing) * pace.period;
+}
+
+/// Fills [begin, end), which starts or ends with the rest beside the cycles, with standing and with
+/// the motions between its rests.
+void append_standing(std::vector<Unit>& units, Unit all, std::vector<Rest> rests,
+                     std::span<const double> speed, const Pace& pace) {
+    rests.push_back({all.end, all.end});
+    double stands = all.begin; // since then
+    double moves = all.begin;  // if it does between two rests
+    for (const Rest& rest : rests) {
+        if (rest.begin < all.begin || rest.end > all.end)
+            continue;
+        const auto first = static_cast<std::size_t>(moves);
+        const auto end = static_cast<std::size_t>(rest.begin);
+        if (end > first && is_motion(speed.subspan(first, end - first), pace)) {
+            append(units, all.kind, stands, moves);
+            append(units, UnitKind::action, moves, rest.begin);
+            stands = rest.begin;
+        }
+        moves = rest.end;
+    }
+    append(units, all.kind, stands, all.end);
+}
+
 } // namespace
 
-std::vector<Unit> cyclic_units(const std::vector<double>& run, const Activity& activity,
+double border_smoothing(double period, double fps) {
+    return std::min(smoothing_periods * period, most_smoothing_s * fps);
+}
+
+std::vector<Unit> cyclic_units(const std::vector<double>& run, std::span<const double> speed,
                                double period) {
+    const auto samples = static_cast<double>(speed.size());
     const auto first = static_cast<std::size_t>(std::lround(run.front()));
     const auto last = static_cast<std::size_t>(std::lround(run.back()));
-    const auto speed = std::span<const double>(activity.speed);
     const double reference = median(speed.subspan(first, last + 1 - first));
     double moves = 0;
-    double stops = static_cast<double>(activity.samples());
-    for (const Rest& rest :
-         find_rests(speed, standing_beside_cycles * reference, reference, hold_periods * period)) {
+    double stops = samples;
+    const Standing standing{standing_beside_cycles * reference, hold_periods * period,
+                            still_beside_cycles * reference};
+    const std::vector<Rest> rests = find_rests(speed, standing);
+    for (const Rest& rest : rests) {
         if (rest.end <= run.front())
             moves = rest.end;
         if (rest.begin >= run.back())
             stops = std::min(stops, rest.begin);
     }
     std::vector<Unit> units;
-    append(units, UnitKind::preparing, 0, moves);
+    append_standing(units, {UnitKind::preparing, 0, moves}, rests, speed, {reference, period});
     append(units, UnitKind::initial, moves, run.front());
     append(units, UnitKind::cyclic, run.front(), run.back());
     append(units, UnitKind::final, run.back(), stops);
-    append(units, UnitKind::wind_up, stops, static_cast<double>(activity.samples()));
+    append_standing(units, {UnitKind::wind_up, stops, samples}, rests, speed, {reference, period});
     return units;
 }
 
@@ -54,8 +108,9 @@ std::vector<Unit> action_units(const Activity& activity, double fps) {
         return {{UnitKind::preparing, 0, end}};
     std::vector<Unit> units;
     double done = 0;
-    for (const Rest& rest : find_rests(activity.speed, standing_among_actions * activity.typical,
-                                       activity.typical, hold_s * fps)) {
+    const Standing standing{standing_among_actions * activity.typical, hold_s * fps,
+                            still_among_actions * activity.typical};
+    for (const Rest& rest : find_rests(activity.speed, standing)) {
         append(units, UnitKind::action, done, rest.begin);
         const bool winds_up = rest.begin > 0 && rest.end >= end;
         append(units, winds_up ? UnitKind::wind_up : UnitKind::preparing, rest.begin, rest.end);

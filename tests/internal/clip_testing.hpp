@@ -2,17 +2,6 @@
 // What the tests of src/clip share.
 #pragma once
 
-// cmocka.h needs these before it.
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-extern "C" {
-#include <cmocka.h>
-}
-#undef fail // a macro, where stltsa::fail is a function
-#define FAIL(...) (print_error(__VA_ARGS__), print_error("\n"), _fail(__FILE__, __LINE__))
-
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -21,6 +10,7 @@ extern "C" {
 #include <string_view>
 
 #include "clip/clip.hpp"
+#include "testing.hpp"
 
 namespace clip_testing {
 
@@ -56,16 +46,6 @@ inline void check_fails(Status status, std::string_view part, const std::functio
 #define ASSERT_FAILS(status, part, action)                                                         \
     clip_testing::check_fails(                                                                     \
         status, part, [&] { action; }, __FILE__, __LINE__)
-
-inline void check_near(double actual, double expected, double tolerance, const char* file,
-                       int line) {
-    if (actual >= expected - tolerance && actual <= expected + tolerance)
-        return;
-    print_error("expected %.17g within %g, got %.17g\n", expected, tolerance, actual);
-    _fail(file, line);
-}
-#define ASSERT_NEAR(actual, expected, tolerance)                                                   \
-    clip_testing::check_near(actual, expected, tolerance, __FILE__, __LINE__)
 
 inline Clip parse(std::string_view text, Format format,
                   const stltsa::clip::ReadOptions& options = {}) {

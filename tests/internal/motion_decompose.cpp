@@ -67,6 +67,83 @@ void finds_five_units(void**) {
     }
 }
 
+/// Starts and stops lie at the same share of a cycle, whatever the tempo.
+void tempo_changes_no_border(void**) {
+    const auto error = [](double period) {
+        const Exercise exercise{period, period, 5, period / 2, period};
+        const Decomposition d = decomposed(exercise.samples(60), 60);
+        assert_int_equal(d.units.size(), 5);
+        return std::pair{(d.units[0].end / 60 - exercise.stands) / period,
+                         (d.units[4].begin / 60 - exercise.moves_until()) / period};
+    };
+    const auto [start, stop] = error(1);
+    assert_true(std::abs(start) < 0.1 && std::abs(stop) < 0.1);
+    for (const double period : {0.7, 1.4}) {
+        const auto [other_start, other_stop] = error(period);
+        ASSERT_NEAR(other_start, start, 0.015);
+        ASSERT_NEAR(other_stop, stop, 0.015);
+    }
+}
+
+/// Noise that moves the whole body, as that of the root's rotation does: its speed varies a lot.
+void noise_moves_no_border(void**) {
+    const Matrix clean = Exercise{}.samples(15);
+    const auto expected = decomposed(clean, 15).units;
+    for (unsigned seed = 1; seed <= 20; ++seed) {
+        Matrix samples = clean;
+        Matrix noise(samples.rows(), 2);
+        add_noise(noise, 0.25, seed);
+        for (std::int64_t i = 0; i < samples.rows(); ++i)
+            for (std::int64_t c = 0; c < samples.cols(); ++c)
+                samples(i, c) += noise(i, c % 2);
+        const Decomposition d = decomposed(samples, 15);
+        assert_int_equal(d.units.size(), 5);
+        ASSERT_NEAR(d.units[0].end / 15, expected[0].end / 15, 0.2);
+        ASSERT_NEAR(d.units[4].begin / 15, expected[4].begin / 15, 0.2);
+    }
+}
+
+/// A clip that is cut where the motion turns back does not stand there.
+void turning_points_are_no_rests(void**) {
+    for (int start = 0; start < 20; ++start) {
+        const Matrix squats = sampled(500, 8, 30, [&](double t, std::int64_t c) {
+            return std::sin(turn * (t / 2 + start / 20.0)) * (0.5 + static_cast<double>(c) / 7);
+        });
+        for (const Unit& unit : decomposed(squats, 30).units)
+            assert_true(unit.kind != UnitKind::preparing && unit.kind != UnitKind::wind_up);
+    }
+}
+
+/// Two exercises with standing between: the longer one's cycles, the other an action, and a word.
+void says_what_else_moves(void**) {
+    Exercise shorter;
+    shorter.cycles = 2.5;
+    for (const double period : {1.2, 0.7}) {
+        shorter.period = period;
+        const Matrix a = Exercise{}.samples(30);
+        const Matrix b = shorter.samples(30);
+        Matrix both(a.rows() + b.rows(), 10);
+        std::copy_n(a.data(), a.rows() * 10, both.data());
+        std::copy_n(b.data(), b.rows() * 10, both.row(a.rows()));
+        DecomposeOptions options;
+        options.first_s = 100;
+        const Decomposition d = decomposed(both, 30, options);
+        check_shape(d, both.rows());
+        const auto last = std::find_if(d.units.rbegin(), d.units.rend(), [](const Unit& unit) {
+            return unit.kind == UnitKind::action;
+        });
+        assert_true(last != d.units.rend());
+        const double start = Exercise{}.seconds() + shorter.stands;
+        ASSERT_NEAR(last->begin / 30, start, 0.2);
+        ASSERT_NEAR(last->end / 30, Exercise{}.seconds() + shorter.moves_until(), 0.3);
+        const auto said = stltsa::format_text("from {:.2f} s", 100 + last->begin / 30);
+        assert_true(std::any_of(d.warnings.begin(), d.warnings.end(), [&](const std::string& text) {
+            return text.find(said) != text.npos;
+        }));
+        assert_true(d.cycles.size() >= 4 || !d.reason.empty());
+    }
+}
+
 /// Standing for many periods must not become a shape of its own.
 void long_standing_changes_nothing(void**) {
     Exercise exercise;
@@ -260,6 +337,10 @@ void can_be_cancelled(void**) {
 int main() {
     const CMUnitTest tests[] = {
         cmocka_unit_test(finds_five_units),
+        cmocka_unit_test(tempo_changes_no_border),
+        cmocka_unit_test(noise_moves_no_border),
+        cmocka_unit_test(turning_points_are_no_rests),
+        cmocka_unit_test(says_what_else_moves),
         cmocka_unit_test(long_standing_changes_nothing),
         cmocka_unit_test(permuting_channels_changes_nothing),
         cmocka_unit_test(moving_and_scaling_changes_nothing),

@@ -2,16 +2,6 @@
 // What the tests of src/motion share.
 #pragma once
 
-// cmocka.h needs these before it.
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-extern "C" {
-#include <cmocka.h>
-}
-#undef fail // a macro, where stltsa::fail is a function
-
 #include <cmath>
 #include <cstdint>
 #include <functional>
@@ -20,6 +10,7 @@ extern "C" {
 #include <vector>
 
 #include "linalg/matrix.hpp"
+#include "testing.hpp"
 
 namespace motion_testing {
 
@@ -27,16 +18,6 @@ using stltsa::ConstMatrixView;
 using stltsa::Matrix;
 
 inline constexpr double turn = 2 * std::numbers::pi;
-
-inline void check_near(double actual, double expected, double tolerance, const char* file,
-                       int line) {
-    if (actual >= expected - tolerance && actual <= expected + tolerance)
-        return;
-    print_error("expected %.17g within %g, got %.17g\n", expected, tolerance, actual);
-    _fail(file, line);
-}
-#define ASSERT_NEAR(actual, expected, tolerance)                                                   \
-    motion_testing::check_near(actual, expected, tolerance, __FILE__, __LINE__)
 
 /// samples x features, feature c at time t seconds given by `value`.
 inline Matrix sampled(std::int64_t samples, std::int64_t features, double fps,

@@ -45,6 +45,9 @@ void what_never_moves_has_no_activity(void**) {
     assert_true(units[0].kind == UnitKind::preparing);
 }
 
+/// Against motion at a speed of 1.
+constexpr Standing standing{0.4, 8, 0.15};
+
 /// Speed 0 up to `onset`, then rising by 0.05 a sample up to 1; noise of a standing body added.
 std::vector<double> starts_at(double onset, double sway, std::size_t samples) {
     std::mt19937 random(3);
@@ -60,13 +63,13 @@ std::vector<double> starts_at(double onset, double sway, std::size_t samples) {
 void rests_end_at_the_onset(void**) {
     for (const double sway : {0.0, 0.02, 0.1, 0.2}) {
         const auto speed = starts_at(60, sway, 150);
-        const auto rests = find_rests(speed, 0.4, 1, 8);
+        const auto rests = find_rests(speed, standing);
         assert_int_equal(rests.size(), 1);
         ASSERT_NEAR(rests[0].begin, 0, 0);
         ASSERT_NEAR(rests[0].end, 61, 2.5);
 
         std::vector<double> reversed(speed.rbegin(), speed.rend());
-        const auto last = find_rests(reversed, 0.4, 1, 8);
+        const auto last = find_rests(reversed, standing);
         assert_int_equal(last.size(), 1);
         ASSERT_NEAR(last[0].end, 150, 0);
         ASSERT_NEAR(last[0].begin, 149 - rests[0].end, 1e-9);
@@ -81,7 +84,7 @@ void sway_is_standing(void**) {
         const double sway = 0.2 * (1 + 0.3 * std::cos(turn * since / 40));
         speed.push_back(std::hypot(std::clamp(0.05 * since, 0.0, 1.0), sway));
     }
-    const auto rests = find_rests(speed, 0.4, 1, 8);
+    const auto rests = find_rests(speed, standing);
     assert_int_equal(rests.size(), 1);
     ASSERT_NEAR(rests[0].end, 63, 3);
 }
@@ -89,14 +92,14 @@ void sway_is_standing(void**) {
 void short_dips_are_no_rests(void**) {
     std::vector<double> speed(100, 1.0);
     std::fill_n(speed.begin() + 40, 7, 0.0);
-    assert_true(find_rests(speed, 0.4, 1, 8).empty());
+    assert_true(find_rests(speed, standing).empty());
     speed[47] = 0;
-    assert_int_equal(find_rests(speed, 0.4, 1, 8).size(), 1);
-    // At the ends of a clip half of it may lie outside.
-    std::fill_n(speed.begin(), 3, 0.0);
-    assert_int_equal(find_rests(speed, 0.4, 1, 8).size(), 1);
-    speed[3] = 0;
-    assert_int_equal(find_rests(speed, 0.4, 1, 8).size(), 2);
+    assert_int_equal(find_rests(speed, standing).size(), 1);
+    // Nor at the ends of a clip, which may be cut at a turning point.
+    std::fill_n(speed.begin(), 7, 0.0);
+    assert_int_equal(find_rests(speed, standing).size(), 1);
+    speed[7] = 0;
+    assert_int_equal(find_rests(speed, standing).size(), 2);
 }
 
 Activity activity_of(std::vector<double> speed) {
@@ -127,25 +130,59 @@ void five_units_or_fewer(void**) {
     using enum UnitKind;
     const std::vector<double> run{60.25, 75, 90.5, 105, 120.75};
     std::vector<double> speed(200, 1.0);
-    auto units = cyclic_units(run, activity_of(speed), 30);
+    auto units = cyclic_units(run, speed, 30);
     check_cover(units, 200);
     assert_true(kinds(units) == (std::vector{initial, cyclic, final}));
     assert_true(units[1].begin == 60.25 && units[1].end == 120.75);
 
     std::fill_n(speed.begin(), 40, 0.0);
-    units = cyclic_units(run, activity_of(speed), 30);
+    units = cyclic_units(run, speed, 30);
     check_cover(units, 200);
     assert_true(kinds(units) == (std::vector{preparing, initial, cyclic, final}));
     ASSERT_NEAR(units[0].end, 39, 1.01);
 
     // Of two rests after the cycles the first one ends the motion; those inside are cycles' own.
     std::fill_n(speed.begin() + 140, 20, 0.0);
-    std::fill_n(speed.begin() + 180, 20, 0.0);
+    std::fill_n(speed.begin() + 172, 28, 0.0);
     std::fill_n(speed.begin() + 80, 9, 0.0);
-    units = cyclic_units(run, activity_of(speed), 30);
+    units = cyclic_units(run, speed, 30);
     check_cover(units, 200);
     assert_true(kinds(units) == (std::vector{preparing, initial, cyclic, final, wind_up}));
     ASSERT_NEAR(units[4].begin, 140, 1.01);
+}
+
+/// What moves again beyond the rests beside the cycles is neither preparing nor wind-up.
+void other_motion_is_action(void**) {
+    using enum UnitKind;
+    const std::vector<double> run{190, 205, 220, 235, 250};
+    std::vector<double> speed(450, 0.05);
+    std::fill(speed.begin() + 170, speed.begin() + 270, 1.0);
+    std::fill(speed.begin() + 40, speed.begin() + 80, 0.9);
+    std::fill(speed.begin() + 330, speed.begin() + 420, 0.7);
+    auto units = cyclic_units(run, speed, 30);
+    check_cover(units, 450);
+    assert_true(kinds(units) == (std::vector{preparing, action, preparing, initial, cyclic, final,
+                                             wind_up, action, wind_up}));
+    ASSERT_NEAR(units[1].begin, 40, 1.01);
+    ASSERT_NEAR(units[1].end, 80, 1.01);
+    ASSERT_NEAR(units[7].begin, 330, 1.01);
+
+    // To the very ends of the clip.
+    std::fill(speed.begin(), speed.begin() + 40, 0.9);
+    std::fill(speed.begin() + 420, speed.end(), 0.7);
+    units = cyclic_units(run, speed, 30);
+    check_cover(units, 450);
+    assert_true(kinds(units) ==
+                (std::vector{action, preparing, initial, cyclic, final, wind_up, action}));
+
+    // Fidgeting: too short, or too slow.
+    std::fill(speed.begin(), speed.begin() + 170, 0.05);
+    std::fill(speed.begin() + 270, speed.end(), 0.05);
+    std::fill(speed.begin() + 40, speed.begin() + 50, 1.0);
+    std::fill(speed.begin() + 330, speed.begin() + 370, 0.5);
+    units = cyclic_units(run, speed, 30);
+    check_cover(units, 450);
+    assert_true(kinds(units) == (std::vector{preparing, initial, cyclic, final, wind_up}));
 }
 
 void actions_between_rests(void**) {
@@ -171,6 +208,7 @@ int main() {
         cmocka_unit_test(sway_is_standing),
         cmocka_unit_test(short_dips_are_no_rests),
         cmocka_unit_test(five_units_or_fewer),
+        cmocka_unit_test(other_motion_is_action),
         cmocka_unit_test(actions_between_rests),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);

@@ -228,6 +228,35 @@ static void wrong_arguments(void** state) {
     stltsa_clip_free(clip);
 }
 
+/* At few frames a second a rest may be shorter than a frame. */
+static void no_unit_is_empty(void** state) {
+    (void)state;
+    enum { rows = 60 };
+    uint64_t random = 1;
+    for (int round = 0; round < 50; ++round) {
+        double x[rows] = {0};
+        for (int i = 1; i < rows; ++i)
+            x[i] = x[i - 1] + (uniform(&random) - 0.5);
+        const stltsa_in in = packed_in(x, rows, 1);
+        stltsa_clip* clip = NULL;
+        must(stltsa_clip_from_matrix(&in, 3, &clip));
+        stltsa_decomposition* d = decomposed(clip, NULL);
+        const int64_t units = stltsa_decomposition_unit_count(d);
+        for (int64_t i = 0; i < units; ++i) {
+            const stltsa_interval u = unit(d, i);
+            assert_true(u.begin < u.end && u.begin_s < u.end_s);
+            assert_int_equal(u.begin, i == 0 ? 0 : unit(d, i - 1).end);
+            if (i > 0) {
+                assert_true(u.begin_s == unit(d, i - 1).end_s);
+                assert_int_not_equal(u.kind, unit(d, i - 1).kind);
+            }
+        }
+        assert_int_equal(unit(d, units - 1).end, rows);
+        stltsa_decomposition_free(d);
+        stltsa_clip_free(clip);
+    }
+}
+
 static void dimension_of_the_walk(void** state) {
     (void)state;
     stltsa_clip* clip = opened();
@@ -292,6 +321,7 @@ int main(int argc, char** argv) {
         cmocka_unit_test(noise_has_no_cycle_but_a_reason),
         cmocka_unit_test(cancelled_at_every_call),
         cmocka_unit_test(wrong_arguments),
+        cmocka_unit_test(no_unit_is_empty),
         cmocka_unit_test(dimension_of_the_walk),
         cmocka_unit_test(dimension_of_a_cut_clip_cannot_be_told),
         cmocka_unit_test(dimension_of_a_helix_is_two),

@@ -96,13 +96,7 @@ static void time_backwards_reverses_the_curve(void** state) {
 static double* fit_with_threads(const double* x, int64_t threads) {
     stltsa_options* options = new_options(12, 12, d);
     must(stltsa_options_set_int(options, STLTSA_THREADS, threads));
-    const stltsa_in in = packed_in(x, rows, cols);
-    stltsa_model* model = NULL;
-    must(stltsa_fit(&in, NULL, 1, options, &model));
-    double* coords = new_coords(model);
-    stltsa_model_free(model);
-    stltsa_options_free(options);
-    return coords;
+    return fit_coords_with(options, x, rows, cols);
 }
 
 static void number_of_threads_changes_no_bit(void** state) {

@@ -135,9 +135,9 @@ static inline double* new_coords(const stltsa_model* model) {
     return coords;
 }
 
-/* Coordinates of a fit with k = w = 12 of one packed clip. */
-static inline double* fit_coords(const double* x, int64_t rows, int64_t cols, int64_t d) {
-    stltsa_options* options = new_options(12, 12, d);
+/* Coordinates of a fit of one packed clip; ends the options. */
+static inline double* fit_coords_with(stltsa_options* options, const double* x, int64_t rows,
+                                      int64_t cols) {
     const stltsa_in in = packed_in(x, rows, cols);
     stltsa_model* model = NULL;
     must(stltsa_fit(&in, NULL, 1, options, &model));
@@ -145,6 +145,11 @@ static inline double* fit_coords(const double* x, int64_t rows, int64_t cols, in
     stltsa_model_free(model);
     stltsa_options_free(options);
     return coords;
+}
+
+/* The same with k = w = 12. */
+static inline double* fit_coords(const double* x, int64_t rows, int64_t cols, int64_t d) {
+    return fit_coords_with(new_options(12, 12, d), x, rows, cols);
 }
 
 /* How far `target` (rows x cols) is from an affine image of `coords`, whose d columns are centered
