@@ -26,7 +26,7 @@ Examples:
   stltsa decompose markers.csv --fps 100 --features raw
   stltsa decompose 35_01.amc --skeleton 35.asf
   stltsa fit walk.bvh -o walk.stltsa --dimension 3
-  stltsa map walk.stltsa other.bvh -o y.npy        other frames on the same curve
+  stltsa map walk.stltsa other.bvh -o y.npy        other frames, same curve
   stltsa unmap walk.stltsa y.npy -o poses.bvh      and back
   stltsa denoise walk.bvh --plot before_after.svg  the curve without noise
   stltsa synthesize walk.bvh:best*4 -o loop.bvh    new motion from units
@@ -72,13 +72,13 @@ constexpr const char* about_synthesize =
     R"(Joins pieces of clips into new motion.
 
 A piece is CLIP[:WHAT][*TIMES]. WHAT: frames (120-240), seconds (1.0s-2.0s), a
-unit (preparing, initial, cyclic, final, wind-up, action), best or representative
-(cycle), cycleN; the whole clip where it is left out.
+unit (preparing, initial, cyclic, final, wind-up, action), best or
+representative (cycle), cycleN; the whole clip where it is left out.
 
 Examples:
   stltsa synthesize 'walk.bvh:best*4' -o loop.bvh
-  stltsa synthesize walk.bvh:initial 'walk.bvh:best*8' walk.bvh:final -o long.bvh
-  stltsa synthesize walk.bvh run.bvh:cyclic -o walk-then-run.bvh)";
+  stltsa synthesize walk.bvh:initial 'walk.bvh:best*8' -o long.bvh
+  stltsa synthesize walk.bvh run.bvh:cyclic -o joined.bvh --plot seams.svg)";
 
 constexpr const char* about_dimension =
     R"(Estimates the intrinsic dimension: local PCA, and the eigengap.
@@ -88,7 +88,7 @@ Examples:
   stltsa dimension walk.bvh --variance 0.99 --json)";
 
 constexpr const char* about_denoise =
-    R"(Cleans coordinates: fits a smooth curve, moves noisy points towards it.
+    R"(Cleans the curve: moves noisy points towards a smooth fit.
 
 Examples:
   stltsa denoise walk.bvh --dimension 1 --plot before_after.svg
@@ -164,14 +164,14 @@ class Parser {
             model_command(Command::map, "map", about_map, a_clip, {mapping, threading, reading});
         add_product(map, "Write the coordinates to a .npy or .csv file.");
         map.add_flag("--curve", to_.curve,
-                     "Add coordinates, distances and nearest rows of all\nframes to the JSON.");
+                     "Add coordinates, distances and nearest rows of\nall frames to the JSON.");
         CLI::App& unmap = model_command(Command::unmap, "unmap", about_unmap,
                                         "Coordinates: a CSV or NPY file, or - .",
                                         {mapping, unmapping, threading});
         add_product(unmap, "Write poses (.bvh, .amc) or frames (.npy, .csv).")->required();
         unmap.add_flag("--follow", to_.follow,
-                       "Each point goes on where the one before was: what\none coordinate "
-                       "alone cannot tell.");
+                       "Each point goes on where the one before was:\n"
+                       "what one coordinate alone cannot tell.");
         CLI::App& dimension = clip_command(Command::dimension, "dimension", about_dimension, a_clip,
                                            {estimating, choosing, graph, preparing, reading});
         add_output(dimension);
@@ -186,8 +186,9 @@ class Parser {
             add(Command::synthesize, "synthesize", about_synthesize, {joining, cutting, reading});
         synthesize.add_option("pieces", to_.pieces, "Pieces, in the order of the new motion.")
             ->required();
-        add_product(synthesize, "Write the new motion to a .bvh, .amc, .csv or .npy\nfile.")
+        add_product(synthesize, "Write the new motion to a .bvh, .amc, .csv or\n.npy file.")
             ->required();
+        add_plot(synthesize);
     }
 
     void parse(int argc, const char* const* argv) {
@@ -246,12 +247,11 @@ class Parser {
         return app;
     }
     void add_denoise() {
-        CLI::App& denoise =
-            clip_command(Command::denoise, "denoise", about_denoise,
-                         "A model that stltsa fit -o wrote (.stltsa), a clip,\nor - .",
-                         {denoising, choosing, graph, preparing, reading});
+        CLI::App& denoise = clip_command(Command::denoise, "denoise", about_denoise,
+                                         "A model (.stltsa), a clip, or -.",
+                                         {denoising, choosing, graph, preparing, reading});
         denoise.add_flag("--coordinates", to_.coordinates,
-                         "The columns of the CSV or NPY file are coordinates:\ndo not fit.");
+                         "The columns of the CSV or NPY file are\ncoordinates: do not fit.");
         add_product(denoise, "Write the cleaned coordinates to a .npy or .csv\nfile.");
         denoise
             .add_option("--curve-out", to_.curve_product,

@@ -84,7 +84,7 @@ constexpr stltsa_option_info rows[] = {
     real(STLTSA_GAMMA, "gamma",
          "Distance from the curve beyond which a point is noisy, in units of the coordinate; -1: "
          "one robust standard deviation.",
-         -1, 1e300, -1),
+         -1, 1e6, -1),
     real(STLTSA_KNOTS, "knots",
          "Seconds between the knots of the smooth curve, rows where the rate is unknown; 0: a "
          "tenth of the period, else 2 rows.",
@@ -102,7 +102,7 @@ constexpr stltsa_option_info rows[] = {
     real(STLTSA_POSTURE_LIMIT, "posture_limit",
          "Largest distance of the postures at a seam, over what is common between repetitions of "
          "one motion; 0: none.",
-         0, 1e300, 3),
+         0, 1e6, 3),
 };
 
 } // namespace

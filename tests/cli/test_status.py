@@ -10,7 +10,7 @@ class Usage(CommandTest):
     def test_wrong_command_lines(self):
         clip = walk()
         for line, hint in (
-            ((), "info, fit, dimension"),
+            ((), "info, fit, map"),
             (("frobnicate",), "frobnicate"),
             (("info",), "clip"),
             (("info", clip, "--bogus"), "--bogus"),
@@ -54,7 +54,9 @@ class Usage(CommandTest):
         for command in COMMANDS:
             text = self.done(command, "--help").decode()
             examples = text[text.index("Examples:") : text.index("Usage:")].split("\n")[1:]
-            self.assertTrue(all(e.startswith(f"  stltsa {command} ") for e in examples if e))
+            examples = [e for e in examples if e]
+            self.assertTrue(all(e.startswith("  stltsa ") for e in examples))
+            self.assertTrue(examples[-1].startswith(f"  stltsa {command} "))
 
 
 class Unreadable(CommandTest):
@@ -64,7 +66,11 @@ class Unreadable(CommandTest):
         short = self.folder / "short.csv"
         short.write_text("1,2,3\n4,5\n", encoding="ascii")
         unfinite = write_csv("nan.csv", [[1, 2], [float("nan"), 4]])
+        model = self.folder / "model.stltsa"
+        self.done("fit", circle(), "-o", model)
         for command in COMMANDS:
+            before = [model] if command in ("map", "unmap") else []
+            after = ["-o", self.folder / "out.npy"] if command in ("unmap", "synthesize") else []
             for path, hint in (
                 (self.folder / "missing.bvh", "missing.bvh"),
                 (self.folder, str(self.folder)),
@@ -73,7 +79,7 @@ class Unreadable(CommandTest):
                 (unfinite, "nan.csv"),
             ):
                 with self.subTest(command, path=path.name):
-                    self.assertIn(hint, self.fails(3, command, path))
+                    self.assertIn(hint, self.fails(3, command, *before, path, *after))
 
     def test_standard_input(self):
         self.fails(3, "info", "-", input=b"")
