@@ -159,7 +159,7 @@ enum {
     STLTSA_KEEP_FRAMES = 20, /* int   1: a model keeps the frames it was fitted to, and so can map
                                       and unmap; 0: it keeps the coordinates only */
     STLTSA_MAP_NEIGHBORS = 21, /* int rows that a local map rests on; 0: max(d + 5, 10) */
-    STLTSA_MAP_BLEND = 22,   /* int   local maps that are blended */
+    STLTSA_MAP_BLEND = 22,   /* int   stretches of the curve whose maps are blended */
     STLTSA_HINT_WINDOW = 23, /* int   rows to each side of a hint; 0: a fifth of k */
     STLTSA_COMPONENT = 24,   /* int   unmap: component that the coordinates are of, 0-based; -1:
                                       the only one there is */
@@ -172,7 +172,7 @@ enum {
                                       cycle that is repeated, 0.15 s where clips join */
     STLTSA_SEARCH = 29,      /* real  synthesize: seconds by which a cut may move to find a common
                                       posture; -1: a tenth of the cycle that is repeated, half
-                                      a second where clips join */
+                                      a cycle and at least 0.5 s where clips join */
     STLTSA_POSTURE_LIMIT = 30 /* real synthesize: largest distance of the postures at a seam, over
                                       what is common between a motion's own repetitions; 0: none */
 };
@@ -513,9 +513,11 @@ STLTSA_API stltsa_status stltsa_decomposition_json(const stltsa_decomposition *d
 
 /* ---- Mapping, both ways (section 2.4) ---------------------------------------------------- */
 
-/* Places new frames on the curve. Near each frame of the model the map is linear, as LTSA assumes;
- * the maps of the STLTSA_MAP_BLEND nearest frames are blended, each resting on STLTSA_MAP_NEIGHBORS
- * frames of the whole model. A frame that was fitted gets its own coordinates, to the bit.
+/* Places new frames on the curve. Near each frame of the model the map is linear, as LTSA assumes,
+ * resting on STLTSA_MAP_NEIGHBORS frames of the whole model. Between a frame and the next the maps
+ * of both are blended, and the STLTSA_MAP_BLEND nearest such stretches of the curve are blended in
+ * turn (the nearest frames, for spatial neighborhoods). A frame that was fitted gets its own
+ * coordinates, to the bit.
  *
  * frames    rows x features of the model, finite
  * hints     NULL, or for each row the model row near which it is looked for (within
@@ -543,11 +545,13 @@ STLTSA_API stltsa_status stltsa_map_clip(const stltsa_model *model, const stltsa
                                          int64_t *nearest) STLTSA_NOEXCEPT;
 
 /* The way back: frames (rows x features) from points of the manifold (rows x d). Distance is the
- * point's from the curve, over what is common between neighboring rows of the model; beyond 1 the
- * frame is a guess. One coordinate alone cannot tell a swing to from the swing fro: give hints, or
- * fit more. For a model of a clip with a skeleton the frames are the features of the poses that
- * stltsa_unmap_clip gives, so that bones keep their lengths. Options: as stltsa_map, and component.
- * E_DISCONNECTED: the model has several components, and option component does not say which. */
+ * point's from the rows of the model, over what is common between neighboring ones; beyond 1 the
+ * frame is a guess. Nearest is the nearer end of the stretch of the curve that the point is on:
+ * where the curve passes itself by, a row of another stretch may be nearer. One coordinate alone
+ * cannot tell a swing to from the swing fro: give hints, or fit more. For a model of a clip with a
+ * skeleton the frames are the features of the poses that stltsa_unmap_clip gives, so that bones keep
+ * their lengths. Options: as stltsa_map, and component. E_DISCONNECTED: the model has several
+ * components, and option component does not say which. */
 STLTSA_API stltsa_status stltsa_unmap(const stltsa_model *model, const stltsa_in *coords,
                                       const int64_t *hints, const stltsa_options *options,
                                       const stltsa_out *frames, const stltsa_out *distance,
@@ -657,7 +661,7 @@ typedef struct stltsa_seam {
     int64_t piece, next;     /* indices of the pieces that meet there */
     int64_t cut_end, cut_begin; /* the cuts, in frames of their clips (resampled, where they were):
                                    the earlier piece ends before cut_end, the later begins there */
-    int64_t crossfade;       /* frames to each side that are blended; 0: joined as it was */
+    int64_t crossfade;       /* frames to each side that are blended; 0: none */
     double posture;          /* distance of postures and velocities at the cuts over what is common
                                 between repetitions of the same motion; 1: as alike as those */
     double step, acceleration; /* largest pose step, and second difference, near the seam over the

@@ -73,7 +73,8 @@ constexpr stltsa_option_info rows[] = {
     whole(STLTSA_MAP_NEIGHBORS, "map_neighbors",
           "Rows that a local map rests on; 0: the dimension and 5 more, at least 10.", 0,
           most_frames, 0),
-    whole(STLTSA_MAP_BLEND, "map_blend", "Local maps that are blended.", 1, 1000, 3),
+    whole(STLTSA_MAP_BLEND, "map_blend", "Stretches of the curve whose local maps are blended.", 1,
+          1000, 3),
     whole(
         STLTSA_HINT_WINDOW, "hint_window",
         "Rows to each side of a hint in which a frame is looked for; 0: a fifth of the neighbors.",
@@ -84,7 +85,7 @@ constexpr stltsa_option_info rows[] = {
     real(STLTSA_GAMMA, "gamma",
          "Distance from the curve beyond which a point is noisy, in units of the coordinate; -1: "
          "one robust standard deviation.",
-         -1, 1e6, -1),
+         -1, 1e15, -1),
     real(STLTSA_KNOTS, "knots",
          "Seconds between the knots of the smooth curve, rows where the rate is unknown; 0: a "
          "tenth of the period, else 2 rows.",
@@ -97,7 +98,7 @@ constexpr stltsa_option_info rows[] = {
          -1, 60, -1),
     real(STLTSA_SEARCH, "search",
          "Seconds by which a cut may move to find a common posture; -1: a tenth of the cycle "
-         "that is repeated, 0.5 where clips join.",
+         "that is repeated, half a cycle and at least 0.5 where clips join.",
          -1, 3600, -1),
     real(STLTSA_POSTURE_LIMIT, "posture_limit",
          "Largest distance of the postures at a seam, over what is common between repetitions of "

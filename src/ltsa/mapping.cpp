@@ -19,40 +19,72 @@ constexpr double flat = 1e-8;
 /// Of the way back: coordinates that a neighborhood hardly varies in must not throw poses about.
 constexpr double inverse_ridge = 1e-3;
 
-/// The original rows of each component.
-std::vector<std::vector<std::int32_t>> rows_of_components(const Timeline& timeline,
+/// The original rows of each component, each with the one that follows it. Where the order of rows
+/// means nothing every row is alone.
+std::vector<std::vector<Stretch>> stretches_of_components(const Timeline& timeline,
                                                           const Model& model) {
-    std::vector<std::vector<std::int32_t>> rows(model.components.size());
-    for (const std::int32_t row : timeline.distinct())
-        rows[static_cast<std::size_t>(model.component_of[static_cast<std::size_t>(row)])].push_back(
-            row);
-    return rows;
+    std::vector<std::vector<Stretch>> stretches(model.components.size());
+    const auto component_of = [&](std::int64_t row) {
+        return static_cast<std::size_t>(model.component_of[static_cast<std::size_t>(row)]);
+    };
+    for (const std::int32_t row : timeline.distinct()) {
+        const std::int64_t next = timeline.next(row);
+        const bool follows = next >= 0 && model.parameters.mode != Mode::spatial &&
+                             component_of(next) == component_of(row);
+        stretches[component_of(row)].push_back(
+            {row, follows ? static_cast<std::int32_t>(next) : row});
+    }
+    return stretches;
 }
 
 std::vector<NearestRows> indexed(ConstMatrixView x,
-                                 const std::vector<std::vector<std::int32_t>>& rows) {
+                                 const std::vector<std::vector<Stretch>>& stretches) {
     std::vector<NearestRows> parts;
-    parts.reserve(rows.size());
-    for (const auto& part : rows)
+    parts.reserve(stretches.size());
+    for (const auto& part : stretches)
         parts.emplace_back(x, part);
     return parts;
 }
 
-/// Weights of the `blend` nearest rows, summing to 1: 1/distance less what it is at the next
-/// farther row. So a row alone counts at itself, and one that leaves the blend has faded out. Where
-/// all are as far as the next one, all count the same.
-std::vector<double> blend_weights(const std::vector<Candidate>& found, std::size_t blend) {
-    const double nearest = std::sqrt(found.front().distance);
-    const double faded = found.size() > blend ? nearest / std::sqrt(found[blend].distance) : 0;
+/// Weights of the `blend` nearest, summing to 1: 1/distance^2 less what it is at the next farther
+/// one. So a stretch alone counts on itself, and one that leaves the blend has faded out. Where all
+/// are as far as the next one, all count the same.
+std::vector<double> blend_weights(const std::vector<NearStretch>& found, std::size_t blend) {
+    const double nearest = found.front().distance;
+    const auto closeness = [nearest](const NearStretch& one) {
+        return one.distance > nearest ? nearest / one.distance : 1;
+    };
+    const double faded = found.size() > blend ? closeness(found[blend]) : 0;
     std::vector<double> weights;
     double sum = 0;
     for (std::size_t i = 0; i < std::min(blend, found.size()); ++i) {
-        weights.push_back(nearest / std::sqrt(found[i].distance) - faded);
+        weights.push_back(closeness(found[i]) - faded);
         sum += weights.back();
     }
     for (double& weight : weights)
         weight = sum > 0 ? weight / sum : 1 / static_cast<double>(weights.size());
     return weights;
+}
+
+/// The rows whose local maps are blended: both ends of each stretch, by how near its nearest point
+/// is to them.
+std::vector<Placement::Term> blended_rows(const std::vector<NearStretch>& found,
+                                          std::size_t blend) {
+    const std::vector<double> weights = blend_weights(found, blend);
+    std::vector<Placement::Term> ends;
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+        ends.push_back({found[i].stretch.row, weights[i] * (1 - found[i].share)});
+        ends.push_back({found[i].stretch.next, weights[i] * found[i].share});
+    }
+    std::stable_sort(ends.begin(), ends.end(),
+                     [](const auto& a, const auto& b) { return a.row < b.row; });
+    std::vector<Placement::Term> rows;
+    for (const Placement::Term& end : ends)
+        if (!rows.empty() && rows.back().row == end.row)
+            rows.back().weight += end.weight;
+        else
+            rows.push_back(end);
+    return rows;
 }
 
 /// A neighborhood about its mean.
@@ -113,13 +145,13 @@ void Placement::apply(ConstMatrixView targets, double* out) const {
 
 Mapping::Mapping(ConstMatrixView frames, const Model& model, double period)
     : timeline_(frames, model.lengths) {
-    const auto rows = rows_of_components(timeline_, model);
+    const auto stretches = stretches_of_components(timeline_, model);
     const Mode mode = model.parameters.mode;
-    frames_ = {frames, indexed(frames, rows), {}, 0};
-    frames_.limits.assign(rows.size(),
+    frames_ = {frames, indexed(frames, stretches), {}, 0, false};
+    frames_.limits.assign(stretches.size(),
                           support_limit(frames, frames_.parts, timeline_, mode, period));
     const ConstMatrixView coords = model.coords.view();
-    coords_ = {coords, indexed(coords, rows), {}, inverse_ridge};
+    coords_ = {coords, indexed(coords, stretches), {}, inverse_ridge, true};
     for (const NearestRows& part : coords_.parts)
         coords_.limits.push_back(support_limit(coords, {&part, 1}, timeline_, mode, period));
 }
@@ -145,12 +177,19 @@ bool Mapping::is_row(const Space& space, std::int64_t hint, const double* point)
     return hint != no_hint && squared_distance(space.rows.row(hint), point, space.rows.cols) == 0;
 }
 
-std::vector<Candidate> Mapping::search(const NearestRows& part, const double* point,
-                                       std::int64_t count, std::int64_t hint,
-                                       const MapParameters& p) const {
-    return hint == no_hint
-               ? part.nearest(point, count)
-               : part.nearest_within(point, count, timeline_.around(hint, p.hint_window));
+std::vector<Candidate> Mapping::nearest_row(const NearestRows& part, const double* point,
+                                            std::int64_t hint, const MapParameters& p) const {
+    return hint == no_hint ? part.nearest(point, 1)
+                           : part.nearest_within(point, 1, timeline_.around(hint, p.hint_window));
+}
+
+/// One more than are blended.
+std::vector<NearStretch> Mapping::nearest_stretches(const NearestRows& part, const double* point,
+                                                    std::int64_t hint,
+                                                    const MapParameters& p) const {
+    return hint == no_hint ? part.nearest_stretches(point, p.blend + 1)
+                           : part.nearest_stretches_within(point, p.blend + 1,
+                                                           timeline_.around(hint, p.hint_window));
 }
 
 std::size_t Mapping::nearest_component(const double* frame, std::int64_t hint,
@@ -159,7 +198,7 @@ std::size_t Mapping::nearest_component(const double* frame, std::int64_t hint,
     Candidate best{std::numeric_limits<double>::infinity(),
                    std::numeric_limits<std::int32_t>::max()};
     for (std::size_t c = 0; c < frames_.parts.size(); ++c)
-        for (const Candidate& found : search(frames_.parts[c], frame, 1, hint, p))
+        for (const Candidate& found : nearest_row(frames_.parts[c], frame, hint, p))
             if (found < best) {
                 best = found;
                 nearest = c;
@@ -169,22 +208,25 @@ std::size_t Mapping::nearest_component(const double* frame, std::int64_t hint,
 
 Placement Mapping::find(const Space& space, std::size_t component, const double* point,
                         std::int64_t hint, const MapParameters& p) const {
-    const auto found = search(space.parts[component], point, p.blend + 1, hint, p);
-    if (found.empty())
+    const NearestRows& part = space.parts[component];
+    const auto rows = nearest_row(part, point, hint, p);
+    if (rows.empty())
         fail(Status::argument, "no row of component {} is within {} rows of the hint {}", component,
              p.hint_window, hint);
     Placement placement;
-    placement.nearest = found.front().frame;
-    const double distance = std::sqrt(found.front().distance);
+    placement.nearest = rows.front().frame;
+    const double distance = std::sqrt(rows.front().distance);
     if (distance == 0)
         return placement;
     placement.distance = distance / space.limits[component];
-    if (!std::isfinite(found.front().distance))
+    if (!std::isfinite(rows.front().distance))
         return placement;
-    const auto weights = blend_weights(found, static_cast<std::size_t>(p.blend));
-    for (std::size_t i = 0; i < weights.size(); ++i)
-        if (weights[i] > 0)
-            add_local_map(space, component, found[i].frame, point, weights[i], p, placement.terms);
+    const auto found = nearest_stretches(part, point, hint, p);
+    if (space.passes_itself)
+        placement.nearest = found.front().nearer_end();
+    for (const auto& [row, weight] : blended_rows(found, static_cast<std::size_t>(p.blend)))
+        if (weight > 0)
+            add_local_map(space, component, row, point, weight, p, placement.terms);
     return placement;
 }
 

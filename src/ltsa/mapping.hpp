@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Dynamic mapping between frames and coordinates, both ways (paper, section 2.4): near a row of the
-// model both are linear in each other.
+// model both are linear in each other. A point is placed by the stretch of the curve that it is
+// nearest to, not by the nearest row: where the curve passes itself by, the nearest row is often
+// one of the other part.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +17,7 @@ namespace stltsa::ltsa {
 
 struct MapParameters {
     std::int64_t neighbors = 10;  ///< rows that a local map rests on
-    std::int64_t blend = 3;       ///< local maps that are blended
+    std::int64_t blend = 3;       ///< stretches whose maps are blended
     std::int64_t hint_window = 2; ///< rows to each side of a hint, repeated ones not counted
 };
 
@@ -29,8 +31,8 @@ struct Placement {
         std::int32_t row;
         double weight;
     };
-    std::int64_t nearest = 0; ///< row
-    double distance = 0;      ///< from it, over what is common; beyond 1 the point is out of reach
+    std::int64_t nearest = 0; ///< row; to a point of the curve the nearer end of its stretch
+    double distance = 0;      ///< from the rows, over what is common; beyond 1 it is out of reach
     std::vector<Term> terms;
 
     /// t(nearest) + sum of weight (t(row) - t(nearest)): t(nearest) itself, to the bit, where there
@@ -62,12 +64,15 @@ class Mapping {
         ConstMatrixView rows;
         std::vector<NearestRows> parts; ///< a component each
         std::vector<double> limits;     ///< the same; for frames all are equal
-        double ridge = 0; ///< of the least squares, over the mean variance of a direction
+        double ridge = 0;           ///< of the least squares, over the mean variance of a direction
+        bool passes_itself = false; ///< rows that are near may be of poses that are not
     };
 
     static bool is_row(const Space& space, std::int64_t hint, const double* point);
-    std::vector<Candidate> search(const NearestRows& part, const double* point, std::int64_t count,
-                                  std::int64_t hint, const MapParameters& p) const;
+    std::vector<Candidate> nearest_row(const NearestRows& part, const double* point,
+                                       std::int64_t hint, const MapParameters& p) const;
+    std::vector<NearStretch> nearest_stretches(const NearestRows& part, const double* point,
+                                               std::int64_t hint, const MapParameters& p) const;
     std::size_t nearest_component(const double* frame, std::int64_t hint,
                                   const MapParameters& p) const;
     Placement find(const Space& space, std::size_t component, const double* point,

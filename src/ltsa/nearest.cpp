@@ -23,6 +23,7 @@ bool farther(const Bound& a, const Bound& b) {
 }
 
 /// The nearest so far, as a heap with the farthest on top.
+template <class Found>
 class Best {
   public:
     explicit Best(std::size_t count) : count_(count) { heap_.reserve(count); }
@@ -30,34 +31,35 @@ class Best {
     bool is_beyond(double distance) const {
         return heap_.size() == count_ && distance > heap_.front().distance;
     }
-    void offer(const Candidate& candidate) {
+    void offer(const Found& found) {
         if (heap_.size() == count_) {
-            if (!(candidate < heap_.front()))
+            if (!(found < heap_.front()))
                 return;
             std::pop_heap(heap_.begin(), heap_.end());
-            heap_.back() = candidate;
+            heap_.back() = found;
         } else {
-            heap_.push_back(candidate);
+            heap_.push_back(found);
         }
         std::push_heap(heap_.begin(), heap_.end());
     }
-    std::vector<Candidate> sorted() {
+    std::vector<Found> sorted() {
         std::sort_heap(heap_.begin(), heap_.end());
         return std::move(heap_);
     }
 
   private:
     std::size_t count_;
-    std::vector<Candidate> heap_;
+    std::vector<Found> heap_;
 };
 
-/// The column in which these rows differ most.
-std::int64_t widest_column(ConstMatrixView x, std::span<const std::int32_t> rows) {
-    std::vector<double> least(x.row(rows[0]), x.row(rows[0]) + x.cols);
+/// The column in which the rows that these begin at differ most.
+std::int64_t widest_column(ConstMatrixView x, std::span<const Stretch> stretches) {
+    const double* first = x.row(stretches.front().row);
+    std::vector<double> least(first, first + x.cols);
     std::vector<double> most = least;
-    for (const std::int32_t row : rows)
+    for (const Stretch& stretch : stretches)
         for (std::size_t c = 0; c < least.size(); ++c) {
-            const double value = x.row(row)[c];
+            const double value = x.row(stretch.row)[c];
             least[c] = std::min(least[c], value);
             most[c] = std::max(most[c], value);
         }
@@ -79,10 +81,13 @@ double distance(const double* a, const double* b, std::int64_t count) {
 
 } // namespace
 
-NearestRows::NearestRows(ConstMatrixView x, std::vector<std::int32_t> rows)
-    : x_(x), rows_(std::move(rows)), order_(rows_) {
-    if (rows_.empty())
+NearestRows::NearestRows(ConstMatrixView x, const std::vector<Stretch>& stretches)
+    : x_(x), stretches_(stretches), order_(stretches) {
+    if (stretches.empty())
         return;
+    rows_.reserve(stretches.size());
+    for (const Stretch& stretch : stretches)
+        rows_.push_back(stretch.row);
     const auto size = static_cast<std::int32_t>(rows_.size());
     centers_ = Matrix(node_count(size), x.cols);
     nodes_.reserve(static_cast<std::size_t>(centers_.rows()));
@@ -98,11 +103,12 @@ std::int32_t NearestRows::add_node(std::int32_t begin, std::int32_t end) {
     const auto index = static_cast<std::int32_t>(nodes_.size());
     Node node{begin, end};
     double* center = centers_.row(index);
-    const auto rows = rows_of(node);
-    for (const std::int32_t row : rows)
-        axpy(1 / static_cast<double>(rows.size()), x_.row(row), center, x_.cols);
-    for (const std::int32_t row : rows)
-        node.radius = std::max(node.radius, distance(x_.row(row), center, x_.cols));
+    const auto stretches = stretches_of(node);
+    for (const Stretch& stretch : stretches)
+        axpy(1 / static_cast<double>(stretches.size()), x_.row(stretch.row), center, x_.cols);
+    for (const Stretch& stretch : stretches)
+        for (const std::int32_t end : {stretch.row, stretch.next})
+            node.radius = std::max(node.radius, distance(x_.row(end), center, x_.cols));
     nodes_.push_back(node);
     return index;
 }
@@ -110,13 +116,13 @@ std::int32_t NearestRows::add_node(std::int32_t begin, std::int32_t end) {
 /// In halves along the column in which the rows differ most.
 void NearestRows::split(std::int32_t index) {
     const Node node = nodes_[static_cast<std::size_t>(index)];
-    const std::int64_t column = widest_column(x_, rows_of(node));
+    const std::int64_t column = widest_column(x_, stretches_of(node));
     const std::int32_t middle = node.begin + (node.end - node.begin) / 2;
     std::nth_element(order_.begin() + node.begin, order_.begin() + middle,
-                     order_.begin() + node.end, [&](std::int32_t a, std::int32_t b) {
-                         const double at_a = x_(a, column);
-                         const double at_b = x_(b, column);
-                         return at_a < at_b || (at_a == at_b && a < b);
+                     order_.begin() + node.end, [&](const Stretch& a, const Stretch& b) {
+                         const double at_a = x_(a.row, column);
+                         const double at_b = x_(b.row, column);
+                         return at_a < at_b || (at_a == at_b && a.row < b.row);
                      });
     const std::int32_t left = add_node(node.begin, middle);
     const std::int32_t right = add_node(middle, node.end);
@@ -133,22 +139,55 @@ double NearestRows::lower_bound(const double* query, std::int32_t node) const {
     return bound > 0 ? bound * bound : 0;
 }
 
+/// The foot of the perpendicular, from the lengths of the three sides, or an end.
+NearStretch NearestRows::nearest_point(const double* query, Stretch stretch) const {
+    const double* row = x_.row(stretch.row);
+    const double* next = x_.row(stretch.next);
+    const double to_row = squared_distance(query, row, x_.cols);
+    if (stretch.row == stretch.next)
+        return {to_row, stretch, 0};
+    const double to_next = squared_distance(query, next, x_.cols);
+    const double length = squared_distance(row, next, x_.cols);
+    const double share = 0.5 + 0.5 * (to_row - to_next) / length;
+    if (share >= 1)
+        return {to_next, stretch, 1};
+    if (!(share > 0)) // nor a number, where squares overflow
+        return {to_row, stretch, 0};
+    return {std::max(to_row - share * share * length, 0.0), stretch, share};
+}
+
 std::vector<Candidate> NearestRows::nearest_within(const double* query, std::int64_t count,
                                                    RowRange range) const {
     const auto begin = std::lower_bound(rows_.begin(), rows_.end(), range.begin);
     const auto end = std::lower_bound(begin, rows_.end(), range.end);
-    Best best(static_cast<std::size_t>(std::min<std::int64_t>(count, end - begin)));
+    Best<Candidate> best(static_cast<std::size_t>(std::min<std::int64_t>(count, end - begin)));
     if (count > 0)
         for (auto row = begin; row < end; ++row)
             best.offer({squared_distance(query, x_.row(*row), x_.cols), *row});
     return best.sorted();
 }
 
-std::vector<Candidate> NearestRows::nearest_outside(const double* query, std::int64_t count,
-                                                    RowRange zone) const {
-    Best best(std::min(static_cast<std::size_t>(count), rows_.size()));
+std::vector<NearStretch> NearestRows::nearest_stretches_within(const double* query,
+                                                               std::int64_t count,
+                                                               RowRange range) const {
+    const auto begin = std::lower_bound(rows_.begin(), rows_.end(), range.begin) - rows_.begin();
+    const auto end = std::lower_bound(rows_.begin(), rows_.end(), range.end) - rows_.begin();
+    Best<NearStretch> best(
+        static_cast<std::size_t>(std::clamp<std::int64_t>(end - begin, 0, count)));
+    for (auto i = begin; count > 0 && i < end; ++i) {
+        const Stretch& stretch = stretches_[static_cast<std::size_t>(i)];
+        const bool leaves = stretch.next >= range.end;
+        best.offer(nearest_point(query, {stretch.row, leaves ? stretch.row : stretch.next}));
+    }
+    return best.sorted();
+}
+
+template <class Found, class OfferLeaf>
+std::vector<Found> NearestRows::search(const double* query, std::int64_t count,
+                                       const OfferLeaf& offer_leaf) const {
     if (count < 1 || rows_.empty())
         return {};
+    Best<Found> best(std::min(static_cast<std::size_t>(count), rows_.size()));
     std::vector<Bound> open{{0, 0}};
     const auto add = [&](std::int32_t node) {
         open.push_back({lower_bound(query, node), node});
@@ -161,13 +200,28 @@ std::vector<Candidate> NearestRows::nearest_outside(const double* query, std::in
         if (node.left != 0) {
             add(node.left);
             add(node.right);
-            continue;
+        } else {
+            offer_leaf(stretches_of(node), best);
         }
-        for (const std::int32_t row : rows_of(node))
-            if (row < zone.begin || row >= zone.end)
-                best.offer({squared_distance(query, x_.row(row), x_.cols), row});
     }
     return best.sorted();
+}
+
+std::vector<Candidate> NearestRows::nearest_outside(const double* query, std::int64_t count,
+                                                    RowRange zone) const {
+    return search<Candidate>(query, count, [&](std::span<const Stretch> leaf, auto& best) {
+        for (const Stretch& stretch : leaf)
+            if (stretch.row < zone.begin || stretch.row >= zone.end)
+                best.offer({squared_distance(query, x_.row(stretch.row), x_.cols), stretch.row});
+    });
+}
+
+std::vector<NearStretch> NearestRows::nearest_stretches(const double* query,
+                                                        std::int64_t count) const {
+    return search<NearStretch>(query, count, [&](std::span<const Stretch> leaf, auto& best) {
+        for (const Stretch& stretch : leaf)
+            best.offer(nearest_point(query, stretch));
+    });
 }
 
 } // namespace stltsa::ltsa

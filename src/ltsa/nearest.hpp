@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The exact nearest rows of a matrix, for one query at a time.
+// The exact nearest rows of a matrix, and the nearest stretches between them, for one query at a
+// time.
 #pragma once
 
 #include <algorithm>
@@ -19,15 +20,36 @@ struct RowRange {
     std::int64_t end = std::numeric_limits<std::int64_t>::max();
 };
 
+/// The straight way from a row to the one that follows it, or a row alone, which follows itself.
+struct Stretch {
+    std::int32_t row, next;
+};
+
+/// A stretch, and the point of it that is nearest to a query.
+struct NearStretch {
+    double distance; ///< squared, of that point
+    Stretch stretch;
+    double share; ///< of the way from the row to the next, at that point
+
+    std::int32_t nearer_end() const { return share <= 0.5 ? stretch.row : stretch.next; }
+    /// Nearer first, ties by row.
+    bool operator<(const NearStretch& other) const {
+        return distance < other.distance ||
+               (distance == other.distance && stretch.row < other.stretch.row);
+    }
+};
+
 /// Some rows of a matrix, in a tree of balls: each half of a ball's rows is a ball again, and most
 /// of the tree is passed over for the distance of its centers alone. (Blocks of rows that follow
 /// each other in time need more than twice the distances at 30 frames a second, where such a block
-/// is a good part of a cycle.) Any number of threads may search at once.
+/// is a good part of a cycle.) A ball holds the stretches that begin at its rows. Any number of
+/// threads may search at once.
 class NearestRows {
   public:
     NearestRows() = default;
-    /// `rows` of x, ascending. The entries of x are not copied.
-    NearestRows(ConstMatrixView x, std::vector<std::int32_t> rows);
+    /// Stretches between rows of x, ascending, one from each row that is to be found. The entries
+    /// of x are not copied.
+    NearestRows(ConstMatrixView x, const std::vector<Stretch>& stretches);
 
     const std::vector<std::int32_t>& rows() const { return rows_; }
     bool holds(std::int64_t row) const {
@@ -43,9 +65,13 @@ class NearestRows {
                                           RowRange range) const;
     std::vector<Candidate> nearest_outside(const double* query, std::int64_t count,
                                            RowRange zone) const;
+    // The same for stretches. Within a range they end at its last row.
+    std::vector<NearStretch> nearest_stretches(const double* query, std::int64_t count) const;
+    std::vector<NearStretch> nearest_stretches_within(const double* query, std::int64_t count,
+                                                      RowRange range) const;
 
   private:
-    /// Rows [begin, end) of order_ lie within the radius of the center, which is the row of
+    /// Stretches [begin, end) of order_ lie within the radius of the center, which is the row of
     /// centers_ with the node's number.
     struct Node {
         std::int32_t begin, end;
@@ -53,19 +79,25 @@ class NearestRows {
         std::int32_t left = 0, right = 0; ///< nodes; 0: this one is a leaf
     };
 
-    std::span<const std::int32_t> rows_of(const Node& node) const {
+    std::span<const Stretch> stretches_of(const Node& node) const {
         return std::span(order_).subspan(static_cast<std::size_t>(node.begin),
                                          static_cast<std::size_t>(node.end - node.begin));
     }
     std::int32_t add_node(std::int32_t begin, std::int32_t end);
     void split(std::int32_t node);
-    /// No row of the node is nearer than the root of this.
+    /// Nothing of the node is nearer than the root of this.
     double lower_bound(const double* query, std::int32_t node) const;
+    NearStretch nearest_point(const double* query, Stretch stretch) const;
+    /// The `count` nearest of what `offer_leaf` offers from the leaves.
+    template <class Found, class OfferLeaf>
+    std::vector<Found> search(const double* query, std::int64_t count,
+                              const OfferLeaf& offer_leaf) const;
 
     ConstMatrixView x_;
     std::vector<std::int32_t> rows_;
-    std::vector<std::int32_t> order_; ///< the same rows, those of a node side by side
-    std::vector<Node> nodes_;         ///< the root first
+    std::vector<Stretch> stretches_; ///< of the rows, in the same order
+    std::vector<Stretch> order_;     ///< the same, those of a node side by side
+    std::vector<Node> nodes_;        ///< the root first
     Matrix centers_;
 };
 

@@ -80,7 +80,7 @@ void weights_fade_out_with_the_blend(void**) {
         x(i, 1) = std::sin(turn * static_cast<double>(i) / 5);
         y(i, 0) = i == 2 ? 1 : 0;
     }
-    const Given given(std::move(x), std::move(y), {5});
+    const Given given(std::move(x), std::move(y), {5}, Mode::spatial);
     const Mapping mapping = given.mapping();
     const MapParameters p{1, 2, 1};
     const auto value = [&](double a, double b) {
@@ -99,6 +99,37 @@ void weights_fade_out_with_the_blend(void**) {
     ASSERT_NEAR(after, 1, 1e-7);
 }
 
+/// A curve that crosses itself where two rows of one part are farther than one of the other.
+void point_belongs_to_the_stretch_it_is_on(void**) {
+    // Coordinates go right along one line and, 40 rows later, up along another that crosses it
+    // halfway between two rows; frames tell the two apart.
+    Matrix x(80, 2);
+    Matrix y(80, 2);
+    for (std::int64_t i = 0; i < 80; ++i) {
+        const bool up = i >= 40;
+        const auto along = static_cast<double>(up ? i - 60 : i - 20);
+        y(i, 0) = up ? 0.45 : along;
+        y(i, 1) = up ? along + 0.1 : 0;
+        x(i, 0) = static_cast<double>(i);
+        x(i, 1) = up ? 1000 : 0;
+    }
+    const Given given(std::move(x), std::move(y), {80});
+    const Mapping mapping = given.mapping();
+    const double point[] = {0.55, 0.001};
+    ASSERT_NEAR(std::hypot(point[0] - 0.45, point[1] - 0.1), 0.14, 0.01); // row 60
+    ASSERT_NEAR(std::hypot(point[0] - 1, point[1]), 0.45, 0.01);          // row 21
+    const Placement placement = mapping.find_point(point, 0, no_hint, {10, 1, 2});
+    assert_int_equal(placement.nearest, 21);
+    double frame[2];
+    placement.apply(given.frames.view(), frame);
+    ASSERT_NEAR(frame[0], 20.55, 0.01);
+    ASSERT_NEAR(frame[1], 0, 1e-9);
+    // Where the order of rows means nothing there are no stretches.
+    Given spatial = given;
+    spatial.model.parameters.mode = Mode::spatial;
+    assert_int_equal(spatial.mapping().find_point(point, 0, no_hint, {10, 1, 2}).nearest, 60);
+}
+
 void rows_that_are_all_as_far_count_the_same(void**) {
     Matrix x(4, 2);
     Matrix y(4, 1);
@@ -107,7 +138,7 @@ void rows_that_are_all_as_far_count_the_same(void**) {
         x(i, 1) = i < 2 ? 1 : -1;
         y(i, 0) = std::pow(10, static_cast<double>(i));
     }
-    const Given given(std::move(x), std::move(y), {4});
+    const Given given(std::move(x), std::move(y), {4}, Mode::spatial);
     const double middle[] = {0, 0};
     const Placement placement = given.mapping().find_frame(middle, no_hint, {1, 2, 1});
     ASSERT_NEAR(coordinate(given, placement), 5.5, 1e-12);
@@ -226,6 +257,7 @@ int main() {
     const CMUnitTest tests[] = {
         cmocka_unit_test(line_goes_on),
         cmocka_unit_test(weights_fade_out_with_the_blend),
+        cmocka_unit_test(point_belongs_to_the_stretch_it_is_on),
         cmocka_unit_test(rows_that_are_all_as_far_count_the_same),
         cmocka_unit_test(hint_may_be_a_repeat),
         cmocka_unit_test(equal_rows_are_told_by_the_hint),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The nearest rows against comparing every pair, and the order of rows in time.
+// The nearest rows and stretches against comparing every pair, and the order of rows in time.
 #include <numeric>
 
 #include "base/random.hpp"
@@ -13,7 +13,9 @@ namespace {
 using namespace motion_testing;
 using stltsa::ltsa::Candidate;
 using stltsa::ltsa::NearestRows;
+using stltsa::ltsa::NearStretch;
 using stltsa::ltsa::RowRange;
+using stltsa::ltsa::Stretch;
 using stltsa::ltsa::Timeline;
 
 /// A wandering curve, as motion is, every seventh row equal to an earlier one.
@@ -43,6 +45,23 @@ std::vector<std::int32_t> every(std::int64_t rows, std::int64_t step) {
     return result;
 }
 
+/// Of these rows, each alone.
+std::vector<Stretch> alone(const std::vector<std::int32_t>& rows) {
+    std::vector<Stretch> stretches;
+    for (const std::int32_t row : rows)
+        stretches.push_back({row, row});
+    return stretches;
+}
+
+/// From each row to the one after it, but for every fifth.
+std::vector<Stretch> chained(const std::vector<std::int32_t>& rows) {
+    std::vector<Stretch> stretches = alone(rows);
+    for (std::size_t i = 0; i + 1 < rows.size(); ++i)
+        if (i % 5 != 4)
+            stretches[i].next = rows[i + 1];
+    return stretches;
+}
+
 /// The same by sorting all rows that are allowed.
 template <class Allowed>
 std::vector<Candidate> by_sorting(ConstMatrixView x, const std::vector<std::int32_t>& rows,
@@ -66,7 +85,7 @@ void assert_equal(const std::vector<Candidate>& found, const std::vector<Candida
 
 void compare(const Matrix& x, std::int64_t step) {
     const std::vector<std::int32_t> rows = every(x.rows(), step);
-    const NearestRows nearest(x.view(), rows);
+    const NearestRows nearest(x.view(), chained(rows));
     assert_true(nearest.rows() == rows);
     stltsa::Random random(99);
     std::vector<double> query(static_cast<std::size_t>(x.cols()));
@@ -100,9 +119,88 @@ void same_rows_as_comparing_all(void**) {
         }
 }
 
+/// The squared distance from a stretch, of 1000 points on it the least.
+double sampled_distance(ConstMatrixView x, const double* query, Stretch stretch) {
+    double least = std::numeric_limits<double>::infinity();
+    std::vector<double> point(static_cast<std::size_t>(x.cols));
+    for (int i = 0; i <= 1000; ++i) {
+        for (std::int64_t c = 0; c < x.cols; ++c)
+            point[static_cast<std::size_t>(c)] =
+                x(stretch.row, c) + i / 1000.0 * (x(stretch.next, c) - x(stretch.row, c));
+        least = std::min(least, stltsa::squared_distance(query, point.data(), x.cols));
+    }
+    return least;
+}
+
+/// The point of the share is as far as is said, and no sampled one is nearer.
+void assert_nearest_point(ConstMatrixView x, const double* query, const NearStretch& found) {
+    std::vector<double> point(static_cast<std::size_t>(x.cols));
+    const auto [row, next] = found.stretch;
+    assert_true(found.share >= 0 && found.share <= 1);
+    for (std::int64_t c = 0; c < x.cols; ++c)
+        point[static_cast<std::size_t>(c)] = x(row, c) + found.share * (x(next, c) - x(row, c));
+    const double step = stltsa::squared_distance(x.row(row), x.row(next), x.cols);
+    ASSERT_NEAR(stltsa::squared_distance(query, point.data(), x.cols), found.distance,
+                1e-12 * (1 + found.distance));
+    const double sampled = sampled_distance(x, query, found.stretch);
+    assert_true(found.distance <= sampled + 1e-12 && sampled <= found.distance + 1e-6 * step);
+    assert_int_equal(found.nearer_end(), found.share <= 0.5 ? row : next);
+}
+
+void assert_same(const std::vector<NearStretch>& found, const std::vector<NearStretch>& expected) {
+    assert_int_equal(found.size(), expected.size());
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        assert_int_equal(found[i].stretch.row, expected[i].stretch.row);
+        assert_int_equal(found[i].stretch.next, expected[i].stretch.next);
+        assert_true(found[i].distance == expected[i].distance &&
+                    found[i].share == expected[i].share);
+    }
+}
+
+void nearest_stretches_of_all(void**) {
+    const Matrix x = curve(700, 7, 8);
+    const std::vector<Stretch> stretches = chained(every(700, 2));
+    const NearestRows nearest(x.view(), stretches);
+    const auto count = static_cast<std::int64_t>(stretches.size());
+    stltsa::Random random(3);
+    std::vector<double> query(7);
+    for (std::int64_t q = 0; q < 700; q += 23) {
+        for (std::size_t c = 0; c < 7; ++c)
+            query[c] = x.row(q)[c] + (q % 2 == 0 ? 0.05 : 3) * random.symmetric();
+        const auto all = nearest.nearest_stretches(query.data(), 2 * count);
+        assert_int_equal(all.size(), count);
+        assert_true(std::is_sorted(all.begin(), all.end()));
+        for (const NearStretch& found : all)
+            assert_nearest_point(x.view(), query.data(), found);
+        for (const std::size_t few : {1u, 4u, 40u})
+            assert_same(nearest.nearest_stretches(query.data(), static_cast<std::int64_t>(few)),
+                        {all.begin(), all.begin() + static_cast<std::ptrdiff_t>(few)});
+        assert_same(nearest.nearest_stretches_within(query.data(), count, {}), all);
+    }
+}
+
+void stretches_end_with_their_range(void**) {
+    Matrix x(5, 1);
+    for (std::int64_t r = 0; r < 5; ++r)
+        x(r, 0) = static_cast<double>(r);
+    const NearestRows nearest(x.view(), {{0, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 4}});
+    const double query = 2.6;
+    const auto found = nearest.nearest_stretches_within(&query, 9, {0, 3});
+    assert_int_equal(found.size(), 3);
+    for (std::size_t i = 0; i < 2; ++i) // [1, 2] and [2], both 0.6 away
+        ASSERT_NEAR(found[i].distance, 0.36, 1e-12);
+    assert_true(found[1].stretch.row == 2 && found[1].stretch.next == 2);
+    const auto inside = nearest.nearest_stretches_within(&query, 1, {2, 4});
+    assert_true(inside[0].stretch.row == 2 && inside[0].stretch.next == 3);
+    ASSERT_NEAR(inside[0].share, 0.6, 1e-12);
+    assert_int_equal(inside[0].nearer_end(), 3);
+    assert_true(nearest.nearest_stretches_within(&query, 1, {3, 3}).empty());
+    assert_true(nearest.nearest_stretches(&query, 0).empty());
+}
+
 void none_asked_or_none_there(void**) {
     const Matrix x = curve(50, 4, 1);
-    const NearestRows nearest(x.view(), every(50, 1));
+    const NearestRows nearest(x.view(), alone(every(50, 1)));
     const NearestRows empty(x.view(), {});
     assert_true(nearest.nearest(x.row(3), 0).empty());
     assert_true(nearest.nearest_within(x.row(3), 0, {0, 9}).empty());
@@ -116,10 +214,12 @@ void rows_beyond_measure(void**) {
     Matrix x = lattice(100, 3, 2);
     for (std::int64_t i = 0; i < 300; ++i)
         x.data()[i] *= 1e200;
-    const NearestRows nearest(x.view(), every(100, 1));
+    const NearestRows nearest(x.view(), chained(every(100, 1)));
     const double query[] = {3e200, 3e200, 3e200};
     const auto found = nearest.nearest(query, 4);
     assert_int_equal(found.size(), 4);
+    for (const NearStretch& stretch : nearest.nearest_stretches(query, 4))
+        assert_true(std::isinf(stretch.distance) && stretch.share == 0);
     for (std::size_t i = 0; i < 4; ++i) {
         assert_int_equal(found[i].frame, i);
         assert_true(std::isinf(found[i].distance));
@@ -168,6 +268,8 @@ void windows_count_originals_and_end_with_the_clip(void**) {
 int main() {
     const CMUnitTest tests[] = {
         cmocka_unit_test(same_rows_as_comparing_all),
+        cmocka_unit_test(nearest_stretches_of_all),
+        cmocka_unit_test(stretches_end_with_their_range),
         cmocka_unit_test(none_asked_or_none_there),
         cmocka_unit_test(rows_beyond_measure),
         cmocka_unit_test(repeats_have_an_original),

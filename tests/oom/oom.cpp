@@ -195,6 +195,41 @@ stltsa_status map(const std::string&) {
     return status;
 }
 
+/// A model to bytes, to a file and back; nothing else may be left in the folder.
+stltsa_status model_file(const std::string&) {
+    static const stltsa_model* kept = [] {
+        stltsa_model* made = nullptr;
+        stltsa_fit_clip(swinging(), nullptr, &made);
+        return made;
+    }();
+    static const std::string folder =
+        std::filesystem::temp_directory_path() / ("stltsa-oom-model-" + std::to_string(::getpid()));
+    static const std::string path = folder + "/model";
+    ::mkdir(folder.c_str(), 0777);
+    unsigned char* bytes = nullptr;
+    std::size_t size = 0;
+    stltsa_model* parsed = nullptr;
+    stltsa_model* loaded = nullptr;
+    stltsa_status status = stltsa_model_serialize(kept, &bytes, &size);
+    if (status == STLTSA_OK)
+        status = stltsa_model_parse(bytes, size, &parsed);
+    else if (bytes != nullptr)
+        status = 1;
+    if (status == STLTSA_OK)
+        status = stltsa_model_save(kept, path.c_str());
+    else if (parsed != nullptr)
+        status = 1;
+    if (status == STLTSA_OK)
+        status = stltsa_model_load(path.c_str(), &loaded);
+    if (status != STLTSA_OK && loaded != nullptr)
+        status = 1;
+    ::unlink(path.c_str());
+    stltsa_model_free(loaded);
+    stltsa_model_free(parsed);
+    stltsa_bytes_free(bytes);
+    return ::rmdir(folder.c_str()) == 0 ? status : 1;
+}
+
 stltsa_status fit_mode(std::int64_t mode) {
     static double frames[200][4];
     for (int i = 0; i < 200; ++i)
@@ -249,6 +284,21 @@ stltsa_status denoise(const std::string&) {
     return status;
 }
 
+/// A loop, and what is said of it.
+stltsa_status synthesize(const std::string&) {
+    const stltsa_piece piece = {swinging(), 8, 23, 3, 0};
+    stltsa_synthesis* synthesis = nullptr;
+    char* json = nullptr;
+    stltsa_status status = stltsa_synthesize(&piece, 1, nullptr, &synthesis);
+    if (status == STLTSA_OK)
+        status = stltsa_synthesis_json(synthesis, &json);
+    else if (synthesis != nullptr)
+        status = 1;
+    stltsa_string_free(json);
+    stltsa_synthesis_free(synthesis);
+    return status;
+}
+
 /// Fails allocation 0, 1, 2, ... until one run succeeds; false on any wrong answer.
 bool survives(const Work& work, const std::string& input) {
     if (work.run(input) != STLTSA_OK) { // also makes what the first use of a library keeps
@@ -286,7 +336,8 @@ bool survives(const Work& work, const std::string& input) {
 int main() {
     const Work works[] = {{"decompose", decompose},    {"save", save},
                           {"fit clip", fit_clip},      {"map", map},
-                          {"denoise", denoise},        {"fit temporal", fit_temporal},
+                          {"model file", model_file},  {"denoise", denoise},
+                          {"synthesize", synthesize},  {"fit temporal", fit_temporal},
                           {"fit spatial", fit_spatial}};
     const std::string input = cyclic_csv();
     bool good = true;

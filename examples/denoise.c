@@ -1,0 +1,83 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Cleans a noisy curve: coordinates in, a smooth curve and the moved points out.
+ *
+ *     cc denoise.c $(pkg-config --cflags --libs stltsa) -lm -o denoise
+ *     ./denoise
+ */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include <stltsa.h>
+
+enum { ROWS = 300 };
+
+static const double fps = 30;
+
+/* One coordinate that swings once a second. */
+static double clean(int row) {
+    return sin(6.283185307179586 * row / fps);
+}
+
+/* The same with noise, and a spike in every fiftieth row. */
+static double noisy(int row) {
+    const double noise = 2.0 * rand() / RAND_MAX - 1;
+    return clean(row) + 0.2 * noise + (row % 50 == 25 ? 1.5 : 0);
+}
+
+/* Root mean square distance from what it was without noise. */
+static double error(const double* values) {
+    double sum = 0;
+    for (int row = 0; row < ROWS; ++row)
+        sum += (values[row] - clean(row)) * (values[row] - clean(row));
+    return sqrt(sum / ROWS);
+}
+
+/* Prints what was found; STLTSA_OK or the status of the first call that failed. */
+static stltsa_status report(const stltsa_denoising* denoising, const double* points) {
+    static double cleaned[ROWS], curve[ROWS];
+    const stltsa_out cleaned_out = {cleaned, ROWS, 1, 0, 0, STLTSA_F64, 0};
+    const stltsa_out curve_out = {curve, ROWS, 1, 0, 0, STLTSA_F64, 0};
+    double gamma = 0;
+    int64_t moved = 0;
+    stltsa_status status = stltsa_denoising_cleaned(denoising, &cleaned_out);
+    if (status == STLTSA_OK)
+        status = stltsa_denoising_curve(denoising, &curve_out);
+    if (status == STLTSA_OK)
+        status = stltsa_denoising_get_real(denoising, STLTSA_DENOISING_GAMMA, 0, &gamma);
+    if (status == STLTSA_OK)
+        status = stltsa_denoising_get_int(denoising, STLTSA_DENOISING_MOVED, 0, &moved);
+    if (status != STLTSA_OK)
+        return status;
+    printf("%lld of %d points are farther than %.3f from the curve and were moved\n",
+           (long long)moved, ROWS, gamma);
+    printf("error: points %.3f, moved points %.3f, curve %.3f\n", error(points), error(cleaned),
+           error(curve));
+    return STLTSA_OK;
+}
+
+int main(void) {
+    static double points[ROWS];
+    const stltsa_in in = {points, ROWS, 1, 0, 0, STLTSA_F64, 0};
+    stltsa_options* options = NULL;
+    stltsa_denoising* denoising = NULL;
+    stltsa_status status;
+
+    for (int row = 0; row < ROWS; ++row)
+        points[row] = noisy(row);
+
+    /* With the frame rate known, the period tells how fine a detail may be motion. */
+    status = stltsa_options_new(&options);
+    if (status == STLTSA_OK)
+        status = stltsa_options_set_real(options, STLTSA_FPS, fps);
+    if (status == STLTSA_OK)
+        status = stltsa_denoise(&in, NULL, 1, options, &denoising);
+    if (status == STLTSA_OK)
+        status = report(denoising, points);
+    if (status != STLTSA_OK)
+        fprintf(stderr, "%s\n", stltsa_last_error());
+
+    stltsa_denoising_free(denoising);
+    stltsa_options_free(options);
+    return status == STLTSA_OK ? EXIT_SUCCESS : EXIT_FAILURE;
+}

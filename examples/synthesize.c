@@ -1,0 +1,85 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Makes a longer motion of a clip: its way into the motion, its best cycle five times, its way out.
+ *
+ *     cc synthesize.c $(pkg-config --cflags --libs stltsa) -o synthesize
+ *     ./synthesize walk.bvh long.bvh
+ */
+#include <stdio.h>
+#include <stdlib.h>
+
+#include <stltsa.h>
+
+/* The frames of the best cycle; false, and why, where the clip has none. */
+static int find_cycle(const stltsa_clip* clip, stltsa_interval* cycle) {
+    stltsa_decomposition* decomposition = NULL;
+    int64_t best = -1;
+    const int found = stltsa_decompose(clip, NULL, &decomposition) == STLTSA_OK &&
+                      stltsa_decomposition_get_int(decomposition, STLTSA_DECOMPOSITION_BEST,
+                                                   &best) == STLTSA_OK &&
+                      stltsa_decomposition_cycle(decomposition, best, cycle) == STLTSA_OK;
+    if (!found)
+        fprintf(stderr, "no cycle: %s\n",
+                decomposition ? stltsa_decomposition_reason(decomposition) : stltsa_last_error());
+    stltsa_decomposition_free(decomposition);
+    return found;
+}
+
+/* The frames before the cycle, the cycle five times, the frames after it; returns how many pieces
+ * these are. */
+static int64_t make_pieces(const stltsa_clip* clip, stltsa_interval cycle, stltsa_piece pieces[3]) {
+    const int64_t end = stltsa_clip_frames(clip);
+    const stltsa_piece before = {clip, 0, cycle.begin, 1, 0};
+    const stltsa_piece again = {clip, cycle.begin, cycle.end, 5, 0};
+    const stltsa_piece after = {clip, cycle.end, end, 1, 0};
+    int64_t count = 0;
+    if (cycle.begin > 0)
+        pieces[count++] = before;
+    pieces[count++] = again;
+    if (cycle.end < end)
+        pieces[count++] = after;
+    return count;
+}
+
+/* Where the new motion was joined, and whether that can be seen. */
+static void print_seams(const stltsa_synthesis* synthesis) {
+    for (int64_t i = 0; i < stltsa_synthesis_seam_count(synthesis); ++i) {
+        stltsa_seam seam = {sizeof seam, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+        if (stltsa_synthesis_seam(synthesis, i, &seam) == STLTSA_OK)
+            printf("seam at frame %lld: posture %.2f, step %.2f, acceleration %.2f\n",
+                   (long long)seam.frame, seam.posture, seam.step, seam.acceleration);
+    }
+    for (int64_t i = 0; i < stltsa_synthesis_warning_count(synthesis); ++i)
+        printf("warning: %s\n", stltsa_synthesis_warning(synthesis, i));
+}
+
+int main(int argc, char** argv) {
+    stltsa_clip* clip = NULL;
+    stltsa_synthesis* synthesis = NULL;
+    stltsa_piece pieces[3];
+    stltsa_interval cycle;
+    int done = 0;
+
+    if (argc != 3) {
+        fprintf(stderr, "usage: %s CLIP NEW_CLIP\n", argv[0]);
+        return 2;
+    }
+    if (stltsa_clip_open(argv[1], NULL, &clip) != STLTSA_OK)
+        fprintf(stderr, "%s\n", stltsa_last_error());
+    else if (find_cycle(clip, &cycle)) {
+        /* Pieces that follow each other in their clip need no seam: there are four, where the cycle
+         * follows itself. The new clip belongs to the synthesis. */
+        const int64_t count = make_pieces(clip, cycle, pieces);
+        done = stltsa_synthesize(pieces, count, NULL, &synthesis) == STLTSA_OK &&
+               stltsa_clip_save(stltsa_synthesis_clip(synthesis), argv[2]) == STLTSA_OK;
+        if (!done)
+            fprintf(stderr, "%s\n", stltsa_last_error());
+    }
+    if (done) {
+        printf("%lld frames became %lld\n", (long long)stltsa_clip_frames(clip),
+               (long long)stltsa_clip_frames(stltsa_synthesis_clip(synthesis)));
+        print_seams(synthesis);
+    }
+    stltsa_synthesis_free(synthesis);
+    stltsa_clip_free(clip);
+    return done ? EXIT_SUCCESS : EXIT_FAILURE;
+}
