@@ -3,9 +3,11 @@
 #include <cmath>
 
 #include "clip/features.hpp"
+#include "clip/jump.hpp"
 #include "linalg/gaussian.hpp"
 
 namespace stltsa::clip {
+
 Prepared prepare(const Clip& clip, const PrepareOptions& options) {
     Prepared prepared;
     prepared.features = feature_kind(clip, options.features);
@@ -13,14 +15,15 @@ Prepared prepare(const Clip& clip, const PrepareOptions& options) {
     const Matrix all = features(clip, prepared.features, prepared.up);
     if (options.drop_tpose && clip.skeleton)
         prepared.first = tpose_frames(all.view());
+    const ConstMatrixView kept = all.view().block(prepared.first, all.rows() - prepared.first);
+    if (const std::int64_t jump = find_jump(kept); jump > 0)
+        prepared.jump = prepared.first + jump;
     // Without a frame rate seconds mean nothing: neither decimated nor smoothed.
     if (clip.fps > 0 && options.rate > 0)
         prepared.step = static_cast<std::int64_t>(
             std::clamp(std::round(clip.fps / options.rate), 1.0, static_cast<double>(all.rows())));
     prepared.fps = clip.fps / static_cast<double>(prepared.step);
-    prepared.samples =
-        gaussian_smoothed(all.view().block(prepared.first, all.rows() - prepared.first),
-                          options.smoothing * clip.fps, prepared.step);
+    prepared.samples = gaussian_smoothed(kept, options.smoothing * clip.fps, prepared.step);
     return prepared;
 }
 

@@ -73,9 +73,9 @@ Component embed_component(const Graph& graph, std::int64_t index, int dimension,
     const Patches patches(graph.neighborhoods, graph.tangents, graph.components, index, dimension);
     if (patches.frames() < dimension + 2)
         fail(Status::disconnected,
-             "frame {} is in a part of the neighborhood graph of {} frames, too "
-             "few for {} coordinates; use more neighbors",
-             members.front(), patches.frames(), dimension);
+             "a part of the neighborhood graph has {} frames, too few for {} coordinates; use more "
+             "neighbors",
+             patches.frames(), dimension);
     if (patches.rank_deficient() == patches.count())
         fail(Status::degenerate,
              "the frames vary in fewer than {} directions everywhere; use a "

@@ -42,7 +42,10 @@ struct DecomposeOptions {
     ltsa::Mode mode = ltsa::Mode::temporal;
     double shortest_period = 0.3; ///< seconds
     double longest_period = 6.0;  ///< seconds
-    double first_s = 0;           ///< time of the first sample, for messages
+    // For messages only.
+    double first_s = 0;    ///< time of the first sample
+    std::string jump;      ///< where the pose jumps; empty: nowhere
+    bool in_space = false; ///< the samples may hold the body's way through space
     int threads = 1;
 };
 

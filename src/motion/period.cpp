@@ -130,12 +130,15 @@ std::vector<double> lag_curve(const LagSamples& samples, std::int64_t first, std
     return curve;
 }
 
+double longest_lag_s(std::int64_t samples, double fps, double longest_s) {
+    return std::min(longest_s, longest_share * static_cast<double>(samples) / fps);
+}
+
 Period find_period(ConstMatrixView samples, const Activity& activity, double fps, double shortest_s,
                    double longest_s) {
     const LagSamples thinned(samples, activity.level, fps);
     const double rate = fps / static_cast<double>(thinned.step);
-    const double longest =
-        std::min(longest_s * rate, longest_share * static_cast<double>(thinned.x.rows()));
+    const double longest = longest_lag_s(thinned.x.rows(), rate, longest_s) * rate;
     if (!(longest >= 3) || !(activity.typical > 0))
         return {};
     const std::vector<double> curve = lag_curve(thinned, 0, static_cast<std::int64_t>(longest));

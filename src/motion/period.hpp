@@ -29,6 +29,9 @@ struct LagSamples {
 /// 0: the same motion again; 1: unrelated; 2: the opposite.
 std::vector<double> lag_curve(const LagSamples& samples, std::int64_t first, std::int64_t last);
 
+/// The longest lag that a clip of so many samples can be compared at, up to `longest_s`.
+double longest_lag_s(std::int64_t samples, double fps, double longest_s);
+
 /// The first lag, of `shortest_s` to `longest_s` seconds, that is about as good as the best.
 Period find_period(ConstMatrixView samples, const Activity& activity, double fps, double shortest_s,
                    double longest_s);

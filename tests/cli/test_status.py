@@ -103,10 +103,19 @@ class Untrustworthy(CommandTest):
         result = run("fit", cut(), "--neighbors", "5", "--window", "8", "--coords", coords)
         self.assertEqual(result.returncode, 4)
         self.assertIn(b"2 pieces", result.stdout)
+        self.assertIn(b"cut at frame 60;", b" ".join(result.stdout.split()))
         self.assertTrue(coords.exists())
 
     def test_no_cycle_is_an_answer(self):
         self.assertIn(b"no cycle", self.done("decompose", drift(), "--fps", "30"))
+
+    def test_no_cycle_tells_what_may_hide_it(self):
+        self.assertIn(
+            "the pose jumps at frame 60 (2.00 s)", self.json("decompose", cut(), "--fps", "30")["reason"]
+        )
+        self.assertIn(
+            "subtract the body's position", self.json("decompose", drift(), "--fps", "30")["reason"]
+        )
 
 
 if __name__ == "__main__":
