@@ -20,12 +20,14 @@ Graph build_graph(ConstMatrixView frames, std::span<const std::int64_t> lengths,
     graph.parameters = parameters;
     graph.frames = collapse_repeats(frames, lengths);
     check_parameters(parameters, graph.frames);
-    graph.neighborhoods =
-        find_neighbors(graph.frames.x, graph.frames.lengths, parameters, progress);
+    // Memory is taken for as much as the window holds.
+    Parameters within = parameters;
+    within.window = std::min(parameters.window, graph.frames.x.rows);
+    graph.neighborhoods = find_neighbors(graph.frames.x, graph.frames.lengths, within, progress);
     graph.components = connected_components(graph.neighborhoods);
     const bool banded = parameters.mode == Mode::temporal;
     graph.tangents = local_tangents(graph.frames.x, graph.neighborhoods, parameters.dimension,
-                                    banded ? parameters.window : 0, parameters.threads, progress);
+                                    banded ? within.window : 0, parameters.threads, progress);
     return graph;
 }
 
