@@ -99,6 +99,8 @@ Clip parse(std::string_view bytes, Format format, const std::string& name,
     Clip clip = parse_format(bytes, format, shown, options);
     clip.path = name;
     clip.format = format;
+    if (format != Format::amc && !options.skeleton.empty())
+        clip.notes.push_back("option skeleton is not used: it belongs to AMC clips");
     if (options.fps > 0)
         clip.fps = options.fps;
     return clip;

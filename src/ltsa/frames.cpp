@@ -7,6 +7,28 @@
 
 namespace stltsa::ltsa {
 
+namespace {
+
+/// Squares of larger numbers, and sums of squares, may not fit into a double.
+constexpr double largest_number = 1e100;
+
+void check_numbers(ConstMatrixView frames) {
+    for (std::int64_t i = 0; i < frames.rows; ++i)
+        for (std::int64_t c = 0; c < frames.cols; ++c) {
+            const double value = frames(i, c);
+            if (!std::isfinite(value))
+                fail(Status::not_finite, "frame {}, feature {} is {}; fill or cut gaps first", i, c,
+                     std::isnan(value) ? "not a number" : "infinite");
+            if (std::abs(value) > largest_number)
+                fail(Status::not_finite,
+                     "frame {}, feature {} is {}; beyond {} distances are infinite: use another "
+                     "unit",
+                     i, c, value, largest_number);
+        }
+}
+
+} // namespace
+
 void check_frames(ConstMatrixView frames, std::span<const std::int64_t> lengths) {
     if (frames.rows < 1 || frames.cols < 1)
         fail(Status::shape, "{} frames of {} features were given; at least one of each is needed",
@@ -26,11 +48,7 @@ void check_frames(ConstMatrixView frames, std::span<const std::int64_t> lengths)
     if (rest != 0)
         fail(Status::shape, "the clips' lengths sum to {}, not to the {} frames given",
              frames.rows - rest, frames.rows);
-    for (std::int64_t i = 0; i < frames.rows; ++i)
-        for (std::int64_t c = 0; c < frames.cols; ++c)
-            if (!std::isfinite(frames(i, c)))
-                fail(Status::not_finite, "frame {}, feature {} is {}; fill or cut gaps first", i, c,
-                     std::isnan(frames(i, c)) ? "not a number" : "infinite");
+    check_numbers(frames);
 }
 
 namespace {
