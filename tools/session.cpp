@@ -42,14 +42,25 @@ double working_rate(const stltsa_clip* clip, const stltsa_options* options) {
     return rate > 0 ? fps / std::max(1.0, std::round(fps / rate)) : fps;
 }
 
+void check_outputs(const Arguments& arguments) {
+    std::vector<std::string> taken{arguments.input};
+    if (const auto skeleton = arguments.options.find(STLTSA_SKELETON);
+        skeleton != arguments.options.end())
+        taken.push_back(skeleton->second);
+    for (const std::string& path : {arguments.output, arguments.plot, arguments.coords}) {
+        if (path.empty())
+            continue;
+        check_output_place(path, taken);
+        taken.push_back(path);
+    }
+}
+
 } // namespace
 
 Session::Session(const Arguments& arguments)
     : arguments_(arguments), bar_(!arguments.quiet && ::isatty(STDERR_FILENO) != 0),
       options_(made_by<Options>(stltsa_options_new)) {
-    for (const std::string& path : {arguments.output, arguments.plot, arguments.coords})
-        if (!path.empty())
-            check_output_place(path);
+    check_outputs(arguments);
     check(stltsa_options_set_progress(options_.get(), ProgressBar::callback, &bar_));
     set_options(options_.get(), arguments.options);
     read_clip();

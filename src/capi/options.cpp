@@ -68,6 +68,7 @@ clip::ReadOptions OptionsReader::read_options() const {
     clip::ReadOptions read;
     read.fps = real(STLTSA_FPS);
     read.skeleton = text(STLTSA_SKELETON);
+    read.progress = progress();
     return read;
 }
 

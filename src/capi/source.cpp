@@ -70,8 +70,8 @@ std::int64_t choose_neighbors(ConstMatrixView samples, const OptionsReader& opti
     const auto search = options.decompose_options();
     source.period.shortest = search.shortest_period;
     source.period.longest = search.longest_period;
-    const motion::Period found =
-        motion::find_period(samples, fps, search.shortest_period, search.longest_period);
+    const motion::Period found = motion::find_period(samples, fps, search.shortest_period,
+                                                     search.longest_period, options.progress());
     source.period.period = found.samples / fps;
     source.period.lag_quality = found.quality;
     return motion::neighbors_for(found, fps);

@@ -66,7 +66,7 @@ Clip parse_format(std::string_view bytes, Format format, const std::string& name
         if (options.skeleton.empty())
             fail(Status::argument,
                  "{}: an AMC clip needs its skeleton: set option skeleton to the ASF file", name);
-        Clip clip = parse_amc(bytes, name, options.skeleton);
+        Clip clip = parse_amc(bytes, name, options);
         set_amc_rate(clip, options);
         return clip;
     }
@@ -107,7 +107,7 @@ Clip parse(std::string_view bytes, Format format, const std::string& name,
 }
 
 Clip read(const std::string& path, const ReadOptions& options) {
-    const std::string bytes = read_file(path);
+    const std::string bytes = read_file(path, options.progress);
     const auto known = format_of_suffix(path);
     const Format format = known ? *known : sniff(bytes);
     if (equals_ignoring_case(std::filesystem::path(path).extension().string(), ".asf"))

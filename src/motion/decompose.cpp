@@ -107,8 +107,8 @@ Decomposition decompose(ConstMatrixView samples, double fps, const DecomposeOpti
     check(samples, fps);
     progress.report(Stage::units, 0);
     const Activity activity = measure_activity(samples, fps);
-    const Period period =
-        find_period(samples, activity, fps, options.shortest_period, options.longest_period);
+    const Period period = find_period(samples, activity, fps, options.shortest_period,
+                                      options.longest_period, progress);
     const double cycle = period.samples > 0 ? period.samples : usual_cycle_s * fps;
     const Embedding embedding = embed(samples, moving_span(activity, std::lround(cycle)),
                                       neighbors_for(period, fps), options, progress);

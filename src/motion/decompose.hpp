@@ -79,7 +79,8 @@ struct Period {
     double samples = 0;
     double quality = 0;
 };
-Period find_period(ConstMatrixView samples, double fps, double shortest_s, double longest_s);
+Period find_period(ConstMatrixView samples, double fps, double shortest_s, double longest_s,
+                   const Progress& progress = {});
 
 /// k that makes a coordinate swing once per cycle: 1.2 periods, or 1.2 seconds without one.
 std::int64_t neighbors_for(const Period& period, double fps);
