@@ -100,6 +100,14 @@ void check_clip_lengths(const Parameters& parameters, const DistinctFrames& fram
                  parameters.neighbors, needed, one ? "" : " or leave it out");
 }
 
+/// One distinct frame where several were given.
+void check_variation(const DistinctFrames& frames) {
+    if (frames.repeated > 0 && frames.x.rows == static_cast<std::int64_t>(frames.lengths.size()))
+        fail(Status::degenerate, "nothing moves: {}",
+             frames.lengths.size() == 1 ? "all frames are the same"
+                                        : "the frames of each clip are the same");
+}
+
 } // namespace
 
 void check_parameters(const Parameters& p, const DistinctFrames& frames) {
@@ -112,6 +120,7 @@ void check_parameters(const Parameters& p, const DistinctFrames& frames) {
              p.neighbors, p.dimension, p.dimension + 2);
     const std::int64_t self = p.include_self ? 1 : 0;
     if (p.mode == Mode::spatial) {
+        check_variation(frames);
         if (frames.x.rows < p.neighbors + 1)
             fail(Status::too_few_frames,
                  "{} distinct frames are too few for {} neighbors: at "
@@ -124,6 +133,7 @@ void check_parameters(const Parameters& p, const DistinctFrames& frames) {
              "{} neighbors do not fit into the window of {} frames to each side, "
              "which leaves {} at the ends of a clip; use a window of at least {}",
              p.neighbors, p.window, p.window + self, p.neighbors - self);
+    check_variation(frames);
     check_clip_lengths(p, frames, p.neighbors + 1);
     if (p.mode == Mode::recurrent && p.links < 1)
         fail(Status::argument, "recurrent neighbors with {} links; at least 1 is needed", p.links);
