@@ -173,11 +173,25 @@ class Parser {
     CLI::App app_;
 };
 
+/// A name without a suffix, as /dev/stdout, promises nothing.
+bool has_other_suffix(const std::string& path, std::string_view suffix) {
+    const std::size_t name = path.find_last_of('/') + 1; // npos + 1 is 0
+    return path.find('.', name) != path.npos && !path.ends_with(suffix);
+}
+
 void check_arguments(const Arguments& arguments) {
     const std::string& coords = arguments.coords;
     if (!coords.empty() && !coords.ends_with(".npy") && !coords.ends_with(".csv"))
         throw Failure(Exit::usage,
                       fmt::format("--coords {}: the name must end in .npy or .csv", coords));
+    if (!arguments.plot.empty() && has_other_suffix(arguments.plot, ".svg"))
+        throw Failure(
+            Exit::usage,
+            fmt::format("--plot {}: figures are SVG: the name must end in .svg", arguments.plot));
+    if (arguments.output.ends_with(".json") && !arguments.json)
+        throw Failure(Exit::usage, fmt::format("--output {}: the result is a table for people; "
+                                               "--json makes it JSON",
+                                               arguments.output));
     if (arguments.curve && !arguments.json)
         throw Failure(Exit::usage, "--curve goes with --json");
 }

@@ -98,7 +98,7 @@ void Session::warn(const Json& object) const {
     if (arguments_.quiet || seen || !object.contains("warnings"))
         return;
     for (const Json& warning : object["warnings"])
-        print_message("warning: " + warning.get<std::string>(), Tone::warning,
+        print_message("warning: " + with_flags(warning.get<std::string>()), Tone::warning,
                       !arguments_.no_color);
 }
 

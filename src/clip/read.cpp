@@ -53,8 +53,9 @@ void set_amc_rate(Clip& clip, const ReadOptions& options) {
     if (clip.fps > 0 || options.fps > 0)
         return;
     clip.fps = amc_fps;
-    clip.notes.push_back(
-        format_text("AMC files carry no frame rate: {} a second assumed (option fps)", amc_fps));
+    clip.notes.push_back(format_text(
+        "AMC files carry no frame rate: {} a second assumed (set option fps for another)",
+        amc_fps));
 }
 
 Clip parse_format(std::string_view bytes, Format format, const std::string& name,

@@ -97,7 +97,7 @@ class Files(CommandTest):
         self.assertEqual(len(list(self.folder.iterdir())), 2)
 
     def test_new_file_obeys_the_umask(self):
-        path = self.folder / "walk.json"
+        path = self.folder / "walk.txt"
         self.done("decompose", walk(), "-o", path, umask=0o027)
         self.assertEqual(path.stat().st_mode & 0o777, 0o640)
 

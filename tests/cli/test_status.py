@@ -31,6 +31,10 @@ class Usage(CommandTest):
             (("dimension", clip, "--variance", "2"), "from 0.01 to 1"),
             (("fit", clip, "--coords", "y.txt"), ".npy"),
             (("decompose", clip, "--curve"), "--json"),
+            (("decompose", clip, "--plot", "y.png"), ".svg"),
+            (("fit", clip, "--plot", "./y.pdf"), ".svg"),
+            (("decompose", clip, "-o", "y.json"), "--json"),
+            (("decompose", clip, "--period-min", "3", "--period-max", "1"), "--period-min is 3"),
             (("fit", clip, "--neighbors", "3", "--dimension", "2"), "neighbors"),
         ):
             with self.subTest(line=line):
@@ -38,8 +42,24 @@ class Usage(CommandTest):
         self.assert_empty(self.folder)
 
     def test_rate_is_needed(self):
-        self.assertIn("fps", self.fails(2, "decompose", circle()))
+        self.assertIn("set --fps", self.fails(2, "decompose", circle()))
         self.assertIn("--fps", self.fails(2, "fit", circle(), "--neighbors", "1.2s"))
+
+    def test_options_are_called_by_their_flags(self):
+        """The library knows options; the user typed flags."""
+        clock = write_csv("clock.csv", [[0, 1, 2], [10, 3, 1], [20, 1, 4]], "time,x,y\n")
+        text = " ".join(self.done("info", clock).decode().split())
+        self.assertIn("set --fps", text)
+        self.assertIn("set --features to", " ".join(
+            self.done("decompose", drift(), "--fps", "30").decode().split()))
+        message = self.fails(2, "fit", clock, "--rate", "-1")
+        self.assertTrue(message.startswith("stltsa: --rate is -1; "), message)
+        self.assertIn("set --skeleton", self.fails(3, "info", self.amc_without_skeleton()))
+
+    def amc_without_skeleton(self):
+        clip = self.folder / "07_01.amc"
+        clip.write_text(":FULLY-SPECIFIED\n:DEGREES\n1\nroot 0 0 0 0 0 0\n", encoding="ascii")
+        return clip
 
     def test_help_and_version(self):
         for line in (("--help",), *((command, "--help") for command in COMMANDS)):
