@@ -83,7 +83,8 @@ enum {
     STLTSA_OK = 0,
     STLTSA_E_ARGUMENT = -1,      /* NULL where not allowed, unknown key, value out of range */
     STLTSA_E_SHAPE = -2,         /* rows, columns or strides do not fit */
-    STLTSA_E_NOT_FINITE = -3,    /* a NaN or an infinity among the frames */
+    STLTSA_E_NOT_FINITE = -3,    /* a NaN or an infinity among the frames, or a number so large
+                                    that distances would be */
     STLTSA_E_TOO_FEW_FRAMES = -4, /* fewer (distinct) frames than the neighbors ask for */
     STLTSA_E_NO_MEMORY = -5,     /* also: rows * cols overflows */
     STLTSA_E_IO = -6,            /* a file cannot be opened, read or written */
@@ -253,7 +254,8 @@ enum {
     STLTSA_FORMAT_BVH = 1,
     STLTSA_FORMAT_AMC = 2, /* needs its ASF: option skeleton, or found by subject number */
     STLTSA_FORMAT_CSV = 3, /* numbers split by , ; tab or blanks; a header line is optional */
-    STLTSA_FORMAT_NPY = 4, /* NumPy 1.0 to 3.0, 1-D or 2-D, float32 or float64, C or Fortran */
+    STLTSA_FORMAT_NPY = 4, /* NumPy 1.0 to 3.0, 1-D or 2-D, float32 or float64, C or Fortran;
+                              others, as frames x joints x 3, are refused: reshape them */
     STLTSA_FORMAT_MATRIX = 5 /* stltsa_clip_from_matrix */
 };
 

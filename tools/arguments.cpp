@@ -286,6 +286,11 @@ void check_suffix(const char* flag, const std::string& path,
                                            fmt::join(suffixes, ", ")));
 }
 
+/// A name without a suffix, as /dev/stdout, promises nothing.
+bool has_suffix(const std::string& path) {
+    return path.find('.', path.find_last_of('/') + 1) != path.npos; // npos + 1 is 0
+}
+
 void check_arguments(const Arguments& arguments) {
     check_suffix("--coords", arguments.coords, {".npy", ".csv"});
     check_suffix("--curve-out", arguments.curve_product, {".npy", ".csv"});
@@ -293,6 +298,12 @@ void check_arguments(const Arguments& arguments) {
         check_suffix("-o", arguments.product, {".npy", ".csv"});
     if (arguments.command == Command::unmap || arguments.command == Command::synthesize)
         check_suffix("-o", arguments.product, {".bvh", ".amc", ".npy", ".csv"});
+    if (has_suffix(arguments.plot))
+        check_suffix("--plot", arguments.plot, {".svg"});
+    if (arguments.output.ends_with(".json") && !arguments.json)
+        throw Failure(Exit::usage, fmt::format("--output {}: the result is a table for people; "
+                                               "--json makes it JSON",
+                                               arguments.output));
     if (arguments.curve && !arguments.json)
         throw Failure(Exit::usage, "--curve goes with --json");
 }

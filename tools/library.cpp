@@ -2,6 +2,7 @@
 #include "library.hpp"
 
 #include "exit_status.hpp"
+#include "option_flags.hpp"
 
 namespace tool {
 namespace {
@@ -26,7 +27,8 @@ Exit exit_of(stltsa_status status) {
 }
 
 [[noreturn]] void fail_with(stltsa_status status, Exit exit) {
-    throw Failure(exit, status == STLTSA_E_CANCELLED ? "cancelled" : stltsa_last_error());
+    throw Failure(exit,
+                  status == STLTSA_E_CANCELLED ? "cancelled" : with_flags(stltsa_last_error()));
 }
 
 } // namespace

@@ -112,30 +112,30 @@ std::optional<double> seconds_in(const stltsa_option_info& info, const std::stri
 }
 
 /// A value that the library refuses is a wrong command line; its text says the range.
-void set_checked(stltsa_status status, const stltsa_option_info& info) {
+void set_checked(stltsa_status status) {
     if (status != STLTSA_OK)
-        throw Failure(Exit::usage, fmt::format("{}: {}", flag_name(info), stltsa_last_error()));
+        throw Failure(Exit::usage, with_flags(stltsa_last_error()));
 }
 
 void set_whole(stltsa_options* options, const stltsa_option_info& info, const std::string& typed) {
     if (info.choices != nullptr) {
         for (const auto& [name, value] : choices_of(info))
             if (name == typed)
-                return set_checked(stltsa_options_set_int(options, info.key, value), info);
+                return set_checked(stltsa_options_set_int(options, info.key, value));
         refuse(info, typed, choice_names(info));
     }
     const auto value = number_in<std::int64_t>(typed);
     if (!value)
         refuse(info, typed,
                counts_frames(info.key) ? "frames (36) or seconds (1.2s)" : "a whole number");
-    set_checked(stltsa_options_set_int(options, info.key, *value), info);
+    set_checked(stltsa_options_set_int(options, info.key, *value));
 }
 
 void set_real(stltsa_options* options, const stltsa_option_info& info, const std::string& typed) {
     const auto value = number_in<double>(typed);
     if (!value)
         refuse(info, typed, "a number");
-    set_checked(stltsa_options_set_real(options, info.key, *value), info);
+    set_checked(stltsa_options_set_real(options, info.key, *value));
 }
 
 } // namespace
@@ -165,7 +165,7 @@ void set_options(stltsa_options* options, const std::map<std::int32_t, std::stri
     for (const auto& [key, value] : typed) {
         const stltsa_option_info info = describe(key);
         if (info.type == STLTSA_TYPE_TEXT)
-            set_checked(stltsa_options_set_text(options, key, value.c_str()), info);
+            set_checked(stltsa_options_set_text(options, key, value.c_str()));
         else if (info.type == STLTSA_TYPE_REAL)
             set_real(options, info, value);
         else if (!seconds_in(info, value))
@@ -188,8 +188,22 @@ void set_lengths(stltsa_options* options, const std::map<std::int32_t, std::stri
         // At least 1: 0 would mean "choose for me".
         const double frames = std::max(1.0, std::round(*seconds * rate));
         const double most = std::min(frames, info.maximum);
-        set_checked(stltsa_options_set_int(options, key, static_cast<std::int64_t>(most)), info);
+        set_checked(stltsa_options_set_int(options, key, static_cast<std::int64_t>(most)));
     }
+}
+
+std::string with_flags(std::string text) {
+    const auto is_name = [](char c) { return c == '_' || (c >= 'a' && c <= 'z'); };
+    for (std::int64_t i = 0; i < stltsa_option_count(); ++i) {
+        stltsa_option_info info{};
+        info.size = sizeof info;
+        check(stltsa_option_describe(i, &info));
+        const std::string words = std::string("option ") + info.name;
+        for (std::size_t at = 0; (at = text.find(words, at)) != text.npos; ++at)
+            if (at + words.size() == text.size() || !is_name(text[at + words.size()]))
+                text.replace(at, words.size(), flag_name(info));
+    }
+    return text;
 }
 
 } // namespace tool

@@ -27,4 +27,7 @@ void set_options(stltsa_options* options, const std::map<std::int32_t, std::stri
 void set_lengths(stltsa_options* options, const std::map<std::int32_t, std::string>& typed,
                  double rate);
 
+/// The library's "option period_min" in a text as the user knows it: "--period-min".
+std::string with_flags(std::string text);
+
 } // namespace tool

@@ -67,6 +67,13 @@ bool regular_or_new(const std::string& path) {
     return !fs::exists(status) || fs::is_regular_file(status);
 }
 
+/// Of files, there already or not; any number of results may go to /dev/null.
+bool same_place(const std::string& path, const std::string& other) {
+    std::error_code none;
+    const fs::path place = fs::weakly_canonical(fs::absolute(path, none), none);
+    return regular_or_new(path) && place == fs::weakly_canonical(fs::absolute(other, none), none);
+}
+
 /// A name beside `path` that nobody uses, not even a run that was killed.
 std::string unused_name(const std::string& path) {
     std::string name;
@@ -135,7 +142,11 @@ void OutputFiles::commit() {
     staged_.clear();
 }
 
-void check_output_place(const std::string& path) {
+void check_output_place(const std::string& path, const std::vector<std::string>& taken) {
+    for (const std::string& other : taken)
+        if (same_place(path, other))
+            throw Failure(Exit::usage,
+                          fmt::format("{} is an input, or given for two outputs", path));
     const fs::path place = followed(path);
     std::error_code ignored;
     if (fs::is_directory(place, ignored)) {

@@ -33,7 +33,8 @@ class OutputFiles {
     std::vector<Staged> staged_;
 };
 
-/// Throws Failure early where a file could not be made there later.
-void check_output_place(const std::string& path);
+/// Throws Failure early where a file could not be made there later, or would replace one of
+/// `taken`: an input, or another output.
+void check_output_place(const std::string& path, const std::vector<std::string>& taken);
 
 } // namespace tool

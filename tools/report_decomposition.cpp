@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include "option_flags.hpp"
 #include "report.hpp"
 #include "style.hpp"
 #include "table.hpp"
@@ -98,7 +99,7 @@ Facts facts_of(const Json& result) {
 std::string decomposition_summary(const Json& result) {
     const std::size_t cycles = result["cycles"].size();
     if (cycles == 0 && !result["reason"].is_null())
-        return fmt::format("no cycle; {}", result["reason"].get<std::string>());
+        return fmt::format("no cycle; {}", with_flags(result["reason"].get<std::string>()));
     if (cycles == 0)
         return "no cycle";
     return fmt::format("{}, period {:.2f} s", counted(cycles, "cycle"),

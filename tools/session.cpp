@@ -14,6 +14,7 @@
 #include "exit_status.hpp"
 #include "interrupt.hpp"
 #include "option_flags.hpp"
+#include "pieces.hpp"
 #include "style.hpp"
 
 namespace tool {
@@ -43,15 +44,28 @@ double working_rate(const stltsa_clip* clip, const stltsa_options* options) {
     return rate > 0 ? fps / std::max(1.0, std::round(fps / rate)) : fps;
 }
 
+void check_outputs(const Arguments& arguments) {
+    std::vector<std::string> taken{arguments.input, arguments.model};
+    for (const std::string& piece : arguments.pieces)
+        taken.push_back(parse_piece(piece).path);
+    if (const auto skeleton = arguments.options.find(STLTSA_SKELETON);
+        skeleton != arguments.options.end())
+        taken.push_back(skeleton->second);
+    for (const std::string& path : {arguments.output, arguments.plot, arguments.coords,
+                                    arguments.product, arguments.curve_product}) {
+        if (path.empty())
+            continue;
+        check_output_place(path, taken);
+        taken.push_back(path);
+    }
+}
+
 } // namespace
 
 Session::Session(const Arguments& arguments)
     : arguments_(arguments), bar_(!arguments.quiet && ::isatty(STDERR_FILENO) != 0),
       options_(made_by<Options>(stltsa_options_new)) {
-    for (const std::string& path : {arguments.output, arguments.plot, arguments.coords,
-                                    arguments.product, arguments.curve_product})
-        if (!path.empty())
-            check_output_place(path);
+    check_outputs(arguments);
     check(stltsa_options_set_progress(options_.get(), ProgressBar::callback, &bar_));
     set_options(options_.get(), arguments.options);
 }
@@ -117,7 +131,7 @@ void Session::warn(const Json& object) const {
     if (arguments_.quiet || seen || !object.contains("warnings"))
         return;
     for (const Json& warning : object["warnings"])
-        print_message("warning: " + warning.get<std::string>(), Tone::warning,
+        print_message("warning: " + with_flags(warning.get<std::string>()), Tone::warning,
                       !arguments_.no_color);
 }
 

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "option_flags.hpp"
 #include "style.hpp"
 #include "text.hpp"
 
@@ -76,7 +77,7 @@ std::string bar(double share, std::size_t width) {
 std::string listed(const std::string& name, const Json& texts) {
     std::string result;
     for (const Json& text : texts)
-        result += hanging("  " + name + "  ", text.get<std::string>());
+        result += hanging("  " + name + "  ", with_flags(text.get<std::string>()));
     return result.empty() ? result : '\n' + result;
 }
 

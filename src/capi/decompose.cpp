@@ -89,15 +89,25 @@ void estimate_dimension(const Matrix& samples, const capi::OptionsReader& option
     }
 }
 
+motion::DecomposeOptions search_options(const capi::OptionsReader& options,
+                                        const capi::Source& source, std::int64_t jump) {
+    auto search = options.decompose_options();
+    const double fps = source.clip.fps;
+    search.first_s = static_cast<double>(source.samples.first) / fps;
+    search.in_space = source.samples.features == clip::Features::raw;
+    if (jump > 0)
+        search.jump = format_text("frame {} ({:.2f} s)", jump, static_cast<double>(jump) / fps);
+    return search;
+}
+
 std::unique_ptr<stltsa_decomposition> decompose(const stltsa_clip& clip,
                                                 const capi::OptionsReader& options) {
     if (!(clip.clip.fps > 0))
-        fail(Status::argument, "the clip's frame rate is unknown: set the option fps");
+        fail(Status::argument, "the clip's frame rate is unknown: set option fps");
     auto prepared = capi::prepare_clip(clip, options);
     auto made = std::make_unique<stltsa_decomposition>();
-    auto search = options.decompose_options();
-    search.first_s = static_cast<double>(prepared.source.samples.first) / clip.clip.fps;
     made->source = std::move(prepared.source);
+    const auto search = search_options(options, made->source, prepared.jump);
     made->result = motion::decompose(prepared.samples.view(), made->source.samples.fps, search,
                                      options.progress());
     made->source.period = {made->result.period / made->source.samples.fps, made->result.lag_quality,

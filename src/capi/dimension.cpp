@@ -35,6 +35,8 @@ ltsa::Dimension estimate(ConstMatrixView samples, const std::vector<std::int64_t
             throw;
         ltsa::Dimension unknown;
         unknown.parameters = parameters;
+        unknown.threshold = options.real(STLTSA_EIGENGAP);
+        unknown.local_variance = options.real(STLTSA_VARIANCE);
         unknown.eigengap_reason = unknown.local_pca_reason = error.what();
         return unknown;
     }

@@ -9,6 +9,7 @@
 #include "capi/mapping.hpp"
 #include "capi/source.hpp"
 #include "ltsa/frames.hpp"
+#include "ltsa/warnings.hpp"
 
 using namespace stltsa;
 using capi::guard;
@@ -18,6 +19,16 @@ namespace {
 
 constexpr int standard_dimension = 2;
 
+/// Several clips are several parts; more than that is a cut.
+void warn_of_parts(const capi::SampleFacts& samples, ltsa::Model& model) {
+    if (model.components.size() <= model.lengths.size())
+        return;
+    const std::int64_t row = ltsa::first_cut(model);
+    const std::string cut =
+        row < 0 ? "" : format_text("frame {}", samples.first + row * samples.step);
+    model.warnings.insert(model.warnings.begin(), ltsa::parts_warning(model, cut));
+}
+
 std::unique_ptr<stltsa_model> fit_samples(ConstMatrixView samples,
                                           const std::vector<std::int64_t>& lengths,
                                           const capi::OptionsReader& options, capi::Source source) {
@@ -25,6 +36,7 @@ std::unique_ptr<stltsa_model> fit_samples(ConstMatrixView samples,
     auto model = std::make_unique<stltsa_model>();
     const auto parameters = capi::choose_parameters(samples, options, standard_dimension, source);
     model->model = ltsa::fit(samples, lengths, parameters, options.progress());
+    warn_of_parts(source.samples, model->model);
     model->source = std::move(source);
     return model;
 }

@@ -46,7 +46,7 @@ stltsa_status stltsa_model_load(const char* path, stltsa_model** model) noexcept
     return guard([&] {
         required(model, "model") = nullptr;
         const std::string name = &required(path, "path");
-        const std::string bytes = clip::read_file(name);
+        const std::string bytes = clip::read_file(name, {});
         try {
             *model = capi::restore_model(bytes).release();
         } catch (const Error& error) {

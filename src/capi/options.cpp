@@ -68,6 +68,7 @@ clip::ReadOptions OptionsReader::read_options() const {
     clip::ReadOptions read;
     read.fps = real(STLTSA_FPS);
     read.skeleton = text(STLTSA_SKELETON);
+    read.progress = progress();
     return read;
 }
 
@@ -89,6 +90,9 @@ motion::DecomposeOptions OptionsReader::decompose_options() const {
     decompose.mode = static_cast<ltsa::Mode>(integer(STLTSA_MODE));
     decompose.shortest_period = real(STLTSA_PERIOD_MIN);
     decompose.longest_period = real(STLTSA_PERIOD_MAX);
+    if (decompose.shortest_period > decompose.longest_period)
+        fail(Status::argument, "option period_min is {} s, longer than option period_max, {} s",
+             decompose.shortest_period, decompose.longest_period);
     decompose.threads = threads();
     return decompose;
 }

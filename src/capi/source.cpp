@@ -23,11 +23,24 @@ Source matrix_source(ConstMatrixView frames, const OptionsReader& options) {
     return source;
 }
 
+namespace {
+
+/// With fewer the blame is on the decimation, not on the clip.
+constexpr std::int64_t least_samples = 4;
+
+} // namespace
+
 ClipSamples prepare_clip(const stltsa_clip& clip, const OptionsReader& options) {
     const auto prepare = options.prepare_options();
     options.progress().report(Stage::features, 0);
     clip::Prepared prepared = clip::prepare(clip.clip, prepare);
     options.progress().report(Stage::features, 1);
+    if (prepared.step > 1 && prepared.samples.rows() < least_samples)
+        fail(Status::too_few_frames,
+             "of {} frames at {} a second one in {} is kept, which leaves {}; at least {} are "
+             "needed: check the frame rate, or set option rate to 0 to keep all",
+             clip.clip.values.rows(), clip.clip.fps, prepared.step, prepared.samples.rows(),
+             least_samples);
     ClipSamples result;
     result.source.from_clip = true;
     result.source.clip = clip_facts(clip.clip);
@@ -40,6 +53,7 @@ ClipSamples prepare_clip(const stltsa_clip& clip, const OptionsReader& options) 
                              prepared.up,
                              clip.clip.fps > 0 ? prepare.smoothing : 0};
     result.samples = std::move(prepared.samples);
+    result.jump = prepared.jump;
     return result;
 }
 
@@ -56,8 +70,8 @@ std::int64_t choose_neighbors(ConstMatrixView samples, const OptionsReader& opti
     const auto search = options.decompose_options();
     source.period.shortest = search.shortest_period;
     source.period.longest = search.longest_period;
-    const motion::Period found =
-        motion::find_period(samples, fps, search.shortest_period, search.longest_period);
+    const motion::Period found = motion::find_period(samples, fps, search.shortest_period,
+                                                     search.longest_period, options.progress());
     source.period.period = found.samples / fps;
     source.period.lag_quality = found.quality;
     return motion::neighbors_for(found, fps);

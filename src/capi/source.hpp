@@ -16,6 +16,7 @@ Source matrix_source(ConstMatrixView frames, const OptionsReader& options);
 struct ClipSamples {
     Matrix samples;
     Source source;
+    std::int64_t jump = 0; ///< see clip::Prepared
 };
 ClipSamples prepare_clip(const stltsa_clip& clip, const OptionsReader& options);
 

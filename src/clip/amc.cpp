@@ -160,8 +160,9 @@ class AmcReader {
 
 } // namespace
 
-Clip parse_amc(std::string_view bytes, const std::string& name, const std::string& skeleton_path) {
-    AsfFile asf = parse_asf(read_file(skeleton_path), skeleton_path);
+Clip parse_amc(std::string_view bytes, const std::string& name, const ReadOptions& options) {
+    const std::string& skeleton_path = options.skeleton;
+    AsfFile asf = parse_asf(read_file(skeleton_path, options.progress), skeleton_path);
     if (channel_count(asf.skeleton) == 0)
         fail(Status::format, "{}: nothing in this skeleton can move", skeleton_path);
     TextCursor in(bytes, name);

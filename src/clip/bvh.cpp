@@ -10,6 +10,9 @@
 namespace stltsa::clip {
 namespace {
 
+constexpr double shortest_frame_s = 1e-6;
+constexpr double longest_frame_s = 3600;
+
 /// What follows "Frames" or "Frame Time" on the next line; the colon may touch anything.
 std::string_view header_value(TextCursor& in, std::string_view first, std::string_view second) {
     const std::string_view line = trim(in.line());
@@ -38,6 +41,9 @@ void read_rate(TextCursor& in, Clip& clip) {
     const auto seconds = parse_number(text);
     if (!seconds || *seconds < 0 || !std::isfinite(*seconds))
         in.fail(Status::format, "'Frame Time:' must be followed by seconds, not {}", quoted(text));
+    if (*seconds > 0 && (*seconds < shortest_frame_s || *seconds > longest_frame_s))
+        in.fail(Status::format, "a Frame Time of {} s is none: frames take from {} s to {} s",
+                *seconds, shortest_frame_s, longest_frame_s);
     clip.fps = rate_of(*seconds);
     if (clip.fps == 0)
         clip.notes.push_back("Frame Time is 0: the file has no frame rate");

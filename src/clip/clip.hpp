@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/progress.hpp"
 #include "linalg/matrix.hpp"
 
 namespace stltsa::clip {
@@ -60,6 +61,7 @@ struct Clip {
 struct ReadOptions {
     double fps = 0;       ///< 0: the file's own; else overrides it
     std::string skeleton; ///< ASF path for AMC; empty: looked for beside the file
+    Progress progress;    ///< asked after a signal while a file is read
 };
 
 /// Reads a file, its format told by suffix, else by content. Throws Error (io, format, ...), the

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "clip/csv_cells.hpp"
 #include "clip/csv_time.hpp"
 #include "clip/formats.hpp"
+#include "clip/number.hpp"
 #include "clip/text_cursor.hpp"
 
 namespace stltsa::clip {
@@ -12,7 +14,24 @@ namespace {
 
 using Cells = std::vector<std::string_view>;
 
-bool is_header(const Cells& cells) {
+/// 0, 1, 2 ..: how pandas calls columns that have no name.
+bool numbers_columns(std::span<const std::string_view> cells) {
+    for (std::size_t c = 0; c < cells.size(); ++c)
+        if (cells[c] != format_text("{}", c))
+            return false;
+    return !cells.empty();
+}
+
+/// `next`: the row after it, without which numbers are hardly the numbers of columns. A circle
+/// may begin at 0, 1.
+bool is_header(const Cells& cells, const Cells& next) {
+    constexpr std::size_t enough_to_count = 3;
+    if (cells[0].empty() && numbers_columns(std::span(cells).subspan(1)))
+        return true;
+    if (cells.size() >= enough_to_count && numbers_columns(cells))
+        return std::any_of(next.begin(), next.end(), [](std::string_view cell) {
+            return parse_cell(cell) && !parse_integer(cell);
+        });
     return std::any_of(cells.begin(), cells.end(),
                        [](std::string_view cell) { return !is_gap(cell) && !parse_cell(cell); });
 }
@@ -25,20 +44,17 @@ std::string_view next_row(TextCursor& in) {
     return line;
 }
 
-/// A header may hold any characters, so the line after the first one decides.
-char data_separator(TextCursor ahead, std::string_view first) {
-    const std::string_view second = next_row(ahead);
-    return find_separator(second.empty() ? first : second);
-}
-
 class CsvReader {
   public:
     CsvReader(TextCursor& in, Clip& clip) : in_(in), clip_(clip) {}
 
     void read() {
         std::string_view line = next_row(in_);
-        separator_ = data_separator(in_, line);
-        if (!line.empty() && is_header(split(line))) {
+        // A header may hold any characters, so the line after the first one decides.
+        TextCursor ahead = in_;
+        const std::string_view second = next_row(ahead);
+        separator_ = find_separator(second.empty() ? line : second);
+        if (!line.empty() && is_header(split(line), data_cells(second))) {
             header(split(line));
             line = next_row(in_);
         }
@@ -58,7 +74,14 @@ class CsvReader {
         return *std::move(cells);
     }
 
+    /// Of a line that is read in its turn, and complained of then.
+    Cells data_cells(std::string_view line) const {
+        return split_cells(line, separator_).value_or(Cells());
+    }
+
     void header(Cells cells) {
+        if (numbers_columns(cells))
+            clip_.notes.push_back("the first line, 0, 1, 2 .., numbers the columns: not a frame");
         if (cells.back().empty()) // every line ends with a separator
             cells.pop_back();
         clip_.channel_names.assign(cells.begin(), cells.end());

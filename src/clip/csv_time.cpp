@@ -11,6 +11,10 @@
 namespace stltsa::clip {
 namespace {
 
+/// Rates at which motion is captured, and more; frames beyond these are not told apart by time.
+constexpr double least_rate = 2;
+constexpr double most_rate = 1e5;
+
 /// "Time (ms)" -> "timems".
 std::string letters_of(std::string_view name) {
     std::string letters = to_lower(name);
@@ -62,6 +66,8 @@ struct Steps {
 
     /// Even but for the rounding of times to a few digits. A missing row makes a double step.
     bool even() const { return least >= 0.5 * median && most <= 1.5 * median; }
+    /// 5, 6, 7 ..
+    bool count() const { return least == 1 && most == 1; }
 };
 
 void remove_column(Clip& clip, std::int64_t column) {
@@ -75,6 +81,18 @@ void remove_column(Clip& clip, std::int64_t column) {
     clip.channel_names.erase(clip.channel_names.begin() + column);
 }
 
+bool take_count(Clip& clip, std::int64_t column) {
+    const std::string title = quoted(clip.channel_names[static_cast<std::size_t>(column)]);
+    const Steps steps(clip.values, column);
+    const bool counts = steps.count();
+    clip.notes.push_back(
+        counts ? format_text("column {} counts frames: not a channel", title)
+               : format_text("column {} does not count frames: kept as a channel", title));
+    if (counts)
+        remove_column(clip, column);
+    return counts;
+}
+
 /// True when the column was time and is gone.
 bool take_time(Clip& clip, std::int64_t column, double unit, const std::string& name,
                const ReadOptions& options) {
@@ -84,27 +102,26 @@ bool take_time(Clip& clip, std::int64_t column, double unit, const std::string& 
         clip.notes.push_back(format_text("column {} does not increase: kept as a channel", title));
         return false;
     }
+    const double rate = rate_of(steps.mean * unit);
+    const bool plausible = rate >= least_rate && rate <= most_rate;
+    if (options.fps == 0 && !plausible && steps.count())
+        return take_count(clip, column);
+    if (options.fps == 0 && !plausible) {
+        clip.notes.push_back(format_text(
+            "column {} would mean {:.3g} frames a second: kept as a channel; if it is time, name "
+            "its unit, as in 'time (ms)', or set option fps",
+            title, rate));
+        return false;
+    }
     if (!steps.even() && options.fps == 0)
         fail(Status::format,
              "{}: the steps of column {} range from {} to {}: resample to a constant rate, or set "
              "option fps to take the rows as evenly spaced",
              name, title, steps.least, steps.most);
-    clip.fps = rate_of(steps.mean * unit);
+    clip.fps = rate;
     clip.notes.push_back(format_text("column {} is time, not a channel", title));
     remove_column(clip, column);
     return true;
-}
-
-bool take_count(Clip& clip, std::int64_t column) {
-    const std::string title = quoted(clip.channel_names[static_cast<std::size_t>(column)]);
-    const Steps steps(clip.values, column);
-    const bool counts = steps.least == 1 && steps.most == 1;
-    clip.notes.push_back(
-        counts ? format_text("column {} counts frames: not a channel", title)
-               : format_text("column {} does not count frames: kept as a channel", title));
-    if (counts)
-        remove_column(clip, column);
-    return counts;
 }
 
 void note_silent_time(Clip& clip) {

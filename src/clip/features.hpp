@@ -52,6 +52,7 @@ struct Prepared {
     double fps = 0;         ///< of the samples
     std::int64_t first = 0; ///< = number of T-pose frames dropped at the start
     std::int64_t step = 1;
+    std::int64_t jump = 0; ///< source frame before which the pose jumps; 0: it does not
     Features features = Features::automatic; ///< the kind used
     Axis up = Axis::automatic;               ///< the axis used
 };

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "clip/npy_header.hpp"
 
-#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -11,7 +10,6 @@
 namespace stltsa::clip {
 namespace {
 
-/// The frame axis is the first; all others together are the columns, in C order.
 struct Shape {
     std::int64_t rows = 1, cols = 1;
 };
@@ -19,16 +17,14 @@ struct Shape {
 Shape checked_shape(const NpyHeader& header, std::size_t data_size, const std::string& name) {
     if (header.shape.empty())
         fail(Status::shape, "{}: a single number, where rows of frames are needed", name);
-    const auto items = static_cast<std::int64_t>(data_size / header.item_size);
-    Shape shape{header.shape[0], 1};
-    if (std::find(header.shape.begin(), header.shape.end(), 0) != header.shape.end())
+    if (header.shape.size() > 2)
+        fail(Status::shape,
+             "{}: an array of {} dimensions; frames are rows: save array.reshape(len(array), -1)",
+             name, header.shape.size());
+    const Shape shape{header.shape[0], header.shape.size() == 2 ? header.shape[1] : 1};
+    if (shape.rows == 0 || shape.cols == 0)
         fail(Status::shape, "{}: the array is empty", name);
-    for (std::size_t i = 1; i < header.shape.size(); ++i) {
-        if (header.shape[i] > items / shape.cols) // also keeps the product from overflowing
-            fail(Status::format, "{}: the file ends before the array that its header tells of",
-                 name);
-        shape.cols *= header.shape[i];
-    }
+    const auto items = static_cast<std::int64_t>(data_size / header.item_size);
     if (shape.rows > items / shape.cols)
         fail(Status::format,
              "{}: the header tells of {} frames of {} numbers, the data end after {}", name,
@@ -37,24 +33,6 @@ Shape checked_shape(const NpyHeader& header, std::size_t data_size, const std::s
         fail(Status::format, "{}: more bytes follow than {} frames of {} numbers take", name,
              shape.rows, shape.cols);
     return shape;
-}
-
-/// Where in a Fortran-ordered array each column (C order of the other axes) has frame 0.
-std::vector<std::int64_t> fortran_offsets(const std::vector<std::int64_t>& shape,
-                                          std::int64_t cols) {
-    std::vector<std::int64_t> offsets(static_cast<std::size_t>(cols));
-    for (std::int64_t c = 0; c < cols; ++c) {
-        std::int64_t stride = cols * shape[0];
-        std::int64_t rest = c;
-        std::int64_t offset = 0;
-        for (std::size_t axis = shape.size(); axis-- > 1;) {
-            stride /= shape[axis];
-            offset += rest % shape[axis] * stride;
-            rest /= shape[axis];
-        }
-        offsets[static_cast<std::size_t>(c)] = offset;
-    }
-    return offsets;
 }
 
 template <class Float, class Bits>
@@ -83,16 +61,12 @@ Clip parse_npy(std::string_view bytes, const std::string& name) {
     const NpyHeader header = read_npy_header(bytes, name);
     const std::string_view data = bytes.substr(header.data_begin);
     const Shape shape = checked_shape(header, data.size(), name);
-    const std::vector<std::int64_t> offsets = header.fortran_order
-                                                  ? fortran_offsets(header.shape, shape.cols)
-                                                  : std::vector<std::int64_t>();
     Clip clip;
     clip.values = Matrix(shape.rows, shape.cols);
     for (std::int64_t i = 0; i < shape.rows; ++i)
         for (std::int64_t c = 0; c < shape.cols; ++c) {
-            const std::int64_t index = header.fortran_order
-                                           ? offsets[static_cast<std::size_t>(c)] + i
-                                           : i * shape.cols + c;
+            const std::int64_t index =
+                header.fortran_order ? c * shape.rows + i : i * shape.cols + c;
             const double value = item(header, data.data(), index);
             if (!std::isfinite(value))
                 fail(Status::not_finite, "{}: frame {}, column {} is {}", name, i, c + 1, value);

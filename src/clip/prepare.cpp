@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "clip/features.hpp"
+#include "clip/jump.hpp"
 #include "linalg/gaussian.hpp"
 
 namespace stltsa::clip {
@@ -20,14 +21,15 @@ Prepared prepare(const Clip& clip, const PrepareOptions& options) {
     prepared.up = clip.skeleton ? up_axis(clip, options.up) : Axis::automatic;
     const Matrix all = features(clip, prepared.features, prepared.up);
     prepared.first = dropped_frames(clip, all, options.drop_tpose);
+    const ConstMatrixView kept = all.view().block(prepared.first, all.rows() - prepared.first);
+    if (const std::int64_t jump = find_jump(kept); jump > 0)
+        prepared.jump = prepared.first + jump;
     // Without a frame rate seconds mean nothing: neither decimated nor smoothed.
     if (clip.fps > 0 && options.rate > 0)
         prepared.step = static_cast<std::int64_t>(
             std::clamp(std::round(clip.fps / options.rate), 1.0, static_cast<double>(all.rows())));
     prepared.fps = clip.fps / static_cast<double>(prepared.step);
-    prepared.samples =
-        gaussian_smoothed(all.view().block(prepared.first, all.rows() - prepared.first),
-                          options.smoothing * clip.fps, prepared.step);
+    prepared.samples = gaussian_smoothed(kept, options.smoothing * clip.fps, prepared.step);
     return prepared;
 }
 

@@ -49,8 +49,9 @@ void set_amc_rate(Clip& clip, const ReadOptions& options) {
     if (clip.fps > 0 || options.fps > 0)
         return;
     clip.fps = amc_fps;
-    clip.notes.push_back(
-        format_text("AMC files carry no frame rate: {} a second assumed (option fps)", amc_fps));
+    clip.notes.push_back(format_text(
+        "AMC files carry no frame rate: {} a second assumed (set option fps for another)",
+        amc_fps));
 }
 
 Clip parse_format(std::string_view bytes, Format format, const std::string& name,
@@ -62,7 +63,7 @@ Clip parse_format(std::string_view bytes, Format format, const std::string& name
         if (options.skeleton.empty())
             fail(Status::argument,
                  "{}: an AMC clip needs its skeleton: set option skeleton to the ASF file", name);
-        Clip clip = parse_amc(bytes, name, options.skeleton);
+        Clip clip = parse_amc(bytes, name, options);
         set_amc_rate(clip, options);
         return clip;
     }
@@ -95,6 +96,8 @@ Clip parse(std::string_view bytes, Format format, const std::string& name,
     Clip clip = parse_format(bytes, format, shown, options);
     clip.path = name;
     clip.format = format;
+    if (format != Format::amc && !options.skeleton.empty())
+        clip.notes.push_back("option skeleton is not used: it belongs to AMC clips");
     if (options.fps > 0) {
         clip.fps = options.fps;
         clip.frame_time = 0;
@@ -103,7 +106,7 @@ Clip parse(std::string_view bytes, Format format, const std::string& name,
 }
 
 Clip read(const std::string& path, const ReadOptions& options) {
-    const std::string bytes = read_file(path);
+    const std::string bytes = read_file(path, options.progress);
     const auto known = format_of_suffix(path);
     const Format format = known ? *known : sniff(bytes);
     if (equals_ignoring_case(std::filesystem::path(path).extension().string(), ".asf"))

@@ -14,15 +14,26 @@ namespace {
     fail(Status::io, "{}: cannot {}: {}", path, what, std::generic_category().message(error));
 }
 
+using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+
+/// A pipe waits for its writer. A signal ends the wait: the caller may have meant to cancel.
+File open_file(const std::string& path, const Progress& progress) {
+    for (;;) {
+        File file(std::fopen(path.c_str(), "rb"), &std::fclose);
+        if (file)
+            return file;
+        if (errno != EINTR)
+            cannot("open", path, errno);
+        progress.report(Stage::read, 0);
+    }
+}
+
 } // namespace
 
-std::string read_file(const std::string& path) {
+std::string read_file(const std::string& path, const Progress& progress) {
     // Far above any clip; a device without end stops here.
     constexpr std::size_t most = std::size_t{1} << 34;
-    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
-                                                               &std::fclose);
-    if (!file)
-        cannot("open", path, errno);
+    const File file = open_file(path, progress);
     std::string bytes;
     std::array<char, 1 << 16> chunk;
     for (;;) {
@@ -30,12 +41,15 @@ std::string read_file(const std::string& path) {
         bytes.append(chunk.data(), count);
         if (bytes.size() > most)
             fail(Status::unsupported, "{}: larger than {} bytes", path, most);
-        if (count < chunk.size())
-            break;
+        if (count == chunk.size())
+            continue;
+        if (std::ferror(file.get()) == 0)
+            return bytes;
+        if (errno != EINTR)
+            cannot("read", path, errno);
+        std::clearerr(file.get());
+        progress.report(Stage::read, 0);
     }
-    if (std::ferror(file.get()) != 0)
-        cannot("read", path, errno);
-    return bytes;
 }
 
 } // namespace stltsa::clip

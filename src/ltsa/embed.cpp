@@ -20,12 +20,14 @@ Graph build_graph(ConstMatrixView frames, std::span<const std::int64_t> lengths,
     graph.parameters = parameters;
     graph.frames = collapse_repeats(frames, lengths);
     check_parameters(parameters, graph.frames);
-    graph.neighborhoods =
-        find_neighbors(graph.frames.x, graph.frames.lengths, parameters, progress);
+    // Memory is taken for as much as the window holds.
+    Parameters within = parameters;
+    within.window = std::min(parameters.window, graph.frames.x.rows);
+    graph.neighborhoods = find_neighbors(graph.frames.x, graph.frames.lengths, within, progress);
     graph.components = connected_components(graph.neighborhoods);
     const bool banded = parameters.mode == Mode::temporal;
     graph.tangents = local_tangents(graph.frames.x, graph.neighborhoods, parameters.dimension,
-                                    banded ? parameters.window : 0, parameters.threads, progress);
+                                    banded ? within.window : 0, parameters.threads, progress);
     return graph;
 }
 
@@ -73,9 +75,9 @@ Component embed_component(const Graph& graph, std::int64_t index, int dimension,
     const Patches patches(graph.neighborhoods, graph.tangents, graph.components, index, dimension);
     if (patches.frames() < dimension + 2)
         fail(Status::disconnected,
-             "frame {} is in a part of the neighborhood graph of {} frames, too "
-             "few for {} coordinates; use more neighbors",
-             members.front(), patches.frames(), dimension);
+             "a part of the neighborhood graph has {} frames, too few for {} coordinates; use more "
+             "neighbors",
+             patches.frames(), dimension);
     if (patches.rank_deficient() == patches.count())
         fail(Status::degenerate,
              "the frames vary in fewer than {} directions everywhere; use a "

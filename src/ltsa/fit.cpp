@@ -13,6 +13,18 @@ int eigenvalue_count(const Parameters& parameters, int dimension) {
 
 } // namespace
 
+std::int64_t first_cut(const Model& model) {
+    std::int64_t first = 0;
+    for (const std::int64_t length : model.lengths) {
+        for (std::int64_t i = first + 1; i < first + length; ++i)
+            if (model.component_of[static_cast<std::size_t>(i)] !=
+                model.component_of[static_cast<std::size_t>(i - 1)])
+                return i;
+        first += length;
+    }
+    return -1;
+}
+
 Model fit(ConstMatrixView frames, std::span<const std::int64_t> lengths,
           const Parameters& parameters, const Progress& progress) {
     const SingleThreadedBlas single;

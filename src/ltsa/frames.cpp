@@ -7,6 +7,28 @@
 
 namespace stltsa::ltsa {
 
+namespace {
+
+/// Squares of larger numbers, and sums of squares, may not fit into a double.
+constexpr double largest_number = 1e100;
+
+void check_numbers(ConstMatrixView frames) {
+    for (std::int64_t i = 0; i < frames.rows; ++i)
+        for (std::int64_t c = 0; c < frames.cols; ++c) {
+            const double value = frames(i, c);
+            if (!std::isfinite(value))
+                fail(Status::not_finite, "frame {}, feature {} is {}; fill or cut gaps first", i, c,
+                     std::isnan(value) ? "not a number" : "infinite");
+            if (std::abs(value) > largest_number)
+                fail(Status::not_finite,
+                     "frame {}, feature {} is {}; beyond {} distances are infinite: use another "
+                     "unit",
+                     i, c, value, largest_number);
+        }
+}
+
+} // namespace
+
 void check_frames(ConstMatrixView frames, std::span<const std::int64_t> lengths) {
     if (frames.rows < 1 || frames.cols < 1)
         fail(Status::shape, "{} frames of {} features were given; at least one of each is needed",
@@ -26,11 +48,7 @@ void check_frames(ConstMatrixView frames, std::span<const std::int64_t> lengths)
     if (rest != 0)
         fail(Status::shape, "the clips' lengths sum to {}, not to the {} frames given",
              frames.rows - rest, frames.rows);
-    for (std::int64_t i = 0; i < frames.rows; ++i)
-        for (std::int64_t c = 0; c < frames.cols; ++c)
-            if (!std::isfinite(frames(i, c)))
-                fail(Status::not_finite, "frame {}, feature {} is {}; fill or cut gaps first", i, c,
-                     std::isnan(frames(i, c)) ? "not a number" : "infinite");
+    check_numbers(frames);
 }
 
 namespace {
@@ -82,6 +100,14 @@ void check_clip_lengths(const Parameters& parameters, const DistinctFrames& fram
                  parameters.neighbors, needed, one ? "" : " or leave it out");
 }
 
+/// One distinct frame where several were given.
+void check_variation(const DistinctFrames& frames) {
+    if (frames.repeated > 0 && frames.x.rows == static_cast<std::int64_t>(frames.lengths.size()))
+        fail(Status::degenerate, "nothing moves: {}",
+             frames.lengths.size() == 1 ? "all frames are the same"
+                                        : "the frames of each clip are the same");
+}
+
 } // namespace
 
 void check_parameters(const Parameters& p, const DistinctFrames& frames) {
@@ -94,6 +120,7 @@ void check_parameters(const Parameters& p, const DistinctFrames& frames) {
              p.neighbors, p.dimension, p.dimension + 2);
     const std::int64_t self = p.include_self ? 1 : 0;
     if (p.mode == Mode::spatial) {
+        check_variation(frames);
         if (frames.x.rows < p.neighbors + 1)
             fail(Status::too_few_frames,
                  "{} distinct frames are too few for {} neighbors: at "
@@ -106,6 +133,7 @@ void check_parameters(const Parameters& p, const DistinctFrames& frames) {
              "{} neighbors do not fit into the window of {} frames to each side, "
              "which leaves {} at the ends of a clip; use a window of at least {}",
              p.neighbors, p.window, p.window + self, p.neighbors - self);
+    check_variation(frames);
     check_clip_lengths(p, frames, p.neighbors + 1);
     if (p.mode == Mode::recurrent && p.links < 1)
         fail(Status::argument, "recurrent neighbors with {} links; at least 1 is needed", p.links);

@@ -36,6 +36,9 @@ struct Model {
     std::vector<std::string> warnings;
 };
 
+/// The first frame that is in another part than the frame before it in its clip; -1: none.
+std::int64_t first_cut(const Model& model);
+
 /// Fits STLTSA to `frames` (rows = frames of all clips one after another; lengths sum to rows).
 /// Throws Error for frames that are too few, parameters out of range, NaN, no memory, cancelled.
 Model fit(ConstMatrixView frames, std::span<const std::int64_t> lengths,

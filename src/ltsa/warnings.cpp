@@ -37,17 +37,10 @@ double clock_likeness(const Graph& graph, const Matrix& coords) {
 
 std::vector<std::string> warnings_of(const Graph& graph, const Model& model) {
     std::vector<std::string> warnings;
-    const auto clips = static_cast<std::int64_t>(graph.frames.lengths.size());
-    if (graph.components.count > clips || (graph.components.count > 1 && clips == 1))
-        warnings.push_back(format_text(
-            "the neighborhood graph falls apart into {} parts, the second begins at distinct frame "
-            "{}; each part has coordinates of its own (a cut in the clip? try recurrent, or more "
-            "neighbors)",
-            graph.components.count, graph.components.members[1].front()));
     if (model.parameters.mode == Mode::temporal && model.clock > clock_threshold)
         warnings.push_back(format_text(
-            "coordinate 1 is only a clock (rank correlation with time {:.3f}): the window of {} "
-            "neighbors is short against the motion's cycle; use about 1.2 cycles",
+            "coordinate 1 is only a clock (rank correlation with time {:.3f}): within {} neighbors "
+            "the motion does not turn back; if it has cycles, use about 1.2 of them",
             model.clock, model.parameters.neighbors));
     std::int64_t deficient = 0;
     double gap = INFINITY;
@@ -72,6 +65,13 @@ std::vector<std::string> warnings_of(const Graph& graph, const Model& model) {
                         "are at the limit of double precision",
                         error));
     return warnings;
+}
+
+std::string parts_warning(const Model& model, const std::string& cut) {
+    return format_text("the neighborhood graph falls apart into {} parts{}; each part has "
+                       "coordinates of its own (a cut in the clip? try recurrent, or more "
+                       "neighbors)",
+                       model.components.size(), cut.empty() ? "" : ", cut at " + cut);
 }
 
 } // namespace stltsa::ltsa

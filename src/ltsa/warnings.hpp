@@ -13,6 +13,10 @@ namespace stltsa::ltsa {
 /// 1 where the coordinate only tells the time. `coords`: distinct frames x d.
 double clock_likeness(const Graph& graph, const Matrix& coords);
 
+/// All but that of the parts: only the caller knows what its frames are called.
 std::vector<std::string> warnings_of(const Graph& graph, const Model& model);
+
+/// `cut`: where first_cut(model) lies; empty: nowhere.
+std::string parts_warning(const Model& model, const std::string& cut);
 
 } // namespace stltsa::ltsa

@@ -4,12 +4,14 @@
 #include <cmath>
 
 #include "ltsa/frames.hpp"
+#include "ltsa/warnings.hpp"
 #include "motion/coordinate.hpp"
 #include "motion/cycles.hpp"
 #include "motion/embedding.hpp"
 #include "motion/evidence.hpp"
 #include "motion/margins.hpp"
 #include "motion/period.hpp"
+#include "motion/remarks.hpp"
 #include "motion/segments.hpp"
 #include "motion/smoothing.hpp"
 
@@ -21,8 +23,6 @@ constexpr std::int64_t least_samples = 4;
 constexpr double curve_smoothing = 0.06;
 /// What a cycle of human motion takes where nothing is known.
 constexpr double usual_cycle_s = 1.2;
-/// No period could be confirmed in less.
-constexpr double least_cycles = 1.5;
 
 void check(ConstMatrixView samples, double fps) {
     ltsa::check_frames(samples, {&samples.rows, 1});
@@ -33,9 +33,9 @@ void check(ConstMatrixView samples, double fps) {
              samples.rows, least_samples);
 }
 
-/// The chosen fit, brought to all samples.
+/// The chosen fit, brought to all samples. `cut`: see cut_time.
 void show_embedding(const Embedding& embedding, const Coordinate& chosen, double cycle,
-                    Decomposition& result) {
+                    const std::string& cut, Decomposition& result) {
     const std::int64_t samples = result.coords.rows();
     const ltsa::Model& model = embedding.models[chosen.model];
     result.parameters = model.parameters;
@@ -43,7 +43,9 @@ void show_embedding(const Embedding& embedding, const Coordinate& chosen, double
     result.coords = extended(model.coords, embedding.span, samples);
     result.curve = smooth(column_of(result.coords.view(), chosen.column), curve_smoothing * cycle);
     result.eigenvalues = model.components.front().eigenvalues;
-    result.warnings = model.warnings;
+    if (!cut.empty())
+        result.warnings.push_back(ltsa::parts_warning(model, cut));
+    result.warnings.insert(result.warnings.end(), model.warnings.begin(), model.warnings.end());
 }
 
 void show_loop(const Embedding& embedding, const Loop& loop, Decomposition& result) {
@@ -66,39 +68,6 @@ Decomposition blank(std::int64_t samples) {
     return result;
 }
 
-std::string no_period(const Activity& activity, double fps, const DecomposeOptions& options) {
-    if (!(activity.typical > 0))
-        return "no period: nothing moves";
-    return format_text("no period: the motion, which lasts {:.2f} s, repeats itself at no lag from "
-                       "{:.2f} s to {:.2f} s",
-                       static_cast<double>(activity.samples()) / fps, options.shortest_period,
-                       options.longest_period);
-}
-
-std::string fell_apart(const ltsa::Model& model) {
-    return format_text("no continuous curve: the neighborhood graph falls apart into {} parts (a "
-                       "cut in the clip?)",
-                       model.components.size());
-}
-
-/// Says of motions that no cycle was looked for in them alone: those beside the cycles, or several
-/// where there are no cycles.
-void warn_of_motions(double fps, double first_s, Decomposition& result) {
-    std::vector<Unit> actions;
-    for (const Unit& unit : result.units)
-        if (unit.kind == UnitKind::action &&
-            (!result.cycles.empty() || unit.end - unit.begin >= least_cycles * usual_cycle_s * fps))
-            actions.push_back(unit);
-    if (result.cycles.empty() && actions.size() < 2)
-        return;
-    for (const Unit& unit : actions)
-        result.warnings.push_back(format_text(
-            "the clip holds {} motion from {:.2f} s to {:.2f} s: cut the clip there to see "
-            "whether it has cycles",
-            result.cycles.empty() ? "a separate" : "another", first_s + unit.begin / fps,
-            first_s + unit.end / fps));
-}
-
 void claim_cycles(const std::vector<double>& run, ConstMatrixView samples, double period,
                   double fps, Decomposition& result) {
     result.period = period;
@@ -116,16 +85,17 @@ void cut(const Embedding& embedding, ConstMatrixView samples, const Activity& ac
     const Coordinate chosen =
         choose_coordinate(embedding.models, asked > 0 ? asked - 1 : 0,
                           asked > 0 ? asked : embedding.models.size(), level, period.samples);
-    show_embedding(embedding, chosen, period.samples, result);
-    show_loop(embedding, choose_loop(embedding.models, level, period.samples), result);
     const auto& model = embedding.models[chosen.model];
+    const std::string cut = cut_time(embedding, model, fps, options.first_s);
+    show_embedding(embedding, chosen, period.samples, cut, result);
+    show_loop(embedding, choose_loop(embedding.models, level, period.samples), result);
     const auto run = longest_run(find_margins(result.curve, activity), period.samples);
     const Evidence evidence =
         weigh(run, samples, activity, column_of(result.coords.view(), chosen.column),
               chosen.cyclicity, period, fps);
     result.cyclicity = evidence.cyclicity;
     result.lag_quality = evidence.period.quality;
-    result.reason = model.components.size() > 1 ? fell_apart(model) : doubt(evidence, fps);
+    result.reason = model.components.size() > 1 ? fell_apart(model, cut) : doubt(evidence, fps);
     if (result.reason.empty())
         claim_cycles(run, samples, evidence.period.samples, fps, result);
 }
@@ -137,8 +107,8 @@ Decomposition decompose(ConstMatrixView samples, double fps, const DecomposeOpti
     check(samples, fps);
     progress.report(Stage::units, 0);
     const Activity activity = measure_activity(samples, fps);
-    const Period period =
-        find_period(samples, activity, fps, options.shortest_period, options.longest_period);
+    const Period period = find_period(samples, activity, fps, options.shortest_period,
+                                      options.longest_period, progress);
     const double cycle = period.samples > 0 ? period.samples : usual_cycle_s * fps;
     const Embedding embedding = embed(samples, moving_span(activity, std::lround(cycle)),
                                       neighbors_for(period, fps), options, progress);
@@ -154,11 +124,15 @@ Decomposition decompose(ConstMatrixView samples, double fps, const DecomposeOpti
     } else {
         // The paper's: two dimensions, the first coordinate.
         const auto asked = static_cast<std::size_t>(options.dimension > 0 ? options.dimension : 2);
-        show_embedding(embedding, {std::min(asked, embedding.models.size()) - 1, 0, 0}, cycle,
+        const Coordinate shown{std::min(asked, embedding.models.size()) - 1, 0, 0};
+        show_embedding(embedding, shown, cycle,
+                       cut_time(embedding, embedding.models[shown.model], fps, options.first_s),
                        result);
         show_loop(embedding, {}, result);
         result.reason = no_period(activity, fps, options);
     }
+    if (activity.typical > 0)
+        tell_obstacles(samples, options, result);
     if (!result.reason.empty())
         result.units = action_units(activity, fps);
     warn_of_motions(fps, options.first_s, result);

@@ -42,7 +42,10 @@ struct DecomposeOptions {
     ltsa::Mode mode = ltsa::Mode::temporal;
     double shortest_period = 0.3; ///< seconds
     double longest_period = 6.0;  ///< seconds
-    double first_s = 0;           ///< time of the first sample, for messages
+    // For messages only.
+    double first_s = 0;    ///< time of the first sample
+    std::string jump;      ///< where the pose jumps; empty: nowhere
+    bool in_space = false; ///< the samples may hold the body's way through space
     int threads = 1;
 };
 
@@ -76,7 +79,8 @@ struct Period {
     double samples = 0;
     double quality = 0;
 };
-Period find_period(ConstMatrixView samples, double fps, double shortest_s, double longest_s);
+Period find_period(ConstMatrixView samples, double fps, double shortest_s, double longest_s,
+                   const Progress& progress = {});
 
 /// k that makes a coordinate swing once per cycle: 1.2 periods, or 1.2 seconds without one.
 std::int64_t neighbors_for(const Period& period, double fps);

@@ -65,7 +65,9 @@ Embedding embed(ConstMatrixView samples, Span span, std::int64_t neighbors,
                 continue;
             if (!flat && error.status() != Status::disconnected)
                 throw;
-            result.problem = format_text("no curve: {}", error.what());
+            result.problem = options.dimension > 0 ? format_text("no curve of {} dimensions: {}",
+                                                                 options.dimension, error.what())
+                                                   : format_text("no curve: {}", error.what());
             return result;
         }
 }

@@ -25,6 +25,8 @@ constexpr double refine_reach = 0.15;
 /// A stretch must show this share of its period twice.
 constexpr double least_seen = 0.3;
 constexpr double rows_per_second = 30;
+/// The other half of the stage is the cutting.
+constexpr double share_of_stage = 0.5;
 
 /// Sums over the pairs of one lag.
 struct PairSums {
@@ -119,9 +121,12 @@ LagSamples::LagSamples(ConstMatrixView samples, std::span<const double> levels, 
     }
 }
 
-std::vector<double> lag_curve(const LagSamples& samples, std::int64_t first, std::int64_t last) {
+std::vector<double> lag_curve(const LagSamples& samples, std::int64_t first, std::int64_t last,
+                              const Progress& progress) {
     std::vector<double> curve;
     for (std::int64_t lag = first; lag <= last; ++lag) {
+        progress.report(Stage::units, share_of_stage * static_cast<double>(lag - first) /
+                                          static_cast<double>(last - first + 1));
         PairSums sums(samples.x.cols());
         for (std::int64_t t = 0; t + lag < samples.x.rows(); ++t)
             sums.add(samples, t, t + lag);
@@ -130,15 +135,19 @@ std::vector<double> lag_curve(const LagSamples& samples, std::int64_t first, std
     return curve;
 }
 
+double longest_lag_s(std::int64_t samples, double fps, double longest_s) {
+    return std::min(longest_s, longest_share * static_cast<double>(samples) / fps);
+}
+
 Period find_period(ConstMatrixView samples, const Activity& activity, double fps, double shortest_s,
-                   double longest_s) {
+                   double longest_s, const Progress& progress) {
     const LagSamples thinned(samples, activity.level, fps);
     const double rate = fps / static_cast<double>(thinned.step);
-    const double longest =
-        std::min(longest_s * rate, longest_share * static_cast<double>(thinned.x.rows()));
+    const double longest = longest_lag_s(thinned.x.rows(), rate, longest_s) * rate;
     if (!(longest >= 3) || !(activity.typical > 0))
         return {};
-    const std::vector<double> curve = lag_curve(thinned, 0, static_cast<std::int64_t>(longest));
+    const std::vector<double> curve =
+        lag_curve(thinned, 0, static_cast<std::int64_t>(longest), progress);
     const std::vector<std::size_t> minima = minima_of(curve, shortest_s * rate, thinned);
     double best = unrelated;
     for (const std::size_t i : minima)
@@ -149,8 +158,10 @@ Period find_period(ConstMatrixView samples, const Activity& activity, double fps
     return {};
 }
 
-Period find_period(ConstMatrixView samples, double fps, double shortest_s, double longest_s) {
-    return find_period(samples, measure_activity(samples, fps), fps, shortest_s, longest_s);
+Period find_period(ConstMatrixView samples, double fps, double shortest_s, double longest_s,
+                   const Progress& progress) {
+    return find_period(samples, measure_activity(samples, fps), fps, shortest_s, longest_s,
+                       progress);
 }
 
 std::optional<Period> refine_period(ConstMatrixView stretch, std::span<const double> level,

@@ -27,11 +27,15 @@ struct LagSamples {
 /// both are from their means, D = sum w |(x'-m') - (x-m)|^2 / sum w (|x'-m'|^2 + |x-m|^2), with
 /// x' = x_{t+lag} and w the product of both activities, so that standing does not count.
 /// 0: the same motion again; 1: unrelated; 2: the opposite.
-std::vector<double> lag_curve(const LagSamples& samples, std::int64_t first, std::int64_t last);
+std::vector<double> lag_curve(const LagSamples& samples, std::int64_t first, std::int64_t last,
+                              const Progress& progress = {});
+
+/// The longest lag that a clip of so many samples can be compared at, up to `longest_s`.
+double longest_lag_s(std::int64_t samples, double fps, double longest_s);
 
 /// The first lag, of `shortest_s` to `longest_s` seconds, that is about as good as the best.
 Period find_period(ConstMatrixView samples, const Activity& activity, double fps, double shortest_s,
-                   double longest_s);
+                   double longest_s, const Progress& progress = {});
 
 /// The period of a stretch of the samples that is known to be near `period`; none where the
 /// stretch is too short to tell, or repeats nowhere near it.

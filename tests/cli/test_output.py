@@ -61,6 +61,23 @@ class Files(CommandTest):
                 self.assert_empty(self.folder)
         self.assertTrue(os.path.exists("/dev/full"))
 
+    def test_one_file_has_one_use(self):
+        clip = self.folder / "walk.svg"
+        clip.write_bytes(walk().read_bytes())
+        link = self.folder / "link.svg"
+        link.symlink_to(clip)
+        (self.folder / "sub").mkdir()
+        for same in (clip, link, self.folder / "sub" / ".." / "walk.svg"):
+            self.assertIn("input", self.fails(2, "decompose", clip, "--plot", same))
+            self.assertIn("input", self.fails(2, "fit", walk(), "--skeleton", clip, "--plot", same))
+        self.assertIn("input", self.fails(2, "decompose", "walk.svg", "-o", clip, cwd=self.folder))
+        self.assertEqual(clip.read_bytes(), walk().read_bytes())
+        new = self.folder / "new.svg"
+        message = self.fails(2, "decompose", walk(), "-o", "new.svg", "--plot", new, cwd=self.folder)
+        self.assertIn("two outputs", message)
+        self.assertFalse(new.exists())
+        self.done("decompose", walk(), "-o", "/dev/null", "--plot", "/dev/null")
+
     def test_failed_run_leaves_the_old_file(self):
         path = self.folder / "old.svg"
         path.write_text("old", encoding="ascii")
@@ -80,7 +97,7 @@ class Files(CommandTest):
         self.assertEqual(len(list(self.folder.iterdir())), 2)
 
     def test_new_file_obeys_the_umask(self):
-        path = self.folder / "walk.json"
+        path = self.folder / "walk.txt"
         self.done("decompose", walk(), "-o", path, umask=0o027)
         self.assertEqual(path.stat().st_mode & 0o777, 0o640)
 

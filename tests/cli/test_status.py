@@ -31,6 +31,10 @@ class Usage(CommandTest):
             (("dimension", clip, "--variance", "2"), "from 0.01 to 1"),
             (("fit", clip, "--coords", "y.txt"), ".npy"),
             (("decompose", clip, "--curve"), "--json"),
+            (("decompose", clip, "--plot", "y.png"), ".svg"),
+            (("fit", clip, "--plot", "./y.pdf"), ".svg"),
+            (("decompose", clip, "-o", "y.json"), "--json"),
+            (("decompose", clip, "--period-min", "3", "--period-max", "1"), "--period-min is 3"),
             (("fit", clip, "--neighbors", "3", "--dimension", "2"), "neighbors"),
         ):
             with self.subTest(line=line):
@@ -38,8 +42,24 @@ class Usage(CommandTest):
         self.assert_empty(self.folder)
 
     def test_rate_is_needed(self):
-        self.assertIn("fps", self.fails(2, "decompose", circle()))
+        self.assertIn("set --fps", self.fails(2, "decompose", circle()))
         self.assertIn("--fps", self.fails(2, "fit", circle(), "--neighbors", "1.2s"))
+
+    def test_options_are_called_by_their_flags(self):
+        """The library knows options; the user typed flags."""
+        clock = write_csv("clock.csv", [[0, 1, 2], [10, 3, 1], [20, 1, 4]], "time,x,y\n")
+        text = " ".join(self.done("info", clock).decode().split())
+        self.assertIn("set --fps", text)
+        self.assertIn("set --features to", " ".join(
+            self.done("decompose", drift(), "--fps", "30").decode().split()))
+        message = self.fails(2, "fit", clock, "--rate", "-1")
+        self.assertTrue(message.startswith("stltsa: --rate is -1; "), message)
+        self.assertIn("set --skeleton", self.fails(3, "info", self.amc_without_skeleton()))
+
+    def amc_without_skeleton(self):
+        clip = self.folder / "07_01.amc"
+        clip.write_text(":FULLY-SPECIFIED\n:DEGREES\n1\nroot 0 0 0 0 0 0\n", encoding="ascii")
+        return clip
 
     def test_help_and_version(self):
         for line in (("--help",), *((command, "--help") for command in COMMANDS)):
@@ -94,9 +114,12 @@ class Unreadable(CommandTest):
 
 class Untrustworthy(CommandTest):
     def test_nothing_moves(self):
-        for command in ("fit", "dimension"):
-            with self.subTest(command):
-                self.fails(4, command, still(), "--smoothing", "0")
+        self.assertIn("nothing moves", self.fails(4, "fit", still()))
+        result = run("dimension", still())
+        self.assertEqual(result.returncode, 4)
+        self.assertIn(b"cannot tell by local PCA, cannot tell by the eigengap", result.stdout)
+        self.assertIn(b"nothing moves", result.stdout)
+        self.assertIn(b"hold 95 %", result.stdout)
 
     def test_too_few_frames(self):
         few = write_csv("few.csv", [[0, 1], [1, 0], [2, 2]])
@@ -109,10 +132,19 @@ class Untrustworthy(CommandTest):
         result = run("fit", cut(), "--neighbors", "5", "--window", "8", "--coords", coords)
         self.assertEqual(result.returncode, 4)
         self.assertIn(b"2 pieces", result.stdout)
+        self.assertIn(b"cut at frame 60;", b" ".join(result.stdout.split()))
         self.assertTrue(coords.exists())
 
     def test_no_cycle_is_an_answer(self):
         self.assertIn(b"no cycle", self.done("decompose", drift(), "--fps", "30"))
+
+    def test_no_cycle_tells_what_may_hide_it(self):
+        self.assertIn(
+            "the pose jumps at frame 60 (2.00 s)", self.json("decompose", cut(), "--fps", "30")["reason"]
+        )
+        self.assertIn(
+            "subtract the body's position", self.json("decompose", drift(), "--fps", "30")["reason"]
+        )
 
 
 if __name__ == "__main__":

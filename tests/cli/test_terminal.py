@@ -134,6 +134,17 @@ class Interrupt(CommandTest):
             self.assertEqual(process.stdout.read(), b"")
             self.assertEqual(process.stderr.read(), b"stltsa: cancelled\n")
 
+    def test_while_it_waits_for_a_pipe(self):
+        pipe = self.folder / "clip.csv"
+        os.mkfifo(pipe)
+        with subprocess.Popen(
+            [STLTSA, "info", pipe], stderr=subprocess.PIPE, preexec_fn=default_signals
+        ) as process:
+            time.sleep(0.5)  # nobody writes
+            process.send_signal(signal.SIGINT)
+            self.assertEqual(process.wait(60), 130)
+            self.assertEqual(process.stderr.read(), b"stltsa: cancelled\n")
+
     def test_ignored_where_the_caller_ignores_it(self):
         with subprocess.Popen(
             [STLTSA, "info", "-"],

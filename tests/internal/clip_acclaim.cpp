@@ -191,6 +191,9 @@ void finds_the_skeleton_beside_the_clip(void**) {
     ASSERT_FAILS(Status::argument, "set option skeleton", parse(small_amc, Format::amc));
     options.skeleton = folder.path("none.asf");
     ASSERT_FAILS(Status::io, "none.asf: cannot open", parse(small_amc, Format::amc, options));
+    // Not even opened where nothing asks for it, but told.
+    const Clip bare = parse("1,2\n3,4\n", Format::csv, options);
+    assert_true(bare.notes.back().starts_with("option skeleton is not used"));
 }
 
 void refuses_amc(std::string_view from, std::string_view to, Status status, std::string_view part,

@@ -61,6 +61,8 @@ void in_the_header_of_the_data(void**) {
     REFUSES("Frame Time: 0.0083333\n", "", format, "test:27: 'Frame Time:' is expected here");
     REFUSES("0.0083333", "soon", format, "test:27: 'Frame Time:' must be followed by seconds");
     REFUSES("0.0083333", "-0.01", format, "test:27: 'Frame Time:' must be followed by seconds");
+    for (const char* none : {"1e300", "1e-300", "3601"})
+        REFUSES("0.0083333", none, format, "test:27: a Frame Time of");
     REFUSES("0.0083333", "nan", format, "test:27: 'Frame Time:' must be followed by seconds");
 }
 

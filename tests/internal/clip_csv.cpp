@@ -59,6 +59,37 @@ void headers(void**) {
     assert_true(csv("a,b\n9,2\n4,5\n", 50).fps == 50);
 }
 
+/// A data frame without names, and with its index.
+void numbered_columns_are_a_header(void**) {
+    for (const char* text : {"0,1,2\n.5,7,1\n.25,8,2\n", ",0,1,2\n0,.5,7,1\n1,.25,8,2\n",
+                             ";0;1;2\n0;,5;7;1\n1;,25;8;2\n"}) {
+        const Clip clip = csv(text);
+        CHECK_VALUES(clip, {{.5, 7, 1}, {.25, 8, 2}});
+        assert_string_equal(clip.channel_names[2].c_str(), "2");
+        assert_false(clip.notes.empty());
+    }
+    CHECK_VALUES(csv(",0\n0,.5\n1,.25\n"), {{.5}, {.25}});
+    // Numbers that are data: a circle, whole numbers, another beginning.
+    CHECK_VALUES(csv("0,1\n.5,.7\n"), {{0, 1}, {.5, .7}});
+    CHECK_VALUES(csv("0,1,2\n3,4,5\n"), {{0, 1, 2}, {3, 4, 5}});
+    CHECK_VALUES(csv("0,1,3\n.5,4,5\n"), {{0, 1, 3}, {.5, 4, 5}});
+    CHECK_VALUES(csv("0,1,2\n"), {{0, 1, 2}});
+}
+
+void time_at_no_rate_is_no_time(void**) {
+    // Seconds in fact milliseconds; a torque; 1e10 s a frame.
+    for (const char* text : {"time,x\n0,7\n10,8\n20,9\n", "t,x\n0,7\n5.5,8\n9,9\n",
+                             "x,time\n7,0\n8,1e10\n9,2e10\n", "time,x\n0,7\n1e-9,8\n2e-9,9\n"}) {
+        const Clip clip = csv(text);
+        assert_true(clip.fps == 0 && clip.values.cols() == 2);
+        assert_non_null(std::strstr(clip.notes.at(0).c_str(), "kept as a channel"));
+    }
+    const Clip count = csv("time,x\n5,7\n6,8\n7,9\n");
+    CHECK_VALUES(count, {{7}, {8}, {9}});
+    assert_true(count.fps == 0);
+    CHECK_VALUES(csv("time,x\n0,7\n10,8\n20,9\n", 100), {{7}, {8}, {9}});
+}
+
 void time_gives_the_rate_and_is_no_channel(void**) {
     for (const char* text :
          {"time,x\n0,7\n0.01,8\n0.02,9\n", "x,Time (s)\n7,5.00\n8,5.01\n9,5.02\n",
@@ -132,6 +163,8 @@ int main() {
         cmocka_unit_test(decimal_commas),
         cmocka_unit_test(one_column),
         cmocka_unit_test(headers),
+        cmocka_unit_test(numbered_columns_are_a_header),
+        cmocka_unit_test(time_at_no_rate_is_no_time),
         cmocka_unit_test(time_gives_the_rate_and_is_no_channel),
         cmocka_unit_test(uneven_time_is_refused_unless_told),
         cmocka_unit_test(counts_of_frames_are_no_channel),

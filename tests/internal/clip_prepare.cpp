@@ -181,6 +181,39 @@ void features_of_all_frames_hold_the_samples(void**) {
         }
 }
 
+/// No T-pose, and a cut at `frame`.
+Clip cut_at(std::int64_t frame, double size) {
+    std::vector<double> values;
+    for (std::int64_t i = 0; i < 400; ++i)
+        values.push_back((i < frame ? 0 : size) + std::sin(0.1 * static_cast<double>(i)));
+    return column(values, 120);
+}
+
+void finds_the_frame_of_a_cut(void**) {
+    for (const std::int64_t frame : {1, 2, 100, 301, 399})
+        assert_int_equal(prepare(cut_at(frame, 5), {}).jump, frame);
+    assert_int_equal(prepare(cut_at(100, 0.2), {}).jump, 0);
+    assert_int_equal(prepare(cut_at(400, 5), {}).jump, 0);
+    // One bad frame; nothing that moves; one frame.
+    Clip clip = cut_at(400, 0);
+    clip.values(77, 0) = 40;
+    assert_int_equal(prepare(clip, {}).jump, 77);
+    assert_int_equal(prepare(column(std::vector<double>(50, 1.0), 30), {}).jump, 0);
+    assert_int_equal(prepare(column({1.0}, 30), {}).jump, 0);
+}
+
+/// A blow of 0.15 s after long standing is fast, and moves within several frames.
+void a_blow_is_no_cut(void**) {
+    for (const double fps : {30.0, 60.0, 120.0}) {
+        std::vector<double> values;
+        for (double t = -5; t < 5; t += 1 / fps) {
+            const double u = std::clamp(t / 0.15, 0.0, 1.0);
+            values.push_back(u * u * (3 - 2 * u));
+        }
+        assert_int_equal(prepare(column(values, fps), {}).jump, 0);
+    }
+}
+
 void bare_matrices_have_no_tpose(void**) {
     std::vector<double> values(200, 0.0);
     for (std::size_t i = 1; i < 200; ++i)
@@ -205,6 +238,8 @@ int main() {
         cmocka_unit_test(smoothing_keeps_constants_to_the_ends),
         cmocka_unit_test(smoothing_does_not_see_dropped_frames),
         cmocka_unit_test(features_of_all_frames_hold_the_samples),
+        cmocka_unit_test(finds_the_frame_of_a_cut),
+        cmocka_unit_test(a_blow_is_no_cut),
         cmocka_unit_test(bare_matrices_have_no_tpose),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);

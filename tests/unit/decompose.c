@@ -202,6 +202,26 @@ static void cancelled_at_every_call(void** state) {
     stltsa_clip_free(clip);
 }
 
+static int32_t stop_within_units(void* user, int32_t stage, double fraction) {
+    (void)user;
+    return stage == STLTSA_STAGE_UNITS && fraction > 0.2 && fraction < 0.3;
+}
+
+/* The longest loop before the fit, lags times frames. */
+static void the_search_for_the_period_can_be_cancelled(void** state) {
+    (void)state;
+    stltsa_clip* clip = opened();
+    stltsa_options* options = NULL;
+    stltsa_decomposition* d = NULL;
+    stltsa_model* model = NULL;
+    must(stltsa_options_new(&options));
+    must(stltsa_options_set_progress(options, stop_within_units, NULL));
+    assert_int_equal(stltsa_decompose(clip, options, &d), STLTSA_E_CANCELLED);
+    assert_int_equal(stltsa_fit_clip(clip, options, &model), STLTSA_E_CANCELLED);
+    stltsa_options_free(options);
+    stltsa_clip_free(clip);
+}
+
 static void wrong_arguments(void** state) {
     (void)state;
     stltsa_clip* clip = opened();
@@ -225,6 +245,29 @@ static void wrong_arguments(void** state) {
     assert_int_equal(stltsa_decomposition_unit_count(NULL), 0);
     stltsa_decomposition_free(NULL);
     stltsa_decomposition_free(d);
+    stltsa_clip_free(clip);
+}
+
+/* Options that leave nothing to work on: the text says which. */
+static void options_that_leave_nothing(void** state) {
+    (void)state;
+    stltsa_clip* clip = opened();
+    stltsa_decomposition* d = NULL;
+    stltsa_options* options = NULL;
+    must(stltsa_options_new(&options));
+    must(stltsa_options_set_real(options, STLTSA_PERIOD_MIN, 3));
+    must(stltsa_options_set_real(options, STLTSA_PERIOD_MAX, 1));
+    assert_int_equal(stltsa_decompose(clip, options, &d), STLTSA_E_ARGUMENT);
+    assert_non_null(strstr(stltsa_last_error(), "period_min is 3 s"));
+    stltsa_options_free(options);
+    stltsa_clip_free(clip);
+
+    must(stltsa_options_new(&options));
+    must(stltsa_options_set_real(options, STLTSA_FPS, 100000));
+    must(stltsa_clip_open(walker_path, options, &clip));
+    assert_int_equal(stltsa_decompose(clip, NULL, &d), STLTSA_E_TOO_FEW_FRAMES);
+    assert_non_null(strstr(stltsa_last_error(), "at 100000 a second one in 844 is kept"));
+    stltsa_options_free(options);
     stltsa_clip_free(clip);
 }
 
@@ -320,7 +363,9 @@ int main(int argc, char** argv) {
         cmocka_unit_test(shift_and_order_of_channels_change_no_unit),
         cmocka_unit_test(noise_has_no_cycle_but_a_reason),
         cmocka_unit_test(cancelled_at_every_call),
+        cmocka_unit_test(the_search_for_the_period_can_be_cancelled),
         cmocka_unit_test(wrong_arguments),
+        cmocka_unit_test(options_that_leave_nothing),
         cmocka_unit_test(no_unit_is_empty),
         cmocka_unit_test(dimension_of_the_walk),
         cmocka_unit_test(dimension_of_a_cut_clip_cannot_be_told),

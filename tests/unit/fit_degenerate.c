@@ -174,10 +174,11 @@ static void a_line_has_no_second_coordinate(void** state) {
     free(x);
 }
 
-static void a_statue_has_too_few_frames(void** state) {
+static void a_statue_varies_in_no_direction(void** state) {
     (void)state;
     double* x = new_matrix(rows, cols);
-    assert_refused(x, rows, STLTSA_E_TOO_FEW_FRAMES);
+    assert_refused(x, rows, STLTSA_E_DEGENERATE);
+    assert_refused(x, 1, STLTSA_E_TOO_FEW_FRAMES);
     free(x);
 }
 
@@ -204,7 +205,7 @@ int main(void) {
         cmocka_unit_test(a_hard_cut_gives_two_components),
         cmocka_unit_test(windows_on_a_line_are_counted),
         cmocka_unit_test(a_line_has_no_second_coordinate),
-        cmocka_unit_test(a_statue_has_too_few_frames),
+        cmocka_unit_test(a_statue_varies_in_no_direction),
         cmocka_unit_test(as_many_distinct_frames_as_it_takes),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

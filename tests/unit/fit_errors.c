@@ -71,14 +71,7 @@ static void numbers_too_large_to_square(void** state) {
     for (int i = 0; i < rows * cols; ++i)
         x[i] *= 1e200;
     const stltsa_in in = packed_in(x, rows, cols);
-    stltsa_model* model = NULL;
-    if (stltsa_fit(&in, NULL, 1, f->options, &model) == STLTSA_OK) {
-        double* coords = new_coords(model); /* an answer is fine if it is one */
-        for (int i = 0; i < rows * 2; ++i)
-            assert_true(isfinite(coords[i]));
-        free(coords);
-    }
-    stltsa_model_free(model);
+    assert_fails(&in, NULL, 1, f->options, STLTSA_E_NOT_FINITE, "distances are infinite");
     free(x);
 }
 

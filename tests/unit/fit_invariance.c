@@ -253,6 +253,18 @@ static void order_of_clips_only_permutes(void** state) {
     stltsa_options_free(options);
 }
 
+/* Nor does it take memory for what it does not hold. */
+static void window_beyond_the_clip_is_the_clip(void** state) {
+    (void)state;
+    double* x = new_motion(rows, cols, 9);
+    double* all = fit_coords_with(new_options(12, rows, 2), x, rows, cols);
+    double* more = fit_coords_with(new_options(12, INT32_MAX, 2), x, rows, cols);
+    assert_same_bits(all, more, rows * 2);
+    free(more);
+    free(all);
+    free(x);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(rotation_and_shift_change_nothing),
@@ -265,6 +277,7 @@ int main(void) {
         cmocka_unit_test(layout_in_memory_changes_no_bit),
         cmocka_unit_test(float32_is_the_same_numbers),
         cmocka_unit_test(order_of_clips_only_permutes),
+        cmocka_unit_test(window_beyond_the_clip_is_the_clip),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

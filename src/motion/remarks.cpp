@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "motion/remarks.hpp"
+
+#include "motion/drift.hpp"
+#include "motion/period.hpp"
+
+namespace stltsa::motion {
+namespace {
+
+/// In less no period could be confirmed: 1.5 cycles of 1.2 s, as people take.
+constexpr double least_motion_s = 1.8;
+/// Poses that are free of the way through space come back to where they were: their share of drift
+/// is near 0. That of a body that walks through space is near 1.
+constexpr double much_drift = 0.5;
+
+} // namespace
+
+std::string cut_time(const Embedding& embedding, const ltsa::Model& model, double fps,
+                     double first_s) {
+    const std::int64_t cut = ltsa::first_cut(model);
+    if (cut < 0)
+        return {};
+    return format_text("{:.2f} s", first_s + static_cast<double>(embedding.span.first + cut) / fps);
+}
+
+std::string fell_apart(const ltsa::Model& model, const std::string& cut) {
+    return format_text("no continuous curve: the neighborhood graph falls apart into {} parts{} (a "
+                       "cut in the clip?)",
+                       model.components.size(), cut.empty() ? "" : " at " + cut);
+}
+
+std::string no_period(const Activity& activity, double fps, const DecomposeOptions& options) {
+    const double longest = longest_lag_s(activity.samples(), fps, options.longest_period);
+    const double lasts = static_cast<double>(activity.samples()) / fps;
+    if (!(longest > options.shortest_period))
+        return format_text("no period: the motion, which lasts {:.2f} s, is too short to show one "
+                           "of {:.2f} s or more",
+                           lasts, options.shortest_period);
+    return format_text("no period: the motion, which lasts {:.2f} s, repeats itself at no lag from "
+                       "{:.2f} s to {:.2f} s",
+                       lasts, options.shortest_period, longest);
+}
+
+void warn_of_motions(double fps, double first_s, Decomposition& result) {
+    const bool cyclic = !result.cycles.empty();
+    std::vector<Unit> actions;
+    for (const Unit& unit : result.units)
+        if (unit.kind == UnitKind::action &&
+            (cyclic || unit.end - unit.begin >= least_motion_s * fps))
+            actions.push_back(unit);
+    if (!cyclic && actions.size() < 2)
+        return;
+    for (const Unit& unit : actions)
+        result.warnings.push_back(
+            format_text("the clip holds {} motion from {:.2f} s to {:.2f} s: cut the clip there to "
+                        "see whether it has cycles",
+                        cyclic ? "another" : "a separate", first_s + unit.begin / fps,
+                        first_s + unit.end / fps));
+}
+
+void tell_obstacles(ConstMatrixView samples, const DecomposeOptions& options,
+                    Decomposition& result) {
+    std::string text;
+    if (!options.jump.empty())
+        text = format_text("the pose jumps at {}: cut the clip there, or mend the frame",
+                           options.jump);
+    else if (const double share = drift_share(samples);
+             options.in_space && !result.reason.empty() && share > much_drift)
+        text = format_text(
+            "{:.0f} % of the variance is a straight drift, which hides what repeats: subtract the "
+            "body's position (of markers, frame by frame the mean of all of them), or, where there "
+            "is a skeleton, set option features to positions",
+            100 * share);
+    if (text.empty())
+        return;
+    if (result.reason.empty())
+        result.warnings.push_back(text);
+    else
+        result.reason += "; " + text;
+}
+
+} // namespace stltsa::motion
