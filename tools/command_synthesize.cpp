@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "commands.hpp"
+#include "make_figure.hpp"
 #include "pieces.hpp"
 #include "report.hpp"
 #include "session.hpp"
@@ -21,6 +22,9 @@ Exit run_synthesize(const Arguments& arguments) {
     });
     session.add_clip(arguments.product, stltsa_synthesis_clip(made.get()));
     const Json object = json_of(stltsa_synthesis_json, made.get());
+    if (!arguments.plot.empty())
+        session.add_file(arguments.plot,
+                         synthesis_figure(object, arguments, stltsa_synthesis_clip(made.get())));
     session.finish(object, synthesis_report(object, arguments.pieces, session.colors()));
     return Exit::done;
 }

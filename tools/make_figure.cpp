@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "make_figure.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <filesystem>
 
 #include <fmt/format.h>
 
 #include "plot/denoise_figure.hpp"
 #include "plot/figure.hpp"
+#include "plot/seam_figure.hpp"
 #include "report.hpp"
 #include "text.hpp"
 
@@ -68,6 +72,59 @@ std::vector<stltsa_interval> intervals(const stltsa_decomposition* from, Count c
     for (std::size_t i = 0; i < list.size(); ++i)
         check(get(from, static_cast<std::int64_t>(i), &list[i]));
     return list;
+}
+
+/// More would be a page too long for the eye.
+constexpr std::size_t most_strips = 6;
+
+std::string seam_heading(const Json& seam) {
+    return fmt::format("seam at frame {}, {:.3f} s", seam["frame"].dump(),
+                       seam["time_s"].get<double>());
+}
+
+std::string seam_note(const Json& seam, const std::vector<std::string>& pieces) {
+    const auto name = [&](const char* which) {
+        return piece_name(pieces[seam[which].get<std::size_t>()]);
+    };
+    return fmt::format("{} until frame {}, {} from frame {} on; crossfade of {:.3f} s to each "
+                       "side; posture {:.2f}, step {:.2f}, acceleration {:.2f}",
+                       name("piece"), seam["cut_end"].dump(),
+                       seam["piece"] == seam["next"] ? "again" : name("next"),
+                       seam["cut_begin"].dump(), seam["crossfade_s"].get<double>(),
+                       seam["posture"].get<double>(), seam["step"].get<double>(),
+                       seam["acceleration"].get<double>());
+}
+
+/// The strip shows a tenth of a second from posture to posture, or more where a crossfade is long.
+plot::Strip strip_of(const Json& seam, const std::vector<std::string>& pieces, double fps) {
+    plot::Strip strip{seam_heading(seam), seam_note(seam, pieces), seam["frame"], 1,
+                      seam["crossfade"]};
+    constexpr double apart_s = 0.1;
+    constexpr std::int64_t postures_blended = 4; // to each side, at most
+    strip.step = std::max<std::int64_t>(
+        {1, std::llround(apart_s * fps), strip.crossfade / postures_blended});
+    return strip;
+}
+
+bool cut_alike(const Json& a, const Json& b) {
+    return std::ranges::all_of(std::array{"piece", "next", "cut_end", "cut_begin"},
+                               [&](const char* key) { return a[key] == b[key]; });
+}
+
+/// The seams that are shown: of those that are cut alike, as a cycle's repetitions are, the first.
+std::vector<Json> different_seams(const Json& seams) {
+    std::vector<Json> different;
+    for (const Json& seam : seams)
+        if (std::ranges::none_of(different,
+                                 [&](const Json& shown) { return cut_alike(shown, seam); }))
+            different.push_back(seam);
+    return different;
+}
+
+/// All of a clip that has no seam.
+plot::Strip whole_strip(std::int64_t frames) {
+    const std::int64_t step = std::max<std::int64_t>(1, frames / plot::strip_postures);
+    return {"no seam: the pieces follow each other", "", plot::strip_postures / 2 * step, step, -1};
 }
 
 } // namespace
@@ -136,6 +193,28 @@ std::string denoising_figure(const Json& object, const Grid& points,
     for (const Json& column : object["columns"])
         figure.gammas.push_back(column["gamma"]);
     return plot::denoise_figure_svg(figure);
+}
+
+std::string synthesis_figure(const Json& object, const Arguments& arguments,
+                             const stltsa_clip* clip) {
+    std::vector<Json> seams = different_seams(object["seams"]);
+    const std::size_t left_out = seams.size() - std::min(seams.size(), most_strips);
+    seams.resize(seams.size() - left_out);
+    plot::SeamFigure figure{
+        std::filesystem::path(arguments.product).filename().string(),
+        synthesis_summary(object),
+        "Shaded: frames that are blended. Seams that are cut alike are shown once.",
+        *bodies_of(clip, object["parameters"]["up_axis"]),
+        {}};
+    if (left_out > 0)
+        figure.note += fmt::format(" Not shown: {}.", counted(left_out, "seam"));
+    for (const Json& seam : seams)
+        figure.strips.push_back(strip_of(seam, arguments.pieces, object["clip"]["fps"]));
+    if (seams.empty()) {
+        figure.strips.push_back(whole_strip(stltsa_clip_frames(clip)));
+        figure.note.clear();
+    }
+    return plot::seam_figure_svg(figure);
 }
 
 } // namespace tool

@@ -19,4 +19,8 @@ std::string fit_figure(const Session& session, const Json& object, const stltsa_
 std::string denoising_figure(const Json& object, const Grid& points,
                              const stltsa_denoising* denoising);
 
+/// Postures across the seams of a new clip; of seams that are cut alike the first.
+std::string synthesis_figure(const Json& object, const Arguments& arguments,
+                             const stltsa_clip* clip);
+
 } // namespace tool

@@ -22,6 +22,11 @@ std::string decomposition_report(const Json& decomposition, const std::string& t
 /// "3 cycles of 1.10 s", or why there is none.
 std::string decomposition_summary(const Json& decomposition);
 
+/// "528 frames, 4.40 s, from 1 piece with 3 seams"
+std::string synthesis_summary(const Json& synthesis);
+/// A piece as the user wrote it, without the folder of its clip.
+std::string piece_name(const std::string& piece);
+
 /// "12 of 422 points moved towards a smooth curve"
 std::string denoising_summary(const Json& denoising);
 /// "every 3.3 samples (0.110 s), robust fit"

@@ -73,7 +73,7 @@ struct stltsa_denoising {
     stltsa::motion::DenoiseOptions options; ///< as used
     std::vector<std::int64_t> lengths;      ///< rows that each spline goes through
     stltsa::capi::Source source;
-    stltsa::capi::PeriodFacts period; ///< that the knots rest on
+    stltsa::capi::PeriodFacts period;            ///< that the knots rest on
     std::optional<stltsa::ltsa::Parameters> fit; ///< none: the coordinates were given
     std::vector<std::string> warnings;           ///< of that fit
 };

@@ -18,16 +18,6 @@ double component(const Quaternion& q, int axis) {
     return axis == 0 ? q.x : axis == 1 ? q.y : q.z;
 }
 
-void put_translation(const clip::Joint& joint, bool translations_add, const Vec3& position,
-                     double* values) {
-    for (std::size_t c = 0; c < joint.channels.size(); ++c) {
-        if (clip::is_rotation(joint.channels[c]))
-            continue;
-        const auto axis = static_cast<std::size_t>(clip::channel_axis(joint.channels[c]));
-        values[c] = position[axis] - (translations_add ? joint.offset[axis] : 0);
-    }
-}
-
 } // namespace
 
 Body::Body(const clip::Clip& clip, std::size_t root, clip::Axis up)
@@ -64,8 +54,8 @@ void Body::write(const RootState& state, double* row) const {
     double* values = std::copy(above_.begin(), above_.end(), row);
     const clip::Joint& joint = skeleton_.joints[root_];
     const Quaternion back = conjugate(parent_rotation_);
-    put_translation(joint, skeleton_.translations_add,
-                    rotate(back, state.position - parent_position_), values);
+    clip::put_position(joint, skeleton_.translations_add,
+                       rotate(back, state.position - parent_position_), values);
     clip::put_rotation(joint, skeleton_.fixed_axes, back * state.yaw * state.tilt, values);
 }
 

@@ -14,6 +14,9 @@ constexpr double crossfade_share = 0.1;
 constexpr double search_share = 0.1;
 constexpr double crossfade_s = 0.15;
 constexpr double search_s = 0.5;
+/// Where clips join, of the shorter cycle: all of its phases are within reach, even where one clip
+/// ends and the other begins and each cut can move but one way.
+constexpr double search_of_cycle = 0.5;
 /// A difference in velocity counts as what it grows to in this share of a cycle.
 constexpr double velocity_share = 0.1;
 /// Where nothing repeats: about a cycle of gait.
@@ -69,7 +72,8 @@ class Chooser {
         const double cycle = shorter(period_a, period_b);
         const double velocity_s = velocity_share * (cycle > 0 ? cycle : usual_cycle_s);
         const Join join{&earlier, &later, a.end, b.begin, a.end - a.begin, b.end - b.begin, false};
-        ChosenCut chosen = choose(join, crossfade_s, search_s, velocity_s);
+        const double search = std::max(search_s, search_of_cycle * cycle);
+        ChosenCut chosen = choose(join, crossfade_s, search, velocity_s);
         set_posture(chosen, (repetition_distance(earlier, a.begin, a.end, period_a, velocity_s) +
                              repetition_distance(later, b.begin, b.end, period_b, velocity_s)) /
                                 2);

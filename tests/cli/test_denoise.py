@@ -90,6 +90,12 @@ class Denoise(CommandTest):
         self.assertIsNone(unknown["period_s"])
         self.assertEqual(unknown["parameters"]["knot_rows"], 2)
 
+    def test_the_period_is_the_fits(self):
+        """Not one that was looked for again, in the coordinates."""
+        self.assertEqual(
+            self.json("denoise", walk())["period_s"], self.json("fit", walk())["period_s"]
+        )
+
     def test_pieces_have_curves_of_their_own(self):
         found = self.json("denoise", cut(), "--neighbors", "5", "--window", "8")
         self.assertEqual(found["samples"]["lengths"], [60, 60])

@@ -82,6 +82,34 @@ class Figure(CommandTest):
         shutil.copy(walk(), path)
         self.assertIn(path.name, self.texts(self.figure("decompose", path)))
 
+    def test_seams(self):
+        """A strip for each way of cutting, its postures across the seam, in order."""
+        pieces = (f"{walk()}:best*4", f"{walk()}:120-500")
+        made = self.folder / "made.bvh"
+        options = ("--posture-limit", "0")
+        seams = self.json("synthesize", *pieces, "-o", made, *options)["seams"]
+        self.assertEqual(len(seams), 4)
+        root = self.figure("synthesize", *pieces, "-o", made, *options)
+        self.assertEqual(len(self.of_class(root, "seam")), 2)  # three are alike
+        self.assertEqual(len(self.of_class(root, "crossfade")), 2)
+        frames = [int(p.get("data-frame")) for p in self.of_class(root, "posture")]
+        self.assertEqual(len(frames), 26)
+        for seam, shown in zip((seams[0], seams[3]), (frames[:13], frames[13:])):
+            self.assertEqual(shown[6], seam["frame"])
+            steps = {b - a for a, b in zip(shown, shown[1:])}
+            self.assertEqual(len(steps), 1)
+            self.assertAlmostEqual(steps.pop() / 120, 0.1, delta=0.01)
+        told = " ".join(self.texts(root))
+        self.assertIn(f"seam at frame {seams[3]['frame']}", told)
+        self.assertIn("walk120.bvh:120-500", told)
+        self.assertNotIn(str(self.folder), told)
+
+    def test_no_seam(self):
+        made = self.folder / "made.bvh"
+        root = self.figure("synthesize", f"{walk()}:100-620", "-o", made)
+        self.assertEqual(self.of_class(root, "seam"), [])
+        self.assertEqual(len(self.of_class(root, "posture")), 13)
+
     def test_fit(self):
         for options in (("--dimension", "1"), ("--dimension", "3")):
             root = self.figure("fit", walk(), *options)

@@ -82,16 +82,28 @@ class Schemas(CommandTest):
             ):
                 yield from objects(member, (*path, key))
 
-        for command, kind in KINDS.items():
-            found = self.check(command, walk())
+        for found in self.one_of_each():
+            kind = found["format"].removeprefix("stltsa-").removesuffix("/1")
+            self.assertEqual([e.message for e in validator(kind).iter_errors(found)], [])
             for path in objects(found):
                 changed = copy.deepcopy(found)
                 target = changed
                 for key in path:
                     target = target[key]
                 target["unknown"] = 1
-                with self.subTest(command, path=path):
+                with self.subTest(kind, path=path):
                     self.assertFalse(validator(kind).is_valid(changed))
+
+    def one_of_each(self):
+        """An object of every schema that there is."""
+        model = self.folder / "walk.stltsa"
+        self.done("fit", walk(), "-o", model)
+        found = [self.check(command, walk()) for command in KINDS]
+        found.append(self.json("map", model, walk(), "--curve"))
+        found.append(self.json("synthesize", f"{walk()}:best*2", "-o", self.folder / "loop.bvh"))
+        schemas = {f"{o['format'].replace('/', '-')}.schema.json" for o in found}
+        self.assertEqual(schemas, {path.name for path in SCHEMAS.iterdir()})
+        return found
 
 
 class Content(CommandTest):

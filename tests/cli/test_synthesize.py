@@ -2,11 +2,57 @@
 """synthesize: pieces as people write them, and the clips that come out."""
 
 import json
+import math
 import unittest
 
 import jsonschema
 
 from common import SCHEMAS, CommandTest, circle, drift, walk
+
+
+SKELETON = """:version 1.10
+:name small
+:units
+  length 0.45
+  angle deg
+:root
+  order TX TY TZ RX RY RZ
+  axis XYZ
+  position 0 0 0
+  orientation 0 0 0
+:bonedata
+  begin
+    id 1
+    name thigh
+    direction 0.6 -0.8 0
+    length 10
+    axis 0 0 20 XYZ
+    dof rx ry rz
+  end
+  begin
+    id 2
+    name shank
+    direction 0 -1 0
+    length 5
+    axis 0 90 0 XYZ
+    dof rx
+  end
+:hierarchy
+  begin
+    root thigh
+    thigh shank
+  end
+"""
+
+
+def swings(frames):
+    """An AMC clip of a leg that swings once in a hundred frames."""
+    lines = [":FULLY-SPECIFIED", ":DEGREES"]
+    for i in range(frames):
+        s, c = (round(f(math.tau * i / 100), 6) for f in (math.sin, math.cos))
+        lines += [str(i + 1), f"root {0.1 * i} 15 0 0 0 0", f"thigh {30 * s} {5 * c} 0"]
+        lines.append(f"shank {20 - 20 * c}")
+    return "\n".join(lines) + "\n"
 
 
 class Synthesize(CommandTest):
@@ -32,6 +78,40 @@ class Synthesize(CommandTest):
         made = (self.folder / "made.bvh").read_text().split("MOTION")[1].split()
         source = walk().read_text().split("MOTION")[1].split()
         self.assertEqual([float(x) for x in made[5:]], [float(x) for x in source[5:]])
+
+    def test_the_hierarchy_is_the_sources(self):
+        """Joints, offsets, order of channels and frame time as in the file, digit for digit."""
+        source = self.folder / "source.bvh"
+        text = walk().read_text()
+        frame_time = next(line for line in text.splitlines() if line.startswith("Frame Time"))
+        source.write_text(text.replace(frame_time, "Frame Time: 0.0083333"))
+        made = self.folder / "made.bvh"
+        self.done("synthesize", f"{source}:best*2", "-o", made)
+
+        def header(path):
+            hierarchy, motion = path.read_text().split("MOTION")
+            words = hierarchy.split()
+            return [float(w) if w.lstrip("-")[:1].isdigit() else w for w in words], motion.split()
+
+        self.assertEqual(header(made)[0], header(source)[0])
+        self.assertEqual(header(made)[1][4], "0.0083333")
+
+    def test_amc_from_amc(self):
+        (self.folder / "7.asf").write_text(SKELETON)
+        source = self.folder / "7_01.amc"
+        source.write_text(swings(300))
+        made = self.folder / "7_02.amc"
+        found = self.json("synthesize", f"{source}:100-200*3", "-o", made)
+        self.assertEqual(found["clip"]["format"], "amc")
+        for seam in found["seams"]:
+            self.assertLess(seam["step"], 1.05)
+        self.assertEqual(self.json("info", made)["clip"]["frames"], found["clip"]["frames"])
+        self.done("synthesize", f"{source}:0-120", f"{source}:120-300", "-o", made)
+
+        def numbers(path):
+            return [float(w) for w in path.read_text().split() if w[-1].isdigit()]
+
+        self.assertEqual(numbers(made), numbers(source))
 
     def test_a_cycle_again_and_again(self):
         cycle = self.units()["best_cycle"]

@@ -13,6 +13,7 @@
 #include "plot/palette.hpp"
 #include "plot/scale.hpp"
 #include "plot/svg.hpp"
+#include "plot/title.hpp"
 
 namespace tool::plot {
 namespace {
@@ -182,19 +183,6 @@ void draw_key(Svg& svg, double y) {
     svg.text({left + 336, y}, Anchor::start, "within gamma of it");
 }
 
-double draw_head(Svg& svg, const DenoiseFigure& figure) {
-    constexpr double title_font = 15;
-    constexpr double summary_font = 12;
-    svg.text({left, 22}, Anchor::start,
-             shortened(figure.title, 1.1 * title_font, width - left - right),
-             {{"font-size", title_font}, {"font-weight", "bold"}});
-    double y = 24;
-    for (const std::string& line : lines_of(figure.summary, summary_font, width - left - right))
-        svg.text({left, y += 16}, Anchor::start, line, {{"font-size", summary_font}});
-    draw_key(svg, y += 20);
-    return y + 8;
-}
-
 double draw_facts(Svg& svg, const DenoiseFigure& figure, double y) {
     constexpr double font = 10.5;
     for (const std::string& fact : figure.facts)
@@ -207,7 +195,9 @@ double draw_facts(Svg& svg, const DenoiseFigure& figure, double y) {
 
 std::string denoise_figure_svg(const DenoiseFigure& figure) {
     Svg svg;
-    double y = draw_head(svg, figure);
+    double y = draw_title(svg, figure.title, figure.summary, left, width - right) + 20;
+    draw_key(svg, y);
+    y += 8;
     constexpr double heading = 18;
     for (std::int64_t c = 0; c < std::min(figure.curve.cols, most_columns); ++c)
         for (const bool before : {true, false}) {

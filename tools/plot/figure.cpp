@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plot/figure.hpp"
 
-#include "plot/labels.hpp"
-#include "plot/palette.hpp"
+#include <algorithm>
+
 #include "plot/panels.hpp"
+#include "plot/title.hpp"
 
 namespace tool::plot {
 namespace {
@@ -12,19 +13,6 @@ namespace {
 constexpr double width = 720;
 constexpr double left = 54;
 constexpr double right = 14;
-constexpr double summary_font = 12;
-
-/// Title and summary; returns where they end.
-double draw_title(Svg& svg, const Figure& figure) {
-    constexpr double title_font = 15;
-    svg.text({left, 22}, Anchor::start,
-             shortened(figure.title, 1.1 * title_font, width - left - right),
-             {{"font-size", title_font}, {"font-weight", "bold"}});
-    double y = 24;
-    for (const std::string& line : lines_of(figure.summary, summary_font, width - left - right))
-        svg.text({left, y += 16}, Anchor::start, line, {{"font-size", summary_font}});
-    return y + 12;
-}
 
 } // namespace
 
@@ -54,7 +42,7 @@ std::vector<Stretch> stretches(const Figure& figure) {
 
 std::string figure_svg(const Figure& figure) {
     Svg svg;
-    double y = draw_title(svg, figure);
+    double y = draw_title(svg, figure.title, figure.summary, left, width - right) + 12;
     const double curve_height = figure.bodies ? 370 : 240;
     draw_curve_panel(svg, figure, {left, y, width - left - right, curve_height});
     y += curve_height + 20;

@@ -1,0 +1,123 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* New motion from one cycle again and again. */
+#include "walking.h"
+
+static void a_cycle_four_times(void** state) {
+    (void)state;
+    stltsa_clip* clip = opened();
+    const stltsa_interval cycle = middle_cycle(clip);
+    const int64_t length = cycle.end - cycle.begin;
+    const stltsa_piece piece = {clip, cycle.begin, cycle.end, 4, 0};
+    stltsa_synthesis* s = made(&piece, 1, NULL);
+    assert_int_equal(stltsa_synthesis_seam_count(s), 3);
+    const stltsa_seam first = seam_of(s, 0);
+    const int64_t loop = first.cut_end - first.cut_begin;
+    assert_true(llabs(loop - length) <= 0.08 * (double)length);
+    assert_int_equal(first.frame, first.cut_end - cycle.begin);
+    for (int i = 0; i < 3; ++i) {
+        const stltsa_seam seam = seam_of(s, i);
+        assert_int_equal(seam.frame, first.frame + i * loop);
+        assert_true(seam.piece == 0 && seam.next == 0);
+        assert_true(seam.cut_end == first.cut_end && seam.cut_begin == first.cut_begin);
+        assert_true(llabs(seam.cut_end - cycle.end) <= 0.1 * (double)length + 1);
+        assert_int_equal(seam.crossfade, llround(0.1 * (double)length));
+        /* The walker's cycles are the same, up to the frames that fall between frames. */
+        assert_below(seam.posture, 1.5, "posture");
+        assert_below(seam.step, 1.1, "step");
+        assert_below(seam.acceleration, 1.2, "acceleration");
+    }
+    assert_int_equal(stltsa_clip_frames(stltsa_synthesis_clip(s)),
+                     first.cut_end - cycle.begin + 2 * loop + cycle.end - first.cut_begin);
+    assert_int_equal(stltsa_synthesis_warning_count(s), 0);
+    stltsa_synthesis_free(s);
+    stltsa_clip_free(clip);
+}
+
+static void every_joint_goes_on_and_bones_stay_rigid(void** state) {
+    (void)state;
+    stltsa_clip* clip = opened();
+    const stltsa_interval cycle = middle_cycle(clip);
+    const stltsa_piece piece = {clip, cycle.begin, cycle.end, 4, 0};
+    stltsa_synthesis* s = made(&piece, 1, NULL);
+    const stltsa_clip* loop = stltsa_synthesis_clip(s);
+    const int64_t joints = stltsa_clip_joints(clip), frames = stltsa_clip_frames(loop);
+    double *a = new_positions(clip), *b = new_positions(loop);
+    for (int j = 0; j < joints; ++j) {
+        assert_below(largest_step(b, frames, joints, j),
+                     1.1 * largest_step(a, stltsa_clip_frames(clip), joints, j), "step");
+        int64_t parent = -1;
+        must(stltsa_clip_joint(loop, j, NULL, &parent, NULL));
+        if (parent < 0)
+            continue;
+        const double length = distance(a + 3 * j, a + 3 * parent, space);
+        for (int64_t i = 0; i < frames; ++i)
+            assert_below(
+                fabs(distance(b + (i * joints + j) * 3, b + (i * joints + parent) * 3, space) -
+                     length),
+                1e-9, "length of a bone");
+    }
+    /* Each repetition goes as far as the source does. */
+    const double* source = a + cycle.begin * joints * 3;
+    const double way = distance(source, a + cycle.end * joints * 3, floor_plane);
+    assert_below(fabs(distance(b, b + (frames - 1) * joints * 3, floor_plane) / (4 * way) - 1),
+                 0.02, "way");
+    free(a);
+    free(b);
+    stltsa_synthesis_free(s);
+    stltsa_clip_free(clip);
+}
+
+static void a_loop_goes_on_from_and_into_its_neighbors(void** state) {
+    (void)state;
+    stltsa_clip* clip = opened();
+    const stltsa_interval cycle = middle_cycle(clip);
+    const int64_t n = stltsa_clip_frames(clip), channels = stltsa_clip_channels(clip);
+    const stltsa_piece pieces[] = {{clip, 0, cycle.begin, 1, 0},
+                                   {clip, cycle.begin, cycle.end, 3, 0},
+                                   {clip, cycle.end, n, 1, 0}};
+    stltsa_synthesis* s = made(pieces, 3, NULL);
+    assert_int_equal(stltsa_synthesis_seam_count(s), 2);
+    const stltsa_seam first = seam_of(s, 0), last = seam_of(s, 1);
+    assert_true(first.piece == 1 && first.next == 1 && last.piece == 1 && last.next == 1);
+    const int64_t frames = stltsa_clip_frames(stltsa_synthesis_clip(s));
+    double *a = new_channels(clip), *b = new_channels(stltsa_synthesis_clip(s));
+    /* Up to the first crossfade to the bit, and after the last in all but the root. */
+    assert_same_bits(a, b, (first.frame - first.crossfade) * channels);
+    const int64_t tail = frames - last.frame - last.crossfade;
+    for (int64_t i = 1; i <= tail; ++i)
+        assert_same_bits(a + (n - i) * channels + 6, b + (frames - i) * channels + 6, channels - 6);
+    assert_int_equal(n - tail, last.cut_begin + last.crossfade);
+    free(a);
+    free(b);
+    stltsa_synthesis_free(s);
+    stltsa_clip_free(clip);
+}
+
+static void half_a_cycle_too_much_is_refused(void** state) {
+    (void)state;
+    stltsa_clip* clip = opened();
+    const stltsa_interval cycle = middle_cycle(clip);
+    const int64_t half = (cycle.end - cycle.begin) / 2;
+    const stltsa_piece piece = {clip, cycle.begin, cycle.end + half, 2, 0};
+    stltsa_synthesis* s = NULL;
+    assert_int_equal(stltsa_synthesize(&piece, 1, NULL, &s), STLTSA_E_NO_COMMON_POSTURE);
+    assert_null(s);
+    assert_non_null(strstr(stltsa_last_error(), "pieces[0]"));
+    assert_non_null(strstr(stltsa_last_error(), "seam at frame"));
+    stltsa_options* options = with(STLTSA_POSTURE_LIMIT, 0);
+    s = made(&piece, 1, options);
+    assert_true(seam_of(s, 0).posture > 3);
+    stltsa_synthesis_free(s);
+    stltsa_options_free(options);
+    stltsa_clip_free(clip);
+}
+
+int main(int argc, char** argv) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_cycle_four_times),
+        cmocka_unit_test(every_joint_goes_on_and_bones_stay_rigid),
+        cmocka_unit_test(a_loop_goes_on_from_and_into_its_neighbors),
+        cmocka_unit_test(half_a_cycle_too_much_is_refused),
+    };
+    return run_on_walker(tests, argc, argv);
+}
