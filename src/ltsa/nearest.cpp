@@ -107,8 +107,8 @@ std::int32_t NearestRows::add_node(std::int32_t begin, std::int32_t end) {
     for (const Stretch& stretch : stretches)
         axpy(1 / static_cast<double>(stretches.size()), x_.row(stretch.row), center, x_.cols);
     for (const Stretch& stretch : stretches)
-        for (const std::int32_t end : {stretch.row, stretch.next})
-            node.radius = std::max(node.radius, distance(x_.row(end), center, x_.cols));
+        for (const std::int32_t at : {stretch.row, stretch.next})
+            node.radius = std::max(node.radius, distance(x_.row(at), center, x_.cols));
     nodes_.push_back(node);
     return index;
 }
