@@ -311,7 +311,7 @@ void a_file_is_replaced_whole(void**) {
     fs::create_symlink("a.txt", folder.path("link"));
     write_file(folder.path("link"), "new");
     assert_true(fs::is_symlink(folder.path("link")));
-    assert_true(read_file(path) == "new");
+    assert_true(read_file(path, {}) == "new");
     assert_int_equal(fs::status(path).permissions(), fs::perms(0640));
     assert_int_equal(std::distance(fs::directory_iterator(folder.path("")), {}), 2);
 }
@@ -329,7 +329,7 @@ void a_file_that_cannot_be_written_stays(void**) {
     assert_int_equal(setrlimit(RLIMIT_FSIZE, &before), 0);
     assert_true(failure.status == Status::io);
     assert_true(failure.text.find("a.txt: cannot write: File too large") != failure.text.npos);
-    assert_true(read_file(path) == "old");
+    assert_true(read_file(path, {}) == "old");
     assert_int_equal(std::distance(fs::directory_iterator(folder.path("")), {}), 1);
 
     ASSERT_FAILS(Status::io, "cannot write: No such file", write_file(folder.path("b/c"), ""));
@@ -343,7 +343,7 @@ void names_of_temporary_files_in_use_are_passed_over(void**) {
     const TemporaryFolder folder;
     const std::string left = folder.write(stltsa::format_text(".stltsa-{}-0.tmp", getpid()), "x");
     write_file(folder.path("a"), "new");
-    assert_true(read_file(folder.path("a")) == "new" && read_file(left) == "x");
+    assert_true(read_file(folder.path("a"), {}) == "new" && read_file(left, {}) == "x");
 }
 
 } // namespace
