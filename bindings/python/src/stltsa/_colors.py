@@ -1,18 +1,20 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Colors that color-blind readers can tell apart too.
 
-From the palette of Okabe and Ito, "Color Universal Design" (2008).
+From the palette of Okabe and Ito, "Color Universal Design" (2008); the command `stltsa` has the
+same.
 """
 
 UNIT_COLORS = {
-    "preparing": "#999999",
+    "preparing": "#56B4E9",
     "initial": "#E69F00",
     "cyclic": "#0072B2",
-    "final": "#CC79A7",
-    "wind-up": "#56B4E9",
+    "final": "#D55E00",
+    "wind-up": "#CC79A7",
     "action": "#009E73",
     "cycle": "#0072B2",
 }
-
-CURVE = "#000000"
 POINTS = "#D55E00"
+CURVE = "#0072B2"
+INK = "#222222"
+FAINT = "#999999"
