@@ -8,11 +8,10 @@ import os
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypedDict
 
 from ._native import ffi, lib
+from ._progress import Progress  # noqa: TC001 (the keywords' types can be asked for)
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
-
-    from ._progress import Progress
 
 Auto = Literal["auto"]
 

@@ -68,7 +68,7 @@ def decompose(motion: Any, **options: Unpack[Options]) -> Decomposition:
     >>> list(result.units["kind"])
     ['preparing', 'initial', 'cyclic', 'final', 'wind-up']
     >>> round(result.period, 2)
-    1.2
+    1.1
     """
     rest: dict[str, Any] = dict(options)
     clip = as_clip(motion, rest)

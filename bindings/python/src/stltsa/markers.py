@@ -1,13 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Files of markers and of joint coordinates: C3D, and OpenSim's TRC, MOT and STO.
 
-The library reads none of these; ezc3d reads C3D (``pip install stltsa[c3d]``) and pandas the others
-(``pip install stltsa[trc]``). What has gaps is never handed on silently: see :meth:`Markers.to_clip`.
+The library reads none of these; ezc3d reads C3D (``pip install stltsa[c3d]``), pandas the others
+(``pip install stltsa[trc]``). Gaps are never handed on silently: see :meth:`Markers.to_clip`.
 """
 
 from __future__ import annotations
 
-import os
 import warnings
 from dataclasses import dataclass
 from pathlib import Path
@@ -20,7 +19,10 @@ from .clip import Clip
 from .errors import FormatError, NotFiniteError, QualityWarning
 
 if TYPE_CHECKING:
+    import os
     from collections.abc import Iterator
+
+    import numpy.typing as npt
 
     from ._arrays import FloatArray
 
@@ -59,8 +61,12 @@ class Markers:
     @property
     def gaps(self) -> tuple[Gap, ...]:
         """Where a marker is missing, marker by marker."""
-        missing = ~np.isfinite(self.values).all(axis=2)
-        return tuple(gap for i, name in enumerate(self.names) for gap in _runs(name, missing[:, i]))
+        missing = zip(self.names, ~self._there.T, strict=True)
+        return tuple(gap for name, gone in missing for gap in _runs(name, gone))
+
+    @property
+    def _there(self) -> npt.NDArray[np.bool_]:
+        return np.asarray(np.isfinite(self.values).all(axis=2))
 
     def to_clip(self, *, gaps: str = "refuse", fps: Any = None, center: bool = True) -> Clip:
         """Return a clip of these numbers, for the library to work on.
@@ -102,9 +108,9 @@ class Markers:
         return Clip.from_array(values.reshape(len(values), -1), self.fps if fps is None else fps)
 
     def _filled(self, gaps: tuple[Gap, ...]) -> FloatArray:
-        there = np.isfinite(self.values).all(axis=2)
-        kept = there.any(axis=0)
-        dropped = [name for name, keep in zip(self.names, kept, strict=True) if not keep]
+        there = self._there
+        kept = np.asarray(there.any(axis=0))
+        dropped = [name for name, keep in zip(self.names, kept.tolist(), strict=True) if not keep]
         filled = [g for g in gaps if g.name not in dropped]
         said = [f"filled linearly: {_described(filled)}"] if filled else []
         said += [f"left out, never there: {', '.join(dropped)}"] if dropped else []
