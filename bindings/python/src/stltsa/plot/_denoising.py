@@ -43,14 +43,12 @@ def denoising(
                 points[:, column],
                 "*",
                 color=POINTS,
-                markersize=2.6,
+                markersize=3.2,
                 markeredgewidth=0,
                 label="coordinates",
-                zorder=3,
             )
-            panel.plot(
-                time, result.curve[:, column], color=CURVE, linewidth=1.0, label="fitted curve"
-            )
+            curve = result.curve[:, column]
+            panel.plot(time, curve, color=CURVE, linewidth=1.0, label="fitted curve", zorder=3)
             panel.set_title(title)
             panel.set_xlabel("time in seconds" if fps else "row")
         axes[0].set_ylabel(f"coordinate {column + 1}")
