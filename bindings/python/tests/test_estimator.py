@@ -112,3 +112,38 @@ def test_not_finite_says_where(fitted, circle):
     spoiled[17, 3] = np.nan
     with pytest.raises(ValueError, match=r"NaN or infinity: frames: row 17, column 3"):
         fitted.transform(spoiled)
+
+
+@pytest.mark.filterwarnings("ignore::stltsa.QualityWarning")
+@pytest.mark.parametrize(
+    ("params", "options"),
+    [
+        ({"n_components": 1}, {"dimension": 1}),
+        ({"window": 90}, {"window": 90}),
+        ({"include_self": False}, {"include_self": False}),
+        ({"neighbors": "spatial"}, {"mode": "spatial"}),
+        ({"neighbors": "recurrent", "links": 7}, {"mode": "recurrent", "links": 7}),
+        ({"neighbors": "recurrent", "exclusion": 120}, {"mode": "recurrent", "exclusion": 120}),
+        ({"n_neighbors": "auto", "fps": 100}, {"neighbors": "auto", "fps": 100}),
+    ],
+    ids=str,
+)
+def test_parameters_reach_the_library(circle, params, options):
+    ltsa = STLTSA(**{"n_neighbors": 60, **params}).fit(circle)
+    assert np.array_equal(
+        ltsa.embedding_, stltsa.fit(circle, **{"neighbors": 60, **options}).coords
+    )
+    plain = stltsa.fit(
+        circle, neighbors=60, **({"mode": options["mode"]} if len(options) > 1 else {})
+    )
+    assert not np.array_equal(ltsa.embedding_, plain.coords)
+
+
+def test_map_parameters_reach_the_library(circle):
+    ltsa = STLTSA(n_neighbors=100, map_neighbors=30, map_blend=7).fit(circle)
+    between = 0.5 * (circle[1:] + circle[:-1])
+    mapped = ltsa.model_.map(between, map_neighbors=30, map_blend=7).values
+    assert np.array_equal(ltsa.transform(between), mapped)
+    assert not np.array_equal(ltsa.model_.map(between).values, mapped)
+    frames = ltsa.model_.unmap(mapped, map_neighbors=30, map_blend=7).values
+    assert np.array_equal(ltsa.inverse_transform(mapped), frames)

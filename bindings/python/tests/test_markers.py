@@ -97,8 +97,11 @@ def test_c3d(tmp_path):
     file["parameters"]["POINT"]["RATE"]["value"] = [100]
     file["parameters"]["POINT"]["LABELS"]["value"] = NAMES
     points = np.ones((4, 4, len(values)))
-    points[:3] = values.transpose(2, 1, 0)
+    points[:3] = np.nan_to_num(values).transpose(2, 1, 0)
     file["data"]["points"] = points
+    missing = np.isnan(values).any(axis=2).T
+    file["data"]["meta_points"]["residuals"] = np.where(missing, -1.0, 0.0)[np.newaxis]
+    file["data"]["meta_points"]["camera_masks"] = np.zeros((7, 4, len(values)), dtype=bool)
     path = tmp_path / "walk.c3d"
     file.write(str(path))
     markers = read_markers(path)

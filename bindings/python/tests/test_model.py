@@ -33,6 +33,17 @@ def test_unmap_comes_near_the_frames(circle):
     assert np.abs(back.values - circle).max() < 0.05 * np.abs(circle).max()
 
 
+def test_hints_say_where_to_look(circle):
+    model = stltsa.fit(circle, neighbors=100)
+    hints = np.full(300, 200, dtype=np.int32)
+    for mapped in (
+        model.map(circle, hints=hints, hint_window=20),
+        model.unmap(model.coords, hints=hints, hint_window=20),
+    ):
+        assert mapped.nearest.min() >= 180
+        assert mapped.nearest.max() <= 220
+
+
 def test_hints_are_checked(circle):
     model = stltsa.fit(circle, neighbors=100)
     for hints in (np.arange(10), np.zeros(300), [[0]] * 300):
