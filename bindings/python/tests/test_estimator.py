@@ -121,7 +121,6 @@ def test_not_finite_says_where(fitted, circle):
         ({"n_components": 1}, {"dimension": 1}),
         ({"window": 90}, {"window": 90}),
         ({"include_self": False}, {"include_self": False}),
-        ({"neighbors": "spatial"}, {"mode": "spatial"}),
         ({"neighbors": "recurrent", "links": 7}, {"mode": "recurrent", "links": 7}),
         ({"neighbors": "recurrent", "exclusion": 120}, {"mode": "recurrent", "exclusion": 120}),
         ({"n_neighbors": "auto", "fps": 100}, {"neighbors": "auto", "fps": 100}),
@@ -133,9 +132,7 @@ def test_parameters_reach_the_library(circle, params, options):
     assert np.array_equal(
         ltsa.embedding_, stltsa.fit(circle, **{"neighbors": 60, **options}).coords
     )
-    plain = stltsa.fit(
-        circle, neighbors=60, **({"mode": options["mode"]} if len(options) > 1 else {})
-    )
+    plain = stltsa.fit(circle, neighbors=60, mode=options.get("mode", "temporal"))
     assert not np.array_equal(ltsa.embedding_, plain.coords)
 
 

@@ -4,8 +4,8 @@
 
 Time: processor time of the thread, the least of several runs. The whole calls, C and Python taking
 turns, are shown; on a busy machine they differ by more than what is looked for. So what the binding
-adds is measured by itself: the time outside stltsa_fit, and the progress callbacks inside, which are
-what makes Ctrl-C work. "C" is stltsa_fit with everything prepared beforehand and no callback.
+adds is measured by itself: the time outside stltsa_fit, and the progress callbacks inside, which
+are what makes Ctrl-C work. "C" is stltsa_fit with everything prepared beforehand and no callback.
 
 Memory: how far the peak of resident memory rises during the call, in a fresh process each.
 """

@@ -154,10 +154,9 @@ def _extra(name: str, extra: str) -> Any:
 
 
 def _read_c3d(path: Path) -> Markers:
-    file = _extra("ezc3d", "c3d").c3d(str(path))
+    file = _extra("ezc3d", "c3d").c3d(str(path))  # which makes NaN of points that are not valid
     point = file["parameters"]["POINT"]
     points = np.asarray(file["data"]["points"], dtype=np.float64)[:_AXES]
-    points[:, file["data"]["meta_points"]["residuals"][0] < 0] = np.nan
     names = tuple(str(name) for name in point["LABELS"]["value"][: points.shape[1]])
     return Markers(names, points.transpose(2, 1, 0), float(point["RATE"]["value"][0]), str(path))
 
