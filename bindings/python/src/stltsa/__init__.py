@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Motion clips as low-dimensional curves, motion units and cycles.
+
+The short way::
+
+    import stltsa
+
+    result = stltsa.decompose("walk.bvh")
+    print(result.units)
+    stltsa.plot.units(result)
+
+The method is spatio-temporal local tangent space alignment: H. Li, J. Niu, L. Zhang, B. Hu,
+"Spatio-temporal LTSA and Its Application to Motion Decomposition", ICONIP 2012 ("the paper").
+"""
+
+from __future__ import annotations
+
+import importlib
+from typing import TYPE_CHECKING, Any
+
+from . import errors
+from ._call import string as _string
+from ._native import lib as _lib
+from ._options import Option, Options, options
+from .clip import Clip, read_clip
+from .decomposition import Decomposition, Interval, decompose
+from .denoising import Denoising, denoise
+from .dimensions import Dimension, dimension
+from .errors import *  # noqa: F403
+from .model import Mapped, Model, fit
+from .synthesis import Piece, Seam, Synthesis, synthesize
+
+if TYPE_CHECKING:
+    from . import markers, plot
+    from .estimator import STLTSA
+
+__version__: str = _string(_lib.stltsa_version())
+
+__all__ = [  # noqa: PLE0604
+    "STLTSA",
+    "Clip",
+    "Decomposition",
+    "Denoising",
+    "Dimension",
+    "Interval",
+    "Mapped",
+    "Model",
+    "Option",
+    "Options",
+    "Piece",
+    "Seam",
+    "Synthesis",
+    "__version__",
+    "decompose",
+    "denoise",
+    "dimension",
+    "errors",
+    "fit",
+    "markers",
+    "options",
+    "plot",
+    "read_clip",
+    "synthesize",
+    *(name for name in errors.__all__ if name != "error_for"),
+]
+
+# What draws in a large package is loaded when it is first asked for.
+_LAZY = {"STLTSA": "estimator", "markers": "", "plot": ""}
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _LAZY:
+        raise AttributeError(f"module 'stltsa' has no attribute {name!r}")
+    if not _LAZY[name]:
+        return importlib.import_module(f".{name}", __name__)
+    value = getattr(importlib.import_module(f".{_LAZY[name]}", __name__), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *_LAZY})

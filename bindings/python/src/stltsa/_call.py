@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""One call of the library: its options, its progress, its failure as an exception."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from . import errors
+from ._native import ffi, lib
+from ._options import set_options
+from ._progress import Watch
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+    from types import TracebackType
+
+
+def string(text: Any) -> str:
+    """Return a text that belongs to the library."""
+    return str(ffi.string(text).decode("utf-8", "replace"))
+
+
+def check(status: int) -> None:
+    """Raise what a status stands for, with the library's text."""
+    if status != lib.STLTSA_OK:
+        name = string(lib.stltsa_status_name(status))
+        raise errors.error_for(status, name, string(lib.stltsa_last_error()))
+
+
+class Call:
+    """Options and progress of one call; to be used in a ``with`` statement.
+
+    The progress callback is set even if nobody wants to see it: it is what makes Ctrl-C work.
+    """
+
+    def __init__(self, options: Mapping[str, Any]) -> None:
+        rest = dict(options)
+        self._watch = Watch(rest.pop("progress", None))
+        out = ffi.new("stltsa_options **")
+        check(lib.stltsa_options_new(out))
+        self.options = ffi.gc(out[0], lib.stltsa_options_free)
+        check(set_options(self.options, rest))
+        check(lib.stltsa_options_set_progress(self.options, lib.on_progress, self._watch.handle))
+
+    def __enter__(self) -> Call:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        value: BaseException | None,
+        traceback: TracebackType | None,
+    ) -> None:
+        self._watch.reporter.close()
+
+    def check(self, status: int) -> None:
+        """Raise what the progress callback raised, else what the status stands for."""
+        if self._watch.raised is not None:
+            raise self._watch.raised
+        check(status)
+
+
+def owned(kind: str, pointer: Any) -> Any:
+    """Return a handle that is freed when nobody refers to it any more.
+
+    Parameters
+    ----------
+    kind : str
+        What the handle is: the middle of ``stltsa_<kind>_free``.
+    pointer : cffi pointer
+        Where the library put it.
+    """
+    return ffi.gc(pointer[0], getattr(lib, f"stltsa_{kind}_free"))
+
+
+def json_text(function: Any, handle: Any) -> str:
+    """Return what one of the library's ``_json`` functions writes."""
+    out = ffi.new("char **")
+    check(function(handle, out))
+    try:
+        return string(out[0])
+    finally:
+        lib.stltsa_string_free(out[0])
+
+
+def get_int(function: Any, handle: Any, key: int, *more: int) -> int:
+    """Read one integer by its key."""
+    value = ffi.new("int64_t *")
+    check(function(handle, key, *more, value))
+    return int(value[0])
+
+
+def get_real(function: Any, handle: Any, key: int, *more: int) -> float:
+    """Read one real number by its key."""
+    value = ffi.new("double *")
+    check(function(handle, key, *more, value))
+    return float(value[0])
+
+
+def texts(count: Any, text: Any, handle: Any) -> tuple[str, ...]:
+    """Return the warnings of a result."""
+    return tuple(string(text(handle, i)) for i in range(count(handle)))

@@ -1,0 +1,147 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The library's options as keywords; their table is the library's own (`options`)."""
+
+from __future__ import annotations
+
+import operator
+import os
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypedDict
+
+from ._native import ffi, lib
+from ._progress import Progress  # noqa: TC001 (the keywords' types can be asked for)
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+Auto = Literal["auto"]
+
+
+class Options(TypedDict, total=False):
+    """Keywords that the functions of this package take.
+
+    ``None`` and ``"auto"`` stand for the library's choice. What each means, its range and its
+    default: :func:`stltsa.options`. Those that a function has no use for are ignored, except that
+    `progress` is known to all.
+    """
+
+    neighbors: int | Auto | None
+    window: int | Auto | None
+    dimension: int | Auto | None
+    mode: Literal["temporal", "spatial", "recurrent"]
+    include_self: bool
+    links: int
+    exclusion: int | Auto | None
+    threads: int | Auto | None
+    features: Literal["auto", "positions", "rotations6d", "euler", "raw"]
+    up_axis: Literal["auto", "x", "y", "z"]
+    keep_start: bool
+    fps: float | Auto | None
+    rate: float
+    smoothing: float
+    period_min: float
+    period_max: float
+    eigengap: float
+    variance: float
+    skeleton: str | os.PathLike[str]
+    keep_frames: bool
+    map_neighbors: int | Auto | None
+    map_blend: int
+    hint_window: int | Auto | None
+    component: int | Auto | None
+    gamma: float | Auto | None
+    knots: float | Auto | None
+    robust: bool
+    crossfade: float | Auto | None
+    search: float | Auto | None
+    posture_limit: float
+    progress: Progress
+
+
+class Option(NamedTuple):
+    """One row of the library's table of options."""
+
+    name: str
+    text: str
+    type: Literal["int", "real", "text"]
+    choices: dict[str, int]
+    minimum: float
+    maximum: float
+    default: int | float | str
+    key: int
+
+
+_TYPES: dict[int, Literal["int", "real", "text"]] = {1: "int", 2: "real", 3: "text"}
+
+
+def _string(text: Any) -> str:
+    return str(ffi.string(text).decode()) if text else ""
+
+
+def _read_option(index: int) -> Option:
+    info = ffi.new("stltsa_option_info *", {"size": ffi.sizeof("stltsa_option_info")})
+    if lib.stltsa_option_describe(index, info) != 0:
+        raise RuntimeError(_string(lib.stltsa_last_error()))
+    kind = _TYPES[info.type]
+    choices = {n: int(v) for n, v in (c.split("=") for c in _string(info.choices).split())}
+    default = info.standard if kind == "real" else int(info.standard) if kind == "int" else ""
+    return Option(
+        _string(info.name),
+        _string(info.text),
+        kind,
+        choices,
+        info.minimum,
+        info.maximum,
+        default,
+        info.key,
+    )
+
+
+_TABLE = {o.name: o for o in map(_read_option, range(lib.stltsa_option_count()))}
+
+
+def options() -> tuple[Option, ...]:
+    """Return the table of all options: name, text, type, choices, range and default.
+
+    Examples
+    --------
+    >>> import stltsa
+    >>> neighbors = stltsa.options()[0]
+    >>> neighbors.name, neighbors.type, neighbors.default
+    ('neighbors', 'int', 0)
+    """
+    return tuple(_TABLE.values())
+
+
+def _number_of_choice(option: Option, value: str) -> int:
+    if value in option.choices:
+        return option.choices[value]
+    names = ", ".join(option.choices) or "a number"
+    raise ValueError(f"{option.name} is {value!r}, and must be one of: {names}")
+
+
+def _set(handle: Any, option: Option, value: Any) -> int:
+    if option.type == "text":
+        return int(lib.stltsa_options_set_text(handle, option.key, os.fsencode(value)))
+    if isinstance(value, str):
+        value = _number_of_choice(option, value)
+    try:
+        if option.type == "int":
+            return int(lib.stltsa_options_set_int(handle, option.key, operator.index(value)))
+        return int(lib.stltsa_options_set_real(handle, option.key, float(value)))
+    except (TypeError, OverflowError):
+        wanted = "an integer" if option.type == "int" else "a number"
+        raise TypeError(f"{option.name} is {value!r}, and must be {wanted}") from None
+
+
+def set_options(handle: Any, values: Mapping[str, Any]) -> int:
+    """Set options by name; return the first status that is not OK, or 0."""
+    for name, value in values.items():
+        option = _TABLE.get(name)
+        if option is None:
+            raise TypeError(f"there is no option {name!r}; stltsa.options() lists them")
+        if value is None or (value == "auto" and "auto" not in option.choices):
+            continue
+        status = _set(handle, option, value)
+        if status != 0:
+            return status
+    return 0

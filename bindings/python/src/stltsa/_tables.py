@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Tables of results: pandas where it is installed, else NumPy's record arrays."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, NamedTuple, get_type_hints
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+
+def table(rows: Sequence[NamedTuple], kind: type[NamedTuple]) -> Any:
+    """Return a DataFrame with a column for each field of `kind`, or a record array without pandas.
+
+    ``table["begin"]`` and ``table.begin`` read a column of either.
+    """
+    fields = {name: [getattr(row, name) for row in rows] for name in kind._fields}
+    try:
+        import pandas as pd
+    except ImportError:
+        return _records(fields, kind)
+    dtypes = {n: t for n, t in _dtypes(kind).items() if t != "U"}
+    return pd.DataFrame(fields).astype(dtypes)
+
+
+def _dtypes(kind: type[NamedTuple]) -> dict[str, str]:
+    codes = {int: "i8", float: "f8", str: "U"}
+    return {name: codes[type_] for name, type_ in get_type_hints(kind).items()}
+
+
+def _records(fields: dict[str, list[Any]], kind: type[NamedTuple]) -> Any:
+    arrays = [np.array(fields[name], dtype=code) for name, code in _dtypes(kind).items()]
+    dtype = [(name, array.dtype) for name, array in zip(fields, arrays, strict=True)]
+    return np.rec.fromarrays(arrays, dtype=np.dtype(dtype))

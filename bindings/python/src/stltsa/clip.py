@@ -1,0 +1,251 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Clips of motion: read, looked at, written."""
+
+from __future__ import annotations
+
+import os
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import numpy.typing as npt
+
+from ._arrays import FloatArray, IntArray, as_matrix, columns, read_from, write_to
+from ._call import Call, check, json_text, owned, string
+from ._native import ffi, lib
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from ._options import Options
+
+_FORMATS = {1: "bvh", 2: "amc", 3: "csv", 4: "npy", 5: "matrix"}
+
+
+class Clip:
+    """A motion clip: poses over time, of a skeleton or of bare numbers.
+
+    Made by :func:`read_clip`, :meth:`from_array`, :func:`stltsa.synthesize` and
+    :meth:`stltsa.Model.poses`. A clip does not change; frames count from 0 in the source file, and
+    lengths are in the file's own unit.
+    """
+
+    def __init__(self, handle: Any, path: str | None = None, owner: object = None) -> None:
+        self._handle = handle
+        self._owner = owner  # what the handle lives in, where that is not the clip itself
+        self.path = path
+
+    @classmethod
+    def from_array(cls, frames: npt.ArrayLike, fps: float) -> Clip:
+        """Return a clip of bare numbers, which are copied.
+
+        Parameters
+        ----------
+        frames : array-like of shape (frames, channels)
+            Finite numbers, a row per frame.
+        fps : float
+            Frames a second, above 0.
+
+        Raises
+        ------
+        stltsa.NotFiniteError
+            A NaN or an infinity is among them.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> import stltsa
+        >>> stltsa.Clip.from_array(np.zeros((120, 3)), fps=60)
+        <Clip: 120 frames, 2.00 s at 60 fps, 3 channels>
+        """
+        array = as_matrix(frames, "frames")
+        out = ffi.new("stltsa_clip **")
+        check(lib.stltsa_clip_from_matrix(read_from(array), float(fps), out))
+        return cls(owned("clip", out))
+
+    def __len__(self) -> int:
+        return int(lib.stltsa_clip_frames(self._handle))
+
+    @property
+    def fps(self) -> float:
+        """Frames a second; 0 where it is unknown."""
+        return float(lib.stltsa_clip_fps(self._handle))
+
+    @property
+    def duration(self) -> float:
+        """Seconds; NaN where the frame rate is unknown."""
+        return len(self) / self.fps if self.fps else float("nan")
+
+    @property
+    def format(self) -> str:
+        """``"bvh"``, ``"amc"``, ``"csv"``, ``"npy"`` or ``"matrix"``."""
+        return _FORMATS.get(lib.stltsa_clip_format(self._handle), "unknown")
+
+    @property
+    def channels(self) -> int:
+        """Numbers per frame in the file."""
+        return int(lib.stltsa_clip_channels(self._handle))
+
+    def _joint(self, index: int) -> tuple[str, int, bool]:
+        name, parent, end = ffi.new("char const **"), ffi.new("int64_t *"), ffi.new("int32_t *")
+        check(lib.stltsa_clip_joint(self._handle, index, name, parent, end))
+        return string(name[0]), int(parent[0]), bool(end[0])
+
+    @cached_property
+    def _joints(self) -> tuple[tuple[str, int, bool], ...]:
+        return tuple(map(self._joint, range(lib.stltsa_clip_joints(self._handle))))
+
+    @property
+    def joints(self) -> tuple[str, ...]:
+        """Names of joints and end sites in file order, parents first; empty without a skeleton."""
+        return tuple(name for name, _, _ in self._joints)
+
+    @property
+    def parents(self) -> IntArray:
+        """Index of the parent of each joint, -1 for the root; shape (joints,)."""
+        return np.array([parent for _, parent, _ in self._joints], dtype=np.int64)
+
+    @property
+    def end_sites(self) -> npt.NDArray[np.bool_]:
+        """Which of the joints are end sites; shape (joints,)."""
+        return np.array([end for _, _, end in self._joints], dtype=np.bool_)
+
+    def _per_joint(self, function: Any, numbers: int) -> FloatArray:
+        result = columns(len(self), numbers * len(self._joints))
+        check(function(self._handle, write_to(result)))
+        result = result.reshape(len(self), len(self._joints), numbers)
+        result.flags.writeable = False
+        return result
+
+    @cached_property
+    def positions(self) -> FloatArray:
+        """World positions x y z of all joints, by forward kinematics; (frames, joints, 3).
+
+        In the file's unit of length. Read-only, computed once.
+
+        Raises
+        ------
+        stltsa.UnsupportedError
+            The clip has no skeleton.
+        """
+        return self._per_joint(lib.stltsa_clip_positions, 3)
+
+    @cached_property
+    def rotations(self) -> FloatArray:
+        """Local rotations of all joints as quaternions w x y z; (frames, joints, 4).
+
+        Their sign is continuous over time. Read-only, computed once.
+
+        Raises
+        ------
+        stltsa.UnsupportedError
+            The clip has no skeleton.
+        """
+        return self._per_joint(lib.stltsa_clip_rotations, 4)
+
+    def features(self, kind: str = "auto", *, up_axis: str = "auto") -> FloatArray:
+        """Return what poses are compared by; shape (frames, features), unsmoothed.
+
+        Parameters
+        ----------
+        kind : {"auto", "positions", "rotations6d", "euler", "raw"}
+            ``"positions"``: of the joints, without the root's position and yaw; ``"rotations6d"``:
+            two columns of each rotation matrix; ``"euler"``: the angles below the root in radians,
+            as in the paper; ``"raw"``: the file's numbers. ``"auto"``: positions where there is a
+            skeleton, else raw.
+        up_axis : {"auto", "x", "y", "z"}
+            The axis that points up.
+        """
+        with Call({"features": kind, "up_axis": up_axis}) as call:
+            count = ffi.new("int64_t *")
+            call.check(lib.stltsa_clip_feature_count(self._handle, call.options, count))
+            result = columns(len(self), count[0])
+            call.check(lib.stltsa_clip_features(self._handle, call.options, write_to(result)))
+        return result
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write the clip, whole or not at all; the suffix tells the format.
+
+        ``.bvh``: any skeleton; ``.amc``: what was read from AMC; ``.csv`` and ``.npy``: the numbers
+        of any clip. Numbers read back to the same bits.
+
+        Raises
+        ------
+        stltsa.ArgumentError
+            Another suffix.
+        stltsa.UnsupportedError
+            The clip has no skeleton, or no frame rate where the format needs one.
+        stltsa.FileError
+            The file cannot be written.
+        """
+        check(lib.stltsa_clip_save(self._handle, os.fsencode(path)))
+
+    def to_json(self) -> str:
+        """Return what is known about the clip as one JSON object (schema stltsa-clip/1)."""
+        return json_text(lib.stltsa_clip_json, self._handle)
+
+    def __repr__(self) -> str:
+        seconds = f", {self.duration:.2f} s at {self.fps:g} fps" if self.fps else ""
+        joints = f"{len(self._joints)} joints, " if self._joints else ""
+        name = f" {Path(self.path).name}" if self.path else ""
+        return f"<Clip{name}: {len(self)} frames{seconds}, {joints}{self.channels} channels>"
+
+
+def read_clip(
+    path: str | os.PathLike[str], *, gaps: str = "refuse", **options: Unpack[Options]
+) -> Clip:
+    """Read a clip from a file: BVH, ASF/AMC, CSV, NPY; C3D, TRC and MOT where extras are installed.
+
+    Parameters
+    ----------
+    path : path
+        The suffix tells the format, else the content. Beside an AMC file its ASF file is looked for
+        by subject number; the option `skeleton` names another.
+    gaps : {"refuse", "fill"}
+        What to do about markers that are missing for some frames in C3D, TRC and MOT files:
+        nothing but say where they are, as an exception, or fill them in linearly and say so, as a
+        :class:`stltsa.QualityWarning`. See :mod:`stltsa.markers`.
+    **options
+        Used: `fps` (over what the file says), `skeleton`, `progress`.
+
+    Returns
+    -------
+    Clip
+
+    Raises
+    ------
+    stltsa.FileError
+        The file cannot be read.
+    stltsa.FormatError
+        It is not what its format says; the text has the line and what to do.
+    stltsa.NotFiniteError
+        A NaN or an infinity is in it.
+
+    Examples
+    --------
+    >>> import stltsa
+    >>> clip = stltsa.read_clip("walker.bvh")
+    >>> clip.positions.shape == (len(clip), len(clip.joints), 3)
+    True
+    """
+    if Path(path).suffix.lower() in (".c3d", ".trc", ".mot", ".sto"):
+        from .markers import read_markers
+
+        return read_markers(path).to_clip(gaps=gaps, fps=options.get("fps"))
+    out = ffi.new("stltsa_clip **")
+    with Call(options) as call:
+        call.check(lib.stltsa_clip_open(os.fsencode(path), call.options, out))
+    return Clip(owned("clip", out), os.fspath(path))
+
+
+def as_clip(motion: Any, options: dict[str, Any]) -> Clip:
+    """Return a clip, made from an array where it is none; `fps` then is taken from the options."""
+    if isinstance(motion, Clip):
+        return motion
+    if isinstance(motion, str | os.PathLike):
+        return read_clip(motion, **{k: options[k] for k in ("fps", "skeleton") if k in options})
+    fps = options.pop("fps", None)
+    if not fps or fps == "auto":
+        raise ValueError("an array has no frame rate: give fps=...")
+    return Clip.from_array(motion, fps)

@@ -1,0 +1,224 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Motion units and cycles (the paper, section 3.1)."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from . import _html
+from ._arrays import FloatArray, IntArray, columns, write_to
+from ._call import Call, check, get_int, get_real, json_text, owned, string, texts
+from ._native import ffi, lib
+from ._tables import table
+from .clip import Clip, as_clip
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from ._options import Options
+
+
+class Interval(NamedTuple):
+    """A unit or a cycle: ``[begin, end)`` in source frames, and in seconds.
+
+    Seconds keep fractions of a frame. `kind` is ``"preparing"``, ``"initial"``, ``"cyclic"``,
+    ``"final"``, ``"wind-up"``, ``"action"`` or ``"cycle"``.
+    """
+
+    kind: str
+    begin: int
+    end: int
+    begin_s: float
+    end_s: float
+
+
+def decompose(motion: Any, **options: Unpack[Options]) -> Decomposition:
+    """Cut a clip into motion units and cycles.
+
+    The period is found first, and the neighborhoods follow from it: there is nothing to tune.
+    A clip without trustworthy cycles is cut into activity and rest, and the result says why
+    (:attr:`Decomposition.reason`): an answer, not an error.
+
+    Parameters
+    ----------
+    motion : Clip, path, or array-like of shape (frames, channels)
+        An array needs the option `fps`.
+    **options
+        Used: `features`, `up_axis`, `keep_start`, `rate`, `smoothing`, `period_min`,
+        `period_max`, `neighbors`, `window`, `dimension`, `mode`, `threads`, `fps`, `progress`.
+        See :func:`stltsa.options`.
+
+    Returns
+    -------
+    Decomposition
+
+    Raises
+    ------
+    stltsa.ArgumentError
+        The frame rate is unknown, or an option does not fit.
+    stltsa.TooFewFramesError, stltsa.DegenerateError
+        The clip is too short, or nothing moves in it.
+
+    Examples
+    --------
+    >>> import stltsa
+    >>> result = stltsa.decompose("walker.bvh")
+    >>> list(result.units["kind"])
+    ['preparing', 'initial', 'cyclic', 'final', 'wind-up']
+    >>> round(result.period, 2)
+    1.1
+    """
+    rest: dict[str, Any] = dict(options)
+    clip = as_clip(motion, rest)
+    out = ffi.new("stltsa_decomposition **")
+    with Call(rest) as call:
+        call.check(lib.stltsa_decompose(clip._handle, call.options, out))
+    return Decomposition(owned("decomposition", out), clip)
+
+
+class Decomposition:
+    """Units and cycles of a clip, and the curve that they were read from.
+
+    Attributes
+    ----------
+    clip : Clip
+        What was cut.
+    """
+
+    def __init__(self, handle: Any, clip: Clip) -> None:
+        self._handle = handle
+        self.clip = clip
+
+    def _int(self, key: int) -> int:
+        return get_int(lib.stltsa_decomposition_get_int, self._handle, key)
+
+    def _real(self, key: int) -> float:
+        return get_real(lib.stltsa_decomposition_get_real, self._handle, key)
+
+    def _intervals(self, count: Any, get: Any) -> tuple[Interval, ...]:
+        result, raw = [], ffi.new("stltsa_interval *")
+        for index in range(count(self._handle)):
+            check(get(self._handle, index, raw))
+            kind = string(lib.stltsa_unit_name(raw.kind))
+            result.append(Interval(kind, raw.begin, raw.end, raw.begin_s, raw.end_s))
+        return tuple(result)
+
+    @property
+    def unit_list(self) -> tuple[Interval, ...]:
+        """The units in order of time; they cover the clip without gap or overlap."""
+        return self._intervals(lib.stltsa_decomposition_unit_count, lib.stltsa_decomposition_unit)
+
+    @property
+    def cycle_list(self) -> tuple[Interval, ...]:
+        """The cycles in order of time, back to back."""
+        return self._intervals(lib.stltsa_decomposition_cycle_count, lib.stltsa_decomposition_cycle)
+
+    @property
+    def units(self) -> Any:
+        """The units as a table: a DataFrame with pandas, a NumPy record array without.
+
+        Columns: kind; begin, end in source frames, half-open; begin_s, end_s in seconds.
+        """
+        return table(self.unit_list, Interval)
+
+    @property
+    def cycles(self) -> Any:
+        """The cycles as a table, of the same columns as :attr:`units`."""
+        return table(self.cycle_list, Interval)
+
+    def _cycle(self, key: int) -> Interval | None:
+        index = self._int(key)
+        return self.cycle_list[index] if index >= 0 else None
+
+    @property
+    def representative_cycle(self) -> Interval | None:
+        """The cycle that the paper's rule picks: from the first margin to the third."""
+        return self._cycle(lib.STLTSA_DECOMPOSITION_REPRESENTATIVE)
+
+    @property
+    def best_cycle(self) -> Interval | None:
+        """The cycle most like the others."""
+        return self._cycle(lib.STLTSA_DECOMPOSITION_BEST)
+
+    @property
+    def frames(self) -> IntArray:
+        """Source frame of each sample of the curve; shape (samples,)."""
+        first = self._int(lib.STLTSA_DECOMPOSITION_FIRST_FRAME)
+        step = self._int(lib.STLTSA_DECOMPOSITION_FRAME_STEP)
+        return first + step * np.arange(self._int(lib.STLTSA_DECOMPOSITION_SAMPLES))
+
+    def _columns(self, function: Any, count: int) -> FloatArray:
+        result = columns(self._int(lib.STLTSA_DECOMPOSITION_SAMPLES), count)
+        check(function(self._handle, write_to(result)))
+        return result
+
+    @property
+    def curve(self) -> FloatArray:
+        """The smoothed coordinate that was cut; shape (samples,)."""
+        return self._columns(lib.stltsa_decomposition_curve, 1)[:, 0]
+
+    @property
+    def loop(self) -> FloatArray:
+        """The two coordinates of the loop, the paper's Fig. 1; shape (samples, 2)."""
+        return self._columns(lib.stltsa_decomposition_loop, 2)
+
+    @property
+    def period(self) -> float:
+        """Seconds; 0 where no period was found."""
+        return self._real(lib.STLTSA_DECOMPOSITION_PERIOD)
+
+    @property
+    def cyclicity(self) -> float:
+        """Of the coordinate that was cut; 1 is a perfect oscillation."""
+        return self._real(lib.STLTSA_DECOMPOSITION_CYCLICITY)
+
+    @property
+    def lag_quality(self) -> float:
+        """How alike the clip is to itself one period later; 1 is perfect."""
+        return self._real(lib.STLTSA_DECOMPOSITION_LAG_QUALITY)
+
+    @property
+    def fps(self) -> float:
+        """Samples of the curve a second."""
+        return self._real(lib.STLTSA_DECOMPOSITION_FPS)
+
+    @property
+    def neighbors(self) -> int:
+        """Neighbors that were used (k), in samples."""
+        return self._int(lib.STLTSA_DECOMPOSITION_NEIGHBORS)
+
+    @property
+    def window(self) -> int:
+        """Window that was used (w), in samples."""
+        return self._int(lib.STLTSA_DECOMPOSITION_WINDOW)
+
+    @property
+    def dimension(self) -> int:
+        """Tangent dimension that was used."""
+        return self._int(lib.STLTSA_DECOMPOSITION_DIMENSION)
+
+    @property
+    def reason(self) -> str:
+        """Why no cycle is claimed, in words with the numbers; empty where there are cycles."""
+        return string(lib.stltsa_decomposition_reason(self._handle))
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """What a user should know about the result, in words."""
+        return texts(
+            lib.stltsa_decomposition_warning_count, lib.stltsa_decomposition_warning, self._handle
+        )
+
+    def to_json(self) -> str:
+        """Return the result as one JSON object (schema stltsa-decomposition/1)."""
+        return json_text(lib.stltsa_decomposition_json, self._handle)
+
+    def __repr__(self) -> str:
+        units = ", ".join(f"{u.kind} {u.begin}..{u.end}" for u in self.unit_list)
+        period = f"; period {self.period:.3f} s" if self.period else ""
+        return f"<Decomposition: {units}; {len(self.cycle_list)} cycles{period}>"
+
+    def _repr_html_(self) -> str:
+        return _html.decomposition(self)

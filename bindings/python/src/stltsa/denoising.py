@@ -1,0 +1,141 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Cleaning of coordinates (the paper, section 3.2)."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ._arrays import FloatArray, IntArray, columns, int64_pointer, read_from, write_to
+from ._call import Call, check, get_int, get_real, json_text, owned
+from ._native import ffi, lib
+from .model import Model, frames_and_lengths
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from ._options import Options
+
+
+def denoise(coords: Any, *, groups: Any = None, **options: Unpack[Options]) -> Denoising:
+    """Fit a smooth curve to coordinates over time, and move noisy points towards it.
+
+    Parameters
+    ----------
+    coords : Model, array-like of shape (rows, columns), or list of such arrays
+        Rows in order of time. Each column is cleaned for itself; clips, and the components of a
+        model, have a curve each.
+    groups : array-like of shape (rows,), optional
+        A label for each row of an array that holds several clips; rows of one clip stand together.
+    **options
+        Used: `gamma` (distance from the curve beyond which a point is noisy, in units of the
+        coordinate), `knots`, `robust`, `fps`, `period_min`, `period_max`, `progress`.
+
+    Returns
+    -------
+    Denoising
+
+    Raises
+    ------
+    stltsa.TooFewFramesError
+        A clip has fewer than 8 rows.
+    stltsa.NotFiniteError
+        A NaN or an infinity is among the coordinates.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import stltsa
+    >>> t = np.arange(200) / 50
+    >>> noisy = np.sin(2 * np.pi * t) + np.random.default_rng(0).normal(0, 0.1, 200)
+    >>> cleaned = stltsa.denoise(noisy.reshape(-1, 1), fps=50)
+    >>> bool(abs(cleaned.curve[:, 0] - np.sin(2 * np.pi * t)).mean() < 0.05)
+    True
+    """
+    out = ffi.new("stltsa_denoising **")
+    with Call(options) as call:
+        if isinstance(coords, Model):
+            points: Any = coords.coords
+            call.check(lib.stltsa_denoise_model(coords._handle, call.options, out))
+        else:
+            points, lengths = frames_and_lengths(coords, groups)
+            count = 0 if lengths is None else len(lengths)
+            call.check(
+                lib.stltsa_denoise(
+                    read_from(points), int64_pointer(lengths), count, call.options, out
+                )
+            )
+    return Denoising(owned("denoising", out), np.array(points, dtype=np.float64))
+
+
+class Denoising:
+    """Coordinates before and after cleaning, and the curve they were moved towards.
+
+    Attributes
+    ----------
+    points : ndarray of shape (rows, columns)
+        The coordinates as they were.
+    """
+
+    def __init__(self, handle: Any, points: FloatArray) -> None:
+        self._handle = handle
+        self.points = points
+
+    def _matrix(self, function: Any) -> FloatArray:
+        result = columns(*self.points.shape)
+        check(function(self._handle, write_to(result)))
+        return result
+
+    def _reals(self, key: int) -> FloatArray:
+        get = lib.stltsa_denoising_get_real
+        return np.array([get_real(get, self._handle, key, c) for c in range(self.points.shape[1])])
+
+    @property
+    def curve(self) -> FloatArray:
+        """The fitted curve; shape (rows, columns). Look for extrema and margins on it."""
+        return self._matrix(lib.stltsa_denoising_curve)
+
+    @property
+    def cleaned(self) -> FloatArray:
+        """The points after equation (1) of the paper; shape (rows, columns)."""
+        return self._matrix(lib.stltsa_denoising_cleaned)
+
+    @property
+    def moves(self) -> FloatArray:
+        """By how much each point was moved, 0 where it was not; shape (rows, columns)."""
+        return self._matrix(lib.stltsa_denoising_moves)
+
+    @property
+    def moved(self) -> IntArray:
+        """How many points of each column were moved."""
+        get, key = lib.stltsa_denoising_get_int, lib.STLTSA_DENOISING_MOVED
+        return np.array([get_int(get, self._handle, key, c) for c in range(self.points.shape[1])])
+
+    @property
+    def gamma(self) -> FloatArray:
+        """Distance from the curve beyond which a point counts as noisy, for each column."""
+        return self._reals(lib.STLTSA_DENOISING_GAMMA)
+
+    @property
+    def shift(self) -> FloatArray:
+        """Mean distance of those points, by which they are moved at most (d_t of the paper)."""
+        return self._reals(lib.STLTSA_DENOISING_SHIFT)
+
+    @property
+    def noise(self) -> FloatArray:
+        """Robust standard deviation of the residuals of each column."""
+        return self._reals(lib.STLTSA_DENOISING_NOISE)
+
+    @property
+    def freedom(self) -> FloatArray:
+        """Effective degrees of freedom of the curve of each column."""
+        return self._reals(lib.STLTSA_DENOISING_FREEDOM)
+
+    def to_json(self) -> str:
+        """Return the result as one JSON object (schema stltsa-denoising/1)."""
+        return json_text(lib.stltsa_denoising_json, self._handle)
+
+    def __repr__(self) -> str:
+        rows, cols = self.points.shape
+        return f"<Denoising: {rows} rows x {cols}, {int(self.moved.sum())} points moved>"

@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""How many dimensions a motion has (the paper, section 2.3)."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ._arrays import FloatArray, int64_pointer, read_from
+from ._call import Call, json_text, owned, string
+from ._native import ffi, lib
+from .clip import Clip
+from .model import frames_and_lengths
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from ._options import Options
+
+
+def dimension(motion: Any, *, groups: Any = None, **options: Unpack[Options]) -> Dimension:
+    """Estimate the intrinsic dimension of a motion, in two ways.
+
+    Parameters
+    ----------
+    motion : Clip, array-like of shape (frames, features), or list of such arrays
+        As in :func:`fit`.
+    groups : array-like of shape (frames,), optional
+        As in :func:`fit`.
+    **options
+        Those of :func:`fit`, `eigengap` and `variance`.
+
+    Returns
+    -------
+    Dimension
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import stltsa
+    >>> t = np.linspace(0, 6 * np.pi, 300)
+    >>> circle = np.column_stack([np.cos(t), np.sin(t)])
+    >>> stltsa.dimension(circle, neighbors=110).local_pca
+    2
+    """
+    out = ffi.new("stltsa_dimension_result **")
+    with Call(options) as call:
+        if isinstance(motion, Clip):
+            call.check(lib.stltsa_dimension_clip(motion._handle, call.options, out))
+        else:
+            frames, lengths = frames_and_lengths(motion, groups)
+            count = 0 if lengths is None else len(lengths)
+            call.check(
+                lib.stltsa_dimension(
+                    read_from(frames), int64_pointer(lengths), count, call.options, out
+                )
+            )
+    return Dimension(owned("dimension", out))
+
+
+class Dimension:
+    """Two estimates of the intrinsic dimension; ``None`` stands for "cannot tell"."""
+
+    def __init__(self, handle: Any) -> None:
+        self._handle = handle
+
+    def _estimate(self, function: Any) -> tuple[int | None, str]:
+        reason = ffi.new("char const **")
+        value = function(self._handle, reason)
+        return (int(value) or None), string(reason[0])
+
+    @property
+    def eigengap(self) -> int | None:
+        """The first gap between eigenvalues above the threshold, the paper's estimate.
+
+        It tends to answer one more than the tangent dimension that was put in: read it beside
+        :attr:`local_pca`.
+        """
+        return self._estimate(lib.stltsa_dimension_eigengap)[0]
+
+    @property
+    def local_pca(self) -> int | None:
+        """Principal directions that hold the share `variance` of a neighborhood, the median."""
+        return self._estimate(lib.stltsa_dimension_local_pca)[0]
+
+    @property
+    def reasons(self) -> tuple[str, ...]:
+        """Why an estimate cannot tell, in words."""
+        functions = lib.stltsa_dimension_eigengap, lib.stltsa_dimension_local_pca
+        return tuple(r for _, r in map(self._estimate, functions) if r)
+
+    def _values(self, function: Any) -> FloatArray:
+        count = function(self._handle, ffi.NULL, 0)
+        values = np.empty(count, dtype=np.float64)
+        pointer = ffi.cast("double *", values.__array_interface__["data"][0])
+        function(self._handle, pointer, count)
+        return values
+
+    @property
+    def eigenvalues(self) -> FloatArray:
+        """Eigenvalues of the alignment matrix over k, ascending, the zero one first."""
+        return self._values(lib.stltsa_dimension_eigenvalues)
+
+    @property
+    def local_variances(self) -> FloatArray:
+        """Mean share of a neighborhood's variance along its principal directions."""
+        return self._values(lib.stltsa_dimension_local_variances)
+
+    def to_json(self) -> str:
+        """Return the result as one JSON object (schema stltsa-dimension/1)."""
+        return json_text(lib.stltsa_dimension_json, self._handle)
+
+    def __repr__(self) -> str:
+        return f"<Dimension: local PCA {self.local_pca}, eigengap {self.eigengap}>"

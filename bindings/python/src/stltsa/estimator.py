@@ -1,0 +1,251 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The estimator, with the conventions of scikit-learn."""
+
+from __future__ import annotations
+
+import warnings
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+
+from ._arrays import FloatArray, is_sequence_of_clips
+from ._estimator_base import Base
+from .clip import Clip
+from .errors import NotFiniteError, QualityWarning
+from .model import Model, fit
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+
+@contextmanager
+def _in_the_words_of_sklearn() -> Iterator[None]:
+    """Say "NaN or infinity" where scikit-learn's users look for it, before the library's text."""
+    try:
+        yield
+    except NotFiniteError as error:
+        text = f"Input X contains NaN or infinity: {error}"
+        raise NotFiniteError(text, error.status, error.name) from None
+
+
+class STLTSA(Base):
+    """Spatio-temporal local tangent space alignment: motion as a low-dimensional curve.
+
+    Unlike in other transformers of scikit-learn the order of rows matters: it is time.
+
+    Parameters
+    ----------
+    n_neighbors : int or "auto", default="auto"
+        Neighbors of each frame, itself included. ``"auto"``: 1.2 periods where `fps` is given and
+        a period is found, else 1.2 seconds, or 12 where `fps` is not given. With few neighbors
+        against a cycle the first coordinate tells the time and nothing else.
+    n_components : int, default=2
+        Coordinates.
+    neighbors : {"temporal", "recurrent", "spatial"}, default="temporal"
+        Where neighbors are looked for: within the window; within the window and, as links, among
+        the frames outside the exclusion zone, which ties one cycle to the next; among all frames.
+    window : int or "auto", default="auto"
+        Frames to each side that temporal neighbors come from; ``"auto"``: as many as `n_neighbors`.
+    include_self : bool, default=True
+        Whether a frame counts among its own neighbors, as in Zhang and Zha; scikit-learn's
+        LocallyLinearEmbedding leaves it out.
+    links : int, default=4
+        For ``"recurrent"``: neighbors from outside the exclusion zone.
+    exclusion : int or "auto", default="auto"
+        For ``"recurrent"``: frames to each side that are no links; ``"auto"``: as `window`.
+    fps : float, optional
+        Frames a second, for ``n_neighbors="auto"``; a :class:`stltsa.Clip` knows its own.
+    map_neighbors : int or "auto", default="auto"
+        Rows that a local map rests on in `transform` and `inverse_transform`.
+    map_blend : int, default=3
+        Local maps that are blended there.
+    n_jobs : int, optional
+        Threads: None is one, -1 every core. The result has the same bits for any number.
+    progress : bool or callable, default=False
+        True: a bar, where tqdm is installed. A function is called with the stage and the fraction
+        of it that is done; what it raises cancels the fit.
+
+    Attributes
+    ----------
+    embedding_ : ndarray of shape (n_samples, n_components)
+        The curve. Columns are centered and of norm 1 in each connected component; the sign is such
+        that the entry of largest size is positive.
+    eigenvalues_ : ndarray of shape (n_components + 2,)
+        Smallest eigenvalues of the alignment matrix, ascending, the zero one first. Of several
+        connected components those of the first; all are in ``model_.eigenvalues``.
+    model_ : Model
+        All else that is known; maps with distances and hints, saves.
+    n_features_in_ : int
+        Columns that were fitted.
+    n_neighbors_, window_ : int
+        Those that were used.
+
+    Notes
+    -----
+    Several clips are several components, and each is embedded on its own: compare coordinates
+    across them only with ``neighbors="recurrent"`` or ``"spatial"``, and if ``model_.n_components``
+    then is 1.
+
+    H. Li, J. Niu, L. Zhang, B. Hu: "Spatio-temporal LTSA and Its Application to Motion
+    Decomposition". ICONIP 2012.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from stltsa import STLTSA
+    >>> t = np.linspace(0, 6 * np.pi, 300)
+    >>> X = np.column_stack([np.cos(t), np.sin(t), np.sin(t + 1)])
+    >>> ltsa = STLTSA(n_neighbors=110).fit(X)
+    >>> ltsa.embedding_.shape
+    (300, 2)
+    >>> bool((ltsa.transform(X) == ltsa.embedding_).all())
+    True
+    """
+
+    def __init__(
+        self,
+        n_neighbors: int | Literal["auto"] = "auto",
+        n_components: int = 2,
+        *,
+        neighbors: Literal["temporal", "recurrent", "spatial"] = "temporal",
+        window: int | Literal["auto"] = "auto",
+        include_self: bool = True,
+        links: int = 4,
+        exclusion: int | Literal["auto"] = "auto",
+        fps: float | None = None,
+        map_neighbors: int | Literal["auto"] = "auto",
+        map_blend: int = 3,
+        n_jobs: int | None = None,
+        progress: Any = False,
+    ) -> None:
+        self.n_neighbors = n_neighbors
+        self.n_components = n_components
+        self.neighbors = neighbors
+        self.window = window
+        self.include_self = include_self
+        self.links = links
+        self.exclusion = exclusion
+        self.fps = fps
+        self.map_neighbors = map_neighbors
+        self.map_blend = map_blend
+        self.n_jobs = n_jobs
+        self.progress = progress
+
+    def _threads(self) -> int:
+        if self.n_jobs is None:
+            return 1
+        return 0 if self.n_jobs < 0 else self.n_jobs
+
+    def _fit_options(self) -> dict[str, Any]:
+        return {
+            "neighbors": self.n_neighbors,
+            "dimension": self.n_components,
+            "mode": self.neighbors,
+            "window": self.window,
+            "include_self": self.include_self,
+            "links": self.links,
+            "exclusion": self.exclusion,
+            "fps": self.fps,
+            "threads": self._threads(),
+            "progress": self.progress,
+        }
+
+    def _map_options(self) -> dict[str, Any]:
+        return {
+            "map_neighbors": self.map_neighbors,
+            "map_blend": self.map_blend,
+            "threads": self._threads(),
+            "progress": self.progress,
+        }
+
+    def fit(self, X: Any, y: Any = None, *, groups: Any = None) -> STLTSA:  # noqa: ARG002
+        """Fit the curve.
+
+        Parameters
+        ----------
+        X : array-like of shape (n_samples, n_features), list of such arrays, or Clip
+            Rows are frames in order of time; a list has a clip in each array. float32 and float64
+            are not copied, whatever their strides (a list is copied into one array).
+        y : ignored
+            Here because scikit-learn's conventions ask for it.
+        groups : array-like of shape (n_samples,), optional
+            A label for each row of an array that holds several clips; the rows of one clip stand
+            together.
+
+        Returns
+        -------
+        STLTSA
+
+        Raises
+        ------
+        ValueError
+            The frames or the parameters do not fit; the text says what to do.
+
+        Warns
+        -----
+        QualityWarning
+            What the library has to say about the result: only a clock, disconnected, a small gap.
+        """
+        self.model_ = self._fit_model(X, groups)
+        self.embedding_ = self.model_.coords
+        self.eigenvalues_ = self.model_.eigenvalues[0]
+        self.n_neighbors_ = self.model_.neighbors
+        self.window_ = self.model_.window
+        self._n_features_out = self.embedding_.shape[1]
+        for text in self.model_.warnings:
+            warnings.warn(text, QualityWarning, stacklevel=2)
+        return self
+
+    def _fit_model(self, X: Any, groups: Any) -> Model:
+        options = self._fit_options()
+        if isinstance(X, Clip):
+            model = fit(X, groups=groups, **options)
+            self.n_features_in_ = model.n_features
+            return model
+        if is_sequence_of_clips(X):
+            if groups is not None:
+                raise ValueError("groups= is for one array of all rows; a list says it by itself")
+            groups = np.repeat(np.arange(len(X)), [len(clip) for clip in X])
+            X = np.concatenate(X)
+        frames = self._validated(X, reset=True)
+        with _in_the_words_of_sklearn():
+            return fit(frames, groups=groups, **options)
+
+    def fit_transform(self, X: Any, y: Any = None, *, groups: Any = None) -> FloatArray:  # noqa: ARG002
+        """Fit the curve and return `embedding_`; parameters as in :meth:`fit`."""
+        return self.fit(X, groups=groups).embedding_
+
+    def transform(self, X: Any) -> FloatArray:
+        """Place frames on the curve; rows that were fitted get their own coordinates, to the bit.
+
+        Parameters
+        ----------
+        X : array-like of shape (n_samples, n_features), or Clip
+            Of a clip every frame is mapped.
+
+        Returns
+        -------
+        ndarray of shape (n_samples, n_components)
+            Coordinates. How far each row is from what was learned: ``model_.map(X).distance``.
+        """
+        self._check_fitted()
+        motion = X if isinstance(X, Clip) else self._validated(X, reset=False)
+        with _in_the_words_of_sklearn():
+            return self.model_.map(motion, **self._map_options()).values
+
+    def inverse_transform(self, X: Any) -> FloatArray:
+        """Return the frames that points of the curve stand for.
+
+        Parameters
+        ----------
+        X : array-like of shape (n_samples, n_components)
+            Points on the curve or near it.
+
+        Returns
+        -------
+        ndarray of shape (n_samples, n_features_in_)
+            Frames. As a clip with a skeleton: ``model_.poses(X)``.
+        """
+        self._check_fitted()
+        return self.model_.unmap(X, **self._map_options()).values

@@ -1,0 +1,382 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Models: the curve of a motion, and the way from poses to it and back."""
+
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from ._arrays import (
+    FloatArray,
+    IntArray,
+    as_integers,
+    as_matrix,
+    columns,
+    group_lengths,
+    int64_pointer,
+    is_sequence_of_clips,
+    read_from,
+    stack_clips,
+    write_to,
+)
+from ._call import Call, check, get_int, get_real, json_text, owned, texts
+from ._native import ffi, lib
+from .clip import Clip
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from ._options import Options
+
+_MODES = {1: "temporal", 2: "spatial", 3: "recurrent"}
+
+
+class Mapped(NamedTuple):
+    """Where frames lie on the curve, or which frames points of the curve stand for.
+
+    Attributes
+    ----------
+    values : ndarray of shape (rows, columns)
+        Coordinates (:meth:`Model.map`) or frames (:meth:`Model.unmap`).
+    distance : ndarray of shape (rows,)
+        From what was learned, relative to what is common there: beyond 1 the row is unlike it, and
+        its values mean little.
+    nearest : ndarray of shape (rows,)
+        The nearest row of the model.
+    """
+
+    values: FloatArray
+    distance: FloatArray
+    nearest: IntArray
+
+
+def frames_and_lengths(motion: Any, groups: Any) -> tuple[Any, IntArray | None]:
+    """Return one matrix, and the rows of each clip where there are several."""
+    if is_sequence_of_clips(motion):
+        if groups is not None:
+            raise ValueError("groups= is for one array of all rows; a list says it by itself")
+        return stack_clips(motion)
+    frames = as_matrix(motion)
+    return frames, None if groups is None else group_lengths(groups, len(frames))
+
+
+def fit(motion: Any, *, groups: Any = None, **options: Unpack[Options]) -> Model:
+    """Fit a model: spatio-temporal local tangent space alignment (the paper, section 2.2).
+
+    Parameters
+    ----------
+    motion : Clip, array-like of shape (frames, features), or list of such arrays
+        Rows are frames in order of time. Arrays are taken as they are; of a clip the features, a
+        T-pose at its start dropped, smoothed and thinned out to `rate`. Arrays of float32 or
+        float64 are not copied, whatever their strides; a list is copied into one array.
+    groups : array-like of shape (frames,), optional
+        A label for each row of an array that holds several clips; rows of one clip stand together.
+    **options
+        Used: `neighbors`, `window`, `dimension`, `mode`, `include_self`, `links`, `exclusion`,
+        `threads`, `fps`, `period_min`, `period_max`, `keep_frames`, `progress`; for clips
+        `features`, `up_axis`, `keep_start`, `rate` and `smoothing` too. See :func:`stltsa.options`.
+
+    Returns
+    -------
+    Model
+
+    Raises
+    ------
+    stltsa.ArgumentError, stltsa.ShapeError, stltsa.NotFiniteError, stltsa.TooFewFramesError
+        The frames or the options do not fit; the text says what to do.
+    stltsa.DegenerateError
+        The frames do not vary.
+    stltsa.UnsupportedError
+        ``mode="spatial"`` or ``"recurrent"`` in a build without CHOLMOD.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import stltsa
+    >>> t = np.linspace(0, 6 * np.pi, 300)
+    >>> model = stltsa.fit(np.column_stack([np.cos(t), np.sin(t), np.sin(t + 1)]), neighbors=110)
+    >>> model.coords.shape
+    (300, 2)
+    """
+    out = ffi.new("stltsa_model **")
+    with Call(options) as call:
+        if isinstance(motion, Clip):
+            if groups is not None:
+                raise ValueError("groups= is for arrays: a Clip is one clip")
+            call.check(lib.stltsa_fit_clip(motion._handle, call.options, out))
+        else:
+            frames, lengths = frames_and_lengths(motion, groups)
+            count = 0 if lengths is None else len(lengths)
+            call.check(
+                lib.stltsa_fit(read_from(frames), int64_pointer(lengths), count, call.options, out)
+            )
+    return Model(owned("model", out))
+
+
+class Model:
+    """A fitted model; made by :func:`fit`, :meth:`load` and unpickling. It does not change."""
+
+    def __init__(self, handle: Any) -> None:
+        self._handle = handle
+
+    def _int(self, key: int) -> int:
+        return get_int(lib.stltsa_model_get_int, self._handle, key)
+
+    def _real(self, key: int) -> float:
+        return get_real(lib.stltsa_model_get_real, self._handle, key)
+
+    def __len__(self) -> int:
+        return self._int(lib.STLTSA_MODEL_FRAMES)
+
+    @property
+    def n_features(self) -> int:
+        """Columns that were fitted."""
+        return self._int(lib.STLTSA_MODEL_FEATURES)
+
+    @property
+    def dimension(self) -> int:
+        """Columns of the coordinates (d)."""
+        return self._int(lib.STLTSA_MODEL_DIMENSION)
+
+    @property
+    def neighbors(self) -> int:
+        """Neighbors of each frame that were used (k)."""
+        return self._int(lib.STLTSA_MODEL_NEIGHBORS)
+
+    @property
+    def window(self) -> int:
+        """Frames to each side that were used (w)."""
+        return self._int(lib.STLTSA_MODEL_WINDOW)
+
+    @property
+    def mode(self) -> str:
+        """``"temporal"``, ``"spatial"`` or ``"recurrent"``."""
+        return _MODES[self._int(lib.STLTSA_MODEL_MODE)]
+
+    @property
+    def n_components(self) -> int:
+        """Connected components of the neighborhood graph; each has coordinates of its own."""
+        return self._int(lib.STLTSA_MODEL_COMPONENTS)
+
+    @property
+    def frames(self) -> IntArray:
+        """Source frame of each row; shape (rows,)."""
+        first = self._int(lib.STLTSA_MODEL_FIRST_FRAME)
+        return first + self._int(lib.STLTSA_MODEL_FRAME_STEP) * np.arange(len(self))
+
+    @property
+    def fps(self) -> float:
+        """Rows a second; 0 where it is unknown."""
+        return self._real(lib.STLTSA_MODEL_FPS)
+
+    @property
+    def period(self) -> float:
+        """Seconds, that the automatic number of neighbors rests on; 0: none was found."""
+        return self._real(lib.STLTSA_MODEL_PERIOD)
+
+    @property
+    def clock(self) -> float:
+        """Rank correlation of coordinate 1 with time, 0 to 1; 1: it tells the time and no more."""
+        return self._real(lib.STLTSA_MODEL_CLOCK)
+
+    @property
+    def residual(self) -> float:
+        """Largest relative residual of the eigenvectors."""
+        return self._real(lib.STLTSA_MODEL_RESIDUAL)
+
+    @property
+    def error_estimate(self) -> float:
+        """Estimated angle to the exact embedding of these neighborhoods, in radians."""
+        return self._real(lib.STLTSA_MODEL_ERROR_ESTIMATE)
+
+    @property
+    def coords(self) -> FloatArray:
+        """The curve; shape (rows, d). Columns are centered and of norm 1 in each component."""
+        result = columns(len(self), self.dimension)
+        check(lib.stltsa_model_coords(self._handle, write_to(result)))
+        return result
+
+    @property
+    def eigenvalues(self) -> FloatArray:
+        """Smallest eigenvalues of the alignment matrix, ascending; shape (components, d + 2).
+
+        The first is the zero one; NaN where a component is too small to have as many.
+        """
+        result = columns(self.n_components, self.dimension + 2)
+        check(lib.stltsa_model_eigenvalues(self._handle, write_to(result)))
+        return result
+
+    @property
+    def components(self) -> IntArray:
+        """Component of each row, counted from 0; shape (rows,)."""
+        labels = np.empty(len(self), dtype=np.int64)
+        check(lib.stltsa_model_components(self._handle, len(self), int64_pointer(labels)))
+        return labels
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """What a user should know about the result, in words."""
+        return texts(lib.stltsa_model_warning_count, lib.stltsa_model_warning, self._handle)
+
+    def map(self, motion: Any, *, hints: Any = None, **options: Unpack[Options]) -> Mapped:
+        """Place frames on the curve (the paper, section 2.4).
+
+        Parameters
+        ----------
+        motion : array-like of shape (rows, features), or Clip
+            A clip goes through what the model's clip went through, every frame of it. A frame that
+            was fitted gets its own coordinates, to the bit.
+        hints : array-like of int of shape (rows,), optional
+            The row of the model near which each frame is looked for, -1: everywhere. Not for clips.
+        **options
+            Used: `map_neighbors`, `map_blend`, `hint_window`, `threads`, `progress`.
+
+        Returns
+        -------
+        Mapped
+            Coordinates of shape (rows, d), their distance from what was learned, the nearest rows.
+        """
+        if isinstance(motion, Clip):
+            if hints is not None:
+                raise ValueError("hints= is for arrays")
+            return self._map(lib.stltsa_map_clip, motion._handle, len(motion), (), options)
+        frames = as_matrix(motion)
+        wanted = None if hints is None else as_integers(hints, len(frames), "hints")
+        hint = (int64_pointer(wanted),)
+        return self._map(lib.stltsa_map, read_from(frames), len(frames), hint, options)
+
+    def _map(
+        self, function: Any, motion: Any, rows: int, hint: tuple[Any, ...], options: Any
+    ) -> Mapped:
+        coords, distance = columns(rows, self.dimension), columns(rows, 1)
+        nearest = np.empty(rows, dtype=np.int64)
+        with Call(options) as call:
+            call.check(
+                function(
+                    self._handle,
+                    motion,
+                    *hint,
+                    call.options,
+                    write_to(coords),
+                    write_to(distance),
+                    int64_pointer(nearest),
+                )
+            )
+        return Mapped(coords, distance[:, 0], nearest)
+
+    def unmap(self, coords: Any, *, hints: Any = None, **options: Unpack[Options]) -> Mapped:
+        """Return the frames that points of the curve stand for (the paper, section 2.4).
+
+        Parameters
+        ----------
+        coords : array-like of shape (rows, d)
+            Points on the curve or near it. One coordinate alone cannot tell the swing to from the
+            swing fro: give hints, or fit more.
+        hints : array-like of int of shape (rows,), optional
+            The row of the model near which each point is looked for, -1: everywhere.
+        **options
+            Used: `map_neighbors`, `map_blend`, `hint_window`, `component`, `threads`, `progress`.
+
+        Returns
+        -------
+        Mapped
+            Frames of shape (rows, features), in the units that were fitted.
+
+        Raises
+        ------
+        stltsa.DisconnectedError
+            The model has several components, and the option `component` does not say which.
+        """
+        points = as_matrix(coords, "coords")
+        wanted = None if hints is None else as_integers(hints, len(points), "hints")
+        frames, distance = columns(len(points), self.n_features), columns(len(points), 1)
+        nearest = np.empty(len(points), dtype=np.int64)
+        with Call(options) as call:
+            call.check(
+                lib.stltsa_unmap(
+                    self._handle,
+                    read_from(points),
+                    int64_pointer(wanted),
+                    call.options,
+                    write_to(frames),
+                    write_to(distance),
+                    int64_pointer(nearest),
+                )
+            )
+        return Mapped(frames, distance[:, 0], nearest)
+
+    def poses(self, coords: Any, *, hints: Any = None, **options: Unpack[Options]) -> Clip:
+        """Return the poses that points of the curve stand for, as a clip with the skeleton.
+
+        Parameters and errors are those of :meth:`unmap`; besides,
+
+        Raises
+        ------
+        stltsa.UnsupportedError
+            The model was fitted to bare numbers.
+        """
+        points = as_matrix(coords, "coords")
+        wanted = None if hints is None else as_integers(hints, len(points), "hints")
+        distance, out = columns(len(points), 1), ffi.new("stltsa_clip **")
+        nearest = np.empty(len(points), dtype=np.int64)
+        with Call(options) as call:
+            call.check(
+                lib.stltsa_unmap_clip(
+                    self._handle,
+                    read_from(points),
+                    int64_pointer(wanted),
+                    call.options,
+                    write_to(distance),
+                    int64_pointer(nearest),
+                    out,
+                )
+            )
+        return Clip(owned("clip", out))
+
+    def to_bytes(self) -> bytes:
+        """Return the model as bytes: versioned, checksummed, the same on every machine."""
+        out, size = ffi.new("unsigned char **"), ffi.new("size_t *")
+        check(lib.stltsa_model_serialize(self._handle, out, size))
+        try:
+            return bytes(ffi.buffer(out[0], size[0]))
+        finally:
+            lib.stltsa_bytes_free(out[0])
+
+    @classmethod
+    def from_bytes(cls, data: bytes) -> Model:
+        """Return the model that :meth:`to_bytes` wrote, with the same bits.
+
+        Raises
+        ------
+        stltsa.FormatError
+            The bytes are not a model; the text says what is wrong with them.
+        """
+        out = ffi.new("stltsa_model **")
+        check(lib.stltsa_model_parse(ffi.from_buffer(data), len(data), out))
+        return cls(owned("model", out))
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write the model to a file, whole or not at all; the command `stltsa` reads it too."""
+        check(lib.stltsa_model_save(self._handle, os.fsencode(path)))
+
+    @classmethod
+    def load(cls, path: str | os.PathLike[str]) -> Model:
+        """Read a model that :meth:`save` or ``stltsa fit -o`` wrote."""
+        out = ffi.new("stltsa_model **")
+        check(lib.stltsa_model_load(os.fsencode(path), out))
+        return cls(owned("model", out))
+
+    def __reduce__(self) -> tuple[Any, tuple[bytes]]:
+        return Model.from_bytes, (self.to_bytes(),)
+
+    def to_json(self) -> str:
+        """Return all that is known about the model as JSON (schema stltsa-model/1)."""
+        return json_text(lib.stltsa_model_json, self._handle)
+
+    def __repr__(self) -> str:
+        return (
+            f"<Model: {len(self)} rows, {self.n_features} features -> {self.dimension}, "
+            f"{self.mode}, k = {self.neighbors}, w = {self.window}>"
+        )

@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Fig. 2 of the paper: coordinates before and after cleaning."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .._colors import CURVE, POINTS
+from ._style import COLUMN, axes_to_draw_in
+
+if TYPE_CHECKING:
+    from ..denoising import Denoising
+
+
+def denoising(
+    result: Denoising, *, column: int = 0, fps: float | None = None, ax: Any = None
+) -> Any:
+    """Draw coordinates and the fitted curve, before and after cleaning (the paper's Fig. 2).
+
+    Parameters
+    ----------
+    result : Denoising
+        What :func:`stltsa.denoise` returned.
+    column : int, default=0
+        Which coordinate.
+    fps : float, optional
+        Rows a second; the axis of time then is in seconds, else in rows.
+    ax : sequence of two matplotlib Axes, optional
+        Where to draw; a new figure by default.
+
+    Returns
+    -------
+    array of two matplotlib Axes
+    """
+    time = np.arange(len(result.points)) / (fps or 1.0)
+    panels = (("(a) before", result.points), ("(b) after", result.cleaned))
+    with axes_to_draw_in(ax, 0.58 * COLUMN, count=2) as axes:
+        for panel, (title, points) in zip(axes, panels, strict=True):
+            panel.plot(
+                time,
+                points[:, column],
+                "*",
+                color=POINTS,
+                markersize=3.2,
+                markeredgewidth=0,
+                label="coordinates",
+            )
+            curve = result.curve[:, column]
+            panel.plot(time, curve, color=CURVE, linewidth=1.0, label="fitted curve", zorder=3)
+            panel.set_title(title)
+            panel.set_xlabel("time in seconds" if fps else "row")
+        axes[0].set_ylabel(f"coordinate {column + 1}")
+        axes[0].legend(
+            loc="lower left",
+            bbox_to_anchor=(0.0, 1.16),
+            ncols=2,
+            handlelength=1.2,
+            columnspacing=1.0,
+            handletextpad=0.4,
+            borderaxespad=0.1,
+        )
+    return axes

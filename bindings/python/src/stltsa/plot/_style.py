@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the figures have in common."""
+
+from __future__ import annotations
+
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    import numpy as np
+    import numpy.typing as npt
+
+    from .._arrays import IntArray
+    from ..decomposition import Decomposition, Interval
+
+COLUMN = 88 / 25.4  # inches: the width of a column of most journals
+
+STYLE: dict[Any, Any] = {
+    "font.size": 7.0,
+    "axes.labelsize": 7.0,
+    "axes.titlesize": 7.5,
+    "axes.linewidth": 0.6,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "xtick.labelsize": 6.5,
+    "ytick.labelsize": 6.5,
+    "xtick.major.width": 0.6,
+    "ytick.major.width": 0.6,
+    "legend.fontsize": 6.5,
+    "legend.frameon": False,
+    "svg.fonttype": "none",
+}
+
+
+@contextmanager
+def axes_to_draw_in(given: Any, height: float, count: int = 1) -> Iterator[Any]:
+    """Give the axes that the caller named, or new ones of our style and column width."""
+    import matplotlib.pyplot as plt
+
+    if given is not None:
+        yield given
+        return
+    with plt.rc_context(STYLE):
+        _, axes = plt.subplots(
+            1, count, figsize=(COLUMN, height), dpi=200, sharey=True, layout="constrained"
+        )
+        yield axes
+
+
+def unit_slices(result: Decomposition) -> list[tuple[Interval, slice]]:
+    """Return the samples of each unit and, so that lines meet, one of the next."""
+    frames = result.frames
+    found = []
+    for unit in result.unit_list:
+        inside: IntArray | npt.NDArray[np.bool_] = (frames >= unit.begin) & (frames < unit.end)
+        (at,) = inside.nonzero()
+        if len(at):
+            found.append((unit, slice(at[0], min(at[-1] + 2, len(frames)))))
+    return found

@@ -1,0 +1,145 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""New motion from pieces of clips (the paper, section 4)."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from ._call import Call, check, json_text, owned, texts
+from ._native import ffi, lib
+from ._tables import table
+from .clip import Clip
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from typing_extensions import Unpack
+
+    from ._options import Options
+    from .decomposition import Interval
+
+
+class Piece(NamedTuple):
+    """Frames ``[begin, end)`` of a clip, `repeat` times.
+
+    Examples
+    --------
+    >>> import stltsa
+    >>> result = stltsa.decompose("walker.bvh")
+    >>> stltsa.Piece.of(result.clip, result.best_cycle, repeat=3).repeat
+    3
+    """
+
+    clip: Clip
+    begin: int
+    end: int
+    repeat: int = 1
+
+    @classmethod
+    def of(cls, clip: Clip, interval: Interval, repeat: int = 1) -> Piece:
+        """Return the frames of a unit or a cycle as a piece."""
+        return cls(clip, interval.begin, interval.end, repeat)
+
+
+class Seam(NamedTuple):
+    """Where one piece gives way to another, or to its own repetition.
+
+    `frame` is the first of the new clip that is the later piece's; `piece` and `next` are the
+    pieces that meet; the earlier one ends before `cut_end`, the later begins at `cut_begin`;
+    `crossfade` frames to each side are blended. `posture`: distance of the postures over what is
+    common between repetitions of one motion; 1 is as alike as those. `step` and `acceleration`:
+    largest near the seam over the 95th percentile of the pieces'; up to 1 nothing is to be seen.
+    """
+
+    frame: int
+    piece: int
+    next: int
+    cut_end: int
+    cut_begin: int
+    crossfade: int
+    posture: float
+    step: float
+    acceleration: float
+
+
+def synthesize(pieces: Iterable[Piece], **options: Unpack[Options]) -> Synthesis:
+    """Join pieces of clips, in order, into a new clip.
+
+    Cuts are moved to a common posture and crossfaded; the body goes on from where it stood, facing
+    the way it faced. The units of a clip, in order, give the clip back.
+
+    Parameters
+    ----------
+    pieces : iterable of Piece, or of tuples (clip, begin, end) or (clip, begin, end, repeat)
+        All clips need one hierarchy; the first gives frame rate and units.
+    **options
+        Used: `crossfade`, `search` (both in seconds), `posture_limit`, `up_axis`, `progress`.
+
+    Returns
+    -------
+    Synthesis
+
+    Raises
+    ------
+    stltsa.NoCommonPostureError
+        Two pieces have no common posture; the text says at which seam and by how much.
+    stltsa.UnsupportedError
+        Bare numbers, different hierarchies, or no frame rate.
+
+    Examples
+    --------
+    >>> import stltsa
+    >>> result = stltsa.decompose("walker.bvh")
+    >>> cycle = result.representative_cycle
+    >>> longer = stltsa.synthesize([stltsa.Piece.of(result.clip, cycle, repeat=5)])
+    >>> len(longer.clip) > 4 * (cycle.end - cycle.begin)
+    True
+    """
+    wanted = [Piece(*piece) for piece in pieces]
+    raw = ffi.new("stltsa_piece[]", len(wanted))
+    for target, piece in zip(raw, wanted, strict=True):
+        target.clip = piece.clip._handle
+        target.begin, target.end, target.repeat = piece.begin, piece.end, piece.repeat
+    out = ffi.new("stltsa_synthesis **")
+    with Call(options) as call:
+        call.check(lib.stltsa_synthesize(raw, len(wanted), call.options, out))
+    return Synthesis(owned("synthesis", out))
+
+
+class Synthesis:
+    """A new clip and what is known about its seams."""
+
+    def __init__(self, handle: Any) -> None:
+        self._handle = handle
+
+    @property
+    def clip(self) -> Clip:
+        """The new clip."""
+        return Clip(lib.stltsa_synthesis_clip(self._handle), owner=self)
+
+    @property
+    def seam_list(self) -> tuple[Seam, ...]:
+        """The seams in order of time."""
+        result = []
+        for index in range(lib.stltsa_synthesis_seam_count(self._handle)):
+            raw = ffi.new("stltsa_seam *", {"size": ffi.sizeof("stltsa_seam")})
+            check(lib.stltsa_synthesis_seam(self._handle, index, raw))
+            result.append(Seam(*(getattr(raw, name) for name in Seam._fields)))
+        return tuple(result)
+
+    @property
+    def seams(self) -> Any:
+        """The seams as a table: a DataFrame with pandas, a NumPy record array without."""
+        return table(self.seam_list, Seam)
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """What a user should know about the result, in words."""
+        return texts(lib.stltsa_synthesis_warning_count, lib.stltsa_synthesis_warning, self._handle)
+
+    def to_json(self) -> str:
+        """Return the result as one JSON object (schema stltsa-synthesis/1)."""
+        return json_text(lib.stltsa_synthesis_json, self._handle)
+
+    def __repr__(self) -> str:
+        return f"<Synthesis: {len(self.clip)} frames, {len(self.seam_list)} seams>"

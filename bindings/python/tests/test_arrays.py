@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Arrays of every kind reach the library as the numbers they hold."""
+
+import numpy as np
+import pytest
+
+import stltsa
+from stltsa._arrays import as_matrix, group_lengths, read_from
+
+K = {"neighbors": 100}
+
+
+def strided(x):
+    wide = np.full((2 * len(x), 3 * x.shape[1]), np.nan)
+    wide[::2, ::3] = x
+    return wide[::2, ::3]
+
+
+LAYOUTS = {
+    "fortran": np.asfortranarray,
+    "every other": strided,
+    "turned around": lambda x: np.ascontiguousarray(x[::-1, ::-1])[::-1, ::-1],
+    "transposed": lambda x: np.ascontiguousarray(x.T).T,
+    "big-endian": lambda x: x.astype(">f8"),
+    "list": lambda x: x.tolist(),
+    "read-only": lambda x: np.frombuffer(x.tobytes()).reshape(x.shape),
+}
+
+
+@pytest.mark.parametrize("layout", LAYOUTS.values(), ids=LAYOUTS.keys())
+def test_layout_changes_no_bit(circle, layout):
+    expected = stltsa.fit(circle, **K).coords
+    assert np.array_equal(stltsa.fit(layout(circle), **K).coords, expected)
+
+
+def test_float32_is_read_as_it_is(circle):
+    single = circle.astype(np.float32)
+    expected = stltsa.fit(single.astype(np.float64), **K).coords
+    assert np.array_equal(stltsa.fit(single, **K).coords, expected)
+    assert np.array_equal(stltsa.fit(strided(circle).astype("f4"), **K).coords, expected)
+
+
+def test_integers(circle):
+    whole = np.round(circle * 1000).astype(np.int32)
+    assert np.array_equal(stltsa.fit(whole, **K).coords, stltsa.fit(whole * 1.0, **K).coords)
+
+
+@pytest.mark.parametrize("layout", ["fortran", "every other", "turned around", "transposed"])
+@pytest.mark.parametrize("dtype", [np.float32, np.float64])
+def test_floats_are_not_copied(circle, layout, dtype):
+    array = LAYOUTS[layout](circle.astype(dtype)).astype(dtype, copy=False)
+    seen = as_matrix(array)
+    assert np.shares_memory(seen, array)
+    view = read_from(seen)
+    assert (view.rows, view.cols) == array.shape
+    assert (view.row_stride, view.col_stride) == array.strides
+
+
+def test_broadcast_array_is_not_taken_for_packed_rows():
+    with pytest.raises(stltsa.TooFewFramesError, match="1 distinct"):
+        stltsa.fit(np.broadcast_to(1.5, (50, 4)), neighbors=5)
+    assert as_matrix(np.broadcast_to(1.5, (50, 4))).strides != (0, 0)
+
+
+def test_one_dimension_is_refused():
+    with pytest.raises(ValueError, match="2-D"):
+        stltsa.fit(np.arange(100.0))
+
+
+def test_groups_and_lists_are_the_same(circle):
+    groups = np.repeat(["a", "b"], 150)
+    one = stltsa.fit(circle, groups=groups, neighbors=60)
+    two = stltsa.fit([circle[:150], circle[150:]], neighbors=60)
+    assert one.n_components == two.n_components == 2
+    assert np.array_equal(one.coords, two.coords)
+    assert np.array_equal(one.components, np.repeat([0, 1], 150))
+    alone = stltsa.fit(circle[:150], neighbors=60)
+    assert np.array_equal(one.coords[:150], alone.coords)
+
+
+def test_rows_of_a_group_stand_together():
+    with pytest.raises(ValueError, match="stand together"):
+        group_lengths([0, 0, 1, 1, 0], 5)
+    with pytest.raises(ValueError, match="label for each"):
+        group_lengths([0, 0], 5)
+
+
+def test_clips_of_other_widths_are_refused(circle):
+    with pytest.raises(ValueError, match="different numbers of columns"):
+        stltsa.fit([circle, circle[:, :3]])

@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: BSD-3-Clause
+import json
+from xml.etree import ElementTree
+
+import numpy as np
+import pytest
+
+import stltsa
+
+
+def test_units_and_cycles(result):
+    kinds = ["preparing", "initial", "cyclic", "final", "wind-up"]
+    assert list(result.units["kind"]) == list(result.units.kind) == kinds
+    assert list(result.units["end"])[:-1] == list(result.units["begin"])[1:]
+    assert len(result.cycles) == 3
+    assert result.period == pytest.approx(1.1, abs=0.02)
+    assert result.reason == ""
+    assert result.best_cycle in result.cycle_list
+    assert result.representative_cycle == result.cycle_list[0]
+
+
+def test_tables_are_frames(result):
+    pandas = pytest.importorskip("pandas")
+    for table in (result.units, result.cycles):
+        assert isinstance(table, pandas.DataFrame)
+        assert list(table.columns) == ["kind", "begin", "end", "begin_s", "end_s"]
+        assert table["begin"].dtype == np.int64
+
+
+def test_curve(result):
+    samples = len(result.frames)
+    assert result.curve.shape == (samples,)
+    assert result.loop.shape == (samples, 2)
+    assert result.frames[-1] < len(result.clip)
+    assert result.fps == 30
+
+
+def test_json_and_html(result):
+    told = json.loads(result.to_json())
+    assert told["format"] == "stltsa-decomposition/1"
+    assert [u["begin"] for u in told["units"]] == list(result.units["begin"])
+    html = result._repr_html_()
+    assert html.count("<rect") == 5
+    assert "wind-up" in html
+    ElementTree.fromstring(html.replace("&#9632;", "x"))
+    assert "preparing 0.." in repr(result)
+
+
+def test_path_array_and_clip_are_the_same(result, walker, clip):
+    assert stltsa.decompose(walker).unit_list == result.unit_list
+    array = clip.features("positions")
+    assert stltsa.decompose(array, fps=120).unit_list == result.unit_list
+    with pytest.raises(ValueError, match="fps="):
+        stltsa.decompose(array)
+
+
+def test_no_cycle_is_an_answer():
+    t = np.linspace(0, 4, 400)
+    kick = np.exp(-(((t - 2) / 0.2) ** 2))
+    result = stltsa.decompose(np.column_stack([kick, 2 * kick + 0.01 * t]), fps=100)
+    assert len(result.cycles) == 0
+    assert result.best_cycle is None
+    assert result.reason
+    assert result.reason in result._repr_html_().replace("&#x27;", "'")
+
+
+def test_denoise_and_synthesize(clip, model, result):
+    done = stltsa.denoise(model)
+    assert done.points.shape == done.curve.shape == done.cleaned.shape == (211, 2)
+    assert np.allclose(done.points + done.moves, done.cleaned)
+    assert done.moved.tolist() == (done.moves != 0).sum(axis=0).tolist()
+    assert (done.gamma.shape, done.noise.shape, done.freedom.shape) == ((2,), (2,), (2,))
+    alone = stltsa.denoise(model.coords, fps=model.fps)
+    assert alone.curve.shape == (211, 2)
+    assert json.loads(done.to_json())["format"] == "stltsa-denoising/1"
+
+    units = stltsa.synthesize(stltsa.Piece.of(clip, unit) for unit in result.unit_list)
+    assert np.allclose(units.clip.features("raw"), clip.features("raw"), atol=1e-6)
+    assert len(units.seams) == 0
+    longer = stltsa.synthesize([(clip, *result.best_cycle[1:3], 4)])
+    assert len(longer.seams) == 3
+    assert longer.seams["posture"].max() < 3
+    assert json.loads(longer.to_json())["format"] == "stltsa-synthesis/1"
+
+
+def test_a_new_clip_outlives_its_synthesis(clip, result):
+    new = stltsa.synthesize([(clip, 0, 200)]).clip
+    import gc
+
+    gc.collect()
+    assert len(new) == 200
+    assert np.isfinite(new.positions).all()
+    assert stltsa.decompose(clip).unit_list == result.unit_list
+
+
+def test_pieces_are_checked(clip):
+    with pytest.raises(stltsa.ArgumentError):
+        stltsa.synthesize([(clip, 200, 100)])
+    with pytest.raises(stltsa.ArgumentError):
+        stltsa.synthesize([])

@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Failures are exceptions of a fitting class, with the library's text."""
+
+import pickle
+
+import numpy as np
+import pytest
+
+import stltsa
+
+
+def test_file_that_is_not_there():
+    with pytest.raises(OSError, match=r"nowhere\.bvh: cannot open") as caught:
+        stltsa.read_clip("nowhere.bvh")
+    assert isinstance(caught.value, stltsa.FileError)
+    assert caught.value.name == "STLTSA_E_IO"
+
+
+def test_file_that_is_something_else(tmp_path):
+    path = tmp_path / "bad.bvh"
+    path.write_text("HIERARCHY\nROOT hips\n{\n OFFSET 1 2\n")
+    with pytest.raises(stltsa.FormatError, match=r"bad\.bvh"):
+        stltsa.read_clip(path)
+
+
+def test_not_finite(circle):
+    spoiled = circle.copy()
+    spoiled[17, 3] = np.nan
+    with pytest.raises(stltsa.NotFiniteError, match="frame 17, feature 3"):
+        stltsa.fit(spoiled)
+
+
+def test_too_few_frames(circle):
+    with pytest.raises(stltsa.TooFewFramesError, match="use fewer neighbors"):
+        stltsa.fit(circle[:10], neighbors=20)
+
+
+def test_nothing_moves():
+    with pytest.raises(stltsa.TooFewFramesError, match="1 distinct"):
+        stltsa.fit(np.ones((100, 3)), neighbors=5)
+
+
+@pytest.mark.parametrize(
+    ("option", "error", "text"),
+    [
+        ({"neighbours": 5}, TypeError, "there is no option 'neighbours'"),
+        ({"neighbors": 2.5}, TypeError, "neighbors is 2.5, and must be an integer"),
+        ({"neighbors": "many"}, ValueError, "neighbors is 'many'"),
+        ({"mode": "spectral"}, ValueError, "must be one of: temporal, spatial, recurrent"),
+        ({"variance": 7.0}, stltsa.ArgumentError, "variance"),
+        ({"neighbors": -1}, ValueError, "neighbors"),
+        ({"neighbors": 2**70}, TypeError, "neighbors"),
+    ],
+)
+def test_bad_options(circle, option, error, text):
+    with pytest.raises(error, match=text):
+        stltsa.fit(circle, **option)
+
+
+def test_errors_can_be_pickled():
+    error = stltsa.FileError("text", -6, "STLTSA_E_IO")
+    again = pickle.loads(pickle.dumps(error))
+    assert (type(again), str(again), again.status, again.name) == (
+        stltsa.FileError,
+        "text",
+        -6,
+        "STLTSA_E_IO",
+    )
+
+
+def test_unknown_status_is_an_error():
+    assert type(stltsa.errors.error_for(-99, "STLTSA_E_UNKNOWN", "x")) is stltsa.StltsaError

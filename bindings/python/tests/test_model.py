@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: BSD-3-Clause
+import json
+import pickle
+
+import numpy as np
+import pytest
+
+import stltsa
+
+
+def test_known_curve(circle):
+    model = stltsa.fit(circle, neighbors=100)
+    assert model.coords.shape == (300, 2)
+    assert model.coords.T @ model.coords == pytest.approx(np.eye(2), abs=1e-9)
+    assert model.eigenvalues.shape == (1, 4)
+    assert (np.diff(model.eigenvalues[0]) > 0).all()
+    assert (model.mode, model.neighbors, model.window, len(model)) == ("temporal", 100, 100, 300)
+    assert model.n_features == 5
+
+
+def test_map_gives_back_what_was_fitted(circle):
+    model = stltsa.fit(circle, neighbors=100)
+    mapped = model.map(circle)
+    assert np.array_equal(mapped.values, model.coords)
+    assert np.array_equal(mapped.nearest, np.arange(300))
+    assert (mapped.distance == 0).all()
+    assert model.map(circle + 100).distance.min() > 1
+
+
+def test_unmap_comes_near_the_frames(circle):
+    model = stltsa.fit(circle, neighbors=100)
+    back = model.unmap(model.coords, hints=np.arange(300))
+    assert np.abs(back.values - circle).max() < 0.05 * np.abs(circle).max()
+
+
+def test_hints_say_where_to_look(circle):
+    model = stltsa.fit(circle, neighbors=100)
+    hints = np.full(300, 200, dtype=np.int32)
+    for mapped in (
+        model.map(circle, hints=hints, hint_window=20),
+        model.unmap(model.coords, hints=hints, hint_window=20),
+    ):
+        assert mapped.nearest.min() >= 180
+        assert mapped.nearest.max() <= 220
+
+
+def test_hints_are_checked(circle):
+    model = stltsa.fit(circle, neighbors=100)
+    for hints in (np.arange(10), np.zeros(300), [[0]] * 300):
+        with pytest.raises(ValueError, match="300 integers"):
+            model.map(circle, hints=hints)
+
+
+def test_clip_is_mapped_frame_by_frame(clip, model):
+    mapped = model.map(clip)
+    assert mapped.values.shape == (len(clip), 2)
+    assert np.array_equal(mapped.values[model.frames], model.coords)
+
+
+def test_poses(clip, model):
+    poses = model.poses(model.coords[:50], hints=np.arange(50))
+    assert (len(poses), poses.joints) == (50, clip.joints)
+    assert poses.fps == model.fps
+
+
+def test_bytes_files_and_pickles(model, tmp_path):
+    model.save(tmp_path / "walk.stltsa")
+    for again in (
+        stltsa.Model.from_bytes(model.to_bytes()),
+        stltsa.Model.load(tmp_path / "walk.stltsa"),
+        pickle.loads(pickle.dumps(model)),
+    ):
+        assert np.array_equal(again.coords, model.coords)
+        assert again.to_json() == model.to_json()
+    with pytest.raises(stltsa.FormatError):
+        stltsa.Model.from_bytes(model.to_bytes()[:-9])
+    with pytest.raises(stltsa.FormatError):
+        stltsa.Model.from_bytes(b"")
+
+
+def test_models_are_shared_between_threads(circle):
+    from concurrent.futures import ThreadPoolExecutor
+
+    model = stltsa.fit(circle, neighbors=100)
+    with ThreadPoolExecutor(4) as pool:
+        results = list(pool.map(lambda _: model.map(circle).values, range(8)))
+        fits = list(pool.map(lambda _: stltsa.fit(circle, neighbors=100).coords, range(8)))
+    assert all(np.array_equal(r, model.coords) for r in results + fits)
+
+
+def test_json(model):
+    assert json.loads(model.to_json())["format"] == "stltsa-model/1"
+    assert "211 rows, 69 features -> 2" in repr(model)
+
+
+def test_clock_is_said(circle):
+    model = stltsa.fit(circle, neighbors=5)
+    assert any("time" in text for text in model.warnings)
+    assert model.clock > 0.9
+
+
+def test_dimension(circle, clip):
+    found = stltsa.dimension(circle, neighbors=100)
+    assert found.local_pca == 2
+    assert found.eigenvalues[0] == 0
+    assert found.local_variances[:2].sum() > 0.99
+    assert json.loads(found.to_json())["format"] == "stltsa-dimension/1"
+    assert stltsa.dimension(clip).local_pca in (1, 2, 3)
+    apart = stltsa.dimension([circle[:150], circle[150:]], neighbors=20)
+    assert apart.eigengap is None
+    assert apart.reasons

@@ -1,0 +1,40 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Puts the library's source where a source distribution has a symbolic link to this repository.
+
+Meson runs this when it makes a source distribution, so that it builds by itself.
+"""
+
+import os
+import pathlib
+import shutil
+
+PARTS = (
+    "CHANGELOG.md",
+    "LICENSE",
+    "README.md",
+    "bench",
+    "include",
+    "meson.build",
+    "meson_options.txt",
+    "pkgconfig",
+    "src",
+)
+
+
+def main() -> None:
+    source = pathlib.Path(os.environ["MESON_PROJECT_SOURCE_ROOT"]) / "subprojects" / "stltsa"
+    target = pathlib.Path(os.environ["MESON_PROJECT_DIST_ROOT"]) / "subprojects" / "stltsa"
+    if target.is_symlink():
+        target.unlink()
+    target.mkdir(parents=True, exist_ok=True)
+    for name in PARTS:
+        part = source / name
+        if part.is_dir():
+            shutil.copytree(part, target / name, dirs_exist_ok=True)
+        else:
+            shutil.copy2(part, target / name)
+
+
+if __name__ == "__main__":
+    main()
