@@ -98,7 +98,7 @@ impl Clip {
     pub fn fps(&self) -> Option<f64> {
         // SAFETY: a live handle.
         let fps = unsafe { sys::stltsa_clip_fps(self.raw()) };
-        (fps > 0.0).then(|| fps)
+        (fps > 0.0).then_some(fps)
     }
 
     /// What the clip was read from.

@@ -173,3 +173,25 @@ pub(crate) unsafe fn texts(
     // SAFETY: as the caller promises.
     (0..count).map(|index| unsafe { text(get(index)) }).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// "STLTSA_E_TOO_FEW_FRAMES" is `TooFewFrames`, and the first unknown one is `Other`.
+    #[test]
+    fn there_is_a_kind_for_each_status() {
+        let word = |word: &str| word[..1].to_owned() + &word[1..].to_lowercase();
+        for status in (-99..0).rev() {
+            // SAFETY: a static text for any number.
+            let name = unsafe { text(sys::stltsa_status_name(status)) };
+            let words = name.trim_start_matches("STLTSA_E_").split('_');
+            let expected = match words.map(word).collect::<String>() {
+                unknown if unknown == "Unknown" => format!("Other({status})"),
+                known => known,
+            };
+            assert_eq!(format!("{:?}", ErrorKind::of_status(status)), expected);
+        }
+        assert_ne!(ErrorKind::of_status(-14), ErrorKind::Other(-14));
+    }
+}

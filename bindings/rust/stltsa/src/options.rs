@@ -127,8 +127,8 @@ impl Options {
         posture_limit(distance: f64) => STLTSA_POSTURE_LIMIT, Value::Real(distance);
     }
 
-    /// Calls `report` as the work goes on, with the stage and the fraction of it that is done, 0 to
-    /// 1. `Break` cancels: the call ends with
+    /// Calls `report` as the work goes on, with the stage and the fraction of it that is done, from 0
+    /// to 1; `Break` cancels, and the call ends with
     /// [`ErrorKind::Cancelled`](crate::ErrorKind::Cancelled).
     ///
     /// It runs on the thread of the call. A panic in it cancels too, and goes on from the call.
@@ -262,7 +262,7 @@ fn describe(index: i64) -> Option<OptionInfo> {
             name: text(row.name),
             text: text(row.text),
             choices: if row.choices.is_null() { None } else { Some(text(row.choices)) },
-            range: (row.r#type != sys::STLTSA_TYPE_TEXT).then(|| row.minimum..=row.maximum),
+            range: (row.r#type != sys::STLTSA_TYPE_TEXT).then_some(row.minimum..=row.maximum),
             standard: row.standard,
         })
     }

@@ -15,9 +15,9 @@ use crate::pkg_config;
 
 /// A program that prints a line "NAME NUMBER" for each.
 fn program(header: &Header) -> String {
-    let mut lines = String::new();
+    let mut lines = Vec::new();
     let mut print = |name: &str, value: &str| {
-        lines += &format!("    printf(\"{name} %lld\\n\", (long long)({value}));\n");
+        lines.push(format!("    printf(\"{name} %lld\\n\", (long long)({value}));\n"));
     };
     for name in &header.constants {
         print(name, name);
@@ -33,6 +33,7 @@ fn program(header: &Header) -> String {
             print(&format!("{name}.{field}"), &format!("offsetof({name}, {field})"));
         }
     }
+    let lines = lines.concat();
     format!(
         "#include <stdio.h>\n#include <stltsa.h>\nint main(void) {{\n{lines}    return 0;\n}}\n"
     )

@@ -27,17 +27,17 @@ fn header() -> parse::Header {
 /// Fails with a line for each name that is not the same on both sides.
 fn assert_same<T: PartialEq + Debug>(header: &BTreeMap<String, T>, here: &BTreeMap<String, T>) {
     assert!(!header.is_empty(), "nothing was found in the header");
-    let mut complaints = String::new();
+    let mut complaints = Vec::new();
     for (name, wanted) in header {
         match here.get(name) {
             Some(found) if found == wanted => {}
-            found => complaints += &format!("{name}\n  header {wanted:?}\n  here   {found:?}\n"),
+            found => complaints.push(format!("{name}\n  header {wanted:?}\n  here   {found:?}")),
         }
     }
     for name in here.keys().filter(|name| !header.contains_key(*name)) {
-        complaints += &format!("{name}: not in the header\n");
+        complaints.push(format!("{name}: not in the header"));
     }
-    assert!(complaints.is_empty(), "\n{complaints}");
+    assert!(complaints.is_empty(), "\n{}", complaints.join("\n"));
 }
 
 #[test]

@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 pub type Named = (String, String);
 
 /// What a type is.
-#[derive(Debug, PartialEq)]
+#[derive(Debug, PartialEq, Eq)]
 pub enum Type {
     Opaque,
     Alias(String),
@@ -16,7 +16,7 @@ pub enum Type {
     Callback(Signature),
 }
 
-#[derive(Debug, PartialEq)]
+#[derive(Debug, PartialEq, Eq)]
 pub struct Signature {
     parameters: Vec<Named>,
     result: String,
