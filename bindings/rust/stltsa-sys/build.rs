@@ -5,6 +5,7 @@ use std::env;
 
 fn main() {
     println!("cargo:rerun-if-changed=build.rs");
+    println!("cargo:rerun-if-env-changed=DOCS_RS");
     // The documentation is built where there is no libstltsa; nothing is linked for it.
     if env::var_os("DOCS_RS").is_some() {
         return;

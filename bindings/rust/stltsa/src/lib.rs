@@ -73,6 +73,11 @@ pub use model::{Model, ModelInfo};
 pub use options::{options_table, OptionInfo, Options};
 pub use synthesis::{Piece, Seam, Synthesis};
 
+/// The README's programs are tested with the documentation's.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
+
 /// The version of the library that runs, such as "0.1.0".
 pub fn version() -> String {
     // SAFETY: a static text.

@@ -6,7 +6,7 @@ use std::any::Any;
 use std::ops::ControlFlow;
 use std::os::raw::c_void;
 use std::panic::{catch_unwind, resume_unwind, AssertUnwindSafe};
-use std::sync::{Arc, Mutex, TryLockError};
+use std::sync::{Arc, Mutex};
 
 use stltsa_sys as sys;
 
@@ -27,9 +27,8 @@ impl Watch<'_> {
     fn report(&mut self, stage: Stage, fraction: f64) -> ControlFlow<()> {
         let mut callback = match self.callback.try_lock() {
             Ok(callback) => callback,
-            Err(TryLockError::Poisoned(poisoned)) => poisoned.into_inner(),
             // It runs on another thread, or further up on this one: the next report will do.
-            Err(TryLockError::WouldBlock) => return ControlFlow::Continue(()),
+            Err(_) => return ControlFlow::Continue(()),
         };
         match catch_unwind(AssertUnwindSafe(|| callback(stage, fraction))) {
             Ok(answer) => answer,

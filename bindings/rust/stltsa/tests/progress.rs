@@ -5,6 +5,7 @@ mod common;
 
 use std::ops::ControlFlow::{Break, Continue};
 use std::panic::{catch_unwind, AssertUnwindSafe};
+use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 use std::sync::{Arc, Mutex};
 
 use common::{circle, circle_options, same_bits};
@@ -61,16 +62,18 @@ fn it_cancels_at_every_report() {
 
 #[test]
 fn its_panic_goes_on_from_the_call_and_leaves_the_options_usable() {
-    let mut first = true;
+    let reports = Arc::new(AtomicUsize::new(0));
+    let counter = Arc::clone(&reports);
     let options = circle_options().progress(move |_, _| {
-        if std::mem::take(&mut first) {
-            panic!("enough");
-        }
+        assert_ne!(counter.fetch_add(1, Relaxed), 1, "enough");
         Continue(())
     });
-    let panic = catch_unwind(AssertUnwindSafe(|| Model::fit(&circle(), &options))).unwrap_err();
-    assert_eq!(panic.downcast_ref::<&str>(), Some(&"enough"));
-    assert!(Model::fit(&circle(), &options).is_ok());
+    let fit = || Model::fit(&circle(), &options);
+    let panic = catch_unwind(AssertUnwindSafe(fit)).unwrap_err();
+    assert!(panic.downcast_ref::<String>().unwrap().contains("enough"));
+    assert_eq!(reports.load(Relaxed), 2); // it ended there
+    assert!(fit().is_ok());
+    assert!(reports.load(Relaxed) > 10); // and is told of the next call
 }
 
 /// The closure asks for other work with the very options that it belongs to.
