@@ -6,7 +6,7 @@ mod common;
 use std::path::Path;
 use std::process::Command;
 
-use common::{bits, scratch, walker, walker_path};
+use common::{after, bits, scratch, walker, walker_path};
 use stltsa::{Denoising, Interval, Matrix, Model, Options, Piece, Synthesis};
 
 /// Standard output of the command.
@@ -23,14 +23,13 @@ fn text(path: &Path) -> &str {
 
 /// What follows `"key":[` up to the `]` that ends it.
 fn list<'a>(json: &'a str, key: &str) -> &'a str {
-    let opening = format!("\"{key}\":[");
-    let begin = json.find(&opening).expect("the key is there") + opening.len();
+    let inside = after(json, key).strip_prefix('[').expect("a list");
     let mut depth = 1;
     let ends = |c: char| {
         depth += i32::from(c == '[') - i32::from(c == ']');
         depth == 0
     };
-    &json[begin..begin + json[begin..].find(ends).expect("the list ends")]
+    &inside[..inside.find(ends).expect("the list ends")]
 }
 
 /// Every number of a list, those of lists in it too.
@@ -99,7 +98,7 @@ fn units_cycles_and_curve_are_the_same() {
     for (cycle, (_, begin, end, begin_s, end_s)) in ours.cycles().iter().zip(theirs) {
         assert_eq!(facts(cycle), (begin, end, begin_s, end_s));
     }
-    let (_, curve) = json.split_once("\"curve\":{").expect("a curve");
+    let curve = after(&json, "curve");
     assert_eq!(bits(&ours.curve().unwrap()), bits(&numbers(curve, "values")));
     let loop_coords = ours.loop_coords().unwrap();
     assert_eq!(bits(loop_coords.as_slice()), bits(&numbers(curve, "loop")));

@@ -47,3 +47,14 @@ pub fn walker() -> Clip {
 pub fn scratch(name: &str) -> PathBuf {
     PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name)
 }
+
+/// What follows the first `"key":` of a JSON text.
+pub fn after<'a>(json: &'a str, key: &str) -> &'a str {
+    let name = format!("\"{key}\":");
+    &json[json.find(&name).unwrap_or_else(|| panic!("no {key} in {json}")) + name.len()..]
+}
+
+/// The first number, word or text of that key.
+pub fn value<'a>(json: &'a str, key: &str) -> &'a str {
+    after(json, key).split(&[',', '}', ']'][..]).next().expect("a value").trim_matches('"')
+}
