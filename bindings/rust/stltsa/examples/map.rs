@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//! Learns the curve of one clip, places the frames of another on it, and makes poses of the points.
+//!
+//!     cargo run --example map -- walk.bvh other.bvh poses.bvh
+
+use stltsa::{Clip, Model, Options};
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let arguments: Vec<_> = std::env::args_os().skip(1).collect();
+    let [learned, other, poses] = match arguments.as_slice() {
+        [learned, other, poses] => [learned, other, poses],
+        _ => return Err("usage: map LEARNED OTHER POSES.bvh".into()),
+    };
+    let defaults = Options::new();
+
+    // Three coordinates tell a swing to from the swing fro, which one cannot.
+    let model = Model::fit_clip(&Clip::open(learned)?, &Options::new().dimension(3))?;
+    println!("{} frames learned, {} neighbors", model.info().frames, model.info().neighbors);
+
+    // Distances above 1: frames unlike anything that was learned.
+    let mapped = model.map_clip(&Clip::open(other)?, &defaults)?;
+    let unlike = mapped.distance.iter().filter(|distance| **distance > 1.0).count();
+    println!("{} frames mapped, {unlike} of them unlike what was learned", mapped.coords.rows());
+
+    let made = model.unmap_clip(&mapped.coords, &defaults)?;
+    made.clip.save(poses)?;
+    println!("{} poses written", made.clip.frames());
+    Ok(())
+}

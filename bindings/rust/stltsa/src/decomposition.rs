@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//! [`Decomposition`]: motion units and cycles of a clip (section 3.1 of the paper).
+
+use std::ops::Range;
+
+use stltsa_sys as sys;
+
+use crate::array::Matrix;
+use crate::clip::Clip;
+use crate::error::{check, count, got, owned_text, text, texts, Result};
+use crate::handle::Owned;
+use crate::kinds::{Features, UnitKind};
+use crate::options::Options;
+
+/// Motion units and cycles of a clip, and the curve that they were cut from.
+/// [`Clip::decompose`] makes it.
+#[derive(Debug)]
+pub struct Decomposition {
+    handle: Owned<sys::stltsa_decomposition>,
+    units: Vec<Interval>,
+    cycles: Vec<Interval>,
+    info: DecompositionInfo,
+}
+
+/// A unit or a cycle: half-open, in frames of the source and in seconds.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Interval {
+    /// What it is.
+    pub kind: UnitKind,
+    /// First frame, rounded.
+    pub begin: usize,
+    /// The frame after the last one, rounded.
+    pub end: usize,
+    /// Begin in seconds, fractions of a frame kept.
+    pub begin_s: f64,
+    /// End in seconds, fractions of a frame kept.
+    pub end_s: f64,
+}
+
+impl Interval {
+    /// `begin..end`, as [`Piece::new`](crate::Piece::new) takes it.
+    pub fn frames(&self) -> Range<usize> {
+        self.begin..self.end
+    }
+
+    fn of(raw: sys::stltsa_interval) -> Result<Self> {
+        Ok(Self {
+            kind: UnitKind::from_raw(raw.kind),
+            begin: count(raw.begin)?,
+            end: count(raw.end)?,
+            begin_s: raw.begin_s,
+            end_s: raw.end_s,
+        })
+    }
+}
+
+/// What a decomposition rests on.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct DecompositionInfo {
+    /// Working samples: rows of curve and loop.
+    pub samples: usize,
+    /// Sample i is frame `first_frame + i * frame_step`.
+    pub first_frame: usize,
+    /// See `first_frame`.
+    pub frame_step: usize,
+    /// k that was used, in samples.
+    pub neighbors: usize,
+    /// w that was used, in samples.
+    pub window: usize,
+    /// Tangent dimension that was used.
+    pub dimension: usize,
+    /// Column that was cut, counted from 1; `None`: none.
+    pub coordinate: Option<usize>,
+    /// Features that were used.
+    pub features: Features,
+    /// Seconds; `None`: there is none.
+    pub period: Option<f64>,
+    /// Of the coordinate that was cut; 1: perfect.
+    pub cyclicity: f64,
+    /// Of the period; 1: perfect.
+    pub lag_quality: f64,
+    /// Working samples a second.
+    pub fps: f64,
+}
+
+impl Decomposition {
+    pub(crate) fn new(clip: &Clip, options: &Options) -> Result<Self> {
+        let handle = options.call(|options| {
+            // SAFETY: live handles.
+            Owned::make(|out| unsafe { sys::stltsa_decompose(clip.raw(), options, out) })
+        })?;
+        Ok(Self {
+            units: units(&handle)?,
+            cycles: cycles(&handle)?,
+            info: DecompositionInfo::of(&handle)?,
+            handle,
+        })
+    }
+
+    /// Units in order of time; they cover the clip without gap or overlap.
+    pub fn units(&self) -> &[Interval] {
+        &self.units
+    }
+
+    /// Cycles in order of time, back to back.
+    pub fn cycles(&self) -> &[Interval] {
+        &self.cycles
+    }
+
+    /// The paper's choice of a cycle (the first to third candidate).
+    pub fn representative(&self) -> Option<&Interval> {
+        self.cycle_of(sys::STLTSA_DECOMPOSITION_REPRESENTATIVE)
+    }
+
+    /// The cycle most like the others.
+    pub fn best(&self) -> Option<&Interval> {
+        self.cycle_of(sys::STLTSA_DECOMPOSITION_BEST)
+    }
+
+    /// What the decomposition rests on.
+    pub fn info(&self) -> &DecompositionInfo {
+        &self.info
+    }
+
+    /// The smoothed coordinate that was cut, sample by sample.
+    ///
+    /// # Errors
+    /// [`NoMemory`](crate::ErrorKind::NoMemory).
+    pub fn curve(&self) -> Result<Vec<f64>> {
+        let curve = Matrix::filled(self.info.samples, 1, |out| {
+            // SAFETY: a live handle, an array of the size it says.
+            unsafe { sys::stltsa_decomposition_curve(self.raw(), out) }
+        })?;
+        Ok(curve.into_vec())
+    }
+
+    /// The two coordinates of the loop (Fig. 1 of the paper): samples x 2.
+    ///
+    /// # Errors
+    /// [`NoMemory`](crate::ErrorKind::NoMemory).
+    pub fn loop_coords(&self) -> Result<Matrix> {
+        Matrix::filled(self.info.samples, 2, |out| {
+            // SAFETY: a live handle, an array of the size it says.
+            unsafe { sys::stltsa_decomposition_loop(self.raw(), out) }
+        })
+    }
+
+    /// Why no cycle is claimed, in words with the numbers; `None` where cycles are.
+    pub fn reason(&self) -> Option<String> {
+        // SAFETY: a live handle, to which the text belongs until it is copied.
+        let reason = unsafe { text(sys::stltsa_decomposition_reason(self.raw())) };
+        Some(reason).filter(|reason| !reason.is_empty())
+    }
+
+    /// What a user should know.
+    pub fn warnings(&self) -> Vec<String> {
+        // SAFETY: a live handle, to which the texts belong until they are copied.
+        unsafe {
+            let count = sys::stltsa_decomposition_warning_count(self.raw());
+            texts(count, |index| sys::stltsa_decomposition_warning(self.raw(), index))
+        }
+    }
+
+    /// One JSON object (schema: stltsa-decomposition/1).
+    ///
+    /// # Errors
+    /// [`NoMemory`](crate::ErrorKind::NoMemory).
+    pub fn json(&self) -> Result<String> {
+        // SAFETY: a live handle.
+        owned_text(|out| unsafe { sys::stltsa_decomposition_json(self.raw(), out) })
+    }
+
+    fn cycle_of(&self, key: i32) -> Option<&Interval> {
+        let index = int(&self.handle, key).ok()?;
+        self.cycles.get(usize::try_from(index).ok()?)
+    }
+
+    fn raw(&self) -> *const sys::stltsa_decomposition {
+        self.handle.raw()
+    }
+}
+
+fn int(handle: &Owned<sys::stltsa_decomposition>, key: i32) -> Result<i64> {
+    // SAFETY: a live handle.
+    got(|out| unsafe { sys::stltsa_decomposition_get_int(handle.raw(), key, out) })
+}
+
+fn units(handle: &Owned<sys::stltsa_decomposition>) -> Result<Vec<Interval>> {
+    // SAFETY: a live handle.
+    unsafe {
+        let count = sys::stltsa_decomposition_unit_count(handle.raw());
+        intervals(count, |index, out| sys::stltsa_decomposition_unit(handle.raw(), index, out))
+    }
+}
+
+fn cycles(handle: &Owned<sys::stltsa_decomposition>) -> Result<Vec<Interval>> {
+    // SAFETY: a live handle.
+    unsafe {
+        let count = sys::stltsa_decomposition_cycle_count(handle.raw());
+        intervals(count, |index, out| sys::stltsa_decomposition_cycle(handle.raw(), index, out))
+    }
+}
+
+fn intervals(
+    count: i64,
+    get: impl Fn(i64, &mut sys::stltsa_interval) -> sys::stltsa_status,
+) -> Result<Vec<Interval>> {
+    let mut raw =
+        sys::stltsa_interval { begin: 0, end: 0, begin_s: 0.0, end_s: 0.0, kind: 0, reserved: 0 };
+    let interval = |index| {
+        check(get(index, &mut raw))?;
+        Interval::of(raw)
+    };
+    (0..count).map(interval).collect()
+}
+
+impl DecompositionInfo {
+    fn of(handle: &Owned<sys::stltsa_decomposition>) -> Result<Self> {
+        let int = |key| count(int(handle, key)?);
+        // SAFETY: a live handle.
+        let real =
+            |key| got(|out| unsafe { sys::stltsa_decomposition_get_real(handle.raw(), key, out) });
+        let features = int(sys::STLTSA_DECOMPOSITION_FEATURES)? as i32;
+        let coordinate = int(sys::STLTSA_DECOMPOSITION_COORDINATE)?;
+        let period: f64 = real(sys::STLTSA_DECOMPOSITION_PERIOD)?;
+        Ok(Self {
+            samples: int(sys::STLTSA_DECOMPOSITION_SAMPLES)?,
+            first_frame: int(sys::STLTSA_DECOMPOSITION_FIRST_FRAME)?,
+            frame_step: int(sys::STLTSA_DECOMPOSITION_FRAME_STEP)?,
+            neighbors: int(sys::STLTSA_DECOMPOSITION_NEIGHBORS)?,
+            window: int(sys::STLTSA_DECOMPOSITION_WINDOW)?,
+            dimension: int(sys::STLTSA_DECOMPOSITION_DIMENSION)?,
+            coordinate: Some(coordinate).filter(|column| *column > 0),
+            features: Features::from_raw(features),
+            period: Some(period).filter(|period| *period != 0.0),
+            cyclicity: real(sys::STLTSA_DECOMPOSITION_CYCLICITY)?,
+            lag_quality: real(sys::STLTSA_DECOMPOSITION_LAG_QUALITY)?,
+            fps: real(sys::STLTSA_DECOMPOSITION_FPS)?,
+        })
+    }
+}

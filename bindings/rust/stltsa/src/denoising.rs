@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//! [`Denoising`]: coordinates without their noise (section 3.2 of the paper).
+
+use stltsa_sys as sys;
+
+use crate::array::{Matrix, View};
+use crate::error::{count, got, owned_text, Result};
+use crate::handle::Owned;
+use crate::model::{c_lengths, Model};
+use crate::options::Options;
+
+/// Cleaned coordinates: a smooth curve through them, and the points after equation (1).
+///
+/// Look for extrema and margins on the curve, never on the moved points.
+///
+/// ```
+/// use stltsa::{Denoising, Options};
+///
+/// // A swing with a spike.
+/// let mut points: Vec<[f64; 1]> = (0..200).map(|t| [(t as f64 / 10.0).sin()]).collect();
+/// points[50][0] += 5.0;
+/// let denoising = Denoising::new(&points, &Options::new())?;
+/// let cleaned = denoising.cleaned()?;
+/// assert!(cleaned[(50, 0)] < points[50][0]);
+/// # Ok::<(), stltsa::Error>(())
+/// ```
+#[derive(Debug)]
+pub struct Denoising {
+    handle: Owned<sys::stltsa_denoising>,
+    columns: Vec<DenoisedColumn>,
+    rows: usize,
+}
+
+/// What is known of one column, over all clips.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct DenoisedColumn {
+    /// Points that were moved.
+    pub moved: usize,
+    /// Threshold that was used, in units of the coordinate.
+    pub gamma: f64,
+    /// Mean distance of the points beyond gamma from the curve (d_t).
+    pub shift: f64,
+    /// Robust standard deviation of the residuals.
+    pub noise: f64,
+    /// Effective degrees of freedom of the curve.
+    pub freedom: f64,
+}
+
+impl Denoising {
+    /// Cleans coordinates, rows x columns of one clip, each column for itself: a penalized spline
+    /// over time, its smoothing chosen by generalized cross-validation. Options used: gamma, knots,
+    /// robust, fps, period_min, period_max, progress.
+    ///
+    /// # Errors
+    /// [`Shape`](crate::ErrorKind::Shape), [`NotFinite`](crate::ErrorKind::NotFinite),
+    /// [`TooFewFrames`](crate::ErrorKind::TooFewFrames) (fewer than 8 rows),
+    /// [`Argument`](crate::ErrorKind::Argument), [`Cancelled`](crate::ErrorKind::Cancelled).
+    pub fn new<'a>(coords: impl Into<View<'a>>, options: &Options) -> Result<Self> {
+        let coords = coords.into();
+        Self::new_several(coords, &[coords.rows()], options)
+    }
+
+    /// The same for several clips, one after another in `coords`; `lengths` are their rows. Each has
+    /// a spline of its own.
+    ///
+    /// # Errors
+    /// As [`Denoising::new`]; [`Shape`](crate::ErrorKind::Shape) unless `lengths` sum to the rows.
+    pub fn new_several<'a>(
+        coords: impl Into<View<'a>>,
+        lengths: &[usize],
+        options: &Options,
+    ) -> Result<Self> {
+        let (coords, lengths) = (coords.into().raw()?, c_lengths(lengths)?);
+        options.call(|options| {
+            let (clips, lengths) = (lengths.len() as i64, lengths.as_ptr());
+            // SAFETY: arrays of the sizes they say, and a handle, live through the call.
+            Self::made(|out| unsafe { sys::stltsa_denoise(&coords, lengths, clips, options, out) })
+        })
+    }
+
+    /// Cleans the coordinates of a model, component by component; rate and period are the model's.
+    /// Options used: gamma, knots, robust, progress.
+    ///
+    /// # Errors
+    /// As [`Denoising::new`].
+    pub fn of_model(model: &Model, options: &Options) -> Result<Self> {
+        options.call(|options| {
+            // SAFETY: live handles.
+            Self::made(|out| unsafe { sys::stltsa_denoise_model(model.raw(), options, out) })
+        })
+    }
+
+    /// What is known of each column.
+    pub fn columns(&self) -> &[DenoisedColumn] {
+        &self.columns
+    }
+
+    /// The fitted curve, rows x columns.
+    ///
+    /// # Errors
+    /// [`NoMemory`](crate::ErrorKind::NoMemory).
+    pub fn curve(&self) -> Result<Matrix> {
+        // SAFETY: a live handle, an array of the size it says; as in the next two.
+        self.filled(|out| unsafe { sys::stltsa_denoising_curve(self.raw(), out) })
+    }
+
+    /// The points after equation (1), rows x columns.
+    ///
+    /// # Errors
+    /// [`NoMemory`](crate::ErrorKind::NoMemory).
+    pub fn cleaned(&self) -> Result<Matrix> {
+        self.filled(|out| unsafe { sys::stltsa_denoising_cleaned(self.raw(), out) })
+    }
+
+    /// By how much each point was moved, rows x columns; 0: it was not.
+    ///
+    /// # Errors
+    /// [`NoMemory`](crate::ErrorKind::NoMemory).
+    pub fn moves(&self) -> Result<Matrix> {
+        self.filled(|out| unsafe { sys::stltsa_denoising_moves(self.raw(), out) })
+    }
+
+    /// One JSON object (schema: stltsa-denoising/1).
+    ///
+    /// # Errors
+    /// [`NoMemory`](crate::ErrorKind::NoMemory).
+    pub fn json(&self) -> Result<String> {
+        // SAFETY: a live handle.
+        owned_text(|out| unsafe { sys::stltsa_denoising_json(self.raw(), out) })
+    }
+
+    fn filled(&self, write: impl FnOnce(&sys::stltsa_out) -> sys::stltsa_status) -> Result<Matrix> {
+        Matrix::filled(self.rows, self.columns.len(), write)
+    }
+
+    fn raw(&self) -> *const sys::stltsa_denoising {
+        self.handle.raw()
+    }
+
+    fn made(
+        make: impl FnOnce(*mut *mut sys::stltsa_denoising) -> sys::stltsa_status,
+    ) -> Result<Self> {
+        let handle = Owned::make(make)?;
+        let rows = count(int(&handle, sys::STLTSA_DENOISING_ROWS, 0)?)?;
+        let columns = 0..int(&handle, sys::STLTSA_DENOISING_COLUMNS, 0)?;
+        let columns = columns.map(|column| DenoisedColumn::of(&handle, column));
+        Ok(Self { columns: columns.collect::<Result<_>>()?, rows, handle })
+    }
+}
+
+fn int(handle: &Owned<sys::stltsa_denoising>, key: i32, column: i64) -> Result<i64> {
+    // SAFETY: a live handle.
+    got(|out| unsafe { sys::stltsa_denoising_get_int(handle.raw(), key, column, out) })
+}
+
+impl DenoisedColumn {
+    fn of(handle: &Owned<sys::stltsa_denoising>, column: i64) -> Result<Self> {
+        // SAFETY: a live handle.
+        let real = |key| {
+            got(|out| unsafe { sys::stltsa_denoising_get_real(handle.raw(), key, column, out) })
+        };
+        Ok(Self {
+            moved: count(int(handle, sys::STLTSA_DENOISING_MOVED, column)?)?,
+            gamma: real(sys::STLTSA_DENOISING_GAMMA)?,
+            shift: real(sys::STLTSA_DENOISING_SHIFT)?,
+            noise: real(sys::STLTSA_DENOISING_NOISE)?,
+            freedom: real(sys::STLTSA_DENOISING_FREEDOM)?,
+        })
+    }
+}

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//! What can go wrong.
+
+use std::ffi::{CStr, CString};
+use std::fmt;
+use std::path::Path;
+
+use stltsa_sys as sys;
+
+/// `Result` with this crate's [`Error`].
+pub type Result<T> = std::result::Result<T, Error>;
+
+/// Kinds of failure. What each function can fail with is said at the function.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum ErrorKind {
+    /// A value out of range, or an option that the library does not know.
+    Argument,
+    /// Rows, columns or strides do not fit.
+    Shape,
+    /// A NaN or an infinity among the frames.
+    NotFinite,
+    /// Fewer (distinct) frames than the neighbors ask for.
+    TooFewFrames,
+    /// No memory; also: rows times columns overflows.
+    NoMemory,
+    /// A file cannot be opened, read or written.
+    Io,
+    /// A file is not what its format says.
+    Format,
+    /// The neighborhood graph falls apart and one was needed.
+    Disconnected,
+    /// The frames do not vary, or not in enough directions.
+    Degenerate,
+    /// The eigensolver gave up.
+    NotConverged,
+    /// The progress closure asked to stop.
+    Cancelled,
+    /// Not in this build of the library, or not for this clip.
+    Unsupported,
+    /// A defect of the library: please report it.
+    Internal,
+    /// Two pieces of motion have no posture at which to join.
+    NoCommonPosture,
+    /// A status that is newer than this crate.
+    Other(i32),
+}
+
+impl ErrorKind {
+    fn of_status(status: sys::stltsa_status) -> Self {
+        match status {
+            sys::STLTSA_E_ARGUMENT => Self::Argument,
+            sys::STLTSA_E_SHAPE => Self::Shape,
+            sys::STLTSA_E_NOT_FINITE => Self::NotFinite,
+            sys::STLTSA_E_TOO_FEW_FRAMES => Self::TooFewFrames,
+            sys::STLTSA_E_NO_MEMORY => Self::NoMemory,
+            sys::STLTSA_E_IO => Self::Io,
+            sys::STLTSA_E_FORMAT => Self::Format,
+            sys::STLTSA_E_DISCONNECTED => Self::Disconnected,
+            sys::STLTSA_E_DEGENERATE => Self::Degenerate,
+            sys::STLTSA_E_NOT_CONVERGED => Self::NotConverged,
+            sys::STLTSA_E_CANCELLED => Self::Cancelled,
+            sys::STLTSA_E_UNSUPPORTED => Self::Unsupported,
+            sys::STLTSA_E_INTERNAL => Self::Internal,
+            sys::STLTSA_E_NO_COMMON_POSTURE => Self::NoCommonPosture,
+            other => Self::Other(other),
+        }
+    }
+}
+
+/// A failure: its kind, and the library's own words on what was wrong, where, and what to do.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Error {
+    kind: ErrorKind,
+    message: String,
+}
+
+impl Error {
+    pub(crate) fn new(kind: ErrorKind, message: impl Into<String>) -> Self {
+        Self { kind, message: message.into() }
+    }
+
+    /// What kind of failure this is, for a program to act on.
+    pub fn kind(&self) -> ErrorKind {
+        self.kind
+    }
+
+    /// The words, for people: what was wrong, where, and what to do.
+    pub fn message(&self) -> &str {
+        &self.message
+    }
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.message)
+    }
+}
+
+impl std::error::Error for Error {}
+
+/// `Err` with the text of this thread's last failure, unless `status` is the one of success.
+pub(crate) fn check(status: sys::stltsa_status) -> Result<()> {
+    if status == sys::STLTSA_OK {
+        return Ok(());
+    }
+    // SAFETY: never NULL, and valid until the next failure on this thread; copied at once.
+    let message = unsafe { text(sys::stltsa_last_error()) };
+    Err(Error::new(ErrorKind::of_status(status), message))
+}
+
+/// A copy of a text of the library. What is not UTF-8 (names out of files) is replaced.
+///
+/// # Safety
+/// `raw` is a string that ends with a zero.
+pub(crate) unsafe fn text(raw: *const std::os::raw::c_char) -> String {
+    // SAFETY: as the caller promises.
+    unsafe { CStr::from_ptr(raw) }.to_string_lossy().into_owned()
+}
+
+/// A text that the library allocated, such as JSON.
+pub(crate) fn owned_text(
+    make: impl FnOnce(*mut *mut std::os::raw::c_char) -> sys::stltsa_status,
+) -> Result<String> {
+    let mut raw = std::ptr::null_mut();
+    check(make(&mut raw))?;
+    // SAFETY: the call succeeded, so `raw` is a string that this side has to free.
+    unsafe {
+        let copy = text(raw);
+        sys::stltsa_string_free(raw);
+        Ok(copy)
+    }
+}
+
+/// The path as C takes it.
+pub(crate) fn c_path(path: &Path) -> Result<CString> {
+    #[cfg(unix)]
+    let bytes = Some(std::os::unix::ffi::OsStrExt::as_bytes(path.as_os_str()));
+    #[cfg(not(unix))]
+    let bytes = path.to_str().map(str::as_bytes);
+    bytes.and_then(|bytes| CString::new(bytes).ok()).ok_or_else(|| {
+        Error::new(ErrorKind::Argument, format!("{} is not a path that C can take", path.display()))
+    })
+}
+
+/// A number of the library as a count of things.
+pub(crate) fn count(value: i64) -> Result<usize> {
+    usize::try_from(value)
+        .map_err(|_| Error::new(ErrorKind::Internal, format!("{value} is not a count")))
+}
+
+/// A count as C takes it.
+pub(crate) fn c_count(value: usize) -> Result<i64> {
+    i64::try_from(value)
+        .map_err(|_| Error::new(ErrorKind::Shape, format!("{value} is too large a count")))
+}
+
+/// A number that a call writes.
+pub(crate) fn got<T: Default>(get: impl FnOnce(&mut T) -> sys::stltsa_status) -> Result<T> {
+    let mut value = T::default();
+    check(get(&mut value))?;
+    Ok(value)
+}
+
+/// Copies of `count` texts of the library.
+///
+/// # Safety
+/// `get` gives strings that end with a zero and live until they are copied.
+pub(crate) unsafe fn texts(
+    count: i64,
+    get: impl Fn(i64) -> *const std::os::raw::c_char,
+) -> Vec<String> {
+    // SAFETY: as the caller promises.
+    (0..count).map(|index| unsafe { text(get(index)) }).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// "STLTSA_E_TOO_FEW_FRAMES" is `TooFewFrames`, and the first unknown one is `Other`.
+    #[test]
+    fn there_is_a_kind_for_each_status() {
+        let word = |word: &str| word[..1].to_owned() + &word[1..].to_lowercase();
+        for status in (-99..0).rev() {
+            // SAFETY: a static text for any number.
+            let name = unsafe { text(sys::stltsa_status_name(status)) };
+            let words = name.trim_start_matches("STLTSA_E_").split('_');
+            let expected = match words.map(word).collect::<String>() {
+                unknown if unknown == "Unknown" => format!("Other({status})"),
+                known => known,
+            };
+            assert_eq!(format!("{:?}", ErrorKind::of_status(status)), expected);
+        }
+        assert_ne!(ErrorKind::of_status(-14), ErrorKind::Other(-14));
+    }
+}

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//! Ownership of what the library allocates.
+
+use std::fmt;
+use std::ptr::NonNull;
+
+use stltsa_sys as sys;
+
+use crate::error::{check, Result};
+
+/// A type that only the library knows, with the function that ends it.
+pub(crate) trait Handle {
+    /// # Safety
+    /// `raw` comes from the library and is not used again.
+    unsafe fn free(raw: *mut Self);
+}
+
+macro_rules! handles {
+    ($($name:ident: $free:ident)*) => {$(
+        impl Handle for sys::$name {
+            unsafe fn free(raw: *mut Self) {
+                unsafe { sys::$free(raw) }
+            }
+        }
+    )*};
+}
+handles! {
+    stltsa_options: stltsa_options_free
+    stltsa_clip: stltsa_clip_free
+    stltsa_model: stltsa_model_free
+    stltsa_dimension_result: stltsa_dimension_free
+    stltsa_decomposition: stltsa_decomposition_free
+    stltsa_denoising: stltsa_denoising_free
+    stltsa_synthesis: stltsa_synthesis_free
+}
+
+/// A handle that this side has to free, and does.
+pub(crate) struct Owned<T: Handle>(NonNull<T>);
+
+impl<T: Handle> Owned<T> {
+    /// Hands `make` the place for the new handle.
+    pub fn make(make: impl FnOnce(*mut *mut T) -> sys::stltsa_status) -> Result<Self> {
+        let mut raw = std::ptr::null_mut();
+        check(make(&mut raw))?;
+        Ok(Self(NonNull::new(raw).expect("a call that succeeds gives a handle")))
+    }
+
+    /// # Safety
+    /// `raw` is not NULL and is freed by nobody else while the result lives.
+    pub unsafe fn from_raw(raw: *const T) -> Self {
+        // SAFETY: not NULL, says the caller.
+        Self(unsafe { NonNull::new_unchecked(raw as *mut T) })
+    }
+
+    pub fn raw(&self) -> *const T {
+        self.0.as_ptr()
+    }
+
+    pub fn raw_mut(&mut self) -> *mut T {
+        self.0.as_ptr()
+    }
+}
+
+impl<T: Handle> Drop for Owned<T> {
+    fn drop(&mut self) {
+        // SAFETY: made by the library, and this is its last use.
+        unsafe { T::free(self.0.as_ptr()) }
+    }
+}
+
+// SAFETY: the header lets a handle move between threads, any number of which may use it where it is
+// const at once. `raw` gives const ones; `raw_mut` asks for `&mut`.
+unsafe impl<T: Handle> Send for Owned<T> {}
+unsafe impl<T: Handle> Sync for Owned<T> {}
+
+impl<T: Handle> fmt::Debug for Owned<T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.fmt(f)
+    }
+}

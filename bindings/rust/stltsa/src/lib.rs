@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//! libstltsa for Rust: motion-capture clips as low-dimensional curves, motion units and cycles.
+//!
+//! The method is spatio-temporal local tangent space alignment: H. Li, J. Niu, L. Zhang, B. Hu,
+//! *Spatio-temporal LTSA and Its Application to Motion Decomposition*, ICONIP 2012; "section" and
+//! "equation" in these pages are that paper's.
+//!
+//! ```no_run
+//! use stltsa::{Clip, Options};
+//!
+//! let units = Clip::open("walk.bvh")?.decompose(&Options::new())?;
+//! for unit in units.units() {
+//!     println!("{} {:.2} s .. {:.2} s", unit.kind, unit.begin_s, unit.end_s);
+//! }
+//! # Ok::<(), stltsa::Error>(())
+//! ```
+//!
+//! * [`Clip`]: reads and writes clips, forward kinematics, features.
+//! * [`Clip::decompose`]: motion units and cycles ([`Decomposition`]).
+//! * [`Model`]: the curve itself, from clips or from your own matrix; [maps](Model::map) new frames
+//!   to it and [points of it back](Model::unmap_clip) to poses; saved to files.
+//! * [`Dimension`]: how many coordinates a motion needs.
+//! * [`Denoising`]: the curve without its noise.
+//! * [`Synthesis`]: new motion from pieces of clips.
+//! * [`Options`]: what to do otherwise than by default, progress and cancelling.
+//!
+//! # Conventions
+//!
+//! Frames are rows and count from 0 in the source file. Intervals are half-open. Lengths are in the
+//! file's own unit, seconds are frame / fps, rotations are quaternions w x y z. Arrays go in as
+//! [`View`], which any slice of arrays converts to (`f32`, `f64`, any strides, with the feature
+//! `ndarray` its arrays), and come out as [`Matrix`].
+//!
+//! Same input, options and build give the same bits on every run, for any number of threads.
+//!
+//! All types are `Send` and `Sync`: what a call made does not change afterwards, and any number of
+//! threads may ask it at once. While a fit runs, OpenBLAS is set to one thread for the whole process.
+//!
+//! Errors are [`Error`], with the library's own words. The library prints nothing and never ends the
+//! process; a panic in a progress closure passes through it unharmed.
+//!
+//! # Features
+//!
+//! * `ndarray`: arrays of the crate ndarray (0.15 to 0.17) in and out.
+//! * `static`: links `libstltsa.a`; see the crate `stltsa-sys`.
+#![warn(missing_docs, unsafe_op_in_unsafe_fn)]
+
+mod array;
+mod clip;
+mod decomposition;
+mod denoising;
+mod dimension;
+mod error;
+mod handle;
+mod kinds;
+mod mapping;
+mod model;
+mod options;
+mod progress;
+mod synthesis;
+#[cfg(feature = "ndarray")]
+mod with_ndarray;
+
+pub use array::{Element, Matrix, View};
+pub use clip::{Clip, Joint};
+pub use decomposition::{Decomposition, DecompositionInfo, Interval};
+pub use denoising::{DenoisedColumn, Denoising};
+pub use dimension::{Dimension, Estimate};
+pub use error::{Error, ErrorKind, Result};
+pub use kinds::{Axis, Features, Format, Mode, Stage, UnitKind};
+pub use mapping::{Mapped, Poses, Unmapped};
+pub use model::{Model, ModelInfo};
+pub use options::{options_table, OptionInfo, Options};
+pub use synthesis::{Piece, Seam, Synthesis};
+
+/// The README's programs are tested with the documentation's.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
+
+/// The version of the library that runs, such as "0.1.0".
+pub fn version() -> String {
+    // SAFETY: a static text.
+    unsafe { error::text(stltsa_sys::stltsa_version()) }
+}

@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//! [`Model`]: the manifold curve of one or several clips.
+
+use std::path::Path;
+
+use stltsa_sys as sys;
+
+use crate::array::{Matrix, View};
+use crate::clip::Clip;
+use crate::error::{
+    c_count, c_path, check, count, got, owned_text, texts, Error, ErrorKind, Result,
+};
+use crate::handle::Owned;
+use crate::kinds::Mode;
+use crate::options::Options;
+
+/// A fitted curve (spatio-temporal LTSA): coordinates for every frame, and how good they are.
+///
+/// ```
+/// use stltsa::{Model, Options};
+///
+/// // Three rounds of a circle that is bent into four dimensions.
+/// let frames: Vec<[f64; 4]> = (0..300)
+///     .map(|t| std::f64::consts::TAU * t as f64 / 100.0)
+///     .map(|a| [a.cos(), a.sin(), 0.3 * (2.0 * a).sin(), 0.2 * a.cos() * a.cos()])
+///     .collect();
+/// let model = Model::fit(&frames, &Options::new().dimension(2).neighbors(120))?;
+///
+/// let coords = model.coords()?;
+/// assert_eq!((coords.rows(), coords.cols()), (300, 2));
+/// assert!(model.info().residual < 1e-9);
+///
+/// // A frame that was fitted has its own coordinates, to the bit.
+/// let mapped = model.map(&frames[..10], &Options::new())?;
+/// assert_eq!(mapped.coords.row(3), coords.row(3));
+/// # Ok::<(), stltsa::Error>(())
+/// ```
+#[derive(Debug)]
+pub struct Model {
+    pub(crate) handle: Owned<sys::stltsa_model>,
+    info: ModelInfo,
+}
+
+/// What was fitted, with which parameters, and how well. Frames are rows of the model.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct ModelInfo {
+    /// Rows of the coordinates.
+    pub frames: usize,
+    /// Columns that were fitted.
+    pub features: usize,
+    /// Number of coordinates, d.
+    pub dimension: usize,
+    /// k that was used.
+    pub neighbors: usize,
+    /// w that was used.
+    pub window: usize,
+    /// Where neighbors were looked for.
+    pub mode: Mode,
+    /// Whether a frame was among its own neighbors.
+    pub include_self: bool,
+    /// Neighbors from outside the exclusion zone (mode recurrent).
+    pub links: usize,
+    /// Half width of that zone (mode recurrent).
+    pub exclusion: usize,
+    /// Connected components of the neighborhood graph; coordinates of different ones do not compare.
+    pub components: usize,
+    /// Frames that were collapsed because they repeat the one before.
+    pub repeated: usize,
+    /// Windows of fewer than d directions.
+    pub rank_deficient: usize,
+    /// Applications of the inverse operator by the eigensolver.
+    pub solves: usize,
+    /// Row i is frame `first_frame + i * frame_step` of the clip.
+    pub first_frame: usize,
+    /// See `first_frame`; 1 for matrices.
+    pub frame_step: usize,
+    /// Largest ||B u - lambda u|| / k over the coordinates.
+    pub residual: f64,
+    /// Estimate of the largest principal angle to the exact embedding of these neighborhoods, in
+    /// radians.
+    pub error_estimate: f64,
+    /// Smallest lambda_{d+2} / lambda_{d+1} of a component; near 1 the curve is ill-defined.
+    pub gap: f64,
+    /// |Rank correlation| of coordinate 1 with time; 1: it tells the time and nothing else.
+    pub clock: f64,
+    /// Rows a second; `None`: unknown.
+    pub fps: Option<f64>,
+    /// Period in seconds that an automatic k rests on.
+    pub period: Option<f64>,
+    /// Distance from the fitted frames, in units of the features, up to which a new frame counts as
+    /// one of their kind. `None`: the model kept no frames and cannot map.
+    pub support: Option<f64>,
+}
+
+impl Model {
+    /// Fits a model to `frames` x features, one clip: finite, at least k + 1 distinct frames.
+    ///
+    /// Options used: neighbors, window, dimension, mode, include_self, links, exclusion, threads,
+    /// fps (for the automatic k), period_min, period_max, keep_frames, progress.
+    ///
+    /// # Errors
+    /// [`Shape`](ErrorKind::Shape), [`NotFinite`](ErrorKind::NotFinite),
+    /// [`TooFewFrames`](ErrorKind::TooFewFrames), [`Argument`](ErrorKind::Argument) (needs
+    /// d + 2 <= k <= w + 1), [`Degenerate`](ErrorKind::Degenerate),
+    /// [`NotConverged`](ErrorKind::NotConverged), [`Unsupported`](ErrorKind::Unsupported) (a mode
+    /// that needs CHOLMOD, without it), [`Cancelled`](ErrorKind::Cancelled),
+    /// [`NoMemory`](ErrorKind::NoMemory).
+    pub fn fit<'a>(frames: impl Into<View<'a>>, options: &Options) -> Result<Self> {
+        let frames = frames.into();
+        Self::fit_several(frames, &[frames.rows()], options)
+    }
+
+    /// The same for several clips, one after another in `frames`; `lengths` are their frames.
+    /// Temporal neighbors never cross clips, so look at the components.
+    ///
+    /// # Errors
+    /// As [`Model::fit`]; [`Shape`](ErrorKind::Shape) unless `lengths` sum to the rows.
+    pub fn fit_several<'a>(
+        frames: impl Into<View<'a>>,
+        lengths: &[usize],
+        options: &Options,
+    ) -> Result<Self> {
+        let (frames, lengths) = (frames.into().raw()?, c_lengths(lengths)?);
+        options.call(|options| {
+            let clips = lengths.len() as i64;
+            // SAFETY: arrays of the sizes they say, and a handle, live through the call.
+            Self::made(|out| unsafe {
+                sys::stltsa_fit(&frames, lengths.as_ptr(), clips, options, out)
+            })
+        })
+    }
+
+    /// Fits a model to a clip: its features, T-pose start dropped, smoothed and decimated. Options
+    /// used besides those of [`Model::fit`]: features, up_axis, keep_start, rate, smoothing.
+    ///
+    /// # Errors
+    /// As [`Model::fit`].
+    pub fn fit_clip(clip: &Clip, options: &Options) -> Result<Self> {
+        options.call(|options| {
+            // SAFETY: live handles.
+            Self::made(|out| unsafe { sys::stltsa_fit_clip(clip.raw(), options, out) })
+        })
+    }
+
+    /// Reads a model that [`Model::save`] wrote; it gives the same bits as the one that was saved.
+    ///
+    /// # Errors
+    /// [`Io`](ErrorKind::Io), [`Format`](ErrorKind::Format).
+    pub fn load(path: impl AsRef<Path>) -> Result<Self> {
+        let path = c_path(path.as_ref())?;
+        // SAFETY: a string that lives through the call.
+        Self::made(|out| unsafe { sys::stltsa_model_load(path.as_ptr(), out) })
+    }
+
+    /// Writes the model to a file, whole or not at all.
+    ///
+    /// # Errors
+    /// [`Io`](ErrorKind::Io).
+    pub fn save(&self, path: impl AsRef<Path>) -> Result<()> {
+        let path = c_path(path.as_ref())?;
+        // SAFETY: a live handle, and a string that lives through the call.
+        check(unsafe { sys::stltsa_model_save(self.raw(), path.as_ptr()) })
+    }
+
+    /// The model out of the bytes of [`Model::serialize`]; they may be anybody's.
+    ///
+    /// # Errors
+    /// [`Format`](ErrorKind::Format) says what is wrong with them.
+    pub fn parse(bytes: &[u8]) -> Result<Self> {
+        let (data, size) = (bytes.as_ptr().cast(), bytes.len());
+        // SAFETY: `size` bytes from `data` live through the call.
+        Self::made(|out| unsafe { sys::stltsa_model_parse(data, size, out) })
+    }
+
+    /// The model as bytes: versioned, checksummed, the same on every machine.
+    ///
+    /// # Errors
+    /// [`NoMemory`](ErrorKind::NoMemory).
+    pub fn serialize(&self) -> Result<Vec<u8>> {
+        let (mut data, mut size) = (std::ptr::null_mut(), 0);
+        // SAFETY: a live handle; then `size` bytes from `data`, which this side has to free.
+        unsafe {
+            check(sys::stltsa_model_serialize(self.raw(), &mut data, &mut size))?;
+            let bytes = std::slice::from_raw_parts(data, size).to_vec();
+            sys::stltsa_bytes_free(data);
+            Ok(bytes)
+        }
+    }
+
+    /// What was fitted, with which parameters, and how well.
+    pub fn info(&self) -> &ModelInfo {
+        &self.info
+    }
+
+    /// The coordinates: frames x d, each column centered and of unit norm within a component.
+    ///
+    /// # Errors
+    /// [`NoMemory`](ErrorKind::NoMemory).
+    pub fn coords(&self) -> Result<Matrix> {
+        Matrix::filled(self.info.frames, self.info.dimension, |out| {
+            // SAFETY: a live handle, an array of the size it says.
+            unsafe { sys::stltsa_model_coords(self.raw(), out) }
+        })
+    }
+
+    /// components x (d + 2): lambda_1 = 0, lambda_2, ... of each, ascending; NaN where a component is
+    /// too small to have as many.
+    ///
+    /// # Errors
+    /// [`NoMemory`](ErrorKind::NoMemory).
+    pub fn eigenvalues(&self) -> Result<Matrix> {
+        Matrix::filled(self.info.components, self.info.dimension + 2, |out| {
+            // SAFETY: a live handle, an array of the size it says.
+            unsafe { sys::stltsa_model_eigenvalues(self.raw(), out) }
+        })
+    }
+
+    /// Component of each row, counted from 0, numbered by first row.
+    ///
+    /// # Errors
+    /// [`NoMemory`](ErrorKind::NoMemory).
+    pub fn components(&self) -> Result<Vec<usize>> {
+        let mut labels = vec![0; self.info.frames];
+        let rows = labels.len() as i64;
+        // SAFETY: a live handle, and place for as many labels as it says.
+        check(unsafe { sys::stltsa_model_components(self.raw(), rows, labels.as_mut_ptr()) })?;
+        labels.into_iter().map(count).collect()
+    }
+
+    /// What a user should know: only a clock, disconnected, rank-deficient windows, small gap.
+    pub fn warnings(&self) -> Vec<String> {
+        // SAFETY: a live handle, to which the texts belong until they are copied.
+        unsafe {
+            let count = sys::stltsa_model_warning_count(self.raw());
+            texts(count, |index| sys::stltsa_model_warning(self.raw(), index))
+        }
+    }
+
+    /// One JSON object (schema: stltsa-model/1).
+    ///
+    /// # Errors
+    /// [`NoMemory`](ErrorKind::NoMemory).
+    pub fn json(&self) -> Result<String> {
+        // SAFETY: a live handle.
+        owned_text(|out| unsafe { sys::stltsa_model_json(self.raw(), out) })
+    }
+
+    pub(crate) fn raw(&self) -> *const sys::stltsa_model {
+        self.handle.raw()
+    }
+
+    fn made(make: impl FnOnce(*mut *mut sys::stltsa_model) -> sys::stltsa_status) -> Result<Self> {
+        let handle = Owned::make(make)?;
+        let info = ModelInfo::of(&handle)?;
+        Ok(Self { handle, info })
+    }
+}
+
+impl ModelInfo {
+    fn of(model: &Owned<sys::stltsa_model>) -> Result<Self> {
+        let model = model.raw();
+        // SAFETY: a live handle, as in the next.
+        let int = |key| count(got(|out| unsafe { sys::stltsa_model_get_int(model, key, out) })?);
+        let real = |key| got(|out| unsafe { sys::stltsa_model_get_real(model, key, out) });
+        let known = |key| Ok::<_, Error>(Some(real(key)?).filter(|value| *value != 0.0));
+        Ok(Self {
+            frames: int(sys::STLTSA_MODEL_FRAMES)?,
+            features: int(sys::STLTSA_MODEL_FEATURES)?,
+            dimension: int(sys::STLTSA_MODEL_DIMENSION)?,
+            neighbors: int(sys::STLTSA_MODEL_NEIGHBORS)?,
+            window: int(sys::STLTSA_MODEL_WINDOW)?,
+            mode: Mode::from_raw(int(sys::STLTSA_MODEL_MODE)? as i32),
+            include_self: int(sys::STLTSA_MODEL_INCLUDE_SELF)? != 0,
+            links: int(sys::STLTSA_MODEL_LINKS)?,
+            exclusion: int(sys::STLTSA_MODEL_EXCLUSION)?,
+            components: int(sys::STLTSA_MODEL_COMPONENTS)?,
+            repeated: int(sys::STLTSA_MODEL_REPEATED)?,
+            rank_deficient: int(sys::STLTSA_MODEL_RANK_DEFICIENT)?,
+            solves: int(sys::STLTSA_MODEL_SOLVES)?,
+            first_frame: int(sys::STLTSA_MODEL_FIRST_FRAME)?,
+            frame_step: int(sys::STLTSA_MODEL_FRAME_STEP)?,
+            residual: real(sys::STLTSA_MODEL_RESIDUAL)?,
+            error_estimate: real(sys::STLTSA_MODEL_ERROR_ESTIMATE)?,
+            gap: real(sys::STLTSA_MODEL_GAP)?,
+            clock: real(sys::STLTSA_MODEL_CLOCK)?,
+            fps: known(sys::STLTSA_MODEL_FPS)?,
+            period: known(sys::STLTSA_MODEL_PERIOD)?,
+            support: known(sys::STLTSA_MODEL_SUPPORT)?,
+        })
+    }
+}
+
+/// The lengths of clips as C takes them.
+pub(crate) fn c_lengths(lengths: &[usize]) -> Result<Vec<i64>> {
+    if lengths.is_empty() {
+        return Err(Error::new(ErrorKind::Shape, "lengths is empty: give the clips' frames"));
+    }
+    lengths.iter().copied().map(c_count).collect()
+}

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//! The progress closure is told of the work, can cancel it, and may panic.
+
+mod common;
+
+use std::ops::ControlFlow::{Break, Continue};
+use std::panic::{catch_unwind, AssertUnwindSafe};
+use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
+use std::sync::{Arc, Mutex};
+
+use common::{circle, circle_options, same_bits};
+use stltsa::{ErrorKind, Model, Options, Stage};
+
+type Reports = Arc<Mutex<Vec<(Stage, f64)>>>;
+
+fn recording(reports: &Reports) -> Options {
+    let reports = Arc::clone(reports);
+    circle_options().progress(move |stage, fraction| {
+        reports.lock().unwrap().push((stage, fraction));
+        Continue(())
+    })
+}
+
+#[test]
+fn it_is_told_of_each_stage_from_0_to_1_on_the_callers_thread() {
+    let reports = Reports::default();
+    let here = std::thread::current().id();
+    Model::fit(&circle(), &recording(&reports)).unwrap();
+    let told = reports.lock().unwrap().clone();
+    assert!(told.iter().any(|(stage, _)| *stage == Stage::Spectrum), "{told:?}");
+    assert!(told.iter().all(|(_, fraction)| (0.0..=1.0).contains(fraction)), "{told:?}");
+    for pair in told.windows(2).filter(|pair| pair[0].0 == pair[1].0) {
+        assert!(pair[0].1 <= pair[1].1, "{pair:?}");
+    }
+    let options = circle_options().progress(move |_, _| {
+        assert_eq!(std::thread::current().id(), here);
+        Continue(())
+    });
+    Model::fit(&circle(), &options).unwrap();
+}
+
+#[test]
+fn it_cancels_at_every_report() {
+    let reports = Reports::default();
+    let whole = Model::fit(&circle(), &recording(&reports)).unwrap();
+    let count = reports.lock().unwrap().len();
+    for last in 1..=count {
+        let mut left = last;
+        let options = circle_options().progress(move |_, _| {
+            left -= 1;
+            if left == 0 {
+                Break(())
+            } else {
+                Continue(())
+            }
+        });
+        assert_eq!(Model::fit(&circle(), &options).unwrap_err().kind(), ErrorKind::Cancelled);
+    }
+    let again = Model::fit(&circle(), &circle_options()).unwrap();
+    assert!(same_bits(&again.coords().unwrap(), &whole.coords().unwrap()));
+}
+
+#[test]
+fn its_panic_goes_on_from_the_call_and_leaves_the_options_usable() {
+    let reports = Arc::new(AtomicUsize::new(0));
+    let counter = Arc::clone(&reports);
+    let options = circle_options().progress(move |_, _| {
+        assert_ne!(counter.fetch_add(1, Relaxed), 1, "enough");
+        Continue(())
+    });
+    let fit = || Model::fit(&circle(), &options);
+    let panic = catch_unwind(AssertUnwindSafe(fit)).unwrap_err();
+    assert!(panic.downcast_ref::<String>().unwrap().contains("enough"));
+    assert_eq!(reports.load(Relaxed), 2); // it ended there
+    assert!(fit().is_ok());
+    assert!(reports.load(Relaxed) > 10); // and is told of the next call
+}
+
+/// The closure asks for other work with the very options that it belongs to.
+#[test]
+fn it_may_call_the_library() {
+    let shared: Arc<Mutex<Option<Options>>> = Arc::default();
+    let inside = Arc::clone(&shared);
+    let options = circle_options().progress(move |_, _| {
+        let options = inside.lock().unwrap().take();
+        if let Some(options) = options {
+            assert!(Model::fit(&circle(), &options).is_ok());
+        }
+        Continue(())
+    });
+    *shared.lock().unwrap() = Some(options.clone());
+    assert!(Model::fit(&circle(), &options).is_ok());
+    assert!(shared.lock().unwrap().is_none());
+}

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//! A clip with a skeleton, through everything that asks for one.
+
+mod common;
+
+use common::{same_bits, scratch, walker, walker_path};
+use stltsa::{Clip, Dimension, ErrorKind, Format, Model, Options, Piece, Synthesis, UnitKind};
+
+#[test]
+#[ignore = "needs STLTSA_TEST_CLIP"]
+fn a_clip_says_what_is_in_it() {
+    let clip = walker();
+    assert_eq!((clip.format(), clip.fps()), (Format::Bvh, Some(120.0)));
+    let joints = clip.joints().unwrap();
+    assert_eq!(joints.len(), clip.joint_count());
+    assert_eq!(joints[0].parent, None);
+    assert!(joints[1..].iter().enumerate().all(|(i, joint)| joint.parent.unwrap() <= i));
+    assert!(joints.iter().any(|joint| joint.is_end_site));
+    let positions = clip.positions().unwrap();
+    assert_eq!((positions.rows(), positions.cols()), (clip.frames(), 3 * joints.len()));
+    let rotations = clip.rotations().unwrap();
+    let w_x_y_z = &rotations.row(clip.frames() / 2)[..4];
+    assert!((w_x_y_z.iter().map(|q| q * q).sum::<f64>() - 1.0).abs() < 1e-12);
+    assert!(clip.channels() > 0 && clip.json().unwrap().contains("stltsa-clip/1"));
+}
+
+#[test]
+#[ignore = "needs STLTSA_TEST_CLIP"]
+fn bytes_and_saved_files_are_the_same_clip() {
+    let clip = walker();
+    let bytes = std::fs::read(walker_path()).unwrap();
+    let parsed = Clip::parse(&bytes, Some(Format::Bvh), &Options::new()).unwrap();
+    let path = scratch("saved.bvh");
+    clip.save(&path).unwrap();
+    for same in [parsed, Clip::open(&path).unwrap()] {
+        assert!(same_bits(&same.positions().unwrap(), &clip.positions().unwrap()));
+    }
+    assert_eq!(clip.save(scratch("clip.odd")).unwrap_err().kind(), ErrorKind::Argument);
+}
+
+#[test]
+#[ignore = "needs STLTSA_TEST_CLIP"]
+fn units_cover_the_clip_and_cycles_the_cyclic_one() {
+    let clip = walker();
+    let found = clip.decompose(&Options::new()).unwrap();
+    let kinds: Vec<String> = found.units().iter().map(|unit| unit.kind.to_string()).collect();
+    assert_eq!(kinds, ["preparing", "initial", "cyclic", "final", "wind-up"]);
+    assert_eq!(found.units()[0].begin, 0);
+    assert_eq!(found.units()[4].end, clip.frames());
+    assert!(found.units().windows(2).all(|pair| pair[0].end == pair[1].begin));
+    let cyclic = found.units().iter().find(|unit| unit.kind == UnitKind::Cyclic).unwrap();
+    let (first, last) = (&found.cycles()[0], found.cycles().last().unwrap());
+    assert_eq!(cyclic.frames(), first.begin..last.end);
+    assert!(found.best().is_some() && found.representative().is_some());
+    assert_eq!(found.reason(), None);
+    let info = found.info();
+    assert_eq!(found.curve().unwrap().len(), info.samples);
+    assert_eq!(found.loop_coords().unwrap().rows(), info.samples);
+    assert!((info.period.unwrap() - 1.1).abs() < 0.02, "{info:?}");
+}
+
+#[test]
+#[ignore = "needs STLTSA_TEST_CLIP"]
+fn standing_has_no_cycle_and_a_reason() {
+    let standing = Clip::from_matrix(&walker().positions().unwrap(), 120.0).unwrap();
+    let options = Options::new().period_min(2.5).period_max(6.0);
+    let found = standing.decompose(&options).unwrap();
+    assert!(found.cycles().is_empty() && found.best().is_none());
+    assert!(!found.reason().unwrap().is_empty());
+}
+
+#[test]
+#[ignore = "needs STLTSA_TEST_CLIP"]
+fn a_fitted_clip_maps_to_its_own_coordinates_and_back_to_poses() {
+    let clip = walker();
+    let model = Model::fit_clip(&clip, &Options::new().dimension(3)).unwrap();
+    let (info, coords) = (model.info(), model.coords().unwrap());
+    let mapped = model.map_clip(&clip, &Options::new()).unwrap();
+    assert_eq!(mapped.coords.rows(), clip.frames());
+    for row in 0..info.frames {
+        let frame = info.first_frame + row * info.frame_step;
+        assert_eq!(mapped.coords.row(frame), coords.row(row));
+    }
+    let hints: Vec<_> = (0..info.frames).map(Some).collect();
+    for poses in [
+        model.unmap_clip(&coords, &Options::new()).unwrap(),
+        model.unmap_clip_near(&coords, &hints, &Options::new()).unwrap(),
+    ] {
+        assert_eq!(poses.clip.frames(), info.frames);
+        assert_eq!(poses.clip.joint_count(), clip.joint_count());
+        assert_eq!(poses.clip.fps(), info.fps);
+        assert!(poses.distance.iter().all(|distance| *distance <= 1.0));
+    }
+    let estimate = Dimension::estimate_clip(&clip, &Options::new()).unwrap();
+    assert!(!estimate.eigenvalues().is_empty());
+}
+
+#[test]
+#[ignore = "needs STLTSA_TEST_CLIP"]
+fn the_best_cycle_goes_round_and_round() {
+    let clip = walker();
+    let best = *clip.decompose(&Options::new()).unwrap().best().unwrap();
+    let pieces = [Piece::new(&clip, best.frames()).repeat(4)];
+    let synthesis = Synthesis::new(&pieces, &Options::new()).unwrap();
+    drop(clip); // the new clip is no part of it
+    assert_eq!(synthesis.seams().len(), 3);
+    for seam in synthesis.seams() {
+        assert_eq!((seam.piece, seam.next), (0, 0));
+        assert!(seam.posture < 1.0 && seam.crossfade > 0, "{seam:?}");
+    }
+    assert!(synthesis.warnings().is_empty());
+    assert!(synthesis.clip().frames() > 3 * (best.end - best.begin));
+    let path = scratch("loop.bvh");
+    synthesis.clip().save(&path).unwrap();
+    let saved = Clip::open(&path).unwrap().positions().unwrap();
+    assert!(same_bits(&saved, &synthesis.clip().positions().unwrap()));
+}
+
+#[test]
+#[ignore = "needs STLTSA_TEST_CLIP"]
+fn pieces_that_follow_each_other_give_the_clip_back() {
+    let clip = walker();
+    let found = clip.decompose(&Options::new()).unwrap();
+    let pieces: Vec<_> = found.units().iter().map(|u| Piece::new(&clip, u.frames())).collect();
+    let whole = Synthesis::new(&pieces, &Options::new()).unwrap();
+    assert!(same_bits(&whole.clip().positions().unwrap(), &clip.positions().unwrap()));
+    let outside = [Piece::new(&clip, 0..clip.frames() + 1)];
+    let error = Synthesis::new(&outside, &Options::new()).unwrap_err();
+    assert_eq!(error.kind(), ErrorKind::Argument);
+    assert_eq!(Synthesis::new(&[], &Options::new()).unwrap_err().kind(), ErrorKind::Argument);
+}
