@@ -36,7 +36,7 @@ def test_too_few_frames(circle):
 
 
 def test_nothing_moves():
-    with pytest.raises(stltsa.TooFewFramesError, match="1 distinct"):
+    with pytest.raises(stltsa.DegenerateError, match="nothing moves"):
         stltsa.fit(np.ones((100, 3)), neighbors=5)
 
 
