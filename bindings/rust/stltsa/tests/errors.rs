@@ -26,7 +26,7 @@ fn each_kind_is_told_from_the_others() {
     gap[7][2] = f64::NAN;
     assert_eq!(fit(&gap), ErrorKind::NotFinite);
     assert_eq!(fit(&circle()[..20]), ErrorKind::TooFewFrames);
-    assert_eq!(fit(&[[1.0; 4]; 200]), ErrorKind::TooFewFrames);
+    assert_eq!(fit(&[[1.0; 4]; 200]), ErrorKind::Degenerate);
     assert_eq!(kind(Model::parse(b"not a model")), ErrorKind::Format);
     assert_eq!(kind(Model::load("no/such/model")), ErrorKind::Io);
     let several = |lengths: &[usize]| Model::fit_several(&circle(), lengths, &circle_options());
