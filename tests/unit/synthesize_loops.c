@@ -12,7 +12,7 @@ static void a_cycle_four_times(void** state) {
     assert_int_equal(stltsa_synthesis_seam_count(s), 3);
     const stltsa_seam first = seam_of(s, 0);
     const int64_t loop = first.cut_end - first.cut_begin;
-    assert_true(llabs(loop - length) <= 0.08 * (double)length);
+    assert_true((double)llabs(loop - length) <= 0.08 * (double)length);
     assert_int_equal(first.frame, first.cut_end - cycle.begin);
     for (int i = 0; i < 3; ++i) {
         const stltsa_seam seam = seam_of(s, i);
