@@ -643,7 +643,8 @@ typedef struct stltsa_synthesis stltsa_synthesis;
  * the cuts are moved (option search) to the pair of frames whose postures and velocities are most
  * alike, and the two are crossfaded; the body goes on from where it stood, facing the way it faced.
  * Pieces that follow each other in their clip are joined as they were, so the units of a clip give
- * the clip back. All clips need one hierarchy; the first one gives hierarchy, channels, units and
+ * the clip back; of what is left out between pieces of one clip, or played twice, at least half
+ * stays so. All clips need one hierarchy; the first one gives hierarchy, channels, units and
  * frame rate, to which others are resampled. Options: crossfade, search, posture_limit, up axis,
  * progress. E_ARGUMENT, E_UNSUPPORTED (bare numbers, other hierarchies, no frame rate),
  * E_NO_COMMON_POSTURE (beyond posture_limit; the text says at which seam and by how much). */

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "clip/angles.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -180,6 +181,27 @@ void put_position(const Joint& joint, bool translations_add, const Vec3& place, 
             continue;
         const auto axis = static_cast<std::size_t>(channel_axis(joint.channels[c]));
         values[c] = place[axis] - (translations_add ? joint.offset[axis] : 0);
+    }
+}
+
+void put_world_position(const Skeleton& skeleton, std::size_t joint, const Vec3& place,
+                        double* row) {
+    const std::vector<std::size_t> begins = channel_begins(skeleton);
+    std::ptrdiff_t axes = 0;
+    for (int j = static_cast<int>(joint); j >= 0 && axes < 3;) {
+        const auto at = static_cast<std::size_t>(j);
+        const Joint& moved = skeleton.joints[at];
+        Pose pose;
+        pose.place(skeleton, row, joint + 1);
+        Vec3 local = at == joint ? place : pose.position[at] + (place - pose.position[joint]);
+        j = moved.parent;
+        if (j >= 0) {
+            const auto parent = static_cast<std::size_t>(j);
+            local = rotate(conjugate(pose.world[parent]), local - pose.position[parent]);
+        }
+        put_position(moved, skeleton.translations_add, local, row + begins[at]);
+        axes += std::count_if(moved.channels.begin(), moved.channels.end(),
+                              [](Channel channel) { return !is_rotation(channel); });
     }
 }
 

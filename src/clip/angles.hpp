@@ -17,4 +17,9 @@ void put_rotation(const Joint& joint, bool fixed_axes, const Quaternion& local, 
 /// none are left out.
 void put_position(const Joint& joint, bool translations_add, const Vec3& place, double* values);
 
+/// Writes position channels of a row so that the joint comes to this place in the world: its own
+/// and, until there are three, those of the joints above it.
+void put_world_position(const Skeleton& skeleton, std::size_t joint, const Vec3& place,
+                        double* row);
+
 } // namespace stltsa::clip

@@ -2,6 +2,9 @@
 #include "clip/heading.hpp"
 
 #include <algorithm>
+#include <optional>
+
+#include "clip/formats.hpp"
 
 namespace stltsa::clip {
 namespace {
@@ -33,10 +36,9 @@ bool is_inverted(const Clip& clip, std::size_t root, int up) {
     return sum < threshold * static_cast<double>(clip.frames());
 }
 
-bool rests(const Matrix& values, std::int64_t begin, std::int64_t end) {
-    const double* first = values.row(0);
+bool rests(const Matrix& values, std::int64_t column) {
     for (std::int64_t frame = 1; frame < values.rows(); ++frame)
-        if (!std::equal(first + begin, first + end, values.row(frame) + begin))
+        if (values(frame, column) != values(0, column))
             return false;
     return true;
 }
@@ -46,18 +48,23 @@ bool rests(const Matrix& values, std::int64_t begin, std::int64_t end) {
 std::size_t body_root(const Clip& clip) {
     const std::vector<Joint>& joints = clip.skeleton->joints;
     std::int64_t column = 0;
+    std::optional<std::size_t> moving;
     for (std::size_t j = 0; j < joints.size(); ++j) {
-        const std::int64_t end = column + static_cast<std::int64_t>(joints[j].channels.size());
         const auto children = std::count_if(joints.begin(), joints.end(), [j](const Joint& joint) {
             return joint.parent == static_cast<int>(j);
         });
-        if (!rests(clip.values, column, end))
-            return j;
+        for (const Channel channel : joints[j].channels) {
+            if (rests(clip.values, column++))
+                continue;
+            if (is_rotation(channel))
+                return j;
+            if (!moving)
+                moving = j;
+        }
         if (children != 1)
             break;
-        column = end;
     }
-    return 0;
+    return moving.value_or(0);
 }
 
 Heading::Heading(const Clip& clip, std::size_t root, Axis up)

@@ -7,9 +7,9 @@
 
 namespace stltsa::clip {
 
-/// The joint that carries the body: the root, or, where an exporter put resting joints above the
-/// body's own root, the first below them that moves. Joints before it are its ancestors, joints
-/// after it its descendants.
+/// The joint that turns the body: the root, or, where an exporter put joints above the body's own
+/// root that rest or only move along, the first below them that turns; where none turns, the first
+/// that moves. Joints before it are its ancestors, joints after it its descendants.
 std::size_t body_root(const Clip& clip);
 
 /// The yaw of the body root: the twist about the up axis in the swing-twist decomposition of its

@@ -151,13 +151,12 @@ class Decoder {
         if (code.root > 0) {
             const int parent = code.skeleton.joints[code.root].parent;
             parent_rotation_ = above.world[static_cast<std::size_t>(parent)];
-            parent_position_ = above.position[static_cast<std::size_t>(parent)];
         }
     }
 
     /// Puts a pose into a row, which holds the row before.
     void put(const double* vector, double* row) const {
-        put_height(*vector, row + begins_[code_.root]);
+        put_height(*vector, row);
         const double* turn = vector + first_turn;
         for (std::size_t t = 0; t < joints_.size(); ++t, turn += 3) {
             const std::size_t j = joints_[t];
@@ -172,19 +171,16 @@ class Decoder {
     }
 
   private:
-    void put_height(double height, double* values) const {
-        const Joint& joint = code_.skeleton.joints[code_.root];
+    void put_height(double height, double* row) const {
         Vec3 place{};
         place[up_index(code_.up)] = height;
-        put_position(joint, code_.skeleton.translations_add,
-                     rotate(conjugate(parent_rotation_), place - parent_position_), values);
+        put_world_position(code_.skeleton, code_.root, place, row);
     }
 
     const PoseCode& code_;
     std::vector<std::size_t> begins_;
     std::vector<std::size_t> joints_;
     Quaternion parent_rotation_; ///< of the body root
-    Vec3 parent_position_{};
 };
 
 } // namespace

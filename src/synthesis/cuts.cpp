@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace stltsa::synthesis {
 namespace {
@@ -21,7 +22,7 @@ std::int64_t quarter(std::int64_t length) {
 struct Allowed {
     std::int64_t first_end, last_end;
     std::int64_t first_begin, last_begin;
-    std::int64_t shortest, longest; ///< a repeated stretch, from begin to end
+    std::int64_t shortest, longest; ///< from begin to end
 
     Allowed(const Join& join, std::int64_t search) {
         first_end = join.end - std::min(search, quarter(join.earlier_length));
@@ -33,11 +34,16 @@ struct Allowed {
             first_begin = std::max(first_begin, join.later->first);
         constexpr std::int64_t any = std::numeric_limits<std::int64_t>::max() / 2;
         const std::int64_t length = join.end - join.begin;
-        const auto change =
-            join.repeats ? static_cast<std::int64_t>(length_change * static_cast<double>(length))
-                         : any;
-        shortest = length - change;
-        longest = length + change;
+        shortest = -any;
+        longest = any;
+        if (join.repeats) {
+            const auto change =
+                static_cast<std::int64_t>(length_change * static_cast<double>(length));
+            shortest = length - change;
+            longest = length + change;
+        } else if (join.least_skip > 0) {
+            (length < 0 ? longest : shortest) = length < 0 ? -join.least_skip : join.least_skip;
+        }
     }
 
     bool length(std::int64_t frames) const { return frames >= shortest && frames <= longest; }
@@ -72,29 +78,34 @@ double squared_distance_around(const Join& join, std::int64_t e, std::int64_t b,
     return sum / weights;
 }
 
+/// The cut between frames `end` and `begin`, with as much crossfade as there can be.
+Cut cut_at(const Join& join, const CutOptions& options, std::int64_t end, std::int64_t begin) {
+    const std::int64_t crossfade = crossfade_at(join, options.crossfade, end, begin);
+    return {end, begin, crossfade,
+            std::sqrt(squared_distance_around(join, end, begin, crossfade, options.velocity_s))};
+}
+
+/// What a cut adds to each step from frame to frame.
+double added(const Cut& cut) {
+    return cut.distance / static_cast<double>(2 * cut.crossfade + 1);
+}
+
 } // namespace
 
 Cut find_cut(const Join& join, const CutOptions& options, const Progress& progress) {
     const Allowed allowed(join, options.search);
-    Cut best;
-    double least = std::numeric_limits<double>::infinity();
+    std::optional<Cut> best;
     for (std::int64_t end = allowed.first_end; end <= allowed.last_end; ++end) {
         progress.report(Stage::synthesis, 0);
         for (std::int64_t begin = allowed.first_begin; begin <= allowed.last_begin; ++begin) {
             if (!allowed.length(end - begin))
                 continue;
-            const std::int64_t crossfade = crossfade_at(join, options.crossfade, end, begin);
-            const double distance =
-                std::sqrt(squared_distance_around(join, end, begin, crossfade, options.velocity_s));
-            // What is added to each step from frame to frame.
-            const double added = distance / static_cast<double>(2 * crossfade + 1);
-            if (added < least) {
-                least = added;
-                best = {end, begin, crossfade, distance};
-            }
+            const Cut cut = cut_at(join, options, end, begin);
+            if (!best || added(cut) < added(*best))
+                best = cut;
         }
     }
-    return best;
+    return best ? *best : cut_at(join, options, join.end, join.begin);
 }
 
 } // namespace stltsa::synthesis

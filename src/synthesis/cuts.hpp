@@ -19,6 +19,9 @@ struct Join {
     std::int64_t earlier_length = 0; ///< frames of the stretches
     std::int64_t later_length = 0;
     bool repeats = false; ///< the later stretch is the earlier one again
+    /// In one motion: of the frames from `end` to `begin`, which are left out or, where `begin` is
+    /// the earlier, played again, so many are.
+    std::int64_t least_skip = 0;
 };
 
 struct CutOptions {
@@ -36,7 +39,7 @@ struct Cut {
 
 /// The pair of frames that are most alike, with those around them that the crossfade will mix. A
 /// pair at the end of a clip, which has fewer frames to mix, must be the more alike for it. Each
-/// stretch keeps at least half of its length.
+/// stretch keeps at least half of its length. Where no pair is allowed, the cuts stay where they are.
 Cut find_cut(const Join& join, const CutOptions& options, const Progress& progress);
 
 } // namespace stltsa::synthesis

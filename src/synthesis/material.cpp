@@ -48,8 +48,8 @@ void check_pieces(std::span<const Piece> pieces) {
              total, most_frames);
 }
 
-/// The joint below the resting ones, in whatever clip shows it: in a clip that stands still none
-/// does.
+/// The joint below those that do not turn, in whatever clip shows it: in a clip that stands still
+/// none does.
 std::size_t common_root(std::span<const Piece> pieces) {
     std::size_t root = 0;
     for (const Piece& piece : pieces)
@@ -89,9 +89,9 @@ class Preparation {
     void add_track(const clip::Clip& clip, const std::string& name) {
         const Body& body = material_.body;
         const std::string differs = check_same_body(first_, clip, name);
-        if (!body.rests_above_root(clip.values))
+        if (body.turns_above_root(clip.values))
             fail(Status::unsupported,
-                 "{} moves a joint above \"{}\", which carries the body in another clip", name,
+                 "{} turns a joint above \"{}\", which turns the body in another clip", name,
                  body.skeleton().joints[body.root()].name);
         if (!differs.empty())
             material_.warnings.push_back(

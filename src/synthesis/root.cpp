@@ -31,19 +31,23 @@ Body::Body(const clip::Clip& clip, std::size_t root, clip::Axis up)
     pose.place(skeleton_, above_.data(), root_);
     const auto parent = static_cast<std::size_t>(skeleton_.joints[root_].parent);
     parent_rotation_ = pose.world[parent];
-    parent_position_ = pose.position[parent];
 }
 
 std::int64_t Body::root_channels() const {
     return static_cast<std::int64_t>(above_.size() + skeleton_.joints[root_].channels.size());
 }
 
-bool Body::rests_above_root(const Matrix& values) const {
-    const auto columns = static_cast<std::ptrdiff_t>(above_.size());
-    for (std::int64_t frame = 1; frame < values.rows(); ++frame)
-        if (!std::equal(values.row(0), values.row(0) + columns, values.row(frame)))
-            return false;
-    return true;
+bool Body::turns_above_root(const Matrix& values) const {
+    std::int64_t column = 0;
+    for (std::size_t j = 0; j < root_; ++j)
+        for (const clip::Channel channel : skeleton_.joints[j].channels) {
+            if (clip::is_rotation(channel))
+                for (std::int64_t frame = 1; frame < values.rows(); ++frame)
+                    if (values(frame, column) != values(0, column))
+                        return true;
+            ++column;
+        }
+    return false;
 }
 
 RootState Body::read(const clip::Pose& pose, const Quaternion& yaw) const {
@@ -53,10 +57,9 @@ RootState Body::read(const clip::Pose& pose, const Quaternion& yaw) const {
 void Body::write(const RootState& state, double* row) const {
     double* values = std::copy(above_.begin(), above_.end(), row);
     const clip::Joint& joint = skeleton_.joints[root_];
-    const Quaternion back = conjugate(parent_rotation_);
-    clip::put_position(joint, skeleton_.translations_add,
-                       rotate(back, state.position - parent_position_), values);
-    clip::put_rotation(joint, skeleton_.fixed_axes, back * state.yaw * state.tilt, values);
+    clip::put_world_position(skeleton_, root_, state.position, row);
+    clip::put_rotation(joint, skeleton_.fixed_axes,
+                       conjugate(parent_rotation_) * state.yaw * state.tilt, values);
 }
 
 Vec3 Body::planar(Vec3 v) const {

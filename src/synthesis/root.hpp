@@ -35,10 +35,10 @@ struct Step {
     Vec3 way{};      ///< seen along the heading of the earlier frame; nothing along the up axis
 };
 
-/// The skeleton of the new clip and the joint that carries its body.
+/// The skeleton of the new clip and the joint that turns its body.
 class Body {
   public:
-    /// `root`: the joint that carries the body; those above it rest. `up`: not automatic.
+    /// `root`: the joint that turns the body; those above it do not. `up`: not automatic.
     Body(const clip::Clip& clip, std::size_t root, clip::Axis up);
 
     const clip::Skeleton& skeleton() const { return skeleton_; }
@@ -46,15 +46,16 @@ class Body {
     std::int64_t channels() const { return clip::channel_count(skeleton_); }
     /// Channels up to and with the root's: those that write() sets.
     std::int64_t root_channels() const;
-    /// Whether no joint above the root moves in these frames.
-    bool rests_above_root(const Matrix& values) const;
+    /// Whether a joint above the root turns in these frames.
+    bool turns_above_root(const Matrix& values) const;
     int up() const { return up_; }
     /// For a clip of its own: at its first frame.
     clip::Heading heading() const { return heading_; }
 
     RootState read(const clip::Pose& pose, const Quaternion& yaw) const;
-    /// Puts the state into the channels of the root and of the resting joints above it, whose
-    /// numbers in `row` choose among angles that mean the same.
+    /// Puts the state into the channels of the root and of the joints above it, which are where
+    /// they are in the first frame unless they carry the root. The root's numbers in `row` choose
+    /// among angles that mean the same.
     void write(const RootState& state, double* row) const;
 
     RootState moved(const Placement& placement, const RootState& state) const;
@@ -73,7 +74,6 @@ class Body {
     clip::Heading heading_;
     std::vector<double> above_; ///< channels of the joints above the root
     Quaternion parent_rotation_;
-    Vec3 parent_position_{};
 };
 
 inline Step mix(const Step& a, const Step& b, double weight_of_b) {

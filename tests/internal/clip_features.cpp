@@ -229,6 +229,26 @@ void resting_joints_above_the_body_are_passed_over(void**) {
         check_same(features(below, kind, Axis::y), features(clip, kind, Axis::y), 1e-11);
 }
 
+/// The heading is that of the first joint that turns, wherever the motion through space is kept.
+void joints_that_only_move_along_are_passed_over(void**) {
+    const Clip clip = swinging(1);
+    Clip below = clip;
+    std::vector<Joint>& joints = below.skeleton->joints;
+    for (Joint& joint : joints)
+        ++joint.parent;
+    joints.insert(joints.begin(),
+                  {"Reference", -1, {}, {Channel::tx, Channel::tz, Channel::ry}, {}, false});
+    below.values = Matrix(clip.frames(), 24);
+    for (std::int64_t i = 0; i < clip.frames(); ++i) {
+        below.values(i, 0) = 3 * static_cast<double>(i);
+        below.values(i, 1) = 5 - static_cast<double>(i);
+        below.values(i, 2) = 33;
+        std::copy(clip.values.row(i), clip.values.row(i) + 21, below.values.row(i) + 3);
+    }
+    for (const Features kind : {Features::positions, Features::rotations6d, Features::euler})
+        check_same(features(below, kind, Axis::y), features(clip, kind, Axis::y), 1e-9);
+}
+
 void a_resting_root_of_several_limbs_stays_the_root(void**) {
     Clip clip = swinging(1);
     for (std::int64_t i = 0; i < clip.frames(); ++i)
@@ -305,6 +325,7 @@ int main() {
         cmocka_unit_test(heading_holds_where_it_is_undefined),
         cmocka_unit_test(heading_of_a_root_whose_axes_are_upside_down),
         cmocka_unit_test(resting_joints_above_the_body_are_passed_over),
+        cmocka_unit_test(joints_that_only_move_along_are_passed_over),
         cmocka_unit_test(a_resting_root_of_several_limbs_stays_the_root),
         cmocka_unit_test(up_is_from_feet_to_head),
         cmocka_unit_test(up_is_the_largest_extent_without_names),

@@ -116,14 +116,16 @@ void resting_joints_above_the_root(void**) {
     const Body body = body_of(clip);
     assert_int_equal(body.root(), 1);
     assert_int_equal(body.root_channels(), world_channels + root_channels);
-    assert_true(body.rests_above_root(clip.values));
+    assert_false(body.turns_above_root(clip.values));
     const Track track = track_of(clip);
     std::vector<double> row(clip.values.row(7), clip.values.row(7) + channels + world_channels);
     body.write(track.root(50), row.data());
     for (std::int64_t c = 0; c < world_channels + root_channels; ++c)
         ASSERT_NEAR(row[static_cast<std::size_t>(c)], clip.values(50, c), 1e-9);
     clip.values(3, 1) += 1;
-    assert_false(body.rests_above_root(clip.values));
+    assert_false(body.turns_above_root(clip.values));
+    clip.values(3, 3) += 1;
+    assert_true(body.turns_above_root(clip.values));
 }
 
 /// The joint that carries the body is the one that does so in any of the clips.
@@ -140,11 +142,34 @@ void a_clip_that_stands_still_does_not_choose_the_root(void**) {
     for (std::int64_t i = 0; i < made.clip.frames(); ++i)
         for (std::int64_t c = 0; c < world_channels; ++c)
             ASSERT_NEAR(made.clip.values(i, c), still.values(0, c), 0);
-    walk.values(100, 0) += 1;
-    walk.values(101, 4) += 50;
+    walk.values(100, 3) += 1;
     const Clip other = below_world(walking({}));
     const Piece moved[] = {{&other, 0, 60, 1}, {&walk, 60, 180, 1}};
     ASSERT_FAILS(stltsa::Status::unsupported, "above", synthesize(moved, options, {}));
+}
+
+/// A joint that only moves along carries the one that turns: where to is written into the channels
+/// of whichever has them.
+void a_joint_that_moves_along_carries_the_root(void**) {
+    Walk turning;
+    turning.turning = 40;
+    const Clip walk = walking(turning);
+    for (const int own : {0, 1, 3}) {
+        const Clip carried = below_carrier(walk, own);
+        assert_int_equal(stltsa::clip::body_root(carried), 1);
+        const Piece pieces[] = {{&walk, 60, 120, 4}};
+        const Piece same[] = {{&carried, 60, 120, 4}};
+        Options options;
+        options.up = Axis::y;
+        const Synthesis expected = synthesize(pieces, options, {});
+        const Synthesis made = synthesize(same, options, {});
+        assert_int_equal(made.clip.frames(), expected.clip.frames());
+        const Matrix a = positions(expected.clip);
+        const Matrix b = positions(made.clip);
+        for (std::int64_t i = 0; i < a.rows(); ++i)
+            for (std::int64_t c = 0; c < a.cols(); ++c)
+                ASSERT_NEAR(b(i, c + 3), a(i, c), 1e-8);
+    }
 }
 
 } // namespace
@@ -158,6 +183,7 @@ int main() {
         cmocka_unit_test(yaw_and_tilt_make_the_rotation),
         cmocka_unit_test(resting_joints_above_the_root),
         cmocka_unit_test(a_clip_that_stands_still_does_not_choose_the_root),
+        cmocka_unit_test(a_joint_that_moves_along_carries_the_root),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

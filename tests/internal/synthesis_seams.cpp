@@ -36,7 +36,7 @@ void repetitions_and_other_clips_begin_a_run(void**) {
 
 Join join_of(const Track& earlier, std::int64_t from, std::int64_t end, const Track& later,
              std::int64_t begin, std::int64_t to) {
-    return {&earlier, &later, end, begin, end - from, to - begin, false};
+    return {&earlier, &later, end, begin, end - from, to - begin, false, 0};
 }
 
 /// The later clip shows the same cycle from another phase: cut there, nothing is to be seen.
@@ -79,7 +79,7 @@ void limits_hold_for_any_join(void**) {
     for (int i = 0; i < 300; ++i) {
         const std::int64_t end = 1 + below(frames);
         const std::int64_t begin = below(frames);
-        Join join{&track, &track, end, begin, 1 + below(end), 1 + below(frames - begin), false};
+        Join join{&track, &track, end, begin, 1 + below(end), 1 + below(frames - begin), false, 0};
         const CutOptions options{below(20), below(20), 0.1};
         const Cut cut = find_cut(join, options, {});
         assert_true(std::abs(cut.end - end) <= options.search);
@@ -119,6 +119,37 @@ void a_repetition_keeps_its_length(void**) {
     join.repeats = true;
     const Cut cut = find_cut(join, {40, 0, 0.1}, {});
     assert_true(std::abs(cut.end - cut.begin - 70) <= 5); // 8 % of 70
+}
+
+/// Frames that are left out of a motion, or played twice, must not come back: the same frame is the
+/// most alike of all.
+void what_is_left_out_stays_out(void**) {
+    const Track track = track_of(walking({})); // cycles of 60 frames
+    for (const int skip : {1, 10, 45, 60, 75, 90, -1, -10, -45, -60, -75}) {
+        const std::vector<Track> tracks{track, track};
+        for (const std::size_t other : {0U, 1U}) { // the same clip, read twice
+            const Part parts[] = {{0, 0, 120, 1}, {other, 120 + skip, 240, 1}};
+            const Cut cut = choose_cuts(tracks, parts, make_runs(parts), {}, {})[0].cut;
+            const std::int64_t skipped = cut.begin - cut.end;
+            assert_true(skip > 0 ? skipped > 0 : skipped < 0);
+            assert_true(2 * std::abs(skipped) >= std::abs(skip));
+            if (std::abs(skip) < 30)
+                assert_true(std::abs(skipped) >= std::abs(skip));
+            if (std::abs(skip) > 30)
+                assert_int_equal(skipped % 60, 0); // the same posture, whole cycles away
+        }
+    }
+}
+
+/// A T-pose at the start of a clip that is hardly longer leaves no cut to choose.
+void without_a_choice_cuts_stay_where_they_are(void**) {
+    Walk walk;
+    walk.seconds = 16 / walk.fps;
+    Track track = track_of(walking(walk));
+    track.first = 3;
+    const Join join{&track, &track, 16, 0, 16, 16, true, 0};
+    const Cut cut = find_cut(join, {4, 2, 0.1}, {});
+    assert_true(cut.end == 16 && cut.begin == 0);
 }
 
 /// A crossfade must not reach into the T-pose at a clip's start, nor a cut.
@@ -231,6 +262,8 @@ int main() {
         cmocka_unit_test(limits_hold_for_any_join),
         cmocka_unit_test(a_crossfade_has_room_where_it_can),
         cmocka_unit_test(a_repetition_keeps_its_length),
+        cmocka_unit_test(what_is_left_out_stays_out),
+        cmocka_unit_test(without_a_choice_cuts_stay_where_they_are),
         cmocka_unit_test(a_t_pose_is_not_mixed_in),
         cmocka_unit_test(whole_clips_meet_at_any_phase),
         cmocka_unit_test(repetitions_are_cut_alike),

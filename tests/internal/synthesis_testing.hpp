@@ -115,6 +115,33 @@ inline Clip below_world(Clip clip) {
     return clip;
 }
 
+/// The clip with a joint above its root that moves where the root moved. The root keeps `own`
+/// position channels: none, its height, or all three, which rest.
+inline Clip below_carrier(Clip clip, int own) {
+    using enum Channel;
+    auto& joints = clip.skeleton->joints;
+    for (Joint& joint : joints)
+        ++joint.parent;
+    joints.insert(joints.begin(), {"Carrier", -1, {}, {tx, ty, tz}, {}, false});
+    if (own == 1)
+        joints[0].channels = {tx, tz};
+    joints[1].channels = {ry, rx, rz};
+    if (own > 0)
+        joints[1].channels.insert(joints[1].channels.begin(), ty);
+    if (own == 3)
+        joints[1].channels.insert(joints[1].channels.begin(), {tx, tz});
+    Matrix values(clip.frames(), own == 3 ? channels + 3 : channels);
+    for (std::int64_t i = 0; i < clip.frames(); ++i) {
+        const double* row = clip.values.row(i);
+        std::copy(row, row + 3, values.row(i));
+        if (own == 1)
+            std::swap(values(i, 1), values(i, 2));
+        std::copy(row + 3, row + channels, values.row(i) + values.cols() - (channels - 3));
+    }
+    clip.values = std::move(values);
+    return clip;
+}
+
 inline Body body_of(const Clip& clip) {
     return Body(clip, stltsa::clip::body_root(clip), Axis::y);
 }
