@@ -149,7 +149,8 @@ enum {
     STLTSA_FEATURES = 9,     /* int   STLTSA_FEATURES_* */
     STLTSA_UP_AXIS = 10,     /* int   0: found from the clip; 1, 2, 3: x, y, z */
     STLTSA_KEEP_START = 11,  /* int   1: do not drop a T-pose at the start */
-    STLTSA_FPS = 12,         /* real  frames a second, over what the file says; 0: the file's */
+    STLTSA_FPS = 12,         /* real  frames a second, over what the file says; 0: the file's.
+                                      unmap_clip: points a second; 0: the model's rows */
     STLTSA_RATE = 13,        /* real  clips: keep one frame in fps / rate, rounded; 0: all */
     STLTSA_SMOOTHING = 14,   /* real  sigma in seconds of the Gaussian on the features; 0: none */
     STLTSA_PERIOD_MIN = 15,  /* real  shortest period looked for, seconds */
@@ -559,9 +560,11 @@ STLTSA_API stltsa_status stltsa_unmap(const stltsa_model *model, const stltsa_in
                                       const stltsa_out *frames, const stltsa_out *distance,
                                       int64_t *nearest) STLTSA_NOEXCEPT;
 
-/* Poses from points of the manifold, as a clip at the model's frame rate with the skeleton that was
- * fitted: rotations of all joints, height and tilt; the body stays over the origin and faces
- * one way. E_UNSUPPORTED for a model of bare numbers. */
+/* Poses from points of the manifold, as a clip with the skeleton that was fitted: rotations of all
+ * joints, height and tilt; the body stays over the origin and faces one way. A point becomes a
+ * frame, so the clip's rate is that of the points: option fps, which for what stltsa_map_clip gave
+ * is the rate of that clip; 0: STLTSA_MODEL_FPS, the rate of the rows. Other options: as
+ * stltsa_unmap. E_UNSUPPORTED for a model of bare numbers. */
 STLTSA_API stltsa_status stltsa_unmap_clip(const stltsa_model *model, const stltsa_in *coords,
                                            const int64_t *hints, const stltsa_options *options,
                                            const stltsa_out *distance, int64_t *nearest,

@@ -167,6 +167,11 @@ std::int64_t component_of(const stltsa_model& model, const capi::OptionsReader& 
     return std::max<std::int64_t>(component, 0);
 }
 
+double rate_of_points(const stltsa_model& model, const capi::OptionsReader& options) {
+    const double fps = options.real(STLTSA_FPS);
+    return fps > 0 ? fps : model.source.samples.fps;
+}
+
 template <class Put>
 Placed unmap_rows(const stltsa_model& model, ConstMatrixView coords, const Hints& hints,
                   const capi::OptionsReader& options, const Put& put) {
@@ -303,7 +308,7 @@ stltsa_status stltsa_unmap_clip(const stltsa_model* model, const stltsa_in* coor
                                              place.apply(model->kept.poses.view(), vectors.row(r));
                                          });
         auto made = std::make_unique<stltsa_clip>(stltsa_clip{
-            clip::decode_poses(model->kept.code, vectors.view(), model->source.samples.fps)});
+            clip::decode_poses(model->kept.code, vectors.view(), rate_of_points(*model, reader))});
         placed.write(distance, nearest);
         *poses = made.release();
     });
