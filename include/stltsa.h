@@ -83,8 +83,8 @@ enum {
     STLTSA_OK = 0,
     STLTSA_E_ARGUMENT = -1,      /* NULL where not allowed, unknown key, value out of range */
     STLTSA_E_SHAPE = -2,         /* rows, columns or strides do not fit */
-    STLTSA_E_NOT_FINITE = -3,    /* a NaN or an infinity among the frames, or a number so large
-                                    that distances would be */
+    STLTSA_E_NOT_FINITE = -3,    /* a NaN or an infinity among the numbers, or one beyond 1e100,
+                                    where distances would be infinite */
     STLTSA_E_TOO_FEW_FRAMES = -4, /* fewer (distinct) frames than the neighbors ask for */
     STLTSA_E_NO_MEMORY = -5,     /* also: rows * cols overflows */
     STLTSA_E_IO = -6,            /* a file cannot be opened, read or written */
@@ -113,8 +113,8 @@ STLTSA_API const char *stltsa_version(void) STLTSA_NOEXCEPT;
 enum { STLTSA_F32 = 1, STLTSA_F64 = 2 }; /* dtype: IEEE float32, float64, native byte order */
 
 /* A caller's array, rows x cols: frames are rows. Strides are in bytes, may be negative, and need
- * not be multiples of the entry size; both 0 means packed rows. Set reserved to 0. These two
- * structs are frozen. */
+ * not be multiples of the entry size; both 0 means packed rows. The entries of an output must not
+ * overlap. Set reserved to 0. These two structs are frozen. */
 typedef struct stltsa_in {
     const void *data;
     int64_t rows, cols;
@@ -199,7 +199,8 @@ typedef struct stltsa_option_info {
     const char *name;    /* "neighbors": the command's --neighbors */
     const char *text;    /* one sentence */
     const char *choices;
-    double minimum, maximum, standard; /* ints and reals; the text default is always "" */
+    double minimum, maximum, standard; /* ints and reals; the text default is always "". Of a real
+                                          whose minimum is -1 nothing between -1 and 0 is valid */
 } stltsa_option_info;
 
 STLTSA_API int64_t stltsa_option_count(void) STLTSA_NOEXCEPT;
@@ -520,7 +521,8 @@ STLTSA_API stltsa_status stltsa_decomposition_json(const stltsa_decomposition *d
  * resting on STLTSA_MAP_NEIGHBORS frames of the whole model. Between a frame and the next the maps
  * of both are blended, and the STLTSA_MAP_BLEND nearest such stretches of the curve are blended in
  * turn (the nearest frames, for spatial neighborhoods). A frame that was fitted gets its own
- * coordinates, to the bit.
+ * coordinates, to the bit; where equal frames come back after others, a hint must say which one is
+ * meant, else it is the first of them.
  *
  * frames    rows x features of the model, finite
  * hints     NULL, or for each row the model row near which it is looked for (within
