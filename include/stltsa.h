@@ -83,8 +83,8 @@ enum {
     STLTSA_OK = 0,
     STLTSA_E_ARGUMENT = -1,      /* NULL where not allowed, unknown key, value out of range */
     STLTSA_E_SHAPE = -2,         /* rows, columns or strides do not fit */
-    STLTSA_E_NOT_FINITE = -3,    /* a NaN or an infinity among the frames, or a number so large
-                                    that distances would be */
+    STLTSA_E_NOT_FINITE = -3,    /* a NaN or an infinity among the numbers, or one beyond 1e100,
+                                    where distances would be infinite */
     STLTSA_E_TOO_FEW_FRAMES = -4, /* fewer (distinct) frames than the neighbors ask for */
     STLTSA_E_NO_MEMORY = -5,     /* also: rows * cols overflows */
     STLTSA_E_IO = -6,            /* a file cannot be opened, read or written */
@@ -113,8 +113,8 @@ STLTSA_API const char *stltsa_version(void) STLTSA_NOEXCEPT;
 enum { STLTSA_F32 = 1, STLTSA_F64 = 2 }; /* dtype: IEEE float32, float64, native byte order */
 
 /* A caller's array, rows x cols: frames are rows. Strides are in bytes, may be negative, and need
- * not be multiples of the entry size; both 0 means packed rows. Set reserved to 0. These two
- * structs are frozen. */
+ * not be multiples of the entry size; both 0 means packed rows. The entries of an output must not
+ * overlap. Set reserved to 0. These two structs are frozen. */
 typedef struct stltsa_in {
     const void *data;
     int64_t rows, cols;
@@ -149,7 +149,8 @@ enum {
     STLTSA_FEATURES = 9,     /* int   STLTSA_FEATURES_* */
     STLTSA_UP_AXIS = 10,     /* int   0: found from the clip; 1, 2, 3: x, y, z */
     STLTSA_KEEP_START = 11,  /* int   1: do not drop a T-pose at the start */
-    STLTSA_FPS = 12,         /* real  frames a second, over what the file says; 0: the file's */
+    STLTSA_FPS = 12,         /* real  frames a second, over what the file says; 0: the file's.
+                                      unmap_clip: points a second; 0: the model's rows */
     STLTSA_RATE = 13,        /* real  clips: keep one frame in fps / rate, rounded; 0: all */
     STLTSA_SMOOTHING = 14,   /* real  sigma in seconds of the Gaussian on the features; 0: none */
     STLTSA_PERIOD_MIN = 15,  /* real  shortest period looked for, seconds */
@@ -198,7 +199,8 @@ typedef struct stltsa_option_info {
     const char *name;    /* "neighbors": the command's --neighbors */
     const char *text;    /* one sentence */
     const char *choices;
-    double minimum, maximum, standard; /* ints and reals; the text default is always "" */
+    double minimum, maximum, standard; /* ints and reals; the text default is always "". Of a real
+                                          whose minimum is -1 nothing between -1 and 0 is valid */
 } stltsa_option_info;
 
 STLTSA_API int64_t stltsa_option_count(void) STLTSA_NOEXCEPT;
@@ -519,7 +521,8 @@ STLTSA_API stltsa_status stltsa_decomposition_json(const stltsa_decomposition *d
  * resting on STLTSA_MAP_NEIGHBORS frames of the whole model. Between a frame and the next the maps
  * of both are blended, and the STLTSA_MAP_BLEND nearest such stretches of the curve are blended in
  * turn (the nearest frames, for spatial neighborhoods). A frame that was fitted gets its own
- * coordinates, to the bit.
+ * coordinates, to the bit; where equal frames come back after others, a hint must say which one is
+ * meant, else it is the first of them.
  *
  * frames    rows x features of the model, finite
  * hints     NULL, or for each row the model row near which it is looked for (within
@@ -559,9 +562,11 @@ STLTSA_API stltsa_status stltsa_unmap(const stltsa_model *model, const stltsa_in
                                       const stltsa_out *frames, const stltsa_out *distance,
                                       int64_t *nearest) STLTSA_NOEXCEPT;
 
-/* Poses from points of the manifold, as a clip at the model's frame rate with the skeleton that was
- * fitted: rotations of all joints, height and tilt; the body stays over the origin and faces
- * one way. E_UNSUPPORTED for a model of bare numbers. */
+/* Poses from points of the manifold, as a clip with the skeleton that was fitted: rotations of all
+ * joints, height and tilt; the body stays over the origin and faces one way. A point becomes a
+ * frame, so the clip's rate is that of the points: option fps, which for what stltsa_map_clip gave
+ * is the rate of that clip; 0: STLTSA_MODEL_FPS, the rate of the rows. Other options: as
+ * stltsa_unmap. E_UNSUPPORTED for a model of bare numbers. */
 STLTSA_API stltsa_status stltsa_unmap_clip(const stltsa_model *model, const stltsa_in *coords,
                                            const int64_t *hints, const stltsa_options *options,
                                            const stltsa_out *distance, int64_t *nearest,

@@ -66,7 +66,11 @@ constexpr const char* about_unmap =
 
 Examples:
   stltsa unmap walk.stltsa y.npy -o poses.bvh
-  stltsa unmap walk.stltsa y.csv -o frames.csv --follow)";
+  stltsa unmap walk.stltsa y.npy --fps 120 -o poses.bvh
+  stltsa unmap walk.stltsa y.csv -o frames.csv --follow
+
+A point becomes a frame: say how many there are a second (--fps) where that is
+not the rate of the model's samples. For what stltsa map wrote it is the clip's.)";
 
 constexpr const char* about_synthesize =
     R"(Joins pieces of clips into new motion.
@@ -125,6 +129,7 @@ class HelpFormat : public CLI::Formatter {
 
 using Keys = std::vector<std::int32_t>;
 const Keys reading = {STLTSA_FPS, STLTSA_SKELETON};
+const Keys timing = {STLTSA_FPS};
 const Keys preparing = {STLTSA_FEATURES,  STLTSA_UP_AXIS, STLTSA_KEEP_START,
                         STLTSA_SMOOTHING, STLTSA_RATE,    STLTSA_THREADS};
 const Keys choosing = {STLTSA_NEIGHBORS, STLTSA_WINDOW,     STLTSA_DIMENSION,
@@ -167,7 +172,7 @@ class Parser {
                      "Add coordinates, distances and nearest rows of\nall frames to the JSON.");
         CLI::App& unmap = model_command(Command::unmap, "unmap", about_unmap,
                                         "Coordinates: a CSV or NPY file, or - .",
-                                        {mapping, unmapping, threading});
+                                        {mapping, unmapping, timing, threading});
         add_product(unmap, "Write poses (.bvh, .amc) or frames (.npy, .csv).")->required();
         unmap.add_flag("--follow", to_.follow,
                        "Each point goes on where the one before was:\n"

@@ -17,7 +17,7 @@ Exit run_map(const Arguments& arguments) {
                           mapped.nearest.data()));
     if (!arguments.product.empty())
         session.add_table(arguments.product, mapped.values);
-    Json object = mapping_json("map", arguments, model.get(), mapped, clip);
+    Json object = mapping_json("map", arguments, model.get(), mapped, stltsa_clip_fps(clip));
     if (arguments.curve)
         object["curve"] = mapped_json(mapped);
     session.finish(object, mapping_report(object, session.title(), session.colors()));

@@ -20,6 +20,14 @@ Grid points_of(const stltsa_clip* clip) {
     return points;
 }
 
+/// Points a second: as typed, or as the file says, else as the model has rows.
+double rate_of(const stltsa_clip* points, const stltsa_model* model) {
+    double rate = stltsa_clip_fps(points);
+    if (!(rate > 0))
+        check(stltsa_model_get_real(model, STLTSA_MODEL_FPS, &rate));
+    return rate;
+}
+
 stltsa_in rows_of(const Grid& points, std::int64_t first, std::int64_t count) {
     return {points.values.data() + first * points.cols, count, points.cols, 0, 0, STLTSA_F64, 0};
 }
@@ -85,7 +93,9 @@ Exit run_unmap(const Arguments& arguments) {
     if (arguments.follow)
         session.set_default(STLTSA_HINT_WINDOW, step);
     const Model model = session.open_model(arguments.model);
-    const Grid points = points_of(session.open_input());
+    const stltsa_clip* input = session.open_input();
+    const Grid points = points_of(input);
+    session.set_fps(stltsa_clip_fps(input));
     Mapped mapped(points.rows, whole_of(model.get(), STLTSA_MODEL_FEATURES));
     const Unmapper unmapper(session, model.get(), points);
     const std::vector<std::int64_t> hints =
@@ -97,7 +107,8 @@ Exit run_unmap(const Arguments& arguments) {
         session.add_clip(arguments.product, clip.get());
     else
         session.add_table(arguments.product, mapped.values);
-    const Json object = mapping_json("unmap", arguments, model.get(), mapped, clip.get());
+    const double rate = rate_of(input, model.get());
+    const Json object = mapping_json("unmap", arguments, model.get(), mapped, rate);
     session.finish(object, mapping_report(object, session.title(), session.colors()));
     return Exit::done;
 }

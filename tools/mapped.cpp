@@ -54,7 +54,7 @@ std::int64_t whole_of(const stltsa_model* model, std::int32_t key) {
 }
 
 Json mapping_json(const char* direction, const Arguments& arguments, const stltsa_model* model,
-                  const Mapped& mapped, const stltsa_clip* clip) {
+                  const Mapped& mapped, double fps) {
     double support = 0;
     check(stltsa_model_get_real(model, STLTSA_MODEL_SUPPORT, &support));
     const auto path = [](const std::string& name) {
@@ -71,7 +71,7 @@ Json mapping_json(const char* direction, const Arguments& arguments, const stlts
               {"support", support}}},
             {"input", path(arguments.input)},
             {"rows", mapped.values.rows},
-            {"fps", positive_or_null(stltsa_clip_fps(clip))},
+            {"fps", positive_or_null(fps)},
             {"distance", distances_json(mapped)},
             {"beyond", beyond_json(mapped)}};
 }

@@ -26,9 +26,9 @@ struct Mapped {
 
 std::int64_t whole_of(const stltsa_model* model, std::int32_t key);
 
-/// The object of schema stltsa-mapping/1; `clip` is what was mapped, or what points became.
+/// The object of schema stltsa-mapping/1; fps: rows a second, 0: unknown.
 Json mapping_json(const char* direction, const Arguments& arguments, const stltsa_model* model,
-                  const Mapped& mapped, const stltsa_clip* clip);
+                  const Mapped& mapped, double fps);
 
 /// Row by row: the member "curve" of that object.
 Json mapped_json(const Mapped& mapped);

@@ -123,17 +123,34 @@ OutputFiles::~OutputFiles() {
 void OutputFiles::add(const std::string& path, std::string content) {
     const std::string place = followed(path);
     if (!regular_or_new(place)) {
-        staged_.push_back({place, "", std::move(content)});
+        staged_.push_back({place, "", std::move(content), {}});
         return;
     }
     const std::string temporary = unused_name(place);
     write_beside(place, temporary, content);
-    staged_.push_back({place, temporary, ""});
+    staged_.push_back({place, temporary, "", {}});
+}
+
+void OutputFiles::add_written(const std::string& path, Write write) {
+    const std::string place = followed(path);
+    if (!regular_or_new(place)) {
+        staged_.push_back({place, "", "", std::move(write)});
+        return;
+    }
+    const std::string temporary = unused_name(place) + fs::path(path).extension().string();
+    staged_.push_back({place, temporary, "", {}});
+    write(temporary);
+    struct stat existing {};
+    if (::stat(place.c_str(), &existing) == 0 &&
+        ::chmod(temporary.c_str(), existing.st_mode & 07777) != 0)
+        fail_writing(path);
 }
 
 void OutputFiles::commit() {
     for (Staged& file : staged_) {
-        if (file.temporary.empty())
+        if (file.write)
+            file.write(file.path);
+        else if (file.temporary.empty())
             write_directly(file.path, file.content);
         else if (std::rename(file.temporary.c_str(), file.path.c_str()) != 0)
             fail_writing(file.path);

@@ -2,6 +2,7 @@
 // Results reach their place whole or not at all.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,6 +23,10 @@ class OutputFiles {
     OutputFiles& operator=(const OutputFiles&) = delete;
 
     void add(const std::string& path, std::string content);
+    /// The same of a file that `write` makes under the name that it is given, whose suffix is that
+    /// of `path`.
+    using Write = std::function<void(const std::string& name)>;
+    void add_written(const std::string& path, Write write);
     void commit();
 
   private:
@@ -29,6 +34,7 @@ class OutputFiles {
         std::string path;      ///< of the place, links followed
         std::string temporary; ///< empty: written directly
         std::string content;   ///< of those only
+        Write write;           ///< of those whose content is not known
     };
     std::vector<Staged> staged_;
 };

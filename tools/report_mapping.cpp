@@ -21,6 +21,15 @@ std::string sentence(const Json& mapping, const std::string& title) {
                        beyond == 0 ? "none" : std::to_string(beyond));
 }
 
+std::string rows_text(const Json& mapping) {
+    const auto rows = mapping["rows"].get<std::size_t>();
+    const Json& fps = mapping["fps"];
+    if (fps.is_null())
+        return fmt::format("{}, rate unknown", rows);
+    return fmt::format("{}, {:.6g} a second ({:.2f} s)", rows, fps.get<double>(),
+                       static_cast<double>(rows) / fps.get<double>());
+}
+
 /// "12-40, 77-78"; the first ones where there are many.
 std::string stretches_text(const Json& stretches) {
     constexpr std::size_t most = 12;
@@ -46,6 +55,7 @@ std::string mapping_report(const Json& mapping, const std::string& title, bool c
               fmt::format("{}, {}, {}", counted(model["frames"].get<std::size_t>(), "sample"),
                           counted(model["features"].get<std::size_t>(), "feature"),
                           counted(model["dimension"].get<std::size_t>(), "coordinate")));
+    facts.add(mapping["direction"] == "map" ? "frames" : "points", rows_text(mapping));
     facts.add("distance",
               fmt::format("median {:.2f}, 90th percentile {:.2f}, largest {:.2f}",
                           distance["median"].get<double>(), distance["p90"].get<double>(),

@@ -121,8 +121,8 @@ void Session::add_table(const std::string& path, const Grid& table) {
 }
 
 void Session::add_clip(const std::string& path, const stltsa_clip* clip) {
-    saved_path_ = path;
-    saved_clip_ = clip;
+    files_.add_written(
+        path, [clip](const std::string& name) { check(stltsa_clip_save(clip, name.c_str())); });
 }
 
 /// Warnings are part of the table; where it is not what the user sees, they go to stderr too.
@@ -143,8 +143,6 @@ void Session::finish(const Json& object, const std::string& table) {
         write_stdout(text);
     else
         files_.add(arguments_.output, text);
-    if (saved_clip_ != nullptr)
-        check(stltsa_clip_save(saved_clip_, saved_path_.c_str()));
     files_.commit();
     warn(object);
 }

@@ -50,8 +50,6 @@ class Session {
     Options options_;
     Clip clip_;
     OutputFiles files_;
-    std::string saved_path_;
-    const stltsa_clip* saved_clip_ = nullptr;
 };
 
 } // namespace tool

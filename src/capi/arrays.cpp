@@ -22,6 +22,15 @@ struct Strides {
     std::int64_t row, col;
 };
 
+/// Where each entry of a row, or column, is to have a place of its own.
+void check_step(const char* name, const char* which, std::int64_t count, std::int64_t stride,
+                std::int64_t size) {
+    if (count > 1 && stride < size && stride > -size)
+        fail(Status::shape,
+             "{}: {} is {}, and entries have {} bytes: what is written would overlap", name, which,
+             stride, size);
+}
+
 /// The checks that both directions share; returns the strides in bytes.
 template <class Array>
 Strides check_array(const Array* array, const char* name) {
@@ -83,7 +92,9 @@ InputFrames::InputFrames(const stltsa_in* in, const char* name) {
 }
 
 void check_output(const stltsa_out* out, const char* name, std::int64_t rows, std::int64_t cols) {
-    check_array(out, name);
+    const Strides strides = check_array(out, name);
+    check_step(name, "row_stride", out->rows, strides.row, entry_size(out->dtype, name));
+    check_step(name, "col_stride", out->cols, strides.col, entry_size(out->dtype, name));
     if (out->rows != rows || out->cols != cols)
         fail(Status::shape, "{}: the array is {} x {}; {} x {} is needed", name, out->rows,
              out->cols, rows, cols);

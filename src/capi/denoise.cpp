@@ -43,7 +43,7 @@ motion::DenoiseOptions choose_options(const capi::OptionsReader& options,
 
 std::unique_ptr<stltsa_denoising> denoise(ConstMatrixView coords, std::vector<std::int64_t> lengths,
                                           const capi::OptionsReader& options, capi::Source source) {
-    ltsa::check_frames(coords, lengths);
+    ltsa::check_frames(coords, lengths, "coords");
     auto denoising = std::make_unique<stltsa_denoising>();
     if (!(options.real(STLTSA_KNOTS) > 0))
         denoising->period = period_of(coords, lengths, options, source);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Mapping both ways: stltsa_map, stltsa_unmap and the same for clips.
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -11,6 +10,7 @@
 #include "capi/mapping.hpp"
 #include "capi/options.hpp"
 #include "linalg/blas_threads.hpp"
+#include "ltsa/frames.hpp"
 
 using namespace stltsa;
 using capi::guard;
@@ -64,16 +64,12 @@ ltsa::MapParameters map_parameters(const stltsa_model& model, const capi::Option
     return p;
 }
 
-/// Throws unless there are `cols` finite numbers in each row.
+/// Throws unless there are `cols` numbers in each row that distances can be taken of.
 void check_points(ConstMatrixView points, const char* name, std::int64_t cols, const char* what) {
     if (points.cols != cols)
         fail(Status::shape, "{} has {} columns; the model has {} {}", name, points.cols, cols,
              what);
-    for (std::int64_t r = 0; r < points.rows; ++r)
-        for (std::int64_t c = 0; c < cols; ++c)
-            if (!std::isfinite(points(r, c)))
-                fail(Status::not_finite, "{}: row {}, column {} is {}", name, r, c,
-                     std::isnan(points(r, c)) ? "not a number" : "infinite");
+    ltsa::check_numbers(points, name);
 }
 
 /// The caller's hints, or none.
@@ -167,6 +163,11 @@ std::int64_t component_of(const stltsa_model& model, const capi::OptionsReader& 
     return std::max<std::int64_t>(component, 0);
 }
 
+double rate_of_points(const stltsa_model& model, const capi::OptionsReader& options) {
+    const double fps = options.real(STLTSA_FPS);
+    return fps > 0 ? fps : model.source.samples.fps;
+}
+
 template <class Put>
 Placed unmap_rows(const stltsa_model& model, ConstMatrixView coords, const Hints& hints,
                   const capi::OptionsReader& options, const Put& put) {
@@ -200,6 +201,7 @@ Matrix clip_features(const stltsa_model& model, const clip::Clip& clip) {
     if (frames.cols() != model.model.features)
         fail(Status::shape, "the clip has {} features; the model was fitted to {}", frames.cols(),
              model.model.features);
+    ltsa::check_numbers(frames.view(), "features of the clip");
     return frames;
 }
 
@@ -290,7 +292,7 @@ stltsa_status stltsa_unmap_clip(const stltsa_model* model, const stltsa_in* coor
         mapping_of(required(model, "model"));
         if (!model->kept.has_poses)
             fail(Status::unsupported, "the model was fitted to bare numbers, which are no poses: "
-                                      "take frames (stltsa_unmap)");
+                                      "unmap to frames, which are numbers too (.csv or .npy)");
         const capi::OptionsReader reader(options);
         const capi::InputFrames input(coords, "coords");
         const std::int64_t rows = input.view().rows;
@@ -303,7 +305,7 @@ stltsa_status stltsa_unmap_clip(const stltsa_model* model, const stltsa_in* coor
                                              place.apply(model->kept.poses.view(), vectors.row(r));
                                          });
         auto made = std::make_unique<stltsa_clip>(stltsa_clip{
-            clip::decode_poses(model->kept.code, vectors.view(), model->source.samples.fps)});
+            clip::decode_poses(model->kept.code, vectors.view(), rate_of_points(*model, reader))});
         placed.write(distance, nearest);
         *poses = made.release();
     });

@@ -24,6 +24,10 @@ void set_number(stltsa_options& options, int32_t key, int32_t type, double value
     if (!(value >= row.minimum && value <= row.maximum))
         fail(Status::argument, "option {} is {}; it must be from {} to {}", row.name, value,
              row.minimum, row.maximum);
+    // A real number's -1 stands alone: it means "choose for me", and its like would be a mistake.
+    if (row.type == STLTSA_TYPE_REAL && value < 0 && value != row.minimum)
+        fail(Status::argument, "option {} is {}; it must be {}, or from 0 to {}", row.name, value,
+             row.minimum, row.maximum);
     options.numbers[key] = value;
 }
 

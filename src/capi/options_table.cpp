@@ -52,7 +52,11 @@ constexpr stltsa_option_info rows[] = {
     whole(STLTSA_UP_AXIS, "up_axis", "The axis that points up.", 0, 3, 0, "auto=0 x=1 y=2 z=3"),
     whole(STLTSA_KEEP_START, "keep_start", "Keep a T-pose at the start instead of dropping it.", 0,
           1, 0),
-    real(STLTSA_FPS, "fps", "Frames a second, over what the file says; 0: the file's.", 0, 1e6, 0),
+    real(STLTSA_FPS, "fps",
+         "Frames a second, over what the file says; of unmap, points a second; 0: the file's, or "
+         "the "
+         "model's.",
+         0, 1e6, 0),
     real(STLTSA_RATE, "rate",
          "Decimate a clip to about this many frames a second: one frame in fps / rate, rounded, is "
          "kept; 0: keep all.",

@@ -31,6 +31,8 @@ File open_file(const std::string& path, const Progress& progress) {
 } // namespace
 
 std::string read_file(const std::string& path, const Progress& progress) {
+    if (path.empty())
+        fail(Status::io, "the path is empty: give the name of a file");
     // Far above any clip; a device without end stops here.
     constexpr std::size_t most = std::size_t{1} << 34;
     const File file = open_file(path, progress);

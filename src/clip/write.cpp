@@ -11,6 +11,8 @@ namespace {
 using Formatter = std::string (*)(const Clip& clip);
 
 Formatter formatter_of(const std::string& path) {
+    if (path.empty())
+        fail(Status::argument, "the path is empty: give the name of a file");
     struct Suffix {
         std::string_view text;
         Formatter formatter;

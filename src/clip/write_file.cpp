@@ -112,6 +112,8 @@ void write_directly(const std::string& path, std::string_view bytes) {
 } // namespace
 
 void write_file(const std::string& path, std::string_view bytes) {
+    if (path.empty())
+        fail(Status::io, "the path is empty: give the name of a file");
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
     if (fs::exists(status) && !fs::is_regular_file(status))

@@ -12,24 +12,24 @@ namespace {
 /// Squares of larger numbers, and sums of squares, may not fit into a double.
 constexpr double largest_number = 1e100;
 
-void check_numbers(ConstMatrixView frames) {
-    for (std::int64_t i = 0; i < frames.rows; ++i)
-        for (std::int64_t c = 0; c < frames.cols; ++c) {
-            const double value = frames(i, c);
+} // namespace
+
+void check_numbers(ConstMatrixView numbers, const char* name) {
+    for (std::int64_t r = 0; r < numbers.rows; ++r)
+        for (std::int64_t c = 0; c < numbers.cols; ++c) {
+            const double value = numbers(r, c);
             if (!std::isfinite(value))
-                fail(Status::not_finite, "frame {}, feature {} is {}; fill or cut gaps first", i, c,
-                     std::isnan(value) ? "not a number" : "infinite");
+                fail(Status::not_finite, "{}: row {}, column {} is {}; fill or cut gaps first",
+                     name, r, c, std::isnan(value) ? "NaN" : "infinite");
             if (std::abs(value) > largest_number)
                 fail(Status::not_finite,
-                     "frame {}, feature {} is {}; beyond {} distances are infinite: use another "
+                     "{}: row {}, column {} is {}; beyond {} distances are infinite: use another "
                      "unit",
-                     i, c, value, largest_number);
+                     name, r, c, value, largest_number);
         }
 }
 
-} // namespace
-
-void check_frames(ConstMatrixView frames, std::span<const std::int64_t> lengths) {
+void check_frames(ConstMatrixView frames, std::span<const std::int64_t> lengths, const char* name) {
     if (frames.rows < 1 || frames.cols < 1)
         fail(Status::shape, "{} frames of {} features were given; at least one of each is needed",
              frames.rows, frames.cols);
@@ -48,7 +48,7 @@ void check_frames(ConstMatrixView frames, std::span<const std::int64_t> lengths)
     if (rest != 0)
         fail(Status::shape, "the clips' lengths sum to {}, not to the {} frames given",
              frames.rows - rest, frames.rows);
-    check_numbers(frames);
+    check_numbers(frames, name);
 }
 
 namespace {

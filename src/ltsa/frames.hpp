@@ -11,8 +11,12 @@
 
 namespace stltsa::ltsa {
 
-/// Throws for empty or non-finite frames and for lengths that do not sum to the rows.
-void check_frames(ConstMatrixView frames, std::span<const std::int64_t> lengths);
+/// Throws for a number that is NaN or infinite, or so large that distances would be.
+void check_numbers(ConstMatrixView numbers, const char* name);
+
+/// The same for frames, and for none of them and for lengths that do not sum to the rows.
+void check_frames(ConstMatrixView frames, std::span<const std::int64_t> lengths,
+                  const char* name = "frames");
 
 /// The frames without those that equal their predecessor in every feature. A window of held
 /// frames has no tangent, and a hold longer than the window would cut the clip in two.

@@ -20,7 +20,7 @@ constexpr double rounding = 1e-14;
 using Values = std::vector<double>;
 
 void check(ConstMatrixView coords, std::span<const std::int64_t> lengths) {
-    ltsa::check_frames(coords, lengths);
+    ltsa::check_frames(coords, lengths, "coords");
     for (std::size_t c = 0; c < lengths.size(); ++c)
         if (lengths[c] < least_rows)
             fail(Status::too_few_frames,

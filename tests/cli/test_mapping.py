@@ -3,6 +3,7 @@
 
 import json
 import math
+import re
 import unittest
 
 import jsonschema
@@ -65,6 +66,47 @@ class Mapping(CommandTest):
         fitted, again = self.coords("y.csv"), self.coords("again.csv")
         error = numpy.sqrt(((fitted - again) ** 2).mean(axis=0)) / fitted.std(axis=0)
         self.assertLess(error.max(), 0.2)  # poses are smoothed once more
+
+    def test_poses_take_as_long_as_the_points(self):
+        """A clip's points are at its rate, not at that of the model's samples."""
+        model = self.model(walk(), "--dimension", "3")
+        points, poses = self.folder / "y.npy", self.folder / "poses.bvh"
+        mapped = self.json("map", model, walk(), "-o", points)
+        self.assertEqual(mapped["fps"], 120)
+        seconds = f"{mapped['rows']}, 120 a second ({mapped['rows'] / 120:.2f} s)"
+        self.assertIn(seconds, self.done("map", model, walk()).decode())
+        text = self.done("unmap", model, points, "--fps", "120", "-o", poses).decode()
+        self.assertIn(seconds, text)
+        made, source = self.json("info", poses)["clip"], self.json("info", walk())["clip"]
+        self.assertEqual((made["frames"], made["fps"]), (source["frames"], 120))
+        for product, flags, rate in (
+            ("poses.bvh", (), 30),  # the rate of the samples, as the file does not say
+            ("x.csv", (), 30),
+            ("x.csv", ("--fps", "120"), 120),
+        ):
+            found = self.json("unmap", model, points, "-o", self.folder / product, *flags)
+            self.assertEqual(found["fps"], rate)
+            self.check_schema(found)
+
+    def test_points_with_a_time(self):
+        model = self.model(walk(), "--dimension", "3")
+        self.done("map", model, walk(), "-o", self.folder / "y.npy")
+        rows = [[i / 60, *row] for i, row in enumerate(self.coords("y.npy")[::2])]
+        timed = self.folder / "timed.csv"
+        numpy.savetxt(timed, rows, delimiter=",", header="time,y1,y2,y3", comments="")
+        found = self.json("unmap", model, timed, "-o", self.folder / "poses.bvh")
+        self.assertAlmostEqual(found["fps"], 60, delta=1e-6)
+
+    def test_a_clip_without_a_rate(self):
+        clip = self.folder / "still.bvh"
+        text = walk().read_text(encoding="ascii")
+        clip.write_text(re.sub("Frame Time: .*", "Frame Time: 0", text), encoding="ascii")
+        points, poses = self.folder / "y.npy", self.folder / "poses.bvh"
+        model = self.model(clip, "--dimension", "3", "--neighbors", "40", "--coords", points)
+        self.assertIn("rate unknown", self.done("map", model, clip).decode())
+        self.assertIn("--fps", self.fails(1, "unmap", model, points, "-o", poses))
+        self.done("unmap", model, points, "--fps", "120", "-o", poses)
+        self.assertEqual(self.json("info", poses)["clip"]["fps"], 120)
 
     def test_frames_come_back(self):
         model = self.model(circle(), "--fps", "30", "--coords", self.folder / "y.npy")

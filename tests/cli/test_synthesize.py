@@ -141,6 +141,22 @@ class Synthesize(CommandTest):
         self.assertIn("1 seam", text)
         self.assertIn("best*2", text)
 
+    def test_what_cannot_be_written_is_told_first(self):
+        """Before any result; fails() looks that nothing was printed."""
+        message = self.fails(1, "synthesize", f"{walk()}:0-100", "-o", self.folder / "o.amc")
+        self.assertIn("AMC", message)
+        self.assert_empty(self.folder)
+
+    def test_files_keep_their_mode_and_links(self):
+        path, link = self.folder / "o.dat", self.folder / "o.bvh"
+        path.write_text("old", encoding="ascii")
+        path.chmod(0o640)
+        link.symlink_to(path)
+        self.done("synthesize", f"{walk()}:0-100", "-o", link)
+        self.assertTrue(link.is_symlink())
+        self.assertEqual(path.stat().st_mode & 0o777, 0o640)
+        self.assertTrue(path.read_text(encoding="ascii").startswith("HIERARCHY"))
+
     def test_wrong_use(self):
         out = self.folder / "x.bvh"
         self.fails(2, "synthesize", walk())

@@ -265,6 +265,7 @@ static void errors(void** state) {
 
     y[17] = NAN;
     refuses(STLTSA_E_NOT_FINITE, &in, NULL, 1, NULL);
+    assert_non_null(strstr(stltsa_last_error(), "coords: row"));
     assert_non_null(strstr(stltsa_last_error(), "8")); /* the row */
     free(y);
 }

@@ -167,6 +167,30 @@ static void bones_keep_their_lengths(void** state) {
     stltsa_clip_free(clip);
 }
 
+/* A point becomes a frame, so poses have the rate of the points; not told, that of the rows. */
+static void poses_have_the_rate_of_the_points(void** state) {
+    (void)state;
+    stltsa_clip* clip = opened();
+    stltsa_model* model = fitted(clip, STLTSA_FEATURES_POSITIONS);
+    const int64_t frames = stltsa_clip_frames(clip);
+    double* coords = new_mapped(model, clip, NULL, NULL);
+    stltsa_clip* untold = posed(model, coords, frames, NULL);
+    assert_true(stltsa_clip_fps(untold) == model_real(model, STLTSA_MODEL_FPS));
+    stltsa_options* options = NULL;
+    must(stltsa_options_new(&options));
+    must(stltsa_options_set_real(options, STLTSA_FPS, stltsa_clip_fps(clip)));
+    stltsa_clip* told = posed(model, coords, frames, options);
+    assert_true(stltsa_clip_fps(told) == stltsa_clip_fps(clip));
+    assert_true(stltsa_clip_fps(told) == 4 * stltsa_clip_fps(untold));
+    assert_int_equal(stltsa_clip_frames(told), frames);
+    stltsa_clip_free(told);
+    stltsa_options_free(options);
+    stltsa_clip_free(untold);
+    free(coords);
+    stltsa_model_free(model);
+    stltsa_clip_free(clip);
+}
+
 /* The poses of the rows' own coordinates are those of the fitted frames. */
 static void poses_of_the_rows_come_back(void** state) {
     (void)state;
@@ -310,6 +334,7 @@ int main(int argc, char** argv) {
         cmocka_unit_test(fitted_clip_gets_its_own_coordinates),
         cmocka_unit_test(equal_frames_keep_their_own_coordinates),
         cmocka_unit_test(bones_keep_their_lengths),
+        cmocka_unit_test(poses_have_the_rate_of_the_points),
         cmocka_unit_test(poses_of_the_rows_come_back),
         cmocka_unit_test(frames_of_points_are_features_of_their_poses),
         cmocka_unit_test(threads_change_nothing),

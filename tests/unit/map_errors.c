@@ -113,9 +113,11 @@ static void shapes_must_fit(void** state) {
 static void numbers_must_be_finite(void** state) {
     struct fixture* f = *state;
     f->x[17 * cols + 1] = NAN;
-    assert_status(map(f, f->x, rows, cols, NULL), STLTSA_E_NOT_FINITE, "row 17, column 1");
+    assert_status(map(f, f->x, rows, cols, NULL), STLTSA_E_NOT_FINITE,
+                  "frames: row 17, column 1 is NaN");
     double points[6] = {0, 0, 0, INFINITY, 0, 0};
-    assert_status(unmap(f, points, 3, 2, NULL), STLTSA_E_NOT_FINITE, "row 1, column 1");
+    assert_status(unmap(f, points, 3, 2, NULL), STLTSA_E_NOT_FINITE,
+                  "coords: row 1, column 1 is infinite");
     assert_untouched(f);
 }
 
@@ -136,14 +138,40 @@ static void no_rows_are_no_error(void** state) {
     assert_untouched(f);
 }
 
-/* What is too large to be measured is infinitely far, not a NaN. */
-static void huge_frames(void** state) {
+/* What is too large to be measured is refused; below that distances are finite. */
+static void huge_numbers(void** state) {
     struct fixture* f = *state;
-    for (int64_t c = 0; c < cols; ++c)
-        f->x[c] = 1e200;
-    must(map(f, f->x, 1, cols, NULL));
-    assert_true(isinf(f->distance[0]) && isfinite(f->y[0]) && isfinite(f->y[1]));
-    assert_in_range((uint64_t)f->nearest[0], 0, rows - 1);
+    double x[cols] = {0}, y[2] = {0};
+    x[2] = 1e300;
+    y[1] = -1e101;
+    assert_status(map(f, x, 1, cols, NULL), STLTSA_E_NOT_FINITE, "frames: row 0, column 2");
+    assert_status(unmap(f, y, 1, 2, NULL), STLTSA_E_NOT_FINITE, "coords: row 0, column 1");
+    assert_untouched(f);
+    x[2] = y[1] = 1e100;
+    must(map(f, x, 1, cols, NULL));
+    assert_true(isfinite(f->distance[0]) && isfinite(f->y[0]) && isfinite(f->y[1]));
+    assert_true(f->distance[0] > 1e90);
+    must(unmap(f, y, 1, 2, NULL));
+    assert_true(isfinite(f->distance[0]) && f->distance[0] > 1e90);
+}
+
+/* Rows that lie on one another could hold but one. */
+static void outputs_must_not_overlap(void** state) {
+    struct fixture* f = *state;
+    const stltsa_in in = packed_in(f->x, rows, cols);
+    const int64_t strides[][2] = {{0, 8}, {16, 0}, {7, 1600}, {16, -7}};
+    for (int s = 0; s < 4; ++s) {
+        stltsa_out out = packed_out(f->y, rows, 2);
+        out.row_stride = strides[s][0];
+        out.col_stride = strides[s][1];
+        assert_status(stltsa_map(f->model, &in, NULL, NULL, &out, NULL, NULL), STLTSA_E_SHAPE,
+                      "overlap");
+    }
+    assert_untouched(f);
+    stltsa_out one = packed_out(f->y, 1, 2); /* of a single row its stride says nothing */
+    one.col_stride = 8;
+    const stltsa_in first = packed_in(f->x, 1, cols);
+    must(stltsa_map(f->model, &first, NULL, NULL, &one, NULL, NULL));
 }
 
 static void model_without_frames_cannot_map(void** state) {
@@ -222,7 +250,8 @@ int main(void) {
         cmocka_unit_test_setup_teardown(numbers_must_be_finite, set_up, tear_down),
         cmocka_unit_test_setup_teardown(hints_are_rows, set_up, tear_down),
         cmocka_unit_test_setup_teardown(no_rows_are_no_error, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(huge_frames, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(huge_numbers, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(outputs_must_not_overlap, set_up, tear_down),
         cmocka_unit_test_setup_teardown(model_without_frames_cannot_map, set_up, tear_down),
         cmocka_unit_test_setup_teardown(components_do_not_mix, set_up, tear_down),
         cmocka_unit_test_setup_teardown(progress_cancels, set_up, tear_down),

@@ -176,6 +176,8 @@ static void errors_say_what_is_wrong(void** state) {
     assert_non_null(strstr(stltsa_last_error(), "no/such/folder/x.stltsa"));
     assert_int_equal(stltsa_model_load(NULL, &model), STLTSA_E_ARGUMENT);
     assert_int_equal(stltsa_model_load("no-such.stltsa", NULL), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_model_load("", &model), STLTSA_E_IO);
+    assert_non_null(strstr(stltsa_last_error(), "the path is empty"));
     assert_int_equal(stltsa_model_load("no-such.stltsa", &model), STLTSA_E_IO);
     assert_non_null(strstr(stltsa_last_error(), "no-such.stltsa"));
     unsigned char later[32];

@@ -76,6 +76,13 @@ static void ranges_types_and_keys_are_checked(void** state) {
             assert_non_null(strstr(stltsa_last_error(), info.name));
         }
     }
+    const int32_t chosen[] = {STLTSA_GAMMA, STLTSA_CROSSFADE, STLTSA_SEARCH};
+    for (int c = 0; c < 3; ++c) { /* -1 is a word, not a number */
+        must(stltsa_options_set_real(options, chosen[c], -1));
+        assert_int_equal(stltsa_options_set_real(options, chosen[c], -0.5), STLTSA_E_ARGUMENT);
+        assert_non_null(strstr(stltsa_last_error(), "-1, or from 0"));
+        must(stltsa_options_set_real(options, chosen[c], 0));
+    }
     assert_int_equal(stltsa_options_set_int(options, 0, 1), STLTSA_E_ARGUMENT);
     assert_int_equal(stltsa_options_set_int(options, 10000, 1), STLTSA_E_ARGUMENT);
     assert_int_equal(stltsa_options_set_int(options, STLTSA_SMOOTHING, 1), STLTSA_E_ARGUMENT);

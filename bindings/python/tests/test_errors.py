@@ -26,7 +26,7 @@ def test_file_that_is_something_else(tmp_path):
 def test_not_finite(circle):
     spoiled = circle.copy()
     spoiled[17, 3] = np.nan
-    with pytest.raises(stltsa.NotFiniteError, match="frame 17, feature 3"):
+    with pytest.raises(stltsa.NotFiniteError, match="frames: row 17, column 3 is NaN"):
         stltsa.fit(spoiled)
 
 

@@ -310,7 +310,9 @@ class Model:
     def poses(self, coords: Any, *, hints: Any = None, **options: Unpack[Options]) -> Clip:
         """Return the poses that points of the curve stand for, as a clip with the skeleton.
 
-        Parameters and errors are those of :meth:`unmap`; besides,
+        Parameters and errors are those of :meth:`unmap`; besides, the option `fps` is used: how
+        many points there are a second. For the coordinates that :meth:`map` gave of a clip that is
+        the clip's; left out, it is that of the model's rows, which `fit` may have decimated.
 
         Raises
         ------

@@ -18,11 +18,14 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     println!("{} frames learned, {} neighbors", model.info().frames, model.info().neighbors);
 
     // Distances above 1: frames unlike anything that was learned.
-    let mapped = model.map_clip(&Clip::open(other)?, &defaults)?;
+    let clip = Clip::open(other)?;
+    let mapped = model.map_clip(&clip, &defaults)?;
     let unlike = mapped.distance.iter().filter(|distance| **distance > 1.0).count();
     println!("{} frames mapped, {unlike} of them unlike what was learned", mapped.coords.rows());
 
-    let made = model.unmap_clip(&mapped.coords, &defaults)?;
+    // A point for each frame of the clip; the model has fewer rows a second.
+    let timing = Options::new().fps(clip.fps().unwrap_or_default());
+    let made = model.unmap_clip(&mapped.coords, &timing)?;
     made.clip.save(poses)?;
     println!("{} poses written", made.clip.frames());
     Ok(())

@@ -205,7 +205,8 @@ impl Model {
     }
 
     /// Poses from points of the curve, rows x d: rotations of all joints, height and tilt; the body
-    /// stays over the origin and faces one way. Options used: as [`Model::unmap`].
+    /// stays over the origin and faces one way. Options used: as [`Model::unmap`], and fps, points
+    /// a second: of what [`Model::map_clip`] gave, the clip's; else that of the model's rows.
     ///
     /// # Errors
     /// As [`Model::unmap`]; [`Unsupported`](ErrorKind::Unsupported) for a model of bare numbers.
