@@ -566,7 +566,7 @@ STLTSA_API stltsa_status stltsa_unmap(const stltsa_model *model, const stltsa_in
  * joints, height and tilt; the body stays over the origin and faces one way. A point becomes a
  * frame, so the clip's rate is that of the points: option fps, which for what stltsa_map_clip gave
  * is the rate of that clip; 0: STLTSA_MODEL_FPS, the rate of the rows. Other options: as
- * stltsa_unmap. E_UNSUPPORTED for a model of bare numbers. */
+ * stltsa_unmap. E_UNSUPPORTED for a model of bare numbers, E_SHAPE for no points at all. */
 STLTSA_API stltsa_status stltsa_unmap_clip(const stltsa_model *model, const stltsa_in *coords,
                                            const int64_t *hints, const stltsa_options *options,
                                            const stltsa_out *distance, int64_t *nearest,
@@ -646,7 +646,8 @@ typedef struct stltsa_synthesis stltsa_synthesis;
 
 /* Joins pieces, in order, into one clip. Where a piece does not go on where the one before ended,
  * the cuts are moved (option search) to the pair of frames whose postures and velocities are most
- * alike, and the two are crossfaded; the body goes on from where it stood, facing the way it faced.
+ * alike, and the two are crossfaded; the body goes on from where it stood, facing the way it faced, and
+ * repetitions do not add up what is no turn of the body but the swing of its heading.
  * Pieces that follow each other in their clip are joined as they were, so the units of a clip give
  * the clip back; of what is left out between pieces of one clip, or played twice, at least half
  * stays so. All clips need one hierarchy; the first one gives hierarchy, channels, units and

@@ -24,7 +24,7 @@ template <class T>
 std::optional<T> number_in(std::string_view text) {
     T value{};
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size() || value < T{})
+    if (error != std::errc() || end != text.data() + text.size() || !(value >= T{}))
         return std::nullopt;
     return value;
 }
@@ -59,7 +59,8 @@ std::optional<Range> range_in(std::string_view what) {
 std::optional<std::size_t> cycle_in(std::string_view what) {
     if (!what.starts_with("cycle"))
         return std::nullopt;
-    return number_in<std::size_t>(what.substr(5));
+    const auto number = number_in<std::size_t>(what.substr(5));
+    return number && *number > 0 ? number : std::nullopt;
 }
 
 bool is_part(std::string_view what) {
@@ -133,7 +134,7 @@ const Json& PieceFinder::interval(Source& source, const PieceText& text) {
         return chosen;
     }
     if (const auto index = cycle_in(text.what)) {
-        if (*index < 1 || *index > all["cycles"].size())
+        if (*index > all["cycles"].size())
             missing(text, all);
         return all["cycles"][*index - 1];
     }
@@ -150,8 +151,9 @@ stltsa_piece PieceFinder::find(const PieceText& text) {
         return piece;
     if (const auto range = range_in(text.what)) {
         const double scale = range->seconds ? stltsa_clip_fps(from.clip.get()) : 1;
-        piece.begin = std::llround(range->begin * scale);
-        piece.end = std::llround(range->end * scale);
+        const auto frame = [scale](double at) { return std::llround(std::min(at * scale, 1e15)); };
+        piece.begin = frame(range->begin);
+        piece.end = frame(range->end);
     } else {
         const Json& part = interval(from, text);
         piece.begin = part["begin"];

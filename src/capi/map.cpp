@@ -297,6 +297,8 @@ stltsa_status stltsa_unmap_clip(const stltsa_model* model, const stltsa_in* coor
         const capi::InputFrames input(coords, "coords");
         const std::int64_t rows = input.view().rows;
         check_points(input.view(), "coords", model->model.coords.cols(), "coordinates");
+        if (rows == 0)
+            fail(Status::shape, "coords has no rows; a clip has at least one frame");
         Placed::check(distance, rows);
         const Hints checked(hints, rows, *model);
         Matrix vectors(rows, model->kept.poses.cols());

@@ -16,6 +16,8 @@ std::int64_t dropped_frames(const Clip& clip, const Matrix& features, bool drop_
 } // namespace
 
 Prepared prepare(const Clip& clip, const PrepareOptions& options) {
+    if (clip.frames() == 0)
+        fail(Status::too_few_frames, "the clip has no frames");
     Prepared prepared;
     prepared.features = feature_kind(clip, options.features);
     prepared.up = clip.skeleton ? up_axis(clip, options.up) : Axis::automatic;

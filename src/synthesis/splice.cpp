@@ -16,6 +16,11 @@ double smoothstep(double x) {
 
 } // namespace
 
+double crossfade_weight(std::int64_t i, std::int64_t crossfade) {
+    return smoothstep((static_cast<double>(i + crossfade) + 0.5) /
+                      static_cast<double>(2 * crossfade));
+}
+
 Splicer::Splicer(const Body& body, std::int64_t frames)
     : body_(body), values_(frames, body.channels()) {}
 
@@ -28,7 +33,7 @@ double* Splicer::new_row() {
     return row;
 }
 
-void Splicer::play(const Track& track, std::int64_t begin, std::int64_t end) {
+void Splicer::play(const Track& track, std::int64_t begin, std::int64_t end, double turn) {
     for (std::int64_t frame = begin; frame < end; ++frame) {
         const double* source = track.values.row(frame);
         double* row = new_row();
@@ -36,6 +41,10 @@ void Splicer::play(const Track& track, std::int64_t begin, std::int64_t end) {
         std::int64_t kept = 0;
         if (!in_place_) {
             last_ = body_.moved(placement_, last_);
+            if (turn != 0) {
+                last_ = body_.after(last_, {turn, {}});
+                placement_ = body_.placement(track.root(frame), last_);
+            }
             body_.write(last_, row);
             kept = body_.root_channels();
         }
@@ -43,12 +52,12 @@ void Splicer::play(const Track& track, std::int64_t begin, std::int64_t end) {
     }
 }
 
-void Splicer::blend(const Mixture& mixture, double weight_gained) {
+void Splicer::blend(const Mixture& mixture, double weight_gained, double turn) {
     const auto& [earlier, a, later, b, weight] = mixture;
     const RootState& from = earlier.root(a);
     const RootState& to = later.root(b);
     last_ = body_.after(last_, mix(step_to(body_, earlier, a), step_to(body_, later, b), weight));
-    last_ = body_.after(last_, {0, -weight_gained * standing_offset(earlier, a, later, b)});
+    last_ = body_.after(last_, {turn, -weight_gained * standing_offset(earlier, a, later, b)});
     const auto up = static_cast<std::size_t>(body_.up());
     last_.position[up] = (1 - weight) * from.position[up] + weight * to.position[up];
     last_.tilt = slerp(from.tilt, to.tilt, weight);
@@ -58,13 +67,12 @@ void Splicer::blend(const Mixture& mixture, double weight_gained) {
     body_.write(last_, row);
 }
 
-void Splicer::cross(const Track& earlier, const Track& later, const Cut& cut) {
+void Splicer::cross(const Track& earlier, const Track& later, const Cut& cut, double turn) {
     const std::int64_t w = cut.crossfade;
     double before = 0;
     for (std::int64_t i = -w; i < w; ++i) {
-        const double weight =
-            smoothstep((static_cast<double>(i + w) + 0.5) / static_cast<double>(2 * w));
-        blend({earlier, cut.end + i, later, cut.begin + i, weight}, weight - before);
+        const double weight = crossfade_weight(i, w);
+        blend({earlier, cut.end + i, later, cut.begin + i, weight}, weight - before, turn);
         before = weight;
     }
     in_place_ = false;

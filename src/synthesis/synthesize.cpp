@@ -6,6 +6,7 @@
 #include "synthesis/seams.hpp"
 #include "synthesis/splice.hpp"
 #include "synthesis/synthesis.hpp"
+#include "synthesis/turning.hpp"
 
 namespace stltsa::synthesis {
 namespace {
@@ -42,8 +43,8 @@ class Synthesizer {
         result_.clip = empty_clip(first);
         result_.clip.values = splice(frames);
         measure_seams();
-        for (std::size_t i = 0; i < result_.seams.size(); ++i)
-            warn_of(i);
+        for (std::size_t i = 0; i < result_.seams.size();)
+            i = warn_of(i);
         return std::move(result_);
     }
 
@@ -93,6 +94,15 @@ class Synthesizer {
                 where(seam), seam.piece, seam.next, seam.posture, options_.posture_limit);
     }
 
+    /// Radians by which each frame of a run must turn, so that a straight walk stays straight
+    /// however often its cycle is repeated.
+    double straightening(std::size_t i) const {
+        if (i == 0 || i == cuts_.size() || !cut_alike(result_.seams[i - 1], result_.seams[i]))
+            return 0;
+        return -stray_turn(material_.body, track(i), cuts_[i].cut) /
+               static_cast<double>(stop(i) - start(i));
+    }
+
     Matrix splice(std::int64_t frames) const {
         Splicer splicer(material_.body, frames);
         std::int64_t crossed = 0; ///< frames of a run that the crossfade before it has covered
@@ -101,9 +111,10 @@ class Synthesizer {
                              static_cast<double>(i) / static_cast<double>(runs_.size()));
             const bool last = i == cuts_.size();
             const std::int64_t covered = last ? 0 : cuts_[i].cut.crossfade;
-            splicer.play(track(i), start(i) + crossed, stop(i) - covered);
+            const double turn = straightening(i);
+            splicer.play(track(i), start(i) + crossed, stop(i) - covered, turn);
             if (!last)
-                splicer.cross(track(i), track(i + 1), cuts_[i].cut);
+                splicer.cross(track(i), track(i + 1), cuts_[i].cut, turn);
             crossed = covered;
         }
         return splicer.take();
@@ -128,14 +139,29 @@ class Synthesizer {
         }
     }
 
+    static bool cut_alike(const Seam& a, const Seam& b) {
+        return a.piece == b.piece && a.next == b.next && a.cut_end == b.cut_end &&
+               a.cut_begin == b.cut_begin;
+    }
+
     static double ratio(double found, double usual) { return found > 0 ? found / usual : 0; }
 
-    void warn_of(std::size_t i) {
-        const Seam& seam = result_.seams[i];
+    /// Of seam i and of those after it that are cut alike, once; returns the next seam.
+    std::size_t warn_of(std::size_t i) {
+        Seam seam = result_.seams[i];
+        std::size_t next = i + 1;
+        for (; next < result_.seams.size() && cut_alike(seam, result_.seams[next]); ++next) {
+            seam.step = std::max(seam.step, result_.seams[next].step);
+            seam.acceleration = std::max(seam.acceleration, result_.seams[next].acceleration);
+        }
+        const std::string also =
+            next - i > 1 ? format_text(" (and {} more like it)", next - i - 1) : "";
         const auto warn = [&](const std::string& text) {
-            result_.warnings.push_back(format_text("{}: {}", where(seam), text));
+            result_.warnings.push_back(format_text("{}{}: {}", where(seam), also, text));
         };
-        if (options_.posture_limit > 0 && seam.posture > options_.posture_limit / 2)
+        const double limit =
+            options_.posture_limit > 0 ? options_.posture_limit : Options{}.posture_limit;
+        if (seam.posture > limit / 2)
             warn(format_text("the postures are {:.1f} times as far apart as those of repetitions",
                              seam.posture));
         if (seam.step > visible_step)
@@ -147,6 +173,7 @@ class Synthesizer {
                             seam.acceleration));
         if (seam.crossfade == 0 && cuts_[i].wanted_crossfade > 0)
             warn("nothing is blended, as the clips have no frames beyond the cuts");
+        return next;
     }
 
     Material material_;

@@ -164,7 +164,12 @@ class Synthesize(CommandTest):
         self.assertIn("'bset'", self.fails(2, "synthesize", f"{walk()}:bset", "-o", out))
         self.assertIn("how often", self.fails(2, "synthesize", f"{walk()}*0", "-o", out))
         self.fails(2, "synthesize", f"{walk()}:500-400", "-o", out)
-        self.fails(2, "synthesize", f"{walk()}:0-100000", "-o", out)
+        for beyond in ("0-100000", "0s-1e300s", "0s-infs", "infs-infs"):
+            message = self.fails(2, "synthesize", f"{walk()}:{beyond}", "-o", out)
+            self.assertIn("at least one frame of the", message)
+        for nothing in ("cycle0", "0s-nans"):
+            message = self.fails(2, "synthesize", f"{walk()}:{nothing}", "-o", out)
+            self.assertIn(f"'{nothing}'", message)
         self.fails(3, "synthesize", "absent.bvh", "-o", out)
         message = self.fails(1, "synthesize", circle(), "-o", self.folder / "x.csv", "--fps", "30")
         self.assertIn("skeleton", message)

@@ -223,6 +223,13 @@ void bare_matrices_have_no_tpose(void**) {
     assert_true(prepared.features == Features::raw);
 }
 
+void a_clip_needs_frames(void**) {
+    Clip clip;
+    clip.fps = 30;
+    clip.values = Matrix(0, 3);
+    ASSERT_FAILS(stltsa::Status::too_few_frames, "no frames", prepare(clip, {}));
+}
+
 } // namespace
 
 int main() {
@@ -241,6 +248,7 @@ int main() {
         cmocka_unit_test(finds_the_frame_of_a_cut),
         cmocka_unit_test(a_blow_is_no_cut),
         cmocka_unit_test(bare_matrices_have_no_tpose),
+        cmocka_unit_test(a_clip_needs_frames),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

@@ -309,6 +309,11 @@ static void bare_numbers_have_no_poses(void** state) {
     assert_int_equal(stltsa_unmap_clip(of_numbers, &points, NULL, NULL, NULL, NULL, &poses),
                      STLTSA_E_UNSUPPORTED);
     assert_null(poses);
+    const stltsa_in none = packed_in(y, 0, 3);
+    poses = walk;
+    assert_int_equal(stltsa_unmap_clip(of_walk, &none, NULL, NULL, NULL, NULL, &poses),
+                     STLTSA_E_SHAPE);
+    assert_null(poses);
     const stltsa_out out = packed_out(y, frames, 3);
     assert_int_equal(stltsa_map_clip(of_matrix, numbers, NULL, &out, NULL, NULL),
                      STLTSA_E_UNSUPPORTED);

@@ -107,6 +107,28 @@ static void half_a_cycle_too_much_is_refused(void** state) {
     stltsa_options* options = with(STLTSA_POSTURE_LIMIT, 0);
     s = made(&piece, 1, options);
     assert_true(seam_of(s, 0).posture > 3);
+    assert_true(has_warning(s, "times as far apart"));
+    stltsa_synthesis_free(s);
+    stltsa_options_free(options);
+    stltsa_clip_free(clip);
+}
+
+/* Every seam of a loop is cut alike: what is said of one is said of all. */
+static void warnings_are_given_once(void** state) {
+    (void)state;
+    stltsa_clip* clip = opened();
+    const stltsa_interval cycle = middle_cycle(clip);
+    const int64_t half = (cycle.end - cycle.begin) / 2;
+    stltsa_options* options = with(STLTSA_POSTURE_LIMIT, 0);
+    stltsa_piece piece = {clip, cycle.begin, cycle.end + half, 2, 0};
+    stltsa_synthesis* s = made(&piece, 1, options);
+    const int64_t count = stltsa_synthesis_warning_count(s);
+    assert_true(count > 0 && !has_warning(s, "more like it"));
+    stltsa_synthesis_free(s);
+    piece.repeat = 20;
+    s = made(&piece, 1, options);
+    assert_int_equal(stltsa_synthesis_warning_count(s), count);
+    assert_true(has_warning(s, "(and 18 more like it)"));
     stltsa_synthesis_free(s);
     stltsa_options_free(options);
     stltsa_clip_free(clip);
@@ -118,6 +140,7 @@ int main(int argc, char** argv) {
         cmocka_unit_test(every_joint_goes_on_and_bones_stay_rigid),
         cmocka_unit_test(a_loop_goes_on_from_and_into_its_neighbors),
         cmocka_unit_test(half_a_cycle_too_much_is_refused),
+        cmocka_unit_test(warnings_are_given_once),
     };
     return run_on_walker(tests, argc, argv);
 }
