@@ -24,7 +24,11 @@ class Manual(CommandTest):
 
     def test_options_are_of_the_commands_named(self):
         """By the section's title, or in the entry's own text; "Not of" takes away."""
-        takes = {c: set(FLAG.findall(self.done(c, "--help").decode())) for c in COMMANDS}
+        takes = {}
+        for command in COMMANDS:
+            lines = self.done(command, "--help").decode().splitlines()
+            defined = [line.split("  ")[1] for line in lines if re.match("  -", line)]
+            takes[command] = set(FLAG.findall(" ".join(defined)))
         options = self.page[self.page.index(".SH OPTIONS") : self.page.index(".SH OUTPUT")]
         for section in options.split(".SS ")[1:]:
             title, *entries = section.split("\n.TP\n")
