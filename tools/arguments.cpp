@@ -14,6 +14,7 @@
 
 #include "exit_status.hpp"
 #include "option_flags.hpp"
+#include "text.hpp"
 
 namespace tool {
 namespace {
@@ -64,13 +65,13 @@ Examples:
 constexpr const char* about_unmap =
     R"(Makes poses, or frames, of points on the curve of a model.
 
+A point becomes a frame: say how many there are a second (--fps) where that is
+not the rate of the model's samples. For what stltsa map wrote it is the clip's.
+
 Examples:
   stltsa unmap walk.stltsa y.npy -o poses.bvh
   stltsa unmap walk.stltsa y.npy --fps 120 -o poses.bvh
-  stltsa unmap walk.stltsa y.csv -o frames.csv --follow
-
-A point becomes a frame: say how many there are a second (--fps) where that is
-not the rate of the model's samples. For what stltsa map wrote it is the clip's.)";
+  stltsa unmap walk.stltsa y.csv -o frames.csv --follow)";
 
 constexpr const char* about_synthesize =
     R"(Joins pieces of clips into new motion.
@@ -163,7 +164,7 @@ class Parser {
                        "Write the coordinates, rows x d, to a .npy or\n"
                        ".csv file.")
             ->type_name("FILE");
-        add_product(fit, "Write the model, for map, unmap and denoise.");
+        add_product(fit, "Write the model (.stltsa), for map, unmap and\ndenoise.");
         add_plot(fit);
         CLI::App& map =
             model_command(Command::map, "map", about_map, a_clip, {mapping, threading, reading});
@@ -176,7 +177,8 @@ class Parser {
         add_product(unmap, "Write poses (.bvh, .amc) or frames (.npy, .csv).")->required();
         unmap.add_flag("--follow", to_.follow,
                        "Each point goes on where the one before was:\n"
-                       "what one coordinate alone cannot tell.");
+                       "what one coordinate alone cannot tell. Sets\n"
+                       "--hint-window to 2 where it is not given.");
         CLI::App& dimension = clip_command(Command::dimension, "dimension", about_dimension, a_clip,
                                            {estimating, choosing, graph, preparing, reading});
         add_output(dimension);
@@ -247,13 +249,13 @@ class Parser {
     CLI::App& model_command(Command command, const char* name, const char* text, const char* input,
                             std::initializer_list<Keys> keys) {
         CLI::App& app = add(command, name, text, keys);
-        app.add_option("model", to_.model, "A model that stltsa fit -o wrote.")->required();
+        app.add_option("model", to_.model, "A model that stltsa fit -o wrote, or -.")->required();
         app.add_option(command == Command::map ? "clip" : "coords", to_.input, input)->required();
         return app;
     }
     void add_denoise() {
         CLI::App& denoise = clip_command(Command::denoise, "denoise", about_denoise,
-                                         "A model (.stltsa), a clip, or -.",
+                                         "A model (.stltsa), a clip, or - for either.",
                                          {denoising, choosing, graph, preparing, reading});
         denoise.add_flag("--coordinates", to_.coordinates,
                          "The columns of the CSV or NPY file are\ncoordinates: do not fit.");
@@ -284,7 +286,7 @@ class Parser {
 void check_suffix(const char* flag, const std::string& path,
                   std::initializer_list<std::string_view> suffixes) {
     if (path.empty() || std::ranges::any_of(suffixes, [&](std::string_view suffix) {
-            return path.ends_with(suffix);
+            return ends_in(path, suffix);
         }))
         return;
     throw Failure(Exit::usage, fmt::format("{} {}: the name must end in {}", flag, path,
@@ -298,6 +300,8 @@ bool has_suffix(const std::string& path) {
 
 void check_arguments(const Arguments& arguments) {
     check_suffix("--coords", arguments.coords, {".npy", ".csv"});
+    if (arguments.command == Command::fit)
+        check_suffix("-o", arguments.product, {".stltsa"});
     check_suffix("--curve-out", arguments.curve_product, {".npy", ".csv"});
     if (arguments.command == Command::map || arguments.command == Command::denoise)
         check_suffix("-o", arguments.product, {".npy", ".csv"});
@@ -305,10 +309,15 @@ void check_arguments(const Arguments& arguments) {
         check_suffix("-o", arguments.product, {".bvh", ".amc", ".npy", ".csv"});
     if (has_suffix(arguments.plot))
         check_suffix("--plot", arguments.plot, {".svg"});
-    if (arguments.output.ends_with(".json") && !arguments.json)
+    if (ends_in(arguments.output, ".json") && !arguments.json)
         throw Failure(Exit::usage, fmt::format("--output {}: the result is a table for people; "
                                                "--json makes it JSON",
                                                arguments.output));
+    if (arguments.command == Command::unmap && !arguments.follow &&
+        arguments.options.contains(STLTSA_HINT_WINDOW))
+        throw Failure(Exit::usage, "--hint-window goes with --follow");
+    if (arguments.model == "-" && arguments.input == "-")
+        throw Failure(Exit::usage, "standard input (-) is one file: the model or the other");
     if (arguments.curve && !arguments.json)
         throw Failure(Exit::usage, "--curve goes with --json");
 }

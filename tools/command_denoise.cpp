@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
+#include <fmt/format.h>
+
 #include "commands.hpp"
 #include "make_figure.hpp"
+#include "option_flags.hpp"
 #include "report.hpp"
 #include "session.hpp"
 
@@ -47,12 +52,31 @@ Cleaning clean_columns(Session& session, const stltsa_clip* clip) {
     return cleaning;
 }
 
+/// Of what is not fitted here, options of a fit would change nothing.
+void refuse_fit_options(const Arguments& arguments, const char* what,
+                        std::initializer_list<std::int32_t> more = {}) {
+    std::vector<std::int32_t> used = {STLTSA_GAMMA,      STLTSA_KNOTS,      STLTSA_ROBUST,
+                                      STLTSA_PERIOD_MIN, STLTSA_PERIOD_MAX, STLTSA_THREADS};
+    used.insert(used.end(), more);
+    for (const auto& [key, typed] : arguments.options)
+        if (std::ranges::find(used, key) == used.end())
+            throw Failure(Exit::usage, fmt::format("{} goes with a clip that is to be fitted; {}",
+                                                   flag_of(key), what));
+}
+
 Cleaning clean(Session& session) {
-    const std::string& input = session.arguments().input;
-    if (input.ends_with(".stltsa"))
-        return clean_model(session, session.open_model(input).get());
+    const Arguments& arguments = session.arguments();
+    if (session.input_is_model()) {
+        if (arguments.coordinates)
+            throw Failure(Exit::usage, "--coordinates goes with a CSV or NPY file; this is a "
+                                       "model, which has its own");
+        refuse_fit_options(arguments, "this is a model");
+        return clean_model(session, session.open_model(arguments.input).get());
+    }
+    if (arguments.coordinates)
+        refuse_fit_options(arguments, "with --coordinates nothing is", {STLTSA_FPS});
     const stltsa_clip* clip = session.open_input();
-    if (session.arguments().coordinates)
+    if (arguments.coordinates)
         return clean_columns(session, clip);
     const auto model = made_by<Model>(
         [&](stltsa_model** made) { return stltsa_fit_clip(clip, session.options(), made); });

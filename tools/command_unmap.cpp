@@ -5,6 +5,7 @@
 #include "mapped.hpp"
 #include "report.hpp"
 #include "session.hpp"
+#include "text.hpp"
 
 namespace tool {
 namespace {
@@ -33,7 +34,7 @@ stltsa_in rows_of(const Grid& points, std::int64_t first, std::int64_t count) {
 }
 
 bool poses_wanted(const std::string& path) {
-    return path.ends_with(".bvh") || path.ends_with(".amc");
+    return ends_in(path, ".bvh") || ends_in(path, ".amc");
 }
 
 /// Makes frames, or, where `path` is one of a clip with a skeleton, poses.
@@ -106,7 +107,7 @@ Exit run_unmap(const Arguments& arguments) {
     if (poses)
         session.add_clip(arguments.product, clip.get());
     else
-        session.add_table(arguments.product, mapped.values);
+        session.add_table(arguments.product, mapped.values, "feature");
     const double rate = rate_of(input, model.get());
     const Json object = mapping_json("unmap", arguments, model.get(), mapped, rate);
     session.finish(object, mapping_report(object, session.title(), session.colors()));

@@ -30,10 +30,10 @@ std::string npy_bytes(const Grid& grid) {
     return bytes;
 }
 
-std::string csv_text(const Grid& grid) {
+std::string csv_text(const Grid& grid, const char* column) {
     std::string text;
     for (std::int64_t c = 0; c < grid.cols; ++c)
-        text += fmt::format("{}y{}", c == 0 ? "" : ",", c + 1);
+        text += fmt::format("{}{}{}", c == 0 ? "" : ",", column, c + 1);
     text += '\n';
     for (std::int64_t r = 0; r < grid.rows; ++r) {
         for (std::int64_t c = 0; c < grid.cols; ++c)

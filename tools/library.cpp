@@ -18,6 +18,7 @@ Exit exit_of(stltsa_status status) {
     case STLTSA_E_TOO_FEW_FRAMES:
     case STLTSA_E_DISCONNECTED:
     case STLTSA_E_DEGENERATE:
+    case STLTSA_E_NO_COMMON_POSTURE:
         return Exit::untrustworthy;
     case STLTSA_E_CANCELLED:
         return Exit::interrupted;

@@ -192,17 +192,44 @@ void set_lengths(stltsa_options* options, const std::map<std::int32_t, std::stri
     }
 }
 
-std::string with_flags(std::string text) {
+std::string flag_of(std::int32_t key) {
+    return flag_name(describe(key));
+}
+
+namespace {
+
+/// Replaces words where they end, and where `fits` likes what is before them.
+template <class Fits>
+void replace_words(std::string& text, const std::string& words, const std::string& by, Fits fits) {
     const auto is_name = [](char c) { return c == '_' || (c >= 'a' && c <= 'z'); };
+    for (std::size_t at = 0; (at = text.find(words, at)) != text.npos; ++at) {
+        const std::size_t end = at + words.size();
+        if ((end == text.size() || !is_name(text[end])) && fits(text.substr(0, at)))
+            text.replace(at, words.size(), by);
+    }
+}
+
+/// "set --a"
+bool ends_with_flag(const std::string& text) {
+    return text.compare(text.find_last_of(' ') + 1, 2, "--") == 0; // npos + 1 is 0
+}
+
+} // namespace
+
+std::string with_flags(std::string text) {
+    const auto always = [](const std::string&) { return true; };
+    std::vector<stltsa_option_info> all;
     for (std::int64_t i = 0; i < stltsa_option_count(); ++i) {
-        stltsa_option_info info{};
+        stltsa_option_info& info = all.emplace_back();
         info.size = sizeof info;
         check(stltsa_option_describe(i, &info));
-        const std::string words = std::string("option ") + info.name;
-        for (std::size_t at = 0; (at = text.find(words, at)) != text.npos; ++at)
-            if (at + words.size() == text.size() || !is_name(text[at + words.size()]))
-                text.replace(at, words.size(), flag_name(info));
     }
+    for (const char* words : {"the option ", "option "})
+        for (const stltsa_option_info& info : all)
+            replace_words(text, std::string(words) + info.name, flag_name(info), always);
+    for (const stltsa_option_info& info : all)
+        replace_words(text, std::string(" or ") + info.name, " or " + flag_name(info),
+                      ends_with_flag);
     return text;
 }
 

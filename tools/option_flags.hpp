@@ -27,7 +27,11 @@ void set_options(stltsa_options* options, const std::map<std::int32_t, std::stri
 void set_lengths(stltsa_options* options, const std::map<std::int32_t, std::string>& typed,
                  double rate);
 
-/// The library's "option period_min" in a text as the user knows it: "--period-min".
+/// What the user types: "--period-min".
+std::string flag_of(std::int32_t key);
+
+/// The library's "option period_min" in a text as the user knows it: "--period-min"; also "the
+/// option" and the second of "option a or b".
 std::string with_flags(std::string text);
 
 } // namespace tool

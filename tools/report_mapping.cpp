@@ -12,12 +12,13 @@ namespace tool {
 namespace {
 
 std::string sentence(const Json& mapping, const std::string& title) {
-    const std::string path = mapping["model"]["path"];
+    const Json& path = mapping["model"]["path"];
+    const std::string model = path.is_null() ? "standard input" : path.get<std::string>();
     const std::string rows = counted(mapping["rows"].get<std::size_t>(),
                                      mapping["direction"] == "map" ? "frame" : "point");
     const auto beyond = mapping["beyond"]["count"].get<std::size_t>();
     return fmt::format("{} on {}: {}, {} beyond what the model knows", title,
-                       std::filesystem::path(path).filename().string(), rows,
+                       std::filesystem::path(model).filename().string(), rows,
                        beyond == 0 ? "none" : std::to_string(beyond));
 }
 

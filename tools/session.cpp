@@ -16,6 +16,7 @@
 #include "option_flags.hpp"
 #include "pieces.hpp"
 #include "style.hpp"
+#include "text.hpp"
 
 namespace tool {
 namespace {
@@ -84,7 +85,7 @@ const stltsa_clip* Session::open_input() {
 Clip Session::open_clip(const std::string& path) const {
     stltsa_clip* clip = nullptr;
     if (path == "-") {
-        const std::string bytes = read_stdin();
+        const std::string& bytes = standard_input();
         check_reading(stltsa_clip_parse(bytes.data(), bytes.size(), 0, options(), &clip));
     } else {
         check_reading(stltsa_clip_open(path.c_str(), options(), &clip));
@@ -94,8 +95,25 @@ Clip Session::open_clip(const std::string& path) const {
 
 Model Session::open_model(const std::string& path) const {
     stltsa_model* model = nullptr;
-    check_reading(stltsa_model_load(path.c_str(), &model));
+    if (path == "-") {
+        const std::string& bytes = standard_input();
+        check_reading(stltsa_model_parse(bytes.data(), bytes.size(), &model));
+    } else {
+        check_reading(stltsa_model_load(path.c_str(), &model));
+    }
     return Model(model);
+}
+
+bool Session::input_is_model() const {
+    if (arguments_.input == "-")
+        return standard_input().starts_with("\x89STLTSA\n"); // docs/model-file.md
+    return ends_in(arguments_.input, ".stltsa");
+}
+
+const std::string& Session::standard_input() const {
+    if (!standard_input_)
+        standard_input_ = read_stdin();
+    return *standard_input_;
 }
 
 void Session::set_fps(double fps) {
@@ -116,8 +134,8 @@ void Session::add_file(const std::string& path, std::string content) {
     files_.add(path, std::move(content));
 }
 
-void Session::add_table(const std::string& path, const Grid& table) {
-    add_file(path, path.ends_with(".npy") ? npy_bytes(table) : csv_text(table));
+void Session::add_table(const std::string& path, const Grid& table, const char* column) {
+    add_file(path, ends_in(path, ".npy") ? npy_bytes(table) : csv_text(table, column));
 }
 
 void Session::add_clip(const std::string& path, const stltsa_clip* clip) {

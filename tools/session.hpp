@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "arguments.hpp"
@@ -22,6 +23,9 @@ class Session {
     Clip open_clip(const std::string& path) const;
     Model open_model(const std::string& path) const;
 
+    /// Whether arguments.input is a model: by its name or, of standard input, by how it begins.
+    bool input_is_model() const;
+
     /// As option fps: the rate that a file was found to have.
     void set_fps(double fps);
     const stltsa_options* options() const { return options_.get(); }
@@ -35,8 +39,8 @@ class Session {
     bool colors() const;
 
     void add_file(const std::string& path, std::string content);
-    /// Coordinates as NPY or CSV, as the suffix says.
-    void add_table(const std::string& path, const Grid& table);
+    /// As NPY or CSV, as the suffix says; the columns of a CSV are headed y1, y2 and so on.
+    void add_table(const std::string& path, const Grid& table, const char* column = "y");
     /// Its format is told by the suffix. The clip must live until finish().
     void add_clip(const std::string& path, const stltsa_clip* clip);
     /// Writes the object as JSON or, without --json, `table`; then puts the files in their places.
@@ -44,11 +48,14 @@ class Session {
 
   private:
     void warn(const Json& object) const;
+    /// Read once.
+    const std::string& standard_input() const;
 
     const Arguments& arguments_;
     ProgressBar bar_;
     Options options_;
     Clip clip_;
+    mutable std::optional<std::string> standard_input_;
     OutputFiles files_;
 };
 

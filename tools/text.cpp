@@ -34,6 +34,14 @@ std::string wrapped(std::string_view text, std::size_t columns) {
     return fmt::format("{}", fmt::join(wrapped(text, fits), "\n"));
 }
 
+bool ends_in(std::string_view name, std::string_view suffix) {
+    const auto small = [](char c) {
+        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    };
+    return name.size() >= suffix.size() &&
+           std::ranges::equal(name.substr(name.size() - suffix.size()), suffix, {}, small);
+}
+
 std::size_t characters(std::string_view text) {
     const auto first_byte = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; };
     return static_cast<std::size_t>(std::ranges::count_if(text, first_byte));

@@ -16,6 +16,9 @@ std::vector<std::string> wrapped(std::string_view text,
 /// The same for lines of so many characters, as one text.
 std::string wrapped(std::string_view text, std::size_t columns);
 
+/// Whether a name has this suffix, written in small letters; capitals in the name do not matter.
+bool ends_in(std::string_view name, std::string_view suffix);
+
 /// Characters in UTF-8 text.
 std::size_t characters(std::string_view text);
 

@@ -136,11 +136,31 @@ class Denoise(CommandTest):
             for shown, name in zip(row[1:4], ("noise", "gamma", "shift")):
                 self.assertAlmostEqual(float(shown) / column[name], 1, delta=1e-3)
 
+    def test_a_model_from_standard_input(self):
+        model = self.folder / "m.stltsa"
+        self.done("fit", walk(), "-o", model)
+        self.assertEqual(
+            self.json("denoise", "-", input=model.read_bytes()), self.json("denoise", model)
+        )
+        self.fails(3, "denoise", "-", input=b"\x89STLTSA\nand nothing")
+
+    def test_options_that_would_change_nothing(self):
+        model = self.folder / "m.stltsa"
+        self.done("fit", circle(), "--fps", "30", "-o", model)
+        for flag, value in (("--dimension", "1"), ("--neighbors", "5"), ("--fps", "30")):
+            self.assertIn(flag, self.fails(2, "denoise", model, flag, value))
+        self.assertIn("--coordinates", self.fails(2, "denoise", model, "--coordinates"))
+        self.assertIn(
+            "--dimension", self.fails(2, "denoise", circle(), "--coordinates", "--dimension", "1")
+        )
+        self.done("denoise", model, "--gamma", "0.1", "--knots", "0.2", "--no-robust")
+
     def test_refusals(self):
         self.assertIn(".npy, .csv", self.fails(2, "denoise", walk(), "-o", "y.txt"))
         self.assertIn(".npy, .csv", self.fails(2, "denoise", walk(), "--curve-out", "y.svg"))
         self.assertIn("--coordinates", self.fails(2, "denoise", walk(), "--coordinates"))
         self.assertIn("gamma", self.fails(2, "denoise", walk(), "--gamma", "-3"))
+        self.assertIn("-1, or from 0", self.fails(2, "denoise", walk(), "--gamma", "-0.5"))
         short = write_csv("short.csv", [[1.0, 2.0]] * 7)
         self.assertIn("8", self.fails(4, "denoise", short, "--coordinates"))
         missing = self.folder / "missing.stltsa"

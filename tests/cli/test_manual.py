@@ -22,6 +22,32 @@ class Manual(CommandTest):
         self.assertIn("--neighbors", documented)
         self.assertEqual(documented, set(FLAG.findall(self.help)))
 
+    def test_options_are_of_the_commands_named(self):
+        """By the section's title, or in the entry's own text; "Not of" takes away."""
+        takes = {}
+        for command in COMMANDS:
+            lines = self.done(command, "--help").decode().splitlines()
+            defined = [line.split("  ")[1] for line in lines if re.match("  -", line)]
+            takes[command] = set(FLAG.findall(" ".join(defined)))
+        options = self.page[self.page.index(".SH OPTIONS") : self.page.index(".SH OUTPUT")]
+        for section in options.split(".SS ")[1:]:
+            title, *entries = section.split("\n.TP\n")
+            for entry in entries:
+                head, text = entry.split("\n", 1)
+                for flag in FLAG.findall(head):
+                    if flag.startswith("--no-") or flag == "--version":
+                        continue
+                    named = {c for c in COMMANDS if re.search(rf"\b{c}\b", title)}
+                    if "all commands" in title:
+                        excepted = re.search(r"Not of (\w+)", text)
+                        named = set(COMMANDS) - {excepted and excepted[1]}
+                    elif "single" in title:
+                        named = {c for c in COMMANDS if re.search(rf"\b{c}\b[,:]", text)}
+                    else:
+                        for more in re.findall(r"Of (\w+)(?: and (\w+))? too", text):
+                            named |= set(more) & set(COMMANDS)
+                    self.assertEqual(named, {c for c in COMMANDS if flag in takes[c]}, flag)
+
     def test_exit_statuses_are_the_same(self):
         section = self.page[self.page.index(".SH EXIT STATUS") :]
         documented = re.findall(r"^\.B (\d+)$", section, re.MULTILINE)

@@ -130,6 +130,35 @@ class Mapping(CommandTest):
             errors.append(numpy.sqrt((wrong**2).mean()))
         self.assertLess(errors[1], 0.5 * errors[0])
 
+    def test_a_model_from_standard_input(self):
+        model = self.model(circle(), "--fps", "30")
+        found = self.json("map", "-", circle(), input=model.read_bytes())
+        self.check_schema(found)
+        self.assertIsNone(found["model"]["path"])
+        self.assertEqual(found["distance"], self.json("map", model, circle())["distance"])
+        text = self.done("map", "-", circle(), input=model.read_bytes()).decode()
+        self.assertIn("on standard input", text)
+        self.assertIn("one file", self.fails(2, "map", "-", "-", input=model.read_bytes()))
+
+    def test_columns_say_what_they_are(self):
+        model = self.model(circle(), "--fps", "30", "--coords", self.folder / "y.csv")
+        self.done("unmap", model, self.folder / "y.csv", "-o", self.folder / "x.csv")
+        self.done("map", model, circle(), "-o", self.folder / "again.csv")
+        for name, heading in (("x.csv", "feature1,feature2,feature3"), ("again.csv", "y1,y2")):
+            text = (self.folder / name).read_text(encoding="ascii")
+            self.assertEqual(text.splitlines()[0], heading)
+
+    def test_capitals_in_suffixes(self):
+        model = self.model(walk(), "--dimension", "3", "--coords", self.folder / "y.NPY")
+        self.assertEqual(numpy.load(self.folder / "y.NPY").shape[1], 3)
+        self.done("unmap", model, self.folder / "y.NPY", "-o", self.folder / "poses.BVH")
+        self.assertTrue((self.folder / "poses.BVH").read_bytes().startswith(b"HIERARCHY"))
+
+    def test_numbers_beyond_measure(self):
+        model = self.model(circle(), "--fps", "30")
+        far = write_csv("beyond.csv", [[1e200, 0.0, 0.0]] * 3)
+        self.assertIn("column 0", self.fails(3, "map", model, far))
+
     def test_wrong_use(self):
         model = self.model(circle(), "--fps", "30")
         self.assertIn("no model", self.fails(3, "map", circle(), circle()))
@@ -142,6 +171,12 @@ class Mapping(CommandTest):
         self.done("fit", circle(), "--fps", "30", "--coords", self.folder / "y.csv")
         message = self.fails(1, "unmap", model, self.folder / "y.csv", "-o", self.folder / "x.bvh")
         self.assertIn("bare numbers", message)
+        self.assertIn(".csv or .npy", message)
+        self.assertNotIn("stltsa_", message)
+        self.assertIn("--follow", self.fails(2, "unmap", model, self.folder / "y.csv", "-o",
+                                             self.folder / "x.csv", "--hint-window", "3"))
+        for name in ("m.bvh", "m", "-"):
+            self.assertIn(".stltsa", self.fails(2, "fit", circle(), "-o", name, cwd=self.folder))
         two = write_csv("two.csv", [[0.0, float(i)] for i in range(40)])
         self.assertIn("features", self.fails(1, "map", model, two, "--fps", "30"))
 

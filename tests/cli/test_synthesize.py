@@ -157,6 +157,15 @@ class Synthesize(CommandTest):
         self.assertEqual(path.stat().st_mode & 0o777, 0o640)
         self.assertTrue(path.read_text(encoding="ascii").startswith("HIERARCHY"))
 
+    def test_no_common_posture(self):
+        out = self.folder / "x.bvh"
+        message = self.fails(
+            4, "synthesize", f"{walk()}:0-150", f"{walk()}:330-400", "-o", out, "--search", "0",
+            "--posture-limit", "0.001"
+        )
+        self.assertIn("raise --search or --posture-limit", " ".join(message.split()))
+        self.assert_empty(self.folder)
+
     def test_wrong_use(self):
         out = self.folder / "x.bvh"
         self.fails(2, "synthesize", walk())
