@@ -25,9 +25,7 @@ Graph build_graph(ConstMatrixView frames, std::span<const std::int64_t> lengths,
     within.window = std::min(parameters.window, graph.frames.x.rows);
     graph.neighborhoods = find_neighbors(graph.frames.x, graph.frames.lengths, within, progress);
     graph.components = connected_components(graph.neighborhoods);
-    const bool banded = parameters.mode == Mode::temporal;
-    graph.tangents = local_tangents(graph.frames.x, graph.neighborhoods, parameters.dimension,
-                                    banded ? within.window : 0, parameters.threads, progress);
+    graph.tangents = local_tangents(graph.frames.x, graph.neighborhoods, within, progress);
     return graph;
 }
 
