@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "linalg/panel.hpp"
 #include "linalg/simd.hpp"
 
 namespace stltsa {
@@ -46,9 +47,10 @@ bool cholesky(EnvelopeMatrix& matrix, double smallest) {
     return true;
 }
 
-void cholesky_solve(const EnvelopeMatrix& factor, std::span<double> x) {
+namespace {
+
+void solve_vector(const EnvelopeMatrix& factor, double* values) {
     const std::int64_t n = factor.order();
-    double* values = x.data();
     for (std::int64_t j = 0; j < n; ++j) {
         const double* column = factor.column(j);
         values[j] /= column[0];
@@ -59,6 +61,41 @@ void cholesky_solve(const EnvelopeMatrix& factor, std::span<double> x) {
         values[j] -= dot(column + 1, values + j + 1, factor.reach(j) - j);
         values[j] /= column[0];
     }
+}
+
+struct PanelSolve {
+    const EnvelopeMatrix& factor;
+    MatrixView x;
+
+    template <int W>
+    STLTSA_INLINE void run() const {
+        using P = Pack<W>;
+        for (std::int64_t c = 0; c < x.cols; c += W) {
+            for (std::int64_t j = 0; j < x.rows; ++j) {
+                const double* column = factor.column(j);
+                const P value = pack_at<P>(x.row(j) + c) / column[0];
+                pack_at<P>(x.row(j) + c) = value;
+                for (std::int64_t r = 1; r <= factor.reach(j) - j; ++r)
+                    pack_at<P>(x.row(j + r) + c) -= column[r] * value;
+            }
+            for (std::int64_t j = x.rows - 1; j >= 0; --j) {
+                const double* column = factor.column(j);
+                P value = pack_at<P>(x.row(j) + c);
+                for (std::int64_t r = factor.reach(j) - j; r > 0; --r)
+                    value -= column[r] * pack_at<P>(x.row(j + r) + c);
+                pack_at<P>(x.row(j) + c) = value / column[0];
+            }
+        }
+    }
+};
+
+} // namespace
+
+void cholesky_solve(const EnvelopeMatrix& factor, MatrixView x, Simd simd) {
+    if (x.cols == 1)
+        solve_vector(factor, x.data);
+    else
+        run_simd(simd, PanelSolve{factor, x});
 }
 
 } // namespace stltsa

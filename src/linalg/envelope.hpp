@@ -3,10 +3,10 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "linalg/matrix.hpp"
+#include "linalg/pack.hpp"
 
 namespace stltsa {
 
@@ -38,7 +38,7 @@ class EnvelopeMatrix {
 /// `smallest` times its diagonal entry: the matrix is singular to working precision.
 bool cholesky(EnvelopeMatrix& matrix, double smallest);
 
-/// x := (L L^T)^-1 x
-void cholesky_solve(const EnvelopeMatrix& factor, std::span<double> x);
+/// x := (L L^T)^-1 x for one column or a panel of them.
+void cholesky_solve(const EnvelopeMatrix& factor, MatrixView x, Simd simd);
 
 } // namespace stltsa

@@ -12,6 +12,7 @@
 
 #include "base/parallel.hpp"
 #include "linalg/envelope.hpp"
+#include "ltsa/patch_passes.hpp"
 
 namespace stltsa::ltsa {
 
@@ -146,10 +147,75 @@ void shift_diagonal(EnvelopeMatrix& matrix, double share) {
         matrix.column(c)[0] += share * largest;
 }
 
-class DifferenceAlignment final : public Alignment {
+/// How values at a patch's frames come from differences: running sums within the patch, up to a
+/// constant. Differences of far values of x would lose their digits.
+struct RunningSums {
+    template <class P>
+    STLTSA_INLINE static void gather(const std::int32_t* frames, std::int64_t k,
+                                     ConstMatrixView unknowns, std::int64_t column, P* values) {
+        P sum{};
+        values[0] = sum;
+        for (std::int64_t j = 1; j < k; ++j) {
+            for (auto c = frames[j - 1]; c < frames[j]; ++c)
+                sum += pack_at<P>(unknowns.row(c) + column);
+            values[j] = sum;
+        }
+    }
+    template <class P>
+    STLTSA_INLINE static void scatter(const std::int32_t* frames, std::int64_t k, const P* values,
+                                      MatrixView unknowns, std::int64_t column) {
+        P beyond{};
+        for (std::int64_t j = k - 1; j > 0; --j) {
+            beyond += values[j];
+            for (auto c = frames[j - 1]; c < frames[j]; ++c)
+                pack_at<P>(unknowns.row(c) + column) += beyond;
+        }
+    }
+};
+
+/// S^T x: sums of the values beyond each difference.
+struct SuffixSums {
+    ConstMatrixView x;
+    MatrixView unknowns;
+
+    template <int W>
+    STLTSA_INLINE void run() const {
+        for_columns<W>(x.cols, *this);
+    }
+    template <class P>
+    STLTSA_INLINE void columns(std::int64_t column) const {
+        P sum{};
+        for (std::int64_t c = unknowns.rows; c-- > 0;) {
+            sum += pack_at<P>(x.row(c + 1) + column);
+            pack_at<P>(unknowns.row(c) + column) = sum;
+        }
+    }
+};
+
+/// S z
+struct PrefixSums {
+    ConstMatrixView unknowns;
+    MatrixView x;
+
+    template <int W>
+    STLTSA_INLINE void run() const {
+        for_columns<W>(x.cols, *this);
+    }
+    template <class P>
+    STLTSA_INLINE void columns(std::int64_t column) const {
+        P sum{};
+        pack_at<P>(x.row(0) + column) = sum;
+        for (std::int64_t c = 0; c < unknowns.rows; ++c) {
+            sum += pack_at<P>(unknowns.row(c) + column);
+            pack_at<P>(x.row(c + 1) + column) = sum;
+        }
+    }
+};
+
+class DifferenceAlignment final : public PassingAlignment<RunningSums> {
   public:
-    DifferenceAlignment(const Patches& patches, int threads)
-        : Alignment(patches), factor_(envelope_of(patches)) {
+    DifferenceAlignment(const Patches& patches, int threads, Simd simd)
+        : PassingAlignment(patches, simd), factor_(envelope_of(patches)) {
         assemble(patches, threads, factor_);
         if (cholesky(factor_, smallest_pivot))
             return;
@@ -161,47 +227,14 @@ class DifferenceAlignment final : public Alignment {
                  patches.dimension());
     }
 
-    /// S^T x: sums of the values beyond each difference.
-    void restrict_to(std::span<const double> x, std::span<double> unknowns) const override {
-        double sum = 0;
-        for (std::size_t c = unknowns.size(); c-- > 0;) {
-            sum += x[c + 1];
-            unknowns[c] = sum;
-        }
+    void restrict_to(ConstMatrixView x, MatrixView unknowns) const override {
+        run_simd(simd_, SuffixSums{x, unknowns});
     }
-
-    void prolong(std::span<const double> unknowns, std::span<double> x) const override {
-        x[0] = 0;
-        for (std::size_t c = 0; c < unknowns.size(); ++c)
-            x[c + 1] = x[c] + unknowns[c];
-        center(x);
+    void prolong(ConstMatrixView unknowns, MatrixView x) const override {
+        run_simd(simd_, PrefixSums{unknowns, x});
+        center(x, simd_);
     }
-
-    void solve(std::span<double> unknowns) const override { cholesky_solve(factor_, unknowns); }
-
-    /// Running sums within the patch: differences of far values of x would lose their digits.
-    void gather(std::int64_t patch, std::span<const double> unknowns,
-                double* values) const override {
-        const auto frames = patches_->of(patch);
-        double sum = 0;
-        values[0] = 0;
-        for (std::size_t j = 1; j < frames.size(); ++j) {
-            for (auto c = frames[j - 1]; c < frames[j]; ++c)
-                sum += unknowns[static_cast<std::size_t>(c)];
-            values[j] = sum;
-        }
-    }
-
-    void scatter(std::int64_t patch, const double* values,
-                 std::span<double> unknowns) const override {
-        const auto frames = patches_->of(patch);
-        double beyond = 0;
-        for (std::size_t j = frames.size() - 1; j > 0; --j) {
-            beyond += values[j];
-            for (auto c = frames[j - 1]; c < frames[j]; ++c)
-                unknowns[static_cast<std::size_t>(c)] += beyond;
-        }
-    }
+    void solve(MatrixView unknowns) const override { cholesky_solve(factor_, unknowns, simd_); }
 
   private:
     EnvelopeMatrix factor_;
@@ -209,8 +242,8 @@ class DifferenceAlignment final : public Alignment {
 
 } // namespace
 
-std::unique_ptr<Alignment> difference_alignment(const Patches& patches, int threads) {
-    return std::make_unique<DifferenceAlignment>(patches, threads);
+std::unique_ptr<Alignment> difference_alignment(const Patches& patches, int threads, Simd simd) {
+    return std::make_unique<DifferenceAlignment>(patches, threads, simd);
 }
 
 } // namespace stltsa::ltsa
