@@ -39,27 +39,57 @@ bool cholesky(EnvelopeMatrix& matrix, double smallest) {
         if (!(column[0] > smallest * diagonal[static_cast<std::size_t>(j)]))
             return false;
         const double pivot = std::sqrt(column[0]);
-        column[0] = pivot;
         for (std::int64_t r = 1; r <= matrix.reach(j) - j; ++r)
             column[r] /= pivot;
         update_trailing(matrix, j);
+        column[0] = 1 / pivot; // solves wait for it: a product is sooner there than a quotient
     }
     return true;
 }
 
 namespace {
 
-void solve_vector(const EnvelopeMatrix& factor, double* values) {
-    const std::int64_t n = factor.order();
-    for (std::int64_t j = 0; j < n; ++j) {
+/// Columns up to here are too short for vector code: what one step stores the next one loads again
+/// at another place, and the machine waits for the store.
+constexpr std::int64_t short_column = 32;
+
+/// Row by row, so that a step waits for the last value before it alone, and stores one number.
+void forward_by_rows(const EnvelopeMatrix& factor, double* values) {
+    std::int64_t first = 0; // column that reaches row j
+    for (std::int64_t j = 0; j < factor.order(); ++j) {
+        while (factor.reach(first) < j)
+            ++first;
+        double value = values[j];
+        for (std::int64_t c = first; c < j; ++c)
+            value -= factor.column(c)[j - c] * values[c];
+        values[j] = value * factor.column(j)[0];
+    }
+}
+
+void forward_by_columns(const EnvelopeMatrix& factor, double* values) {
+    for (std::int64_t j = 0; j < factor.order(); ++j) {
         const double* column = factor.column(j);
-        values[j] /= column[0];
+        values[j] *= column[0];
         axpy(-values[j], column + 1, values + j + 1, factor.reach(j) - j);
     }
-    for (std::int64_t j = n - 1; j >= 0; --j) {
+}
+
+void solve_vector(const EnvelopeMatrix& factor, double* values) {
+    const bool brief = factor.entries() < short_column * factor.order();
+    if (brief)
+        forward_by_rows(factor, values);
+    else
+        forward_by_columns(factor, values);
+    for (std::int64_t j = factor.order() - 1; j >= 0; --j) {
         const double* column = factor.column(j);
-        values[j] -= dot(column + 1, values + j + 1, factor.reach(j) - j);
-        values[j] /= column[0];
+        const std::int64_t length = factor.reach(j) - j;
+        double value = values[j];
+        if (brief)
+            for (std::int64_t r = length; r > 0; --r) // the newest value last
+                value -= column[r] * values[j + r];
+        else
+            value -= dot(column + 1, values + j + 1, length);
+        values[j] = value * column[0];
     }
 }
 
@@ -73,7 +103,7 @@ struct PanelSolve {
         for (std::int64_t c = 0; c < x.cols; c += W) {
             for (std::int64_t j = 0; j < x.rows; ++j) {
                 const double* column = factor.column(j);
-                const P value = pack_at<P>(x.row(j) + c) / column[0];
+                const P value = pack_at<P>(x.row(j) + c) * column[0];
                 pack_at<P>(x.row(j) + c) = value;
                 for (std::int64_t r = 1; r <= factor.reach(j) - j; ++r)
                     pack_at<P>(x.row(j + r) + c) -= column[r] * value;
@@ -83,7 +113,7 @@ struct PanelSolve {
                 P value = pack_at<P>(x.row(j) + c);
                 for (std::int64_t r = factor.reach(j) - j; r > 0; --r)
                     value -= column[r] * pack_at<P>(x.row(j + r) + c);
-                pack_at<P>(x.row(j) + c) = value / column[0];
+                pack_at<P>(x.row(j) + c) = value * column[0];
             }
         }
     }

@@ -47,6 +47,7 @@ namespace detail {
 template <int W>
 struct PackOf {
     typedef double type __attribute__((vector_size(8 * W), may_alias));
+    typedef double unaligned __attribute__((vector_size(8 * W), may_alias, aligned(8)));
 };
 
 template <class Kernel>
@@ -69,6 +70,12 @@ template <class Kernel>
 /// W doubles, with the arithmetic and comparisons of one.
 template <int W>
 using Pack = typename detail::PackOf<W>::type;
+
+/// The W numbers from an address on that need not be a multiple of a pack's size.
+template <int W>
+STLTSA_INLINE Pack<W> load_pack(const double* from) {
+    return *reinterpret_cast<const typename detail::PackOf<W>::unaligned*>(from);
+}
 
 /// Calls kernel.run<W>() compiled for `simd`, which must be available. run() and what it calls with
 /// packs are STLTSA_INLINE.

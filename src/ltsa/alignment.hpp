@@ -37,8 +37,8 @@ class Alignment {
     virtual void apply(ConstMatrixView in, MatrixView out) const = 0;
     /// x := B x for the x of these unknowns.
     virtual void apply_at_frames(ConstMatrixView unknowns, MatrixView x) const = 0;
-    /// x^T B x for the x of these unknowns.
-    virtual Matrix quadratic_form(ConstMatrixView unknowns) const = 0;
+    /// x^T B x for the x of the first `count` of these unknowns, a panel: count rows.
+    virtual Matrix quadratic_form(ConstMatrixView unknowns, std::int64_t count) const = 0;
 
     const Patches& patches() const { return *patches_; }
 

@@ -78,7 +78,8 @@ struct QuadraticPass {
     const Patches& patches;
     ConstMatrixView in;
     MatrixView form;
-    double* workspace; ///< k rows of a panel, then k packs
+    std::int64_t count; ///< of vectors in the panel
+    double* workspace;  ///< k rows of a panel, then k packs
 
     template <int W>
     STLTSA_INLINE void run() const {
@@ -91,7 +92,7 @@ struct QuadraticPass {
                 for (std::int64_t j = 0; j < k; ++j)
                     pack_at<Pack<W>>(values.row(j) + c) = part[j];
             }
-            for (std::int64_t i = 0; i < in.cols; ++i)
+            for (std::int64_t i = 0; i < count; ++i)
                 for (std::int64_t c = 0; c < in.cols; c += W) {
                     Pack<W> sum{};
                     for (std::int64_t j = 0; j < k; ++j)
@@ -112,10 +113,11 @@ class PassingAlignment : public Alignment {
     void apply_at_frames(ConstMatrixView unknowns, MatrixView x) const override {
         run_product<true>(unknowns, x);
     }
-    Matrix quadratic_form(ConstMatrixView unknowns) const override {
-        Matrix form(unknowns.cols, unknowns.cols);
+    Matrix quadratic_form(ConstMatrixView unknowns, std::int64_t count) const override {
+        Matrix form(count, unknowns.cols);
         AlignedVector<double> workspace(checked_size(patches_->size(), 2 * unknowns.cols));
-        run_simd(simd_, QuadraticPass<Access>{*patches_, unknowns, form.view(), workspace.data()});
+        run_simd(simd_,
+                 QuadraticPass<Access>{*patches_, unknowns, form.view(), count, workspace.data()});
         return form;
     }
 

@@ -171,7 +171,7 @@ double largest_residual(const Alignment& alignment, const Basis& basis,
 /// Turns the basis into the best eigenvectors in its span; eigenvalues ascending.
 std::vector<double> rayleigh_ritz(const Alignment& alignment, Basis& basis) {
     orthonormalize(alignment, basis);
-    const Matrix form = alignment.quadratic_form(basis.unknowns.view());
+    const Matrix form = alignment.quadratic_form(basis.unknowns.view(), basis.count);
     Matrix vectors(basis.count, basis.count);
     for (std::int64_t i = 0; i < basis.count; ++i)
         std::copy_n(form.row(i), basis.count, vectors.row(i));

@@ -127,7 +127,8 @@ Tangents local_tangents(ConstMatrixView x, const Neighborhoods& neighborhoods,
         if (banded)
             finder.find(first, last,
                         BandDistances(x, std::max<std::int64_t>(0, first - window),
-                                      std::min(x.rows, last + window), 2 * window));
+                                      std::min(x.rows, last + window), 2 * window,
+                                      parameters.simd));
         else
             finder.find(first, last, [&x](std::int64_t p, std::int64_t q) {
                 return squared_distance(x.row(p), x.row(q), x.cols);
