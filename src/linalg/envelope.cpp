@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "linalg/envelope.hpp"
 
-#include <cmath>
-
 #include "linalg/panel.hpp"
 #include "linalg/simd.hpp"
 
@@ -20,31 +18,50 @@ EnvelopeMatrix::EnvelopeMatrix(std::vector<std::int64_t> reach) : reach_(std::mo
 
 namespace {
 
-/// Subtracts column j's outer product from the columns it reaches.
-void update_trailing(EnvelopeMatrix& matrix, std::int64_t j) {
-    const double* from = matrix.column(j);
-    const std::int64_t last = matrix.reach(j);
-    for (std::int64_t c = j + 1; c <= last; ++c)
-        axpy(-from[c - j], from + (c - j), matrix.column(c), last - c + 1);
+/// to -= factor * from
+template <int W>
+STLTSA_INLINE void subtract_multiple(double factor, const double* from, double* to,
+                                     std::int64_t count) {
+    std::int64_t i = 0;
+    for (; i + W <= count; i += W)
+        store(load<Pack<W>>(to + i) - factor * load<Pack<W>>(from + i), to + i);
+    for (; i < count; ++i)
+        to[i] -= factor * from[i];
 }
+
+/// Factors column after column, and takes each one's outer product from those that it reaches.
+struct Factoring {
+    EnvelopeMatrix& matrix;
+    double smallest;
+    const std::vector<double>& diagonal;
+    bool& regular;
+
+    template <int W>
+    STLTSA_INLINE void run() const {
+        regular = true;
+        for (std::int64_t j = 0; j < matrix.order() && regular; ++j) {
+            double* column = matrix.column(j);
+            regular = column[0] > smallest * diagonal[static_cast<std::size_t>(j)];
+            const double pivot = __builtin_sqrt(column[0]);
+            const std::int64_t length = matrix.reach(j) - j;
+            for (std::int64_t r = 1; r <= length; ++r)
+                column[r] /= pivot;
+            for (std::int64_t r = 1; r <= length; ++r)
+                subtract_multiple<W>(column[r], column + r, matrix.column(j + r), length - r + 1);
+            column[0] = 1 / pivot; // solves wait for it: a product is sooner there than a quotient
+        }
+    }
+};
 
 } // namespace
 
-bool cholesky(EnvelopeMatrix& matrix, double smallest) {
+bool cholesky(EnvelopeMatrix& matrix, double smallest, Simd simd) {
     std::vector<double> diagonal(static_cast<std::size_t>(matrix.order()));
     for (std::int64_t j = 0; j < matrix.order(); ++j)
         diagonal[static_cast<std::size_t>(j)] = matrix.column(j)[0];
-    for (std::int64_t j = 0; j < matrix.order(); ++j) {
-        double* column = matrix.column(j);
-        if (!(column[0] > smallest * diagonal[static_cast<std::size_t>(j)]))
-            return false;
-        const double pivot = std::sqrt(column[0]);
-        for (std::int64_t r = 1; r <= matrix.reach(j) - j; ++r)
-            column[r] /= pivot;
-        update_trailing(matrix, j);
-        column[0] = 1 / pivot; // solves wait for it: a product is sooner there than a quotient
-    }
-    return true;
+    bool regular = false;
+    run_simd(simd, Factoring{matrix, smallest, diagonal, regular});
+    return regular;
 }
 
 namespace {

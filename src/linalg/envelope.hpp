@@ -39,7 +39,7 @@ class EnvelopeMatrix {
 /// L L^T = matrix, in place, with the reciprocals of L's diagonal in its place; false, with the
 /// matrix destroyed, where a pivot is at or below `smallest` times its diagonal entry: the matrix
 /// is singular to working precision.
-bool cholesky(EnvelopeMatrix& matrix, double smallest);
+bool cholesky(EnvelopeMatrix& matrix, double smallest, Simd simd);
 
 /// x := (L L^T)^-1 x for one column or a panel of them.
 void cholesky_solve(const EnvelopeMatrix& factor, MatrixView x, Simd simd);

@@ -47,7 +47,6 @@ namespace detail {
 template <int W>
 struct PackOf {
     typedef double type __attribute__((vector_size(8 * W), may_alias));
-    typedef double unaligned __attribute__((vector_size(8 * W), may_alias, aligned(8)));
 };
 
 template <class Kernel>
@@ -71,16 +70,22 @@ template <class Kernel>
 template <int W>
 using Pack = typename detail::PackOf<W>::type;
 
-/// The W numbers from an address on that need not be a multiple of a pack's size.
-template <int W>
-STLTSA_INLINE Pack<W> load_pack(const double* from) {
-    return *reinterpret_cast<const typename detail::PackOf<W>::unaligned*>(from);
+/// A pack, or one number, at an address that need not be a multiple of its size.
+template <class P>
+STLTSA_INLINE P load(const double* from) {
+    P pack;
+    __builtin_memcpy(&pack, from, sizeof pack);
+    return pack;
+}
+template <class P>
+STLTSA_INLINE void store(P pack, double* to) {
+    __builtin_memcpy(to, &pack, sizeof pack);
 }
 
 /// Calls kernel.run<W>() compiled for `simd`, which must be available. run() and what it calls with
 /// packs are STLTSA_INLINE.
 template <class Kernel>
-void run_simd(Simd simd, const Kernel& kernel) {
+void run_simd([[maybe_unused]] Simd simd, const Kernel& kernel) {
 #ifdef __x86_64__
     if (simd == Simd::avx512)
         return detail::run_avx512(kernel);

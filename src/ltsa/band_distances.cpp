@@ -14,7 +14,7 @@ STLTSA_INLINE double distance_in_packs(const double* a, const double* b, std::in
     std::int64_t i = 0;
     for (; i + lanes <= count; i += lanes)
         for (std::int64_t part = 0; part < lanes / W; ++part) {
-            const Pack<W> d = load_pack<W>(a + i + part * W) - load_pack<W>(b + i + part * W);
+            const Pack<W> d = load<Pack<W>>(a + i + part * W) - load<Pack<W>>(b + i + part * W);
             sums[part] += d * d;
         }
     double s[lanes];
