@@ -3,10 +3,10 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "linalg/matrix.hpp"
+#include "linalg/pack.hpp"
 
 namespace stltsa {
 
@@ -20,6 +20,8 @@ class EnvelopeMatrix {
     std::int64_t reach(std::int64_t column) const {
         return reach_[static_cast<std::size_t>(column)];
     }
+    /// Entries that are stored.
+    std::int64_t entries() const { return static_cast<std::int64_t>(entries_.size()); }
     /// First entry of a column: the diagonal.
     double* column(std::int64_t j) {
         return entries_.data() + offset_[static_cast<std::size_t>(j)];
@@ -34,11 +36,12 @@ class EnvelopeMatrix {
     AlignedVector<double> entries_;
 };
 
-/// L L^T = matrix, in place; false, with the matrix destroyed, where a pivot is at or below
-/// `smallest` times its diagonal entry: the matrix is singular to working precision.
-bool cholesky(EnvelopeMatrix& matrix, double smallest);
+/// L L^T = matrix, in place, with the reciprocals of L's diagonal in its place; false, with the
+/// matrix destroyed, where a pivot is at or below `smallest` times its diagonal entry: the matrix
+/// is singular to working precision.
+bool cholesky(EnvelopeMatrix& matrix, double smallest, Simd simd);
 
-/// x := (L L^T)^-1 x
-void cholesky_solve(const EnvelopeMatrix& factor, std::span<double> x);
+/// x := (L L^T)^-1 x for one column or a panel of them.
+void cholesky_solve(const EnvelopeMatrix& factor, MatrixView x, Simd simd);
 
 } // namespace stltsa

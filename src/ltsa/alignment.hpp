@@ -8,51 +8,50 @@
 
 #include <cstdint>
 #include <memory>
-#include <span>
 
 #include "linalg/matrix.hpp"
+#include "linalg/pack.hpp"
 #include "ltsa/patches.hpp"
 
 namespace stltsa::ltsa {
 
+/// Vectors come as panels, or as one column each.
 class Alignment {
   public:
-    explicit Alignment(const Patches& patches) : patches_(&patches) {}
+    Alignment(const Patches& patches, Simd simd) : patches_(&patches), simd_(simd) {}
     virtual ~Alignment() = default;
 
     std::int64_t frames() const { return patches_->frames(); }
     std::int64_t unknowns() const { return patches_->frames() - 1; }
+    Simd simd() const { return simd_; }
 
     /// The right-hand side that values x at the frames (of zero mean) become in the unknowns.
-    virtual void restrict_to(std::span<const double> x, std::span<double> unknowns) const = 0;
+    virtual void restrict_to(ConstMatrixView x, MatrixView unknowns) const = 0;
     /// Values at the frames, of zero mean, from unknowns.
-    virtual void prolong(std::span<const double> unknowns, std::span<double> x) const = 0;
+    virtual void prolong(ConstMatrixView unknowns, MatrixView x) const = 0;
     /// Solves with the factor, in place.
-    virtual void solve(std::span<double> unknowns) const = 0;
-    /// out := B' in, through the patches, never through the rounded matrix: what the
-    /// refinement's residuals rest on.
-    void apply(std::span<const double> in, std::span<double> out) const;
-    /// The patch's part of unknowns: values at its frames up to a constant, k entries.
-    virtual void gather(std::int64_t patch, std::span<const double> unknowns,
-                        double* values) const = 0;
-    /// The transpose of gather(), added to what is there.
-    virtual void scatter(std::int64_t patch, const double* values,
-                         std::span<double> unknowns) const = 0;
+    virtual void solve(MatrixView unknowns) const = 0;
+
+    // Through the patches, never through the rounded matrix: what refinement rests on.
+    /// out := B' in
+    virtual void apply(ConstMatrixView in, MatrixView out) const = 0;
+    /// x := B x for the x of these unknowns.
+    virtual void apply_at_frames(ConstMatrixView unknowns, MatrixView x) const = 0;
+    /// x^T B x for the x of the first `count` of these unknowns, a panel: count rows.
+    virtual Matrix quadratic_form(ConstMatrixView unknowns, std::int64_t count) const = 0;
 
     const Patches& patches() const { return *patches_; }
 
   protected:
     const Patches* patches_;
+    Simd simd_;
 };
 
 /// For temporal neighborhoods: unknowns z_c = x_{c+1} - x_c, banded, envelope Cholesky.
-std::unique_ptr<Alignment> difference_alignment(const Patches& patches, int threads);
+std::unique_ptr<Alignment> difference_alignment(const Patches& patches, int threads, Simd simd);
 
 /// For neighborhoods that are not banded: the last frame grounded, CHOLMOD.
 /// Throws Status::unsupported in a build without CHOLMOD.
-std::unique_ptr<Alignment> grounded_alignment(const Patches& patches);
-
-/// Subtracts the mean.
-void center(std::span<double> x);
+std::unique_ptr<Alignment> grounded_alignment(const Patches& patches, Simd simd);
 
 } // namespace stltsa::ltsa

@@ -12,6 +12,7 @@
 
 #include "base/parallel.hpp"
 #include "linalg/envelope.hpp"
+#include "ltsa/patch_passes.hpp"
 
 namespace stltsa::ltsa {
 
@@ -44,59 +45,88 @@ std::vector<std::int64_t> envelope_of(const Patches& patches) {
     return reach;
 }
 
+/// Adds one patch's part of the columns [begin, end):
+///     column[r] += a[r] before - sum_l h_l[0] h_l[r]
+struct AddPatch {
+    EnvelopeMatrix& matrix;
+    std::int64_t begin, end;
+    std::int64_t first, span;
+    double size;
+    const double* beyond;
+    const double* sums; ///< of each dimension, `span` adjacent
+    std::int64_t dimension;
+
+    template <int W>
+    STLTSA_INLINE void run() const {
+        for (std::int64_t c = std::max(begin, first); c < std::min(end, first + span); ++c) {
+            double* column = matrix.column(c);
+            const std::int64_t from = c - first;
+            const std::int64_t length = span - from;
+            const double before = (size - beyond[from]) / size;
+            std::int64_t r = 0;
+            for (; r + W <= length; r += W)
+                store(entry<Pack<W>>(column, before, from, r), column + r);
+            for (; r < length; ++r)
+                store(entry<double>(column, before, from, r), column + r);
+        }
+    }
+
+    template <class P>
+    STLTSA_INLINE P entry(const double* column, double before, std::int64_t from,
+                          std::int64_t r) const {
+        P value = load<P>(column + r) + load<P>(beyond + from + r) * before;
+        for (std::int64_t l = 0; l < dimension; ++l) {
+            const double* h = sums + l * span + from;
+            value -= h[0] * load<P>(h + r);
+        }
+        return value;
+    }
+};
+
 /// One patch spread over the differences it covers.
 class PatchTerms {
   public:
-    explicit PatchTerms(std::int64_t dimension) : sums_(static_cast<std::size_t>(dimension)) {}
-
     void set(const Patches& patches, std::int64_t patch) {
         const auto frames = patches.of(patch);
-        first_ = frames.front();
-        const auto span = static_cast<std::size_t>(frames.back() - frames.front());
-        const auto k = static_cast<std::size_t>(patches.size());
-        beyond_.resize(span);
-        for (auto& sum : sums_)
-            sum.resize(span);
-        std::size_t next = k; // frames[next] is the first one beyond c
-        std::vector<double>& h = suffix_;
-        h.assign(sums_.size(), 0.0);
-        for (std::size_t c = span; c-- > 0;) {
-            while (next > 0 && static_cast<std::size_t>(frames[next - 1] - first_) > c) {
-                --next;
-                for (std::size_t l = 0; l < sums_.size(); ++l)
-                    h[l] += patches.direction(patch, static_cast<std::int64_t>(l))[next];
-            }
-            beyond_[c] = static_cast<double>(k - next);
-            for (std::size_t l = 0; l < sums_.size(); ++l)
-                sums_[l][c] = h[l];
-        }
+        const auto k = patches.size();
+        dimension_ = patches.dimension();
         size_ = static_cast<double>(k);
+        first_ = frames.front();
+        span_ = frames.back() - frames.front();
+        beyond_.resize(static_cast<std::size_t>(span_));
+        sums_.resize(static_cast<std::size_t>(span_ * dimension_));
+        // Differences between two neighbors have the same neighbors beyond them.
+        for (std::int64_t l = 0; l < dimension_; ++l) {
+            const double* g = patches.direction(patch, l);
+            double h = 0;
+            for (std::int64_t j = k - 1; j > 0; --j) {
+                h += g[j];
+                fill(frames, j, sums_.data() + l * span_, h);
+            }
+        }
+        for (std::int64_t j = k - 1; j > 0; --j)
+            fill(frames, j, beyond_.data(), static_cast<double>(k - j));
     }
 
-    /// Adds this patch's part of the columns [begin, end).
-    void add_to(EnvelopeMatrix& matrix, std::int64_t begin, std::int64_t end) const {
-        const auto span = static_cast<std::int64_t>(beyond_.size());
-        for (std::int64_t c = std::max(begin, first_); c < std::min(end, first_ + span); ++c) {
-            double* column = matrix.column(c);
-            const double* a = beyond_.data() + (c - first_);
-            const std::int64_t length = span - (c - first_);
-            const double before = (size_ - a[0]) / size_;
-            for (std::int64_t r = 0; r < length; ++r)
-                column[r] += a[r] * before;
-            for (const auto& sum : sums_) {
-                const double* h = sum.data() + (c - first_);
-                for (std::int64_t r = 0; r < length; ++r)
-                    column[r] -= h[0] * h[r];
-            }
-        }
+    void add_to(EnvelopeMatrix& matrix, std::int64_t begin, std::int64_t end, Simd simd) const {
+        run_simd(simd, AddPatch{matrix, begin, end, first_, span_, size_, beyond_.data(),
+                                sums_.data(), dimension_});
     }
 
   private:
+    /// For the differences between neighbors j-1 and j.
+    void fill(std::span<const std::int32_t> frames, std::int64_t j, double* out,
+              double value) const {
+        const auto at = static_cast<std::size_t>(j);
+        std::fill(out + (frames[at - 1] - first_), out + (frames[at] - first_), value);
+    }
+
     std::int64_t first_ = 0;
+    std::int64_t span_ = 0;
+    std::int64_t dimension_ = 0;
     double size_ = 0;
     std::vector<double> beyond_;
-    std::vector<std::vector<double>> sums_;
-    std::vector<double> suffix_;
+    std::vector<double> sums_;
 };
 
 /// For each block of columns the range of patches that may touch it: patches are in order of their
@@ -120,11 +150,11 @@ std::vector<PatchRange> patches_by_block(const Patches& patches, std::int64_t bl
 }
 
 /// Every column receives its patches in the same order whatever the number of threads.
-void assemble(const Patches& patches, int threads, EnvelopeMatrix& matrix) {
+void assemble(const Patches& patches, int threads, Simd simd, EnvelopeMatrix& matrix) {
     const std::int64_t blocks = (matrix.order() + column_block - 1) / column_block;
     const auto ranges = patches_by_block(patches, blocks);
     parallel_blocks(blocks, threads, [&](std::int64_t b) {
-        PatchTerms terms(patches.dimension());
+        PatchTerms terms;
         const auto range = ranges[static_cast<std::size_t>(b)];
         const std::int64_t begin = b * column_block;
         const std::int64_t end = std::min(begin + column_block, matrix.order());
@@ -133,7 +163,7 @@ void assemble(const Patches& patches, int threads, EnvelopeMatrix& matrix) {
             if (frames.front() >= end || frames.back() <= begin)
                 continue;
             terms.set(patches, p);
-            terms.add_to(matrix, begin, end);
+            terms.add_to(matrix, begin, end, simd);
         }
     });
 }
@@ -146,62 +176,94 @@ void shift_diagonal(EnvelopeMatrix& matrix, double share) {
         matrix.column(c)[0] += share * largest;
 }
 
-class DifferenceAlignment final : public Alignment {
+/// How values at a patch's frames come from differences: running sums within the patch, up to a
+/// constant. Differences of far values of x would lose their digits.
+struct RunningSums {
+    template <class P>
+    STLTSA_INLINE static void gather(const std::int32_t* frames, std::int64_t k,
+                                     ConstMatrixView unknowns, std::int64_t column, P* values) {
+        P sum{};
+        values[0] = sum;
+        for (std::int64_t j = 1; j < k; ++j) {
+            for (auto c = frames[j - 1]; c < frames[j]; ++c)
+                sum += pack_at<P>(unknowns.row(c) + column);
+            values[j] = sum;
+        }
+    }
+    template <class P>
+    STLTSA_INLINE static void scatter(const std::int32_t* frames, std::int64_t k, const P* values,
+                                      MatrixView unknowns, std::int64_t column) {
+        P beyond{};
+        for (std::int64_t j = k - 1; j > 0; --j) {
+            beyond += values[j];
+            for (auto c = frames[j - 1]; c < frames[j]; ++c)
+                pack_at<P>(unknowns.row(c) + column) += beyond;
+        }
+    }
+};
+
+/// S^T x: sums of the values beyond each difference.
+struct SuffixSums {
+    ConstMatrixView x;
+    MatrixView unknowns;
+
+    template <int W>
+    STLTSA_INLINE void run() const {
+        for_columns<W>(x.cols, *this);
+    }
+    template <class P>
+    STLTSA_INLINE void columns(std::int64_t column) const {
+        P sum{};
+        for (std::int64_t c = unknowns.rows; c-- > 0;) {
+            sum += pack_at<P>(x.row(c + 1) + column);
+            pack_at<P>(unknowns.row(c) + column) = sum;
+        }
+    }
+};
+
+/// S z
+struct PrefixSums {
+    ConstMatrixView unknowns;
+    MatrixView x;
+
+    template <int W>
+    STLTSA_INLINE void run() const {
+        for_columns<W>(x.cols, *this);
+    }
+    template <class P>
+    STLTSA_INLINE void columns(std::int64_t column) const {
+        P sum{};
+        pack_at<P>(x.row(0) + column) = sum;
+        for (std::int64_t c = 0; c < unknowns.rows; ++c) {
+            sum += pack_at<P>(unknowns.row(c) + column);
+            pack_at<P>(x.row(c + 1) + column) = sum;
+        }
+    }
+};
+
+class DifferenceAlignment final : public PassingAlignment<RunningSums> {
   public:
-    DifferenceAlignment(const Patches& patches, int threads)
-        : Alignment(patches), factor_(envelope_of(patches)) {
-        assemble(patches, threads, factor_);
-        if (cholesky(factor_, smallest_pivot))
+    DifferenceAlignment(const Patches& patches, int threads, Simd simd)
+        : PassingAlignment(patches, simd), factor_(envelope_of(patches)) {
+        assemble(patches, threads, simd, factor_);
+        if (cholesky(factor_, smallest_pivot, simd))
             return;
         factor_ = EnvelopeMatrix(envelope_of(patches));
-        assemble(patches, threads, factor_);
+        assemble(patches, threads, simd, factor_);
         shift_diagonal(factor_, flat_shift);
-        if (!cholesky(factor_, 0))
+        if (!cholesky(factor_, 0, simd))
             fail(Status::degenerate, "the frames do not vary in {} directions",
                  patches.dimension());
     }
 
-    /// S^T x: sums of the values beyond each difference.
-    void restrict_to(std::span<const double> x, std::span<double> unknowns) const override {
-        double sum = 0;
-        for (std::size_t c = unknowns.size(); c-- > 0;) {
-            sum += x[c + 1];
-            unknowns[c] = sum;
-        }
+    void restrict_to(ConstMatrixView x, MatrixView unknowns) const override {
+        run_simd(simd_, SuffixSums{x, unknowns});
     }
-
-    void prolong(std::span<const double> unknowns, std::span<double> x) const override {
-        x[0] = 0;
-        for (std::size_t c = 0; c < unknowns.size(); ++c)
-            x[c + 1] = x[c] + unknowns[c];
-        center(x);
+    void prolong(ConstMatrixView unknowns, MatrixView x) const override {
+        run_simd(simd_, PrefixSums{unknowns, x});
+        center(x, simd_);
     }
-
-    void solve(std::span<double> unknowns) const override { cholesky_solve(factor_, unknowns); }
-
-    /// Running sums within the patch: differences of far values of x would lose their digits.
-    void gather(std::int64_t patch, std::span<const double> unknowns,
-                double* values) const override {
-        const auto frames = patches_->of(patch);
-        double sum = 0;
-        values[0] = 0;
-        for (std::size_t j = 1; j < frames.size(); ++j) {
-            for (auto c = frames[j - 1]; c < frames[j]; ++c)
-                sum += unknowns[static_cast<std::size_t>(c)];
-            values[j] = sum;
-        }
-    }
-
-    void scatter(std::int64_t patch, const double* values,
-                 std::span<double> unknowns) const override {
-        const auto frames = patches_->of(patch);
-        double beyond = 0;
-        for (std::size_t j = frames.size() - 1; j > 0; --j) {
-            beyond += values[j];
-            for (auto c = frames[j - 1]; c < frames[j]; ++c)
-                unknowns[static_cast<std::size_t>(c)] += beyond;
-        }
-    }
+    void solve(MatrixView unknowns) const override { cholesky_solve(factor_, unknowns, simd_); }
 
   private:
     EnvelopeMatrix factor_;
@@ -209,8 +271,8 @@ class DifferenceAlignment final : public Alignment {
 
 } // namespace
 
-std::unique_ptr<Alignment> difference_alignment(const Patches& patches, int threads) {
-    return std::make_unique<DifferenceAlignment>(patches, threads);
+std::unique_ptr<Alignment> difference_alignment(const Patches& patches, int threads, Simd simd) {
+    return std::make_unique<DifferenceAlignment>(patches, threads, simd);
 }
 
 } // namespace stltsa::ltsa

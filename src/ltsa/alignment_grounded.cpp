@@ -7,8 +7,8 @@
 #ifdef STLTSA_CHOLMOD
 #include <algorithm>
 
-#include "linalg/simd.hpp"
 #include "linalg/sparse_cholesky.hpp"
+#include "ltsa/patch_passes.hpp"
 #endif
 
 namespace stltsa::ltsa {
@@ -107,38 +107,46 @@ SparseColumns assemble(const Patches& patches) {
     return matrix;
 }
 
-class GroundedAlignment final : public Alignment {
+/// Values at a patch's frames are unknowns themselves, but for the ground.
+struct GroundedValues {
+    template <class P>
+    STLTSA_INLINE static void gather(const std::int32_t* frames, std::int64_t k,
+                                     ConstMatrixView unknowns, std::int64_t column, P* values) {
+        for (std::int64_t j = 0; j < k; ++j)
+            values[j] =
+                frames[j] < unknowns.rows ? pack_at<P>(unknowns.row(frames[j]) + column) : P{};
+    }
+    template <class P>
+    STLTSA_INLINE static void scatter(const std::int32_t* frames, std::int64_t k, const P* values,
+                                      MatrixView unknowns, std::int64_t column) {
+        for (std::int64_t j = 0; j < k; ++j)
+            if (frames[j] < unknowns.rows)
+                pack_at<P>(unknowns.row(frames[j]) + column) += values[j];
+    }
+};
+
+class GroundedAlignment final : public PassingAlignment<GroundedValues> {
   public:
-    explicit GroundedAlignment(const Patches& patches)
-        : Alignment(patches), factor_(assemble(patches)) {}
+    GroundedAlignment(const Patches& patches, Simd simd)
+        : PassingAlignment(patches, simd), factor_(assemble(patches)) {}
 
-    void restrict_to(std::span<const double> x, std::span<double> unknowns) const override {
-        std::copy_n(x.begin(), unknowns.size(), unknowns.begin());
+    void restrict_to(ConstMatrixView x, MatrixView unknowns) const override {
+        std::copy_n(x.data, unknowns.rows * unknowns.cols, unknowns.data);
     }
-
-    void prolong(std::span<const double> unknowns, std::span<double> x) const override {
-        std::copy(unknowns.begin(), unknowns.end(), x.begin());
-        x.back() = 0;
-        center(x);
+    void prolong(ConstMatrixView unknowns, MatrixView x) const override {
+        std::copy_n(unknowns.data, unknowns.rows * unknowns.cols, x.data);
+        std::fill_n(x.row(x.rows - 1), x.cols, 0.0);
+        center(x, simd_);
     }
-
-    void solve(std::span<double> unknowns) const override { factor_.solve(unknowns); }
-
-    void gather(std::int64_t patch, std::span<const double> unknowns,
-                double* values) const override {
-        const auto frames = patches_->of(patch);
-        for (std::size_t j = 0; j < frames.size(); ++j) {
-            const auto frame = static_cast<std::size_t>(frames[j]);
-            values[j] = frame < unknowns.size() ? unknowns[frame] : 0.0;
+    void solve(MatrixView unknowns) const override {
+        AlignedVector<double> column(static_cast<std::size_t>(unknowns.rows));
+        for (std::int64_t c = 0; c < unknowns.cols; ++c) {
+            for (std::size_t r = 0; r < column.size(); ++r)
+                column[r] = unknowns(static_cast<std::int64_t>(r), c);
+            factor_.solve(column);
+            for (std::size_t r = 0; r < column.size(); ++r)
+                unknowns(static_cast<std::int64_t>(r), c) = column[r];
         }
-    }
-
-    void scatter(std::int64_t patch, const double* values,
-                 std::span<double> unknowns) const override {
-        const auto frames = patches_->of(patch);
-        for (std::size_t j = 0; j < frames.size(); ++j)
-            if (static_cast<std::size_t>(frames[j]) < unknowns.size())
-                unknowns[static_cast<std::size_t>(frames[j])] += values[j];
     }
 
   private:
@@ -147,11 +155,11 @@ class GroundedAlignment final : public Alignment {
 
 } // namespace
 
-std::unique_ptr<Alignment> grounded_alignment(const Patches& patches) {
-    return std::make_unique<GroundedAlignment>(patches);
+std::unique_ptr<Alignment> grounded_alignment(const Patches& patches, Simd simd) {
+    return std::make_unique<GroundedAlignment>(patches, simd);
 }
 #else
-std::unique_ptr<Alignment> grounded_alignment(const Patches&) {
+std::unique_ptr<Alignment> grounded_alignment(const Patches&, Simd) {
     fail(Status::unsupported, "the modes spatial and recurrent need SuiteSparse CHOLMOD, and this "
                               "library was built without it (-Dcholmod=disabled); use temporal");
 }

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "linalg/matrix.hpp"
+#include "linalg/pack.hpp"
 
 namespace stltsa::ltsa {
 
@@ -12,7 +13,8 @@ namespace stltsa::ltsa {
 /// each pair computed once and shared by all neighborhoods that hold it.
 class BandDistances {
   public:
-    BandDistances(ConstMatrixView x, std::int64_t begin, std::int64_t end, std::int64_t width);
+    BandDistances(ConstMatrixView x, std::int64_t begin, std::int64_t end, std::int64_t width,
+                  Simd simd);
 
     double operator()(std::int64_t p, std::int64_t q) const {
         const std::int64_t low = std::min(p, q);

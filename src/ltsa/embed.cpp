@@ -25,9 +25,7 @@ Graph build_graph(ConstMatrixView frames, std::span<const std::int64_t> lengths,
     within.window = std::min(parameters.window, graph.frames.x.rows);
     graph.neighborhoods = find_neighbors(graph.frames.x, graph.frames.lengths, within, progress);
     graph.components = connected_components(graph.neighborhoods);
-    const bool banded = parameters.mode == Mode::temporal;
-    graph.tangents = local_tangents(graph.frames.x, graph.neighborhoods, parameters.dimension,
-                                    banded ? within.window : 0, parameters.threads, progress);
+    graph.tangents = local_tangents(graph.frames.x, graph.neighborhoods, within, progress);
     return graph;
 }
 
@@ -85,8 +83,9 @@ Component embed_component(const Graph& graph, std::int64_t index, int dimension,
              dimension);
     progress.report(Stage::alignment, 0.0);
     const bool banded = graph.parameters.mode == Mode::temporal;
-    const auto alignment = banded ? difference_alignment(patches, graph.parameters.threads)
-                                  : grounded_alignment(patches);
+    const Simd simd = graph.parameters.simd;
+    const auto alignment = banded ? difference_alignment(patches, graph.parameters.threads, simd)
+                                  : grounded_alignment(patches, simd);
     progress.report(Stage::alignment, 1.0);
     Spectrum spectrum = smallest_eigenpairs(
         *alignment, std::min<std::int64_t>(eigenvalues - 1, patches.frames() - 1), dimension,

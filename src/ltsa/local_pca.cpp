@@ -97,18 +97,22 @@ void LocalPca::direction(std::int64_t l, double* out, const double* before) cons
         for (std::int64_t a = 0; a < size_; ++a)
             out[a] = dot(centered_.row(a), vector, x_.cols);
     }
+    make_tangent(before, l, size_, out);
+}
+
+void make_tangent(const double* before, std::int64_t count, std::int64_t size, double* direction) {
     double mean = 0;
-    for (std::int64_t a = 0; a < size_; ++a)
-        mean += out[a];
-    mean /= static_cast<double>(size_);
-    for (std::int64_t a = 0; a < size_; ++a)
-        out[a] -= mean;
-    for (std::int64_t b = 0; b < l; ++b)
-        axpy(-dot(before + b * size_, out, size_), before + b * size_, out, size_);
-    const double norm = std::sqrt(dot(out, out, size_));
+    for (std::int64_t a = 0; a < size; ++a)
+        mean += direction[a];
+    mean /= static_cast<double>(size);
+    for (std::int64_t a = 0; a < size; ++a)
+        direction[a] -= mean;
+    for (std::int64_t b = 0; b < count; ++b)
+        axpy(-dot(before + b * size, direction, size), before + b * size, direction, size);
+    const double norm = std::sqrt(dot(direction, direction, size));
     if (norm > 0)
-        for (std::int64_t a = 0; a < size_; ++a)
-            out[a] /= norm;
+        for (std::int64_t a = 0; a < size; ++a)
+            direction[a] /= norm;
 }
 
 } // namespace stltsa::ltsa

@@ -17,7 +17,7 @@ class LocalPca {
     /// For neighborhoods of `size` frames, `count` directions (at most min(size, features)).
     LocalPca(ConstMatrixView x, std::int64_t size, std::int64_t count);
 
-    /// Squared distance of two frames.
+    /// Squared distance of two frames, the earlier one first.
     using Distance = std::function<double(std::int64_t, std::int64_t)>;
     void compute(std::span<const std::int32_t> neighborhood, const Distance& distance);
 
@@ -42,5 +42,9 @@ class LocalPca {
     AlignedVector<double> mean_;
     double trace_ = 0;
 };
+
+/// Makes a direction over `size` frames exact: orthogonal to e and to the `count` directions
+/// `before` it (rows of `size` entries), of norm 1; zero stays zero.
+void make_tangent(const double* before, std::int64_t count, std::int64_t size, double* direction);
 
 } // namespace stltsa::ltsa

@@ -56,7 +56,7 @@ void fill_block(ConstMatrixView x, const Block& block, const Parameters& paramet
     // Distances are needed from each frame of the block to its own window only.
     const std::int64_t low = std::max(block.clip_begin, block.begin - w);
     const std::int64_t high = std::min(block.clip_end, block.end + w);
-    const BandDistances distances(x, low, high, w);
+    const BandDistances distances(x, low, high, w, parameters.simd);
     std::vector<Candidate> candidates;
     for (std::int64_t i = block.begin; i < block.end; ++i) {
         candidates.clear();

@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include "linalg/pack.hpp"
+
 namespace stltsa::ltsa {
 
 /// Where the neighbors of a frame are looked for. Same values as STLTSA_MODE_* (checked in capi).
@@ -23,6 +25,7 @@ struct Parameters {
     std::int64_t exclusion = 0; ///< recurrent: frames to each side that are not links
     int spectrum = 0;           ///< eigenvalues to compute per component; 0: dimension + 3
     int threads = 1;
+    Simd simd = widest_simd(); ///< for tests: results are the same for all
 };
 
 } // namespace stltsa::ltsa

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "linalg/simd.hpp"
-
 namespace stltsa::ltsa {
 
 Patches::Patches(const Neighborhoods& neighborhoods, const Tangents& tangents,
@@ -27,19 +25,6 @@ std::int64_t Patches::rank_deficient() const {
     return std::count_if(source_.begin(), source_.end(), [this](std::int32_t frame) {
         return tangents_->rank[static_cast<std::size_t>(frame)] < dimension_;
     });
-}
-
-void Patches::project_once(std::int64_t patch, double* v) const {
-    double mean = 0;
-    for (std::int64_t j = 0; j < size_; ++j)
-        mean += v[j];
-    mean /= static_cast<double>(size_);
-    for (std::int64_t j = 0; j < size_; ++j)
-        v[j] -= mean;
-    for (std::int64_t l = 0; l < dimension_; ++l) {
-        const double* g = direction(patch, l);
-        axpy(-dot(g, v, size_), g, v, size_);
-    }
 }
 
 } // namespace stltsa::ltsa

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -35,18 +34,7 @@ class Patches {
     /// Patches of fewer than `dimension` directions.
     std::int64_t rank_deficient() const;
 
-    /// v := (I - e e^T/k - G G^T) v for values v at the patch's frames. Done twice: g is
-    /// orthonormal to rounding only, and what one pass leaves in its span would limit the
-    /// corrections that rest on this (by a factor of 10 on motion, of 1000 on smooth curves;
-    /// scripts/measure-accuracy).
-    void project(std::int64_t patch, double* v) const {
-        project_once(patch, v);
-        project_once(patch, v);
-    }
-
   private:
-    void project_once(std::int64_t patch, double* v) const;
-
     std::int64_t frames_;
     std::int64_t size_;
     std::int64_t dimension_;

@@ -7,18 +7,15 @@
 #include "base/random.hpp"
 #include "linalg/arpack.hpp"
 #include "linalg/eigen.hpp"
-#include "linalg/simd.hpp"
+#include "linalg/panel.hpp"
 
 namespace stltsa::ltsa {
 namespace {
 
 using Vector = AlignedVector<double>;
 
-std::span<double> row_span(Matrix& m, std::int64_t r) {
-    return {m.row(r), static_cast<std::size_t>(m.cols())};
-}
-std::span<const double> row_span(const Matrix& m, std::int64_t r) {
-    return {m.row(r), static_cast<std::size_t>(m.cols())};
+MatrixView column_view(std::span<double> x) {
+    return {x.data(), static_cast<std::int64_t>(x.size()), 1, 1};
 }
 
 /// x -> B^+ x: the wanted eigenpairs are its largest, so no shift is needed.
@@ -27,10 +24,10 @@ Operator pseudo_inverse(const Alignment& alignment) {
             unknowns = Vector(static_cast<std::size_t>(alignment.unknowns()))](
                std::span<const double> x, std::span<double> y) mutable {
         std::copy(x.begin(), x.end(), centered.begin());
-        center(centered);
-        alignment.restrict_to(centered, unknowns);
-        alignment.solve(unknowns);
-        alignment.prolong(unknowns, y);
+        center(column_view(centered), alignment.simd());
+        alignment.restrict_to(column_view(centered), column_view(unknowns));
+        alignment.solve(column_view(unknowns));
+        alignment.prolong(column_view(unknowns), column_view(y));
     };
 }
 
@@ -40,158 +37,163 @@ Vector start_vector(std::int64_t order) {
     Random random(1);
     for (double& value : start)
         value = random.symmetric();
-    center(start);
+    center(column_view(start), Simd::baseline);
     return start;
 }
 
-/// A basis in both forms: row j of x is the prolongation of row j of unknowns.
+/// Vectors in both forms, as panels: x is the prolongation of the unknowns.
 struct Basis {
+    std::int64_t count;
     Matrix unknowns;
     Matrix x;
 };
 
-/// Row j: (B')^-1 u_j. The unknowns of a vector come from a solve, because differences of its
+/// (B')^-1 u for each row u. The unknowns of a vector come from a solve, because differences of its
 /// entries would lose as many digits as the entries are larger than their differences.
 Basis solved(const Alignment& alignment, const Matrix& vectors) {
-    Basis basis{Matrix(vectors.rows(), alignment.unknowns()),
-                Matrix(vectors.rows(), alignment.frames())};
-    for (std::int64_t j = 0; j < vectors.rows(); ++j) {
-        const auto unknowns = row_span(basis.unknowns, j);
-        alignment.restrict_to(row_span(vectors, j), unknowns);
-        alignment.solve(unknowns);
-        alignment.prolong(unknowns, row_span(basis.x, j));
-    }
+    const std::int64_t width = panel_width(vectors.rows(), alignment.simd());
+    Basis basis{vectors.rows(), Matrix(alignment.unknowns(), width),
+                Matrix(alignment.frames(), width)};
+    for (std::int64_t i = 0; i < vectors.cols(); ++i)
+        for (std::int64_t j = 0; j < vectors.rows(); ++j)
+            basis.x(i, j) = vectors(j, i);
+    alignment.restrict_to(basis.x.view(), basis.unknowns.view());
+    alignment.solve(basis.unknowns.view());
+    alignment.prolong(basis.unknowns.view(), basis.x.view());
     return basis;
+}
+
+/// As many factors as a panel has columns.
+Matrix padded(const std::vector<double>& values, std::int64_t width) {
+    Matrix result(1, width);
+    std::copy(values.begin(), values.end(), result.data());
+    return result;
 }
 
 /// One inverse iteration as a correction: z - F^-1 (B' z - lambda S^T x). With F = B' this is
 /// lambda B'^-1 S^T x; in floating point the residual goes through the patches, so neither the
 /// rounding of B' and its factor F nor a shift in F limits what the iteration converges to.
 void correct(const Alignment& alignment, const std::vector<double>& values, Basis& basis) {
-    Vector residual(static_cast<std::size_t>(alignment.unknowns()));
-    Vector right(residual.size());
-    for (std::int64_t j = 0; j < basis.x.rows(); ++j) {
-        alignment.apply(row_span(basis.unknowns, j), residual);
-        alignment.restrict_to(row_span(basis.x, j), right);
-        axpy(-values[static_cast<std::size_t>(j)], right.data(), residual.data(),
-             alignment.unknowns());
-        alignment.solve(residual);
-        axpy(-1, residual.data(), basis.unknowns.row(j), alignment.unknowns());
-        alignment.prolong(row_span(basis.unknowns, j), row_span(basis.x, j));
+    const std::int64_t width = basis.x.cols();
+    Matrix residual(alignment.unknowns(), width);
+    Matrix right(alignment.unknowns(), width);
+    alignment.apply(basis.unknowns.view(), residual.view());
+    alignment.restrict_to(basis.x.view(), right.view());
+    subtract_scaled(right.view(), padded(values, width), residual.view());
+    alignment.solve(residual.view());
+    subtract_scaled(residual.view(), padded(std::vector<double>(values.size(), 1.0), width),
+                    basis.unknowns.view());
+    alignment.prolong(basis.unknowns.view(), basis.x.view());
+}
+
+/// panel := panel * factor for both forms.
+void multiply(const Alignment& alignment, const Matrix& factor, Basis& basis) {
+    multiply_columns(basis.unknowns.view(), factor, alignment.simd());
+    multiply_columns(basis.x.view(), factor, alignment.simd());
+}
+
+/// The upper triangular T that makes columns with these inner products orthonormal; those that are
+/// nearly parallel come nearer to it only.
+Matrix orthonormalizing(const Matrix& products, std::int64_t count) {
+    // Floors the share of a column that is not in the span of those before it.
+    constexpr double smallest_share = 1e-14;
+    Matrix t(products.rows(), products.cols());
+    for (std::int64_t j = 0; j < count; ++j) {
+        const double size = std::sqrt(products(j, j));
+        if (!(size > 0) || !std::isfinite(size))
+            fail(Status::degenerate, "the frames do not vary enough for {} coordinates", count);
+        t(j, j) = 1 / size;
+        double share = 1;
+        for (std::int64_t i = 0; i < j; ++i) {
+            double overlap = 0; // of column i of the result with column j scaled to norm 1
+            for (std::int64_t p = 0; p <= i; ++p)
+                overlap += t(p, i) * products(p, j) / size;
+            for (std::int64_t p = 0; p <= i; ++p)
+                t(p, j) -= overlap * t(p, i);
+            share -= overlap * overlap;
+        }
+        const double norm = std::sqrt(std::max(share, smallest_share));
+        for (std::int64_t p = 0; p <= j; ++p)
+            t(p, j) /= norm;
+    }
+    return t;
+}
+
+/// Makes the columns of basis.x orthonormal: repeated until they were, but for rounding, before.
+void orthonormalize(const Alignment& alignment, Basis& basis) {
+    constexpr int most_passes = 6;
+    for (int pass = 0; pass < most_passes; ++pass) {
+        const Matrix products = inner_products(basis.x.view(), basis.x.view(), alignment.simd());
+        double worst = 0;
+        for (std::int64_t i = 0; i < basis.count; ++i)
+            for (std::int64_t j = 0; j < basis.count; ++j)
+                worst = std::max(worst, std::abs(products(i, j) - (i == j ? 1.0 : 0.0)));
+        multiply(alignment, orthonormalizing(products, basis.count), basis);
+        if (worst < 1e-8) // what is left is of the order of its square
+            return;
     }
 }
 
-/// Makes the rows of basis.x orthonormal; twice, for those that were nearly parallel.
-void orthonormalize(Basis& basis) {
-    const std::int64_t n = basis.x.cols();
-    const std::int64_t m = basis.unknowns.cols();
-    const auto scale = [&](std::int64_t j) {
-        const double norm = std::sqrt(dot(basis.x.row(j), basis.x.row(j), n));
-        if (!(norm > 0) || !std::isfinite(norm))
-            fail(Status::degenerate, "the frames do not vary enough for {} coordinates",
-                 basis.x.rows());
-        for (std::int64_t c = 0; c < n; ++c)
-            basis.x(j, c) /= norm;
-        for (std::int64_t c = 0; c < m; ++c)
-            basis.unknowns(j, c) /= norm;
-    };
-    for (std::int64_t j = 0; j < basis.x.rows(); ++j) {
-        scale(j);
-        for (int pass = 0; pass < 2; ++pass)
-            for (std::int64_t i = 0; i < j; ++i) {
-                const double overlap = dot(basis.x.row(i), basis.x.row(j), n);
-                axpy(-overlap, basis.x.row(i), basis.x.row(j), n);
-                axpy(-overlap, basis.unknowns.row(i), basis.unknowns.row(j), m);
-            }
-        scale(j);
+/// The sine of the largest principal angle from the span of `after`'s first `count` columns to that
+/// of `before`'s (both orthonormal): the largest singular value of what projection leaves.
+double largest_angle(const Matrix& before, const Matrix& after, std::int64_t count, Simd simd) {
+    Matrix rest = after;
+    for (int pass = 0; pass < 2; ++pass) {
+        Matrix part = before;
+        Matrix overlaps = inner_products(before.view(), rest.view(), simd);
+        std::fill(overlaps.row(count), overlaps.row(overlaps.rows()), 0.0);
+        multiply_columns(part.view(), overlaps, simd);
+        for (std::int64_t i = 0; i < rest.rows() * rest.cols(); ++i)
+            rest.data()[i] -= part.data()[i];
     }
-}
-
-/// Values of all basis vectors at one patch's frames, projected: rows of k entries.
-void project_basis(const Alignment& alignment, std::int64_t patch, const Matrix& unknowns,
-                   Matrix& values) {
-    for (std::int64_t j = 0; j < unknowns.rows(); ++j) {
-        alignment.gather(patch, row_span(unknowns, j), values.row(j));
-        alignment.patches().project(patch, values.row(j));
-    }
-}
-
-/// x_i^T B x_j as sums over patches of squares, so that small eigenvalues keep their digits.
-Matrix quadratic_form(const Alignment& alignment, const Matrix& unknowns) {
-    const std::int64_t k = alignment.patches().size();
-    const std::int64_t count = unknowns.rows();
-    Matrix form(count, count);
-    Matrix values(count, k);
-    for (std::int64_t p = 0; p < alignment.patches().count(); ++p) {
-        project_basis(alignment, p, unknowns, values);
-        for (std::int64_t i = 0; i < count; ++i)
-            for (std::int64_t j = 0; j <= i; ++j)
-                form(i, j) += dot(values.row(i), values.row(j), k);
-    }
-    for (std::int64_t i = 0; i < count; ++i)
-        for (std::int64_t j = 0; j < i; ++j)
-            form(j, i) = form(i, j);
-    return form;
-}
-
-/// rows := rotation * rows
-void rotate_rows(const Matrix& rotation, Matrix& rows) {
-    Matrix rotated(rows.rows(), rows.cols());
-    for (std::int64_t i = 0; i < rows.rows(); ++i)
-        for (std::int64_t j = 0; j < rows.rows(); ++j)
-            axpy(rotation(i, j), rows.row(j), rotated.row(i), rows.cols());
-    rows = std::move(rotated);
-}
-
-/// Sine of the largest principal angle from the span of `after`'s first `count` rows to that of
-/// `before`'s (both orthonormal): the largest singular value of what projection leaves.
-double largest_angle(const Matrix& before, const Matrix& after, std::int64_t count) {
-    Matrix rest(count, before.cols());
-    for (std::int64_t i = 0; i < count; ++i) {
-        std::copy_n(after.row(i), after.cols(), rest.row(i));
-        for (int pass = 0; pass < 2; ++pass)
-            for (std::int64_t j = 0; j < count; ++j)
-                axpy(-dot(before.row(j), rest.row(i), rest.cols()), before.row(j), rest.row(i),
-                     rest.cols());
-    }
+    const Matrix products = inner_products(rest.view(), rest.view(), simd);
     Matrix gram(count, count);
     for (std::int64_t i = 0; i < count; ++i)
-        for (std::int64_t j = 0; j < count; ++j)
-            gram(i, j) = dot(rest.row(i), rest.row(j), rest.cols());
+        std::copy_n(products.row(i), count, gram.row(i));
     std::vector<double> values;
     symmetric_eigen(gram, values);
     return std::sqrt(std::max(0.0, values.back()));
 }
 
-/// ||B u - lambda u|| / k with B u through the patches.
-double residual_of(const Alignment& alignment, std::span<const double> unknowns,
-                   std::span<const double> x, double lambda) {
-    const Patches& patches = alignment.patches();
-    Vector product(x.size());
-    Vector values(static_cast<std::size_t>(patches.size()));
-    for (std::int64_t p = 0; p < patches.count(); ++p) {
-        alignment.gather(p, unknowns, values.data());
-        patches.project(p, values.data());
-        const auto frames = patches.of(p);
-        for (std::size_t j = 0; j < frames.size(); ++j)
-            product[static_cast<std::size_t>(frames[j])] += values[j];
-    }
-    axpy(-lambda, x.data(), product.data(), static_cast<std::int64_t>(x.size()));
-    const auto n = static_cast<std::int64_t>(product.size());
-    return std::sqrt(dot(product.data(), product.data(), n)) / static_cast<double>(patches.size());
+/// Largest ||B u - lambda u|| / k over the first `count` vectors, with B u through the patches.
+double largest_residual(const Alignment& alignment, const Basis& basis,
+                        const std::vector<double>& values, std::int64_t count) {
+    Matrix product(alignment.frames(), basis.x.cols());
+    alignment.apply_at_frames(basis.unknowns.view(), product.view());
+    subtract_scaled(basis.x.view(), padded(values, product.cols()), product.view());
+    const Matrix squares = inner_products(product.view(), product.view(), alignment.simd());
+    double largest = 0;
+    for (std::int64_t j = 0; j < count; ++j)
+        largest = std::max(largest, squares(j, j));
+    return std::sqrt(largest) / static_cast<double>(alignment.patches().size());
 }
 
 /// Turns the basis into the best eigenvectors in its span; eigenvalues ascending.
 std::vector<double> rayleigh_ritz(const Alignment& alignment, Basis& basis) {
-    orthonormalize(basis);
-    Matrix rotation = quadratic_form(alignment, basis.unknowns);
+    orthonormalize(alignment, basis);
+    const Matrix form = alignment.quadratic_form(basis.unknowns.view(), basis.count);
+    Matrix vectors(basis.count, basis.count);
+    for (std::int64_t i = 0; i < basis.count; ++i)
+        std::copy_n(form.row(i), basis.count, vectors.row(i));
     std::vector<double> values;
-    symmetric_eigen(rotation, values);
+    symmetric_eigen(vectors, values); // one per row
     for (double& value : values)
         value = std::max(value, 0.0); // B is positive semidefinite; a zero may round below
-    rotate_rows(rotation, basis.unknowns);
-    rotate_rows(rotation, basis.x);
+    Matrix rotation(basis.x.cols(), basis.x.cols());
+    for (std::int64_t i = 0; i < basis.count; ++i)
+        for (std::int64_t j = 0; j < basis.count; ++j)
+            rotation(i, j) = vectors(j, i);
+    multiply(alignment, rotation, basis);
     return values;
+}
+
+/// The first vectors, one per row.
+Matrix rows_of(const Matrix& panel, std::int64_t count) {
+    Matrix rows(count, panel.rows());
+    for (std::int64_t i = 0; i < panel.rows(); ++i)
+        for (std::int64_t j = 0; j < count; ++j)
+            rows(j, i) = panel(i, j);
+    return rows;
 }
 
 /// Beyond the wanted pairs: their eigenvectors guard the wanted ones during correction.
@@ -219,7 +221,7 @@ Spectrum smallest_eigenpairs(const Alignment& alignment, std::int64_t count, std
         const Matrix previous = basis.x;
         correct(alignment, spectrum.values, basis);
         spectrum.values = rayleigh_ritz(alignment, basis);
-        const double change = largest_angle(previous, basis.x, dimension);
+        const double change = largest_angle(previous, basis.x, dimension, alignment.simd());
         if (i == 0)
             spectrum.first_change = change;
         spectrum.last_change = change;
@@ -227,13 +229,9 @@ Spectrum smallest_eigenpairs(const Alignment& alignment, std::int64_t count, std
             break;
         before = change;
     }
-    for (std::int64_t j = 0; j < dimension; ++j)
-        spectrum.residual =
-            std::max(spectrum.residual,
-                     residual_of(alignment, row_span(basis.unknowns, j), row_span(basis.x, j),
-                                 spectrum.values[static_cast<std::size_t>(j)]));
+    spectrum.residual = largest_residual(alignment, basis, spectrum.values, dimension);
     spectrum.values.resize(static_cast<std::size_t>(std::min(count, pairs)));
-    spectrum.vectors = std::move(basis.x);
+    spectrum.vectors = rows_of(basis.x, dimension);
     progress.report(Stage::spectrum, 1.0);
     return spectrum;
 }

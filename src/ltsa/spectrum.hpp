@@ -13,7 +13,7 @@ namespace stltsa::ltsa {
 
 struct Spectrum {
     std::vector<double> values; ///< lambda_2, lambda_3, ... ascending (lambda_1 = 0 is left out)
-    Matrix vectors;             ///< one per row, orthonormal, of zero mean
+    Matrix vectors;             ///< the first `dimension`, one per row, orthonormal, of zero mean
     double residual = 0;        ///< max ||B u - lambda u|| / k over the first `dimension`
     double first_change = 0; ///< largest principal angle by which the first correction turned them
     double last_change = 0;  ///< and the last one

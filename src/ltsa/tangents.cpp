@@ -2,45 +2,87 @@
 #include "ltsa/tangents.hpp"
 
 #include <algorithm>
-#include <functional>
+#include <optional>
 
 #include "base/parallel.hpp"
 #include "linalg/simd.hpp"
 #include "ltsa/band_distances.hpp"
 #include "ltsa/local_pca.hpp"
+#include "ltsa/tangent_batch.hpp"
 
 namespace stltsa::ltsa {
 namespace {
 
-using Use = std::function<void(std::int64_t frame, LocalPca& pca)>;
+/// Writes the tangents of neighborhoods: several at a time where they are small, and one at a time
+/// where they are not or where that did not find them.
+class TangentFinder {
+  public:
+    TangentFinder(ConstMatrixView x, const Neighborhoods& neighborhoods, std::int64_t computed,
+                  Simd simd, Matrix& values, Tangents& tangents)
+        : neighborhoods_(neighborhoods), computed_(computed), values_(values), tangents_(tangents),
+          pca_(x, neighborhoods.size, computed) {
+        if (neighborhoods.size <= std::min(x.cols, TangentBatch::largest_size))
+            batch_.emplace(neighborhoods.size, computed, simd);
+    }
 
-/// Calls use(frame, pca) with the principal directions of every `stride`-th neighborhood.
-void for_each_neighborhood(ConstMatrixView x, const Neighborhoods& neighborhoods,
-                           std::int64_t count, std::int64_t window, std::int64_t stride,
-                           int threads, const Progress& progress, const Use& use) {
-    const std::int64_t block = frame_block(window);
-    const std::int64_t blocks = (x.rows + block - 1) / block;
-    const auto work = [&](std::int64_t b) {
-        const std::int64_t first = b * block;
-        const std::int64_t last = std::min(first + block, x.rows);
-        LocalPca pca(x, neighborhoods.size, count);
-        std::optional<BandDistances> band;
-        LocalPca::Distance distance = [&x](std::int64_t p, std::int64_t q) {
-            return squared_distance(x.row(p), x.row(q), x.cols);
-        };
-        if (window > 0 && neighborhoods.size <= x.cols) {
-            band.emplace(x, std::max<std::int64_t>(0, first - window),
-                         std::min(x.rows, last + window), 2 * window);
-            distance = [&band](std::int64_t p, std::int64_t q) { return (*band)(p, q); };
+    /// distance(p, q): squared distance of frames p < q.
+    template <class Distance>
+    void find(std::int64_t first, std::int64_t last, const Distance& distance) {
+        if (!batch_) {
+            for (std::int64_t i = first; i < last; ++i)
+                find_alone(i, distance);
+            return;
         }
-        for (std::int64_t i = (first + stride - 1) / stride * stride; i < last; i += stride) {
-            pca.compute(neighborhoods.of(i), distance);
-            use(i, pca);
+        for (std::int64_t i = first; i < last; i += batch_->lanes())
+            find_together(i, std::min(i + batch_->lanes(), last), distance);
+    }
+
+  private:
+    template <class Distance>
+    void find_alone(std::int64_t i, const Distance& distance) {
+        pca_.compute(neighborhoods_.of(i), distance);
+        for (std::int64_t l = 0; l < computed_; ++l) {
+            values_(i, l) = pca_.value(l);
+            pca_.direction(l, tangents_.direction(i, l), tangents_.direction(i, 0));
         }
-    };
-    parallel_blocks(blocks, threads, work, [&](std::int64_t done) {
-        progress.report(Stage::tangents, static_cast<double>(done) / static_cast<double>(blocks));
-    });
+    }
+
+    template <class Distance>
+    void find_together(std::int64_t first, std::int64_t last, const Distance& distance) {
+        for (std::int64_t lane = 0; lane < batch_->lanes(); ++lane) {
+            // Lanes too many repeat the last frame.
+            const auto members = neighborhoods_.of(std::min(first + lane, last - 1));
+            for (std::size_t a = 0; a < members.size(); ++a)
+                for (std::size_t b = a + 1; b < members.size(); ++b)
+                    batch_->set_distance(lane, static_cast<std::int64_t>(a),
+                                         static_cast<std::int64_t>(b),
+                                         distance(members[a], members[b]));
+        }
+        batch_->solve();
+        for (std::int64_t i = first; i < last; ++i) {
+            if (!batch_->found(i - first)) {
+                find_alone(i, distance);
+                continue;
+            }
+            for (std::int64_t l = 0; l < computed_; ++l) {
+                values_(i, l) = batch_->value(i - first, l);
+                double* g = tangents_.direction(i, l);
+                batch_->direction(i - first, l, g);
+                make_tangent(tangents_.direction(i, 0), l, neighborhoods_.size, g);
+            }
+        }
+    }
+
+    const Neighborhoods& neighborhoods_;
+    std::int64_t computed_;
+    Matrix& values_;
+    Tangents& tangents_;
+    LocalPca pca_;
+    std::optional<TangentBatch> batch_;
+};
+
+void report(const Progress& progress, std::int64_t done, std::int64_t blocks) {
+    progress.report(Stage::tangents, static_cast<double>(done) / static_cast<double>(blocks));
 }
 
 /// Directions whose eigenvalue is rounding noise are not there: the vectors that LAPACK gives for
@@ -54,7 +96,8 @@ void drop_missing_directions(const Matrix& values, Tangents& tangents) {
     const double floor = 1e-18 * *middle;
     for (std::int64_t i = 0; i < values.rows(); ++i) {
         std::int32_t rank = 0;
-        while (rank < tangents.count && values(i, rank) > std::max(1e-13 * values(i, 0), floor))
+        while (rank < tangents.count &&
+               values(i, rank) > std::max(negligible_value * values(i, 0), floor))
             ++rank;
         tangents.rank[static_cast<std::size_t>(i)] = rank;
         std::fill(tangents.direction(i, rank), tangents.direction(i, tangents.count), 0.0);
@@ -63,34 +106,58 @@ void drop_missing_directions(const Matrix& values, Tangents& tangents) {
 
 } // namespace
 
-Tangents local_tangents(ConstMatrixView x, const Neighborhoods& neighborhoods, std::int64_t count,
-                        std::int64_t window, int threads, const Progress& progress) {
+Tangents local_tangents(ConstMatrixView x, const Neighborhoods& neighborhoods,
+                        const Parameters& parameters, const Progress& progress) {
+    const std::int64_t count = parameters.dimension;
+    const std::int64_t window = parameters.window;
     Tangents tangents{neighborhoods.size, count, {}, {}};
     tangents.g.resize(
         checked_size(checked_size(x.rows, count) > 0 ? x.rows * count : 0, neighborhoods.size));
     tangents.rank.resize(static_cast<std::size_t>(x.rows));
     Matrix values(x.rows, count);
     const std::int64_t computed = std::min({count, neighborhoods.size, x.cols});
-    for_each_neighborhood(x, neighborhoods, computed, window, 1, threads, progress,
-                          [&](std::int64_t i, LocalPca& pca) {
-                              for (std::int64_t l = 0; l < computed; ++l) {
-                                  values(i, l) = pca.value(l);
-                                  pca.direction(l, tangents.direction(i, l),
-                                                tangents.direction(i, 0));
-                              }
-                          });
+    // Temporal neighborhoods share most distances.
+    const bool banded = parameters.mode == Mode::temporal && neighborhoods.size <= x.cols;
+    const std::int64_t block = frame_block(banded ? window : 0);
+    const std::int64_t blocks = (x.rows + block - 1) / block;
+    const auto work = [&](std::int64_t b) {
+        const std::int64_t first = b * block;
+        const std::int64_t last = std::min(first + block, x.rows);
+        TangentFinder finder(x, neighborhoods, computed, parameters.simd, values, tangents);
+        if (banded)
+            finder.find(first, last,
+                        BandDistances(x, std::max<std::int64_t>(0, first - window),
+                                      std::min(x.rows, last + window), 2 * window,
+                                      parameters.simd));
+        else
+            finder.find(first, last, [&x](std::int64_t p, std::int64_t q) {
+                return squared_distance(x.row(p), x.row(q), x.cols);
+            });
+    };
+    parallel_blocks(blocks, parameters.threads, work,
+                    [&](std::int64_t done) { report(progress, done, blocks); });
     drop_missing_directions(values, tangents);
     return tangents;
 }
 
 Matrix local_spectra(ConstMatrixView x, const Neighborhoods& neighborhoods, std::int64_t count,
                      std::int64_t stride, int threads, const Progress& progress) {
-    Matrix spectra((x.rows + stride - 1) / stride, count);
-    for_each_neighborhood(x, neighborhoods, count, 0, stride, threads, progress,
-                          [&](std::int64_t i, LocalPca& pca) {
-                              for (std::int64_t l = 0; l < count; ++l)
-                                  spectra(i / stride, l) = std::max(0.0, pca.value(l));
-                          });
+    const std::int64_t rows = (x.rows + stride - 1) / stride;
+    const std::int64_t block = frame_block(0);
+    const std::int64_t blocks = (rows + block - 1) / block;
+    Matrix spectra(rows, count);
+    const auto work = [&](std::int64_t b) {
+        LocalPca pca(x, neighborhoods.size, count);
+        for (std::int64_t r = b * block; r < std::min((b + 1) * block, rows); ++r) {
+            pca.compute(neighborhoods.of(r * stride), [&x](std::int64_t p, std::int64_t q) {
+                return squared_distance(x.row(p), x.row(q), x.cols);
+            });
+            for (std::int64_t l = 0; l < count; ++l)
+                spectra(r, l) = std::max(0.0, pca.value(l));
+        }
+    };
+    parallel_blocks(blocks, threads, work,
+                    [&](std::int64_t done) { report(progress, done, blocks); });
     return spectra;
 }
 

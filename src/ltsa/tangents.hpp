@@ -8,8 +8,13 @@
 #include "base/progress.hpp"
 #include "linalg/matrix.hpp"
 #include "ltsa/neighbors.hpp"
+#include "ltsa/parameters.hpp"
 
 namespace stltsa::ltsa {
+
+/// Eigenvalues that are less, relative to the largest of their window, are not directions but
+/// rounding noise.
+inline constexpr double negligible_value = 1e-13;
 
 /// For each frame i: d vectors g_l of k entries, orthonormal and orthogonal to e, entry j belonging
 /// to the j-th neighbor. A direction that is not there (fewer than d in the window) is a zero
@@ -28,10 +33,10 @@ struct Tangents {
     }
 };
 
-/// Tangents of `count` dimensions. `window`: largest distance in frames between a frame and its
-/// neighbors where they are temporal, so that distances are shared; 0 where they are not.
-Tangents local_tangents(ConstMatrixView x, const Neighborhoods& neighborhoods, std::int64_t count,
-                        std::int64_t window, int threads, const Progress& progress);
+/// Tangents of parameters.dimension dimensions. parameters.window bounds the distance in frames
+/// between a frame and its neighbors where these are temporal.
+Tangents local_tangents(ConstMatrixView x, const Neighborhoods& neighborhoods,
+                        const Parameters& parameters, const Progress& progress);
 
 /// Eigenvalues of every `stride`-th neighborhood's correlation matrix, descending: one row each,
 /// `count` columns. For local PCA.

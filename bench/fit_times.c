@@ -1,0 +1,130 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/*
+ * Where the time of stltsa_fit goes, in microseconds of processor time a frame and in wall-clock
+ * time: one row of the table of scripts/measure-speed. The frames are a made-up motion: 56 features
+ * that swing with a cycle of about a second, no two cycles alike, at 120 frames a second.
+ *
+ *     fit_times FRAMES NEIGHBORS THREADS REPEATS
+ *
+ * The shortest of the repeats is printed; stages are those of the progress callback, which runs on
+ * the caller's thread: the time between two calls belongs to the stage that the second one names.
+ */
+#define _POSIX_C_SOURCE 199309L
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "stltsa.h"
+
+enum { features = 56, stages = 6, neighbors_stage = 2 };
+
+struct times {
+    double last;
+    double seconds[stages];
+};
+
+static double clock_of(clockid_t id) {
+    struct timespec t;
+    clock_gettime(id, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+static int32_t record(void* user, int32_t stage, double fraction) {
+    struct times* times = user;
+    const double time = clock_of(CLOCK_PROCESS_CPUTIME_ID);
+    (void)fraction;
+    if (stage >= 0 && stage < stages)
+        times->seconds[stage] += time - times->last;
+    times->last = time;
+    return 0;
+}
+
+static void check(stltsa_status status) {
+    if (status != STLTSA_OK) {
+        fprintf(stderr, "fit_times: %s\n", stltsa_last_error());
+        exit(1);
+    }
+}
+
+/* Uniform in [-1, 1). */
+static double next_random(uint64_t* state) {
+    *state = *state * 6364136223846793005u + 1442695040888963407u;
+    return (double)(*state >> 11) / 4503599627370496.0 - 1;
+}
+
+static double* make_frames(int64_t frames) {
+    const double turn = 6.283185307179586;
+    uint64_t state = 1;
+    double* x = malloc((size_t)frames * features * sizeof *x);
+    double phase = 0, speed = 1, size = 1;
+    int64_t i;
+    int c;
+    if (x == NULL) {
+        fprintf(stderr, "fit_times: no memory\n");
+        exit(1);
+    }
+    for (i = 0; i < frames; ++i) {
+        /* Both wander slowly about 1. */
+        speed += 0.003 * next_random(&state) - 0.002 * (speed - 1);
+        size += 0.003 * next_random(&state) - 0.002 * (size - 1);
+        phase += turn / 120 * speed;
+        for (c = 0; c < features; ++c)
+            x[i * features + c] = 20 * size * sin(phase + c) + 8 * sin(2 * phase + 2.3 * c) +
+                                  3 * size * sin(3 * phase + 3.1 * c) + 0.01 * next_random(&state);
+    }
+    return x;
+}
+
+int main(int argc, char** argv) {
+    struct times times, best;
+    double shortest = 0, best_wall = 0;
+    stltsa_options* options = NULL;
+    stltsa_in in;
+    long repeats, r;
+    int stage;
+    if (argc != 5) {
+        fprintf(stderr, "usage: fit_times FRAMES NEIGHBORS THREADS REPEATS\n");
+        return 2;
+    }
+    memset(&in, 0, sizeof in);
+    memset(&best, 0, sizeof best);
+    in.rows = atol(argv[1]);
+    in.cols = features;
+    in.dtype = STLTSA_F64;
+    in.data = make_frames(in.rows);
+    repeats = atol(argv[4]);
+    check(stltsa_options_new(&options));
+    check(stltsa_options_set_int(options, STLTSA_NEIGHBORS, atol(argv[2])));
+    check(stltsa_options_set_int(options, STLTSA_WINDOW, atol(argv[2])));
+    check(stltsa_options_set_int(options, STLTSA_DIMENSION, 2));
+    check(stltsa_options_set_int(options, STLTSA_THREADS, atol(argv[3])));
+    check(stltsa_options_set_int(options, STLTSA_KEEP_FRAMES, 0));
+    check(stltsa_options_set_progress(options, record, &times));
+    for (r = 0; r < repeats; ++r) {
+        stltsa_model* model = NULL;
+        double begin, wall, total;
+        memset(&times, 0, sizeof times);
+        wall = clock_of(CLOCK_MONOTONIC);
+        begin = times.last = clock_of(CLOCK_PROCESS_CPUTIME_ID);
+        check(stltsa_fit(&in, NULL, 0, options, &model));
+        total = clock_of(CLOCK_PROCESS_CPUTIME_ID) - begin;
+        wall = clock_of(CLOCK_MONOTONIC) - wall;
+        stltsa_model_free(model);
+        if (r == 0 || total < shortest) {
+            shortest = total;
+            best = times;
+        }
+        if (r == 0 || wall < best_wall)
+            best_wall = wall;
+    }
+    printf("%8lld %4s %7s", (long long)in.rows, argv[2], argv[3]);
+    for (stage = neighbors_stage; stage < stages; ++stage)
+        printf(" %9.2f", 1e6 * best.seconds[stage] / (double)in.rows);
+    printf(" %9.2f %9.2f\n", 1e6 * shortest / (double)in.rows, 1e6 * best_wall / (double)in.rows);
+    stltsa_options_free(options);
+    free((void*)in.data);
+    return 0;
+}

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Vectors of doubles as wide as the machine's registers, the width chosen at run time from one
+// source. Each element gets the operations that a single number would, in the same order, and the
+// compiler may not contract them: results do not depend on the width, to the last bit.
+#pragma once
+
+#include <cstdint>
+
+// Code that runs at a chosen width must be compiled as part of the function that chose it.
+#define STLTSA_INLINE [[gnu::always_inline]] inline
+
+namespace stltsa {
+
+/// What the loops over packs are compiled for: the least that the build asks for (SSE2 on x86-64,
+/// NEON on arm64), and what only some machines have.
+enum class Simd : std::int32_t { baseline, avx2, avx512 };
+
+/// Whether this machine can run it.
+inline bool simd_available(Simd simd) {
+#ifdef __x86_64__
+    switch (simd) {
+    case Simd::baseline:
+        return true;
+    case Simd::avx2:
+        return __builtin_cpu_supports("avx2") != 0;
+    case Simd::avx512:
+        return __builtin_cpu_supports("avx512f") != 0;
+    }
+#endif
+    return simd == Simd::baseline;
+}
+
+/// The widest that this machine can run.
+inline Simd widest_simd() {
+    return simd_available(Simd::avx512) ? Simd::avx512
+           : simd_available(Simd::avx2) ? Simd::avx2
+                                        : Simd::baseline;
+}
+
+/// Doubles in a pack.
+constexpr int simd_width(Simd simd) {
+    return simd == Simd::avx512 ? 8 : simd == Simd::avx2 ? 4 : 2;
+}
+
+namespace detail {
+
+template <int W>
+struct PackOf {
+    typedef double type __attribute__((vector_size(8 * W), may_alias));
+};
+
+template <class Kernel>
+void run_baseline(const Kernel& kernel) {
+    kernel.template run<2>();
+}
+#ifdef __x86_64__
+template <class Kernel>
+[[gnu::target("avx2")]] void run_avx2(const Kernel& kernel) {
+    kernel.template run<4>();
+}
+template <class Kernel>
+[[gnu::target("avx512f")]] void run_avx512(const Kernel& kernel) {
+    kernel.template run<8>();
+}
+#endif
+
+} // namespace detail
+
+/// W doubles, with the arithmetic and comparisons of one.
+template <int W>
+using Pack = typename detail::PackOf<W>::type;
+
+/// A pack, or one number, at an address that need not be a multiple of its size.
+template <class P>
+STLTSA_INLINE P load(const double* from) {
+    P pack;
+    __builtin_memcpy(&pack, from, sizeof pack);
+    return pack;
+}
+template <class P>
+STLTSA_INLINE void store(P pack, double* to) {
+    __builtin_memcpy(to, &pack, sizeof pack);
+}
+
+/// Calls kernel.run<W>() compiled for `simd`, which must be available. run() and what it calls with
+/// packs are STLTSA_INLINE.
+template <class Kernel>
+void run_simd([[maybe_unused]] Simd simd, const Kernel& kernel) {
+#ifdef __x86_64__
+    if (simd == Simd::avx512)
+        return detail::run_avx512(kernel);
+    if (simd == Simd::avx2)
+        return detail::run_avx2(kernel);
+#endif
+    detail::run_baseline(kernel);
+}
+
+template <class P>
+STLTSA_INLINE P square_root(P v) {
+    for (unsigned l = 0; l < sizeof(P) / sizeof(double); ++l)
+        v[l] = __builtin_sqrt(v[l]);
+    return v;
+}
+
+template <class P>
+STLTSA_INLINE P magnitude(P v) {
+    return v < 0 ? -v : v;
+}
+
+} // namespace stltsa

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Several vectors side by side: row i of a panel holds entry i of each, so that what is done to all
+// of them reads memory once and fills packs. Columns beyond the vectors are zero.
+#pragma once
+
+#include <cstdint>
+
+#include "linalg/matrix.hpp"
+#include "linalg/pack.hpp"
+
+namespace stltsa {
+
+/// Columns that a panel of `count` vectors has.
+constexpr std::int64_t panel_width(std::int64_t count, Simd simd) {
+    const std::int64_t width = simd_width(simd);
+    return (count + width - 1) / width * width;
+}
+
+/// For a kernel's run<W>(): calls kernel.columns<P>(c) for each pack of columns c .., or for the
+/// column of a single vector.
+template <int W, class Kernel>
+STLTSA_INLINE void for_columns(std::int64_t cols, const Kernel& kernel) {
+    if (cols == 1)
+        kernel.template columns<double>(0);
+    else
+        for (std::int64_t c = 0; c < cols; c += W)
+            kernel.template columns<Pack<W>>(c);
+}
+
+/// The pack at an entry of a panel.
+template <class P>
+STLTSA_INLINE P& pack_at(double* entry) {
+    return *reinterpret_cast<P*>(entry);
+}
+template <class P>
+STLTSA_INLINE const P& pack_at(const double* entry) {
+    return *reinterpret_cast<const P*>(entry);
+}
+
+/// Inner products of each column of a with each of b.
+Matrix inner_products(ConstMatrixView a, ConstMatrixView b, Simd simd);
+
+/// panel := panel * factor
+void multiply_columns(MatrixView panel, const Matrix& factor, Simd simd);
+
+/// target -= source * diag(factors)
+void subtract_scaled(ConstMatrixView source, const Matrix& factors, MatrixView target);
+
+/// Subtracts its mean from each column.
+void center(MatrixView panel, Simd simd);
+
+} // namespace stltsa

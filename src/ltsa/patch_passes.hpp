@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What goes through all patches, for panels of vectors. Access says how values at a patch's frames
+// come from the unknowns of an alignment and go back:
+//     gather<P>(frames, k, unknowns, column, values)
+//     scatter<P>(frames, k, values, unknowns, column)      the transpose of gather
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "linalg/panel.hpp"
+#include "ltsa/patches.hpp"
+
+namespace stltsa::ltsa {
+
+/// v := (I - e e^T/k - G G^T) v
+template <class P>
+STLTSA_INLINE void project_once(const double* g, std::int64_t k, std::int64_t dimension, P* v) {
+    P mean{};
+    for (std::int64_t j = 0; j < k; ++j)
+        mean += v[j];
+    mean /= static_cast<double>(k);
+    for (std::int64_t j = 0; j < k; ++j)
+        v[j] -= mean;
+    for (std::int64_t l = 0; l < dimension; ++l, g += k) {
+        P overlap{};
+        for (std::int64_t j = 0; j < k; ++j)
+            overlap += g[j] * v[j];
+        for (std::int64_t j = 0; j < k; ++j)
+            v[j] -= overlap * g[j];
+    }
+}
+
+/// Values at one patch's frames, gathered and projected. Projected twice: g is orthonormal to
+/// rounding only, and what one pass leaves in its span would limit the corrections that rest on
+/// this (by a factor of 10 on motion, of 1000 on smooth curves; scripts/measure-accuracy).
+template <class Access, class P>
+STLTSA_INLINE void project_patch(const Patches& patches, std::int64_t patch,
+                                 ConstMatrixView unknowns, std::int64_t column, P* values) {
+    const std::int64_t k = patches.size();
+    Access::gather(patches.of(patch).data(), k, unknowns, column, values);
+    const double* g = patches.direction(patch, 0);
+    project_once(g, k, patches.dimension(), values);
+    project_once(g, k, patches.dimension(), values);
+}
+
+/// out += S^T B x for x of the unknowns (the operator that is inverted), or B x at the frames.
+template <class Access, bool at_frames>
+struct ProductPass {
+    const Patches& patches;
+    ConstMatrixView in;
+    MatrixView out;
+    double* workspace;
+
+    template <int W>
+    STLTSA_INLINE void run() const {
+        for_columns<W>(in.cols, *this);
+    }
+    template <class P>
+    STLTSA_INLINE void columns(std::int64_t c) const {
+        P* values = reinterpret_cast<P*>(workspace);
+        const std::int64_t k = patches.size();
+        for (std::int64_t p = 0; p < patches.count(); ++p) {
+            project_patch<Access>(patches, p, in, c, values);
+            const std::int32_t* frames = patches.of(p).data();
+            if constexpr (at_frames)
+                for (std::int64_t j = 0; j < k; ++j)
+                    pack_at<P>(out.row(frames[j]) + c) += values[j];
+            else
+                Access::scatter(frames, k, values, out, c);
+        }
+    }
+};
+
+/// form += x^T B x as sums over patches of squares, so that small eigenvalues keep their digits.
+template <class Access>
+struct QuadraticPass {
+    const Patches& patches;
+    ConstMatrixView in;
+    MatrixView form;
+    std::int64_t count; ///< of vectors in the panel
+    double* workspace;  ///< k rows of a panel, then k packs
+
+    template <int W>
+    STLTSA_INLINE void run() const {
+        const std::int64_t k = patches.size();
+        const MatrixView values{workspace, k, in.cols, in.cols};
+        Pack<W>* part = reinterpret_cast<Pack<W>*>(workspace + k * in.cols);
+        for (std::int64_t p = 0; p < patches.count(); ++p) {
+            for (std::int64_t c = 0; c < in.cols; c += W) {
+                project_patch<Access>(patches, p, in, c, part);
+                for (std::int64_t j = 0; j < k; ++j)
+                    pack_at<Pack<W>>(values.row(j) + c) = part[j];
+            }
+            for (std::int64_t i = 0; i < count; ++i)
+                for (std::int64_t c = 0; c < in.cols; c += W) {
+                    Pack<W> sum{};
+                    for (std::int64_t j = 0; j < k; ++j)
+                        sum += values(j, i) * pack_at<Pack<W>>(values.row(j) + c);
+                    pack_at<Pack<W>>(form.row(i) + c) += sum;
+                }
+        }
+    }
+};
+
+/// An alignment whose passes use Access.
+template <class Access>
+class PassingAlignment : public Alignment {
+  public:
+    using Alignment::Alignment;
+
+    void apply(ConstMatrixView in, MatrixView out) const override { run_product<false>(in, out); }
+    void apply_at_frames(ConstMatrixView unknowns, MatrixView x) const override {
+        run_product<true>(unknowns, x);
+    }
+    Matrix quadratic_form(ConstMatrixView unknowns, std::int64_t count) const override {
+        Matrix form(count, unknowns.cols);
+        AlignedVector<double> workspace(checked_size(patches_->size(), 2 * unknowns.cols));
+        run_simd(simd_,
+                 QuadraticPass<Access>{*patches_, unknowns, form.view(), count, workspace.data()});
+        return form;
+    }
+
+  private:
+    template <bool at_frames>
+    void run_product(ConstMatrixView in, MatrixView out) const {
+        for (std::int64_t row = 0; row < out.rows; ++row)
+            std::fill_n(out.row(row), out.cols, 0.0);
+        AlignedVector<double> workspace(checked_size(patches_->size(), in.cols));
+        run_simd(simd_, ProductPass<Access, at_frames>{*patches_, in, out, workspace.data()});
+    }
+};
+
+} // namespace stltsa::ltsa

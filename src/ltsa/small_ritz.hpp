@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Eigenpairs of very small symmetric matrices by Jacobi's method, one matrix in each lane of P.
+#pragma once
+
+#include <cstdint>
+
+#include "linalg/pack.hpp"
+
+namespace stltsa::ltsa {
+
+/// Owns nothing: `data` has room for order values and two matrices of that order.
+template <class P>
+class SmallRitz {
+  public:
+    STLTSA_INLINE SmallRitz(std::int64_t order, P* data)
+        : order_(order), values_(data), matrix_(data + order), vectors_(matrix_ + order * order) {}
+
+    STLTSA_INLINE void set(std::int64_t i, std::int64_t j, P entry) const {
+        matrix_[i * order_ + j] = matrix_[j * order_ + i] = entry;
+    }
+    /// Descending, valid after solve(), which destroys the matrix.
+    STLTSA_INLINE P value(std::int64_t i) const { return values_[i]; }
+
+    STLTSA_INLINE void solve() const {
+        for (std::int64_t i = 0; i < order_ * order_; ++i)
+            vectors_[i] = P{} + (i % (order_ + 1) == 0 ? 1.0 : 0.0);
+        for (int sweep = 0; sweep < most_sweeps; ++sweep) {
+            P largest{};
+            for (std::int64_t i = 0; i < order_; ++i)
+                for (std::int64_t j = i + 1; j < order_; ++j) {
+                    const P size = magnitude(matrix_[i * order_ + j]);
+                    largest = size > largest ? size : largest;
+                }
+            if (!any_above(largest, negligible))
+                break;
+            for (std::int64_t i = 0; i < order_; ++i)
+                for (std::int64_t j = i + 1; j < order_; ++j)
+                    annihilate(i, j);
+        }
+        for (std::int64_t i = 0; i < order_; ++i)
+            values_[i] = matrix_[i * order_ + i];
+        sort();
+    }
+
+    /// Multiplies the row whose entries are `stride` apart by the eigenvectors.
+    STLTSA_INLINE void rotate(P* row, std::int64_t stride) const {
+        P* turned = matrix_; // of no use any more
+        for (std::int64_t j = 0; j < order_; ++j)
+            turned[j] = row[0] * vectors_[j];
+        for (std::int64_t i = 1; i < order_; ++i)
+            for (std::int64_t j = 0; j < order_; ++j)
+                turned[j] += row[i * stride] * vectors_[i * order_ + j];
+        for (std::int64_t j = 0; j < order_; ++j)
+            row[j * stride] = turned[j];
+    }
+
+  private:
+    /// An entry off the diagonal that is less counts as zero; matrices have a trace of at most 1. A
+    /// lane where all are is not changed by the sweeps that others need.
+    static constexpr double negligible = 1e-18;
+    static constexpr int most_sweeps = 12;
+
+    STLTSA_INLINE static bool any_above(P v, double limit) {
+        bool any = false;
+        for (unsigned l = 0; l < sizeof(P) / sizeof(double); ++l)
+            any = any || v[l] > limit;
+        return any;
+    }
+
+    /// One rotation: the entry (i, j) becomes zero.
+    STLTSA_INLINE void annihilate(std::int64_t i, std::int64_t j) const {
+        const P one = P{} + 1.0;
+        const P entry = matrix_[i * order_ + j];
+        const P divisor = magnitude(entry) > negligible ? entry : one;
+        const P ratio = (matrix_[j * order_ + j] - matrix_[i * order_ + i]) / (2 * divisor);
+        const P denominator = magnitude(ratio) + square_root(one + ratio * ratio);
+        const P full = (ratio < 0 ? -one : one) / denominator;
+        const P tangent = magnitude(entry) > negligible ? full : P{};
+        const P cosine = one / square_root(one + tangent * tangent);
+        const P sine = tangent * cosine;
+        for (std::int64_t l = 0; l < order_; ++l) {
+            turn(matrix_[l * order_ + i], matrix_[l * order_ + j], cosine, sine);
+            turn(vectors_[l * order_ + i], vectors_[l * order_ + j], cosine, sine);
+        }
+        for (std::int64_t l = 0; l < order_; ++l)
+            turn(matrix_[i * order_ + l], matrix_[j * order_ + l], cosine, sine);
+    }
+
+    STLTSA_INLINE static void turn(P& a, P& b, P cosine, P sine) {
+        const P before = a;
+        a = cosine * before - sine * b;
+        b = sine * before + cosine * b;
+    }
+
+    STLTSA_INLINE void sort() const {
+        for (std::int64_t i = 0; i < order_; ++i)
+            for (std::int64_t j = i + 1; j < order_; ++j) {
+                const auto wrong = values_[i] < values_[j];
+                exchange(wrong, values_[i], values_[j]);
+                for (std::int64_t l = 0; l < order_; ++l)
+                    exchange(wrong, vectors_[l * order_ + i], vectors_[l * order_ + j]);
+            }
+    }
+
+    template <class Mask>
+    STLTSA_INLINE static void exchange(Mask wrong, P& a, P& b) {
+        const P before = a;
+        a = wrong ? b : a;
+        b = wrong ? before : b;
+    }
+
+    std::int64_t order_;
+    P* values_;
+    P* matrix_;
+    P* vectors_;
+};
+
+} // namespace stltsa::ltsa
