@@ -170,6 +170,26 @@ static void noise_has_no_cycle_but_a_reason(void** state) {
     free(x);
 }
 
+/* Frames along a line: eigenvalues that hardly differ, on which a small Krylov space never ends. */
+static void one_blow_along_a_line(void** state) {
+    (void)state;
+    enum { rows = 400 };
+    double* x = new_matrix(rows, 2);
+    for (int i = 0; i < rows; ++i) {
+        const double t = 4.0 * i / (rows - 1);
+        x[2 * i] = exp(-25 * (t - 2) * (t - 2));
+        x[2 * i + 1] = 2 * x[2 * i] + 0.01 * t;
+    }
+    const stltsa_in in = packed_in(x, rows, 2);
+    stltsa_clip* clip = NULL;
+    must(stltsa_clip_from_matrix(&in, 100, &clip));
+    stltsa_decomposition* d = decomposed(clip, NULL);
+    assert_int_equal(stltsa_decomposition_cycle_count(d), 0);
+    stltsa_decomposition_free(d);
+    stltsa_clip_free(clip);
+    free(x);
+}
+
 struct stop {
     int64_t calls, after;
 };
@@ -362,6 +382,7 @@ int main(int argc, char** argv) {
         cmocka_unit_test(threads_change_no_bit),
         cmocka_unit_test(shift_and_order_of_channels_change_no_unit),
         cmocka_unit_test(noise_has_no_cycle_but_a_reason),
+        cmocka_unit_test(one_blow_along_a_line),
         cmocka_unit_test(cancelled_at_every_call),
         cmocka_unit_test(the_search_for_the_period_can_be_cancelled),
         cmocka_unit_test(wrong_arguments),
