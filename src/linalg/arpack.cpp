@@ -19,8 +19,8 @@ std::mutex arpack_mutex;
 
 constexpr a_int max_restarts = 10000;
 
-/// Lanczos vectors: enough that convergence does not depend on luck with the few wanted ones. Half of
-/// them save a tenth of the applications on real clips, and never end on frames along a line.
+/// Lanczos vectors: enough that convergence does not depend on luck with the few wanted ones. Half
+/// of them save a tenth of the applications on real clips, and never end on frames along a line.
 a_int subspace_size(std::int64_t order, std::int64_t count) {
     return static_cast<a_int>(std::min(order, std::max<std::int64_t>(2 * count + 4, 20)));
 }
