@@ -19,7 +19,7 @@ static void a_cycle_four_times(void** state) {
         assert_int_equal(seam.frame, first.frame + i * loop);
         assert_true(seam.piece == 0 && seam.next == 0);
         assert_true(seam.cut_end == first.cut_end && seam.cut_begin == first.cut_begin);
-        assert_true(llabs(seam.cut_end - cycle.end) <= 0.1 * (double)length + 1);
+        assert_true((double)llabs(seam.cut_end - cycle.end) <= 0.1 * (double)length + 1);
         assert_int_equal(seam.crossfade, llround(0.1 * (double)length));
         /* The walker's cycles are the same, up to the frames that fall between frames. */
         assert_below(seam.posture, 1.5, "posture");
