@@ -2,6 +2,7 @@
 #include "mapped.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace tool {
 namespace {
@@ -12,7 +13,7 @@ constexpr double limit = 1;
 /// The value below which a share of the sorted values lies.
 double quantile(const std::vector<double>& sorted, double share) {
     const auto last = static_cast<double>(sorted.size() - 1);
-    return sorted[static_cast<std::size_t>(share * last + 0.5)];
+    return sorted[static_cast<std::size_t>(std::lround(share * last))];
 }
 
 Json distances_json(const Mapped& mapped) {

@@ -116,13 +116,14 @@ PieceFinder::Source& PieceFinder::source(const std::string& path) {
 }
 
 const Json& PieceFinder::units(Source& source) {
-    if (source.units.is_null()) {
+    if (!source.units) {
         const auto decomposition = made_by<Decomposition>([&](stltsa_decomposition** made) {
             return stltsa_decompose(source.clip.get(), session_.options(), made);
         });
-        source.units = json_of(stltsa_decomposition_json, decomposition.get());
+        source.units =
+            std::make_unique<Json>(json_of(stltsa_decomposition_json, decomposition.get()));
     }
-    return source.units;
+    return *source.units;
 }
 
 const Json& PieceFinder::interval(Source& source, const PieceText& text) {

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -32,7 +33,7 @@ class PieceFinder {
   private:
     struct Source {
         Clip clip;
-        Json units; ///< the decomposition; null until asked for
+        std::unique_ptr<const Json> units; ///< the decomposition; none until asked for
     };
     Source& source(const std::string& path);
     const Json& units(Source& source);
