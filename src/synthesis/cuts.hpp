@@ -39,7 +39,8 @@ struct Cut {
 
 /// The pair of frames that are most alike, with those around them that the crossfade will mix. A
 /// pair at the end of a clip, which has fewer frames to mix, must be the more alike for it. Each
-/// stretch keeps at least half of its length. Where no pair is allowed, the cuts stay where they are.
+/// stretch keeps at least half of its length. Where no pair is allowed, the cuts stay where they
+/// are.
 Cut find_cut(const Join& join, const CutOptions& options, const Progress& progress);
 
 } // namespace stltsa::synthesis
