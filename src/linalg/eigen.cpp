@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "linalg/eigen.hpp"
 
+#include <algorithm>
+
 #include <lapacke.h>
 
 static_assert(sizeof(lapack_int) == sizeof(std::int32_t), "LAPACK with 32-bit integers is needed");
@@ -10,7 +12,8 @@ namespace stltsa {
 TopEigenpairs::TopEigenpairs(std::int64_t order, std::int64_t count)
     : order_(static_cast<std::int32_t>(order)), count_(static_cast<std::int32_t>(count)),
       matrix_(checked_size(order, order)), values_(static_cast<std::size_t>(order)),
-      vectors_(checked_size(order, count)), support_(2 * static_cast<std::size_t>(order)) {
+      vectors_(checked_size(order, count)), destroyed_(order, order),
+      support_(2 * static_cast<std::size_t>(order)) {
     double work_size = 0;
     lapack_int integer_work_size = 0;
     lapack_int found = 0;
@@ -22,17 +25,30 @@ TopEigenpairs::TopEigenpairs(std::int64_t order, std::int64_t count)
 }
 
 void TopEigenpairs::solve() {
+    if (!solve_for_the_largest())
+        solve_for_all();
+}
+
+/// False where dsyevr did not find them: near multiples of the identity it may report success and
+/// no eigenpairs.
+bool TopEigenpairs::solve_for_the_largest() {
+    std::copy_n(matrix_.data(), matrix_.size(), destroyed_.data());
     lapack_int found = 0;
     const lapack_int info = LAPACKE_dsyevr_work(
-        LAPACK_COL_MAJOR, 'V', 'I', 'L', order_, matrix_.data(), order_, 0, 0, order_ - count_ + 1,
-        order_, 0, &found, values_.data(), vectors_.data(), order_, support_.data(), work_.data(),
-        static_cast<lapack_int>(work_.size()), integer_work_.data(),
+        LAPACK_COL_MAJOR, 'V', 'I', 'L', order_, destroyed_.data(), order_, 0, 0,
+        order_ - count_ + 1, order_, 0, &found, values_.data(), vectors_.data(), order_,
+        support_.data(), work_.data(), static_cast<lapack_int>(work_.size()), integer_work_.data(),
         static_cast<lapack_int>(integer_work_.size()));
-    if (info != 0 || found != count_)
-        fail(Status::internal,
-             "LAPACK dsyevr failed on a matrix of order {} (info {}, {} of {} "
-             "eigenpairs)",
-             order_, info, found, count_);
+    return info == 0 && found == count_;
+}
+
+void TopEigenpairs::solve_for_all() {
+    std::copy_n(matrix_.data(), matrix_.size(), destroyed_.data());
+    std::vector<double> values;
+    symmetric_eigen(destroyed_, values);
+    const std::int64_t first = order_ - count_;
+    std::copy_n(values.begin() + first, count_, values_.begin());
+    std::copy_n(destroyed_.row(first), count_ * std::int64_t{order_}, vectors_.data());
 }
 
 double TopEigenpairs::value(std::int64_t pair) const {

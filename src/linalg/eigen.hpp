@@ -15,7 +15,7 @@ class TopEigenpairs {
     /// For order x order matrices, `count` pairs (1 <= count <= order).
     TopEigenpairs(std::int64_t order, std::int64_t count);
 
-    /// Where to put the matrix: the lower triangle by columns; destroyed by solve().
+    /// Where to put the matrix: the lower triangle by columns; solve() leaves it as it is.
     double* matrix() { return matrix_.data(); }
     void solve();
 
@@ -24,9 +24,13 @@ class TopEigenpairs {
     const double* vector(std::int64_t pair) const;
 
   private:
+    bool solve_for_the_largest();
+    void solve_for_all();
+
     std::int32_t order_;
     std::int32_t count_;
     AlignedVector<double> matrix_, values_, vectors_, work_;
+    Matrix destroyed_; ///< what LAPACK works on
     std::vector<std::int32_t> support_, integer_work_;
 };
 
