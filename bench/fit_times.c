@@ -6,48 +6,16 @@
  *
  *     fit_times FRAMES NEIGHBORS THREADS REPEATS
  *
- * The shortest of the repeats is printed; stages are those of the progress callback, which runs on
- * the caller's thread: the time between two calls belongs to the stage that the second one names.
+ * The shortest of the repeats is printed.
  */
 #define _POSIX_C_SOURCE 199309L
 #include <math.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
-#include "stltsa.h"
+#include "timing.h"
 
-enum { features = 56, stages = 6, neighbors_stage = 2 };
-
-struct times {
-    double last;
-    double seconds[stages];
-};
-
-static double clock_of(clockid_t id) {
-    struct timespec t;
-    clock_gettime(id, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
-static int32_t record(void* user, int32_t stage, double fraction) {
-    struct times* times = user;
-    const double time = clock_of(CLOCK_PROCESS_CPUTIME_ID);
-    (void)fraction;
-    if (stage >= 0 && stage < stages)
-        times->seconds[stage] += time - times->last;
-    times->last = time;
-    return 0;
-}
-
-static void check(stltsa_status status) {
-    if (status != STLTSA_OK) {
-        fprintf(stderr, "fit_times: %s\n", stltsa_last_error());
-        exit(1);
-    }
-}
+/* Before neighbors there is nothing to read, after the spectrum no units are looked for. */
+enum { features = 56, first_stage = STLTSA_STAGE_NEIGHBORS, last_stage = STLTSA_STAGE_SPECTRUM };
 
 /* Uniform in [-1, 1). */
 static double next_random(uint64_t* state) {
@@ -79,7 +47,7 @@ static double* make_frames(int64_t frames) {
 }
 
 int main(int argc, char** argv) {
-    struct times times, best;
+    struct stage_times times, best;
     double shortest = 0, best_wall = 0;
     stltsa_options* options = NULL;
     stltsa_in in;
@@ -102,16 +70,16 @@ int main(int argc, char** argv) {
     check(stltsa_options_set_int(options, STLTSA_DIMENSION, 2));
     check(stltsa_options_set_int(options, STLTSA_THREADS, atol(argv[3])));
     check(stltsa_options_set_int(options, STLTSA_KEEP_FRAMES, 0));
-    check(stltsa_options_set_progress(options, record, &times));
+    check(stltsa_options_set_progress(options, record_stage, &times));
     for (r = 0; r < repeats; ++r) {
         stltsa_model* model = NULL;
         double begin, wall, total;
-        memset(&times, 0, sizeof times);
-        wall = clock_of(CLOCK_MONOTONIC);
-        begin = times.last = clock_of(CLOCK_PROCESS_CPUTIME_ID);
+        wall = seconds_of(CLOCK_MONOTONIC);
+        begin = seconds_of(CLOCK_PROCESS_CPUTIME_ID);
+        times = start_stages(CLOCK_PROCESS_CPUTIME_ID);
         check(stltsa_fit(&in, NULL, 0, options, &model));
-        total = clock_of(CLOCK_PROCESS_CPUTIME_ID) - begin;
-        wall = clock_of(CLOCK_MONOTONIC) - wall;
+        total = seconds_of(CLOCK_PROCESS_CPUTIME_ID) - begin;
+        wall = seconds_of(CLOCK_MONOTONIC) - wall;
         stltsa_model_free(model);
         if (r == 0 || total < shortest) {
             shortest = total;
@@ -121,7 +89,7 @@ int main(int argc, char** argv) {
             best_wall = wall;
     }
     printf("%8lld %4s %7s", (long long)in.rows, argv[2], argv[3]);
-    for (stage = neighbors_stage; stage < stages; ++stage)
+    for (stage = first_stage; stage <= last_stage; ++stage)
         printf(" %9.2f", 1e6 * best.seconds[stage] / (double)in.rows);
     printf(" %9.2f %9.2f\n", 1e6 * shortest / (double)in.rows, 1e6 * best_wall / (double)in.rows);
     stltsa_options_free(options);
