@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The three loops that everything else spends its time in, written so that the compiler turns them
-// into vector code without being allowed to reorder sums: eight partial sums in fixed order.
+// Loops over two rows, written so that the compiler turns them into vector code of the least that
+// the build asks for without being allowed to reorder sums: eight partial sums in fixed order. What
+// takes most of a fit's time is in packs (pack.hpp).
 #pragma once
 
 #include <cstdint>

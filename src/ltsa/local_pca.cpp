@@ -53,13 +53,11 @@ void LocalPca::gram(std::span<const std::int32_t> neighborhood, const Distance& 
         total += m;
     }
     total /= static_cast<double>(k);
-    trace_ = 0;
     for (std::int64_t a = 0; a < k; ++a) {
         const double shift = total - mean_[static_cast<std::size_t>(a)];
         for (std::int64_t b = a; b < k; ++b)
             matrix[a * k + b] =
                 -0.5 * (matrix[a * k + b] - mean_[static_cast<std::size_t>(b)] + shift);
-        trace_ += matrix[a * k + a];
     }
 }
 
@@ -84,9 +82,6 @@ void LocalPca::covariance() {
     const auto m = static_cast<int>(x_.cols);
     cblas_dsyrk(CblasColMajor, CblasLower, CblasNoTrans, m, static_cast<int>(size_), 1.0,
                 centered_.data(), m, 0.0, eigen_.matrix(), m);
-    trace_ = 0;
-    for (std::int64_t c = 0; c < m; ++c)
-        trace_ += eigen_.matrix()[c * m + c];
 }
 
 void LocalPca::direction(std::int64_t l, double* out, const double* before) const {

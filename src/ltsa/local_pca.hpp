@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <optional>
 #include <span>
 
 #include "linalg/eigen.hpp"
@@ -23,8 +22,6 @@ class LocalPca {
 
     /// Eigenvalue l of the correlation matrix, descending from l = 0.
     double value(std::int64_t l) const { return eigen_.value(l); }
-    /// Sum of all eigenvalues.
-    double trace() const { return trace_; }
     /// Writes the unit vector over the neighborhood's frames that belongs to value(l), orthogonal
     /// to e and to the directions `before` it (rows of `size` entries).
     void direction(std::int64_t l, double* out, const double* before) const;
@@ -40,7 +37,6 @@ class LocalPca {
     TopEigenpairs eigen_;
     Matrix centered_; ///< size x features, only on the feature side
     AlignedVector<double> mean_;
-    double trace_ = 0;
 };
 
 /// Makes a direction over `size` frames exact: orthogonal to e and to the `count` directions

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "linalg/simd.hpp"
+#include "ltsa/best.hpp"
 
 namespace stltsa::ltsa {
 namespace {
@@ -21,36 +22,6 @@ struct Bound {
 bool farther(const Bound& a, const Bound& b) {
     return a.distance > b.distance || (a.distance == b.distance && a.node > b.node);
 }
-
-/// The nearest so far, as a heap with the farthest on top.
-template <class Found>
-class Best {
-  public:
-    explicit Best(std::size_t count) : count_(count) { heap_.reserve(count); }
-
-    bool is_beyond(double distance) const {
-        return heap_.size() == count_ && distance > heap_.front().distance;
-    }
-    void offer(const Found& found) {
-        if (heap_.size() == count_) {
-            if (!(found < heap_.front()))
-                return;
-            std::pop_heap(heap_.begin(), heap_.end());
-            heap_.back() = found;
-        } else {
-            heap_.push_back(found);
-        }
-        std::push_heap(heap_.begin(), heap_.end());
-    }
-    std::vector<Found> sorted() {
-        std::sort_heap(heap_.begin(), heap_.end());
-        return std::move(heap_);
-    }
-
-  private:
-    std::size_t count_;
-    std::vector<Found> heap_;
-};
 
 /// The column in which the rows that these begin at differ most.
 std::int64_t widest_column(ConstMatrixView x, std::span<const Stretch> stretches) {

@@ -7,6 +7,7 @@
 
 #include "base/parallel.hpp"
 #include "linalg/simd.hpp"
+#include "ltsa/best.hpp"
 
 namespace stltsa::ltsa {
 namespace {
@@ -19,28 +20,6 @@ struct Zone {
     std::int64_t begin, end;
 };
 
-/// The `count` nearest frames of one query, kept as a heap with the farthest on top.
-class Nearest {
-  public:
-    explicit Nearest(std::int64_t count) : count_(static_cast<std::size_t>(count)) {}
-    void offer(const Candidate& candidate) {
-        if (heap_.size() == count_) {
-            if (!(candidate < heap_.front()))
-                return;
-            std::pop_heap(heap_.begin(), heap_.end());
-            heap_.back() = candidate;
-        } else {
-            heap_.push_back(candidate);
-        }
-        std::push_heap(heap_.begin(), heap_.end());
-    }
-    std::vector<Candidate>& found() { return heap_; }
-
-  private:
-    std::size_t count_;
-    std::vector<Candidate> heap_;
-};
-
 /// Finds for each frame the `count` nearest frames outside its zone and hands them to `store`.
 template <class ZoneOf, class Store>
 void nearest_of_all(ConstMatrixView x, std::int64_t count, int threads, const Progress& progress,
@@ -49,7 +28,8 @@ void nearest_of_all(ConstMatrixView x, std::int64_t count, int threads, const Pr
     const auto search = [&](std::int64_t block) {
         const std::int64_t first = block * query_block;
         const std::int64_t last = std::min(first + query_block, x.rows);
-        std::vector<Nearest> nearest(static_cast<std::size_t>(last - first), Nearest(count));
+        std::vector<Best<Candidate>> nearest(static_cast<std::size_t>(last - first),
+                                             Best<Candidate>(static_cast<std::size_t>(count)));
         for (std::int64_t begin = 0; begin < x.rows; begin += stream_block)
             for (std::int64_t i = first; i < last; ++i) {
                 const Zone zone = zone_of(i);
@@ -60,7 +40,7 @@ void nearest_of_all(ConstMatrixView x, std::int64_t count, int threads, const Pr
                              static_cast<std::int32_t>(j)});
             }
         for (std::int64_t i = first; i < last; ++i)
-            store(i, nearest[static_cast<std::size_t>(i - first)].found());
+            store(i, nearest[static_cast<std::size_t>(i - first)].sorted());
     };
     parallel_blocks(blocks, threads, search, [&](std::int64_t done) {
         progress.report(Stage::neighbors, static_cast<double>(done) / static_cast<double>(blocks));
@@ -89,7 +69,7 @@ Neighborhoods spatial_neighbors(ConstMatrixView x, const Parameters& parameters,
         [&](std::int64_t i) {
             return parameters.include_self ? Zone{0, 0} : Zone{i, i + 1};
         },
-        [&](std::int64_t i, std::vector<Candidate>& found) {
+        [&](std::int64_t i, std::vector<Candidate> found) {
             select_nearest(found, neighborhoods.of(i));
         });
     return neighborhoods;
@@ -114,7 +94,7 @@ Neighborhoods recurrent_neighbors(ConstMatrixView x, std::span<const std::int64_
     Neighborhoods neighborhoods{parameters.neighbors + parameters.links, {}};
     neighborhoods.index.resize(checked_size(x.rows, neighborhoods.size));
     nearest_of_all(x, parameters.links, parameters.threads, progress, zone_of,
-                   [&](std::int64_t i, std::vector<Candidate>& found) {
+                   [&](std::int64_t i, const std::vector<Candidate>& found) {
                        const auto out = neighborhoods.of(i);
                        const auto temporal = near.of(i);
                        std::copy(temporal.begin(), temporal.end(), out.begin());

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace stltsa::ltsa {
+
+/// The `count` least of what was offered so far, as a heap with the greatest on top.
+template <class Found>
+class Best {
+  public:
+    explicit Best(std::size_t count) : count_(count) { heap_.reserve(count); }
+
+    bool is_beyond(double distance) const {
+        return heap_.size() == count_ && distance > heap_.front().distance;
+    }
+    void offer(const Found& found) {
+        if (heap_.size() == count_) {
+            if (!(found < heap_.front()))
+                return;
+            std::pop_heap(heap_.begin(), heap_.end());
+            heap_.back() = found;
+        } else {
+            heap_.push_back(found);
+        }
+        std::push_heap(heap_.begin(), heap_.end());
+    }
+    /// Ends the search: the least first.
+    std::vector<Found> sorted() {
+        std::sort_heap(heap_.begin(), heap_.end());
+        return std::move(heap_);
+    }
+
+  private:
+    std::size_t count_;
+    std::vector<Found> heap_;
+};
+
+} // namespace stltsa::ltsa
