@@ -7,10 +7,10 @@
 #include <bit>
 #include <concepts>
 #include <cstdint>
-#include <limits>
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "base/error.hpp"
@@ -43,7 +43,6 @@ class ArchiveWriter {
     }
 
     const std::string& bytes() const { return bytes_; }
-    std::string& bytes() { return bytes_; }
 
   private:
     template <Scalar T>
@@ -91,7 +90,7 @@ class ArchiveReader {
     template <class T, class Each>
     void list(std::vector<T>& values, const Each& each) {
         values.clear();
-        for (std::size_t count = get_count(1); count > 0; --count) {
+        for (std::size_t count = get_count(); count > 0; --count) {
             T value;
             each(*this, value);
             values.push_back(std::move(value));
@@ -126,19 +125,19 @@ class ArchiveReader {
             value = std::bit_cast<T>(bits);
         }
     }
-    /// A number of elements that take at least `least` bytes each.
-    std::size_t get_count(std::size_t least) {
+    /// A number of elements, each of which takes a byte at least.
+    std::size_t get_count() {
         std::uint64_t count = 0;
         get(count);
-        if (count > rest_.size() / least)
+        if (count > rest_.size())
             damaged();
         return static_cast<std::size_t>(count);
     }
-    void get(std::string& text) { text = take(get_count(1)); }
+    void get(std::string& text) { text = take(get_count()); }
     template <class T>
     void get(std::vector<T>& values) {
         values.clear();
-        for (std::size_t count = get_count(1); count > 0; --count)
+        for (std::size_t count = get_count(); count > 0; --count)
             get(values.emplace_back());
     }
     template <class T, std::size_t count>

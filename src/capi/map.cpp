@@ -16,30 +16,6 @@ using namespace stltsa;
 using capi::guard;
 using capi::required;
 
-namespace stltsa::capi {
-
-void prepare_mapping(stltsa_model& model) {
-    if (model.kept.frames.rows() > 0)
-        model.mapping.emplace(model.kept.frames.view(), model.model,
-                              model.source.period.period * model.source.samples.fps);
-}
-
-void keep_poses(stltsa_model& model, const clip::Clip& clip) {
-    if (!clip.skeleton)
-        return;
-    const SampleFacts& samples = model.source.samples;
-    clip::CodedPoses coded = clip::encode_poses(clip, samples.up);
-    Matrix poses(samples.count, coded.code.size());
-    for (std::int64_t row = 0; row < samples.count; ++row)
-        std::copy_n(coded.vectors.row(samples.first + row * samples.step), poses.cols(),
-                    poses.row(row));
-    model.kept.code = std::move(coded.code);
-    model.kept.poses = std::move(poses);
-    model.kept.has_poses = true;
-}
-
-} // namespace stltsa::capi
-
 namespace {
 
 constexpr std::int64_t rows_per_block = 16;
@@ -184,9 +160,7 @@ Placed unmap_rows(const stltsa_model& model, ConstMatrixView coords, const Hints
 void put_pose_features(const stltsa_model& model, const ltsa::Placement& place, double* out) {
     Matrix vector(1, model.kept.poses.cols());
     place.apply(model.kept.poses.view(), vector.row(0));
-    const auto& samples = model.source.samples;
-    const clip::Clip pose = clip::decode_poses(model.kept.code, vector.view(), samples.fps);
-    const Matrix features = clip::pose_features(model.kept.code, pose, samples.features);
+    const Matrix features = capi::features_of_pose(model, vector.view());
     std::copy_n(features.row(0), features.cols(), out);
 }
 

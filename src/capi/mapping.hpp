@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// What a model needs besides its fit so that it can map.
 #pragma once
 
 #include "capi/handles.hpp"
@@ -11,5 +12,8 @@ void prepare_mapping(stltsa_model& model);
 
 /// Keeps the poses of the clip that the model was fitted to, where it has a skeleton.
 void keep_poses(stltsa_model& model, const clip::Clip& clip);
+
+/// A row of features: those of one pose vector, of the kind that the model was fitted to.
+Matrix features_of_pose(const stltsa_model& model, ConstMatrixView vector);
 
 } // namespace stltsa::capi

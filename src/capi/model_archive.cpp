@@ -71,7 +71,8 @@ std::string archive_model(const stltsa_model& model) {
     bytes += parts.bytes();
     ArchiveWriter end;
     end(checksum(bytes));
-    return bytes += end.bytes();
+    bytes += end.bytes();
+    return bytes;
 }
 
 std::unique_ptr<stltsa_model> restore_model(std::string_view bytes) {

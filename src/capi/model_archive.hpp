@@ -12,7 +12,7 @@ namespace stltsa::capi {
 
 std::string archive_model(const stltsa_model& model);
 
-/// Throws Status::format for bytes that are no model, are cut off, altered or of a later version.
+/// Throws Status::format for bytes that are no model, are cut off, altered or of another version.
 std::unique_ptr<stltsa_model> restore_model(std::string_view bytes);
 
 } // namespace stltsa::capi

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "capi/mapping.hpp"
 #include "clip/formats.hpp"
 #include "clip/quaternion.hpp"
 
@@ -23,6 +24,10 @@ bool in_range(Enumeration value, Enumeration first, Enumeration last) {
 bool finite(const Matrix& matrix) {
     return std::all_of(matrix.data(), matrix.data() + matrix.rows() * matrix.cols(),
                        [](double value) { return std::isfinite(value); });
+}
+
+bool finite(const std::vector<double>& values) {
+    return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
 }
 
 /// A finite number that is not negative.
@@ -74,11 +79,12 @@ void check_source(const Source& source, std::int64_t rows) {
                in_range(samples.features, clip::Features::automatic, clip::Features::raw) &&
                in_range(samples.up, clip::Axis::automatic, clip::Axis::z),
            "samples");
-    expect(amount(source.period.period), "period");
-}
-
-bool finite(const std::vector<double>& values) {
-    return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
+    const std::int64_t frames = source.from_clip ? source.clip.frames : rows;
+    expect(samples.first < frames && rows - 1 <= (frames - 1 - samples.first) / samples.step,
+           "samples");
+    expect(amount(source.period.period) &&
+               source.period.period * samples.fps <= static_cast<double>(rows),
+           "period");
 }
 
 bool is_unit(const clip::Quaternion& q) {
@@ -105,10 +111,10 @@ void check_skeleton(const clip::Skeleton& skeleton) {
 void check_code(const clip::PoseCode& code) {
     expect(!code.skeleton.joints.empty(), "joints");
     check_skeleton(code.skeleton);
-    const std::int64_t channels = clip::channel_count(code.skeleton);
-    const auto is_column = [&](std::size_t c) { return static_cast<std::int64_t>(c) < channels; };
-    expect(static_cast<std::int64_t>(code.rest.size()) == channels && finite(code.rest) &&
-               static_cast<std::int64_t>(code.channel_names.size()) == channels,
+    const auto channels = static_cast<std::size_t>(clip::channel_count(code.skeleton));
+    const auto is_column = [&](std::size_t c) { return c < channels; };
+    expect(code.rest.size() == channels && finite(code.rest) &&
+               code.channel_names.size() == channels,
            "channels");
     expect(in_range(code.format, clip::Format::bvh, clip::Format::amc) &&
                in_range(code.up, clip::Axis::x, clip::Axis::z) && amount(code.frame_time) &&
@@ -119,18 +125,21 @@ void check_code(const clip::PoseCode& code) {
            "pose code");
 }
 
-void check_kept(const Kept& kept, const ltsa::Model& model, const Source& source) {
-    const std::int64_t rows = model.coords.rows();
+void check_kept(const stltsa_model& model) {
+    const Kept& kept = model.kept;
+    const std::int64_t rows = model.model.coords.rows();
     if (kept.frames.rows() > 0)
-        expect(kept.frames.rows() == rows && kept.frames.cols() == model.features &&
+        expect(kept.frames.rows() == rows && kept.frames.cols() == model.model.features &&
                    finite(kept.frames),
                "frames");
     if (!kept.has_poses)
         return;
     check_code(kept.code);
-    expect(source.from_clip && kept.frames.rows() == rows && kept.poses.rows() == rows &&
+    expect(model.source.from_clip && kept.frames.rows() == rows && kept.poses.rows() == rows &&
                kept.poses.cols() == kept.code.size() && finite(kept.poses),
            "poses");
+    const Matrix features = features_of_pose(model, kept.poses.view().block(0, 1));
+    expect(features.cols() == model.model.features, "features");
 }
 
 } // namespace
@@ -138,7 +147,7 @@ void check_kept(const Kept& kept, const ltsa::Model& model, const Source& source
 void check_model_fields(const stltsa_model& model) {
     check_embedding(model.model);
     check_source(model.source, model.model.coords.rows());
-    check_kept(model.kept, model.model, model.source);
+    check_kept(model);
 }
 
 } // namespace stltsa::capi

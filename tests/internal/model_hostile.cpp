@@ -5,6 +5,9 @@
 #include "clip_testing.hpp"
 
 #include <cmath>
+#include <functional>
+#include <limits>
+#include <utility>
 #include <vector>
 
 #include <zlib.h>
@@ -16,20 +19,23 @@
 namespace {
 
 using namespace clip_testing;
+namespace clip = stltsa::clip;
 
 constexpr std::size_t head = 8 + 4 + 8; // magic, version, size
 
-/// Two joints that swing, one of them about a single axis.
+/// Two joints that swing, one of them about a single axis and, as its bone is measured anew in
+/// every frame, up and down.
 std::string swinging_bvh(int frames) {
     std::string text = "HIERARCHY\nROOT hip\n{\nOFFSET 0 0 0\n"
                        "CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation\n"
-                       "JOINT knee\n{\nOFFSET 0 -40 0\nCHANNELS 1 Xrotation\n"
+                       "JOINT knee\n{\nOFFSET 0 -40 0\nCHANNELS 2 Yposition Xrotation\n"
                        "End Site\n{\nOFFSET 0 -40 0\n}\n}\n}\nMOTION\n";
     text += "Frames: " + std::to_string(frames) + "\nFrame Time: 0.05\n";
     for (int i = 0; i < frames; ++i) {
         const double swing = std::sin(0.3 * i);
         text += "0 90 " + std::to_string(0.1 * i) + " 0 " + std::to_string(20 * swing) + " 0 " +
-                std::to_string(30 - 25 * std::cos(0.3 * i)) + "\n";
+                std::to_string(swing - 40) + " " + std::to_string(30 - 25 * std::cos(0.3 * i)) +
+                "\n";
     }
     return text;
 }
@@ -144,6 +150,73 @@ void extreme_words(void**) {
         }
 }
 
+/// Fields that are what fields can be, but not beside the others: each for itself must be refused,
+/// before it leads out of an array, a number's range or a loop.
+void contradictions(void**) {
+    const std::string bytes = serialized_model();
+    constexpr auto huge = std::numeric_limits<std::int64_t>::max();
+    const std::pair<const char*, std::function<void(stltsa_model&)>> changes[] = {
+        {"dimension", [](auto& m) { ++m.model.parameters.dimension; }},
+        {"neighbors", [](auto& m) { m.model.parameters.neighbors = 0; }},
+        {"features", [](auto& m) { ++m.model.features; }},
+        {"lengths",
+         [](auto& m) {
+             m.model.lengths = {39, 2};
+         }},
+        {"negative length",
+         [](auto& m) {
+             m.model.lengths = {-1, 41};
+         }},
+        {"too few rows", [](auto& m) { m.model.lengths = {39}; }},
+        {"component", [](auto& m) { m.model.component_of[7] = 1; }},
+        {"negative component", [](auto& m) { m.model.component_of[7] = -1; }},
+        {"component of each row", [](auto& m) { m.model.component_of.pop_back(); }},
+        {"eigenvalues", [](auto& m) { m.model.components[0].eigenvalues.resize(3); }},
+        {"coordinates", [](auto& m) { m.model.coords(3, 1) = NAN; }},
+        {"rows of the clip", [](auto& m) { m.source.samples.count = 39; }},
+        {"first frame", [](auto& m) { m.source.samples.first = 1; }},
+        {"far first frame", [](auto& m) { m.source.samples.first = huge; }},
+        {"step", [](auto& m) { m.source.samples.step = 2; }},
+        {"no step", [](auto& m) { m.source.samples.step = 0; }},
+        {"long step", [](auto& m) { m.source.samples.step = huge; }},
+        {"frames of the clip", [](auto& m) { m.source.clip.frames = 39; }},
+        {"period", [](auto& m) { m.source.period.period = 1e300; }},
+        {"negative period", [](auto& m) { m.source.period.period = -1; }},
+        {"smoothing", [](auto& m) { m.source.samples.smoothing = INFINITY; }},
+        {"kind of features",
+         [](auto& m) { m.source.samples.features = clip::Features::rotations6d; }},
+        {"frames", [](auto& m) { m.kept.frames = stltsa::Matrix(39, 9); }},
+        {"columns of the frames", [](auto& m) { m.kept.frames = stltsa::Matrix(40, 8); }},
+        {"frame", [](auto& m) { m.kept.frames(39, 8) = INFINITY; }},
+        {"poses without frames", [](auto& m) { m.kept.frames = {}; }},
+        {"poses of a matrix", [](auto& m) { m.source.from_clip = false; }},
+        {"poses", [](auto& m) { m.kept.poses = stltsa::Matrix(39, m.kept.poses.cols()); }},
+        {"columns of the poses", [](auto& m) { m.kept.poses = stltsa::Matrix(40, 1); }},
+        {"pose", [](auto& m) { m.kept.poses(0, 0) = NAN; }},
+        {"moving column", [](auto& m) { m.kept.code.moves.at(0) = 8; }},
+        {"far moving column", [](auto& m) { m.kept.code.moves.at(0) = ~std::size_t{0}; }},
+        {"moving columns", [](auto& m) { m.kept.code.moves.push_back(0); }},
+        {"root", [](auto& m) { m.kept.code.root = 3; }},
+        {"mean rotations", [](auto& m) { m.kept.code.means.pop_back(); }},
+        {"mean rotation", [](auto& m) { m.kept.code.means[0].w = 2; }},
+        {"rest", [](auto& m) { m.kept.code.rest.pop_back(); }},
+        {"names", [](auto& m) { m.kept.code.channel_names.pop_back(); }},
+        {"up axis", [](auto& m) { m.kept.code.up = clip::Axis::automatic; }},
+        {"no joints", [](auto& m) { m.kept.code.skeleton.joints.clear(); }},
+        {"parent", [](auto& m) { m.kept.code.skeleton.joints[1].parent = 1; }},
+        {"second root", [](auto& m) { m.kept.code.skeleton.joints[1].parent = -1; }},
+        {"axis", [](auto& m) { m.kept.code.skeleton.joints[1].axis.x = 1; }},
+        {"offset", [](auto& m) { m.kept.code.skeleton.joints[1].offset[1] = NAN; }},
+        {"channel", [](auto& m) { m.kept.code.skeleton.joints[1].channels[0] = clip::Channel{6}; }},
+    };
+    for (const auto& [what, change] : changes) {
+        const auto model = stltsa::capi::restore_model(bytes);
+        change(*model);
+        if (read(stltsa::capi::archive_model(*model)))
+            FAIL("taken for a model: %s", what);
+    }
+}
+
 } // namespace
 
 int main() {
@@ -152,6 +225,7 @@ int main() {
         cmocka_unit_test(altered_bytes),
         cmocka_unit_test(cut_bytes),
         cmocka_unit_test(extreme_words),
+        cmocka_unit_test(contradictions),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }
