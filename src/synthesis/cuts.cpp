@@ -3,14 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 namespace stltsa::synthesis {
 namespace {
-
-/// A repeated stretch may become this much shorter or longer, as a share of its length.
-constexpr double length_change = 0.08;
 
 /// A quarter of a stretch is the most that a cut takes from it, and that a crossfade covers: then
 /// what happens at one of its ends never reaches what happens at the other.
@@ -18,13 +14,12 @@ std::int64_t quarter(std::int64_t length) {
     return length / 4;
 }
 
-/// The pairs of cuts that are allowed; ranges with their ends.
-struct Allowed {
+/// How far the cuts may move, each for itself; ranges with their ends.
+struct Reach {
     std::int64_t first_end, last_end;
     std::int64_t first_begin, last_begin;
-    std::int64_t shortest, longest; ///< from begin to end
 
-    Allowed(const Join& join, std::int64_t search) {
+    Reach(const Join& join, std::int64_t search) {
         first_end = join.end - std::min(search, quarter(join.earlier_length));
         last_end = std::min(join.end + search, join.earlier->frames());
         last_begin = std::min(join.begin + std::min(search, quarter(join.later_length)),
@@ -32,21 +27,7 @@ struct Allowed {
         first_begin = std::max<std::int64_t>(join.begin - search, 0);
         if (join.later->first <= last_begin) // not into a T-pose, where it can be helped
             first_begin = std::max(first_begin, join.later->first);
-        constexpr std::int64_t any = std::numeric_limits<std::int64_t>::max() / 2;
-        const std::int64_t length = join.end - join.begin;
-        shortest = -any;
-        longest = any;
-        if (join.repeats) {
-            const auto change =
-                static_cast<std::int64_t>(length_change * static_cast<double>(length));
-            shortest = length - change;
-            longest = length + change;
-        } else if (join.least_skip > 0) {
-            (length < 0 ? longest : shortest) = length < 0 ? -join.least_skip : join.least_skip;
-        }
     }
-
-    bool length(std::int64_t frames) const { return frames >= shortest && frames <= longest; }
 };
 
 /// As much of the wanted crossfade as the clips have frames for.
@@ -92,13 +73,31 @@ double added(const Cut& cut) {
 
 } // namespace
 
+Lengths lengths_repeated(std::int64_t length) {
+    constexpr double share = 0.08;
+    const auto change = static_cast<std::int64_t>(share * static_cast<double>(length));
+    return {length - change, length + change};
+}
+
+Lengths lengths_left_out(std::int64_t length, double cycle) {
+    const double asked = std::abs(static_cast<double>(length));
+    const auto least =
+        static_cast<std::int64_t>(std::ceil(std::max(asked / 2, std::min(asked, cycle / 2))));
+    Lengths lengths;
+    if (length < 0)
+        lengths.most = -least;
+    if (length > 0)
+        lengths.least = least;
+    return lengths;
+}
+
 Cut find_cut(const Join& join, const CutOptions& options, const Progress& progress) {
-    const Allowed allowed(join, options.search);
+    const Reach reach(join, options.search);
     std::optional<Cut> best;
-    for (std::int64_t end = allowed.first_end; end <= allowed.last_end; ++end) {
+    for (std::int64_t end = reach.first_end; end <= reach.last_end; ++end) {
         progress.report(Stage::synthesis, 0);
-        for (std::int64_t begin = allowed.first_begin; begin <= allowed.last_begin; ++begin) {
-            if (!allowed.length(end - begin))
+        for (std::int64_t begin = reach.first_begin; begin <= reach.last_begin; ++begin) {
+            if (!join.lengths.allow(end - begin))
                 continue;
             const Cut cut = cut_at(join, options, end, begin);
             if (!best || added(cut) < added(*best))

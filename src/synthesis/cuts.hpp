@@ -3,11 +3,30 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
 #include "base/progress.hpp"
 #include "synthesis/track.hpp"
 
 namespace stltsa::synthesis {
+
+/// How many frames there may be from `begin` to `end` in one motion, with both ends of the range;
+/// below 0 where `begin` is the later, and frames are left out.
+struct Lengths {
+    std::int64_t least = std::numeric_limits<std::int64_t>::min();
+    std::int64_t most = std::numeric_limits<std::int64_t>::max();
+
+    bool allow(std::int64_t frames) const { return frames >= least && frames <= most; }
+};
+
+/// Of a stretch of so many frames that is repeated: about as many.
+Lengths lengths_repeated(std::int64_t length);
+
+/// Where a motion goes on elsewhere in itself, having left out so many frames (below 0) or playing
+/// them twice. At least half of them stay out (or are played twice), so that a cycle can meet the
+/// next but one at their common posture; of less than half a cycle all do: there the motion is the
+/// more like itself the less is left out, and most like itself with nothing left out.
+Lengths lengths_left_out(std::int64_t length, double cycle);
 
 /// What is to be joined: the earlier stretch would end before frame `end` of its clip, the later
 /// one begin at frame `begin`.
@@ -18,10 +37,7 @@ struct Join {
     std::int64_t begin = 0;
     std::int64_t earlier_length = 0; ///< frames of the stretches
     std::int64_t later_length = 0;
-    bool repeats = false; ///< the later stretch is the earlier one again
-    /// In one motion: of the frames from `end` to `begin`, which are left out or, where `begin` is
-    /// the earlier, played again, so many are.
-    std::int64_t least_skip = 0;
+    Lengths lengths; ///< that `end` - `begin` may come to have
 };
 
 struct CutOptions {

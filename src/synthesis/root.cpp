@@ -14,10 +14,6 @@ Quaternion normalized(const Quaternion& q) {
     return {q.w / size, q.x / size, q.y / size, q.z / size};
 }
 
-double component(const Quaternion& q, int axis) {
-    return axis == 0 ? q.x : axis == 1 ? q.y : q.z;
-}
-
 } // namespace
 
 Body::Body(const clip::Clip& clip, std::size_t root, clip::Axis up)

@@ -33,14 +33,6 @@ bool same_motion(const Track& a, const Track& b) {
                         std::equal(a.values.row(0), a.values.row(a.frames()), b.values.row(0)));
 }
 
-/// Half of what is left out of a motion (or played twice) may come back, so that a cycle can meet
-/// the next but one at their common posture. Of less than half a cycle nothing may: there the
-/// motion is the more like itself the less is left out, and most like itself with nothing left out.
-std::int64_t least_skip(std::int64_t asked, double cycle) {
-    const double skip = std::abs(static_cast<double>(asked));
-    return static_cast<std::int64_t>(std::max(skip / 2, std::min(skip, cycle / 2)));
-}
-
 /// Of two periods of which either may be missing.
 double shorter(double a, double b) {
     return a > 0 && b > 0 ? std::min(a, b) : std::max(a, b);
@@ -72,7 +64,8 @@ class Chooser {
         const double period = period_near(track, part.begin, part.end);
         const double cycle = cycle_of(seconds, period > 0 ? period : usual_cycle_s);
         const double velocity_s = velocity_share * cycle;
-        const Join join{&track, &track, part.end, part.begin, length, length, true, 0};
+        const Join join{
+            &track, &track, part.end, part.begin, length, length, lengths_repeated(length)};
         ChosenCut chosen = choose(join, crossfade_share * cycle, search_share * cycle, velocity_s);
         set_posture(chosen, repetition_distance(track, part.begin, part.end, period, velocity_s));
         return chosen;
@@ -86,9 +79,9 @@ class Chooser {
         const double cycle = shorter(period_a, period_b);
         const double supposed = cycle > 0 ? cycle : usual_cycle_s;
         const double velocity_s = velocity_share * supposed;
-        Join join{&earlier, &later, a.end, b.begin, a.end - a.begin, b.end - b.begin, false, 0};
+        Join join{&earlier, &later, a.end, b.begin, a.end - a.begin, b.end - b.begin, {}};
         if (same_motion(earlier, later))
-            join.least_skip = least_skip(a.end - b.begin, supposed * earlier.fps);
+            join.lengths = lengths_left_out(a.end - b.begin, supposed * earlier.fps);
         const double search = std::max(search_s, search_of_cycle * cycle);
         ChosenCut chosen = choose(join, crossfade_s, search, velocity_s);
         set_posture(chosen, (repetition_distance(earlier, a.begin, a.end, period_a, velocity_s) +

@@ -36,7 +36,7 @@ void repetitions_and_other_clips_begin_a_run(void**) {
 
 Join join_of(const Track& earlier, std::int64_t from, std::int64_t end, const Track& later,
              std::int64_t begin, std::int64_t to) {
-    return {&earlier, &later, end, begin, end - from, to - begin, false, 0};
+    return {&earlier, &later, end, begin, end - from, to - begin, {}};
 }
 
 /// The later clip shows the same cycle from another phase: cut there, nothing is to be seen.
@@ -79,7 +79,7 @@ void limits_hold_for_any_join(void**) {
     for (int i = 0; i < 300; ++i) {
         const std::int64_t end = 1 + below(frames);
         const std::int64_t begin = below(frames);
-        Join join{&track, &track, end, begin, 1 + below(end), 1 + below(frames - begin), false, 0};
+        Join join{&track, &track, end, begin, 1 + below(end), 1 + below(frames - begin), {}};
         const CutOptions options{below(20), below(20), 0.1};
         const Cut cut = find_cut(join, options, {});
         assert_true(std::abs(cut.end - end) <= options.search);
@@ -116,9 +116,25 @@ void a_repetition_keeps_its_length(void**) {
     walk.turning = 5;
     const Track track = track_of(walking(walk));
     Join join = join_of(track, 60, 130, track, 60, 130); // ten frames more than a cycle
-    join.repeats = true;
+    join.lengths = lengths_repeated(70);
     const Cut cut = find_cut(join, {40, 0, 0.1}, {});
     assert_true(std::abs(cut.end - cut.begin - 70) <= 5); // 8 % of 70
+}
+
+void half_of_what_is_left_out_stays_out(void**) {
+    constexpr double cycle = 60;
+    for (std::int64_t asked = 1; asked < 200; ++asked)
+        for (const std::int64_t sign : {1, -1}) {
+            const Lengths lengths = lengths_left_out(sign * asked, cycle);
+            const std::int64_t least =
+                asked <= 30 ? asked : std::max<std::int64_t>(30, (asked + 1) / 2);
+            assert_true(lengths.allow(sign * least));
+            assert_true(lengths.allow(sign * 1000));
+            for (std::int64_t fewer = -1000; fewer < least; ++fewer)
+                assert_false(lengths.allow(sign * fewer));
+        }
+    for (const std::int64_t any : {-5, 0, 5}) // nothing is left out
+        assert_true(lengths_left_out(0, cycle).allow(any));
 }
 
 /// Frames that are left out of a motion, or played twice, must not come back: the same frame is the
@@ -147,7 +163,7 @@ void without_a_choice_cuts_stay_where_they_are(void**) {
     walk.seconds = 16 / walk.fps;
     Track track = track_of(walking(walk));
     track.first = 3;
-    const Join join{&track, &track, 16, 0, 16, 16, true, 0};
+    const Join join{&track, &track, 16, 0, 16, 16, lengths_repeated(16)};
     const Cut cut = find_cut(join, {4, 2, 0.1}, {});
     assert_true(cut.end == 16 && cut.begin == 0);
 }
@@ -262,6 +278,7 @@ int main() {
         cmocka_unit_test(limits_hold_for_any_join),
         cmocka_unit_test(a_crossfade_has_room_where_it_can),
         cmocka_unit_test(a_repetition_keeps_its_length),
+        cmocka_unit_test(half_of_what_is_left_out_stays_out),
         cmocka_unit_test(what_is_left_out_stays_out),
         cmocka_unit_test(without_a_choice_cuts_stay_where_they_are),
         cmocka_unit_test(a_t_pose_is_not_mixed_in),
