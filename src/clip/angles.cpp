@@ -49,10 +49,6 @@ std::vector<Turn> turns_of(const Joint& joint, bool fixed_axes, double* values) 
     return turns;
 }
 
-double component(const Quaternion& q, int axis) {
-    return axis == 0 ? q.x : axis == 1 ? q.y : q.z;
-}
-
 /// 1 where axis i, axis j and the third are right-handed in this order, else -1.
 int handedness(int i, int j) {
     return (j - i + 3) % 3 == 1 ? 1 : -1;

@@ -9,10 +9,6 @@
 namespace stltsa::clip {
 namespace {
 
-double component(const Quaternion& q, int axis) {
-    return axis == 0 ? q.x : axis == 1 ? q.y : q.z;
-}
-
 Quaternion about(int axis, double w, double v) {
     return {w, axis == 0 ? v : 0, axis == 1 ? v : 0, axis == 2 ? v : 0};
 }

@@ -25,6 +25,11 @@ inline double dot(const Quaternion& a, const Quaternion& b) {
     return a.w * b.w + a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
+/// Of the vector part, along coordinate axis 0, 1 or 2.
+inline double component(const Quaternion& q, int axis) {
+    return axis == 0 ? q.x : axis == 1 ? q.y : q.z;
+}
+
 /// The rotation about coordinate axis 0, 1 or 2.
 inline Quaternion axis_rotation(int axis, double radians) {
     const double c = std::cos(radians / 2);

@@ -22,10 +22,10 @@ constexpr double still_among_actions = 0.15;
 /// The first step takes the longer, the slower the cycles are: so may the smoothing, which then
 /// displaces all starts by the same share of a cycle and leaves as little noise as it can.
 constexpr double smoothing_periods = 0.14;
-/// Beyond the rests beside the cycles, what covers less is fidgeting.
-constexpr double least_motion_cycles = 0.5;
 /// Slow exercises start no slower than that.
 constexpr double most_smoothing_s = 0.2;
+/// Beyond the rests beside the cycles, what covers less is fidgeting.
+constexpr double least_motion_cycles = 0.5;
 
 void append(std::vector<Unit>& units, UnitKind kind, double begin, double end) {
     if (end > begin)

@@ -26,8 +26,8 @@ constexpr double rounding = 1e-14;
 constexpr double trusted = 3;
 constexpr double refused = 6;
 constexpr int reweightings = 4;
-/// Residuals are judged against those within some ten to thirty knots: standing still is quieter
-/// than walking, and walking must not look like spikes beside it.
+/// Residuals are judged against those within one to two such blocks of knots to each side: standing
+/// still is quieter than walking, and walking must not look like spikes beside it.
 constexpr double block_knots = 20;
 
 using Values = std::vector<double>;

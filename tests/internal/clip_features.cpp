@@ -77,14 +77,6 @@ Clip moved(Clip clip, std::size_t up, double radians) {
     return clip;
 }
 
-void check_same(const Matrix& a, const Matrix& b, double tolerance) {
-    assert_int_equal(a.rows(), b.rows());
-    assert_int_equal(a.cols(), b.cols());
-    for (std::int64_t i = 0; i < a.rows(); ++i)
-        for (std::int64_t c = 0; c < a.cols(); ++c)
-            ASSERT_NEAR(a(i, c), b(i, c), tolerance);
-}
-
 void do_not_see_place_and_heading(void**) {
     for (const std::size_t up : {0u, 1u, 2u}) {
         const Clip clip = swinging(up);

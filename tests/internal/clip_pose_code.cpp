@@ -63,14 +63,6 @@ double body_size(const Matrix& positions) {
     return largest;
 }
 
-void check_same(const Matrix& a, const Matrix& b, double tolerance) {
-    assert_int_equal(a.rows(), b.rows());
-    assert_int_equal(a.cols(), b.cols());
-    for (std::int64_t i = 0; i < a.rows(); ++i)
-        for (std::int64_t c = 0; c < a.cols(); ++c)
-            ASSERT_NEAR(a(i, c), b(i, c), tolerance);
-}
-
 void check_round_trip(const Clip& clip, Axis up) {
     const CodedPoses coded = encode_poses(clip, up);
     const Clip decoded = decode_poses(coded.code, coded.vectors.view(), clip.fps);

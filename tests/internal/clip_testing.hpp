@@ -110,6 +110,14 @@ class Random {
     std::uint64_t state_ = 0x9E3779B97F4A7C15;
 };
 
+inline void check_same(const stltsa::Matrix& a, const stltsa::Matrix& b, double tolerance) {
+    assert_int_equal(a.rows(), b.rows());
+    assert_int_equal(a.cols(), b.cols());
+    for (std::int64_t i = 0; i < a.rows(); ++i)
+        for (std::int64_t c = 0; c < a.cols(); ++c)
+            ASSERT_NEAR(a(i, c), b(i, c), tolerance);
+}
+
 /// A figure of a root with one leg and one arm.
 inline const std::string small_bvh = R"(HIERARCHY
 ROOT Hips
