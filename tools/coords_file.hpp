@@ -7,9 +7,6 @@
 
 namespace tool {
 
-/// NumPy's format 1.0: float64, C order.
-std::string npy_bytes(const Grid& grid);
-
 /// Heading y1,y2,... for a column "y", and a line per row; numbers read back to the same bits.
 std::string csv_text(const Grid& grid, const char* column);
 

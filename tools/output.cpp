@@ -134,7 +134,7 @@ void OutputFiles::add(const std::string& path, std::string content) {
 void OutputFiles::add_written(const std::string& path, Write write) {
     const std::string place = followed(path);
     if (!regular_or_new(place)) {
-        staged_.push_back({place, "", "", std::move(write)});
+        staged_.push_back({path, "", "", std::move(write)}); // the link has the suffix
         return;
     }
     const std::string temporary = unused_name(place) + fs::path(path).extension().string();

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <memory>
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -43,6 +44,23 @@ double working_rate(const stltsa_clip* clip, const stltsa_options* options) {
     check(stltsa_options_get_real(options, STLTSA_RATE, &rate));
     const double fps = stltsa_clip_fps(clip);
     return rate > 0 ? fps / std::max(1.0, std::round(fps / rate)) : fps;
+}
+
+/// A file that cannot be written is no unreadable input.
+void save(const stltsa_clip* clip, const std::string& path) {
+    const stltsa_status status = stltsa_clip_save(clip, path.c_str());
+    if (status == STLTSA_E_IO)
+        throw Failure(Exit::failed, stltsa_last_error());
+    check(status);
+}
+
+/// The numbers of a table, for the library to write.
+std::shared_ptr<stltsa_clip> bare_clip(const Grid& table) {
+    const stltsa_in rows{table.values.data(), table.rows, table.cols, 0, 0, STLTSA_F64, 0};
+    constexpr double any_rate = 1; // NPY has none
+    stltsa_clip* clip = nullptr;
+    check(stltsa_clip_from_matrix(&rows, any_rate, &clip));
+    return {clip, stltsa_clip_free};
 }
 
 void check_outputs(const Arguments& arguments) {
@@ -135,12 +153,14 @@ void Session::add_file(const std::string& path, std::string content) {
 }
 
 void Session::add_table(const std::string& path, const Grid& table, const char* column) {
-    add_file(path, ends_in(path, ".npy") ? npy_bytes(table) : csv_text(table, column));
+    if (!ends_in(path, ".npy"))
+        return add_file(path, csv_text(table, column));
+    files_.add_written(
+        path, [clip = bare_clip(table)](const std::string& name) { save(clip.get(), name); });
 }
 
 void Session::add_clip(const std::string& path, const stltsa_clip* clip) {
-    files_.add_written(
-        path, [clip](const std::string& name) { check(stltsa_clip_save(clip, name.c_str())); });
+    files_.add_written(path, [clip](const std::string& name) { save(clip, name); });
 }
 
 /// Warnings are part of the table; where it is not what the user sees, they go to stderr too.
