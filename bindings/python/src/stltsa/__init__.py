@@ -19,9 +19,9 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 from . import errors
-from ._call import string as _string
 from ._native import lib as _lib
 from ._options import Option, Options, options
+from ._text import string as _string
 from .clip import Clip, read_clip
 from .decomposition import Decomposition, Interval, decompose
 from .denoising import Denoising, denoise

@@ -1,17 +1,17 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""NumPy arrays as the library's ``stltsa_in`` and ``stltsa_out``: seen in place, not copied."""
+"""NumPy arrays as the library's ``stltsa_in`` and ``stltsa_out``: seen in place, not copied.
+
+The library itself works on C-contiguous float64, and makes that of any other array it is shown.
+"""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
 
 from ._native import ffi, lib
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
 
 FloatArray: TypeAlias = npt.NDArray[np.float64]
 IntArray: TypeAlias = npt.NDArray[np.int64]
@@ -78,40 +78,3 @@ def as_integers(values: Any, rows: int, what: str) -> IntArray:
             f"it is {given.dtype} of the shape {given.shape}"
         )
     return np.ascontiguousarray(given, dtype=np.int64)
-
-
-def is_sequence_of_clips(values: Any) -> bool:
-    """Tell a list of matrices, one for each clip, from a matrix written as a list."""
-    return (
-        isinstance(values, list | tuple)
-        and len(values) > 0
-        and all(getattr(v, "ndim", 0) == 2 for v in values)
-    )
-
-
-def stack_clips(clips: Sequence[Any]) -> tuple[npt.NDArray[Any], IntArray]:
-    """Return the frames of several clips one after another, and how many each has."""
-    matrices = [as_matrix(c, f"X[{i}]") for i, c in enumerate(clips)]
-    widths = {m.shape[1] for m in matrices}
-    if len(widths) > 1:
-        raise ValueError(f"the clips have different numbers of columns: {sorted(widths)}")
-    lengths = np.array([len(m) for m in matrices], dtype=np.int64)
-    return (matrices[0] if len(matrices) == 1 else np.concatenate(matrices)), lengths
-
-
-def group_lengths(groups: Any, rows: int) -> IntArray:
-    """Return how many rows each clip has, from a label for each row.
-
-    The rows of one clip stand together; a label that comes back later is an error.
-    """
-    labels = np.asarray(groups)
-    if labels.shape != (rows,):
-        raise ValueError(
-            f"groups must have a label for each of the {rows} rows; its shape is {labels.shape}"
-        )
-    if rows == 0:
-        return np.zeros(0, dtype=np.int64)
-    starts = np.concatenate(([0], np.flatnonzero(labels[1:] != labels[:-1]) + 1, [rows]))
-    if len(np.unique(labels)) != len(starts) - 1:
-        raise ValueError("the rows of one group must stand together, in order of time")
-    return np.diff(starts).astype(np.int64)

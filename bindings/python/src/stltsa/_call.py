@@ -9,15 +9,11 @@ from . import errors
 from ._native import ffi, lib
 from ._options import set_options
 from ._progress import Watch
+from ._text import string
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
     from types import TracebackType
-
-
-def string(text: Any) -> str:
-    """Return a text that belongs to the library."""
-    return str(ffi.string(text).decode("utf-8", "replace"))
 
 
 def check(status: int) -> None:
@@ -35,11 +31,12 @@ class Call:
 
     def __init__(self, options: Mapping[str, Any]) -> None:
         rest = dict(options)
-        self._watch = Watch(rest.pop("progress", None))
+        progress = rest.pop("progress", None)
         out = ffi.new("stltsa_options **")
         check(lib.stltsa_options_new(out))
         self.options = ffi.gc(out[0], lib.stltsa_options_free)
         check(set_options(self.options, rest))
+        self._watch = Watch(progress)  # after what may fail: a bar that is open has to be closed
         check(lib.stltsa_options_set_progress(self.options, lib.on_progress, self._watch.handle))
 
     def __enter__(self) -> Call:

@@ -4,11 +4,12 @@
 from __future__ import annotations
 
 import operator
-import os
+import os  # noqa: TC003 (the keywords' types can be asked for)
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypedDict
 
 from ._native import ffi, lib
 from ._progress import Progress  # noqa: TC001 (the keywords' types can be asked for)
+from ._text import c_path, string
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -73,20 +74,17 @@ class Option(NamedTuple):
 _TYPES: dict[int, Literal["int", "real", "text"]] = {1: "int", 2: "real", 3: "text"}
 
 
-def _string(text: Any) -> str:
-    return str(ffi.string(text).decode()) if text else ""
-
-
 def _read_option(index: int) -> Option:
     info = ffi.new("stltsa_option_info *", {"size": ffi.sizeof("stltsa_option_info")})
     if lib.stltsa_option_describe(index, info) != 0:
-        raise RuntimeError(_string(lib.stltsa_last_error()))
+        raise RuntimeError(string(lib.stltsa_last_error()))
     kind = _TYPES[info.type]
-    choices = {n: int(v) for n, v in (c.split("=") for c in _string(info.choices).split())}
+    named = string(info.choices).split() if info.choices else []
+    choices = {name: int(value) for name, value in (choice.split("=") for choice in named)}
     default = info.standard if kind == "real" else int(info.standard) if kind == "int" else ""
     return Option(
-        _string(info.name),
-        _string(info.text),
+        string(info.name),
+        string(info.text),
         kind,
         choices,
         info.minimum,
@@ -121,7 +119,7 @@ def _number_of_choice(option: Option, value: str) -> int:
 
 def _set(handle: Any, option: Option, value: Any) -> int:
     if option.type == "text":
-        return int(lib.stltsa_options_set_text(handle, option.key, os.fsencode(value)))
+        return int(lib.stltsa_options_set_text(handle, option.key, c_path(value)))
     if isinstance(value, str):
         value = _number_of_choice(option, value)
     try:

@@ -12,8 +12,9 @@ import numpy as np
 import numpy.typing as npt
 
 from ._arrays import FloatArray, IntArray, as_matrix, columns, read_from, write_to
-from ._call import Call, check, json_text, owned, string
+from ._call import Call, check, json_text, owned
 from ._native import ffi, lib
+from ._text import c_path, string
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -179,7 +180,7 @@ class Clip:
         stltsa.FileError
             The file cannot be written.
         """
-        check(lib.stltsa_clip_save(self._handle, os.fsencode(path)))
+        check(lib.stltsa_clip_save(self._handle, c_path(path)))
 
     def to_json(self) -> str:
         """Return what is known about the clip as one JSON object (schema stltsa-clip/1)."""
@@ -235,7 +236,7 @@ def read_clip(
         return read_markers(path).to_clip(gaps=gaps, fps=options.get("fps"))
     out = ffi.new("stltsa_clip **")
     with Call(options) as call:
-        call.check(lib.stltsa_clip_open(os.fsencode(path), call.options, out))
+        call.check(lib.stltsa_clip_open(c_path(path), call.options, out))
     return Clip(owned("clip", out), os.fspath(path))
 
 

@@ -9,9 +9,10 @@ import numpy as np
 
 from . import _html
 from ._arrays import FloatArray, IntArray, columns, write_to
-from ._call import Call, check, get_int, get_real, json_text, owned, string, texts
+from ._call import Call, check, get_int, get_real, json_text, owned, texts
 from ._native import ffi, lib
 from ._tables import table
+from ._text import string
 from .clip import Clip, as_clip
 
 if TYPE_CHECKING:

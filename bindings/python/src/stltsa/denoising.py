@@ -7,10 +7,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ._arrays import FloatArray, IntArray, columns, int64_pointer, read_from, write_to
+from ._arrays import FloatArray, IntArray, columns, write_to
 from ._call import Call, check, get_int, get_real, json_text, owned
+from ._clips import call_on_clips, refuse_groups
 from ._native import ffi, lib
-from .model import Model, frames_and_lengths
+from .model import Model
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -56,16 +57,11 @@ def denoise(coords: Any, *, groups: Any = None, **options: Unpack[Options]) -> D
     out = ffi.new("stltsa_denoising **")
     with Call(options) as call:
         if isinstance(coords, Model):
+            refuse_groups(groups, "a Model knows its components")
             points: Any = coords.coords
             call.check(lib.stltsa_denoise_model(coords._handle, call.options, out))
         else:
-            points, lengths = frames_and_lengths(coords, groups)
-            count = 0 if lengths is None else len(lengths)
-            call.check(
-                lib.stltsa_denoise(
-                    read_from(points), int64_pointer(lengths), count, call.options, out
-                )
-            )
+            points = call_on_clips(lib.stltsa_denoise, coords, groups, call, out)
     return Denoising(owned("denoising", out), np.array(points, dtype=np.float64))
 
 

@@ -7,11 +7,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ._arrays import FloatArray, int64_pointer, read_from
-from ._call import Call, json_text, owned, string
+from ._arrays import FloatArray
+from ._call import Call, json_text, owned
+from ._clips import call_on_clips, refuse_groups
 from ._native import ffi, lib
+from ._text import string
 from .clip import Clip
-from .model import frames_and_lengths
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -47,15 +48,10 @@ def dimension(motion: Any, *, groups: Any = None, **options: Unpack[Options]) ->
     out = ffi.new("stltsa_dimension_result **")
     with Call(options) as call:
         if isinstance(motion, Clip):
+            refuse_groups(groups, "a Clip is one clip")
             call.check(lib.stltsa_dimension_clip(motion._handle, call.options, out))
         else:
-            frames, lengths = frames_and_lengths(motion, groups)
-            count = 0 if lengths is None else len(lengths)
-            call.check(
-                lib.stltsa_dimension(
-                    read_from(frames), int64_pointer(lengths), count, call.options, out
-                )
-            )
+            call_on_clips(lib.stltsa_dimension, motion, groups, call, out)
     return Dimension(owned("dimension", out))
 
 

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from ._arrays import FloatArray, is_sequence_of_clips
+from ._arrays import FloatArray
+from ._clips import is_sequence_of_clips, stack_clips
 from ._estimator_base import Base
 from .clip import Clip
 from .errors import NotFiniteError, QualityWarning
@@ -165,8 +166,8 @@ class STLTSA(Base):
         Parameters
         ----------
         X : array-like of shape (n_samples, n_features), list of such arrays, or Clip
-            Rows are frames in order of time; a list has a clip in each array. float32 and float64
-            are not copied, whatever their strides (a list is copied into one array).
+            Rows are frames in order of time; a list has a clip in each array. A C-contiguous array
+            of float64 is not copied, any other once (a list is copied into one array).
         y : ignored
             Here because scikit-learn's conventions ask for it.
         groups : array-like of shape (n_samples,), optional
@@ -204,10 +205,8 @@ class STLTSA(Base):
             self.n_features_in_ = model.n_features
             return model
         if is_sequence_of_clips(X):
-            if groups is not None:
-                raise ValueError("groups= is for one array of all rows; a list says it by itself")
-            groups = np.repeat(np.arange(len(X)), [len(clip) for clip in X])
-            X = np.concatenate(X)
+            X, lengths = stack_clips(X, groups)
+            groups = np.repeat(np.arange(len(lengths)), lengths)
         frames = self._validated(X, reset=True)
         with _in_the_words_of_sklearn():
             return fit(frames, groups=groups, **options)
@@ -218,6 +217,9 @@ class STLTSA(Base):
 
     def transform(self, X: Any) -> FloatArray:
         """Place frames on the curve; rows that were fitted get their own coordinates, to the bit.
+
+        Of equal rows that come back after others all get the first's; ``model_.map(X, hints=...)``
+        tells them apart.
 
         Parameters
         ----------

@@ -14,15 +14,14 @@ from ._arrays import (
     as_integers,
     as_matrix,
     columns,
-    group_lengths,
     int64_pointer,
-    is_sequence_of_clips,
     read_from,
-    stack_clips,
     write_to,
 )
 from ._call import Call, check, get_int, get_real, json_text, owned, texts
+from ._clips import call_on_clips, refuse_groups
 from ._native import ffi, lib
+from ._text import c_path
 from .clip import Clip
 
 if TYPE_CHECKING:
@@ -52,16 +51,6 @@ class Mapped(NamedTuple):
     nearest: IntArray
 
 
-def frames_and_lengths(motion: Any, groups: Any) -> tuple[Any, IntArray | None]:
-    """Return one matrix, and the rows of each clip where there are several."""
-    if is_sequence_of_clips(motion):
-        if groups is not None:
-            raise ValueError("groups= is for one array of all rows; a list says it by itself")
-        return stack_clips(motion)
-    frames = as_matrix(motion)
-    return frames, None if groups is None else group_lengths(groups, len(frames))
-
-
 def fit(motion: Any, *, groups: Any = None, **options: Unpack[Options]) -> Model:
     """Fit a model: spatio-temporal local tangent space alignment (the paper, section 2.2).
 
@@ -69,8 +58,8 @@ def fit(motion: Any, *, groups: Any = None, **options: Unpack[Options]) -> Model
     ----------
     motion : Clip, array-like of shape (frames, features), or list of such arrays
         Rows are frames in order of time. Arrays are taken as they are; of a clip the features, a
-        T-pose at its start dropped, smoothed and thinned out to `rate`. Arrays of float32 or
-        float64 are not copied, whatever their strides; a list is copied into one array.
+        T-pose at its start dropped, smoothed and thinned out to `rate`. A C-contiguous array of
+        float64 is not copied, any other once; a list is copied into one array.
     groups : array-like of shape (frames,), optional
         A label for each row of an array that holds several clips; rows of one clip stand together.
     **options
@@ -103,16 +92,15 @@ def fit(motion: Any, *, groups: Any = None, **options: Unpack[Options]) -> Model
     out = ffi.new("stltsa_model **")
     with Call(options) as call:
         if isinstance(motion, Clip):
-            if groups is not None:
-                raise ValueError("groups= is for arrays: a Clip is one clip")
+            refuse_groups(groups, "a Clip is one clip")
             call.check(lib.stltsa_fit_clip(motion._handle, call.options, out))
         else:
-            frames, lengths = frames_and_lengths(motion, groups)
-            count = 0 if lengths is None else len(lengths)
-            call.check(
-                lib.stltsa_fit(read_from(frames), int64_pointer(lengths), count, call.options, out)
-            )
+            call_on_clips(lib.stltsa_fit, motion, groups, call, out)
     return Model(owned("model", out))
+
+
+def _as_hints(hints: Any, rows: int) -> IntArray | None:
+    return None if hints is None else as_integers(hints, rows, "hints")
 
 
 class Model:
@@ -227,7 +215,8 @@ class Model:
         ----------
         motion : array-like of shape (rows, features), or Clip
             A clip goes through what the model's clip went through, every frame of it. A frame that
-            was fitted gets its own coordinates, to the bit.
+            was fitted gets its own coordinates, to the bit; of equal frames that come back after
+            others the first's, unless a hint says which one is meant.
         hints : array-like of int of shape (rows,), optional
             The row of the model near which each frame is looked for, -1: everywhere. Not for clips.
         **options
@@ -241,30 +230,28 @@ class Model:
         if isinstance(motion, Clip):
             if hints is not None:
                 raise ValueError("hints= is for arrays")
-            return self._map(lib.stltsa_map_clip, motion._handle, len(motion), (), options)
-        frames = as_matrix(motion)
-        wanted = None if hints is None else as_integers(hints, len(frames), "hints")
-        hint = (int64_pointer(wanted),)
-        return self._map(lib.stltsa_map, read_from(frames), len(frames), hint, options)
-
-    def _map(
-        self, function: Any, motion: Any, rows: int, hint: tuple[Any, ...], options: Any
-    ) -> Mapped:
-        coords, distance = columns(rows, self.dimension), columns(rows, 1)
-        nearest = np.empty(rows, dtype=np.int64)
-        with Call(options) as call:
-            call.check(
-                function(
-                    self._handle,
-                    motion,
-                    *hint,
-                    call.options,
-                    write_to(coords),
-                    write_to(distance),
-                    int64_pointer(nearest),
-                )
+            return self._mapped(
+                lib.stltsa_map_clip, (motion._handle,), (len(motion), self.dimension), options
             )
-        return Mapped(coords, distance[:, 0], nearest)
+        frames = as_matrix(motion)
+        wanted = _as_hints(hints, len(frames))
+        return self._mapped(
+            lib.stltsa_map,
+            (read_from(frames), int64_pointer(wanted)),
+            (len(frames), self.dimension),
+            options,
+        )
+
+    def _mapped(
+        self, function: Any, what: tuple[Any, ...], shape: tuple[int, int], options: Any
+    ) -> Mapped:
+        """Call a mapping, which writes a matrix of a shape and two numbers for each row of it."""
+        values, distance = columns(*shape), columns(shape[0], 1)
+        nearest = np.empty(shape[0], dtype=np.int64)
+        places = (write_to(values), write_to(distance), int64_pointer(nearest))
+        with Call(options) as call:
+            call.check(function(self._handle, *what, call.options, *places))
+        return Mapped(values, distance[:, 0], nearest)
 
     def unmap(self, coords: Any, *, hints: Any = None, **options: Unpack[Options]) -> Mapped:
         """Return the frames that points of the curve stand for (the paper, section 2.4).
@@ -290,22 +277,13 @@ class Model:
             The model has several components, and the option `component` does not say which.
         """
         points = as_matrix(coords, "coords")
-        wanted = None if hints is None else as_integers(hints, len(points), "hints")
-        frames, distance = columns(len(points), self.n_features), columns(len(points), 1)
-        nearest = np.empty(len(points), dtype=np.int64)
-        with Call(options) as call:
-            call.check(
-                lib.stltsa_unmap(
-                    self._handle,
-                    read_from(points),
-                    int64_pointer(wanted),
-                    call.options,
-                    write_to(frames),
-                    write_to(distance),
-                    int64_pointer(nearest),
-                )
-            )
-        return Mapped(frames, distance[:, 0], nearest)
+        wanted = _as_hints(hints, len(points))
+        return self._mapped(
+            lib.stltsa_unmap,
+            (read_from(points), int64_pointer(wanted)),
+            (len(points), self.n_features),
+            options,
+        )
 
     def poses(self, coords: Any, *, hints: Any = None, **options: Unpack[Options]) -> Clip:
         """Return the poses that points of the curve stand for, as a clip with the skeleton.
@@ -320,9 +298,8 @@ class Model:
             The model was fitted to bare numbers.
         """
         points = as_matrix(coords, "coords")
-        wanted = None if hints is None else as_integers(hints, len(points), "hints")
-        distance, out = columns(len(points), 1), ffi.new("stltsa_clip **")
-        nearest = np.empty(len(points), dtype=np.int64)
+        wanted = _as_hints(hints, len(points))
+        out = ffi.new("stltsa_clip **")
         with Call(options) as call:
             call.check(
                 lib.stltsa_unmap_clip(
@@ -330,8 +307,8 @@ class Model:
                     read_from(points),
                     int64_pointer(wanted),
                     call.options,
-                    write_to(distance),
-                    int64_pointer(nearest),
+                    ffi.NULL,
+                    ffi.NULL,
                     out,
                 )
             )
@@ -361,13 +338,13 @@ class Model:
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write the model to a file, whole or not at all; the command `stltsa` reads it too."""
-        check(lib.stltsa_model_save(self._handle, os.fsencode(path)))
+        check(lib.stltsa_model_save(self._handle, c_path(path)))
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> Model:
         """Read a model that :meth:`save` or ``stltsa fit -o`` wrote."""
         out = ffi.new("stltsa_model **")
-        check(lib.stltsa_model_load(os.fsencode(path), out))
+        check(lib.stltsa_model_load(c_path(path), out))
         return cls(owned("model", out))
 
     def __reduce__(self) -> tuple[Any, tuple[bytes]]:

@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Several clips in one matrix, which is how the library takes them."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ._arrays import IntArray, as_matrix, int64_pointer, read_from
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    import numpy.typing as npt
+
+    from ._call import Call
+
+
+def is_sequence_of_clips(values: Any) -> bool:
+    """Tell a list of matrices, one for each clip, from a matrix written as a list."""
+    return (
+        isinstance(values, list | tuple)
+        and len(values) > 0
+        and all(getattr(v, "ndim", 0) == 2 for v in values)
+    )
+
+
+def stack_clips(clips: Sequence[Any], groups: Any) -> tuple[npt.NDArray[Any], IntArray]:
+    """Return the frames of several clips one after another, and how many each has."""
+    refuse_groups(groups, "a list has a clip in each array")
+    matrices = [as_matrix(c, f"X[{i}]") for i, c in enumerate(clips)]
+    widths = {m.shape[1] for m in matrices}
+    if len(widths) > 1:
+        raise ValueError(f"the clips have different numbers of columns: {sorted(widths)}")
+    lengths = np.array([len(m) for m in matrices], dtype=np.int64)
+    return (matrices[0] if len(matrices) == 1 else np.concatenate(matrices)), lengths
+
+
+def refuse_groups(groups: Any, why: str) -> None:
+    """Refuse labels of rows where they would be ignored."""
+    if groups is not None:
+        raise ValueError(f"groups= is for one array of all rows: {why}")
+
+
+def group_lengths(groups: Any, rows: int) -> IntArray:
+    """Return how many rows each clip has, from a label for each row.
+
+    The rows of one clip stand together; a label that comes back later is an error.
+    """
+    labels = np.asarray(groups)
+    if labels.shape != (rows,):
+        raise ValueError(
+            f"groups must have a label for each of the {rows} rows; its shape is {labels.shape}"
+        )
+    if rows == 0:
+        return np.zeros(0, dtype=np.int64)
+    starts = np.concatenate(([0], np.flatnonzero(labels[1:] != labels[:-1]) + 1, [rows]))
+    if len(np.unique(labels)) != len(starts) - 1:
+        raise ValueError("the rows of one group must stand together, in order of time")
+    return np.diff(starts).astype(np.int64)
+
+
+def _frames_and_lengths(motion: Any, groups: Any) -> tuple[npt.NDArray[Any], IntArray | None]:
+    if is_sequence_of_clips(motion):
+        return stack_clips(motion, groups)
+    frames = as_matrix(motion)
+    return frames, None if groups is None else group_lengths(groups, len(frames))
+
+
+def call_on_clips(function: Any, motion: Any, groups: Any, call: Call, out: Any) -> Any:
+    """Call a function of the library that takes several clips; return the matrix that it read."""
+    frames, lengths = _frames_and_lengths(motion, groups)
+    count = 0 if lengths is None else len(lengths)
+    call.check(function(read_from(frames), int64_pointer(lengths), count, call.options, out))
+    return frames

@@ -1,0 +1,22 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Texts out of the library, and paths into it."""
+
+from __future__ import annotations
+
+import os
+from typing import Any
+
+from ._native import ffi
+
+
+def string(text: Any) -> str:
+    """Return a text that belongs to the library."""
+    return str(ffi.string(text).decode("utf-8", "replace"))
+
+
+def c_path(path: str | os.PathLike[str]) -> bytes:
+    """Return a path as C takes it; one with a zero in it would end there, and name another file."""
+    name = os.fsencode(path)
+    if b"\0" in name:
+        raise ValueError(f"{path!r} is not a path: there is a zero in it")
+    return name
