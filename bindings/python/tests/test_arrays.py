@@ -5,7 +5,8 @@ import numpy as np
 import pytest
 
 import stltsa
-from stltsa._arrays import as_matrix, group_lengths, read_from
+from stltsa._arrays import as_matrix, read_from
+from stltsa._clips import group_lengths
 
 K = {"neighbors": 100}
 

@@ -23,6 +23,16 @@ def test_file_that_is_something_else(tmp_path):
         stltsa.read_clip(path)
 
 
+def test_path_with_a_zero_in_it(circle, tmp_path):
+    """C would end it there, and write or read another file."""
+    path = str(tmp_path / "model") + "\0.stltsa"
+    model = stltsa.fit(circle)
+    for call in (model.save, stltsa.Model.load, stltsa.read_clip):
+        with pytest.raises(ValueError, match="zero"):
+            call(path)
+    assert not list(tmp_path.iterdir())
+
+
 def test_not_finite(circle):
     spoiled = circle.copy()
     spoiled[17, 3] = np.nan

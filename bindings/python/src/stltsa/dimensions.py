@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ._arrays import FloatArray
 from ._call import Call, json_text, owned
 from ._clips import call_on_clips, refuse_groups
 from ._native import ffi, lib
@@ -17,6 +16,7 @@ from .clip import Clip
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
+    from ._arrays import FloatArray
     from ._options import Options
 
 

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from ._arrays import FloatArray
 from ._clips import is_sequence_of_clips, stack_clips
 from ._estimator_base import Base
 from .clip import Clip
@@ -18,6 +17,8 @@ from .model import Model, fit
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
+
+    from ._arrays import FloatArray
 
 
 @contextmanager

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import os
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -25,6 +24,8 @@ from ._text import c_path
 from .clip import Clip
 
 if TYPE_CHECKING:
+    import os
+
     from typing_extensions import Unpack
 
     from ._options import Options
