@@ -1,56 +1,86 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Block iteration: V := orthonormal basis of A V, and now and then the best eigenvectors in the
-// span of V (Rayleigh-Ritz). It starts from polynomials of the frames' order, which the directions
-// of a short piece of motion nearly are.
 #include "ltsa/tangent_batch.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "linalg/simd.hpp"
-#include "ltsa/tangent_kernel.hpp"
 
 namespace stltsa::ltsa {
 namespace {
 
-/// Rows and columns that a product keeps in registers.
-std::int64_t rounded_up(std::int64_t value, std::int64_t step) {
-    return (value + step - 1) / step * step;
-}
+/// The correlation matrix from squared distances, and its eigenvectors from a start that is the
+/// same in every lane: polynomials of the frames' order, which the directions of a short piece of
+/// motion nearly are.
+struct CorrelationKernel {
+    BlockIteration iteration;
+    const double* start;
+
+    template <int W>
+    STLTSA_INLINE void run() const {
+        using P = Pack<W>;
+        center<P>();
+        P* block = reinterpret_cast<P*>(iteration.block_data);
+        for (std::int64_t i = 0; i < iteration.rows * iteration.columns; ++i)
+            block[i] = P{} + start[i];
+        iteration.iterate(iteration.trace<P>());
+    }
+
+    /// -1/2 J D J with J = I - e e^T / k
+    template <class P>
+    STLTSA_INLINE void center() const {
+        P* matrix = reinterpret_cast<P*>(iteration.matrix_data);
+        P* mean = reinterpret_cast<P*>(iteration.product_data);
+        const std::int64_t size = iteration.size;
+        const std::int64_t rows = iteration.rows;
+        const double k = static_cast<double>(size);
+        std::fill_n(mean, size, P{});
+        for (std::int64_t a = 0; a < size; ++a) {
+            matrix[a * rows + a] = P{};
+            for (std::int64_t b = a + 1; b < size; ++b) {
+                mean[a] += matrix[a * rows + b];
+                mean[b] += matrix[a * rows + b];
+            }
+        }
+        P total{};
+        for (std::int64_t a = 0; a < size; ++a) {
+            mean[a] /= k;
+            total += mean[a];
+        }
+        total /= k;
+        for (std::int64_t a = 0; a < size; ++a) {
+            const P shift = total - mean[a];
+            for (std::int64_t b = a; b < size; ++b)
+                matrix[a * rows + b] = matrix[b * rows + a] =
+                    -0.5 * (matrix[a * rows + b] - mean[b] + shift);
+        }
+    }
+};
 
 } // namespace
 
 TangentBatch::TangentBatch(std::int64_t size, std::int64_t count, Simd simd)
-    : size_(size), count_(count), rows_(rounded_up(size, product_rows)),
-      columns_(rounded_up(count + 2, product_columns)), simd_(simd), lanes_(simd_width(simd)) {
-    const auto sized = [this](std::int64_t entries) {
-        return AlignedVector<double>(checked_size(entries, lanes_));
-    };
-    matrix_ = sized(rows_ * rows_);
-    start_.resize(checked_size(rows_, columns_));
-    block_ = sized(rows_ * columns_);
-    product_ = sized(rows_ * columns_);
-    small_ = sized(columns_ * (2 * columns_ + 1));
-    values_ = sized(count_ + 1);
-    vectors_ = sized(rows_ * count_);
+    : size_(size), eigen_({size, count, count + 2, false, 3}, simd) {
+    start_.resize(checked_size(eigen_.rows(), eigen_.columns()));
     fill_start();
 }
 
 /// Orthonormal polynomials of degree 1, 2, .. on 0 .. size-1; zeros where there are no more.
 void TangentBatch::fill_start() {
     const double middle = 0.5 * static_cast<double>(size_ - 1);
-    const std::int64_t degrees = std::min(columns_, size_ - 1);
+    const std::int64_t rows = eigen_.rows();
+    const std::int64_t degrees = std::min(eigen_.columns(), size_ - 1);
     AlignedVector<double> before(static_cast<std::size_t>(size_),
                                  1 / std::sqrt(static_cast<double>(size_)));
     const double* lower = before.data();
     for (std::int64_t l = 0; l < degrees; ++l) {
-        double* column = start_.data() + l * rows_;
+        double* column = start_.data() + l * rows;
         for (std::int64_t a = 0; a < size_; ++a)
             column[a] = lower[a] * (static_cast<double>(a) - middle) / (middle + 1);
         for (int pass = 0; pass < 2; ++pass) {
             axpy(-dot(before.data(), column, size_), before.data(), column, size_);
             for (std::int64_t b = 0; b < l; ++b)
-                axpy(-dot(start_.data() + b * rows_, column, size_), start_.data() + b * rows_,
+                axpy(-dot(start_.data() + b * rows, column, size_), start_.data() + b * rows,
                      column, size_);
         }
         const double norm = std::sqrt(dot(column, column, size_));
@@ -61,14 +91,12 @@ void TangentBatch::fill_start() {
 }
 
 void TangentBatch::solve() {
-    run_simd(simd_, TangentKernel{size_, rows_, columns_, count_, matrix_.data(), start_.data(),
-                                  block_.data(), product_.data(), small_.data(), values_.data(),
-                                  vectors_.data()});
+    run_simd(eigen_.simd(), CorrelationKernel{eigen_.iteration(), start_.data()});
 }
 
 void TangentBatch::direction(std::int64_t lane, std::int64_t l, double* out) const {
     for (std::int64_t a = 0; a < size_; ++a)
-        out[a] = vectors_[index(l * rows_ + a, lane)];
+        out[a] = eigen_.vector(lane, l, a);
 }
 
 } // namespace stltsa::ltsa

@@ -9,12 +9,13 @@
 #include "ltsa/band_distances.hpp"
 #include "ltsa/local_pca.hpp"
 #include "ltsa/tangent_batch.hpp"
+#include "ltsa/tangent_track.hpp"
 
 namespace stltsa::ltsa {
 namespace {
 
-/// Writes the tangents of neighborhoods: several at a time where they are small, and one at a time
-/// where they are not or where that did not find them.
+/// Writes the tangents of neighborhoods: several at a time where they are small, following them
+/// from frame to frame where they are large, and one at a time where that did not find them.
 class TangentFinder {
   public:
     TangentFinder(ConstMatrixView x, const Neighborhoods& neighborhoods, std::int64_t computed,
@@ -23,18 +24,23 @@ class TangentFinder {
           pca_(x, neighborhoods.size, computed) {
         if (neighborhoods.size <= std::min(x.cols, TangentBatch::largest_size))
             batch_.emplace(neighborhoods.size, computed, simd);
+        else if (TangentTrack::worth_while(neighborhoods.size, x.cols))
+            track_.emplace(x, neighborhoods, computed, simd, values, tangents);
     }
 
     /// distance(p, q): squared distance of frames p < q.
     template <class Distance>
     void find(std::int64_t first, std::int64_t last, const Distance& distance) {
-        if (!batch_) {
+        if (batch_) {
+            for (std::int64_t i = first; i < last; i += batch_->lanes())
+                find_together(i, std::min(i + batch_->lanes(), last), distance);
+        } else if (track_) {
+            for (const std::int64_t i : track_->find(first, last))
+                find_alone(i, distance);
+        } else {
             for (std::int64_t i = first; i < last; ++i)
                 find_alone(i, distance);
-            return;
         }
-        for (std::int64_t i = first; i < last; i += batch_->lanes())
-            find_together(i, std::min(i + batch_->lanes(), last), distance);
     }
 
   private:
@@ -79,6 +85,7 @@ class TangentFinder {
     Tangents& tangents_;
     LocalPca pca_;
     std::optional<TangentBatch> batch_;
+    std::optional<TangentTrack> track_;
 };
 
 void report(const Progress& progress, std::int64_t done, std::int64_t blocks) {
@@ -117,8 +124,9 @@ Tangents local_tangents(ConstMatrixView x, const Neighborhoods& neighborhoods,
     Matrix values(x.rows, count);
     const std::int64_t computed = std::min({count, neighborhoods.size, x.cols});
     // Temporal neighborhoods share most distances.
-    const bool banded = parameters.mode == Mode::temporal && neighborhoods.size <= x.cols;
-    const std::int64_t block = frame_block(banded ? window : 0);
+    const bool banded = parameters.mode == Mode::temporal &&
+                        neighborhoods.size <= std::min(x.cols, TangentBatch::largest_size);
+    const std::int64_t block = std::max(frame_block(banded ? window : 0), TangentTrack::block);
     const std::int64_t blocks = (x.rows + block - 1) / block;
     const auto work = [&](std::int64_t b) {
         const std::int64_t first = b * block;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The arithmetic of TangentBatch, compiled once for each width of packs.
+// Block iteration for the leading eigenvectors of positive semidefinite matrices, one matrix in
+// each lane of a pack: V := orthonormal basis of A V, and now and then the best eigenvectors in the
+// span of V (Rayleigh-Ritz). Compiled once for each width of packs.
 #pragma once
 
 #include <algorithm>
@@ -16,32 +18,29 @@ namespace stltsa::ltsa {
 inline constexpr std::int64_t product_rows = 4;
 inline constexpr std::int64_t product_columns = 2;
 
-/// Iterations between two Rayleigh-Ritz steps, and before a lane is given up.
-inline constexpr std::int64_t ritz_interval = 3;
+/// Iterations before a lane is given up.
 inline constexpr std::int64_t most_iterations = 60;
 
 /// What rounding leaves of the residual of an eigenpair, relative to the largest eigenvalue.
 inline constexpr double small_residual = 2e-15;
 
-/// All arrays hold packs: entry i at [i]. Matrices of vectors are stored column after column.
-struct TangentKernel {
+/// Owns nothing (see EigenBatch). All arrays hold packs: entry i at [i]. The matrix is rows x rows,
+/// zero beyond `size`; vectors are stored column after column, `rows` entries each.
+struct BlockIteration {
     std::int64_t size, rows, columns, count;
+    std::int64_t kept;          ///< columns of the block to keep, at least count
+    std::int64_t ritz_interval; ///< iterations between two Rayleigh-Ritz steps
     double* matrix_data;
-    const double* start;
     double* block_data;
     double* product_data;
     double* small_data;
-    double* values_data;
+    double* values_data; ///< count eigenvalues, then 1 where they were found and 0 elsewhere
     double* vectors_data;
 
-    template <int W>
-    STLTSA_INLINE void run() const {
-        using P = Pack<W>;
-        const P trace = center<P>();
+    /// From what is in the block.
+    template <class P>
+    STLTSA_INLINE void iterate(P trace) const {
         const P scale = trace > 0 ? 1 / trace : P{};
-        P* block = reinterpret_cast<P*>(block_data);
-        for (std::int64_t i = 0; i < rows * columns; ++i)
-            block[i] = P{} + start[i];
         reinterpret_cast<P*>(values_data)[count] = P{};
         for (std::int64_t step = 1; step <= most_iterations; ++step) {
             multiply<P>(scale);
@@ -54,37 +53,16 @@ struct TangentKernel {
         }
     }
 
-    /// The correlation matrix from distances, -1/2 J D J with J = I - e e^T / k; its trace.
     template <class P>
-    STLTSA_INLINE P center() const {
-        P* matrix = reinterpret_cast<P*>(matrix_data);
-        P* mean = reinterpret_cast<P*>(product_data);
-        const double k = static_cast<double>(size);
-        std::fill_n(mean, size, P{});
-        for (std::int64_t a = 0; a < size; ++a) {
-            matrix[a * rows + a] = P{};
-            for (std::int64_t b = a + 1; b < size; ++b) {
-                mean[a] += matrix[a * rows + b];
-                mean[b] += matrix[a * rows + b];
-            }
-        }
-        P total{};
-        for (std::int64_t a = 0; a < size; ++a) {
-            mean[a] /= k;
-            total += mean[a];
-        }
-        total /= k;
-        P trace{};
-        for (std::int64_t a = 0; a < size; ++a) {
-            const P shift = total - mean[a];
-            for (std::int64_t b = a; b < size; ++b)
-                matrix[a * rows + b] = matrix[b * rows + a] =
-                    -0.5 * (matrix[a * rows + b] - mean[b] + shift);
-            trace += matrix[a * rows + a];
-        }
-        return trace;
+    STLTSA_INLINE P trace() const {
+        const P* matrix = reinterpret_cast<const P*>(matrix_data);
+        P sum{};
+        for (std::int64_t a = 0; a < size; ++a)
+            sum += matrix[a * rows + a];
+        return sum;
     }
 
+  private:
     /// product := scale A block. Scaled, so that squares of its entries neither over- nor
     /// underflow.
     template <class P>
@@ -185,11 +163,10 @@ struct TangentKernel {
         const P noise = negligible_value * ritz.value(0);
         const P sure = missed <= (last > noise ? last : noise) ? good : P{};
         const P fresh = trace > 0 ? sure - values[count] : P{} + 1.0;
-        for (std::int64_t l = 0; l < count; ++l) {
+        for (std::int64_t l = 0; l < count; ++l)
             values[l] = fresh > 0 ? ritz.value(l) * trace : values[l];
-            for (std::int64_t a = 0; a < rows; ++a)
-                vectors[l * rows + a] = fresh > 0 ? block[l * rows + a] : vectors[l * rows + a];
-        }
+        for (std::int64_t i = 0; i < kept * rows; ++i)
+            vectors[i] = fresh > 0 ? block[i] : vectors[i];
         values[count] = fresh > 0 ? fresh : values[count];
         return all_positive(values[count]);
     }
