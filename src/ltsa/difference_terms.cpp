@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ltsa/difference_terms.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include <cblas.h>
+
+#include "base/parallel.hpp"
+
+namespace stltsa::ltsa {
+
+void PatchTerms::set(const Patches& patches, std::int64_t patch) {
+    const auto frames = patches.of(patch);
+    const auto k = patches.size();
+    size_ = static_cast<double>(k);
+    first_ = frames.front();
+    span_ = frames.back() - frames.front();
+    beyond_.resize(static_cast<std::size_t>(span_));
+    sums_.resize(static_cast<std::size_t>(span_ * patches.dimension()));
+    // Differences between two neighbors have the same neighbors beyond them.
+    for (std::int64_t l = 0; l < patches.dimension(); ++l) {
+        const double* g = patches.direction(patch, l);
+        double h = 0;
+        for (std::int64_t j = k - 1; j > 0; --j) {
+            h += g[j];
+            fill(frames, j, sums_.data() + l * span_, h);
+        }
+    }
+    for (std::int64_t j = k - 1; j > 0; --j)
+        fill(frames, j, beyond_.data(), static_cast<double>(k - j));
+}
+
+/// For the differences between neighbors j-1 and j.
+void PatchTerms::fill(std::span<const std::int32_t> frames, std::int64_t j, double* out,
+                      double value) const {
+    const auto at = static_cast<std::size_t>(j);
+    std::fill(out + (frames[at - 1] - first_), out + (frames[at] - first_), value);
+}
+
+std::vector<std::int64_t> envelope_of(const Patches& patches) {
+    std::vector<std::int64_t> reach(static_cast<std::size_t>(patches.frames() - 1));
+    std::iota(reach.begin(), reach.end(), 0);
+    for (std::int64_t p = 0; p < patches.count(); ++p) {
+        const auto frames = patches.of(p);
+        if (frames.front() == frames.back())
+            continue;
+        std::int64_t& column = reach[static_cast<std::size_t>(frames.front())];
+        column = std::max<std::int64_t>(column, frames.back() - 1);
+    }
+    for (std::size_t c = 1; c < reach.size(); ++c)
+        reach[c] = std::max(reach[c], reach[c - 1]);
+    return reach;
+}
+
+namespace {
+
+/// Columns that one thread assembles at a time.
+constexpr std::int64_t column_block = 512;
+
+/// For each block of columns the range of patches that may touch it: patches are in order of their
+/// center frame, not of their first, so the range is a hull.
+struct PatchRange {
+    std::int64_t begin, end;
+};
+
+std::vector<PatchRange> patches_by_block(const Patches& patches, std::int64_t blocks) {
+    std::vector<PatchRange> ranges(static_cast<std::size_t>(blocks), {patches.count(), 0});
+    for (std::int64_t p = 0; p < patches.count(); ++p) {
+        const auto frames = patches.of(p);
+        const std::int64_t last = std::max(frames.front(), frames.back() - 1) / column_block;
+        for (std::int64_t b = frames.front() / column_block; b <= std::min(last, blocks - 1); ++b) {
+            auto& range = ranges[static_cast<std::size_t>(b)];
+            range.begin = std::min(range.begin, p);
+            range.end = std::max(range.end, p + 1);
+        }
+    }
+    return ranges;
+}
+
+/// Calls work(begin, end, patches) for all columns [begin, end) and the patches that may touch
+/// them.
+template <class Work>
+void for_column_blocks(const Patches& patches, std::int64_t order, int threads, const Work& work) {
+    const std::int64_t blocks = (order + column_block - 1) / column_block;
+    const auto ranges = patches_by_block(patches, blocks);
+    parallel_blocks(blocks, threads, [&](std::int64_t b) {
+        const std::int64_t begin = b * column_block;
+        work(begin, std::min(begin + column_block, order), ranges[static_cast<std::size_t>(b)]);
+    });
+}
+
+/// Adds one patch's part of the columns [begin, end):
+///     column[r] += a[r] before - sum_l h_l[0] h_l[r]
+struct AddPatch {
+    EnvelopeMatrix& matrix;
+    std::int64_t begin, end;
+    std::int64_t first, span;
+    double size;
+    const double* beyond;
+    const double* sums; ///< of each dimension, `span` adjacent
+    std::int64_t dimension;
+
+    template <int W>
+    STLTSA_INLINE void run() const {
+        for (std::int64_t c = std::max(begin, first); c < std::min(end, first + span); ++c) {
+            double* column = matrix.column(c);
+            const std::int64_t from = c - first;
+            const std::int64_t length = span - from;
+            const double before = (size - beyond[from]) / size;
+            std::int64_t r = 0;
+            for (; r + W <= length; r += W)
+                store(entry<Pack<W>>(column, before, from, r), column + r);
+            for (; r < length; ++r)
+                store(entry<double>(column, before, from, r), column + r);
+        }
+    }
+
+    template <class P>
+    STLTSA_INLINE P entry(const double* column, double before, std::int64_t from,
+                          std::int64_t r) const {
+        P value = load<P>(column + r) + load<P>(beyond + from + r) * before;
+        for (std::int64_t l = 0; l < dimension; ++l) {
+            const double* h = sums + l * span + from;
+            value -= h[0] * load<P>(h + r);
+        }
+        return value;
+    }
+};
+
+} // namespace
+
+void assemble(const Patches& patches, int threads, Simd simd, EnvelopeMatrix& matrix) {
+    for_column_blocks(patches, matrix.order(), threads,
+                      [&](std::int64_t begin, std::int64_t end, PatchRange range) {
+                          PatchTerms terms;
+                          for (std::int64_t p = range.begin; p < range.end; ++p) {
+                              const auto frames = patches.of(p);
+                              if (frames.front() >= end || frames.back() <= begin)
+                                  continue;
+                              terms.set(patches, p);
+                              run_simd(simd, AddPatch{matrix, begin, end, terms.first(),
+                                                      terms.span(), terms.size(), terms.beyond(),
+                                                      terms.sums(), patches.dimension()});
+                          }
+                      });
+}
+
+namespace {
+
+/// Some patches whose terms are one matrix product: for the differences [first, last) that they
+/// cover,
+///     B'(c', c) += sum_r left(c', r) right(c, r),     c' >= c
+/// with zeros where a patch does not reach.
+class Tile {
+  public:
+    void set(const Patches& patches, std::int64_t begin, std::int64_t end) {
+        first_ = patches.frames();
+        last_ = 0;
+        for (std::int64_t p = begin; p < end; ++p) {
+            first_ = std::min<std::int64_t>(first_, patches.of(p).front());
+            last_ = std::max<std::int64_t>(last_, patches.of(p).back());
+        }
+        rank_ = (end - begin) * (1 + patches.dimension());
+        const std::size_t size = checked_size(std::max<std::int64_t>(last_ - first_, 0), rank_);
+        left_.assign(size, 0);
+        right_.assign(size, 0);
+        for (std::int64_t p = begin; p < end; ++p)
+            spread(patches, p, (p - begin) * (1 + patches.dimension()));
+    }
+
+    /// To the columns of one block that the tile covers.
+    void add_to(BlockEnvelopeMatrix& matrix, const BlockEnvelopeMatrix::Block& block) const {
+        const std::int64_t begin = std::max(block.begin, first_);
+        const std::int64_t columns = std::min(block.begin + block.columns, last_) - begin;
+        const std::int64_t rows = std::min(block.begin + block.rows, last_) - begin;
+        if (columns <= 0)
+            return;
+        const auto ld = static_cast<int>(last_ - first_);
+        cblas_dgemm(CblasColMajor, CblasNoTrans, CblasTrans, static_cast<int>(rows),
+                    static_cast<int>(columns), static_cast<int>(rank_), 1,
+                    left_.data() + (begin - first_), ld, right_.data() + (begin - first_), ld, 1,
+                    matrix.data(block) + (begin - block.begin) * (block.rows + 1),
+                    static_cast<int>(block.rows));
+    }
+
+  private:
+    void spread(const Patches& patches, std::int64_t patch, std::int64_t r) {
+        terms_.set(patches, patch);
+        const std::int64_t length = last_ - first_;
+        double* left = left_.data() + r * length + (terms_.first() - first_);
+        double* right = right_.data() + r * length + (terms_.first() - first_);
+        for (std::int64_t c = 0; c < terms_.span(); ++c) {
+            left[c] = terms_.beyond()[c];
+            right[c] = (terms_.size() - terms_.beyond()[c]) / terms_.size();
+        }
+        for (std::int64_t l = 0; l < patches.dimension(); ++l) {
+            const double* h = terms_.sums() + l * terms_.span();
+            left += length;
+            right += length;
+            std::copy_n(h, terms_.span(), left);
+            for (std::int64_t c = 0; c < terms_.span(); ++c)
+                right[c] = -h[c];
+        }
+    }
+
+    std::int64_t first_ = 0, last_ = 0, rank_ = 0;
+    AlignedVector<double> left_, right_;
+    PatchTerms terms_;
+};
+
+/// Patches of one tile: the more, the better the product; but the differences that only some of
+/// them cover are padded with zeros.
+constexpr std::int64_t tile_patches = 32;
+
+} // namespace
+
+void assemble(const Patches& patches, int threads, BlockEnvelopeMatrix& matrix) {
+    constexpr std::int64_t columns = BlockEnvelopeMatrix::block_columns;
+    static_assert(column_block % columns == 0);
+    for_column_blocks(patches, matrix.order(), threads,
+                      [&](std::int64_t begin, std::int64_t end, PatchRange range) {
+                          Tile tile;
+                          // Tiles have the same borders for every block.
+                          for (std::int64_t p = range.begin / tile_patches * tile_patches;
+                               p < range.end; p += tile_patches) {
+                              tile.set(patches, p, std::min(p + tile_patches, patches.count()));
+                              for (std::int64_t b = begin / columns; b * columns < end; ++b)
+                                  tile.add_to(matrix, matrix.blocks()[static_cast<std::size_t>(b)]);
+                          }
+                      });
+}
+
+} // namespace stltsa::ltsa

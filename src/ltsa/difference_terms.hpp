@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What patches add to B' = S^T B S, the alignment matrix in differences z_c = x_{c+1} - x_c (S the
+// running sum). Every row of (I - e e^T/k - G G^T) sums to zero, so it can be written down patch by
+// patch: for frames p_0 < ... < p_{k-1} and p_0 <= c <= c' < p_{k-1}, with a(c) the number of
+// frames beyond c and h_l(c) the sum of g_l over them,
+//     B'(c', c) += a(c') (k - a(c)) / k - sum_l h_l(c') h_l(c).
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "linalg/block_envelope.hpp"
+#include "linalg/envelope.hpp"
+#include "ltsa/patches.hpp"
+
+namespace stltsa::ltsa {
+
+/// One patch spread over the differences that it covers: `span` of them from the first one on.
+class PatchTerms {
+  public:
+    void set(const Patches& patches, std::int64_t patch);
+
+    std::int64_t first() const { return first_; }
+    std::int64_t span() const { return span_; }
+    /// k
+    double size() const { return size_; }
+    /// a
+    const double* beyond() const { return beyond_.data(); }
+    /// h_0, then h_1, ...
+    const double* sums() const { return sums_.data(); }
+
+  private:
+    void fill(std::span<const std::int32_t> frames, std::int64_t j, double* out,
+              double value) const;
+
+    std::int64_t first_ = 0;
+    std::int64_t span_ = 0;
+    double size_ = 0;
+    std::vector<double> beyond_;
+    std::vector<double> sums_;
+};
+
+/// The last row of each column of B'.
+std::vector<std::int64_t> envelope_of(const Patches& patches);
+
+/// matrix += B', for narrow bands and for wide ones. Every entry receives the patches in the same
+/// order whatever the number of threads.
+void assemble(const Patches& patches, int threads, Simd simd, EnvelopeMatrix& matrix);
+void assemble(const Patches& patches, int threads, BlockEnvelopeMatrix& matrix);
+
+} // namespace stltsa::ltsa
