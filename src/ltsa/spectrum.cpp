@@ -196,11 +196,9 @@ Matrix rows_of(const Matrix& panel, std::int64_t count) {
     return rows;
 }
 
-/// Beyond the wanted pairs: their eigenvectors guard the wanted ones during correction.
-constexpr std::int64_t guard_pairs = 2;
 /// A correction that turns the embedding by less than this is the last one: in differences the
 /// first, which is a certificate; grounded, two or three are needed.
-constexpr double small_change = 1e-10;
+constexpr double small_change = 1e-12;
 constexpr int most_corrections = 6;
 
 } // namespace
@@ -208,7 +206,7 @@ constexpr int most_corrections = 6;
 Spectrum smallest_eigenpairs(const Alignment& alignment, std::int64_t count, std::int64_t dimension,
                              const Progress& progress) {
     const std::int64_t n = alignment.frames();
-    const std::int64_t pairs = std::min(count + guard_pairs, n - 1);
+    const std::int64_t pairs = std::min(count, n - 1);
     const Eigenpairs found = largest_eigenpairs(pseudo_inverse(alignment), start_vector(n), pairs,
                                                 [&] { progress.report(Stage::spectrum, 0.0); });
     Spectrum spectrum;
