@@ -142,7 +142,7 @@ void cholesky_solve(const EnvelopeMatrix& factor, MatrixView x, Simd simd) {
     if (x.cols == 1)
         solve_vector(factor, x.data);
     else
-        run_simd(simd, PanelSolve{factor, x});
+        run_simd(panel_simd(x.cols, simd), PanelSolve{factor, x});
 }
 
 } // namespace stltsa

@@ -71,7 +71,8 @@ Matrix inner_products(ConstMatrixView a, ConstMatrixView b, Simd simd) {
     for (std::int64_t first = 0; first < a.rows; first += row_block) {
         const std::int64_t rows = std::min(row_block, a.rows - first);
         Matrix part(a.cols, b.cols);
-        run_simd(simd, InnerProducts{a.block(first, rows), b.block(first, rows), part.view()});
+        run_simd(panel_simd(a.cols, simd),
+                 InnerProducts{a.block(first, rows), b.block(first, rows), part.view()});
         for (std::int64_t i = 0; i < a.cols * b.cols; ++i)
             sum.data()[i] += part.data()[i];
     }
@@ -80,7 +81,7 @@ Matrix inner_products(ConstMatrixView a, ConstMatrixView b, Simd simd) {
 
 void multiply_columns(MatrixView panel, const Matrix& factor, Simd simd) {
     AlignedVector<double> row(static_cast<std::size_t>(panel.cols));
-    run_simd(simd, ColumnProduct{panel, factor.view(), row.data()});
+    run_simd(panel_simd(panel.cols, simd), ColumnProduct{panel, factor.view(), row.data()});
 }
 
 void subtract_scaled(ConstMatrixView source, const Matrix& factors, MatrixView target) {
@@ -90,7 +91,7 @@ void subtract_scaled(ConstMatrixView source, const Matrix& factors, MatrixView t
 }
 
 void center(MatrixView panel, Simd simd) {
-    run_simd(simd, Centering{panel});
+    run_simd(panel_simd(panel.cols, simd), Centering{panel});
 }
 
 } // namespace stltsa

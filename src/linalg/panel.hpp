@@ -3,6 +3,7 @@
 // of them reads memory once and fills packs. Columns beyond the vectors are zero.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "linalg/matrix.hpp"
@@ -12,8 +13,19 @@ namespace stltsa {
 
 /// Columns that a panel of `count` vectors has.
 constexpr std::int64_t panel_width(std::int64_t count, Simd simd) {
-    const std::int64_t width = simd_width(simd);
+    std::int64_t width = simd_width(simd);
+    while (width / 2 >= std::max<std::int64_t>(count, simd_width(Simd::baseline)))
+        width /= 2;
     return (count + width - 1) / width * width;
+}
+
+/// What a panel of so many columns is worked on with: packs no wider than it.
+constexpr Simd panel_simd(std::int64_t cols, Simd simd) {
+    if (simd == Simd::avx512 && cols < simd_width(simd))
+        simd = Simd::avx2;
+    if (simd == Simd::avx2 && cols < simd_width(simd))
+        simd = Simd::baseline;
+    return simd;
 }
 
 /// For a kernel's run<W>(): calls kernel.columns<P>(c) for each pack of columns c .., or for the

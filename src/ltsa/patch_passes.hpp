@@ -116,7 +116,7 @@ class PassingAlignment : public Alignment {
     Matrix quadratic_form(ConstMatrixView unknowns, std::int64_t count) const override {
         Matrix form(count, unknowns.cols);
         AlignedVector<double> workspace(checked_size(patches_->size(), 2 * unknowns.cols));
-        run_simd(simd_,
+        run_simd(panel_simd(unknowns.cols, simd_),
                  QuadraticPass<Access>{*patches_, unknowns, form.view(), count, workspace.data()});
         return form;
     }
@@ -127,7 +127,8 @@ class PassingAlignment : public Alignment {
         for (std::int64_t row = 0; row < out.rows; ++row)
             std::fill_n(out.row(row), out.cols, 0.0);
         AlignedVector<double> workspace(checked_size(patches_->size(), in.cols));
-        run_simd(simd_, ProductPass<Access, at_frames>{*patches_, in, out, workspace.data()});
+        run_simd(panel_simd(in.cols, simd_),
+                 ProductPass<Access, at_frames>{*patches_, in, out, workspace.data()});
     }
 };
 
