@@ -9,8 +9,8 @@
 #include <cstdint>
 #include <memory>
 
+#include "linalg/machine.hpp"
 #include "linalg/matrix.hpp"
-#include "linalg/pack.hpp"
 #include "ltsa/patches.hpp"
 
 namespace stltsa::ltsa {
@@ -18,12 +18,13 @@ namespace stltsa::ltsa {
 /// Vectors come as panels, or as one column each.
 class Alignment {
   public:
-    Alignment(const Patches& patches, Simd simd) : patches_(&patches), simd_(simd) {}
+    Alignment(const Patches& patches, const Machine& machine)
+        : patches_(&patches), machine_(machine) {}
     virtual ~Alignment() = default;
 
     std::int64_t frames() const { return patches_->frames(); }
     std::int64_t unknowns() const { return patches_->frames() - 1; }
-    Simd simd() const { return simd_; }
+    const Machine& machine() const { return machine_; }
 
     /// The right-hand side that values x at the frames (of zero mean) become in the unknowns.
     virtual void restrict_to(ConstMatrixView x, MatrixView unknowns) const = 0;
@@ -44,14 +45,14 @@ class Alignment {
 
   protected:
     const Patches* patches_;
-    Simd simd_;
+    Machine machine_;
 };
 
 /// For temporal neighborhoods: unknowns z_c = x_{c+1} - x_c, banded, envelope Cholesky.
-std::unique_ptr<Alignment> difference_alignment(const Patches& patches, int threads, Simd simd);
+std::unique_ptr<Alignment> difference_alignment(const Patches& patches, const Machine& machine);
 
 /// For neighborhoods that are not banded: the last frame grounded, CHOLMOD.
 /// Throws Status::unsupported in a build without CHOLMOD.
-std::unique_ptr<Alignment> grounded_alignment(const Patches& patches, Simd simd);
+std::unique_ptr<Alignment> grounded_alignment(const Patches& patches, const Machine& machine);
 
 } // namespace stltsa::ltsa

@@ -127,8 +127,8 @@ struct GroundedValues {
 
 class GroundedAlignment final : public PassingAlignment<GroundedValues> {
   public:
-    GroundedAlignment(const Patches& patches, Simd simd)
-        : PassingAlignment(patches, simd), factor_(assemble(patches)) {}
+    GroundedAlignment(const Patches& patches, const Machine& machine)
+        : PassingAlignment(patches, machine), factor_(assemble(patches)) {}
 
     void restrict_to(ConstMatrixView x, MatrixView unknowns) const override {
         std::copy_n(x.data, unknowns.rows * unknowns.cols, unknowns.data);
@@ -136,7 +136,7 @@ class GroundedAlignment final : public PassingAlignment<GroundedValues> {
     void prolong(ConstMatrixView unknowns, MatrixView x) const override {
         std::copy_n(unknowns.data, unknowns.rows * unknowns.cols, x.data);
         std::fill_n(x.row(x.rows - 1), x.cols, 0.0);
-        center(x, simd_);
+        center(x, machine_);
     }
     void solve(MatrixView unknowns) const override {
         AlignedVector<double> column(static_cast<std::size_t>(unknowns.rows));
@@ -155,11 +155,11 @@ class GroundedAlignment final : public PassingAlignment<GroundedValues> {
 
 } // namespace
 
-std::unique_ptr<Alignment> grounded_alignment(const Patches& patches, Simd simd) {
-    return std::make_unique<GroundedAlignment>(patches, simd);
+std::unique_ptr<Alignment> grounded_alignment(const Patches& patches, const Machine& machine) {
+    return std::make_unique<GroundedAlignment>(patches, machine);
 }
 #else
-std::unique_ptr<Alignment> grounded_alignment(const Patches&, Simd) {
+std::unique_ptr<Alignment> grounded_alignment(const Patches&, const Machine&) {
     fail(Status::unsupported, "the modes spatial and recurrent need SuiteSparse CHOLMOD, and this "
                               "library was built without it (-Dcholmod=disabled); use temporal");
 }

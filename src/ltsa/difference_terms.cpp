@@ -130,8 +130,8 @@ struct AddPatch {
 
 } // namespace
 
-void assemble(const Patches& patches, int threads, Simd simd, EnvelopeMatrix& matrix) {
-    for_column_blocks(patches, matrix.order(), threads,
+void assemble(const Patches& patches, const Machine& machine, EnvelopeMatrix& matrix) {
+    for_column_blocks(patches, matrix.order(), machine.threads,
                       [&](std::int64_t begin, std::int64_t end, PatchRange range) {
                           PatchTerms terms;
                           for (std::int64_t p = range.begin; p < range.end; ++p) {
@@ -139,9 +139,10 @@ void assemble(const Patches& patches, int threads, Simd simd, EnvelopeMatrix& ma
                               if (frames.front() >= end || frames.back() <= begin)
                                   continue;
                               terms.set(patches, p);
-                              run_simd(simd, AddPatch{matrix, begin, end, terms.first(),
-                                                      terms.span(), terms.size(), terms.beyond(),
-                                                      terms.sums(), patches.dimension()});
+                              run_simd(machine.simd,
+                                       AddPatch{matrix, begin, end, terms.first(), terms.span(),
+                                                terms.size(), terms.beyond(), terms.sums(),
+                                                patches.dimension()});
                           }
                       });
 }
@@ -215,10 +216,10 @@ constexpr std::int64_t tile_patches = 32;
 
 } // namespace
 
-void assemble(const Patches& patches, int threads, BlockEnvelopeMatrix& matrix) {
+void assemble(const Patches& patches, const Machine& machine, BlockEnvelopeMatrix& matrix) {
     constexpr std::int64_t columns = BlockEnvelopeMatrix::block_columns;
     static_assert(column_block % columns == 0);
-    for_column_blocks(patches, matrix.order(), threads,
+    for_column_blocks(patches, matrix.order(), machine.threads,
                       [&](std::int64_t begin, std::int64_t end, PatchRange range) {
                           Tile tile;
                           // Tiles have the same borders for every block.

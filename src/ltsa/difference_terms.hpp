@@ -46,7 +46,7 @@ std::vector<std::int64_t> envelope_of(const Patches& patches);
 
 /// matrix += B', for narrow bands and for wide ones. Every entry receives the patches in the same
 /// order whatever the number of threads.
-void assemble(const Patches& patches, int threads, Simd simd, EnvelopeMatrix& matrix);
-void assemble(const Patches& patches, int threads, BlockEnvelopeMatrix& matrix);
+void assemble(const Patches& patches, const Machine& machine, EnvelopeMatrix& matrix);
+void assemble(const Patches& patches, const Machine& machine, BlockEnvelopeMatrix& matrix);
 
 } // namespace stltsa::ltsa

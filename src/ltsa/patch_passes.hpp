@@ -9,6 +9,7 @@
 #include <cstdint>
 
 #include "linalg/panel.hpp"
+#include "ltsa/alignment.hpp"
 #include "ltsa/patches.hpp"
 
 namespace stltsa::ltsa {
@@ -48,6 +49,7 @@ STLTSA_INLINE void project_patch(const Patches& patches, std::int64_t patch,
 template <class Access, bool at_frames>
 struct ProductPass {
     const Patches& patches;
+    std::int64_t begin, end; ///< patches
     ConstMatrixView in;
     MatrixView out;
     double* workspace;
@@ -60,7 +62,7 @@ struct ProductPass {
     STLTSA_INLINE void columns(std::int64_t c) const {
         P* values = reinterpret_cast<P*>(workspace);
         const std::int64_t k = patches.size();
-        for (std::int64_t p = 0; p < patches.count(); ++p) {
+        for (std::int64_t p = begin; p < end; ++p) {
             project_patch<Access>(patches, p, in, c, values);
             const std::int32_t* frames = patches.of(p).data();
             if constexpr (at_frames)
@@ -76,6 +78,7 @@ struct ProductPass {
 template <class Access>
 struct QuadraticPass {
     const Patches& patches;
+    std::int64_t begin, end; ///< patches
     ConstMatrixView in;
     MatrixView form;
     std::int64_t count; ///< of vectors in the panel
@@ -86,7 +89,7 @@ struct QuadraticPass {
         const std::int64_t k = patches.size();
         const MatrixView values{workspace, k, in.cols, in.cols};
         Pack<W>* part = reinterpret_cast<Pack<W>*>(workspace + k * in.cols);
-        for (std::int64_t p = 0; p < patches.count(); ++p) {
+        for (std::int64_t p = begin; p < end; ++p) {
             for (std::int64_t c = 0; c < in.cols; c += W) {
                 project_patch<Access>(patches, p, in, c, part);
                 for (std::int64_t j = 0; j < k; ++j)
@@ -103,33 +106,66 @@ struct QuadraticPass {
     }
 };
 
+/// Patches that are worked on together. Blocks of one parity touch no frame in common, so what they
+/// add to the frames can be added by several threads, first by one parity and then by the other;
+/// where that cannot be had, as neighborhoods reach anywhere, there is one block.
+class PatchBlocks {
+  public:
+    explicit PatchBlocks(const Patches& patches);
+
+    std::int64_t count() const { return count_; }
+    std::int64_t begin(std::int64_t block) const { return block * size_; }
+    std::int64_t end(std::int64_t block) const { return std::min(begin(block) + size_, patches_); }
+
+  private:
+    std::int64_t patches_, size_, count_;
+};
+
 /// An alignment whose passes use Access.
 template <class Access>
 class PassingAlignment : public Alignment {
   public:
-    using Alignment::Alignment;
+    PassingAlignment(const Patches& patches, const Machine& machine)
+        : Alignment(patches, machine), blocks_(patches) {}
 
     void apply(ConstMatrixView in, MatrixView out) const override { run_product<false>(in, out); }
     void apply_at_frames(ConstMatrixView unknowns, MatrixView x) const override {
         run_product<true>(unknowns, x);
     }
     Matrix quadratic_form(ConstMatrixView unknowns, std::int64_t count) const override {
+        Matrix parts(blocks_.count() * count, unknowns.cols);
+        parallel_blocks(blocks_.count(), threads(), [&](std::int64_t b) {
+            AlignedVector<double> workspace(checked_size(patches_->size(), 2 * unknowns.cols));
+            run_simd(panel_simd(unknowns.cols, machine_.simd),
+                     QuadraticPass<Access>{*patches_, blocks_.begin(b), blocks_.end(b), unknowns,
+                                           parts.view().block(b * count, count), count,
+                                           workspace.data()});
+        });
         Matrix form(count, unknowns.cols);
-        AlignedVector<double> workspace(checked_size(patches_->size(), 2 * unknowns.cols));
-        run_simd(panel_simd(unknowns.cols, simd_),
-                 QuadraticPass<Access>{*patches_, unknowns, form.view(), count, workspace.data()});
+        for (std::int64_t row = 0; row < parts.rows(); ++row)
+            for (std::int64_t c = 0; c < unknowns.cols; ++c)
+                form(row % count, c) += parts(row, c);
         return form;
     }
 
   private:
+    int threads() const { return threads_for(patches_->frames(), 4096, machine_); }
+
     template <bool at_frames>
     void run_product(ConstMatrixView in, MatrixView out) const {
         for (std::int64_t row = 0; row < out.rows; ++row)
             std::fill_n(out.row(row), out.cols, 0.0);
-        AlignedVector<double> workspace(checked_size(patches_->size(), in.cols));
-        run_simd(panel_simd(in.cols, simd_),
-                 ProductPass<Access, at_frames>{*patches_, in, out, workspace.data()});
+        for (const std::int64_t parity : {0, 1})
+            parallel_blocks((blocks_.count() + 1 - parity) / 2, threads(), [&](std::int64_t half) {
+                const std::int64_t b = 2 * half + parity;
+                AlignedVector<double> workspace(checked_size(patches_->size(), in.cols));
+                run_simd(panel_simd(in.cols, machine_.simd),
+                         ProductPass<Access, at_frames>{*patches_, blocks_.begin(b), blocks_.end(b),
+                                                        in, out, workspace.data()});
+            });
     }
+
+    PatchBlocks blocks_;
 };
 
 } // namespace stltsa::ltsa

@@ -40,7 +40,7 @@ class Patches {
     std::int64_t dimension_;
     const Tangents* tangents_;
     std::vector<std::int32_t> source_; ///< frame whose neighborhood a patch is
-    std::vector<std::int32_t> index_;
+    AlignedVector<std::int32_t> index_;
 };
 
 } // namespace stltsa::ltsa
