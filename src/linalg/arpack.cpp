@@ -29,7 +29,7 @@ constexpr double tolerance = 1e-12;
 
 /// Lanczos vectors at first.
 std::int64_t least_vectors(std::int64_t count) {
-    return std::max<std::int64_t>(2 * count + 6, 12);
+    return 2 * count + 4;
 }
 
 /// One run of dsaupd's reverse communication, then dseupd.
