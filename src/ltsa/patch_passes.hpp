@@ -14,19 +14,29 @@
 
 namespace stltsa::ltsa {
 
+/// The sum of term(0) .. term(count - 1): four sums that do not wait for each other.
+template <class P, class Term>
+STLTSA_INLINE P sum_of(std::int64_t count, const Term& term) {
+    P sums[4] = {};
+    std::int64_t j = 0;
+    for (; j + 4 <= count; j += 4)
+        for (std::int64_t part = 0; part < 4; ++part)
+            sums[part] += term(j + part);
+    for (; j < count; ++j)
+        sums[0] += term(j);
+    return (sums[0] + sums[1]) + (sums[2] + sums[3]);
+}
+
 /// v := (I - e e^T/k - G G^T) v
 template <class P>
 STLTSA_INLINE void project_once(const double* g, std::int64_t k, std::int64_t dimension, P* v) {
-    P mean{};
-    for (std::int64_t j = 0; j < k; ++j)
-        mean += v[j];
-    mean /= static_cast<double>(k);
+    const P mean = sum_of<P>(k, [&](std::int64_t j) STLTSA_INLINE_LAMBDA { return v[j]; }) /
+                   static_cast<double>(k);
     for (std::int64_t j = 0; j < k; ++j)
         v[j] -= mean;
     for (std::int64_t l = 0; l < dimension; ++l, g += k) {
-        P overlap{};
-        for (std::int64_t j = 0; j < k; ++j)
-            overlap += g[j] * v[j];
+        const P overlap =
+            sum_of<P>(k, [&](std::int64_t j) STLTSA_INLINE_LAMBDA { return g[j] * v[j]; });
         for (std::int64_t j = 0; j < k; ++j)
             v[j] -= overlap * g[j];
     }
