@@ -9,10 +9,18 @@
 
 namespace stltsa::ltsa {
 
+/// Writes up to eight rows side by side: `cols` columns of eight entries.
+inline void fill_leaf(const double* const* rows, std::int64_t count, std::int64_t cols,
+                      double* leaf) {
+    for (std::int64_t c = 0; c < cols; ++c)
+        for (std::int64_t lane = 0; lane < count; ++lane)
+            leaf[c * lanes + lane] = rows[lane][c];
+}
+
 /// squared_distance() of linalg/simd.hpp, to the last bit, for a row in each lane: the same eight
 /// sums of each.
 struct LeafDistances {
-    const double* leaf;          ///< `cols` columns of eight entries
+    const double* leaf;          ///< as fill_leaf() writes it
     const double* const* points; ///< `count` of them
     std::int64_t count;
     std::int64_t cols;

@@ -49,13 +49,14 @@ Leaves::Leaves(ConstMatrixView rows) : x(rows), tree(x, every_row(x.rows)) {
             nodes.push_back(static_cast<std::int32_t>(i));
     }
     columns.resize(checked_size(static_cast<std::int64_t>(nodes.size()) * lanes, x.cols));
-    double* column = columns.data();
-    for (const std::int32_t node : nodes)
-        for (std::int64_t c = 0; c < x.cols; ++c, column += lanes) {
-            std::int64_t lane = 0;
-            for (const Stretch& stretch : rows_of(node))
-                column[lane++] = x(stretch.row, c);
-        }
+    std::array<const double*, leaf_rows> row;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        std::int64_t count = 0;
+        for (const Stretch& stretch : rows_of(nodes[i]))
+            row[static_cast<std::size_t>(count++)] = x.row(stretch.row);
+        fill_leaf(row.data(), count, x.cols,
+                  columns.data() + static_cast<std::int64_t>(i) * x.cols * lanes);
+    }
 }
 
 /// The rows of one leaf looking for their neighbors.
