@@ -35,15 +35,22 @@ struct LeafDistances {
     template <class P>
     STLTSA_INLINE P to_lanes(const double* point, const double* rows) const {
         P s[lanes] = {};
-        for (std::int64_t c = 0; c < cols; c += lanes)
-        // Unrolled, so that the sums stay in registers.
-#pragma GCC unroll 8
-            for (std::int64_t l = 0; l < lanes; ++l)
-                if (c + l < cols) {
-                    const P d = load<P>(rows + (c + l) * lanes) - point[c + l];
-                    s[l] += d * d;
-                }
+        std::int64_t c = 0;
+        for (; c + lanes <= cols; c += lanes)
+            add_columns(point + c, rows + c * lanes, lanes, s);
+        add_columns(point + c, rows + c * lanes, cols - c, s);
         return ((s[0] + s[4]) + (s[2] + s[6])) + ((s[1] + s[5]) + (s[3] + s[7]));
+    }
+    /// Unrolled, so that the sums stay in registers.
+    template <class P>
+    STLTSA_INLINE static void add_columns(const double* point, const double* rows,
+                                          std::int64_t count, P (&s)[lanes]) {
+#pragma GCC unroll 8
+        for (std::int64_t l = 0; l < lanes; ++l)
+            if (l < count) {
+                const P d = load<P>(rows + l * lanes) - point[l];
+                s[l] += d * d;
+            }
     }
 };
 

@@ -116,10 +116,14 @@ class Group {
 
     void offer(std::size_t asker, std::span<const Stretch> rows, const double* distances) {
         const RowRange zone = zones_[asker];
+        Best<Candidate>& best = best_[asker];
+        double limit = best.reach();
         for (std::size_t i = 0; i < rows.size(); ++i)
-            if (rows[i].row < zone.begin || rows[i].row >= zone.end)
-                best_[asker].offer({distances[i], rows[i].row});
-        reach_[asker] = std::sqrt(best_[asker].reach());
+            if (distances[i] <= limit && (rows[i].row < zone.begin || rows[i].row >= zone.end)) {
+                best.offer({distances[i], rows[i].row});
+                limit = best.reach();
+            }
+        reach_[asker] = std::sqrt(limit);
     }
 
     const Leaves& leaves_;
