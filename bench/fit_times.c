@@ -4,9 +4,9 @@
  * time: one row of the table of scripts/measure-speed. The frames are a made-up motion: 56 features
  * that swing with a cycle of about a second, no two cycles alike, at 120 frames a second.
  *
- *     fit_times FRAMES NEIGHBORS THREADS REPEATS
+ *     fit_times FRAMES NEIGHBORS THREADS REPEATS [MODE]
  *
- * The shortest of the repeats is printed.
+ * MODE is that of the options, 1 (temporal) without it. The shortest of the repeats is printed.
  */
 #define _POSIX_C_SOURCE 199309L
 #include <math.h>
@@ -53,8 +53,8 @@ int main(int argc, char** argv) {
     stltsa_in in;
     long repeats, r;
     int stage;
-    if (argc != 5) {
-        fprintf(stderr, "usage: fit_times FRAMES NEIGHBORS THREADS REPEATS\n");
+    if (argc < 5) {
+        fprintf(stderr, "usage: fit_times FRAMES NEIGHBORS THREADS REPEATS [MODE]\n");
         return 2;
     }
     memset(&in, 0, sizeof in);
@@ -69,6 +69,8 @@ int main(int argc, char** argv) {
     check(stltsa_options_set_int(options, STLTSA_WINDOW, atol(argv[2])));
     check(stltsa_options_set_int(options, STLTSA_DIMENSION, 2));
     check(stltsa_options_set_int(options, STLTSA_THREADS, atol(argv[3])));
+    if (argc > 5)
+        check(stltsa_options_set_int(options, STLTSA_MODE, atol(argv[5])));
     check(stltsa_options_set_int(options, STLTSA_KEEP_FRAMES, 0));
     check(stltsa_options_set_progress(options, record_stage, &times));
     for (r = 0; r < repeats; ++r) {
