@@ -54,6 +54,7 @@ def measured(args, folder):
 def judge(result):
     """What follows from what was measured."""
     result["stages"] = [row for fit in result["neighbors"] if fit["threads"] == 1
+                        and "failed" not in fit
                         for row in bounds.stage_bounds(fit, result["peaks"])]
     result["claims"] = claims.claims_of(result)
 

@@ -74,11 +74,10 @@ STAGES = {"neighbors": neighbors, "tangents": tangents, "alignment": alignment,
 
 
 def stream_rate(peaks, resident):
-    """Of the smallest memory that holds so much."""
-    for stream in peaks["streams"]:
-        if resident <= stream["size"]:
-            return stream["rate"]
-    return peaks["streams"][-1]["rate"]
+    """Of the largest stream that is no longer: what is nearer to the core is no slower."""
+    first, *longer = peaks["streams"]
+    fitting = [stream for stream in longer if stream["size"] <= resident]
+    return [first, *fitting][-1]["rate"]
 
 
 def limits(work, n, peaks):

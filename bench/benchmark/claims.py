@@ -64,8 +64,9 @@ def _growth(result):
                           [million["least"], million["most"]], "us"),
                    _claim("k = 12: time of a million over time of 100 000",
                           million["seconds"] / many["seconds"], 11.5, False,
-                          [million["least"] / many["most"], million["most"] / many["least"]]),
-                   _claim("k = 12, a million frames: memory beyond the frames",
+                          [million["least"] / many["most"], million["most"] / many["least"]])]
+    if million and "memory" in million:
+        claims += [_claim("k = 12, a million frames: memory beyond the frames",
                           million["memory"] / 1e9, 1.0, False, unit="GB")]
     return claims
 

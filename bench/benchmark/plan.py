@@ -102,8 +102,7 @@ def measure_angles(laboratory, frames, peers):
     def embedded(task):
         if task not in laboratory.runs:
             laboratory.measure([task])
-        path = laboratory.coords_path(task)
-        return coords(path) if path.exists() else None
+        return None if laboratory.failed(task) else coords(laboratory.coords_path(task))
 
     def exact(n, mode, k):
         path = laboratory.folder / f"exact_{mode}.coords"
@@ -113,7 +112,7 @@ def measure_angles(laboratory, frames, peers):
 
     def add(task, to, truth):
         found = embedded(task)
-        if found is not None:
+        if found is not None and truth is not None:
             rows.append({"program": task.program, "mode": task.mode, "n": task.n, "k": task.k,
                          "to": to, "angle": largest_angle(found, truth)})
             print("  " + json.dumps(rows[-1]), flush=True)

@@ -62,6 +62,9 @@ class Laboratory:
     def coords_path(self, task):
         return self.folder / f"{task.name}.coords"
 
+    def failed(self, task):
+        return any("failed" in run for run in self.runs[task])
+
     def _command(self, task):
         data = [task.frames.path, task.n, task.frames.features]
         if task.program == "stltsa":
@@ -92,7 +95,7 @@ class Laboratory:
                 runs = self.runs.setdefault(task, [])
                 spent = 0.0
                 for _ in range(ENOUGH_RUNS):
-                    if spent > ENOUGH_SECONDS or any("failed" in run for run in runs):
+                    if spent > ENOUGH_SECONDS or self.failed(task):
                         break
                     runs.append(self.run_once(task))
                     spent += runs[-1]["seconds"]
