@@ -105,7 +105,8 @@ def stages_figure(result):
     sizes = sorted({row["k"] for row in rows})
     stages = list(dict.fromkeys(row["stage"] for row in rows))
     figure, panels = plt.subplots(1, len(sizes), figsize=(10, 3.4), sharex=True, sharey=True,
-                                  layout="constrained")
+                                  squeeze=False, layout="constrained")
+    panels = panels[0]
     for k, axes in zip(sizes, panels, strict=True):
         for row in (row for row in rows if row["k"] == k):
             y = stages.index(row["stage"])

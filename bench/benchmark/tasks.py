@@ -122,6 +122,7 @@ def summary(task, runs):
     failed = [run["failed"] for run in runs if "failed" in run]
     if failed:
         return result | {"failed": failed[0]}
+    result["processor"] = middle["processor"]
     result["memory"] = max(run["memory"] for run in runs)
     for key in ("stages", "solves", "components", "note"):
         if key in middle:
