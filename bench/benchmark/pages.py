@@ -7,7 +7,6 @@ import textwrap
 
 import texts
 
-
 QUIET = 0.95  # of a processor, that a fit gets where nothing else runs
 
 

@@ -87,7 +87,7 @@ def time_figure(result):
                          and row["mode"] == mode and row["threads"] == threads], *style)
     draw_ratio(axes, result)
     low, high = axes.get_xlim()
-    axes.set_xlim(low / 2.6, high * 2.2)
+    axes.set_xlim(low / (high / low) ** 0.21, high * (high / low) ** 0.15)  # room for labels
     bottom, top = axes.get_ylim()
     axes.set_ylim(bottom / 1.3, top * 1.5)
     axes.xaxis.set_major_formatter(lambda value, _: spaced(value))
@@ -121,7 +121,7 @@ def stages_figure(result):
         axes.set_yticks(range(len(stages)), stages)
         axes.tick_params(axis="y", length=0, labelcolor="#222222")
     low, high = panels[0].get_xlim()
-    panels[0].set_xlim(low, high * 6)
+    panels[0].set_xlim(low / 1.5, high * 6)
     panels[0].xaxis.set_major_formatter(lambda value, _: f"{value:g}")
     figure.supxlabel("microseconds a frame, one thread", fontsize=11)
     marks = [Line2D([], [], color="black", marker="o", linestyle="", label="measured")]
