@@ -33,13 +33,11 @@ class Alignment {
     /// Solves with the factor, in place.
     virtual void solve(MatrixView unknowns) const = 0;
 
-    // Through the patches, never through the rounded matrix: what refinement rests on.
-    /// out := B' in
-    virtual void apply(ConstMatrixView in, MatrixView out) const = 0;
-    /// x := B x for the x of these unknowns.
-    virtual void apply_at_frames(ConstMatrixView unknowns, MatrixView x) const = 0;
-    /// x^T B x for the x of the first `count` of these unknowns, a panel: count rows.
-    virtual Matrix quadratic_form(ConstMatrixView unknowns, std::int64_t count) const = 0;
+    /// out := B' in, and x^T B x for the x of the first `count` of the unknowns `in`, a panel:
+    /// count rows. Through the patches, never through the rounded matrix: what refinement rests on.
+    virtual Matrix apply(ConstMatrixView in, MatrixView out, std::int64_t count) const = 0;
+    /// Values of zero mean at the frames, of which restrict_to() makes this.
+    virtual void at_frames(ConstMatrixView right, MatrixView x) const = 0;
 
     const Patches& patches() const { return *patches_; }
 

@@ -110,6 +110,14 @@ class DifferenceAlignment final : public PassingAlignment<RunningSums> {
         centered_prefix_sums(unknowns, x, machine_);
     }
     void solve(MatrixView unknowns) const override { factor_->solve(unknowns); }
+    void at_frames(ConstMatrixView right, MatrixView x) const override {
+        for (std::int64_t c = 0; c < x.cols; ++c) {
+            x(0, c) = -right(0, c);
+            for (std::int64_t i = 1; i < right.rows; ++i)
+                x(i, c) = right(i - 1, c) - right(i, c);
+            x(right.rows, c) = right(right.rows - 1, c);
+        }
+    }
 
   private:
     std::optional<Band> factor_;

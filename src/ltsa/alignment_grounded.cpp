@@ -140,6 +140,14 @@ class GroundedAlignment final : public PassingAlignment<GroundedValues> {
     void restrict_to(ConstMatrixView x, MatrixView unknowns) const override {
         std::copy_n(x.data, unknowns.rows * unknowns.cols, unknowns.data);
     }
+    void at_frames(ConstMatrixView right, MatrixView x) const override {
+        std::copy_n(right.data, right.rows * right.cols, x.data);
+        double* ground = x.row(right.rows);
+        std::fill_n(ground, x.cols, 0.0);
+        for (std::int64_t i = 0; i < right.rows; ++i)
+            for (std::int64_t c = 0; c < x.cols; ++c)
+                ground[c] -= right(i, c);
+    }
     void prolong(ConstMatrixView unknowns, MatrixView x) const override {
         std::copy_n(unknowns.data, unknowns.rows * unknowns.cols, x.data);
         std::fill_n(x.row(x.rows - 1), x.cols, 0.0);

@@ -55,44 +55,16 @@ STLTSA_INLINE void project_patch(const Patches& patches, std::int64_t patch,
     project_once(g, k, patches.dimension(), values);
 }
 
-/// out += S^T B x for x of the unknowns (the operator that is inverted), or B x at the frames.
-template <class Access, bool at_frames>
+/// out += S^T B x for x of the unknowns, and form += x^T B x as sums over patches of squares, so
+/// that small eigenvalues keep their digits.
+template <class Access>
 struct ProductPass {
     const Patches& patches;
     std::int64_t begin, end; ///< patches
     ConstMatrixView in;
     MatrixView out;
-    double* workspace;
-
-    template <int W>
-    STLTSA_INLINE void run() const {
-        for_columns<W>(in.cols, *this);
-    }
-    template <class P>
-    STLTSA_INLINE void columns(std::int64_t c) const {
-        P* values = reinterpret_cast<P*>(workspace);
-        const std::int64_t k = patches.size();
-        for (std::int64_t p = begin; p < end; ++p) {
-            project_patch<Access>(patches, p, in, c, values);
-            const std::int32_t* frames = patches.of(p).data();
-            if constexpr (at_frames)
-                for (std::int64_t j = 0; j < k; ++j)
-                    pack_at<P>(out.row(frames[j]) + c) += values[j];
-            else
-                Access::scatter(frames, k, values, out, c);
-        }
-    }
-};
-
-/// form += x^T B x as sums over patches of squares, so that small eigenvalues keep their digits.
-template <class Access>
-struct QuadraticPass {
-    const Patches& patches;
-    std::int64_t begin, end; ///< patches
-    ConstMatrixView in;
-    MatrixView form;
-    std::int64_t count; ///< of vectors in the panel
-    double* workspace;  ///< k rows of a panel, then k packs
+    MatrixView form;   ///< a row for each vector in the panel
+    double* workspace; ///< k rows of a panel, then k packs
 
     template <int W>
     STLTSA_INLINE void run() const {
@@ -102,16 +74,16 @@ struct QuadraticPass {
         for (std::int64_t p = begin; p < end; ++p) {
             for (std::int64_t c = 0; c < in.cols; c += W) {
                 project_patch<Access>(patches, p, in, c, part);
+                Access::scatter(patches.of(p).data(), k, part, out, c);
                 for (std::int64_t j = 0; j < k; ++j)
                     pack_at<Pack<W>>(values.row(j) + c) = part[j];
             }
-            for (std::int64_t i = 0; i < count; ++i)
-                for (std::int64_t c = 0; c < in.cols; c += W) {
-                    Pack<W> sum{};
-                    for (std::int64_t j = 0; j < k; ++j)
-                        sum += values(j, i) * pack_at<Pack<W>>(values.row(j) + c);
-                    pack_at<Pack<W>>(form.row(i) + c) += sum;
-                }
+            for (std::int64_t i = 0; i < form.rows; ++i)
+                for (std::int64_t c = 0; c < in.cols; c += W)
+                    pack_at<Pack<W>>(form.row(i) + c) +=
+                        sum_of<Pack<W>>(k, [&](std::int64_t j) STLTSA_INLINE_LAMBDA {
+                            return values(j, i) * pack_at<Pack<W>>(values.row(j) + c);
+                        });
         }
     }
 };
@@ -138,42 +110,28 @@ class PassingAlignment : public Alignment {
     PassingAlignment(const Patches& patches, const Machine& machine)
         : Alignment(patches, machine), blocks_(patches) {}
 
-    void apply(ConstMatrixView in, MatrixView out) const override { run_product<false>(in, out); }
-    void apply_at_frames(ConstMatrixView unknowns, MatrixView x) const override {
-        run_product<true>(unknowns, x);
-    }
-    Matrix quadratic_form(ConstMatrixView unknowns, std::int64_t count) const override {
-        Matrix parts(blocks_.count() * count, unknowns.cols);
-        parallel_blocks(blocks_.count(), threads(), [&](std::int64_t b) {
-            AlignedVector<double> workspace(checked_size(patches_->size(), 2 * unknowns.cols));
-            run_simd(panel_simd(unknowns.cols, machine_.simd),
-                     QuadraticPass<Access>{*patches_, blocks_.begin(b), blocks_.end(b), unknowns,
-                                           parts.view().block(b * count, count), count,
-                                           workspace.data()});
-        });
-        Matrix form(count, unknowns.cols);
-        for (std::int64_t row = 0; row < parts.rows(); ++row)
-            for (std::int64_t c = 0; c < unknowns.cols; ++c)
-                form(row % count, c) += parts(row, c);
+    Matrix apply(ConstMatrixView in, MatrixView out, std::int64_t count) const override {
+        for (std::int64_t row = 0; row < out.rows; ++row)
+            std::fill_n(out.row(row), out.cols, 0.0);
+        Matrix forms(blocks_.count() * count, in.cols);
+        for (const std::int64_t parity : {0, 1})
+            parallel_blocks((blocks_.count() + 1 - parity) / 2, threads(), [&](std::int64_t half) {
+                const std::int64_t b = 2 * half + parity;
+                AlignedVector<double> workspace(checked_size(patches_->size(), 2 * in.cols));
+                run_simd(panel_simd(in.cols, machine_.simd),
+                         ProductPass<Access>{*patches_, blocks_.begin(b), blocks_.end(b), in, out,
+                                             forms.view().block(b * count, count),
+                                             workspace.data()});
+            });
+        Matrix form(count, in.cols);
+        for (std::int64_t row = 0; row < forms.rows(); ++row)
+            for (std::int64_t c = 0; c < in.cols; ++c)
+                form(row % count, c) += forms(row, c);
         return form;
     }
 
   private:
     int threads() const { return threads_for(patches_->frames(), 4096, machine_); }
-
-    template <bool at_frames>
-    void run_product(ConstMatrixView in, MatrixView out) const {
-        for (std::int64_t row = 0; row < out.rows; ++row)
-            std::fill_n(out.row(row), out.cols, 0.0);
-        for (const std::int64_t parity : {0, 1})
-            parallel_blocks((blocks_.count() + 1 - parity) / 2, threads(), [&](std::int64_t half) {
-                const std::int64_t b = 2 * half + parity;
-                AlignedVector<double> workspace(checked_size(patches_->size(), in.cols));
-                run_simd(panel_simd(in.cols, machine_.simd),
-                         ProductPass<Access, at_frames>{*patches_, blocks_.begin(b), blocks_.end(b),
-                                                        in, out, workspace.data()});
-            });
-    }
 
     PatchBlocks blocks_;
 };

@@ -42,7 +42,7 @@ class Patches {
     std::int64_t dimension_;
     const Tangents* tangents_;
     std::vector<std::int32_t> source_; ///< frame whose neighborhood a patch is
-    const std::int32_t* index_;         ///< the neighborhoods' own, or:
+    const std::int32_t* index_;        ///< the neighborhoods' own, or:
     AlignedVector<std::int32_t> renumbered_;
 };
 

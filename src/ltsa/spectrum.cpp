@@ -70,18 +70,30 @@ Matrix padded(const std::vector<double>& values, std::int64_t width) {
     return result;
 }
 
+/// Vectors that are the best eigenvectors in their span.
+struct Ritz {
+    std::vector<double> values; ///< ascending
+    Matrix product;             ///< B' of the unknowns
+};
+
+/// B' z - lambda S^T x, in place of the product B' z.
+Matrix residuals(const Alignment& alignment, const Ritz& ritz, const Basis& basis) {
+    Matrix residual = ritz.product;
+    Matrix right(residual.rows(), residual.cols());
+    alignment.restrict_to(basis.x.view(), right.view());
+    subtract_scaled(right.view(), padded(ritz.values, residual.cols()), residual.view(),
+                    alignment.machine());
+    return residual;
+}
+
 /// One inverse iteration as a correction: z - F^-1 (B' z - lambda S^T x). With F = B' this is
 /// lambda B'^-1 S^T x; in floating point the residual goes through the patches, so neither the
 /// rounding of B' and its factor F nor a shift in F limits what the iteration converges to.
-void correct(const Alignment& alignment, const std::vector<double>& values, Basis& basis) {
-    const std::int64_t width = basis.x.cols();
-    Matrix residual(alignment.unknowns(), width);
-    Matrix right(alignment.unknowns(), width);
-    alignment.apply(basis.unknowns.view(), residual.view());
-    alignment.restrict_to(basis.x.view(), right.view());
-    subtract_scaled(right.view(), padded(values, width), residual.view(), alignment.machine());
-    alignment.solve(residual.view());
-    subtract_scaled(residual.view(), padded(std::vector<double>(values.size(), 1.0), width),
+void correct(const Alignment& alignment, const Ritz& ritz, Basis& basis) {
+    Matrix change = residuals(alignment, ritz, basis);
+    alignment.solve(change.view());
+    subtract_scaled(change.view(),
+                    padded(std::vector<double>(ritz.values.size(), 1.0), change.cols()),
                     basis.unknowns.view(), alignment.machine());
     alignment.prolong(basis.unknowns.view(), basis.x.view());
 }
@@ -156,37 +168,37 @@ double largest_angle(const Matrix& before, const Matrix& after, std::int64_t cou
     return std::sqrt(std::max(0.0, values.back()));
 }
 
-/// Largest ||B u - lambda u|| / k over the first `count` vectors, with B u through the patches.
-double largest_residual(const Alignment& alignment, const Basis& basis,
-                        const std::vector<double>& values, std::int64_t count) {
-    Matrix product(alignment.frames(), basis.x.cols());
-    alignment.apply_at_frames(basis.unknowns.view(), product.view());
-    subtract_scaled(basis.x.view(), padded(values, product.cols()), product.view(),
-                    alignment.machine());
-    const Matrix squares = inner_products(product.view(), product.view(), alignment.machine());
+/// Largest ||B u - lambda u|| / k over the first `count` vectors.
+double largest_residual(const Alignment& alignment, const Ritz& ritz, const Basis& basis,
+                        std::int64_t count) {
+    const Matrix residual = residuals(alignment, ritz, basis);
+    Matrix at_frames(basis.x.rows(), basis.x.cols());
+    alignment.at_frames(residual.view(), at_frames.view());
+    const Matrix squares = inner_products(at_frames.view(), at_frames.view(), alignment.machine());
     double largest = 0;
     for (std::int64_t j = 0; j < count; ++j)
         largest = std::max(largest, squares(j, j));
     return std::sqrt(largest) / static_cast<double>(alignment.patches().size());
 }
 
-/// Turns the basis into the best eigenvectors in its span; eigenvalues ascending.
-std::vector<double> rayleigh_ritz(const Alignment& alignment, Basis& basis) {
+/// Turns the basis into the best eigenvectors in its span.
+Ritz rayleigh_ritz(const Alignment& alignment, Basis& basis) {
     orthonormalize(alignment, basis);
-    const Matrix form = alignment.quadratic_form(basis.unknowns.view(), basis.count);
+    Ritz ritz{{}, Matrix(basis.unknowns.rows(), basis.unknowns.cols())};
+    const Matrix form = alignment.apply(basis.unknowns.view(), ritz.product.view(), basis.count);
     Matrix vectors(basis.count, basis.count);
     for (std::int64_t i = 0; i < basis.count; ++i)
         std::copy_n(form.row(i), basis.count, vectors.row(i));
-    std::vector<double> values;
-    symmetric_eigen(vectors, values); // one per row
-    for (double& value : values)
+    symmetric_eigen(vectors, ritz.values); // one per row
+    for (double& value : ritz.values)
         value = std::max(value, 0.0); // B is positive semidefinite; a zero may round below
     Matrix rotation(basis.x.cols(), basis.x.cols());
     for (std::int64_t i = 0; i < basis.count; ++i)
         for (std::int64_t j = 0; j < basis.count; ++j)
             rotation(i, j) = vectors(j, i);
     multiply(alignment, rotation, basis);
-    return values;
+    multiply_columns(ritz.product.view(), rotation, alignment.machine());
+    return ritz;
 }
 
 /// The first vectors, one per row.
@@ -214,13 +226,13 @@ Spectrum smallest_eigenpairs(const Alignment& alignment, std::int64_t count, std
     Spectrum spectrum;
     spectrum.solves = found.applications;
     Basis basis = solved(alignment, found.vectors);
-    spectrum.values = rayleigh_ritz(alignment, basis);
+    Ritz ritz = rayleigh_ritz(alignment, basis);
     double before = 2;
     for (int i = 0; i < most_corrections; ++i) {
         progress.report(Stage::spectrum, 0.5);
         const Matrix previous = basis.x;
-        correct(alignment, spectrum.values, basis);
-        spectrum.values = rayleigh_ritz(alignment, basis);
+        correct(alignment, ritz, basis);
+        ritz = rayleigh_ritz(alignment, basis);
         const double change = largest_angle(previous, basis.x, dimension, alignment.machine());
         if (i == 0)
             spectrum.first_change = change;
@@ -229,7 +241,8 @@ Spectrum smallest_eigenpairs(const Alignment& alignment, std::int64_t count, std
             break;
         before = change;
     }
-    spectrum.residual = largest_residual(alignment, basis, spectrum.values, dimension);
+    spectrum.residual = largest_residual(alignment, ritz, basis, dimension);
+    spectrum.values = ritz.values;
     spectrum.values.resize(static_cast<std::size_t>(std::min(count, pairs)));
     spectrum.vectors = rows_of(basis.x, dimension);
     progress.report(Stage::spectrum, 1.0);
