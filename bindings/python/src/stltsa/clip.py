@@ -240,12 +240,19 @@ def read_clip(
     return Clip(owned("clip", out), os.fspath(path))
 
 
-def as_clip(motion: Any, options: dict[str, Any]) -> Clip:
+def opened(motion: Any, options: Options) -> Any:
+    """Return the clip that a path names, and anything else as it is."""
+    if not isinstance(motion, str | os.PathLike):
+        return motion
+    used: Any = {k: v for k, v in options.items() if k in ("fps", "skeleton")}
+    return read_clip(motion, **used)
+
+
+def as_clip(motion: Any, options: Any) -> Clip:
     """Return a clip, made from an array where it is none; `fps` then is taken from the options."""
+    motion = opened(motion, options)
     if isinstance(motion, Clip):
         return motion
-    if isinstance(motion, str | os.PathLike):
-        return read_clip(motion, **{k: options[k] for k in ("fps", "skeleton") if k in options})
     fps = options.pop("fps", None)
     if not fps or fps == "auto":
         raise ValueError("an array has no frame rate: give fps=...")
