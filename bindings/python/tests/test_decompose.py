@@ -98,3 +98,6 @@ def test_pieces_are_checked(clip):
         stltsa.synthesize([(clip, 200, 100)])
     with pytest.raises(stltsa.ArgumentError):
         stltsa.synthesize([])
+    for piece in ("walk.bvh", ("walk.bvh", 0, 10), ()):
+        with pytest.raises(TypeError, match="a piece is a tuple"):
+            stltsa.synthesize([piece])
