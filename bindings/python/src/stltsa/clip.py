@@ -248,10 +248,20 @@ def opened(motion: Any, options: Options) -> Any:
     return read_clip(motion, **used)
 
 
+def _check_rate(clip: Clip, fps: Any) -> None:
+    """Refuse another rate than the clip's, which would be ignored."""
+    if fps and fps not in ("auto", clip.fps):
+        raise ValueError(
+            f"fps is {fps!r}, but a Clip has its own, {clip.fps:g} (0: unknown): give fps= to "
+            "read_clip or Clip.from_array"
+        )
+
+
 def as_clip(motion: Any, options: Any) -> Clip:
     """Return a clip, made from an array where it is none; `fps` then is taken from the options."""
     motion = opened(motion, options)
     if isinstance(motion, Clip):
+        _check_rate(motion, options.pop("fps", None))
         return motion
     fps = options.pop("fps", None)
     if not fps or fps == "auto":

@@ -66,7 +66,8 @@ def fit(motion: Any, *, groups: Any = None, **options: Unpack[Options]) -> Model
     **options
         Used: `neighbors`, `window`, `dimension`, `mode`, `include_self`, `links`, `exclusion`,
         `threads`, `fps`, `period_min`, `period_max`, `keep_frames`, `progress`; for clips
-        `features`, `up_axis`, `keep_start`, `rate` and `smoothing` too. See :func:`stltsa.options`.
+        `features`, `up_axis`, `keep_start`, `rate` and `smoothing` too. A Clip has its own `fps`.
+        See :func:`stltsa.options`.
 
     Returns
     -------
