@@ -20,10 +20,11 @@ class DisjointSets {
         }
         return frame;
     }
-    void unite(std::int32_t a, std::int32_t b) {
-        a = find(a);
-        b = find(b);
-        parent(std::max(a, b)) = std::min(a, b);
+    /// Unites the set of a frame with that of a root; returns the root of both.
+    std::int32_t unite(std::int32_t root, std::int32_t frame) {
+        const std::int32_t other = find(frame);
+        parent(std::max(root, other)) = std::min(root, other);
+        return std::min(root, other);
     }
 
   private:
@@ -40,8 +41,9 @@ Components connected_components(const Neighborhoods& neighborhoods) {
         // Frame i may be missing from its own neighborhood (include_self off): its window still
         // describes the motion around it, but it does not tie i.
         const auto members = neighborhoods.of(i);
+        std::int32_t root = sets.find(members.front());
         for (const std::int32_t member : members)
-            sets.unite(members.front(), member);
+            root = sets.unite(root, member);
     }
     Components components;
     components.of_frame.resize(static_cast<std::size_t>(n));
