@@ -44,6 +44,26 @@ struct ColumnProduct {
     }
 };
 
+/// out := right - left * factor
+struct Rest {
+    ConstMatrixView left, factor, right;
+    MatrixView out;
+
+    template <int W>
+    STLTSA_INLINE void run() const {
+        for_columns<W>(out.cols, *this);
+    }
+    template <class P>
+    STLTSA_INLINE void columns(std::int64_t c) const {
+        for (std::int64_t row = 0; row < out.rows; ++row) {
+            P value = pack_at<P>(right.row(row) + c);
+            for (std::int64_t p = 0; p < left.cols; ++p)
+                value -= left(row, p) * pack_at<P>(factor.row(p) + c);
+            pack_at<P>(out.row(row) + c) = value;
+        }
+    }
+};
+
 /// sums(0, .) := the sum of the rows
 struct Sum {
     ConstMatrixView rows;
@@ -167,6 +187,30 @@ Matrix inner_products(ConstMatrixView a, ConstMatrixView b, const Machine& machi
         for (std::int64_t c = 0; c < b.cols; ++c)
             sum(row % a.cols, c) += parts(row, c);
     return sum;
+}
+
+RestProducts rest_products(ConstMatrixView left, const Matrix& factor, ConstMatrixView right,
+                           const Machine& machine) {
+    const std::int64_t cols = right.cols;
+    Matrix parts(row_blocks(right.rows) * 2 * cols, cols);
+    const Simd simd = panel_simd(cols, machine.simd);
+    for_row_blocks(
+        right.rows, machine, [&](std::int64_t block, std::int64_t first, std::int64_t rows) {
+            Matrix rest(rows, cols);
+            run_simd(simd, Rest{left.block(first, rows), factor.view(), right.block(first, rows),
+                                rest.view()});
+            const MatrixView part = parts.view().block(2 * block * cols, 2 * cols);
+            run_simd(simd,
+                     InnerProducts{left.block(first, rows), rest.view(), part.block(0, cols)});
+            run_simd(simd, InnerProducts{rest.view(), rest.view(), part.block(cols, cols)});
+        });
+    RestProducts products{Matrix(cols, cols), Matrix(cols, cols)};
+    for (std::int64_t row = 0; row < parts.rows(); ++row) {
+        Matrix& sum = row / cols % 2 == 0 ? products.left : products.rest;
+        for (std::int64_t c = 0; c < cols; ++c)
+            sum(row % cols, c) += parts(row, c);
+    }
+    return products;
 }
 
 void multiply_columns(MatrixView panel, const Matrix& factor, const Machine& machine) {

@@ -52,6 +52,13 @@ STLTSA_INLINE const P& pack_at(const double* entry) {
 /// Inner products of each column of a with each of b.
 Matrix inner_products(ConstMatrixView a, ConstMatrixView b, const Machine& machine);
 
+/// left^T rest and rest^T rest, where rest = right - left * factor is not stored.
+struct RestProducts {
+    Matrix left, rest;
+};
+RestProducts rest_products(ConstMatrixView left, const Matrix& factor, ConstMatrixView right,
+                           const Machine& machine);
+
 /// panel := panel * factor
 void multiply_columns(MatrixView panel, const Matrix& factor, const Machine& machine);
 

@@ -150,16 +150,18 @@ void orthonormalize(const Alignment& alignment, Basis& basis) {
 /// of `before`'s (both orthonormal): the largest singular value of what projection leaves.
 double largest_angle(const Matrix& before, const Matrix& after, std::int64_t count,
                      const Machine& machine) {
-    Matrix rest = after;
-    for (int pass = 0; pass < 2; ++pass) {
-        Matrix part = before;
-        Matrix overlaps = inner_products(before.view(), rest.view(), machine);
-        std::fill(overlaps.row(count), overlaps.row(overlaps.rows()), 0.0);
-        multiply_columns(part.view(), overlaps, machine);
-        for (std::int64_t i = 0; i < rest.rows() * rest.cols(); ++i)
-            rest.data()[i] -= part.data()[i];
-    }
-    const Matrix products = inner_products(rest.view(), rest.view(), machine);
+    const auto first_rows = [count](Matrix products) {
+        std::fill(products.row(count), products.row(products.rows()), 0.0);
+        return products;
+    };
+    Matrix overlaps = first_rows(inner_products(before.view(), after.view(), machine));
+    // What rounding left of the overlaps in the rest goes as well.
+    const Matrix left =
+        first_rows(rest_products(before.view(), overlaps, after.view(), machine).left);
+    for (std::int64_t i = 0; i < count; ++i)
+        for (std::int64_t j = 0; j < overlaps.cols(); ++j)
+            overlaps(i, j) += left(i, j);
+    const Matrix products = rest_products(before.view(), overlaps, after.view(), machine).rest;
     Matrix gram(count, count);
     for (std::int64_t i = 0; i < count; ++i)
         std::copy_n(products.row(i), count, gram.row(i));

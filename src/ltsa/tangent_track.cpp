@@ -25,28 +25,44 @@ struct ProjectFrames {
 
     template <int W>
     STLTSA_INLINE void run() const {
-        for (std::size_t a = 0; a < members.size(); ++a)
-            for (std::int64_t l = 0; l < vectors.rows; ++l)
-                out[static_cast<std::size_t>(l) * members.size() + a] =
-                    product<W>(x.row(members[a]), vectors.row(l));
+        std::int64_t l = 0;
+        for (; l + 2 <= vectors.rows; l += 2)
+            project<W, 2>(l);
+        for (; l < vectors.rows; ++l)
+            project<W, 1>(l);
     }
 
-    template <int W>
-    STLTSA_INLINE double product(const double* frame, const double* vector) const {
-        Pack<W> sums[lanes / W] = {};
+    /// For `count` directions from l on, which share what a frame takes to load.
+    template <int W, std::int64_t count>
+    STLTSA_INLINE void project(std::int64_t l) const {
+        const auto size = static_cast<std::int64_t>(members.size());
+        for (std::int64_t a = 0; a < size; ++a) {
+            double products[count];
+            multiply<W, count>(x.row(members[static_cast<std::size_t>(a)]), l, products);
+            for (std::int64_t j = 0; j < count; ++j)
+                out[(l + j) * size + a] = products[j];
+        }
+    }
+
+    template <int W, std::int64_t count>
+    STLTSA_INLINE void multiply(const double* frame, std::int64_t l, double* products) const {
+        Pack<W> sums[count][lanes / W] = {};
         std::int64_t i = 0;
         for (; i + lanes <= x.cols; i += lanes)
             for (std::int64_t part = 0; part < lanes / W; ++part) {
                 const std::int64_t at = i + part * W;
-                sums[part] += (load<Pack<W>>(frame + at) - load<Pack<W>>(origin + at)) *
-                              load<Pack<W>>(vector + at);
+                const Pack<W> d = load<Pack<W>>(frame + at) - load<Pack<W>>(origin + at);
+                for (std::int64_t j = 0; j < count; ++j)
+                    sums[j][part] += d * load<Pack<W>>(vectors.row(l + j) + at);
             }
-        double s[lanes];
-        for (std::int64_t l = 0; l < lanes; ++l)
-            s[l] = sums[l / W][l % W];
-        for (std::int64_t l = 0; i < x.cols; ++i, ++l)
-            s[l] += (frame[i] - origin[i]) * vector[i];
-        return sum_lanes(s);
+        for (std::int64_t j = 0; j < count; ++j) {
+            double s[lanes];
+            for (std::int64_t lane = 0; lane < lanes; ++lane)
+                s[lane] = sums[j][lane / W][lane % W];
+            for (std::int64_t c = i; c < x.cols; ++c)
+                s[c - i] += (frame[c] - origin[c]) * vectors(l + j, c);
+            products[j] = sum_lanes(s);
+        }
     }
 };
 
