@@ -27,6 +27,8 @@ class Triangle {
             const bool empty = r_(c, 0) == 0;
             if (row[0] != 0)
                 rotate(r_.row(c), row.data());
+            else if (std::all_of(row.begin(), row.end(), [](double entry) { return entry == 0; }))
+                return;
             if (empty && r_(c, 0) != 0)
                 return; // all of it is there now
             std::move(row.begin() + 1, row.end(), row.begin());

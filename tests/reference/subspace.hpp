@@ -3,9 +3,11 @@
 // angle, and block inverse iteration.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -91,13 +93,16 @@ Table<T> cosines(std::size_t p, std::size_t n) {
 }
 
 /// The d smallest nonzero eigenpairs of B by block inverse iteration on d + 5 vectors with a
-/// Rayleigh-Ritz step each, until the d-dimensional space turns by less than `tolerance`.
+/// Rayleigh-Ritz step each, until the d-dimensional space turns by less than `tolerance`, or in
+/// double no less than it did: rounding keeps turning it.
 template <class T, class Factor>
 Spectrum<T> smallest_eigenpairs(const Factor& factor, std::size_t d, double tolerance) {
     const std::size_t n = factor.rows() + 1;
     const std::size_t p = std::min(d + 5, n - 1);
     Table<T> x = cosines<T>(p, n);
     Spectrum<T> result;
+    double least = 1;
+    int iterations_without_progress = 0;
     for (result.iterations = 1; result.iterations <= 2000; ++result.iterations) {
         Table<T> y = x;
         std::vector<T> column;
@@ -119,7 +124,12 @@ Spectrum<T> smallest_eigenpairs(const Factor& factor, std::size_t d, double tole
         result.lambda.clear();
         for (std::size_t v = 0; v < std::min(p, d + 1); ++v)
             result.lambda.push_back(T(1) / eigen.values[v]);
+        iterations_without_progress =
+            result.change < least / 2 ? 0 : iterations_without_progress + 1;
+        least = std::min(least, result.change);
         if (result.change < tolerance)
+            return result;
+        if (std::is_same_v<T, double> && iterations_without_progress == 20)
             return result;
         x = combine(eigen.vectors, y, p);
         orthonormalize(x);
