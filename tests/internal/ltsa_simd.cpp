@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The same bits on every machine code and for any number of threads.
+// The same bits on every machine code and for any number of threads; the same numbers with other
+// kernels of OpenBLAS.
+#include <cstdio>
+#include <cstdlib>
 #include <cstring>
+#include <filesystem>
 
 #include "base/random.hpp"
 #include "linalg/simd.hpp"
@@ -104,13 +108,53 @@ void recurrent_fits_have_the_same_bits(void**) {
         check_bits("recurrent", motion(frames), parameters_of(Mode::recurrent, size), {1, 2, 4});
 }
 
+/// Writes the coordinates of a fit to standard output: what a child process does.
+int print_coords(const char* size) {
+    const Model model = fitted(motion(frames), parameters_of(Mode::temporal, std::atoi(size)));
+    const auto count = static_cast<std::size_t>(model.coords.rows() * model.coords.cols());
+    return std::fwrite(model.coords.data(), sizeof(double), count, stdout) == count ? 0 : 1;
+}
+
+/// The same from a process where OpenBLAS, which chooses its kernels when it is loaded, was told to
+/// take those of another machine.
+std::vector<double> coords_with(const char* machine, std::int64_t size) {
+    const std::string self = std::filesystem::read_symlink("/proc/self/exe").string();
+    const std::string command = std::string("OPENBLAS_CORETYPE=") + machine + " '" + self + "' " +
+                                std::to_string(size) + " 2>/dev/null";
+    std::vector<double> coords(static_cast<std::size_t>(2 * frames));
+    FILE* pipe = popen(command.c_str(), "r");
+    assert_non_null(pipe);
+    const std::size_t count = std::fread(coords.data(), sizeof(double), coords.size(), pipe);
+    assert_int_equal(pclose(pipe), 0);
+    assert_int_equal(count, coords.size());
+    return coords;
+}
+
+void other_blas_kernels_give_the_same_numbers(void**) {
+    for (const std::int64_t size : {12, 50, 140}) {
+        const Model expected = fitted(motion(frames), parameters_of(Mode::temporal, size));
+        // Where OpenBLAS does not know the name, or is not the BLAS, nothing differs.
+        for (const char* machine :
+             {"Nehalem", simd_available(Simd::avx2) ? "Haswell" : "Nehalem"}) {
+            const std::vector<double> coords = coords_with(machine, size);
+            double worst = 0;
+            for (std::size_t i = 0; i < coords.size(); ++i)
+                worst = std::max(worst, std::abs(coords[i] - expected.coords.data()[i]));
+            ASSERT_NEAR(worst, 0, 1e-10);
+        }
+    }
+}
+
 } // namespace
 
-int main() {
+int main(int argc, char** argv) {
+    if (argc > 1)
+        return print_coords(argv[1]);
     const CMUnitTest tests[] = {
         cmocka_unit_test(temporal_fits_have_the_same_bits),
         cmocka_unit_test(spatial_fits_have_the_same_bits),
         cmocka_unit_test(recurrent_fits_have_the_same_bits),
+        cmocka_unit_test(other_blas_kernels_give_the_same_numbers),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }
