@@ -1,50 +1,20 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /*
  * Where the time of stltsa_fit goes, in microseconds of processor time a frame and in wall-clock
- * time: one row of the table of scripts/measure-speed. The frames are a made-up motion: 56 features
- * that swing with a cycle of about a second, no two cycles alike, at 120 frames a second.
+ * time: one row of the table of scripts/measure-speed. The frames are those of motion.h.
  *
- *     fit_times FRAMES NEIGHBORS THREADS REPEATS
+ *     fit_times FRAMES NEIGHBORS THREADS REPEATS [MODE]
  *
- * The shortest of the repeats is printed.
+ * MODE is that of the options, 1 (temporal) without it. The shortest of the repeats is printed.
  */
 #define _POSIX_C_SOURCE 199309L
-#include <math.h>
 #include <string.h>
 
+#include "motion.h"
 #include "timing.h"
 
 /* Before neighbors there is nothing to read, after the spectrum no units are looked for. */
-enum { features = 56, first_stage = STLTSA_STAGE_NEIGHBORS, last_stage = STLTSA_STAGE_SPECTRUM };
-
-/* Uniform in [-1, 1). */
-static double next_random(uint64_t* state) {
-    *state = *state * 6364136223846793005u + 1442695040888963407u;
-    return (double)(*state >> 11) / 4503599627370496.0 - 1;
-}
-
-static double* make_frames(int64_t frames) {
-    const double turn = 6.283185307179586;
-    uint64_t state = 1;
-    double* x = malloc((size_t)frames * features * sizeof *x);
-    double phase = 0, speed = 1, size = 1;
-    int64_t i;
-    int c;
-    if (x == NULL) {
-        fprintf(stderr, "fit_times: no memory\n");
-        exit(1);
-    }
-    for (i = 0; i < frames; ++i) {
-        /* Both wander slowly about 1. */
-        speed += 0.003 * next_random(&state) - 0.002 * (speed - 1);
-        size += 0.003 * next_random(&state) - 0.002 * (size - 1);
-        phase += turn / 120 * speed;
-        for (c = 0; c < features; ++c)
-            x[i * features + c] = 20 * size * sin(phase + c) + 8 * sin(2 * phase + 2.3 * c) +
-                                  3 * size * sin(3 * phase + 3.1 * c) + 0.01 * next_random(&state);
-    }
-    return x;
-}
+enum { first_stage = STLTSA_STAGE_NEIGHBORS, last_stage = STLTSA_STAGE_SPECTRUM };
 
 int main(int argc, char** argv) {
     struct stage_times times, best;
@@ -53,22 +23,24 @@ int main(int argc, char** argv) {
     stltsa_in in;
     long repeats, r;
     int stage;
-    if (argc != 5) {
-        fprintf(stderr, "usage: fit_times FRAMES NEIGHBORS THREADS REPEATS\n");
+    if (argc < 5) {
+        fprintf(stderr, "usage: fit_times FRAMES NEIGHBORS THREADS REPEATS [MODE]\n");
         return 2;
     }
     memset(&in, 0, sizeof in);
     memset(&best, 0, sizeof best);
     in.rows = atol(argv[1]);
-    in.cols = features;
+    in.cols = motion_features;
     in.dtype = STLTSA_F64;
-    in.data = make_frames(in.rows);
+    in.data = make_motion(in.rows);
     repeats = atol(argv[4]);
     check(stltsa_options_new(&options));
     check(stltsa_options_set_int(options, STLTSA_NEIGHBORS, atol(argv[2])));
     check(stltsa_options_set_int(options, STLTSA_WINDOW, atol(argv[2])));
     check(stltsa_options_set_int(options, STLTSA_DIMENSION, 2));
     check(stltsa_options_set_int(options, STLTSA_THREADS, atol(argv[3])));
+    if (argc > 5)
+        check(stltsa_options_set_int(options, STLTSA_MODE, atol(argv[5])));
     check(stltsa_options_set_int(options, STLTSA_KEEP_FRAMES, 0));
     check(stltsa_options_set_progress(options, record_stage, &times));
     for (r = 0; r < repeats; ++r) {

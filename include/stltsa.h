@@ -456,8 +456,8 @@ typedef struct stltsa_interval {
  * between, is an action, and a warning says when. A clip without trustworthy cycles gets activity
  * segments and a reason. That is an answer (STLTSA_OK), not an error.
  * Options: all of features, up axis, keep_start, rate, smoothing, period_*, neighbors, window,
- * dimension, mode, threads, progress. A clip of unknown fps: E_ARGUMENT (set option fps).
- * Other errors as stltsa_fit. */
+ * dimension, mode, threads, progress. A clip of unknown fps: E_ARGUMENT (set option fps when
+ * opening it). Other errors as stltsa_fit. */
 STLTSA_API stltsa_status stltsa_decompose(const stltsa_clip *clip, const stltsa_options *options,
                                           stltsa_decomposition **decomposition) STLTSA_NOEXCEPT;
 STLTSA_API void stltsa_decomposition_free(stltsa_decomposition *decomposition) STLTSA_NOEXCEPT;

@@ -29,7 +29,7 @@ constexpr double tolerance = 1e-12;
 
 /// Lanczos vectors at first.
 std::int64_t least_vectors(std::int64_t count) {
-    return std::max<std::int64_t>(2 * count + 6, 12);
+    return 2 * count + 4;
 }
 
 /// One run of dsaupd's reverse communication, then dseupd.
@@ -78,9 +78,9 @@ class Lanczos {
         std::vector<a_int> select(static_cast<std::size_t>(subspace_), 1);
         a_int info = 0;
         dseupd_c(1, "A", select.data(), pairs.values.data(), pairs.vectors.data(), order_, 0.0, "I",
-                 order_, "LA", count_, tolerance, residual_.data(), subspace_, basis_.data(), order_,
-                 parameters_, pointers_, work_.data(), small_work_.data(), small_work_size(),
-                 &info);
+                 order_, "LA", count_, tolerance, residual_.data(), subspace_, basis_.data(),
+                 order_, parameters_, pointers_, work_.data(), small_work_.data(),
+                 small_work_size(), &info);
         if (info != 0)
             fail(Status::internal, "ARPACK dseupd failed (info {})", info);
         // dseupd gives ascending order.

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "linalg/envelope.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "linalg/panel.hpp"
-#include "linalg/simd.hpp"
 
 namespace stltsa {
 
@@ -29,9 +31,18 @@ STLTSA_INLINE void subtract_multiple(double factor, const double* from, double* 
         to[i] -= factor * from[i];
 }
 
-/// Factors column after column, and takes each one's outer product from those that it reaches.
-struct Factoring {
+/// Rows [begin, end) between the two halves: those that the upper half reaches.
+struct Middle {
+    explicit Middle(const EnvelopeMatrix& matrix)
+        : begin(matrix.order() / 2), end(begin > 0 ? matrix.reach(begin - 1) + 1 : begin) {}
+    std::int64_t begin, end;
+};
+
+/// The columns [begin, end), with their rows before `limit`: column after column, each one's outer
+/// product taken from those that it reaches.
+struct FactorDown {
     EnvelopeMatrix& matrix;
+    std::int64_t begin, end, limit;
     double smallest;
     const std::vector<double>& diagonal;
     bool& regular;
@@ -39,11 +50,11 @@ struct Factoring {
     template <int W>
     STLTSA_INLINE void run() const {
         regular = true;
-        for (std::int64_t j = 0; j < matrix.order() && regular; ++j) {
+        for (std::int64_t j = begin; j < end && regular; ++j) {
             double* column = matrix.column(j);
             regular = column[0] > smallest * diagonal[static_cast<std::size_t>(j)];
             const double pivot = __builtin_sqrt(column[0]);
-            const std::int64_t length = matrix.reach(j) - j;
+            const std::int64_t length = std::min(matrix.reach(j), limit - 1) - j;
             for (std::int64_t r = 1; r <= length; ++r)
                 column[r] /= pivot;
             for (std::int64_t r = 1; r <= length; ++r)
@@ -53,96 +64,181 @@ struct Factoring {
     }
 };
 
+/// What the rows from `from` on hold of columns i and j (j <= i) in common: their inner product.
+double overlap(const EnvelopeMatrix& matrix, std::int64_t i, std::int64_t j, std::int64_t from) {
+    const double* left = matrix.column(i) + (from - i);
+    const double* right = matrix.column(j) + (from - j);
+    double sum = 0;
+    for (std::int64_t r = 0; r <= matrix.reach(j) - from; ++r)
+        sum += left[r] * right[r];
+    return sum;
+}
+
+/// The rows from the last one up to `end`: row after row, from what the rows below hold.
+bool factor_up(EnvelopeMatrix& matrix, std::int64_t end, double smallest) {
+    std::int64_t first = matrix.order(); // that reaches row i
+    for (std::int64_t i = matrix.order() - 1; i >= end; --i) {
+        double& diagonal = matrix.column(i)[0];
+        const double pivot = diagonal - overlap(matrix, i, i, i + 1);
+        if (!(pivot > smallest * diagonal))
+            return false;
+        diagonal = 1 / std::sqrt(pivot);
+        while (first > 0 && matrix.reach(first - 1) >= i)
+            --first;
+        for (std::int64_t j = first; j < i; ++j) {
+            double& entry = matrix.column(j)[i - j];
+            entry = (entry - overlap(matrix, i, j, i + 1)) * diagonal;
+        }
+    }
+    return true;
+}
+
+/// Threads that are worth starting for a matrix of this order.
+int arms(const EnvelopeMatrix& matrix, const Machine& machine) {
+    return threads_for(matrix.order(), 16384, machine);
+}
+
 } // namespace
 
-bool cholesky(EnvelopeMatrix& matrix, double smallest, Simd simd) {
+bool cholesky(EnvelopeMatrix& matrix, double smallest, const Machine& machine) {
     std::vector<double> diagonal(static_cast<std::size_t>(matrix.order()));
     for (std::int64_t j = 0; j < matrix.order(); ++j)
         diagonal[static_cast<std::size_t>(j)] = matrix.column(j)[0];
-    bool regular = false;
-    run_simd(simd, Factoring{matrix, smallest, diagonal, regular});
-    return regular;
+    const Middle middle(matrix);
+    bool down = true, up = true;
+    parallel_blocks(2, arms(matrix, machine), [&](std::int64_t arm) {
+        if (arm == 0)
+            run_simd(machine.simd,
+                     FactorDown{matrix, 0, middle.begin, middle.end, smallest, diagonal, down});
+        else
+            up = factor_up(matrix, middle.end, smallest);
+    });
+    if (!down || !up)
+        return false;
+    for (std::int64_t j = middle.begin; j < middle.end; ++j)
+        for (std::int64_t i = j; i < std::min(middle.end, matrix.reach(j) + 1); ++i)
+            matrix.column(j)[i - j] -= overlap(matrix, i, j, middle.end);
+    run_simd(machine.simd,
+             FactorDown{matrix, middle.begin, middle.end, middle.end, smallest, diagonal, down});
+    return down;
 }
 
 namespace {
 
-/// Columns up to here are too short for vector code: what one step stores the next one loads again
-/// at another place, and the machine waits for the store.
-constexpr std::int64_t short_column = 32;
+/// The sweeps of a solve through one pack of columns. Row by row, so that a step waits for the last
+/// value before it alone, and stores once.
+template <class P>
+struct Sweep {
+    const EnvelopeMatrix& factor;
+    MatrixView x;
+    std::int64_t column;
 
-/// Row by row, so that a step waits for the last value before it alone, and stores one number.
-void forward_by_rows(const EnvelopeMatrix& factor, double* values) {
-    std::int64_t first = 0; // column that reaches row j
-    for (std::int64_t j = 0; j < factor.order(); ++j) {
-        while (factor.reach(first) < j)
+    STLTSA_INLINE P& at(std::int64_t row) const { return pack_at<P>(x.row(row) + column); }
+
+    /// What row i leaves of its value when the columns before it have theirs; `first` follows the
+    /// first column that reaches the row.
+    STLTSA_INLINE P after_columns(std::int64_t i, std::int64_t& first) const {
+        while (factor.reach(first) < i)
             ++first;
-        double value = values[j];
-        for (std::int64_t c = first; c < j; ++c)
-            value -= factor.column(c)[j - c] * values[c];
-        values[j] = value * factor.column(j)[0];
+        P value = at(i);
+        for (std::int64_t c = first; c < i; ++c)
+            value -= factor.column(c)[i - c] * at(c);
+        return value;
     }
-}
-
-void forward_by_columns(const EnvelopeMatrix& factor, double* values) {
-    for (std::int64_t j = 0; j < factor.order(); ++j) {
-        const double* column = factor.column(j);
-        values[j] *= column[0];
-        axpy(-values[j], column + 1, values + j + 1, factor.reach(j) - j);
+    /// What the rows [from, to] leave of a value when they have theirs; the newest last.
+    STLTSA_INLINE P after_rows(P value, std::int64_t j, std::int64_t from, std::int64_t to) const {
+        const double* entries = factor.column(j);
+        for (std::int64_t i = to; i >= from; --i)
+            value -= entries[i - j] * at(i);
+        return value;
     }
-}
 
-void solve_vector(const EnvelopeMatrix& factor, double* values) {
-    const bool brief = factor.entries() < short_column * factor.order();
-    if (brief)
-        forward_by_rows(factor, values);
-    else
-        forward_by_columns(factor, values);
-    for (std::int64_t j = factor.order() - 1; j >= 0; --j) {
-        const double* column = factor.column(j);
-        const std::int64_t length = factor.reach(j) - j;
-        double value = values[j];
-        if (brief)
-            for (std::int64_t r = length; r > 0; --r) // the newest value last
-                value -= column[r] * values[j + r];
-        else
-            value -= dot(column + 1, values + j + 1, length);
-        values[j] = value * column[0];
+    STLTSA_INLINE void down(std::int64_t i, std::int64_t& first) const {
+        at(i) = after_columns(i, first) * factor.column(i)[0];
     }
-}
+    STLTSA_INLINE void up(std::int64_t j, std::int64_t end) const {
+        const std::int64_t last = std::min(factor.reach(j), end - 1);
+        at(j) = after_rows(at(j), j, j + 1, last) * factor.column(j)[0];
+    }
 
-struct PanelSolve {
+    STLTSA_INLINE void solve_middle(const Middle& middle) const {
+        std::int64_t first = 0;
+        for (std::int64_t i = middle.begin; i < middle.end; ++i) {
+            at(i) = after_rows(at(i), i, middle.end, factor.reach(i));
+            down(i, first);
+        }
+        for (std::int64_t j = middle.end - 1; j >= middle.begin; --j)
+            up(j, middle.end);
+    }
+};
+
+enum class Arm { upper, lower, both };
+
+/// From the ends to the middle, or from there to the ends. Steps of the two halves take turns where
+/// one thread has both: neither waits for the other, and each for itself mostly waits.
+struct Halves {
+    const EnvelopeMatrix& factor;
+    MatrixView x;
+    Arm arm;
+    bool inwards;
+
+    template <int W>
+    STLTSA_INLINE void run() const {
+        for_columns<W>(x.cols, *this);
+    }
+    template <class P>
+    STLTSA_INLINE void columns(std::int64_t column) const {
+        const Sweep<P> sweep{factor, x, column};
+        const Middle middle(factor);
+        const std::int64_t n = factor.order();
+        const std::int64_t upper = arm == Arm::lower ? 0 : middle.begin;
+        const std::int64_t lower = arm == Arm::upper ? 0 : n - middle.end;
+        std::int64_t first = 0;
+        for (std::int64_t step = 0; step < std::max(upper, lower); ++step)
+            if (inwards) {
+                if (step < upper)
+                    sweep.down(step, first);
+                if (step < lower)
+                    sweep.up(n - 1 - step, n);
+            } else {
+                if (step < upper)
+                    sweep.up(middle.begin - 1 - step, n);
+                if (step < lower)
+                    sweep.down(middle.end + step, first);
+            }
+    }
+};
+
+struct MiddleSolve {
     const EnvelopeMatrix& factor;
     MatrixView x;
 
     template <int W>
     STLTSA_INLINE void run() const {
-        using P = Pack<W>;
-        for (std::int64_t c = 0; c < x.cols; c += W) {
-            for (std::int64_t j = 0; j < x.rows; ++j) {
-                const double* column = factor.column(j);
-                const P value = pack_at<P>(x.row(j) + c) * column[0];
-                pack_at<P>(x.row(j) + c) = value;
-                for (std::int64_t r = 1; r <= factor.reach(j) - j; ++r)
-                    pack_at<P>(x.row(j + r) + c) -= column[r] * value;
-            }
-            for (std::int64_t j = x.rows - 1; j >= 0; --j) {
-                const double* column = factor.column(j);
-                P value = pack_at<P>(x.row(j) + c);
-                for (std::int64_t r = factor.reach(j) - j; r > 0; --r)
-                    value -= column[r] * pack_at<P>(x.row(j + r) + c);
-                pack_at<P>(x.row(j) + c) = value * column[0];
-            }
-        }
+        for_columns<W>(x.cols, *this);
+    }
+    template <class P>
+    STLTSA_INLINE void columns(std::int64_t column) const {
+        Sweep<P>{factor, x, column}.solve_middle(Middle(factor));
     }
 };
 
+void sweep_halves(const EnvelopeMatrix& factor, MatrixView x, bool inwards,
+                  const Machine& machine) {
+    const Simd simd = panel_simd(x.cols, machine.simd);
+    if (arms(factor, machine) == 1)
+        return run_simd(simd, Halves{factor, x, Arm::both, inwards});
+    parallel_blocks(2, 2, [&](std::int64_t arm) {
+        run_simd(simd, Halves{factor, x, arm == 0 ? Arm::upper : Arm::lower, inwards});
+    });
+}
+
 } // namespace
 
-void cholesky_solve(const EnvelopeMatrix& factor, MatrixView x, Simd simd) {
-    if (x.cols == 1)
-        solve_vector(factor, x.data);
-    else
-        run_simd(panel_simd(x.cols, simd), PanelSolve{factor, x});
+void cholesky_solve(const EnvelopeMatrix& factor, MatrixView x, const Machine& machine) {
+    sweep_halves(factor, x, true, machine);
+    run_simd(panel_simd(x.cols, machine.simd), MiddleSolve{factor, x});
+    sweep_halves(factor, x, false, machine);
 }
 
 } // namespace stltsa

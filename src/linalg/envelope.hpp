@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "linalg/machine.hpp"
 #include "linalg/matrix.hpp"
-#include "linalg/pack.hpp"
 
 namespace stltsa {
 
@@ -36,12 +36,14 @@ class EnvelopeMatrix {
     AlignedVector<double> entries_;
 };
 
-/// L L^T = matrix, in place, with the reciprocals of L's diagonal in its place; false, with the
-/// matrix destroyed, where a pivot is at or below `smallest` times its diagonal entry: the matrix
-/// is singular to working precision.
-bool cholesky(EnvelopeMatrix& matrix, double smallest, Simd simd);
+/// Factors the matrix in place from both ends at once, so that there is always work for two: the
+/// upper half is eliminated downwards (L L^T), the lower half upwards (L^T L), and the rows in the
+/// middle that both have reached at last. The reciprocals of the diagonal are in its place. False,
+/// with the matrix destroyed, where a pivot is at or below `smallest` times its diagonal entry: the
+/// matrix is singular to working precision.
+bool cholesky(EnvelopeMatrix& matrix, double smallest, const Machine& machine);
 
-/// x := (L L^T)^-1 x for one column or a panel of them.
-void cholesky_solve(const EnvelopeMatrix& factor, MatrixView x, Simd simd);
+/// x := matrix^-1 x for one column or a panel of them.
+void cholesky_solve(const EnvelopeMatrix& factor, MatrixView x, const Machine& machine);
 
 } // namespace stltsa

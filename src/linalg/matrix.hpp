@@ -5,33 +5,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <new>
 #include <type_traits>
 #include <vector>
 
 #include "base/error.hpp"
+#include "linalg/memory.hpp"
 
 namespace stltsa {
-
-/// 64-byte alignment: BLAS kernels take the same path, so give the same bits, on every run.
-template <class T>
-struct AlignedAllocator {
-    using value_type = T;
-    static constexpr std::align_val_t alignment{64};
-    AlignedAllocator() = default;
-    template <class U>
-    AlignedAllocator(const AlignedAllocator<U>&) {}
-    T* allocate(std::size_t count) {
-        if (count > std::numeric_limits<std::size_t>::max() / sizeof(T))
-            throw std::bad_alloc();
-        return static_cast<T*>(::operator new(count * sizeof(T), alignment));
-    }
-    void deallocate(T* data, std::size_t) { ::operator delete(data, alignment); }
-    template <class U>
-    bool operator==(const AlignedAllocator<U>&) const {
-        return true;
-    }
-};
 
 template <class T>
 using AlignedVector = std::vector<T, AlignedAllocator<T>>;

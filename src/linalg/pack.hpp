@@ -8,6 +8,7 @@
 
 // Code that runs at a chosen width must be compiled as part of the function that chose it.
 #define STLTSA_INLINE [[gnu::always_inline]] inline
+#define STLTSA_INLINE_LAMBDA __attribute__((always_inline))
 
 namespace stltsa {
 

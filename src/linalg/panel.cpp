@@ -2,12 +2,10 @@
 #include "linalg/panel.hpp"
 
 #include <algorithm>
+#include <vector>
 
 namespace stltsa {
 namespace {
-
-/// Rows that are summed on their own before they go into the whole, which loses fewer digits.
-constexpr std::int64_t row_block = 1024;
 
 struct InnerProducts {
     ConstMatrixView a, b;
@@ -46,52 +44,201 @@ struct ColumnProduct {
     }
 };
 
-struct Centering {
-    MatrixView panel;
+/// sums(0, .) := the sum of the rows
+struct Sum {
+    ConstMatrixView rows;
+    MatrixView sums;
 
     template <int W>
     STLTSA_INLINE void run() const {
-        for_columns<W>(panel.cols, *this);
+        for_columns<W>(rows.cols, *this);
     }
     template <class P>
     STLTSA_INLINE void columns(std::int64_t c) const {
-        P mean{};
-        for (std::int64_t row = 0; row < panel.rows; ++row)
-            mean += pack_at<P>(panel.row(row) + c);
-        mean /= static_cast<double>(panel.rows);
-        for (std::int64_t row = 0; row < panel.rows; ++row)
-            pack_at<P>(panel.row(row) + c) -= mean;
+        P sum{};
+        for (std::int64_t row = 0; row < rows.rows; ++row)
+            sum += pack_at<P>(rows.row(row) + c);
+        pack_at<P>(sums.data + c) = sum;
     }
 };
 
+/// sums(0, .) := the sum of the rows, sums(1, .) := that of their prefix sums
+struct PrefixTotals {
+    ConstMatrixView rows;
+    MatrixView sums;
+
+    template <int W>
+    STLTSA_INLINE void run() const {
+        for_columns<W>(rows.cols, *this);
+    }
+    template <class P>
+    STLTSA_INLINE void columns(std::int64_t c) const {
+        P sum{}, total{};
+        for (std::int64_t row = 0; row < rows.rows; ++row) {
+            sum += pack_at<P>(rows.row(row) + c);
+            total += sum;
+        }
+        pack_at<P>(sums.row(0) + c) = sum;
+        pack_at<P>(sums.row(1) + c) = total;
+    }
+};
+
+/// out(r) := start + in(0) + .. + in(r)
+struct PrefixSums {
+    ConstMatrixView in;
+    const double* start;
+    MatrixView out;
+
+    template <int W>
+    STLTSA_INLINE void run() const {
+        for_columns<W>(in.cols, *this);
+    }
+    template <class P>
+    STLTSA_INLINE void columns(std::int64_t c) const {
+        P sum{};
+        const P before = pack_at<P>(start + c);
+        for (std::int64_t row = 0; row < in.rows; ++row) {
+            sum += pack_at<P>(in.row(row) + c);
+            pack_at<P>(out.row(row) + c) = before + sum;
+        }
+    }
+};
+
+/// out(r) := start + in(r) + .. + in(last)
+struct SuffixSums {
+    ConstMatrixView in;
+    const double* start;
+    MatrixView out;
+
+    template <int W>
+    STLTSA_INLINE void run() const {
+        for_columns<W>(in.cols, *this);
+    }
+    template <class P>
+    STLTSA_INLINE void columns(std::int64_t c) const {
+        P sum{};
+        const P before = pack_at<P>(start + c);
+        for (std::int64_t row = in.rows; row-- > 0;) {
+            sum += pack_at<P>(in.row(row) + c);
+            pack_at<P>(out.row(row) + c) = before + sum;
+        }
+    }
+};
+
+/// rows(r) -= what(0, .)
+struct Subtraction {
+    MatrixView rows;
+    const double* what;
+
+    template <int W>
+    STLTSA_INLINE void run() const {
+        for_columns<W>(rows.cols, *this);
+    }
+    template <class P>
+    STLTSA_INLINE void columns(std::int64_t c) const {
+        const P value = pack_at<P>(what + c);
+        for (std::int64_t row = 0; row < rows.rows; ++row)
+            pack_at<P>(rows.row(row) + c) -= value;
+    }
+};
+
+/// Sums of each block of rows: a row of the result each.
+Matrix block_sums(ConstMatrixView panel, const Machine& machine) {
+    Matrix sums(row_blocks(panel.rows), panel.cols);
+    const Simd simd = panel_simd(panel.cols, machine.simd);
+    for_row_blocks(panel.rows, machine,
+                   [&](std::int64_t block, std::int64_t first, std::int64_t rows) {
+                       run_simd(simd, Sum{panel.block(first, rows), sums.view().block(block, 1)});
+                   });
+    return sums;
+}
+
 } // namespace
 
-Matrix inner_products(ConstMatrixView a, ConstMatrixView b, Simd simd) {
+Matrix inner_products(ConstMatrixView a, ConstMatrixView b, const Machine& machine) {
+    Matrix parts(row_blocks(a.rows) * a.cols, b.cols);
+    const Simd simd = panel_simd(a.cols, machine.simd);
+    for_row_blocks(a.rows, machine, [&](std::int64_t block, std::int64_t first, std::int64_t rows) {
+        run_simd(simd, InnerProducts{a.block(first, rows), b.block(first, rows),
+                                     parts.view().block(block * a.cols, a.cols)});
+    });
     Matrix sum(a.cols, b.cols);
-    for (std::int64_t first = 0; first < a.rows; first += row_block) {
-        const std::int64_t rows = std::min(row_block, a.rows - first);
-        Matrix part(a.cols, b.cols);
-        run_simd(panel_simd(a.cols, simd),
-                 InnerProducts{a.block(first, rows), b.block(first, rows), part.view()});
-        for (std::int64_t i = 0; i < a.cols * b.cols; ++i)
-            sum.data()[i] += part.data()[i];
-    }
+    for (std::int64_t row = 0; row < parts.rows(); ++row)
+        for (std::int64_t c = 0; c < b.cols; ++c)
+            sum(row % a.cols, c) += parts(row, c);
     return sum;
 }
 
-void multiply_columns(MatrixView panel, const Matrix& factor, Simd simd) {
-    AlignedVector<double> row(static_cast<std::size_t>(panel.cols));
-    run_simd(panel_simd(panel.cols, simd), ColumnProduct{panel, factor.view(), row.data()});
+void multiply_columns(MatrixView panel, const Matrix& factor, const Machine& machine) {
+    const Simd simd = panel_simd(panel.cols, machine.simd);
+    for_row_blocks(panel.rows, machine, [&](std::int64_t, std::int64_t first, std::int64_t rows) {
+        AlignedVector<double> row(static_cast<std::size_t>(panel.cols));
+        run_simd(simd, ColumnProduct{panel.block(first, rows), factor.view(), row.data()});
+    });
 }
 
-void subtract_scaled(ConstMatrixView source, const Matrix& factors, MatrixView target) {
-    for (std::int64_t row = 0; row < source.rows; ++row)
-        for (std::int64_t c = 0; c < source.cols; ++c)
-            target(row, c) -= factors(0, c) * source(row, c);
+void subtract_scaled(ConstMatrixView source, const Matrix& factors, MatrixView target,
+                     const Machine& machine) {
+    for_row_blocks(source.rows, machine, [&](std::int64_t, std::int64_t first, std::int64_t rows) {
+        for (std::int64_t row = first; row < first + rows; ++row)
+            for (std::int64_t c = 0; c < source.cols; ++c)
+                target(row, c) -= factors(0, c) * source(row, c);
+    });
 }
 
-void center(MatrixView panel, Simd simd) {
-    run_simd(panel_simd(panel.cols, simd), Centering{panel});
+void center(MatrixView panel, const Machine& machine) {
+    const Matrix sums = block_sums(panel, machine);
+    Matrix mean(1, panel.cols);
+    for (std::int64_t block = 0; block < sums.rows(); ++block)
+        for (std::int64_t c = 0; c < panel.cols; ++c)
+            mean(0, c) += sums(block, c);
+    for (std::int64_t c = 0; c < panel.cols; ++c)
+        mean(0, c) /= static_cast<double>(panel.rows);
+    const Simd simd = panel_simd(panel.cols, machine.simd);
+    for_row_blocks(panel.rows, machine, [&](std::int64_t, std::int64_t first, std::int64_t rows) {
+        run_simd(simd, Subtraction{panel.block(first, rows), mean.data()});
+    });
+}
+
+void centered_prefix_sums(ConstMatrixView z, MatrixView x, const Machine& machine) {
+    const Simd simd = panel_simd(z.cols, machine.simd);
+    Matrix totals(2 * row_blocks(z.rows), z.cols);
+    for_row_blocks(z.rows, machine, [&](std::int64_t block, std::int64_t first, std::int64_t rows) {
+        run_simd(simd, PrefixTotals{z.block(first, rows), totals.view().block(2 * block, 2)});
+    });
+    Matrix starts(row_blocks(z.rows) + 1, z.cols); // before each block
+    Matrix mean(1, z.cols);
+    for (std::int64_t block = 0; block < row_blocks(z.rows); ++block) {
+        const std::int64_t rows = std::min(row_block, z.rows - block * row_block);
+        for (std::int64_t c = 0; c < z.cols; ++c) {
+            mean(0, c) += totals(2 * block + 1, c) + static_cast<double>(rows) * starts(block, c);
+            starts(block + 1, c) = starts(block, c) + totals(2 * block, c);
+        }
+    }
+    for (std::int64_t block = 0; block < starts.rows(); ++block)
+        for (std::int64_t c = 0; c < z.cols; ++c)
+            starts(block, c) -= mean(0, c) / static_cast<double>(x.rows);
+    std::copy_n(starts.row(0), x.cols, x.row(0));
+    for_row_blocks(z.rows, machine, [&](std::int64_t block, std::int64_t first, std::int64_t rows) {
+        run_simd(simd,
+                 PrefixSums{z.block(first, rows), starts.row(block), x.block(first + 1, rows)});
+    });
+}
+
+void suffix_sums(ConstMatrixView x, MatrixView z, const Machine& machine) {
+    const Simd simd = panel_simd(z.cols, machine.simd);
+    Matrix starts = block_sums(x.block(1, z.rows), machine); // the sums of what is after each block
+    std::vector<double> after(static_cast<std::size_t>(z.cols));
+    for (std::int64_t block = starts.rows(); block-- > 0;)
+        for (std::int64_t c = 0; c < z.cols; ++c) {
+            const double before = after[static_cast<std::size_t>(c)];
+            after[static_cast<std::size_t>(c)] += starts(block, c);
+            starts(block, c) = before;
+        }
+    for_row_blocks(z.rows, machine, [&](std::int64_t block, std::int64_t first, std::int64_t rows) {
+        run_simd(simd,
+                 SuffixSums{x.block(first + 1, rows), starts.row(block), z.block(first, rows)});
+    });
 }
 
 } // namespace stltsa

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "linalg/machine.hpp"
 #include "linalg/matrix.hpp"
-#include "linalg/pack.hpp"
 
 namespace stltsa {
 
@@ -50,15 +50,22 @@ STLTSA_INLINE const P& pack_at(const double* entry) {
 }
 
 /// Inner products of each column of a with each of b.
-Matrix inner_products(ConstMatrixView a, ConstMatrixView b, Simd simd);
+Matrix inner_products(ConstMatrixView a, ConstMatrixView b, const Machine& machine);
 
 /// panel := panel * factor
-void multiply_columns(MatrixView panel, const Matrix& factor, Simd simd);
+void multiply_columns(MatrixView panel, const Matrix& factor, const Machine& machine);
 
 /// target -= source * diag(factors)
-void subtract_scaled(ConstMatrixView source, const Matrix& factors, MatrixView target);
+void subtract_scaled(ConstMatrixView source, const Matrix& factors, MatrixView target,
+                     const Machine& machine);
 
 /// Subtracts its mean from each column.
-void center(MatrixView panel, Simd simd);
+void center(MatrixView panel, const Machine& machine);
+
+/// x(0) := 0, x(c + 1) := the sum of z(0) .. z(c), less the mean of these.
+void centered_prefix_sums(ConstMatrixView z, MatrixView x, const Machine& machine);
+
+/// z(c) := the sum of x(c + 1) .. x(last)
+void suffix_sums(ConstMatrixView x, MatrixView z, const Machine& machine);
 
 } // namespace stltsa

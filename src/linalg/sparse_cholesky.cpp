@@ -42,11 +42,14 @@ double largest_diagonal(const SparseColumns& matrix) {
     return largest;
 }
 
-cholmod_dense view_of(double* x, std::size_t count) {
+/// Its columns are our rows.
+cholmod_dense view_of(MatrixView rows) {
     cholmod_dense view{};
-    view.nrow = view.d = view.nzmax = count;
-    view.ncol = 1;
-    view.x = x;
+    view.nrow = static_cast<std::size_t>(rows.cols);
+    view.ncol = static_cast<std::size_t>(rows.rows);
+    view.d = static_cast<std::size_t>(rows.stride);
+    view.nzmax = view.d * view.ncol;
+    view.x = rows.data;
     view.xtype = CHOLMOD_REAL;
     view.dtype = CHOLMOD_DOUBLE;
     return view;
@@ -104,12 +107,14 @@ SparseCholesky::SparseCholesky(SparseColumns matrix) : parts_(std::make_unique<P
 
 SparseCholesky::~SparseCholesky() = default;
 
-void SparseCholesky::solve(std::span<double> x) const {
-    cholmod_dense right = view_of(x.data(), x.size());
+void SparseCholesky::solve(MatrixView rows) const {
+    cholmod_dense right = view_of(rows);
     cholmod_l_solve2(CHOLMOD_A, parts_->factor, &right, nullptr, &parts_->result, nullptr,
                      &parts_->work_y, &parts_->work_e, &parts_->common);
     parts_->check();
-    std::copy_n(static_cast<const double*>(parts_->result->x), x.size(), x.begin());
+    const auto* solution = static_cast<const double*>(parts_->result->x);
+    for (std::int64_t r = 0; r < rows.rows; ++r)
+        std::copy_n(solution + r * rows.cols, rows.cols, rows.row(r));
 }
 
 } // namespace stltsa

@@ -4,8 +4,9 @@
 
 #include <cstdint>
 #include <memory>
-#include <span>
 #include <vector>
+
+#include "linalg/matrix.hpp"
 
 namespace stltsa {
 
@@ -25,8 +26,8 @@ class SparseCholesky {
     ~SparseCholesky();
     SparseCholesky(SparseCholesky&&) = delete;
 
-    /// x := A^-1 x. One thread at a time: the workspace is kept.
-    void solve(std::span<double> x) const;
+    /// x := A^-1 x for each row x. One thread at a time: the workspace is kept.
+    void solve(MatrixView rows) const;
 
   private:
     struct Parts;

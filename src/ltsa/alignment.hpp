@@ -9,8 +9,8 @@
 #include <cstdint>
 #include <memory>
 
+#include "linalg/machine.hpp"
 #include "linalg/matrix.hpp"
-#include "linalg/pack.hpp"
 #include "ltsa/patches.hpp"
 
 namespace stltsa::ltsa {
@@ -18,12 +18,13 @@ namespace stltsa::ltsa {
 /// Vectors come as panels, or as one column each.
 class Alignment {
   public:
-    Alignment(const Patches& patches, Simd simd) : patches_(&patches), simd_(simd) {}
+    Alignment(const Patches& patches, const Machine& machine)
+        : patches_(&patches), machine_(machine) {}
     virtual ~Alignment() = default;
 
     std::int64_t frames() const { return patches_->frames(); }
     std::int64_t unknowns() const { return patches_->frames() - 1; }
-    Simd simd() const { return simd_; }
+    const Machine& machine() const { return machine_; }
 
     /// The right-hand side that values x at the frames (of zero mean) become in the unknowns.
     virtual void restrict_to(ConstMatrixView x, MatrixView unknowns) const = 0;
@@ -32,26 +33,24 @@ class Alignment {
     /// Solves with the factor, in place.
     virtual void solve(MatrixView unknowns) const = 0;
 
-    // Through the patches, never through the rounded matrix: what refinement rests on.
-    /// out := B' in
-    virtual void apply(ConstMatrixView in, MatrixView out) const = 0;
-    /// x := B x for the x of these unknowns.
-    virtual void apply_at_frames(ConstMatrixView unknowns, MatrixView x) const = 0;
-    /// x^T B x for the x of the first `count` of these unknowns, a panel: count rows.
-    virtual Matrix quadratic_form(ConstMatrixView unknowns, std::int64_t count) const = 0;
+    /// out := B' in, and x^T B x for the x of the first `count` of the unknowns `in`, a panel:
+    /// count rows. Through the patches, never through the rounded matrix: what refinement rests on.
+    virtual Matrix apply(ConstMatrixView in, MatrixView out, std::int64_t count) const = 0;
+    /// Values of zero mean at the frames, of which restrict_to() makes this.
+    virtual void at_frames(ConstMatrixView right, MatrixView x) const = 0;
 
     const Patches& patches() const { return *patches_; }
 
   protected:
     const Patches* patches_;
-    Simd simd_;
+    Machine machine_;
 };
 
 /// For temporal neighborhoods: unknowns z_c = x_{c+1} - x_c, banded, envelope Cholesky.
-std::unique_ptr<Alignment> difference_alignment(const Patches& patches, int threads, Simd simd);
+std::unique_ptr<Alignment> difference_alignment(const Patches& patches, const Machine& machine);
 
 /// For neighborhoods that are not banded: the last frame grounded, CHOLMOD.
 /// Throws Status::unsupported in a build without CHOLMOD.
-std::unique_ptr<Alignment> grounded_alignment(const Patches& patches, Simd simd);
+std::unique_ptr<Alignment> grounded_alignment(const Patches& patches, const Machine& machine);
 
 } // namespace stltsa::ltsa

@@ -47,67 +47,28 @@ struct RunningSums {
     }
 };
 
-/// S^T x: sums of the values beyond each difference.
-struct SuffixSums {
-    ConstMatrixView x;
-    MatrixView unknowns;
-
-    template <int W>
-    STLTSA_INLINE void run() const {
-        for_columns<W>(x.cols, *this);
-    }
-    template <class P>
-    STLTSA_INLINE void columns(std::int64_t column) const {
-        P sum{};
-        for (std::int64_t c = unknowns.rows; c-- > 0;) {
-            sum += pack_at<P>(x.row(c + 1) + column);
-            pack_at<P>(unknowns.row(c) + column) = sum;
-        }
-    }
-};
-
-/// S z
-struct PrefixSums {
-    ConstMatrixView unknowns;
-    MatrixView x;
-
-    template <int W>
-    STLTSA_INLINE void run() const {
-        for_columns<W>(x.cols, *this);
-    }
-    template <class P>
-    STLTSA_INLINE void columns(std::int64_t column) const {
-        P sum{};
-        pack_at<P>(x.row(0) + column) = sum;
-        for (std::int64_t c = 0; c < unknowns.rows; ++c) {
-            sum += pack_at<P>(unknowns.row(c) + column);
-            pack_at<P>(x.row(c + 1) + column) = sum;
-        }
-    }
-};
-
 /// B' of a narrow band: a few entries to a column.
 class NarrowBand {
   public:
-    NarrowBand(const Patches& patches, int threads, Simd simd)
-        : simd_(simd), matrix_(envelope_of(patches)) {
-        assemble(patches, threads, simd, matrix_);
+    NarrowBand(const Patches& patches, const Machine& machine)
+        : machine_(machine), matrix_(envelope_of(patches)) {
+        assemble(patches, machine, matrix_);
     }
     std::int64_t order() const { return matrix_.order(); }
     double& diagonal(std::int64_t c) { return matrix_.column(c)[0]; }
-    bool factor(double smallest) { return cholesky(matrix_, smallest, simd_); }
-    void solve(MatrixView unknowns) const { cholesky_solve(matrix_, unknowns, simd_); }
+    bool factor(double smallest) { return cholesky(matrix_, smallest, machine_); }
+    void solve(MatrixView unknowns) const { cholesky_solve(matrix_, unknowns, machine_); }
 
   private:
-    Simd simd_;
+    Machine machine_;
     EnvelopeMatrix matrix_;
 };
 
 /// B' of a wide band, where BLAS is quicker.
 class WideBand {
   public:
-    WideBand(const Patches& patches, int threads, Simd) : matrix_(envelope_of(patches)) {
-        assemble(patches, threads, matrix_);
+    WideBand(const Patches& patches, const Machine& machine) : matrix_(envelope_of(patches)) {
+        assemble(patches, machine, matrix_);
     }
     std::int64_t order() const { return matrix_.order(); }
     double& diagonal(std::int64_t c) { return matrix_.diagonal(c); }
@@ -130,12 +91,12 @@ void shift_diagonal(Band& band, double share) {
 template <class Band>
 class DifferenceAlignment final : public PassingAlignment<RunningSums> {
   public:
-    DifferenceAlignment(const Patches& patches, int threads, Simd simd)
-        : PassingAlignment(patches, simd), factor_(std::in_place, patches, threads, simd) {
+    DifferenceAlignment(const Patches& patches, const Machine& machine)
+        : PassingAlignment(patches, machine), factor_(std::in_place, patches, machine) {
         if (factor_->factor(smallest_pivot))
             return;
         factor_.reset(); // before the next one takes as much memory
-        factor_.emplace(patches, threads, simd);
+        factor_.emplace(patches, machine);
         shift_diagonal(*factor_, flat_shift);
         if (!factor_->factor(0))
             fail(Status::degenerate, "the frames do not vary in {} directions",
@@ -143,13 +104,20 @@ class DifferenceAlignment final : public PassingAlignment<RunningSums> {
     }
 
     void restrict_to(ConstMatrixView x, MatrixView unknowns) const override {
-        run_simd(panel_simd(x.cols, simd_), SuffixSums{x, unknowns});
+        suffix_sums(x, unknowns, machine_);
     }
     void prolong(ConstMatrixView unknowns, MatrixView x) const override {
-        run_simd(panel_simd(x.cols, simd_), PrefixSums{unknowns, x});
-        center(x, simd_);
+        centered_prefix_sums(unknowns, x, machine_);
     }
     void solve(MatrixView unknowns) const override { factor_->solve(unknowns); }
+    void at_frames(ConstMatrixView right, MatrixView x) const override {
+        for (std::int64_t c = 0; c < x.cols; ++c) {
+            x(0, c) = -right(0, c);
+            for (std::int64_t i = 1; i < right.rows; ++i)
+                x(i, c) = right(i - 1, c) - right(i, c);
+            x(right.rows, c) = right(right.rows - 1, c);
+        }
+    }
 
   private:
     std::optional<Band> factor_;
@@ -160,10 +128,10 @@ constexpr std::int64_t wide = 32;
 
 } // namespace
 
-std::unique_ptr<Alignment> difference_alignment(const Patches& patches, int threads, Simd simd) {
+std::unique_ptr<Alignment> difference_alignment(const Patches& patches, const Machine& machine) {
     if (patches.size() < wide)
-        return std::make_unique<DifferenceAlignment<NarrowBand>>(patches, threads, simd);
-    return std::make_unique<DifferenceAlignment<WideBand>>(patches, threads, simd);
+        return std::make_unique<DifferenceAlignment<NarrowBand>>(patches, machine);
+    return std::make_unique<DifferenceAlignment<WideBand>>(patches, machine);
 }
 
 } // namespace stltsa::ltsa

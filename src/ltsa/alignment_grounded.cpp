@@ -7,6 +7,7 @@
 #ifdef STLTSA_CHOLMOD
 #include <algorithm>
 
+#include "linalg/simd.hpp"
 #include "linalg/sparse_cholesky.hpp"
 #include "ltsa/patch_passes.hpp"
 #endif
@@ -66,21 +67,26 @@ class ColumnSum {
 
   private:
     void add(Holders::Place place, std::int64_t column) {
-        const auto frames = patches_.of(place.patch);
-        const double k = static_cast<double>(patches_.size());
-        for (auto j = static_cast<std::size_t>(place.position); j < frames.size(); ++j) {
+        const auto frames =
+            patches_.of(place.patch).subspan(static_cast<std::size_t>(place.position));
+        fill_terms(place, static_cast<std::int64_t>(frames.size()));
+        for (std::size_t j = 0; j < frames.size(); ++j) {
             const auto row = static_cast<std::size_t>(frames[j]);
-            double term = (frames[j] == column ? 1.0 : 0.0) - 1.0 / k;
-            for (std::int64_t l = 0; l < patches_.dimension(); ++l) {
-                const double* g = patches_.direction(place.patch, l);
-                term -= g[place.position] * g[j];
-            }
             if (seen_[row] != column) {
                 seen_[row] = column;
                 value_[row] = 0;
                 rows.push_back(frames[j]);
             }
-            value_[row] += term;
+            value_[row] += terms_[j];
+        }
+    }
+    /// What a patch adds to a column: from the column's own frame on, which comes first.
+    void fill_terms(Holders::Place place, std::int64_t count) {
+        terms_.assign(static_cast<std::size_t>(count), -1.0 / static_cast<double>(patches_.size()));
+        terms_[0] += 1;
+        for (std::int64_t l = 0; l < patches_.dimension(); ++l) {
+            const double* g = patches_.direction(place.patch, l) + place.position;
+            axpy(-*g, g, terms_.data(), count);
         }
     }
 
@@ -88,6 +94,7 @@ class ColumnSum {
     const Holders& holders_;
     std::vector<double> value_;
     std::vector<std::int64_t> seen_; ///< column for which a value was started
+    AlignedVector<double> terms_;
 };
 
 SparseColumns assemble(const Patches& patches) {
@@ -127,26 +134,34 @@ struct GroundedValues {
 
 class GroundedAlignment final : public PassingAlignment<GroundedValues> {
   public:
-    GroundedAlignment(const Patches& patches, Simd simd)
-        : PassingAlignment(patches, simd), factor_(assemble(patches)) {}
+    GroundedAlignment(const Patches& patches, const Machine& machine)
+        : PassingAlignment(patches, machine), factor_(assemble(patches)) {}
 
     void restrict_to(ConstMatrixView x, MatrixView unknowns) const override {
         std::copy_n(x.data, unknowns.rows * unknowns.cols, unknowns.data);
     }
+    void at_frames(ConstMatrixView right, MatrixView x) const override {
+        std::copy_n(right.data, right.rows * right.cols, x.data);
+        double* ground = x.row(right.rows);
+        std::fill_n(ground, x.cols, 0.0);
+        for (std::int64_t i = 0; i < right.rows; ++i)
+            for (std::int64_t c = 0; c < x.cols; ++c)
+                ground[c] -= right(i, c);
+    }
     void prolong(ConstMatrixView unknowns, MatrixView x) const override {
         std::copy_n(unknowns.data, unknowns.rows * unknowns.cols, x.data);
         std::fill_n(x.row(x.rows - 1), x.cols, 0.0);
-        center(x, simd_);
+        center(x, machine_);
     }
     void solve(MatrixView unknowns) const override {
-        AlignedVector<double> column(static_cast<std::size_t>(unknowns.rows));
-        for (std::int64_t c = 0; c < unknowns.cols; ++c) {
-            for (std::size_t r = 0; r < column.size(); ++r)
-                column[r] = unknowns(static_cast<std::int64_t>(r), c);
-            factor_.solve(column);
-            for (std::size_t r = 0; r < column.size(); ++r)
-                unknowns(static_cast<std::int64_t>(r), c) = column[r];
-        }
+        Matrix columns(unknowns.cols, unknowns.rows); // one per row
+        for (std::int64_t r = 0; r < unknowns.rows; ++r)
+            for (std::int64_t c = 0; c < unknowns.cols; ++c)
+                columns(c, r) = unknowns(r, c);
+        factor_.solve(columns.view());
+        for (std::int64_t r = 0; r < unknowns.rows; ++r)
+            for (std::int64_t c = 0; c < unknowns.cols; ++c)
+                unknowns(r, c) = columns(c, r);
     }
 
   private:
@@ -155,11 +170,11 @@ class GroundedAlignment final : public PassingAlignment<GroundedValues> {
 
 } // namespace
 
-std::unique_ptr<Alignment> grounded_alignment(const Patches& patches, Simd simd) {
-    return std::make_unique<GroundedAlignment>(patches, simd);
+std::unique_ptr<Alignment> grounded_alignment(const Patches& patches, const Machine& machine) {
+    return std::make_unique<GroundedAlignment>(patches, machine);
 }
 #else
-std::unique_ptr<Alignment> grounded_alignment(const Patches&, Simd) {
+std::unique_ptr<Alignment> grounded_alignment(const Patches&, const Machine&) {
     fail(Status::unsupported, "the modes spatial and recurrent need SuiteSparse CHOLMOD, and this "
                               "library was built without it (-Dcholmod=disabled); use temporal");
 }

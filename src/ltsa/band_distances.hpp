@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
 
 #include "linalg/matrix.hpp"
 #include "linalg/pack.hpp"
@@ -19,6 +20,13 @@ class BandDistances {
     double operator()(std::int64_t p, std::int64_t q) const {
         const std::int64_t low = std::min(p, q);
         return distances_(low - begin_, std::max(p, q) - low);
+    }
+    /// Of the members a < b of a neighborhood, by their positions.
+    auto among(std::span<const std::int32_t> members) const {
+        return [this, members](std::int64_t a, std::int64_t b) {
+            return (*this)(members[static_cast<std::size_t>(a)],
+                           members[static_cast<std::size_t>(b)]);
+        };
     }
 
   private:

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -14,8 +15,10 @@ class Best {
   public:
     explicit Best(std::size_t count) : count_(count) { heap_.reserve(count); }
 
-    bool is_beyond(double distance) const {
-        return heap_.size() == count_ && distance > heap_.front().distance;
+    /// What is farther is not among them.
+    double reach() const {
+        return heap_.size() == count_ ? heap_.front().distance
+                                      : std::numeric_limits<double>::infinity();
     }
     void offer(const Found& found) {
         if (heap_.size() == count_) {

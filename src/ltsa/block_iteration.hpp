@@ -21,6 +21,11 @@ inline constexpr std::int64_t product_columns = 2;
 /// Iterations before a lane is given up.
 inline constexpr std::int64_t most_iterations = 60;
 
+/// A lane is given up early where, after so many iterations, what the block has missed is so many
+/// times the last wanted eigenvalue: noise, of which it would never be sure.
+inline constexpr std::int64_t patience = 12;
+inline constexpr double hopeless_share = 4;
+
 /// What rounding leaves of the residual of an eigenpair, relative to the largest eigenvalue.
 inline constexpr double small_residual = 2e-15;
 
@@ -34,7 +39,7 @@ struct BlockIteration {
     double* block_data;
     double* product_data;
     double* small_data;
-    double* values_data; ///< count eigenvalues, then 1 where they were found and 0 elsewhere
+    double* values_data; ///< count eigenvalues, then 1 where they were found, else 0 or -1
     double* vectors_data;
 
     /// From what is in the block.
@@ -46,7 +51,7 @@ struct BlockIteration {
             multiply<P>(scale);
             if (step % ritz_interval == 0) {
                 rotate_to_ritz_vectors<P>();
-                if (record<P>(trace))
+                if (record<P>(trace, step >= patience))
                     return;
             }
             orthonormalize<P>(product_data);
@@ -137,12 +142,12 @@ struct BlockIteration {
         }
     }
 
-    /// Keeps the pairs of each lane whose residuals are small for the first time; true when no lane
-    /// is left. The matrix is positive semidefinite, so an eigenvalue that the block has missed is
-    /// at most what the Ritz values leave of the trace: below the last wanted one, or negligible,
-    /// none was missed.
+    /// Keeps the pairs of each lane whose residuals are small for the first time, and marks the
+    /// lane with 1, or with -1 where there is no hope; true when no lane is left. The matrix is
+    /// positive semidefinite, so an eigenvalue that the block has missed is at most what the Ritz
+    /// values leave of the trace: below the last wanted one, or negligible, none was missed.
     template <class P>
-    STLTSA_INLINE bool record(P trace) const {
+    STLTSA_INLINE bool record(P trace, bool impatient) const {
         const P* block = reinterpret_cast<const P*>(block_data);
         const P* product = reinterpret_cast<const P*>(product_data);
         P* values = reinterpret_cast<P*>(values_data);
@@ -164,22 +169,27 @@ struct BlockIteration {
         const P good = worst <= limit * limit ? P{} + 1.0 : P{};
         const P last = ritz.value(count - 1);
         const P noise = negligible_value * ritz.value(0);
-        const P sure = missed <= (last > noise ? last : noise) ? good : P{};
-        const P fresh = trace > 0 ? sure - values[count] : P{} + 1.0;
+        const P least = last > noise ? last : noise;
+        const P sure = missed <= least ? good : P{};
+        const P state = values[count];
+        const P fresh = state == 0.0 ? (trace > 0 ? sure : P{} + 1.0) : P{};
         for (std::int64_t l = 0; l < count; ++l)
             values[l] = fresh > 0 ? ritz.value(l) * trace : values[l];
         for (std::int64_t i = 0; i < kept * rows; ++i)
             vectors[i] = fresh > 0 ? block[i] : vectors[i];
-        values[count] = fresh > 0 ? fresh : values[count];
-        return all_positive(values[count]);
+        P ended = fresh > 0 ? fresh : state;
+        if (impatient)
+            ended = ended == 0.0 ? (missed > hopeless_share * least ? P{} - 1.0 : ended) : ended;
+        values[count] = ended;
+        return none_open(ended);
     }
 
     template <class P>
-    STLTSA_INLINE static bool all_positive(P v) {
-        bool all = true;
+    STLTSA_INLINE static bool none_open(P v) {
+        bool none = true;
         for (unsigned l = 0; l < sizeof(P) / sizeof(double); ++l)
-            all = all && v[l] > 0;
-        return all;
+            none = none && v[l] != 0.0;
+        return none;
     }
 };
 

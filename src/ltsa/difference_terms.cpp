@@ -16,26 +16,29 @@ void PatchTerms::set(const Patches& patches, std::int64_t patch) {
     size_ = static_cast<double>(k);
     first_ = frames.front();
     span_ = frames.back() - frames.front();
+    next_.resize(static_cast<std::size_t>(span_));
     beyond_.resize(static_cast<std::size_t>(span_));
     sums_.resize(static_cast<std::size_t>(span_ * patches.dimension()));
-    // Differences between two neighbors have the same neighbors beyond them.
-    for (std::int64_t l = 0; l < patches.dimension(); ++l) {
-        const double* g = patches.direction(patch, l);
-        double h = 0;
-        for (std::int64_t j = k - 1; j > 0; --j) {
-            h += g[j];
-            fill(frames, j, sums_.data() + l * span_, h);
-        }
+    tail_.resize(static_cast<std::size_t>(k));
+
+    std::size_t j = 1;
+    for (std::int64_t c = 0; c < span_; ++c) {
+        j += frames[j] - first_ == c;
+        next_[static_cast<std::size_t>(c)] = static_cast<std::int32_t>(j);
     }
-    for (std::int64_t j = k - 1; j > 0; --j)
-        fill(frames, j, beyond_.data(), static_cast<double>(k - j));
+    for (std::size_t c = 0; c < next_.size(); ++c)
+        beyond_[c] = size_ - next_[c];
+    for (std::int64_t l = 0; l < patches.dimension(); ++l)
+        spread_sums(patches.direction(patch, l), sums_.data() + l * span_);
 }
 
-/// For the differences between neighbors j-1 and j.
-void PatchTerms::fill(std::span<const std::int32_t> frames, std::int64_t j, double* out,
-                      double value) const {
-    const auto at = static_cast<std::size_t>(j);
-    std::fill(out + (frames[at - 1] - first_), out + (frames[at] - first_), value);
+/// The sums of g over the neighbors beyond each difference.
+void PatchTerms::spread_sums(const double* g, double* out) {
+    double sum = 0;
+    for (std::size_t j = tail_.size(); j-- > 0;)
+        tail_[j] = sum += g[j];
+    for (std::size_t c = 0; c < next_.size(); ++c)
+        out[c] = tail_[static_cast<std::size_t>(next_[c])];
 }
 
 std::vector<std::int64_t> envelope_of(const Patches& patches) {
@@ -130,8 +133,8 @@ struct AddPatch {
 
 } // namespace
 
-void assemble(const Patches& patches, int threads, Simd simd, EnvelopeMatrix& matrix) {
-    for_column_blocks(patches, matrix.order(), threads,
+void assemble(const Patches& patches, const Machine& machine, EnvelopeMatrix& matrix) {
+    for_column_blocks(patches, matrix.order(), machine.threads,
                       [&](std::int64_t begin, std::int64_t end, PatchRange range) {
                           PatchTerms terms;
                           for (std::int64_t p = range.begin; p < range.end; ++p) {
@@ -139,9 +142,10 @@ void assemble(const Patches& patches, int threads, Simd simd, EnvelopeMatrix& ma
                               if (frames.front() >= end || frames.back() <= begin)
                                   continue;
                               terms.set(patches, p);
-                              run_simd(simd, AddPatch{matrix, begin, end, terms.first(),
-                                                      terms.span(), terms.size(), terms.beyond(),
-                                                      terms.sums(), patches.dimension()});
+                              run_simd(machine.simd,
+                                       AddPatch{matrix, begin, end, terms.first(), terms.span(),
+                                                terms.size(), terms.beyond(), terms.sums(),
+                                                patches.dimension()});
                           }
                       });
 }
@@ -215,10 +219,10 @@ constexpr std::int64_t tile_patches = 32;
 
 } // namespace
 
-void assemble(const Patches& patches, int threads, BlockEnvelopeMatrix& matrix) {
+void assemble(const Patches& patches, const Machine& machine, BlockEnvelopeMatrix& matrix) {
     constexpr std::int64_t columns = BlockEnvelopeMatrix::block_columns;
     static_assert(column_block % columns == 0);
-    for_column_blocks(patches, matrix.order(), threads,
+    for_column_blocks(patches, matrix.order(), machine.threads,
                       [&](std::int64_t begin, std::int64_t end, PatchRange range) {
                           Tile tile;
                           // Tiles have the same borders for every block.

@@ -7,7 +7,6 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "linalg/block_envelope.hpp"
@@ -31,14 +30,14 @@ class PatchTerms {
     const double* sums() const { return sums_.data(); }
 
   private:
-    void fill(std::span<const std::int32_t> frames, std::int64_t j, double* out,
-              double value) const;
+    void spread_sums(const double* g, double* out);
 
     std::int64_t first_ = 0;
     std::int64_t span_ = 0;
     double size_ = 0;
-    std::vector<double> beyond_;
-    std::vector<double> sums_;
+    std::vector<std::int32_t> next_; ///< the first neighbor beyond each difference
+    std::vector<double> beyond_, sums_;
+    std::vector<double> tail_; ///< sums of g over each neighbor and those after it
 };
 
 /// The last row of each column of B'.
@@ -46,7 +45,7 @@ std::vector<std::int64_t> envelope_of(const Patches& patches);
 
 /// matrix += B', for narrow bands and for wide ones. Every entry receives the patches in the same
 /// order whatever the number of threads.
-void assemble(const Patches& patches, int threads, Simd simd, EnvelopeMatrix& matrix);
-void assemble(const Patches& patches, int threads, BlockEnvelopeMatrix& matrix);
+void assemble(const Patches& patches, const Machine& machine, EnvelopeMatrix& matrix);
+void assemble(const Patches& patches, const Machine& machine, BlockEnvelopeMatrix& matrix);
 
 } // namespace stltsa::ltsa

@@ -83,9 +83,9 @@ Component embed_component(const Graph& graph, std::int64_t index, int dimension,
              dimension);
     progress.report(Stage::alignment, 0.0);
     const bool banded = graph.parameters.mode == Mode::temporal;
-    const Simd simd = graph.parameters.simd;
-    const auto alignment = banded ? difference_alignment(patches, graph.parameters.threads, simd)
-                                  : grounded_alignment(patches, simd);
+    const Machine machine{graph.parameters.simd, graph.parameters.threads};
+    const auto alignment =
+        banded ? difference_alignment(patches, machine) : grounded_alignment(patches, machine);
     progress.report(Stage::alignment, 1.0);
     Spectrum spectrum = smallest_eigenpairs(
         *alignment, std::min<std::int64_t>(eigenvalues - 1, patches.frames() - 1), dimension,

@@ -7,107 +7,12 @@
 #include "ltsa/best.hpp"
 
 namespace stltsa::ltsa {
-namespace {
-
-/// Most rows of a leaf.
-constexpr std::int32_t leaf_size = 16;
-
-/// A node, and a lower bound of the squared distance to the rows below it.
-struct Bound {
-    double distance;
-    std::int32_t node;
-};
-
-/// For heaps with the nearest node on top.
-bool farther(const Bound& a, const Bound& b) {
-    return a.distance > b.distance || (a.distance == b.distance && a.node > b.node);
-}
-
-/// The column in which the rows that these begin at differ most.
-std::int64_t widest_column(ConstMatrixView x, std::span<const Stretch> stretches) {
-    const double* first = x.row(stretches.front().row);
-    std::vector<double> least(first, first + x.cols);
-    std::vector<double> most = least;
-    for (const Stretch& stretch : stretches)
-        for (std::size_t c = 0; c < least.size(); ++c) {
-            const double value = x.row(stretch.row)[c];
-            least[c] = std::min(least[c], value);
-            most[c] = std::max(most[c], value);
-        }
-    std::size_t widest = 0;
-    for (std::size_t c = 0; c < least.size(); ++c)
-        if (most[c] - least[c] > most[widest] - least[widest])
-            widest = c;
-    return static_cast<std::int64_t>(widest);
-}
-
-/// Nodes of the tree over so many rows.
-std::int64_t node_count(std::int64_t rows) {
-    return rows <= leaf_size ? 1 : 1 + node_count(rows / 2) + node_count(rows - rows / 2);
-}
-
-double distance(const double* a, const double* b, std::int64_t count) {
-    return std::sqrt(squared_distance(a, b, count));
-}
-
-} // namespace
 
 NearestRows::NearestRows(ConstMatrixView x, const std::vector<Stretch>& stretches)
-    : x_(x), stretches_(stretches), order_(stretches) {
-    if (stretches.empty())
-        return;
+    : x_(x), stretches_(stretches), tree_(x, stretches) {
     rows_.reserve(stretches.size());
     for (const Stretch& stretch : stretches)
         rows_.push_back(stretch.row);
-    const auto size = static_cast<std::int32_t>(rows_.size());
-    centers_ = Matrix(node_count(size), x.cols);
-    nodes_.reserve(static_cast<std::size_t>(centers_.rows()));
-    add_node(0, size);
-    for (std::int32_t node = 0; node < static_cast<std::int32_t>(nodes_.size()); ++node)
-        if (nodes_[static_cast<std::size_t>(node)].end -
-                nodes_[static_cast<std::size_t>(node)].begin >
-            leaf_size)
-            split(node);
-}
-
-std::int32_t NearestRows::add_node(std::int32_t begin, std::int32_t end) {
-    const auto index = static_cast<std::int32_t>(nodes_.size());
-    Node node{begin, end};
-    double* center = centers_.row(index);
-    const auto stretches = stretches_of(node);
-    for (const Stretch& stretch : stretches)
-        axpy(1 / static_cast<double>(stretches.size()), x_.row(stretch.row), center, x_.cols);
-    for (const Stretch& stretch : stretches)
-        for (const std::int32_t at : {stretch.row, stretch.next})
-            node.radius = std::max(node.radius, distance(x_.row(at), center, x_.cols));
-    nodes_.push_back(node);
-    return index;
-}
-
-/// In halves along the column in which the rows differ most.
-void NearestRows::split(std::int32_t index) {
-    const Node node = nodes_[static_cast<std::size_t>(index)];
-    const std::int64_t column = widest_column(x_, stretches_of(node));
-    const std::int32_t middle = node.begin + (node.end - node.begin) / 2;
-    std::nth_element(order_.begin() + node.begin, order_.begin() + middle,
-                     order_.begin() + node.end, [&](const Stretch& a, const Stretch& b) {
-                         const double at_a = x_(a.row, column);
-                         const double at_b = x_(b.row, column);
-                         return at_a < at_b || (at_a == at_b && a.row < b.row);
-                     });
-    const std::int32_t left = add_node(node.begin, middle);
-    const std::int32_t right = add_node(middle, node.end);
-    nodes_[static_cast<std::size_t>(index)].left = left;
-    nodes_[static_cast<std::size_t>(index)].right = right;
-}
-
-double NearestRows::lower_bound(const double* query, std::int32_t node) const {
-    // The triangle inequality, less what rounding may have added.
-    constexpr double rounding = 1e-12;
-    const double center = distance(query, centers_.row(node), x_.cols);
-    const double radius = nodes_[static_cast<std::size_t>(node)].radius;
-    const double bound = center - radius - rounding * (center + radius);
-    return bound > 0 ? bound * bound : 0;
 }
 
 /// The foot of the perpendicular, from the lengths of the three sides, or an end.
@@ -159,22 +64,9 @@ std::vector<Found> NearestRows::search(const double* query, std::int64_t count,
     if (count < 1 || rows_.empty())
         return {};
     Best<Found> best(std::min(static_cast<std::size_t>(count), rows_.size()));
-    std::vector<Bound> open{{0, 0}};
-    const auto add = [&](std::int32_t node) {
-        open.push_back({lower_bound(query, node), node});
-        std::push_heap(open.begin(), open.end(), farther);
-    };
-    while (!open.empty() && !best.is_beyond(open.front().distance)) {
-        const Node& node = nodes_[static_cast<std::size_t>(open.front().node)];
-        std::pop_heap(open.begin(), open.end(), farther);
-        open.pop_back();
-        if (node.left != 0) {
-            add(node.left);
-            add(node.right);
-        } else {
-            offer_leaf(stretches_of(node), best);
-        }
-    }
+    tree_.search(
+        query, 0, -1, [&] { return std::sqrt(best.reach()); },
+        [&](std::int32_t leaf) { offer_leaf(tree_.stretches_of(leaf), best); });
     return best.sorted();
 }
 

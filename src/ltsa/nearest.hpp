@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "linalg/matrix.hpp"
+#include "ltsa/ball_tree.hpp"
 #include "ltsa/neighbors.hpp"
 
 namespace stltsa::ltsa {
@@ -18,11 +19,6 @@ namespace stltsa::ltsa {
 struct RowRange {
     std::int64_t begin = 0;
     std::int64_t end = std::numeric_limits<std::int64_t>::max();
-};
-
-/// The straight way from a row to the one that follows it, or a row alone, which follows itself.
-struct Stretch {
-    std::int32_t row, next;
 };
 
 /// A stretch, and the point of it that is nearest to a query.
@@ -39,11 +35,8 @@ struct NearStretch {
     }
 };
 
-/// Some rows of a matrix, in a tree of balls: each half of a ball's rows is a ball again, and most
-/// of the tree is passed over for the distance of its centers alone. (Blocks of rows that follow
-/// each other in time need more than twice the distances at 30 frames a second, where such a block
-/// is a good part of a cycle.) A ball holds the stretches that begin at its rows. Any number of
-/// threads may search at once.
+/// Some rows of a matrix, in a tree of balls, which hold the stretches that begin at their rows.
+/// Any number of threads may search at once.
 class NearestRows {
   public:
     NearestRows() = default;
@@ -71,22 +64,6 @@ class NearestRows {
                                                       RowRange range) const;
 
   private:
-    /// Stretches [begin, end) of order_ lie within the radius of the center, which is the row of
-    /// centers_ with the node's number.
-    struct Node {
-        std::int32_t begin, end;
-        double radius = 0;
-        std::int32_t left = 0, right = 0; ///< nodes; 0: this one is a leaf
-    };
-
-    std::span<const Stretch> stretches_of(const Node& node) const {
-        return std::span(order_).subspan(static_cast<std::size_t>(node.begin),
-                                         static_cast<std::size_t>(node.end - node.begin));
-    }
-    std::int32_t add_node(std::int32_t begin, std::int32_t end);
-    void split(std::int32_t node);
-    /// Nothing of the node is nearer than the root of this.
-    double lower_bound(const double* query, std::int32_t node) const;
     NearStretch nearest_point(const double* query, Stretch stretch) const;
     /// The `count` nearest of what `offer_leaf` offers from the leaves.
     template <class Found, class OfferLeaf>
@@ -96,9 +73,7 @@ class NearestRows {
     ConstMatrixView x_;
     std::vector<std::int32_t> rows_;
     std::vector<Stretch> stretches_; ///< of the rows, in the same order
-    std::vector<Stretch> order_;     ///< the same, those of a node side by side
-    std::vector<Node> nodes_;        ///< the root first
-    Matrix centers_;
+    BallTree tree_;
 };
 
 } // namespace stltsa::ltsa

@@ -9,23 +9,34 @@
 #include <cstdint>
 
 #include "linalg/panel.hpp"
+#include "ltsa/alignment.hpp"
 #include "ltsa/patches.hpp"
 
 namespace stltsa::ltsa {
 
+/// The sum of term(0) .. term(count - 1): four sums that do not wait for each other.
+template <class P, class Term>
+STLTSA_INLINE P sum_of(std::int64_t count, const Term& term) {
+    P sums[4] = {};
+    std::int64_t j = 0;
+    for (; j + 4 <= count; j += 4)
+        for (std::int64_t part = 0; part < 4; ++part)
+            sums[part] += term(j + part);
+    for (; j < count; ++j)
+        sums[0] += term(j);
+    return (sums[0] + sums[1]) + (sums[2] + sums[3]);
+}
+
 /// v := (I - e e^T/k - G G^T) v
 template <class P>
 STLTSA_INLINE void project_once(const double* g, std::int64_t k, std::int64_t dimension, P* v) {
-    P mean{};
-    for (std::int64_t j = 0; j < k; ++j)
-        mean += v[j];
-    mean /= static_cast<double>(k);
+    const P mean = sum_of<P>(k, [&](std::int64_t j) STLTSA_INLINE_LAMBDA { return v[j]; }) /
+                   static_cast<double>(k);
     for (std::int64_t j = 0; j < k; ++j)
         v[j] -= mean;
     for (std::int64_t l = 0; l < dimension; ++l, g += k) {
-        P overlap{};
-        for (std::int64_t j = 0; j < k; ++j)
-            overlap += g[j] * v[j];
+        const P overlap =
+            sum_of<P>(k, [&](std::int64_t j) STLTSA_INLINE_LAMBDA { return g[j] * v[j]; });
         for (std::int64_t j = 0; j < k; ++j)
             v[j] -= overlap * g[j];
     }
@@ -44,92 +55,85 @@ STLTSA_INLINE void project_patch(const Patches& patches, std::int64_t patch,
     project_once(g, k, patches.dimension(), values);
 }
 
-/// out += S^T B x for x of the unknowns (the operator that is inverted), or B x at the frames.
-template <class Access, bool at_frames>
+/// out += S^T B x for x of the unknowns, and form += x^T B x as sums over patches of squares, so
+/// that small eigenvalues keep their digits.
+template <class Access>
 struct ProductPass {
     const Patches& patches;
+    std::int64_t begin, end; ///< patches
     ConstMatrixView in;
     MatrixView out;
-    double* workspace;
-
-    template <int W>
-    STLTSA_INLINE void run() const {
-        for_columns<W>(in.cols, *this);
-    }
-    template <class P>
-    STLTSA_INLINE void columns(std::int64_t c) const {
-        P* values = reinterpret_cast<P*>(workspace);
-        const std::int64_t k = patches.size();
-        for (std::int64_t p = 0; p < patches.count(); ++p) {
-            project_patch<Access>(patches, p, in, c, values);
-            const std::int32_t* frames = patches.of(p).data();
-            if constexpr (at_frames)
-                for (std::int64_t j = 0; j < k; ++j)
-                    pack_at<P>(out.row(frames[j]) + c) += values[j];
-            else
-                Access::scatter(frames, k, values, out, c);
-        }
-    }
-};
-
-/// form += x^T B x as sums over patches of squares, so that small eigenvalues keep their digits.
-template <class Access>
-struct QuadraticPass {
-    const Patches& patches;
-    ConstMatrixView in;
-    MatrixView form;
-    std::int64_t count; ///< of vectors in the panel
-    double* workspace;  ///< k rows of a panel, then k packs
+    MatrixView form;   ///< a row for each vector in the panel
+    double* workspace; ///< k rows of a panel, then k packs
 
     template <int W>
     STLTSA_INLINE void run() const {
         const std::int64_t k = patches.size();
         const MatrixView values{workspace, k, in.cols, in.cols};
         Pack<W>* part = reinterpret_cast<Pack<W>*>(workspace + k * in.cols);
-        for (std::int64_t p = 0; p < patches.count(); ++p) {
+        for (std::int64_t p = begin; p < end; ++p) {
             for (std::int64_t c = 0; c < in.cols; c += W) {
                 project_patch<Access>(patches, p, in, c, part);
+                Access::scatter(patches.of(p).data(), k, part, out, c);
                 for (std::int64_t j = 0; j < k; ++j)
                     pack_at<Pack<W>>(values.row(j) + c) = part[j];
             }
-            for (std::int64_t i = 0; i < count; ++i)
-                for (std::int64_t c = 0; c < in.cols; c += W) {
-                    Pack<W> sum{};
-                    for (std::int64_t j = 0; j < k; ++j)
-                        sum += values(j, i) * pack_at<Pack<W>>(values.row(j) + c);
-                    pack_at<Pack<W>>(form.row(i) + c) += sum;
-                }
+            for (std::int64_t i = 0; i < form.rows; ++i)
+                for (std::int64_t c = 0; c < in.cols; c += W)
+                    pack_at<Pack<W>>(form.row(i) + c) +=
+                        sum_of<Pack<W>>(k, [&](std::int64_t j) STLTSA_INLINE_LAMBDA {
+                            return values(j, i) * pack_at<Pack<W>>(values.row(j) + c);
+                        });
         }
     }
+};
+
+/// Patches that are worked on together. Blocks of one parity touch no frame in common, so what they
+/// add to the frames can be added by several threads, first by one parity and then by the other;
+/// where that cannot be had, as neighborhoods reach anywhere, there is one block.
+class PatchBlocks {
+  public:
+    explicit PatchBlocks(const Patches& patches);
+
+    std::int64_t count() const { return count_; }
+    std::int64_t begin(std::int64_t block) const { return block * size_; }
+    std::int64_t end(std::int64_t block) const { return std::min(begin(block) + size_, patches_); }
+
+  private:
+    std::int64_t patches_, size_, count_;
 };
 
 /// An alignment whose passes use Access.
 template <class Access>
 class PassingAlignment : public Alignment {
   public:
-    using Alignment::Alignment;
+    PassingAlignment(const Patches& patches, const Machine& machine)
+        : Alignment(patches, machine), blocks_(patches) {}
 
-    void apply(ConstMatrixView in, MatrixView out) const override { run_product<false>(in, out); }
-    void apply_at_frames(ConstMatrixView unknowns, MatrixView x) const override {
-        run_product<true>(unknowns, x);
-    }
-    Matrix quadratic_form(ConstMatrixView unknowns, std::int64_t count) const override {
-        Matrix form(count, unknowns.cols);
-        AlignedVector<double> workspace(checked_size(patches_->size(), 2 * unknowns.cols));
-        run_simd(panel_simd(unknowns.cols, simd_),
-                 QuadraticPass<Access>{*patches_, unknowns, form.view(), count, workspace.data()});
+    Matrix apply(ConstMatrixView in, MatrixView out, std::int64_t count) const override {
+        for (std::int64_t row = 0; row < out.rows; ++row)
+            std::fill_n(out.row(row), out.cols, 0.0);
+        Matrix forms(blocks_.count() * count, in.cols);
+        for (const std::int64_t parity : {0, 1})
+            parallel_blocks((blocks_.count() + 1 - parity) / 2, threads(), [&](std::int64_t half) {
+                const std::int64_t b = 2 * half + parity;
+                AlignedVector<double> workspace(checked_size(patches_->size(), 2 * in.cols));
+                run_simd(panel_simd(in.cols, machine_.simd),
+                         ProductPass<Access>{*patches_, blocks_.begin(b), blocks_.end(b), in, out,
+                                             forms.view().block(b * count, count),
+                                             workspace.data()});
+            });
+        Matrix form(count, in.cols);
+        for (std::int64_t row = 0; row < forms.rows(); ++row)
+            for (std::int64_t c = 0; c < in.cols; ++c)
+                form(row % count, c) += forms(row, c);
         return form;
     }
 
   private:
-    template <bool at_frames>
-    void run_product(ConstMatrixView in, MatrixView out) const {
-        for (std::int64_t row = 0; row < out.rows; ++row)
-            std::fill_n(out.row(row), out.cols, 0.0);
-        AlignedVector<double> workspace(checked_size(patches_->size(), in.cols));
-        run_simd(panel_simd(in.cols, simd_),
-                 ProductPass<Access, at_frames>{*patches_, in, out, workspace.data()});
-    }
+    int threads() const { return threads_for(patches_->frames(), 4096, machine_); }
+
+    PatchBlocks blocks_;
 };
 
 } // namespace stltsa::ltsa

@@ -9,16 +9,21 @@ Patches::Patches(const Neighborhoods& neighborhoods, const Tangents& tangents,
                  const Components& components, std::int64_t component, std::int64_t dimension)
     : frames_(static_cast<std::int64_t>(
           components.members[static_cast<std::size_t>(component)].size())),
-      size_(neighborhoods.size), dimension_(dimension), tangents_(&tangents) {
+      size_(neighborhoods.size), dimension_(dimension), tangents_(&tangents),
+      index_(neighborhoods.index.data()) {
+    source_.reserve(static_cast<std::size_t>(frames_));
     for (std::int64_t i = 0; i < neighborhoods.frames(); ++i) {
-        const auto members = neighborhoods.of(i);
-        const auto first = static_cast<std::size_t>(members.front());
-        if (components.of_frame[first] != component)
-            continue;
-        source_.push_back(static_cast<std::int32_t>(i));
-        for (const std::int32_t member : members)
-            index_.push_back(components.position[static_cast<std::size_t>(member)]);
+        const auto first = static_cast<std::size_t>(neighborhoods.of(i).front());
+        if (components.of_frame[first] == component)
+            source_.push_back(static_cast<std::int32_t>(i));
     }
+    if (components.count == 1) // every frame keeps its number
+        return;
+    renumbered_.reserve(source_.size() * static_cast<std::size_t>(size_));
+    for (const std::int32_t frame : source_)
+        for (const std::int32_t member : neighborhoods.of(frame))
+            renumbered_.push_back(components.position[static_cast<std::size_t>(member)]);
+    index_ = renumbered_.data();
 }
 
 std::int64_t Patches::rank_deficient() const {

@@ -19,6 +19,8 @@ class Patches {
     /// `dimension`: how many of the tangents to use.
     Patches(const Neighborhoods& neighborhoods, const Tangents& tangents,
             const Components& components, std::int64_t component, std::int64_t dimension);
+    Patches(const Patches&) = delete;
+    Patches& operator=(const Patches&) = delete;
 
     std::int64_t frames() const { return frames_; }
     std::int64_t count() const { return static_cast<std::int64_t>(source_.size()); }
@@ -26,7 +28,7 @@ class Patches {
     std::int64_t dimension() const { return dimension_; }
     /// Frames of a patch, ascending.
     std::span<const std::int32_t> of(std::int64_t patch) const {
-        return {index_.data() + patch * size_, static_cast<std::size_t>(size_)};
+        return {index_ + patch * size_, static_cast<std::size_t>(size_)};
     }
     const double* direction(std::int64_t patch, std::int64_t l) const {
         return tangents_->direction(source_[static_cast<std::size_t>(patch)], l);
@@ -40,7 +42,8 @@ class Patches {
     std::int64_t dimension_;
     const Tangents* tangents_;
     std::vector<std::int32_t> source_; ///< frame whose neighborhood a patch is
-    std::vector<std::int32_t> index_;
+    const std::int32_t* index_;        ///< the neighborhoods' own, or:
+    AlignedVector<std::int32_t> renumbered_;
 };
 
 } // namespace stltsa::ltsa

@@ -24,7 +24,7 @@ Operator pseudo_inverse(const Alignment& alignment) {
             unknowns = Vector(static_cast<std::size_t>(alignment.unknowns()))](
                std::span<const double> x, std::span<double> y) mutable {
         std::copy(x.begin(), x.end(), centered.begin());
-        center(column_view(centered), alignment.simd());
+        center(column_view(centered), alignment.machine());
         alignment.restrict_to(column_view(centered), column_view(unknowns));
         alignment.solve(column_view(unknowns));
         alignment.prolong(column_view(unknowns), column_view(y));
@@ -37,7 +37,7 @@ Vector start_vector(std::int64_t order) {
     Random random(1);
     for (double& value : start)
         value = random.symmetric();
-    center(column_view(start), Simd::baseline);
+    center(column_view(start), {Simd::baseline, 1});
     return start;
 }
 
@@ -51,7 +51,7 @@ struct Basis {
 /// (B')^-1 u for each row u. The unknowns of a vector come from a solve, because differences of its
 /// entries would lose as many digits as the entries are larger than their differences.
 Basis solved(const Alignment& alignment, const Matrix& vectors) {
-    const std::int64_t width = panel_width(vectors.rows(), alignment.simd());
+    const std::int64_t width = panel_width(vectors.rows(), alignment.machine().simd);
     Basis basis{vectors.rows(), Matrix(alignment.unknowns(), width),
                 Matrix(alignment.frames(), width)};
     for (std::int64_t i = 0; i < vectors.cols(); ++i)
@@ -70,26 +70,38 @@ Matrix padded(const std::vector<double>& values, std::int64_t width) {
     return result;
 }
 
+/// Vectors that are the best eigenvectors in their span.
+struct Ritz {
+    std::vector<double> values; ///< ascending
+    Matrix product;             ///< B' of the unknowns
+};
+
+/// B' z - lambda S^T x, in place of the product B' z.
+Matrix residuals(const Alignment& alignment, const Ritz& ritz, const Basis& basis) {
+    Matrix residual = ritz.product;
+    Matrix right(residual.rows(), residual.cols());
+    alignment.restrict_to(basis.x.view(), right.view());
+    subtract_scaled(right.view(), padded(ritz.values, residual.cols()), residual.view(),
+                    alignment.machine());
+    return residual;
+}
+
 /// One inverse iteration as a correction: z - F^-1 (B' z - lambda S^T x). With F = B' this is
 /// lambda B'^-1 S^T x; in floating point the residual goes through the patches, so neither the
 /// rounding of B' and its factor F nor a shift in F limits what the iteration converges to.
-void correct(const Alignment& alignment, const std::vector<double>& values, Basis& basis) {
-    const std::int64_t width = basis.x.cols();
-    Matrix residual(alignment.unknowns(), width);
-    Matrix right(alignment.unknowns(), width);
-    alignment.apply(basis.unknowns.view(), residual.view());
-    alignment.restrict_to(basis.x.view(), right.view());
-    subtract_scaled(right.view(), padded(values, width), residual.view());
-    alignment.solve(residual.view());
-    subtract_scaled(residual.view(), padded(std::vector<double>(values.size(), 1.0), width),
-                    basis.unknowns.view());
+void correct(const Alignment& alignment, const Ritz& ritz, Basis& basis) {
+    Matrix change = residuals(alignment, ritz, basis);
+    alignment.solve(change.view());
+    subtract_scaled(change.view(),
+                    padded(std::vector<double>(ritz.values.size(), 1.0), change.cols()),
+                    basis.unknowns.view(), alignment.machine());
     alignment.prolong(basis.unknowns.view(), basis.x.view());
 }
 
 /// panel := panel * factor for both forms.
 void multiply(const Alignment& alignment, const Matrix& factor, Basis& basis) {
-    multiply_columns(basis.unknowns.view(), factor, alignment.simd());
-    multiply_columns(basis.x.view(), factor, alignment.simd());
+    multiply_columns(basis.unknowns.view(), factor, alignment.machine());
+    multiply_columns(basis.x.view(), factor, alignment.machine());
 }
 
 /// The upper triangular T that makes columns with these inner products orthonormal; those that are
@@ -123,7 +135,7 @@ Matrix orthonormalizing(const Matrix& products, std::int64_t count) {
 void orthonormalize(const Alignment& alignment, Basis& basis) {
     constexpr int most_passes = 6;
     for (int pass = 0; pass < most_passes; ++pass) {
-        const Matrix products = inner_products(basis.x.view(), basis.x.view(), alignment.simd());
+        const Matrix products = inner_products(basis.x.view(), basis.x.view(), alignment.machine());
         double worst = 0;
         for (std::int64_t i = 0; i < basis.count; ++i)
             for (std::int64_t j = 0; j < basis.count; ++j)
@@ -136,17 +148,18 @@ void orthonormalize(const Alignment& alignment, Basis& basis) {
 
 /// The sine of the largest principal angle from the span of `after`'s first `count` columns to that
 /// of `before`'s (both orthonormal): the largest singular value of what projection leaves.
-double largest_angle(const Matrix& before, const Matrix& after, std::int64_t count, Simd simd) {
+double largest_angle(const Matrix& before, const Matrix& after, std::int64_t count,
+                     const Machine& machine) {
     Matrix rest = after;
     for (int pass = 0; pass < 2; ++pass) {
         Matrix part = before;
-        Matrix overlaps = inner_products(before.view(), rest.view(), simd);
+        Matrix overlaps = inner_products(before.view(), rest.view(), machine);
         std::fill(overlaps.row(count), overlaps.row(overlaps.rows()), 0.0);
-        multiply_columns(part.view(), overlaps, simd);
+        multiply_columns(part.view(), overlaps, machine);
         for (std::int64_t i = 0; i < rest.rows() * rest.cols(); ++i)
             rest.data()[i] -= part.data()[i];
     }
-    const Matrix products = inner_products(rest.view(), rest.view(), simd);
+    const Matrix products = inner_products(rest.view(), rest.view(), machine);
     Matrix gram(count, count);
     for (std::int64_t i = 0; i < count; ++i)
         std::copy_n(products.row(i), count, gram.row(i));
@@ -155,36 +168,37 @@ double largest_angle(const Matrix& before, const Matrix& after, std::int64_t cou
     return std::sqrt(std::max(0.0, values.back()));
 }
 
-/// Largest ||B u - lambda u|| / k over the first `count` vectors, with B u through the patches.
-double largest_residual(const Alignment& alignment, const Basis& basis,
-                        const std::vector<double>& values, std::int64_t count) {
-    Matrix product(alignment.frames(), basis.x.cols());
-    alignment.apply_at_frames(basis.unknowns.view(), product.view());
-    subtract_scaled(basis.x.view(), padded(values, product.cols()), product.view());
-    const Matrix squares = inner_products(product.view(), product.view(), alignment.simd());
+/// Largest ||B u - lambda u|| / k over the first `count` vectors.
+double largest_residual(const Alignment& alignment, const Ritz& ritz, const Basis& basis,
+                        std::int64_t count) {
+    const Matrix residual = residuals(alignment, ritz, basis);
+    Matrix at_frames(basis.x.rows(), basis.x.cols());
+    alignment.at_frames(residual.view(), at_frames.view());
+    const Matrix squares = inner_products(at_frames.view(), at_frames.view(), alignment.machine());
     double largest = 0;
     for (std::int64_t j = 0; j < count; ++j)
         largest = std::max(largest, squares(j, j));
     return std::sqrt(largest) / static_cast<double>(alignment.patches().size());
 }
 
-/// Turns the basis into the best eigenvectors in its span; eigenvalues ascending.
-std::vector<double> rayleigh_ritz(const Alignment& alignment, Basis& basis) {
+/// Turns the basis into the best eigenvectors in its span.
+Ritz rayleigh_ritz(const Alignment& alignment, Basis& basis) {
     orthonormalize(alignment, basis);
-    const Matrix form = alignment.quadratic_form(basis.unknowns.view(), basis.count);
+    Ritz ritz{{}, Matrix(basis.unknowns.rows(), basis.unknowns.cols())};
+    const Matrix form = alignment.apply(basis.unknowns.view(), ritz.product.view(), basis.count);
     Matrix vectors(basis.count, basis.count);
     for (std::int64_t i = 0; i < basis.count; ++i)
         std::copy_n(form.row(i), basis.count, vectors.row(i));
-    std::vector<double> values;
-    symmetric_eigen(vectors, values); // one per row
-    for (double& value : values)
+    symmetric_eigen(vectors, ritz.values); // one per row
+    for (double& value : ritz.values)
         value = std::max(value, 0.0); // B is positive semidefinite; a zero may round below
     Matrix rotation(basis.x.cols(), basis.x.cols());
     for (std::int64_t i = 0; i < basis.count; ++i)
         for (std::int64_t j = 0; j < basis.count; ++j)
             rotation(i, j) = vectors(j, i);
     multiply(alignment, rotation, basis);
-    return values;
+    multiply_columns(ritz.product.view(), rotation, alignment.machine());
+    return ritz;
 }
 
 /// The first vectors, one per row.
@@ -212,14 +226,14 @@ Spectrum smallest_eigenpairs(const Alignment& alignment, std::int64_t count, std
     Spectrum spectrum;
     spectrum.solves = found.applications;
     Basis basis = solved(alignment, found.vectors);
-    spectrum.values = rayleigh_ritz(alignment, basis);
+    Ritz ritz = rayleigh_ritz(alignment, basis);
     double before = 2;
     for (int i = 0; i < most_corrections; ++i) {
         progress.report(Stage::spectrum, 0.5);
         const Matrix previous = basis.x;
-        correct(alignment, spectrum.values, basis);
-        spectrum.values = rayleigh_ritz(alignment, basis);
-        const double change = largest_angle(previous, basis.x, dimension, alignment.simd());
+        correct(alignment, ritz, basis);
+        ritz = rayleigh_ritz(alignment, basis);
+        const double change = largest_angle(previous, basis.x, dimension, alignment.machine());
         if (i == 0)
             spectrum.first_change = change;
         spectrum.last_change = change;
@@ -227,7 +241,8 @@ Spectrum smallest_eigenpairs(const Alignment& alignment, std::int64_t count, std
             break;
         before = change;
     }
-    spectrum.residual = largest_residual(alignment, basis, spectrum.values, dimension);
+    spectrum.residual = largest_residual(alignment, ritz, basis, dimension);
+    spectrum.values = ritz.values;
     spectrum.values.resize(static_cast<std::size_t>(std::min(count, pairs)));
     spectrum.vectors = rows_of(basis.x, dimension);
     progress.report(Stage::spectrum, 1.0);

@@ -11,8 +11,8 @@ namespace stltsa::ltsa {
 /// Finds the leading eigenvectors of correlation matrices, which are the directions themselves.
 class TangentBatch {
   public:
-    /// Beyond this, the matrix of features is the better way.
-    static constexpr std::int64_t largest_size = 32;
+    /// Matrices of larger neighborhoods, one a lane, no longer fit into the cache.
+    static constexpr std::int64_t largest_size = 128;
 
     /// For neighborhoods of `size` frames, `count` directions.
     TangentBatch(std::int64_t size, std::int64_t count, Simd simd);

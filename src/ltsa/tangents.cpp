@@ -2,12 +2,14 @@
 #include "ltsa/tangents.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <optional>
 
 #include "base/parallel.hpp"
 #include "linalg/simd.hpp"
 #include "ltsa/band_distances.hpp"
 #include "ltsa/local_pca.hpp"
+#include "ltsa/neighborhood_distances.hpp"
 #include "ltsa/tangent_batch.hpp"
 #include "ltsa/tangent_track.hpp"
 
@@ -28,9 +30,9 @@ class TangentFinder {
             track_.emplace(x, neighborhoods, computed, simd, values, tangents);
     }
 
-    /// distance(p, q): squared distance of frames p < q.
+    /// distance(p, q): squared distance of frames p < q; distance.among(members): of these.
     template <class Distance>
-    void find(std::int64_t first, std::int64_t last, const Distance& distance) {
+    void find(std::int64_t first, std::int64_t last, Distance distance) {
         if (batch_) {
             for (std::int64_t i = first; i < last; i += batch_->lanes())
                 find_together(i, std::min(i + batch_->lanes(), last), distance);
@@ -46,7 +48,7 @@ class TangentFinder {
   private:
     template <class Distance>
     void find_alone(std::int64_t i, const Distance& distance) {
-        pca_.compute(neighborhoods_.of(i), distance);
+        pca_.compute(neighborhoods_.of(i), std::cref(distance));
         for (std::int64_t l = 0; l < computed_; ++l) {
             values_(i, l) = pca_.value(l);
             pca_.direction(l, tangents_.direction(i, l), tangents_.direction(i, 0));
@@ -54,15 +56,14 @@ class TangentFinder {
     }
 
     template <class Distance>
-    void find_together(std::int64_t first, std::int64_t last, const Distance& distance) {
+    void find_together(std::int64_t first, std::int64_t last, Distance& distance) {
         for (std::int64_t lane = 0; lane < batch_->lanes(); ++lane) {
             // Lanes too many repeat the last frame.
             const auto members = neighborhoods_.of(std::min(first + lane, last - 1));
-            for (std::size_t a = 0; a < members.size(); ++a)
-                for (std::size_t b = a + 1; b < members.size(); ++b)
-                    batch_->set_distance(lane, static_cast<std::int64_t>(a),
-                                         static_cast<std::int64_t>(b),
-                                         distance(members[a], members[b]));
+            const auto among = distance.among(members);
+            for (std::int64_t b = 1; b < neighborhoods_.size; ++b)
+                for (std::int64_t a = 0; a < b; ++a)
+                    batch_->set_distance(lane, a, b, among(a, b));
         }
         batch_->solve();
         for (std::int64_t i = first; i < last; ++i) {
@@ -138,9 +139,7 @@ Tangents local_tangents(ConstMatrixView x, const Neighborhoods& neighborhoods,
                                       std::min(x.rows, last + window), 2 * window,
                                       parameters.simd));
         else
-            finder.find(first, last, [&x](std::int64_t p, std::int64_t q) {
-                return squared_distance(x.row(p), x.row(q), x.cols);
-            });
+            finder.find(first, last, NeighborhoodDistances(x, neighborhoods.size, parameters.simd));
     };
     parallel_blocks(blocks, parameters.threads, work,
                     [&](std::int64_t done) { report(progress, done, blocks); });

@@ -63,9 +63,50 @@ def test_broadcast_array_is_not_taken_for_packed_rows():
     assert as_matrix(np.broadcast_to(1.5, (50, 4))).strides != (0, 0)
 
 
-def test_one_dimension_is_refused():
-    with pytest.raises(ValueError, match="2-D"):
-        stltsa.fit(np.arange(100.0))
+@pytest.mark.parametrize("values", [np.arange(100.0), 3.0, None, {"a": 1}, np.zeros((4, 3, 2))])
+def test_other_than_two_dimensions_are_refused(values):
+    with pytest.raises(ValueError, match=f"2-D.* it is a {type(values).__name__} of the shape"):
+        stltsa.fit(values)
+
+
+@pytest.mark.parametrize(
+    "values",
+    [
+        [["1", "2"], ["3", "4"]],
+        [[b"1"], [b"2"]],
+        np.arange(6).astype("M8[s]").reshape(3, 2),
+        np.zeros((3, 2), dtype=[("x", "f8"), ("y", "f8")]),
+        [[1, "a"], [2, object()]],
+    ],
+    ids=["texts", "bytes", "dates", "records", "objects"],
+)
+def test_what_is_no_number_is_refused(values):
+    with pytest.raises(ValueError, match="X must hold numbers"):
+        stltsa.fit(values)
+
+
+@pytest.mark.parametrize("dtype", [np.float32, np.float64, np.int16])
+def test_masked_is_missing(circle, dtype):
+    values = (1000 * circle).astype(dtype)
+    whole = np.ma.masked_array(values)
+    assert np.array_equal(stltsa.fit(whole, **K).coords, stltsa.fit(values, **K).coords)
+    whole[17, 3] = np.ma.masked
+    for motion in (whole, [values, whole]):
+        with pytest.raises(stltsa.NotFiniteError, match="column 3 is NaN"):
+            stltsa.fit(motion, **K)
+    with pytest.raises(stltsa.NotFiniteError, match="row 17, column 3 is NaN"):
+        stltsa.STLTSA(n_neighbors=100).fit(whole)
+
+
+def test_unaligned_and_mapped_files(circle, tmp_path):
+    expected = stltsa.fit(circle, **K).coords
+    unaligned = np.ndarray(circle.shape, buffer=bytearray(circle.nbytes + 1), offset=1)
+    unaligned[:] = circle
+    assert np.array_equal(stltsa.fit(unaligned, **K).coords, expected)
+    np.save(tmp_path / "x.npy", circle)
+    mapped = np.load(tmp_path / "x.npy", mmap_mode="r")
+    assert np.shares_memory(as_matrix(mapped), mapped)
+    assert np.array_equal(stltsa.fit(mapped, **K).coords, expected)
 
 
 def test_groups_and_lists_are_the_same(circle):
@@ -84,6 +125,23 @@ def test_rows_of_a_group_stand_together():
         group_lengths([0, 0, 1, 1, 0], 5)
     with pytest.raises(ValueError, match="label for each"):
         group_lengths([0, 0], 5)
+    with pytest.raises(ValueError, match="some are NaN"):
+        group_lengths([0.0, np.nan, np.nan], 3)
+
+
+def test_labels_of_groups_may_be_anything():
+    labels = np.array([None, None, "a", 1, 1], dtype=object)
+    assert group_lengths(labels, 5).tolist() == [2, 1, 2]
+
+
+def test_clips_of_other_columns_are_refused(circle):
+    pandas = pytest.importorskip("pandas")
+    frame = pandas.DataFrame(circle, columns=list("abcde"))
+    expected = stltsa.fit([circle[:150], circle[150:]], neighbors=60).coords
+    named = stltsa.fit([frame[:150], frame[150:]], neighbors=60)
+    assert np.array_equal(named.coords, expected)
+    with pytest.raises(ValueError, match="another order"):
+        stltsa.fit([frame[:150], frame[150:][list("bacde")]], neighbors=60)
 
 
 def test_clips_of_other_widths_are_refused(circle):

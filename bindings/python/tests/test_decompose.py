@@ -54,6 +54,18 @@ def test_path_array_and_clip_are_the_same(result, walker, clip):
         stltsa.decompose(array)
 
 
+def test_rate_is_the_clip_s(result, clip, tmp_path):
+    assert stltsa.decompose(clip, fps=120).unit_list == result.unit_list
+    np.save(tmp_path / "untold.npy", clip.features())
+    untold = stltsa.read_clip(tmp_path / "untold.npy")
+    for motion in (clip, untold):
+        with pytest.raises(ValueError, match="a Clip has its own"):
+            stltsa.decompose(motion, fps=60)
+    with pytest.raises(stltsa.ArgumentError, match="set option fps when opening it"):
+        stltsa.decompose(untold)
+    assert stltsa.decompose(tmp_path / "untold.npy", fps=120).unit_list == result.unit_list
+
+
 def test_no_cycle_is_an_answer():
     t = np.linspace(0, 4, 400)
     kick = np.exp(-(((t - 2) / 0.2) ** 2))
@@ -98,3 +110,6 @@ def test_pieces_are_checked(clip):
         stltsa.synthesize([(clip, 200, 100)])
     with pytest.raises(stltsa.ArgumentError):
         stltsa.synthesize([])
+    for piece in ("walk.bvh", ("walk.bvh", 0, 10), ()):
+        with pytest.raises(TypeError, match="a piece is a tuple"):
+            stltsa.synthesize([piece])

@@ -88,7 +88,30 @@ def test_several_clips(circle):
     one = STLTSA(n_neighbors=60).fit(circle, groups=np.repeat([0, 1], 150))
     two = STLTSA(n_neighbors=60).fit(halves)
     assert np.array_equal(one.embedding_, two.embedding_)
+    assert np.array_equal(two.transform(halves), two.embedding_)
     assert one.model_.n_components == 2
+
+
+@pytest.mark.filterwarnings("ignore::stltsa.QualityWarning")
+def test_names_of_several_clips(circle):
+    pandas = pytest.importorskip("pandas")
+    frame = pandas.DataFrame(circle, columns=list("abcde"))
+    ltsa = STLTSA(n_neighbors=60).fit([frame[:150], frame[150:]])
+    assert list(ltsa.feature_names_in_) == list("abcde")
+    assert np.array_equal(ltsa.transform(frame), ltsa.embedding_)  # without a warning
+    turned = frame[list("bacde")]
+    for bad in (lambda: ltsa.fit([frame, turned]), lambda: ltsa.transform([frame, turned])):
+        with pytest.raises(ValueError, match="feature names should match"):
+            bad()
+
+
+def test_names_of_an_earlier_fit_are_forgotten(circle, clip):
+    pandas = pytest.importorskip("pandas")
+    ltsa = STLTSA(n_neighbors=100).fit(pandas.DataFrame(circle, columns=list("abcde")))
+    ltsa.set_params(n_neighbors="auto").fit(clip)
+    assert ltsa.n_features_in_ == 69
+    assert not hasattr(ltsa, "feature_names_in_")
+    assert ltsa.transform(clip.features()).shape == (844, 2)
 
 
 def test_clip(clip, model):

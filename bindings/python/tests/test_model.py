@@ -57,6 +57,15 @@ def test_clip_is_mapped_frame_by_frame(clip, model):
     assert np.array_equal(mapped.values[model.frames], model.coords)
 
 
+def test_paths_and_lists_are_taken(circle, walker, clip, model):
+    assert np.array_equal(stltsa.fit(walker).coords, model.coords)
+    assert np.array_equal(model.map(str(walker)).values, model.map(clip).values)
+    assert stltsa.dimension(walker).to_json() == stltsa.dimension(clip).to_json()
+    halves = [circle[:150], circle[150:]]
+    two = stltsa.fit(halves, neighbors=60)
+    assert np.array_equal(two.map(halves).values, two.coords)
+
+
 def test_poses(clip, model):
     poses = model.poses(model.coords[:50], hints=np.arange(50))
     assert (len(poses), poses.joints) == (50, clip.joints)

@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Progress is reported, and whatever is raised meanwhile stops the call."""
 
+import contextlib
+import gc
 import os
 import signal
 import threading
 import time
+import weakref
 
 import numpy as np
 import pytest
@@ -35,6 +38,47 @@ def test_exception_in_the_callback_comes_out(circle):
     assert stltsa.fit(circle, neighbors=100).coords.shape == (300, 2)
 
 
+def test_what_the_callback_returns_is_no_matter(circle):
+    expected = stltsa.fit(circle, neighbors=100).coords
+    for answer in (True, 1, "stop", 2**80, NotImplemented):
+        model = stltsa.fit(circle, neighbors=100, progress=lambda *_, answer=answer: answer)
+        assert np.array_equal(model.coords, expected)
+
+
+class Told:
+    """A callback that a weak reference can watch."""
+
+    def __init__(self, error=None):
+        self.error = error
+
+    def __call__(self, stage, fraction):
+        if self.error:
+            raise self.error
+
+
+@pytest.fixture
+def no_collector():
+    """Only what nobody refers to goes: a cycle would stay."""
+    gc.collect()
+    gc.disable()
+    yield
+    gc.enable()
+
+
+@pytest.mark.usefixtures("no_collector")
+@pytest.mark.parametrize("error", [None, LookupError])
+def test_nothing_is_kept_after_the_call(circle, error):
+    class Frames(np.ndarray):
+        pass
+
+    frames, callback = circle.copy().view(Frames), Told(error)
+    watched = weakref.ref(frames), weakref.ref(callback)
+    with pytest.raises(error) if error else contextlib.nullcontext():
+        stltsa.fit(frames, neighbors=100, progress=callback)
+    del frames, callback
+    assert [reference() for reference in watched] == [None, None]
+
+
 def test_calls_may_nest(circle):
     inner = []
 
@@ -48,6 +92,15 @@ def test_calls_may_nest(circle):
     assert len(outer) == 300
 
 
+@pytest.fixture
+def heeded_interrupts():
+    """Python heeds Ctrl-C unless it was started to ignore it, as shells start jobs with "&"."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)
+
+
+@pytest.mark.usefixtures("heeded_interrupts")
 def test_ctrl_c(long_motion):
     timer = threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT))
     timer.start()

@@ -37,6 +37,46 @@ def test_c(path, c_program):
     assert done.stdout == coords.tobytes()
 
 
+def test_command_tells_the_same(path, command):
+    """The JSON of every kind of result, to the last digit."""
+    clip = stltsa.read_clip(path)
+    results = {
+        "info": clip,
+        "fit": stltsa.fit(clip),
+        "dimension": stltsa.dimension(clip),
+        "decompose": stltsa.decompose(clip),
+        "denoise": stltsa.denoise(stltsa.fit(clip)),
+    }
+    for name, result in results.items():
+        done = subprocess.run([command, name, path, "--json"], capture_output=True, check=True)
+        assert done.stdout.decode().strip() == result.to_json(), name
+
+
+def test_command_maps_and_makes_the_same(path, command, tmp_path):
+    def run(*arguments):
+        subprocess.run([command, *arguments], check=True, capture_output=True)
+
+    clip, model, coords = stltsa.read_clip(path), tmp_path / "m.stltsa", tmp_path / "y.npy"
+    fitted = stltsa.fit(clip)
+    fitted.save(model)
+    mapped = fitted.map(clip).values
+    run("map", model, path, "-o", coords)
+    assert np.load(coords).tobytes() == mapped.tobytes()
+
+    run("unmap", model, coords, "-o", tmp_path / "theirs.npy")
+    assert np.load(tmp_path / "theirs.npy").tobytes() == fitted.unmap(mapped).values.tobytes()
+
+    run("denoise", path, "-o", tmp_path / "cleaned.npy")
+    cleaned = stltsa.denoise(fitted).cleaned
+    assert np.load(tmp_path / "cleaned.npy").tobytes() == cleaned.tobytes()
+
+    kind = f".{clip.format}"
+    run("synthesize", f"{path}:best*3", "-o", tmp_path / f"theirs{kind}")
+    best = stltsa.decompose(clip).best_cycle
+    stltsa.synthesize([stltsa.Piece.of(clip, best, repeat=3)]).clip.save(tmp_path / f"ours{kind}")
+    assert (tmp_path / f"theirs{kind}").read_bytes() == (tmp_path / f"ours{kind}").read_bytes()
+
+
 def test_command_coordinates(path, command, tmp_path):
     out = tmp_path / "y.npy"
     subprocess.run([command, "fit", path, "--coords", out], check=True, capture_output=True)
@@ -44,11 +84,6 @@ def test_command_coordinates(path, command, tmp_path):
     written = np.load(out)
     assert written.shape == coords.shape
     assert written.tobytes() == coords.tobytes()
-
-
-def test_command_decomposition(path, command):
-    done = subprocess.run([command, "decompose", path, "--json"], capture_output=True, check=True)
-    assert done.stdout.decode().strip() == stltsa.decompose(path).to_json().strip()
 
 
 def test_command_model_file(path, command, tmp_path):

@@ -24,19 +24,36 @@ def as_matrix(values: Any, what: str = "X") -> npt.NDArray[Any]:
 
     float32 and float64 of any strides stay where they are; other numbers become float64.
     """
-    array = np.asarray(values)
+    array = np.asarray(unmasked(values))
     if np.iscomplexobj(array):
         raise ValueError(f"Complex data not supported: {what} is complex")
-    if array.dtype not in _DTYPES:
-        array = array.astype(np.float64)
     if array.ndim != 2:
         raise ValueError(
-            f"{what} must be 2-D, a row per frame; it has the shape {array.shape}. "
-            f"Reshape your data: {what}.reshape(-1, 1) is one column"
+            f"{what} must be 2-D, a row per frame; it is a {type(values).__name__} of the shape "
+            f"{array.shape}. Reshape your data: {what}.reshape(-1, 1) is one column"
         )
+    if array.dtype not in _DTYPES:
+        array = _as_float64(array, what)
     if array.strides == (0, 0):  # a broadcast array; to the library that means packed rows
         array = array.copy()
     return array
+
+
+def unmasked(values: Any) -> Any:
+    """Return a masked array with NaN where it is masked: the library says where those are."""
+    if np.ma.is_masked(values):
+        return values.astype(np.result_type(values.dtype, np.float64)).filled(np.nan)
+    return values
+
+
+def _as_float64(array: npt.NDArray[Any], what: str) -> FloatArray:
+    """Convert numbers; texts and dates are none, though NumPy would make numbers of them."""
+    if array.dtype.kind not in "biufO":
+        raise ValueError(f"{what} must hold numbers; it holds {array.dtype}")
+    try:
+        return array.astype(np.float64)
+    except (TypeError, ValueError) as error:
+        raise ValueError(f"{what} must hold numbers: {error}") from error
 
 
 def _fill(struct: Any, array: npt.NDArray[Any]) -> Any:

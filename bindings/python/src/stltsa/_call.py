@@ -48,13 +48,18 @@ class Call:
         value: BaseException | None,
         traceback: TracebackType | None,
     ) -> None:
-        self._watch.reporter.close()
+        self._watch.close()
 
     def check(self, status: int) -> None:
         """Raise what the progress callback raised, else what the status stands for."""
-        if self._watch.raised is not None:
-            raise self._watch.raised
-        check(status)
+        raised, self._watch.raised = self._watch.raised, None
+        if raised is None:
+            check(status)
+            return
+        try:
+            raise raised
+        finally:
+            del raised  # its traceback holds this frame, and with it the caller's arrays
 
 
 def owned(kind: str, pointer: Any) -> Any:

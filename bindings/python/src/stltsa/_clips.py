@@ -30,11 +30,19 @@ def stack_clips(clips: Sequence[Any], groups: Any) -> tuple[npt.NDArray[Any], In
     """Return the frames of several clips one after another, and how many each has."""
     refuse_groups(groups, "a list has a clip in each array")
     matrices = [as_matrix(c, f"X[{i}]") for i, c in enumerate(clips)]
+    _check_names(clips)
     widths = {m.shape[1] for m in matrices}
     if len(widths) > 1:
         raise ValueError(f"the clips have different numbers of columns: {sorted(widths)}")
     lengths = np.array([len(m) for m in matrices], dtype=np.int64)
     return (matrices[0] if len(matrices) == 1 else np.concatenate(matrices)), lengths
+
+
+def _check_names(clips: Sequence[Any]) -> None:
+    """Refuse DataFrames whose columns differ: numbers would come under the names of others."""
+    names = {tuple(clip.columns) for clip in clips if hasattr(clip, "columns")}
+    if len(names) > 1:
+        raise ValueError("the clips have different columns, or the same ones in another order")
 
 
 def refuse_groups(groups: Any, why: str) -> None:
@@ -53,15 +61,18 @@ def group_lengths(groups: Any, rows: int) -> IntArray:
         raise ValueError(
             f"groups must have a label for each of the {rows} rows; its shape is {labels.shape}"
         )
+    if np.not_equal(labels, labels).any():  # NaN alone differs from itself
+        raise ValueError("groups must have a label for each row; some are NaN")
     if rows == 0:
         return np.zeros(0, dtype=np.int64)
     starts = np.concatenate(([0], np.flatnonzero(labels[1:] != labels[:-1]) + 1, [rows]))
-    if len(np.unique(labels)) != len(starts) - 1:
+    if len(set(labels[starts[:-1]].tolist())) != len(starts) - 1:
         raise ValueError("the rows of one group must stand together, in order of time")
     return np.diff(starts).astype(np.int64)
 
 
-def _frames_and_lengths(motion: Any, groups: Any) -> tuple[npt.NDArray[Any], IntArray | None]:
+def frames_and_lengths(motion: Any, groups: Any = None) -> tuple[npt.NDArray[Any], IntArray | None]:
+    """Return all frames, and how many each clip has where there are several."""
     if is_sequence_of_clips(motion):
         return stack_clips(motion, groups)
     frames = as_matrix(motion)
@@ -70,7 +81,7 @@ def _frames_and_lengths(motion: Any, groups: Any) -> tuple[npt.NDArray[Any], Int
 
 def call_on_clips(function: Any, motion: Any, groups: Any, call: Call, out: Any) -> Any:
     """Call a function of the library that takes several clips; return the matrix that it read."""
-    frames, lengths = _frames_and_lengths(motion, groups)
+    frames, lengths = frames_and_lengths(motion, groups)
     count = 0 if lengths is None else len(lengths)
     call.check(function(read_from(frames), int64_pointer(lengths), count, call.options, out))
     return frames

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
-from ._arrays import as_matrix
+from ._arrays import as_matrix, unmasked
 
 
 class OwnBase:
@@ -84,6 +84,7 @@ def _of_sklearn() -> type:
             checks: dict[str, Any] = {"reset": reset, "dtype": [np.float64, np.float32]}
             if reset:
                 checks["ensure_min_samples"] = 2
+            X = unmasked(X)  # scikit-learn would read what is under the mask
             if hasattr(validation, "validate_data"):  # since 1.6
                 checked = validation.validate_data(self, X, ensure_all_finite=False, **checks)
             else:

@@ -113,8 +113,8 @@ def options() -> tuple[Option, ...]:
 def _number_of_choice(option: Option, value: str) -> int:
     if value in option.choices:
         return option.choices[value]
-    names = ", ".join(option.choices) or "a number"
-    raise ValueError(f"{option.name} is {value!r}, and must be one of: {names}")
+    wanted = f"one of: {', '.join(option.choices)}" if option.choices else "a number"
+    raise ValueError(f"{option.name} is {value!r}, and must be {wanted}")
 
 
 def _set(handle: Any, option: Option, value: Any) -> int:
@@ -124,7 +124,9 @@ def _set(handle: Any, option: Option, value: Any) -> int:
         value = _number_of_choice(option, value)
     try:
         if option.type == "int":
-            return int(lib.stltsa_options_set_int(handle, option.key, operator.index(value)))
+            # What is too large for C is out of range there, too.
+            whole = min(max(operator.index(value), -(2**63)), 2**63 - 1)
+            return int(lib.stltsa_options_set_int(handle, option.key, whole))
         return int(lib.stltsa_options_set_real(handle, option.key, float(value)))
     except (TypeError, OverflowError):
         wanted = "an integer" if option.type == "int" else "a number"
@@ -137,7 +139,8 @@ def set_options(handle: Any, values: Mapping[str, Any]) -> int:
         option = _TABLE.get(name)
         if option is None:
             raise TypeError(f"there is no option {name!r}; stltsa.options() lists them")
-        if value is None or (value == "auto" and "auto" not in option.choices):
+        is_auto = isinstance(value, str) and value == "auto" and "auto" not in option.choices
+        if value is None or is_auto:
             continue
         status = _set(handle, option, value)
         if status != 0:

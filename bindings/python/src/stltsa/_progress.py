@@ -87,7 +87,12 @@ class Watch:
     def __init__(self, progress: Progress) -> None:
         self.reporter = reporter(progress)
         self.raised: BaseException | None = None
-        self.handle = ffi.new_handle(self)
+        self.handle: Any = ffi.new_handle(self)
+
+    def close(self) -> None:
+        """End the reports; the handle refers back to here, and would keep what they hold alive."""
+        self.reporter.close()
+        self.handle = ffi.NULL
 
 
 def _keep(_kind: object, value: BaseException, traceback: Any) -> None:

@@ -240,12 +240,29 @@ def read_clip(
     return Clip(owned("clip", out), os.fspath(path))
 
 
-def as_clip(motion: Any, options: dict[str, Any]) -> Clip:
-    """Return a clip, made from an array where it is none; `fps` then is taken from the options."""
-    if isinstance(motion, Clip):
+def opened(motion: Any, options: Options) -> Any:
+    """Return the clip that a path names, and anything else as it is."""
+    if not isinstance(motion, str | os.PathLike):
         return motion
-    if isinstance(motion, str | os.PathLike):
-        return read_clip(motion, **{k: options[k] for k in ("fps", "skeleton") if k in options})
+    used: Any = {k: v for k, v in options.items() if k in ("fps", "skeleton")}
+    return read_clip(motion, **used)
+
+
+def _check_rate(clip: Clip, fps: Any) -> None:
+    """Refuse another rate than the clip's, which would be ignored."""
+    if fps and fps not in ("auto", clip.fps):
+        raise ValueError(
+            f"fps is {fps!r}, but a Clip has its own, {clip.fps:g} (0: unknown): give fps= to "
+            "read_clip or Clip.from_array"
+        )
+
+
+def as_clip(motion: Any, options: Any) -> Clip:
+    """Return a clip, made from an array where it is none; `fps` then is taken from the options."""
+    motion = opened(motion, options)
+    if isinstance(motion, Clip):
+        _check_rate(motion, options.pop("fps", None))
+        return motion
     fps = options.pop("fps", None)
     if not fps or fps == "auto":
         raise ValueError("an array has no frame rate: give fps=...")

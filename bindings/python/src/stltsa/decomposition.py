@@ -45,7 +45,8 @@ def decompose(motion: Any, **options: Unpack[Options]) -> Decomposition:
     Parameters
     ----------
     motion : Clip, path, or array-like of shape (frames, channels)
-        An array needs the option `fps`.
+        An array needs the option `fps`, and so does a path where the file does not say it; a Clip
+        has its own.
     **options
         Used: `features`, `up_axis`, `keep_start`, `rate`, `smoothing`, `period_min`,
         `period_max`, `neighbors`, `window`, `dimension`, `mode`, `threads`, `fps`, `progress`.
@@ -58,7 +59,7 @@ def decompose(motion: Any, **options: Unpack[Options]) -> Decomposition:
     Raises
     ------
     stltsa.ArgumentError
-        The frame rate is unknown, or an option does not fit.
+        The Clip's frame rate is unknown, or an option does not fit.
     stltsa.TooFewFramesError, stltsa.DegenerateError
         The clip is too short, or nothing moves in it.
 

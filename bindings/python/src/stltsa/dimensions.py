@@ -11,7 +11,7 @@ from ._call import Call, json_text, owned
 from ._clips import call_on_clips, refuse_groups
 from ._native import ffi, lib
 from ._text import string
-from .clip import Clip
+from .clip import Clip, opened
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -25,7 +25,7 @@ def dimension(motion: Any, *, groups: Any = None, **options: Unpack[Options]) ->
 
     Parameters
     ----------
-    motion : Clip, array-like of shape (frames, features), or list of such arrays
+    motion : Clip, path, array-like of shape (frames, features), or list of such arrays
         As in :func:`fit`.
     groups : array-like of shape (frames,), optional
         As in :func:`fit`.
@@ -45,6 +45,7 @@ def dimension(motion: Any, *, groups: Any = None, **options: Unpack[Options]) ->
     >>> stltsa.dimension(circle, neighbors=110).local_pca
     2
     """
+    motion = opened(motion, options)
     out = ffi.new("stltsa_dimension_result **")
     with Call(options) as call:
         if isinstance(motion, Clip):

@@ -7,9 +7,7 @@ import warnings
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any, Literal
 
-import numpy as np
-
-from ._clips import is_sequence_of_clips, stack_clips
+from ._clips import is_sequence_of_clips
 from ._estimator_base import Base
 from .clip import Clip
 from .errors import NotFiniteError, QualityWarning
@@ -200,17 +198,20 @@ class STLTSA(Base):
         return self
 
     def _fit_model(self, X: Any, groups: Any) -> Model:
-        options = self._fit_options()
-        if isinstance(X, Clip):
-            model = fit(X, groups=groups, **options)
-            self.n_features_in_ = model.n_features
-            return model
-        if is_sequence_of_clips(X):
-            X, lengths = stack_clips(X, groups)
-            groups = np.repeat(np.arange(len(lengths)), lengths)
-        frames = self._validated(X, reset=True)
         with _in_the_words_of_sklearn():
-            return fit(frames, groups=groups, **options)
+            model = fit(self._motion(X, reset=True), groups=groups, **self._fit_options())
+        if isinstance(X, Clip):
+            self.n_features_in_ = model.n_features
+            vars(self).pop("feature_names_in_", None)  # of an array that was fitted before
+        return model
+
+    def _motion(self, X: Any, *, reset: bool) -> Any:
+        """Return a Clip as it is, and arrays when they have passed scikit-learn's checks."""
+        if isinstance(X, Clip):
+            return X
+        if is_sequence_of_clips(X):
+            return [self._validated(clip, reset=reset and i == 0) for i, clip in enumerate(X)]
+        return self._validated(X, reset=reset)
 
     def fit_transform(self, X: Any, y: Any = None, *, groups: Any = None) -> FloatArray:  # noqa: ARG002
         """Fit the curve and return `embedding_`; parameters as in :meth:`fit`."""
@@ -224,7 +225,7 @@ class STLTSA(Base):
 
         Parameters
         ----------
-        X : array-like of shape (n_samples, n_features), or Clip
+        X : array-like of shape (n_samples, n_features), list of such arrays, or Clip
             Of a clip every frame is mapped.
 
         Returns
@@ -233,9 +234,8 @@ class STLTSA(Base):
             Coordinates. How far each row is from what was learned: ``model_.map(X).distance``.
         """
         self._check_fitted()
-        motion = X if isinstance(X, Clip) else self._validated(X, reset=False)
         with _in_the_words_of_sklearn():
-            return self.model_.map(motion, **self._map_options()).values
+            return self.model_.map(self._motion(X, reset=False), **self._map_options()).values
 
     def inverse_transform(self, X: Any) -> FloatArray:
         """Return the frames that points of the curve stand for.

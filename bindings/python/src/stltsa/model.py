@@ -18,10 +18,10 @@ from ._arrays import (
     write_to,
 )
 from ._call import Call, check, get_int, get_real, json_text, owned, texts
-from ._clips import call_on_clips, refuse_groups
+from ._clips import call_on_clips, frames_and_lengths, refuse_groups
 from ._native import ffi, lib
 from ._text import c_path
-from .clip import Clip
+from .clip import Clip, opened
 
 if TYPE_CHECKING:
     import os
@@ -57,7 +57,7 @@ def fit(motion: Any, *, groups: Any = None, **options: Unpack[Options]) -> Model
 
     Parameters
     ----------
-    motion : Clip, array-like of shape (frames, features), or list of such arrays
+    motion : Clip, path, array-like of shape (frames, features), or list of such arrays
         Rows are frames in order of time. Arrays are taken as they are; of a clip the features, a
         T-pose at its start dropped, smoothed and thinned out to `rate`. A C-contiguous array of
         float64 is not copied, any other once; a list is copied into one array.
@@ -66,7 +66,8 @@ def fit(motion: Any, *, groups: Any = None, **options: Unpack[Options]) -> Model
     **options
         Used: `neighbors`, `window`, `dimension`, `mode`, `include_self`, `links`, `exclusion`,
         `threads`, `fps`, `period_min`, `period_max`, `keep_frames`, `progress`; for clips
-        `features`, `up_axis`, `keep_start`, `rate` and `smoothing` too. See :func:`stltsa.options`.
+        `features`, `up_axis`, `keep_start`, `rate` and `smoothing` too. A Clip has its own `fps`.
+        See :func:`stltsa.options`.
 
     Returns
     -------
@@ -90,6 +91,7 @@ def fit(motion: Any, *, groups: Any = None, **options: Unpack[Options]) -> Model
     >>> model.coords.shape
     (300, 2)
     """
+    motion = opened(motion, options)
     out = ffi.new("stltsa_model **")
     with Call(options) as call:
         if isinstance(motion, Clip):
@@ -214,7 +216,7 @@ class Model:
 
         Parameters
         ----------
-        motion : array-like of shape (rows, features), or Clip
+        motion : Clip, path, array-like of shape (rows, features), or list of such arrays
             A clip goes through what the model's clip went through, every frame of it. A frame that
             was fitted gets its own coordinates, to the bit; of equal frames that come back after
             others the first's, unless a hint says which one is meant.
@@ -228,13 +230,14 @@ class Model:
         Mapped
             Coordinates of shape (rows, d), their distance from what was learned, the nearest rows.
         """
+        motion = opened(motion, options)
         if isinstance(motion, Clip):
             if hints is not None:
                 raise ValueError("hints= is for arrays")
             return self._mapped(
                 lib.stltsa_map_clip, (motion._handle,), (len(motion), self.dimension), options
             )
-        frames = as_matrix(motion)
+        frames, _ = frames_and_lengths(motion)
         wanted = _as_hints(hints, len(frames))
         return self._mapped(
             lib.stltsa_map,

@@ -95,7 +95,7 @@ def synthesize(pieces: Iterable[Piece], **options: Unpack[Options]) -> Synthesis
     >>> len(longer.clip) > 4 * (cycle.end - cycle.begin)
     True
     """
-    wanted = [Piece(*piece) for piece in pieces]
+    wanted = [_as_piece(piece) for piece in pieces]
     raw = ffi.new("stltsa_piece[]", len(wanted))
     for target, piece in zip(raw, wanted, strict=True):
         target.clip = piece.clip._handle
@@ -104,6 +104,13 @@ def synthesize(pieces: Iterable[Piece], **options: Unpack[Options]) -> Synthesis
     with Call(options) as call:
         call.check(lib.stltsa_synthesize(raw, len(wanted), call.options, out))
     return Synthesis(owned("synthesis", out))
+
+
+def _as_piece(values: Any) -> Piece:
+    """Return what was given as a piece, of a Clip."""
+    if isinstance(values, tuple | list) and values and isinstance(values[0], Clip):
+        return Piece(*values)
+    raise TypeError(f"a piece is a tuple (Clip, begin, end[, repeat]); it is {values!r}")
 
 
 class Synthesis:

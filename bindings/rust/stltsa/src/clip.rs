@@ -234,8 +234,8 @@ impl Clip {
     /// ```
     ///
     /// # Errors
-    /// [`Argument`](crate::ErrorKind::Argument) for a clip of unknown frame rate (set the option
-    /// fps); others as [`Model::fit`](crate::Model::fit).
+    /// [`Argument`](crate::ErrorKind::Argument) for a clip of unknown frame rate (set option fps
+    /// when opening it); others as [`Model::fit`](crate::Model::fit).
     pub fn decompose(&self, options: &Options) -> Result<Decomposition> {
         Decomposition::new(self, options)
     }

@@ -37,7 +37,8 @@ pub struct Unmapped {
 /// Poses of points of the curve.
 #[derive(Debug)]
 pub struct Poses {
-    /// A pose for each point, at the model's frame rate, with the skeleton that was fitted.
+    /// A pose for each point, with the skeleton that was fitted; at the rate of the option fps, else
+    /// of the model's rows.
     pub clip: Clip,
     /// As in [`Unmapped`].
     pub distance: Vec<f64>,
@@ -81,7 +82,9 @@ fn pointer(hints: &Option<Vec<i64>>) -> *const i64 {
 
 impl Model {
     /// Places new frames, rows x features of the model, on the curve. A frame that was fitted gets
-    /// its own coordinates, to the bit. Options used: map_neighbors, map_blend, threads, progress.
+    /// its own coordinates, to the bit; of equal frames that come back after others the first's,
+    /// unless a hint says which is meant ([`Model::map_near`]). Options used: map_neighbors,
+    /// map_blend, threads, progress.
     ///
     /// # Errors
     /// [`Shape`](ErrorKind::Shape), [`NotFinite`](ErrorKind::NotFinite),

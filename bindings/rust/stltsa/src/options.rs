@@ -120,7 +120,7 @@ impl Options {
         /// repeated, 0.15 s where clips join, where it is not set.
         crossfade(seconds: f64) => STLTSA_CROSSFADE, Value::Real(seconds);
         /// Synthesis: seconds by which a cut may move to find a common posture; a tenth of the cycle
-        /// that is repeated, half a second where clips join, where it is not set.
+        /// that is repeated, half a cycle and at least 0.5 s where clips join, where it is not set.
         search(seconds: f64) => STLTSA_SEARCH, Value::Real(seconds);
         /// Synthesis: largest distance of the postures at a seam, over what is common between a
         /// motion's own repetitions; 0: none.

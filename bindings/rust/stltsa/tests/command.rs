@@ -7,7 +7,7 @@ use std::path::Path;
 use std::process::Command;
 
 use common::{after, bits, scratch, walker, walker_path};
-use stltsa::{Denoising, Interval, Matrix, Model, Options, Piece, Synthesis};
+use stltsa::{Denoising, Dimension, Interval, Matrix, Model, Options, Piece, Synthesis};
 
 /// Standard output of the command.
 fn stltsa(arguments: &[&str]) -> String {
@@ -112,6 +112,12 @@ fn the_json_is_the_same_text() {
     let ours = clip.decompose(&Options::new()).unwrap().json().unwrap();
     assert_eq!(stltsa(&["decompose", text(&path), "--json"]).trim_end(), ours);
     assert_eq!(stltsa(&["info", text(&path), "--json"]).trim_end(), clip.json().unwrap());
+    let model = Model::fit_clip(&clip, &Options::new()).unwrap();
+    assert_eq!(stltsa(&["fit", text(&path), "--json"]).trim_end(), model.json().unwrap());
+    let ours = Denoising::of_model(&model, &Options::new()).unwrap().json().unwrap();
+    assert_eq!(stltsa(&["denoise", text(&path), "--json"]).trim_end(), ours);
+    let ours = Dimension::estimate_clip(&clip, &Options::new()).unwrap().json().unwrap();
+    assert_eq!(stltsa(&["dimension", text(&path), "--json"]).trim_end(), ours);
 }
 
 #[test]

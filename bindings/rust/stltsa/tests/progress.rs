@@ -44,17 +44,22 @@ fn it_cancels_at_every_report() {
     let reports = Reports::default();
     let whole = Model::fit(&circle(), &recording(&reports)).unwrap();
     let count = reports.lock().unwrap().len();
+    // On a busy machine a fit takes longer and reports more often, so a later one may end before it
+    // is asked to stop; whenever it is asked, it stops.
     for last in 1..=count {
-        let mut left = last;
+        let told = Arc::new(AtomicUsize::new(0));
+        let counter = Arc::clone(&told);
         let options = circle_options().progress(move |_, _| {
-            left -= 1;
-            if left == 0 {
+            if counter.fetch_add(1, Relaxed) + 1 == last {
                 Break(())
             } else {
                 Continue(())
             }
         });
-        assert_eq!(Model::fit(&circle(), &options).unwrap_err().kind(), ErrorKind::Cancelled);
+        let failure = Model::fit(&circle(), &options).err().map(|error| error.kind());
+        let asked = told.load(Relaxed) >= last;
+        assert_eq!(failure, asked.then_some(ErrorKind::Cancelled));
+        assert!(asked || last > 10, "told only {told:?} times");
     }
     let again = Model::fit(&circle(), &circle_options()).unwrap();
     assert!(same_bits(&again.coords().unwrap(), &whole.coords().unwrap()));

@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a stage of a temporal fit cannot do without, and how long the machine needs for that.
+
+n frames of m features, k neighbors of w frames to each side, d coordinates; s applications of the
+inverse operator, as many as ARPACK asked for. docs/benchmark.md says where the terms come from.
+"""
+
+import dataclasses
+
+from tasks import DIMENSION
+
+LANCZOS_VECTORS = 20  # that ARPACK keeps
+SPARE_COLUMNS = 2  # of the block that finds the tangents, beyond d
+LEAST_PRODUCTS = 3  # with that block, before it may stop
+PASSES = 4  # through all patches, for the certificate
+
+
+@dataclasses.dataclass(frozen=True)
+class Size:
+    n: int
+    m: int
+    k: int
+    w: int
+    d: int
+    s: int
+
+
+@dataclasses.dataclass(frozen=True)
+class Work:
+    """Of one frame."""
+
+    operations: float  # additions and multiplications
+    moved: float  # bytes into and out of the core
+    resident: float  # bytes that are gone through, maybe more than once
+    steps: float = 0  # of triangular solves, each waiting for the one before
+    additions: float = 0  # likewise
+
+
+def neighbors(size):
+    data = 8 * size.m + 4 * size.k
+    return Work(3 * size.m * size.w, data, data)
+
+
+def tangents(size):
+    m, k, d = size.m, size.k, size.d
+    columns = d + SPARE_COLUMNS
+    side = min(k, m)
+    form = 6 * m * size.w + 2 * k * k if k <= m else 2 * m * (m + 1) + 2 * k * m * d
+    find = LEAST_PRODUCTS * 2 * side * columns * (side + columns)
+    data = 8 * m + 4 * k + 8 * k * d
+    return Work(form + find, data, data)
+
+
+def alignment(size):
+    k, d = size.k, size.d
+    assemble, factor = (d + 1) * k * (k - 1), k * (k - 1)
+    patches, matrix = 4 * k + 8 * k * d, 8 * k
+    return Work(assemble + factor, patches + 3 * matrix, patches + matrix)
+
+
+def spectrum(size):
+    k, d, s = size.k, size.d, size.s
+    vectors = min(s, LANCZOS_VECTORS)
+    pairs = d + 3
+    iterate = 4 * k * s + 2 * vectors * s
+    certify = 8 * k * pairs + PASSES * pairs * k * (8 * d + 6)
+    patches, matrix = 4 * k + 8 * k * d, 8 * k
+    moved = (2 * matrix + 8 * vectors) * s + 4 * matrix + PASSES * patches
+    return Work(iterate + certify, moved, matrix + 8 * vectors + patches, 2 * s + 4, 4 * s)
+
+
+STAGES = {"neighbors": neighbors, "tangents": tangents, "alignment": alignment,
+          "spectrum": spectrum}
+
+
+def stream_rate(peaks, resident):
+    """Of the largest stream that is no longer: what is nearer to the core is no slower."""
+    first, *longer = peaks["streams"]
+    fitting = [stream for stream in longer if stream["size"] <= resident]
+    return [first, *fitting][-1]["rate"]
+
+
+def limits(work, n, peaks):
+    """Seconds that each of the three takes at least."""
+    return {"arithmetic": n * work.operations / peaks["fused"],
+            "memory": n * work.moved / stream_rate(peaks, n * work.resident),
+            "latency": n * (work.steps * peaks["step"] + work.additions * peaks["addition"])}
+
+
+def stage_bounds(fit, peaks):
+    """For each stage of a fit: measured seconds, the three limits, and the largest of them."""
+    n, k = fit["n"], fit["k"]
+    size = Size(n, fit["features"], k, k, DIMENSION, fit["solves"])
+    rows = []
+    for stage, work_of in STAGES.items():
+        work = work_of(size)
+        seconds = limits(work, n, peaks)
+        kind = max(seconds, key=seconds.get)
+        rows.append({"stage": stage, "n": n, "k": k, "seconds": fit["stages"][stage],
+                     "limits": seconds, "kind": kind, "bound": seconds[kind],
+                     "operations": n * work.operations, "bytes": n * work.moved})
+    return rows

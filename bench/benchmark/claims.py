@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What is claimed, what was measured of it, and whether that holds."""
+
+# Sine of the angle between embeddings that are called the same.
+SAME = 1e-8
+
+
+def _claim(text, value, limit, *, at_least=False, fits=(), spread=None, unit=""):
+    """What is claimed of the library's `fits` does not hold where one was given up."""
+    given_up = any("failed" in fit for fit in fits)
+    holds = not given_up and (value >= limit if at_least else value <= limit)
+    return {"claim": text + (", given up" if given_up else ""), "value": value, "limit": limit,
+            "at_least": at_least, "unit": unit, "spread": spread, "holds": holds}
+
+
+def _spread(above, below):
+    return [above["least"] / below["most"], above["most"] / below["least"]]
+
+
+def _faster(text, ours, theirs, limit):
+    """How many times as fast; the spread pairs the least of the one with the most of the other."""
+    # A fit that ran out of time took at least that long, one that ended with an error says nothing.
+    if "failed" in theirs and not theirs["failed"].startswith("not done"):
+        return []
+    bound = "at least " if "failed" in theirs else ""
+    return [_claim(f"{text}: {bound}times as fast", theirs["seconds"] / ours["seconds"], limit,
+                   at_least=True, fits=[ours], spread=_spread(theirs, ours))]
+
+
+def _found(rows, **wanted):
+    for row in rows:
+        if all(row[key] == value for key, value in wanted.items()):
+            return row
+    return None
+
+
+def _peers(result):
+    fits = result["comparison"]
+    claims = []
+    # Where the graph of so few neighbors is in pieces, tapkee takes more by itself, and
+    # scikit-learn ends with an error.
+    for name, text in (("tapkee_few", "neighbors in time, k = 12, against tapkee asked for k = 12"),
+                       ("sklearn", "neighbors in time, k = 12, against scikit-learn, k = 24")):
+        if name in fits:
+            claims += _faster(text, fits["temporal"], fits[name], 100)
+    if "tapkee" in fits:
+        claims += _faster("the identical job, k = 24 of all frames, against tapkee", fits["all"],
+                          fits["tapkee"], 5)
+    for row in result["angles"]:
+        if row["to"] == "stltsa":
+            claims.append(_claim(f"the identical job, angle from {row['program']} to stltsa",
+                                 row["angle"], SAME))
+    return claims
+
+
+def _growth(result):
+    rows = [row for row in result["growth"] if row["mode"] == "temporal"]
+    many = _found(rows, n=100_000, threads=1)
+    two = _found(rows, n=100_000, threads=2)
+    long = _found(result["neighbors"], k=140, threads=1)
+    return [_claim("k = 12, 100 000 frames: two threads, times as fast",
+                   many["seconds"] / two["seconds"], 1.7, at_least=True, fits=[many, two],
+                   spread=_spread(many, two)),
+            _claim("k = 140: time a frame", 1e6 * long["seconds"] / long["n"], 40, fits=[long],
+                   spread=[1e6 * long[key] / long["n"] for key in ("least", "most")], unit="µs")]
+
+
+def _million(result):
+    rows = [row for row in result["growth"] if row["mode"] == "temporal"]
+    many = _found(rows, n=100_000, threads=1)
+    million = _found(rows, n=1_000_000, threads=1)
+    if not million:
+        return []
+    fits = [many, million]
+    return [_claim("k = 12, a million frames: time a frame", million["seconds"], 5, fits=fits,
+                   spread=[million["least"], million["most"]], unit="µs"),
+            _claim("k = 12: time of a million over time of 100 000",
+                   million["seconds"] / many["seconds"], 11.5, fits=fits,
+                   spread=_spread(million, many)),
+            _claim("k = 12, a million frames: memory beyond the frames",
+                   million.get("memory", 0) / 1e9, 1.0, fits=fits, unit="GB")]
+
+
+def claims_of(result):
+    return _peers(result) + _growth(result) + _million(result)

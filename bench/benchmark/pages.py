@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Puts tables and figures into README.md and docs/benchmark.md, between their markers."""
+
+import re
+import shutil
+import textwrap
+
+import texts
+
+QUIET = 0.95  # of a processor, that a fit gets where nothing else runs
+
+
+def between_markers(text, name, content):
+    """`text` with what stands between the two markers of that name replaced."""
+    pattern = rf"(<!-- benchmark: {name} -->\n).*?(<!-- end -->)"
+    replaced, count = re.subn(pattern, lambda found: f"{found[1]}\n{content}\n\n{found[2]}", text,
+                              flags=re.DOTALL)
+    if count != 1:
+        raise ValueError(f"one pair of markers <!-- benchmark: {name} --> .. <!-- end --> expected")
+    return replaced
+
+
+def busy(result):
+    """A warning where fits had to wait for a processor."""
+    rows = [row for row in result["comparison"].values()
+            if "failed" not in row and row["threads"] == 1]
+    share = sum(row["processor"] for row in rows) / sum(row["seconds"] for row in rows)
+    if share > QUIET:
+        return ""
+    return (f" The machine had other work: fits had {100 * share:.0f} % of a processor, so seconds "
+            "are too many.")
+
+
+def where(result):
+    """A sentence on the machine and the versions."""
+    frames = result["comparison"]["temporal"]
+    versions = ", ".join(f"{name} {version}" for name, version in result["versions"].items())
+    text = (f"{frames['n']} {frames['frames']} frames of {frames['features']} features "
+            f"({frames['input'] / 1e6:.1f} MB), two coordinates; {result['machine']}; one thread "
+            f"where nothing else is said; {versions}. Seconds are the median, and the least and "
+            "the most, of the runs, each in a process of its own; memory is what a fit needs "
+            "beyond the frames.")
+    return textwrap.fill(text + busy(result), 100)
+
+
+def update(root, result, figures):
+    table = {name: "\n".join(texts.markdown(getattr(texts, name)(result)))
+             for name in ("comparison", "claims", "angles", "growth", "stages")}
+    parts = {
+        root / "README.md": {"comparison": f"{table['comparison']}\n\n{where(result)}"},
+        root / "docs/benchmark.md": {
+            "comparison": f"{where(result)}\n\n{table['comparison']}", "claims": table["claims"],
+            "angles": table["angles"], "growth": table["growth"],
+            "stages": f"{textwrap.fill(texts.peaks(result), 100)}\n\n{table['stages']}"},
+    }
+    for path, contents in parts.items():
+        text = path.read_text(encoding="utf-8")
+        for name, content in contents.items():
+            text = between_markers(text, name, content)
+        path.write_text(text, encoding="utf-8")
+    for figure in figures:
+        shutil.copy(figure, root / "docs")

@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""One fit by another library: prints time and memory as one line of JSON.
+
+    peer.py tapkee|scikit-learn FILE FRAMES FEATURES NEIGHBORS CHECK COORDS
+
+CHECK 0 keeps tapkee from looking whether the neighborhood graph is connected. A library that ends
+with an exception is an answer, too: the time until then, and the reason.
+"""
+
+import json
+import re
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+
+
+def peak_memory():
+    """In bytes, as bench/memory.h has it; 0 where it cannot be told."""
+    try:
+        found = re.search(r"VmHWM:\s*(\d+)", Path("/proc/self/status").read_text())
+    except OSError:
+        return 0
+    return 1024 * int(found[1])
+
+
+def tapkee_fit(x, neighbors, check):
+    import tapkee
+
+    features_by_frames = np.asfortranarray(x.T)
+    return lambda: tapkee.embed(features_by_frames, method="ltsa", neighbors_method="covertree",
+                                eigen_method="arpack", num_neighbors=neighbors,
+                                target_dimension=2, check_connectivity=check)
+
+
+def sklearn_fit(x, neighbors, _):
+    from sklearn.manifold import LocallyLinearEmbedding
+
+    ltsa = LocallyLinearEmbedding(method="ltsa", eigen_solver="arpack", n_neighbors=neighbors,
+                                  n_components=2, random_state=0)
+    return lambda: ltsa.fit_transform(x)
+
+
+def main(library, path, frames, features, neighbors, check, coords_path):
+    rows, cols = int(frames), int(features)
+    x = np.fromfile(path, count=rows * cols).reshape(rows, cols)
+    prepare = {"tapkee": tapkee_fit, "scikit-learn": sklearn_fit}[library]
+    fit = prepare(x, int(neighbors), check == "1")
+    memory, processor, begin = peak_memory(), time.process_time(), time.perf_counter()
+    result, coords = {}, None
+    try:
+        coords = fit()
+    except (ValueError, RuntimeError) as error:
+        result["failed"] = re.sub(r"\s+", " ", str(error))
+    result |= {"seconds": time.perf_counter() - begin,
+               "processor": time.process_time() - processor, "memory": peak_memory() - memory}
+    if coords is not None:
+        np.ascontiguousarray(coords).tofile(coords_path)
+    print(json.dumps(result))
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

@@ -1,0 +1,128 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Tables of a result, as rows of cells: the command prints them, and the docs hold them."""
+
+import re
+
+SPEAKING = {"temporal": "in time, k = w", "spatial": "of all frames, k"}
+
+
+def seconds(row):
+    def digits(value):
+        return f"{value:.3f}" if value < 10 else f"{value:.1f}"
+
+    spread = "" if row["runs"] == 1 else f" ({digits(row['least'])}–{digits(row['most'])})"
+    return digits(row["seconds"]) + spread
+
+
+def program(row):
+    name = row["program"]
+    if row["threads"] > 1:
+        name += f", {row['threads']} threads"
+    return name if row["check"] else f"{name}, unchecked"
+
+
+def memory(row):
+    return f"{row['memory'] / 1e6:.0f}" if row.get("memory") else "–"
+
+
+def in_pieces(row):
+    """The neighbors that tapkee takes where the graph of those it was asked for is in pieces."""
+    found = re.search(r"not connected.*neighbors (\d+)", row.get("note", ""))
+    return found and found[1]
+
+
+def outcome(row, pieces):
+    """What else must be said of a fit; `pieces`: the graph of 12 neighbors is known to be so."""
+    if "failed" in row:
+        quoted = re.search(r"Error message: '([^']*)'", row["failed"])
+        return "fails: " + (quoted[1] if quoted else row["failed"])
+    if in_pieces(row):
+        return f"the graph is in pieces: takes k = {in_pieces(row)}"
+    if not row["check"] and pieces:
+        return "embeds a graph in pieces"
+    return ""
+
+
+def comparison(result):
+    """The fits of the comparison, ours first; times against the quickest."""
+    rows = list(result["comparison"].values())
+    base = rows[0]["seconds"]
+    pieces = any(in_pieces(row) for row in rows)
+    yield ["program", "neighbors", "seconds", "times", "memory, MB", ""]
+    for row in rows:
+        times = row["seconds"] / base
+        yield [program(row), f"{SPEAKING[row['mode']]} = {row['k']}", seconds(row),
+               f"{times:.1f}" if times < 10 else f"{times:.0f}", memory(row), outcome(row, pieces)]
+
+
+def claims(result):
+    yield ["claim", "measured", "limit", ""]
+    for claim in result["claims"]:
+        small = claim["value"] < 1e-3
+        spread = claim["spread"]
+        text = f"{claim['value']:.1e}" if small else f"{claim['value']:.4g}"
+        if spread:
+            text += f" ({spread[0]:.3g}–{spread[1]:.3g})"
+        limit = f"{'≥' if claim['at_least'] else '≤'} {claim['limit']:g}"
+        unit = claim["unit"]
+        yield [claim["claim"], f"{text} {unit}".strip(), f"{limit} {unit}".strip(),
+               "holds" if claim["holds"] else "MISSED"]
+
+
+def angles(result):
+    yield ["program", "neighbors", "frames", "to", "angle"]
+    for row in result["angles"]:
+        to = "exact embedding" if row["to"] == "exact" else row["to"]
+        yield [row["program"], f"{SPEAKING[row['mode']]} = {row['k']}", f"{row['n']}", to,
+               f"{row['angle']:.1e}"]
+
+
+def growth(result):
+    yield ["program", "neighbors", "frames", "seconds", "µs a frame", "frames, MB", "memory, MB"]
+    rows = result["growth"]
+    for row in rows + [row for row in result["neighbors"] if row not in rows]:
+        each = "–" if "failed" in row else f"{1e6 * row['seconds'] / row['n']:.2f}"
+        time = row["failed"] if "failed" in row else seconds(row)
+        yield [program(row), f"{SPEAKING[row['mode']]} = {row['k']}", f"{row['n']}", time, each,
+               f"{row['input'] / 1e6:.1f}", memory(row)]
+
+
+def stages(result):
+    yield ["k = w", "stage", "µs a frame", "arithmetic", "memory", "latency", "largest", "share"]
+    for row in result["stages"]:
+        def each(value, n=row["n"]):
+            return f"{1e6 * value / n:.3f}"
+
+        yield [f"{row['k']}", row["stage"], each(row["seconds"]),
+               *(each(value) for value in row["limits"].values()), row["kind"],
+               f"{100 * row['bound'] / row['seconds']:.0f} %"]
+
+
+def peaks(result):
+    found = result["peaks"]
+    streams = ", ".join(f"{stream['rate'] / 1e9:.0f} GB/s over {size(stream['size'])}"
+                        for stream in found["streams"])
+    return (f"One core: {found['fused'] / 1e9:.0f} GFlop/s of fused multiply-adds in registers of "
+            f"{found['bits']} bits ({found['separate'] / 1e9:.0f} as separate multiplications and "
+            f"additions), a stream of {streams}, {found['addition'] * 1e9:.2f} ns from addition to "
+            f"addition and {found['step'] * 1e9:.2f} ns from step to step of a triangular solve.")
+
+
+def size(count):
+    return f"{count // 2 ** 20} MiB" if count >= 2 ** 20 else f"{count // 2 ** 10} KiB"
+
+
+def plain(rows):
+    """Columns under each other; all but those of words to the right."""
+    rows = [list(row) for row in rows]
+    widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
+    for row in rows:
+        yield "  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip()
+
+
+def markdown(rows):
+    rows = [list(row) for row in rows]
+    yield "| " + " | ".join(rows[0]) + " |"
+    yield "|" + "---|" * len(rows[0])
+    for row in rows[1:]:
+        yield "| " + " | ".join(cell.replace("|", "\\|") for cell in row) + " |"

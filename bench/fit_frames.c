@@ -1,0 +1,118 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/*
+ * One fit of two coordinates to frames from a file, for scripts/benchmark: time, time by stage,
+ * peak memory, as one line of JSON; the coordinates go to a file of doubles.
+ *
+ *     fit_frames FILE FRAMES FEATURES temporal|spatial NEIGHBORS THREADS COORDS
+ *
+ * temporal: the nearest of as many frames to each side, the frame itself among them. spatial: the
+ * nearest of all frames but itself, which is what other programs do.
+ */
+#define _POSIX_C_SOURCE 199309L
+#include <string.h>
+
+#include "memory.h"
+#include "motion.h"
+#include "timing.h"
+
+enum { dimension = 2, first_stage = STLTSA_STAGE_NEIGHBORS, last_stage = STLTSA_STAGE_SPECTRUM };
+
+static const char* const stage_names[] = {"neighbors", "tangents", "alignment", "spectrum"};
+
+static stltsa_in read_frames(const char* path, int64_t rows, int64_t cols) {
+    const size_t count = (size_t)(rows * cols);
+    double* x = allocate(count * sizeof *x);
+    FILE* file = fopen(path, "rb");
+    stltsa_in in;
+    if (file == NULL || fread(x, sizeof *x, count, file) != count) {
+        fprintf(stderr, "fit_frames: %s: cannot be read, or has fewer frames\n", path);
+        exit(1);
+    }
+    fclose(file);
+    memset(&in, 0, sizeof in);
+    in.data = x;
+    in.rows = rows;
+    in.cols = cols;
+    in.dtype = STLTSA_F64;
+    return in;
+}
+
+static stltsa_options* options_of(char** arguments, struct stage_times* times) {
+    const int temporal = strcmp(arguments[0], "temporal") == 0;
+    stltsa_options* options = NULL;
+    check(stltsa_options_new(&options));
+    check(stltsa_options_set_int(options, STLTSA_MODE,
+                                 temporal ? STLTSA_MODE_TEMPORAL : STLTSA_MODE_SPATIAL));
+    check(stltsa_options_set_int(options, STLTSA_INCLUDE_SELF, temporal));
+    check(stltsa_options_set_int(options, STLTSA_NEIGHBORS, atol(arguments[1])));
+    check(stltsa_options_set_int(options, STLTSA_WINDOW, atol(arguments[1])));
+    check(stltsa_options_set_int(options, STLTSA_THREADS, atol(arguments[2])));
+    check(stltsa_options_set_int(options, STLTSA_DIMENSION, dimension));
+    check(stltsa_options_set_int(options, STLTSA_KEEP_FRAMES, 0));
+    check(stltsa_options_set_progress(options, record_stage, times));
+    return options;
+}
+
+static void write_coords(const stltsa_model* model, int64_t rows, const char* path) {
+    const size_t count = (size_t)(rows * dimension);
+    double* y = allocate(count * sizeof *y);
+    FILE* file = fopen(path, "wb");
+    stltsa_out out;
+    memset(&out, 0, sizeof out);
+    out.data = y;
+    out.rows = rows;
+    out.cols = dimension;
+    out.dtype = STLTSA_F64;
+    check(stltsa_model_coords(model, &out));
+    if (file == NULL || fwrite(y, sizeof *y, count, file) != count || fclose(file) != 0) {
+        fprintf(stderr, "fit_frames: %s cannot be written\n", path);
+        exit(1);
+    }
+    free(y);
+}
+
+static void print_model(const stltsa_model* model) {
+    int64_t solves, components;
+    double estimate;
+    check(stltsa_model_get_int(model, STLTSA_MODEL_SOLVES, &solves));
+    check(stltsa_model_get_int(model, STLTSA_MODEL_COMPONENTS, &components));
+    check(stltsa_model_get_real(model, STLTSA_MODEL_ERROR_ESTIMATE, &estimate));
+    printf("\"solves\": %lld, \"components\": %lld, \"error_estimate\": %.3g", (long long)solves,
+           (long long)components, estimate);
+}
+
+int main(int argc, char** argv) {
+    struct stage_times times;
+    stltsa_model* model = NULL;
+    double seconds, processor;
+    long long memory;
+    int stage;
+    if (argc != 8) {
+        fprintf(stderr, "usage: fit_frames FILE FRAMES FEATURES temporal|spatial NEIGHBORS THREADS "
+                        "COORDS\n");
+        return 2;
+    }
+    const stltsa_in in = read_frames(argv[1], atoll(argv[2]), atoll(argv[3]));
+    stltsa_options* options = options_of(argv + 4, &times);
+    memory = peak_memory();
+    processor = seconds_of(CLOCK_PROCESS_CPUTIME_ID);
+    seconds = seconds_of(CLOCK_MONOTONIC);
+    times = start_stages(CLOCK_MONOTONIC);
+    check(stltsa_fit(&in, NULL, 0, options, &model));
+    seconds = seconds_of(CLOCK_MONOTONIC) - seconds;
+    processor = seconds_of(CLOCK_PROCESS_CPUTIME_ID) - processor;
+    memory = peak_memory() - memory;
+    printf("{\"seconds\": %.6f, \"processor\": %.6f, \"memory\": %lld, \"stages\": {", seconds,
+           processor, memory);
+    for (stage = first_stage; stage <= last_stage; ++stage)
+        printf("%s\"%s\": %.6f", stage == first_stage ? "" : ", ", stage_names[stage - first_stage],
+               times.seconds[stage]);
+    printf("}, ");
+    print_model(model);
+    printf("}\n");
+    write_coords(model, in.rows, argv[7]);
+    stltsa_model_free(model);
+    stltsa_options_free(options);
+    free((void*)in.data);
+    return 0;
+}

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a computation runs on. Results do not depend on it.
+#pragma once
+
+#include <cstdint>
+
+#include "base/parallel.hpp"
+#include "linalg/pack.hpp"
+
+namespace stltsa {
+
+struct Machine {
+    Simd simd = widest_simd();
+    int threads = 1;
+};
+
+/// Rows of a long vector or panel that are worked on together, and summed on their own before they
+/// go into the whole, which loses fewer digits.
+inline constexpr std::int64_t row_block = 1024;
+
+constexpr std::int64_t row_blocks(std::int64_t rows) {
+    return (rows + row_block - 1) / row_block;
+}
+
+/// Threads for work on rows of which `few` are not worth starting them.
+constexpr int threads_for(std::int64_t rows, std::int64_t few, const Machine& machine) {
+    return rows < few ? 1 : machine.threads;
+}
+
+/// work(block, first row, rows) for each block.
+template <class Work>
+void for_row_blocks(std::int64_t rows, const Machine& machine, const Work& work) {
+    constexpr std::int64_t few = 256 * row_block; // a pass over them is over in no time
+    parallel_blocks(row_blocks(rows), threads_for(rows, few, machine), [&](std::int64_t block) {
+        const std::int64_t first = block * row_block;
+        work(block, first, rows - first < row_block ? rows - first : row_block);
+    });
+}
+
+} // namespace stltsa

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Squared distances within one neighborhood after another, where they share too few to be kept.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "linalg/matrix.hpp"
+#include "linalg/pack.hpp"
+#include "linalg/simd.hpp"
+
+namespace stltsa::ltsa {
+
+class NeighborhoodDistances {
+  public:
+    NeighborhoodDistances(ConstMatrixView x, std::int64_t size, Simd simd);
+
+    /// Of two frames.
+    double operator()(std::int64_t p, std::int64_t q) const {
+        return squared_distance(x_.row(p), x_.row(q), x_.cols);
+    }
+    /// Of the members a < b of a neighborhood, by their positions; until the next one.
+    auto among(std::span<const std::int32_t> members) {
+        measure(members);
+        return [this](std::int64_t a, std::int64_t b) {
+            return distances_(b / lanes * size_ + a, b % lanes);
+        };
+    }
+
+  private:
+    void measure(std::span<const std::int32_t> members);
+
+    ConstMatrixView x_;
+    std::int64_t size_;
+    Simd simd_;
+    AlignedVector<double> columns_; ///< eight members at a time, as LeafDistances takes them
+    std::vector<const double*> rows_;
+    Matrix distances_; ///< row a of block g: from member a to members 8 g ..
+};
+
+} // namespace stltsa::ltsa
