@@ -54,7 +54,9 @@ struct BlockIteration {
                 if (record<P>(trace, step >= patience))
                     return;
             }
-            orthonormalize<P>();
+            orthonormalize<P>(product_data);
+            if ((step + 1) % ritz_interval == 0)
+                orthonormalize<P>(block_data);
         }
     }
 
@@ -104,12 +106,13 @@ struct BlockIteration {
     /// block := orthonormal basis of the product's columns (modified Gram-Schmidt). A column of
     /// zeros stays one.
     template <class P>
-    STLTSA_INLINE void orthonormalize() const {
-        const P* product = reinterpret_cast<const P*>(product_data);
+    STLTSA_INLINE void orthonormalize(const double* columns_data) const {
+        const P* from = reinterpret_cast<const P*>(columns_data);
         P* block = reinterpret_cast<P*>(block_data);
         for (std::int64_t l = 0; l < columns; ++l) {
             P* column = block + l * rows;
-            std::copy_n(product + l * rows, rows, column);
+            if (from != block)
+                std::copy_n(from + l * rows, rows, column);
             for (std::int64_t b = 0; b < l; ++b) {
                 const P* other = block + b * rows;
                 const P overlap = inner(other, static_cast<const P*>(column));

@@ -103,14 +103,26 @@ CovarianceBatch::CovarianceBatch(std::int64_t features, std::int64_t size, std::
             start_[static_cast<std::size_t>(l * eigen_.rows() + a)] = random.symmetric();
 }
 
-void CovarianceBatch::restart() {
+void CovarianceBatch::clear() {
     eigen_.clear();
     std::fill(sum_.begin(), sum_.end(), 0.0);
 }
 
-void CovarianceBatch::set_origin(std::int64_t lane, const double* origin) {
-    for (std::int64_t c = 0; c < features_; ++c)
+void CovarianceBatch::restart(std::int64_t lane, const double* origin) {
+    for (std::int64_t a = 0; a < features_; ++a)
+        for (std::int64_t b = 0; b < features_; ++b)
+            eigen_.matrix(lane, a, b) = 0;
+    for (std::int64_t c = 0; c < features_; ++c) {
+        sum_[static_cast<std::size_t>(c * lanes() + lane)] = 0;
         origin_[static_cast<std::size_t>(c * lanes() + lane)] = origin[c];
+    }
+}
+
+double CovarianceBatch::trace(std::int64_t lane) const {
+    double sum = 0;
+    for (std::int64_t a = 0; a < features_; ++a)
+        sum += eigen_.matrix(lane, a, a);
+    return sum;
 }
 
 void CovarianceBatch::change(std::int64_t lane, const double* frame, double sign) {

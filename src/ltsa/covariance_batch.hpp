@@ -19,16 +19,19 @@ class CovarianceBatch {
     CovarianceBatch(std::int64_t features, std::int64_t size, std::int64_t count, Simd simd);
 
     std::int64_t lanes() const { return eigen_.lanes(); }
-    /// Begins new sequences: neighborhoods are empty.
-    void restart();
-    /// What is subtracted from a lane's frames; near their mean, so that no digits are lost.
-    void set_origin(std::int64_t lane, const double* origin);
+    /// Forgets all neighborhoods and what was found.
+    void clear();
+    /// Begins a lane's sequence with an empty neighborhood. The origin is subtracted from its
+    /// frames: near their mean, no digits are lost.
+    void restart(std::int64_t lane, const double* origin);
     /// A frame that has come into a lane's neighborhood (sign 1) or left it (sign -1).
     void change(std::int64_t lane, const double* frame, double sign);
     /// Takes in the changes.
     void solve();
 
     bool found(std::int64_t lane) const { return eigen_.found(lane); }
+    /// Of the scatter matrix.
+    double trace(std::int64_t lane) const;
     /// Eigenvalue l of the scatter matrix (the covariance matrix times the size), descending.
     double value(std::int64_t lane, std::int64_t l) const { return eigen_.value(lane, l); }
     /// Entry of its eigenvector.

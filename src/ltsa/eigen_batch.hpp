@@ -34,6 +34,10 @@ class EigenBatch {
         return matrix_[index(a * rows_ + b, lane)];
     }
 
+    double matrix(std::int64_t lane, std::int64_t a, std::int64_t b) const {
+        return matrix_[index(a * rows_ + b, lane)];
+    }
+
     /// Whether the iteration found the eigenvectors of a lane, and they are the leading ones beyond
     /// doubt. Where it did not, another method is needed.
     bool found(std::int64_t lane) const { return values_[index(shape_.count, lane)] > 0; }

@@ -14,6 +14,10 @@ namespace {
 constexpr std::int64_t shortest_sequence = 4;
 constexpr std::int64_t longest_sequence = 64;
 
+/// Where a covariance matrix has shrunk to less than this share of itself, as when a jump leaves
+/// the window, the rounding of what it was counts: a new sequence begins.
+constexpr double least_share = 1.0 / 16;
+
 /// What the frames of a neighborhood, about an origin, have in each direction of the features: the
 /// tangents but for their mean and size.
 struct ProjectFrames {
@@ -72,7 +76,9 @@ TangentTrack::TangentTrack(ConstMatrixView x, const Neighborhoods& neighborhoods
                            std::int64_t count, Simd simd, Matrix& values, Tangents& tangents)
     : x_(x), neighborhoods_(neighborhoods), count_(count), simd_(simd), values_(values),
       tangents_(tangents), batch_(x.cols, neighborhoods.size, count, simd),
-      origins_(batch_.lanes(), x.cols), vectors_(count, x.cols) {}
+      origins_(batch_.lanes(), x.cols), vectors_(count, x.cols),
+      largest_trace_(static_cast<std::size_t>(batch_.lanes())),
+      begins_(static_cast<std::size_t>(batch_.lanes())) {}
 
 std::vector<std::int64_t> TangentTrack::find(std::int64_t first, std::int64_t last) {
     std::vector<std::int64_t> missing;
@@ -87,13 +93,14 @@ std::vector<std::int64_t> TangentTrack::find(std::int64_t first, std::int64_t la
 /// A sequence of `length` frames in each lane; the last ones may be shorter, or empty.
 void TangentTrack::follow(std::int64_t begin, std::int64_t end, std::int64_t length,
                           std::vector<std::int64_t>& missing) {
-    batch_.restart();
+    batch_.clear();
+    std::fill(begins_.begin(), begins_.end(), true);
     for (std::int64_t step = 0; step < length; ++step) {
         for (std::int64_t lane = 0; lane < batch_.lanes(); ++lane) {
             const std::int64_t frame = begin + lane * length + step;
             if (frame >= end)
                 break;
-            if (step == 0)
+            if (begins_[static_cast<std::size_t>(lane)])
                 begin_sequence(lane, frame);
             else
                 move_on(lane, frame);
@@ -103,7 +110,7 @@ void TangentTrack::follow(std::int64_t begin, std::int64_t end, std::int64_t len
             const std::int64_t frame = begin + lane * length + step;
             if (frame >= end)
                 break;
-            if (batch_.found(lane))
+            if (!lost_digits(lane) && batch_.found(lane))
                 write(lane, frame);
             else
                 missing.push_back(frame);
@@ -122,9 +129,19 @@ void TangentTrack::begin_sequence(std::int64_t lane, std::int64_t frame) {
             origin[c] += x_(member, c) - middle[c];
     for (std::int64_t c = 0; c < x_.cols; ++c)
         origin[c] = middle[c] + origin[c] / static_cast<double>(members.size());
-    batch_.set_origin(lane, origin);
+    batch_.restart(lane, origin);
+    largest_trace_[static_cast<std::size_t>(lane)] = 0;
+    begins_[static_cast<std::size_t>(lane)] = false;
     for (const std::int32_t member : members)
         batch_.change(lane, x_.row(member), 1);
+}
+
+bool TangentTrack::lost_digits(std::int64_t lane) {
+    const auto l = static_cast<std::size_t>(lane);
+    const double trace = batch_.trace(lane);
+    largest_trace_[l] = std::max(largest_trace_[l], trace);
+    begins_[l] = trace < least_share * largest_trace_[l];
+    return begins_[l];
 }
 
 void TangentTrack::move_on(std::int64_t lane, std::int64_t frame) {

@@ -33,6 +33,7 @@ class TangentTrack {
     void follow(std::int64_t begin, std::int64_t end, std::int64_t length,
                 std::vector<std::int64_t>& missing);
     void begin_sequence(std::int64_t lane, std::int64_t frame);
+    bool lost_digits(std::int64_t lane);
     void move_on(std::int64_t lane, std::int64_t frame);
     void write(std::int64_t lane, std::int64_t frame);
 
@@ -43,8 +44,10 @@ class TangentTrack {
     Matrix& values_;
     Tangents& tangents_;
     CovarianceBatch batch_;
-    Matrix origins_; ///< of each lane
-    Matrix vectors_; ///< of one frame: count x features
+    Matrix origins_;                    ///< of each lane
+    Matrix vectors_;                    ///< of one frame: count x features
+    std::vector<double> largest_trace_; ///< of each lane's sequence
+    std::vector<char> begins_;          ///< lanes whose sequence begins with the next frame
 };
 
 } // namespace stltsa::ltsa

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "local.hpp"
+#include "vectors.hpp"
 
 namespace reference {
 
@@ -31,13 +32,13 @@ class Band {
             if (!(at(c, c) > T(0)))
                 throw std::runtime_error("disconnected between frames " + std::to_string(c) +
                                          " and " + std::to_string(c + 1));
-            const std::size_t end = std::min(rows(), c + half_width() + 1);
+            const std::size_t end = c + below(c) + 1;
             at(c, c) = sqrt(at(c, c));
+            const T inverse = T(1) / at(c, c);
             for (std::size_t r = c + 1; r < end; ++r)
-                at(r, c) /= at(c, c);
+                at(r, c) *= inverse;
             for (std::size_t j = c + 1; j < end; ++j)
-                for (std::size_t r = j; r < end; ++r)
-                    at(r, j) -= at(r, c) * at(j, c);
+                add_scaled<T>(&at(j, j), -at(j, c), &at(j, c), end - j);
         }
     }
 
@@ -45,62 +46,83 @@ class Band {
     void solve(std::vector<T>& z) const {
         for (std::size_t c = 0; c < rows(); ++c) {
             z[c] /= at(c, c);
-            for (std::size_t r = c + 1; r < std::min(rows(), c + half_width() + 1); ++r)
-                z[r] -= at(r, c) * z[c];
+            add_scaled<T>(z.data() + c + 1, -z[c], &at(c, c) + 1, below(c));
         }
         for (std::size_t c = rows(); c-- > 0;) {
-            for (std::size_t r = c + 1; r < std::min(rows(), c + half_width() + 1); ++r)
-                z[c] -= at(r, c) * z[r];
+            z[c] -= inner<T>(&at(c, c) + 1, z.data() + c + 1, below(c));
             z[c] /= at(c, c);
         }
     }
 
   private:
+    /// Entries of column c below the diagonal.
+    std::size_t below(std::size_t c) const { return std::min(rows() - 1 - c, half_width()); }
+
     Table<T> below_;
 };
 
-/// Adds one neighborhood p_0 < .. < p_{k-1} with its first d tangents:
-/// B'(c, c') += a(max) (k - a(min)) / k - sum_l h_l(c) h_l(c'), where a(c) = #{j: p_j > c} and
-/// h_l(c) = sum of g_l(j) over p_j > c.
+/// Of a neighborhood p_0 < .. < p_{k-1}, for the differences c = p_0 .. p_{k-1} - 1:
+/// a(c) = #{j: p_j > c} and h_l(c) = sum of g_l(j) over p_j > c.
 template <class T>
-void add_neighborhood(Band<T>& matrix, const Tangents<T>& tangents, std::size_t frame,
-                      const std::size_t* p, std::size_t k, std::size_t d) {
-    const std::size_t first = p[0];
-    const std::size_t span = p[k - 1] - first;
-    std::vector<double> a(span, 0);
-    Table<T> h(d, span);
-    for (std::size_t j = 0; j < k; ++j)
-        for (std::size_t c = 0; c < p[j] - first; ++c) {
-            a[c] += 1;
+struct SuffixSums {
+    std::size_t span;
+    std::vector<T> a;
+    Table<T> h;
+
+    SuffixSums(const Tangents<T>& tangents, std::size_t frame, const std::size_t* p, std::size_t k,
+               std::size_t d)
+        : span(p[k - 1] - p[0]), a(span), h(d, span) {
+        std::vector<T> sums(d, T(0));
+        for (std::size_t j = k - 1; j > 0; --j) {
             for (std::size_t l = 0; l < d; ++l)
-                h(l, c) += tangents.of(frame, l)[j];
+                sums[l] += tangents.of(frame, l)[j];
+            for (std::size_t c = p[j - 1] - p[0]; c < p[j] - p[0]; ++c) {
+                a[c] = T(static_cast<double>(k - j));
+                for (std::size_t l = 0; l < d; ++l)
+                    h(l, c) = sums[l];
+            }
         }
-    const double count = static_cast<double>(k);
-    for (std::size_t c = 0; c < span; ++c)
-        for (std::size_t r = c; r < span; ++r) {
-            T sum = T(a[r] * (count - a[c])) / T(count);
-            for (std::size_t l = 0; l < d; ++l)
-                sum -= h(l, r) * h(l, c);
-            matrix.at(first + r, first + c) += sum;
-        }
+    }
+};
+
+/// Adds one neighborhood with its first d tangents:
+/// B'(c, c') += a(max) (k - a(min)) / k - sum_l h_l(c) h_l(c').
+template <class T>
+void add_neighborhood(Band<T>& matrix, const SuffixSums<T>& sums, std::size_t first,
+                      std::size_t k) {
+    const T count(static_cast<double>(k));
+    for (std::size_t c = 0; c < sums.span; ++c) {
+        T* column = &matrix.at(first + c, first + c);
+        const std::size_t length = sums.span - c;
+        add_scaled<T>(column, (count - sums.a[c]) / count, sums.a.data() + c, length);
+        for (std::size_t l = 0; l < sums.h.rows; ++l)
+            add_scaled<T>(column, -sums.h(l, c), sums.h.row(l) + c, length);
+    }
+}
+
+/// Differences that the widest neighborhood spans.
+inline std::size_t widest_span(const Neighbors& neighbors) {
+    std::size_t widest = 1;
+    for (std::size_t i = 0; i < neighbors.rows; ++i)
+        widest = std::max(widest, neighbors(i, neighbors.cols - 1) - neighbors(i, 0));
+    return widest;
 }
 
 template <class T>
 Band<T> differenced_alignment(const Neighbors& neighbors, const Tangents<T>& tangents,
                               std::size_t d) {
     const std::size_t k = neighbors.cols;
-    std::size_t widest = 1;
-    for (std::size_t i = 0; i < neighbors.rows; ++i)
-        widest = std::max(widest, neighbors(i, k - 1) - neighbors(i, 0));
-    Band<T> matrix(neighbors.rows - 1, widest - 1);
-    for (std::size_t i = 0; i < neighbors.rows; ++i)
-        add_neighborhood(matrix, tangents, i, neighbors.row(i), k, d);
+    Band<T> matrix(neighbors.rows - 1, widest_span(neighbors) - 1);
+    for (std::size_t i = 0; i < neighbors.rows; ++i) {
+        const std::size_t* p = neighbors.row(i);
+        add_neighborhood(matrix, SuffixSums<T>(tangents, i, p, k, d), p[0], k);
+    }
     return matrix;
 }
 
 /// x becomes B^+ x, for the factored B'.
-template <class T>
-void apply_pseudo_inverse(const Band<T>& factor, std::vector<T>& x) {
+template <class Factor, class T>
+void apply_pseudo_inverse(const Factor& factor, std::vector<T>& x) {
     const std::size_t n = x.size();
     const auto center = [&x, n] {
         T mean(0);

@@ -59,7 +59,8 @@ void run(char** arguments) {
     const Neighbors neighbors = arguments[3] == std::string("temporal")
                                     ? temporal_neighbors(frames, k, k)
                                     : without_self(spatial_neighbors(frames, k + 1));
-    write_coords(embed<dd>(frames, neighbors, d).back().coords, arguments[6]);
+    write_coords(embed(neighbors, local_tangents<dd>(frames, neighbors, d), d).coords,
+                 arguments[6]);
 }
 
 } // namespace

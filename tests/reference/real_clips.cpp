@@ -3,33 +3,27 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <vector>
 
 #include "fitted.hpp"
 
 namespace reference {
 namespace {
 
+constexpr std::size_t joint = 120; ///< frames of a cross-fade
+
 /// `next` after `chain`: over the last second of the one and the first of the other the weights
 /// move smoothly, so that neighborhoods connect across the joint.
-Frames cross_faded(const Frames& chain, const Frames& next) {
-    constexpr std::size_t overlap = 120;
-    const std::size_t begin = chain.rows - overlap;
-    Frames result(begin + next.rows, chain.cols);
-    std::copy(chain.values.begin(), chain.values.end(), result.values.begin());
-    std::copy(next.row(overlap), next.row(0) + next.values.size(), result.row(chain.rows));
-    for (std::size_t i = 0; i < overlap; ++i) {
-        const double t = static_cast<double>(i + 1) / static_cast<double>(overlap + 1);
+void append(Frames& chain, const Frames& next) {
+    const std::size_t begin = chain.rows - joint;
+    for (std::size_t i = 0; i < joint; ++i) {
+        const double t = static_cast<double>(i + 1) / static_cast<double>(joint + 1);
         const double weight = t * t * (3 - 2 * t);
         for (std::size_t c = 0; c < chain.cols; ++c)
-            result(begin + i, c) = (1 - weight) * chain(begin + i, c) + weight * next(i, c);
+            chain(begin + i, c) = (1 - weight) * chain(begin + i, c) + weight * next(i, c);
     }
-    return result;
-}
-
-Frames first_frames(const Frames& frames, std::size_t count) {
-    Frames result(std::min(count, frames.rows), frames.cols);
-    std::copy_n(frames.values.begin(), result.values.size(), result.values.begin());
-    return result;
+    chain.values.insert(chain.values.end(), next.row(joint), next.row(0) + next.values.size());
+    chain.rows = begin + next.rows;
 }
 
 } // namespace
@@ -41,10 +35,16 @@ bool has_real_clips(const std::string& folder) {
 Frames real_chain(const std::string& folder, std::size_t count) {
     const std::string cmu = folder + "/cmu/";
     const std::string skeleton = cmu + "86.asf"; // 13.asf is not published with these clips
-    Frames chain = euler_features(cmu + "13_29.amc", skeleton);
-    for (const char* file : {"13_30.amc", "86_01.amc"})
-        chain = cross_faded(chain, euler_features(cmu + file, skeleton));
-    return first_frames(chain, count);
+    std::vector<Frames> clips;
+    for (const char* file : {"13_29.amc", "13_30.amc", "86_01.amc"})
+        clips.push_back(euler_features(cmu + file, skeleton));
+    Frames chain = clips[0];
+    chain.values.reserve((count + clips[0].rows + clips[1].rows + clips[2].rows) * chain.cols);
+    for (std::size_t next = 1; chain.rows < count + joint; ++next)
+        append(chain, clips[next % clips.size()]);
+    chain.rows = count;
+    chain.values.resize(count * chain.cols);
+    return chain;
 }
 
 } // namespace reference

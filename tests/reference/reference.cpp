@@ -1,31 +1,47 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reference.hpp"
 
+#include <cmath>
+
+#include "qr.hpp"
+
 namespace reference {
 namespace {
 
 /// Angle of the last step at which the iteration ends: above the rounding of one application of
 /// the inverse, about (condition of B') * (rounding unit).
 template <class T>
-constexpr double converged = 1e-13;
+double converged(std::size_t) {
+    return 1e-25;
+}
 template <>
-constexpr double converged<dd> = 1e-25;
+double converged<double>(std::size_t frames) {
+    return 1e-15 * std::sqrt(static_cast<double>(std::max<std::size_t>(frames, 10000)));
+}
 
 } // namespace
 
 template <class T>
-std::vector<Spectrum<T>> embed(const Frames& frames, const Neighbors& neighbors, std::size_t most) {
-    const Tangents<T> local = tangents<T>(frames, neighbors, most);
-    std::vector<Spectrum<T>> result;
-    for (std::size_t d = 1; d <= most; ++d) {
-        Band<T> matrix = differenced_alignment(neighbors, local, d);
-        matrix.factor();
-        result.push_back(smallest_eigenpairs(matrix, d, converged<T>));
-    }
-    return result;
+Tangents<T> local_tangents(const Frames& frames, const Neighbors& neighbors, std::size_t d) {
+    return tangents<T>(frames, neighbors, d);
 }
 
-template std::vector<Spectrum<dd>> embed(const Frames&, const Neighbors&, std::size_t);
-template std::vector<Spectrum<double>> embed(const Frames&, const Neighbors&, std::size_t);
+template <class T>
+Spectrum<T> embed(const Neighbors& neighbors, const Tangents<T>& tangents, std::size_t d) {
+    Band<T> matrix = differenced_alignment(neighbors, tangents, d);
+    matrix.factor();
+    return smallest_eigenpairs<T>(matrix, d, converged<T>(neighbors.rows));
+}
+
+Spectrum<double> embed_by_rotations(const Neighbors& neighbors, const Tangents<double>& tangents,
+                                    std::size_t d) {
+    return smallest_eigenpairs<double>(triangle_of(neighbors, tangents, d), d,
+                                       converged<double>(neighbors.rows));
+}
+
+template Tangents<dd> local_tangents(const Frames&, const Neighbors&, std::size_t);
+template Tangents<double> local_tangents(const Frames&, const Neighbors&, std::size_t);
+template Spectrum<dd> embed(const Neighbors&, const Tangents<dd>&, std::size_t);
+template Spectrum<double> embed(const Neighbors&, const Tangents<double>&, std::size_t);
 
 } // namespace reference

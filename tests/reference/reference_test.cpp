@@ -87,13 +87,29 @@ dd rounded(quad a) {
     return quick_two_sum(high, static_cast<double>(a - static_cast<quad>(high)));
 }
 
+/// In double; with so few frames a shift does little harm.
+void check_other_ways(const Neighbors& neighbors, const Tangents<double>& local, std::size_t d,
+                      const Table<dd>& truth) {
+    const auto angle_to = [&truth](const Table<double>& coords) {
+        return static_cast<double>(largest_angle(truth, widened(coords)));
+    };
+    const double plain = angle_to(embed(neighbors, local, d).coords);
+    check(plain < 1e-8, "Cholesky in double", plain);
+    const double rotated = angle_to(embed_by_rotations(neighbors, local, d).coords);
+    check(rotated < 1e-11, "rotations in double", rotated);
+    const auto shifted = embed_by_shift(neighbors, local, d, 1e-12);
+    const double by_shift = shifted ? angle_to(*shifted) : 1;
+    check(by_shift < 1e-7, "B plus a shift, in double", by_shift);
+}
+
 void against_definition(const Frames& x, std::size_t k, std::size_t w, std::size_t most) {
     const Neighbors neighbors = temporal_neighbors(x, k, w);
     neighbors_are_nearest(x, neighbors, w);
-    const auto embeddings = embed<dd>(x, neighbors, most);
+    const Tangents<dd> local = local_tangents<dd>(x, neighbors, most);
+    const Tangents<double> plain = local_tangents<double>(x, neighbors, most);
     for (std::size_t d = 1; d <= most; ++d) {
         const auto dense = symmetric_eigen(dense_alignment(x, neighbors, d));
-        const auto& embedding = embeddings[d - 1];
+        const Spectrum<dd> embedding = embed(neighbors, local, d);
         Table<dd> coords(d, x.rows);
         double worst = 0;
         for (std::size_t v = 0; v < d; ++v) {
@@ -107,6 +123,7 @@ void against_definition(const Frames& x, std::size_t k, std::size_t w, std::size
         check(worst < 1e-24, "eigenvalues against dense B, relative", worst);
         const double angle = static_cast<double>(largest_angle(embedding.coords, coords));
         check(angle < 1e-24, "angle to the eigenvectors of dense B", angle);
+        check_other_ways(neighbors, plain, d, coords);
     }
 }
 
@@ -130,8 +147,12 @@ void angle_is_measured() {
 int main() {
     angle_is_measured();
 #ifdef REFERENCE_QUAD
+    // More channels than neighbors, and fewer: the two sides of the local step.
+    against_definition(smooth_curve(48, 12, 0.1, 7), 8, 8, 3);
     against_definition(smooth_curve(48, 6, 0.1, 7), 8, 8, 3);
     against_definition(smooth_curve(50, 5, 0.05, 8), 7, 10, 2);
+    // Longer than the moments of a neighborhood are brought up to date without a fresh sum.
+    against_definition(smooth_curve(90, 6, 0.1, 9), 12, 12, 2);
 #else
     std::printf("no binary128 on this machine: the dense comparison is left out\n");
 #endif

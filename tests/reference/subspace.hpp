@@ -3,32 +3,26 @@
 // angle, and block inverse iteration.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "differences.hpp"
 #include "jacobi.hpp"
+#include "vectors.hpp"
 
 namespace reference {
-
-template <class T>
-T inner(const T* a, const T* b, std::size_t n) {
-    T sum(0);
-    for (std::size_t i = 0; i < n; ++i)
-        sum += a[i] * b[i];
-    return sum;
-}
 
 /// Takes the rows of `basis` (orthonormal) out of the vector x.
 template <class T>
 void project_out(const Table<T>& basis, std::size_t rows, T* x) {
     for (std::size_t r = 0; r < rows; ++r) {
-        const T part = inner(basis.row(r), x, basis.cols);
-        for (std::size_t i = 0; i < basis.cols; ++i)
-            x[i] -= part * basis.row(r)[i];
+        const T part = inner<T>(basis.row(r), x, basis.cols);
+        add_scaled(x, -part, basis.row(r), basis.cols);
     }
 }
 
@@ -43,6 +37,12 @@ void orthonormalize(Table<T>& x) {
                 x.row(r)[i] *= scale;
         }
     }
+}
+
+inline Table<dd> widened(const Table<double>& table) {
+    Table<dd> result(table.rows, table.cols);
+    std::copy(table.values.begin(), table.values.end(), result.values.begin());
+    return result;
 }
 
 /// Sine of the largest principal angle between the row spaces of a and b, of equal dimension: the
@@ -67,8 +67,7 @@ Table<T> combine(const Table<T>& rotation, const Table<T>& x, std::size_t rows) 
     Table<T> result(rows, x.cols);
     for (std::size_t r = 0; r < rows; ++r)
         for (std::size_t s = 0; s < x.rows; ++s)
-            for (std::size_t i = 0; i < x.cols; ++i)
-                result.row(r)[i] += rotation(r, s) * x.row(s)[i];
+            add_scaled(result.row(r), rotation(r, s), x.row(s), x.cols);
     return result;
 }
 
@@ -94,13 +93,16 @@ Table<T> cosines(std::size_t p, std::size_t n) {
 }
 
 /// The d smallest nonzero eigenpairs of B by block inverse iteration on d + 5 vectors with a
-/// Rayleigh-Ritz step each, until the d-dimensional space turns by less than `tolerance`.
-template <class T>
-Spectrum<T> smallest_eigenpairs(const Band<T>& factor, std::size_t d, double tolerance) {
+/// Rayleigh-Ritz step each, until the d-dimensional space turns by less than `tolerance`, or in
+/// double no less than it did: rounding keeps turning it.
+template <class T, class Factor>
+Spectrum<T> smallest_eigenpairs(const Factor& factor, std::size_t d, double tolerance) {
     const std::size_t n = factor.rows() + 1;
     const std::size_t p = std::min(d + 5, n - 1);
     Table<T> x = cosines<T>(p, n);
     Spectrum<T> result;
+    double least = 1;
+    int iterations_without_progress = 0;
     for (result.iterations = 1; result.iterations <= 2000; ++result.iterations) {
         Table<T> y = x;
         std::vector<T> column;
@@ -122,7 +124,12 @@ Spectrum<T> smallest_eigenpairs(const Band<T>& factor, std::size_t d, double tol
         result.lambda.clear();
         for (std::size_t v = 0; v < std::min(p, d + 1); ++v)
             result.lambda.push_back(T(1) / eigen.values[v]);
+        iterations_without_progress =
+            result.change < least / 2 ? 0 : iterations_without_progress + 1;
+        least = std::min(least, result.change);
         if (result.change < tolerance)
+            return result;
+        if (std::is_same_v<T, double> && iterations_without_progress == 20)
             return result;
         x = combine(eigen.vectors, y, p);
         orthonormalize(x);
