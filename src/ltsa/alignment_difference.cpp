@@ -4,7 +4,7 @@
 #include "ltsa/alignment.hpp"
 
 #include <algorithm>
-#include <optional>
+#include <memory>
 
 #include "ltsa/difference_terms.hpp"
 #include "ltsa/patch_passes.hpp"
@@ -92,11 +92,11 @@ template <class Band>
 class DifferenceAlignment final : public PassingAlignment<RunningSums> {
   public:
     DifferenceAlignment(const Patches& patches, const Machine& machine)
-        : PassingAlignment(patches, machine), factor_(std::in_place, patches, machine) {
+        : PassingAlignment(patches, machine), factor_(std::make_unique<Band>(patches, machine)) {
         if (factor_->factor(smallest_pivot))
             return;
         factor_.reset(); // before the next one takes as much memory
-        factor_.emplace(patches, machine);
+        factor_ = std::make_unique<Band>(patches, machine);
         shift_diagonal(*factor_, flat_shift);
         if (!factor_->factor(0))
             fail(Status::degenerate, "the frames do not vary in {} directions",
@@ -120,7 +120,7 @@ class DifferenceAlignment final : public PassingAlignment<RunningSums> {
     }
 
   private:
-    std::optional<Band> factor_;
+    std::unique_ptr<Band> factor_;
 };
 
 /// Neighbors from which on bands are wide.

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <functional>
-#include <optional>
+#include <memory>
 
 #include "base/parallel.hpp"
 #include "linalg/simd.hpp"
@@ -25,9 +25,10 @@ class TangentFinder {
         : neighborhoods_(neighborhoods), computed_(computed), values_(values), tangents_(tangents),
           pca_(x, neighborhoods.size, computed) {
         if (neighborhoods.size <= std::min(x.cols, TangentBatch::largest_size))
-            batch_.emplace(neighborhoods.size, computed, simd);
+            batch_ = std::make_unique<TangentBatch>(neighborhoods.size, computed, simd);
         else if (TangentTrack::worth_while(neighborhoods.size, x.cols))
-            track_.emplace(x, neighborhoods, computed, simd, values, tangents);
+            track_ =
+                std::make_unique<TangentTrack>(x, neighborhoods, computed, simd, values, tangents);
     }
 
     /// distance(p, q): squared distance of frames p < q; distance.among(members): of these.
@@ -85,8 +86,8 @@ class TangentFinder {
     Matrix& values_;
     Tangents& tangents_;
     LocalPca pca_;
-    std::optional<TangentBatch> batch_;
-    std::optional<TangentTrack> track_;
+    std::unique_ptr<TangentBatch> batch_;
+    std::unique_ptr<TangentTrack> track_;
 };
 
 void report(const Progress& progress, std::int64_t done, std::int64_t blocks) {
