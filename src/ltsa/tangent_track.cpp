@@ -94,7 +94,7 @@ std::vector<std::int64_t> TangentTrack::find(std::int64_t first, std::int64_t la
 void TangentTrack::follow(std::int64_t begin, std::int64_t end, std::int64_t length,
                           std::vector<std::int64_t>& missing) {
     batch_.clear();
-    std::fill(begins_.begin(), begins_.end(), true);
+    std::fill(begins_.begin(), begins_.end(), std::uint8_t{1});
     for (std::int64_t step = 0; step < length; ++step) {
         for (std::int64_t lane = 0; lane < batch_.lanes(); ++lane) {
             const std::int64_t frame = begin + lane * length + step;
@@ -131,7 +131,7 @@ void TangentTrack::begin_sequence(std::int64_t lane, std::int64_t frame) {
         origin[c] = middle[c] + origin[c] / static_cast<double>(members.size());
     batch_.restart(lane, origin);
     largest_trace_[static_cast<std::size_t>(lane)] = 0;
-    begins_[static_cast<std::size_t>(lane)] = false;
+    begins_[static_cast<std::size_t>(lane)] = 0;
     for (const std::int32_t member : members)
         batch_.change(lane, x_.row(member), 1);
 }
@@ -140,8 +140,9 @@ bool TangentTrack::lost_digits(std::int64_t lane) {
     const auto l = static_cast<std::size_t>(lane);
     const double trace = batch_.trace(lane);
     largest_trace_[l] = std::max(largest_trace_[l], trace);
-    begins_[l] = trace < least_share * largest_trace_[l];
-    return begins_[l];
+    const bool lost = trace < least_share * largest_trace_[l];
+    begins_[l] = lost ? 1 : 0;
+    return lost;
 }
 
 void TangentTrack::move_on(std::int64_t lane, std::int64_t frame) {

@@ -47,7 +47,7 @@ class TangentTrack {
     Matrix origins_;                    ///< of each lane
     Matrix vectors_;                    ///< of one frame: count x features
     std::vector<double> largest_trace_; ///< of each lane's sequence
-    std::vector<char> begins_;          ///< lanes whose sequence begins with the next frame
+    std::vector<std::uint8_t> begins_;  ///< lanes whose sequence begins with the next frame
 };
 
 } // namespace stltsa::ltsa
