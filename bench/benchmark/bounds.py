@@ -9,10 +9,11 @@ import dataclasses
 
 from tasks import DIMENSION
 
-LANCZOS_VECTORS = 20  # that ARPACK keeps
+SPARE_VECTORS = 4  # that ARPACK keeps beyond twice the wanted ones
 SPARE_COLUMNS = 2  # of the block that finds the tangents, beyond d
 LEAST_PRODUCTS = 3  # with that block, before it may stop
-PASSES = 4  # through all patches, for the certificate
+PASSES = 2  # through all patches, for the certificate
+WIDE = 32  # neighbors from which on the band is solved with from one end only
 
 
 @dataclasses.dataclass(frozen=True)
@@ -60,13 +61,14 @@ def alignment(size):
 
 def spectrum(size):
     k, d, s = size.k, size.d, size.s
-    vectors = min(s, LANCZOS_VECTORS)
-    pairs = d + 3
+    pairs = d + 1
+    vectors = min(s, 2 * pairs + SPARE_VECTORS)
+    steps = (2 * s + 4) / (2 if k < WIDE else 1)
     iterate = 4 * k * s + 2 * vectors * s
     certify = 8 * k * pairs + PASSES * pairs * k * (8 * d + 6)
     patches, matrix = 4 * k + 8 * k * d, 8 * k
     moved = (2 * matrix + 8 * vectors) * s + 4 * matrix + PASSES * patches
-    return Work(iterate + certify, moved, matrix + 8 * vectors + patches, 2 * s + 4, 4 * s)
+    return Work(iterate + certify, moved, matrix + 8 * vectors + patches, steps, 4 * s)
 
 
 STAGES = {"neighbors": neighbors, "tangents": tangents, "alignment": alignment,
