@@ -21,12 +21,11 @@ void PatchTerms::set(const Patches& patches, std::int64_t patch) {
     sums_.resize(static_cast<std::size_t>(span_ * patches.dimension()));
     tail_.resize(static_cast<std::size_t>(k));
 
-    std::size_t j = 1;
-    for (std::int64_t c = 0; c < span_; ++c) {
-        j += frames[j] - first_ == c;
-        next_[static_cast<std::size_t>(c)] = static_cast<std::int32_t>(j);
-    }
-    for (std::size_t c = 0; c < next_.size(); ++c)
+    std::size_t c = 0;
+    for (std::size_t j = 1; j < frames.size(); ++j)
+        while (c < static_cast<std::size_t>(frames[j] - first_))
+            next_[c++] = static_cast<std::int32_t>(j);
+    for (c = 0; c < next_.size(); ++c)
         beyond_[c] = size_ - next_[c];
     for (std::int64_t l = 0; l < patches.dimension(); ++l)
         spread_sums(patches.direction(patch, l), sums_.data() + l * span_);
@@ -58,8 +57,10 @@ std::vector<std::int64_t> envelope_of(const Patches& patches) {
 
 namespace {
 
-/// Columns that one thread assembles at a time.
-constexpr std::int64_t column_block = 512;
+/// Columns that one thread assembles at a time; patches at their borders are spread twice, and
+/// those of wide bands take long and are many.
+constexpr std::int64_t narrow_block = 512;
+constexpr std::int64_t wide_block = 2048;
 
 /// For each block of columns the range of patches that may touch it: patches are in order of their
 /// center frame, not of their first, so the range is a hull.
@@ -67,7 +68,8 @@ struct PatchRange {
     std::int64_t begin, end;
 };
 
-std::vector<PatchRange> patches_by_block(const Patches& patches, std::int64_t blocks) {
+std::vector<PatchRange> patches_by_block(const Patches& patches, std::int64_t column_block,
+                                         std::int64_t blocks) {
     std::vector<PatchRange> ranges(static_cast<std::size_t>(blocks), {patches.count(), 0});
     for (std::int64_t p = 0; p < patches.count(); ++p) {
         const auto frames = patches.of(p);
@@ -84,9 +86,10 @@ std::vector<PatchRange> patches_by_block(const Patches& patches, std::int64_t bl
 /// Calls work(begin, end, patches) for all columns [begin, end) and the patches that may touch
 /// them.
 template <class Work>
-void for_column_blocks(const Patches& patches, std::int64_t order, int threads, const Work& work) {
+void for_column_blocks(const Patches& patches, std::int64_t order, std::int64_t column_block,
+                       int threads, const Work& work) {
     const std::int64_t blocks = (order + column_block - 1) / column_block;
-    const auto ranges = patches_by_block(patches, blocks);
+    const auto ranges = patches_by_block(patches, column_block, blocks);
     parallel_blocks(blocks, threads, [&](std::int64_t b) {
         const std::int64_t begin = b * column_block;
         work(begin, std::min(begin + column_block, order), ranges[static_cast<std::size_t>(b)]);
@@ -134,7 +137,7 @@ struct AddPatch {
 } // namespace
 
 void assemble(const Patches& patches, const Machine& machine, EnvelopeMatrix& matrix) {
-    for_column_blocks(patches, matrix.order(), machine.threads,
+    for_column_blocks(patches, matrix.order(), narrow_block, machine.threads,
                       [&](std::int64_t begin, std::int64_t end, PatchRange range) {
                           PatchTerms terms;
                           for (std::int64_t p = range.begin; p < range.end; ++p) {
@@ -221,8 +224,8 @@ constexpr std::int64_t tile_patches = 32;
 
 void assemble(const Patches& patches, const Machine& machine, BlockEnvelopeMatrix& matrix) {
     constexpr std::int64_t columns = BlockEnvelopeMatrix::block_columns;
-    static_assert(column_block % columns == 0);
-    for_column_blocks(patches, matrix.order(), machine.threads,
+    static_assert(wide_block % columns == 0);
+    for_column_blocks(patches, matrix.order(), wide_block, machine.threads,
                       [&](std::int64_t begin, std::int64_t end, PatchRange range) {
                           Tile tile;
                           // Tiles have the same borders for every block.

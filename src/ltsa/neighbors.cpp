@@ -2,6 +2,7 @@
 #include "ltsa/neighbors.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "base/parallel.hpp"
 #include "ltsa/band_distances.hpp"
@@ -50,6 +51,23 @@ std::vector<Block> clip_blocks(std::span<const std::int64_t> lengths, std::int64
     return blocks;
 }
 
+/// The nearest of the frames first, first + 1, ... at these distances, ties going to the earlier
+/// one: ascending, without sorting frames.
+void select_in_order(std::span<const double> distances, std::int64_t first,
+                     std::vector<double>& scratch, std::span<std::int32_t> out) {
+    scratch.assign(distances.begin(), distances.end());
+    const auto farthest = scratch.begin() + static_cast<std::ptrdiff_t>(out.size()) - 1;
+    std::nth_element(scratch.begin(), farthest, scratch.end());
+    const double limit = *farthest;
+    auto ties = static_cast<std::int64_t>(out.size()) -
+                std::count_if(scratch.begin(), farthest,
+                              [limit](double distance) { return distance < limit; });
+    std::size_t found = 0;
+    for (std::size_t j = 0; found < out.size(); ++j)
+        if (distances[j] < limit || (distances[j] == limit && ties-- > 0))
+            out[found++] = static_cast<std::int32_t>(first + static_cast<std::int64_t>(j));
+}
+
 void fill_block(ConstMatrixView x, const Block& block, const Parameters& parameters,
                 Neighborhoods& neighborhoods) {
     const std::int64_t w = parameters.window;
@@ -57,13 +75,14 @@ void fill_block(ConstMatrixView x, const Block& block, const Parameters& paramet
     const std::int64_t low = std::max(block.clip_begin, block.begin - w);
     const std::int64_t high = std::min(block.clip_end, block.end + w);
     const BandDistances distances(x, low, high, w, parameters.simd);
-    std::vector<Candidate> candidates;
+    constexpr double never = std::numeric_limits<double>::infinity();
+    std::vector<double> window, scratch;
     for (std::int64_t i = block.begin; i < block.end; ++i) {
-        candidates.clear();
-        for (std::int64_t j = std::max(low, i - w); j < std::min(high, i + w + 1); ++j)
-            if (j != i || parameters.include_self)
-                candidates.push_back({distances(i, j), static_cast<std::int32_t>(j)});
-        select_nearest(candidates, neighborhoods.of(i));
+        const std::int64_t first = std::max(low, i - w);
+        window.clear();
+        for (std::int64_t j = first; j < std::min(high, i + w + 1); ++j)
+            window.push_back(j != i || parameters.include_self ? distances(i, j) : never);
+        select_in_order(window, first, scratch, neighborhoods.of(i));
     }
 }
 
