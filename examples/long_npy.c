@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* A recording that is larger than you want to load: an NPY file is mapped into memory and fitted in
- * place. The library reads packed rows of float64 where they lie, copies none of them, and keeps none
- * with STLTSA_KEEP_FRAMES 0; what it needs beside is a few hundred bytes a frame for short windows.
+ * place. The library reads packed rows of float64 where they lie, copies none of them, and keeps
+ * none with STLTSA_KEEP_FRAMES 0; what it needs beside is a few hundred bytes a frame for short
+ * windows.
  *
- *     cc long_npy.c $(pkg-config --cflags --libs stltsa) -o long_npy && ./long_npy walk.bvh walk.npy
+ *     cc long_npy.c $(pkg-config --cflags --libs stltsa) -o long_npy && ./long_npy walk.bvh
+ * walk.npy
  *
  * writes the numbers of a clip to walk.npy first; without the clip it takes the file as it is. Mind
  * that a file which another program cuts short while it is mapped ends this one (SIGBUS).
