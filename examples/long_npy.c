@@ -4,8 +4,8 @@
  * none with STLTSA_KEEP_FRAMES 0; what it needs beside is a few hundred bytes a frame for short
  * windows.
  *
- *     cc long_npy.c $(pkg-config --cflags --libs stltsa) -o long_npy && ./long_npy walk.bvh
- * walk.npy
+ *     cc long_npy.c $(pkg-config --cflags --libs stltsa) -o long_npy
+ *     ./long_npy walk.bvh walk.npy
  *
  * writes the numbers of a clip to walk.npy first; without the clip it takes the file as it is. Mind
  * that a file which another program cuts short while it is mapped ends this one (SIGBUS).
