@@ -182,10 +182,6 @@ struct Halves {
     Arm arm;
     bool inwards;
 
-    template <int W>
-    STLTSA_INLINE void run() const {
-        for_columns<W>(x.cols, *this);
-    }
     template <class P>
     STLTSA_INLINE void columns(std::int64_t column) const {
         const Sweep<P> sweep{factor, x, column};
@@ -213,10 +209,6 @@ struct MiddleSolve {
     const EnvelopeMatrix& factor;
     MatrixView x;
 
-    template <int W>
-    STLTSA_INLINE void run() const {
-        for_columns<W>(x.cols, *this);
-    }
     template <class P>
     STLTSA_INLINE void columns(std::int64_t column) const {
         Sweep<P>{factor, x, column}.solve_middle(Middle(factor));
@@ -225,11 +217,11 @@ struct MiddleSolve {
 
 void sweep_halves(const EnvelopeMatrix& factor, MatrixView x, bool inwards,
                   const Machine& machine) {
-    const Simd simd = panel_simd(x.cols, machine.simd);
     if (arms(factor, machine) == 1)
-        return run_simd(simd, Halves{factor, x, Arm::both, inwards});
+        return run_columns(x.cols, machine.simd, Halves{factor, x, Arm::both, inwards});
     parallel_blocks(2, 2, [&](std::int64_t arm) {
-        run_simd(simd, Halves{factor, x, arm == 0 ? Arm::upper : Arm::lower, inwards});
+        run_columns(x.cols, machine.simd,
+                    Halves{factor, x, arm == 0 ? Arm::upper : Arm::lower, inwards});
     });
 }
 
@@ -237,7 +229,7 @@ void sweep_halves(const EnvelopeMatrix& factor, MatrixView x, bool inwards,
 
 void cholesky_solve(const EnvelopeMatrix& factor, MatrixView x, const Machine& machine) {
     sweep_halves(factor, x, true, machine);
-    run_simd(panel_simd(x.cols, machine.simd), MiddleSolve{factor, x});
+    run_columns(x.cols, machine.simd, MiddleSolve{factor, x});
     sweep_halves(factor, x, false, machine);
 }
 

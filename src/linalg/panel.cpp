@@ -11,10 +11,6 @@ struct InnerProducts {
     ConstMatrixView a, b;
     MatrixView out;
 
-    template <int W>
-    STLTSA_INLINE void run() const {
-        for_columns<W>(b.cols, *this);
-    }
     template <class P>
     STLTSA_INLINE void columns(std::int64_t c) const {
         for (std::int64_t row = 0; row < a.rows; ++row) {
@@ -49,10 +45,6 @@ struct Rest {
     ConstMatrixView left, factor, right;
     MatrixView out;
 
-    template <int W>
-    STLTSA_INLINE void run() const {
-        for_columns<W>(out.cols, *this);
-    }
     template <class P>
     STLTSA_INLINE void columns(std::int64_t c) const {
         for (std::int64_t row = 0; row < out.rows; ++row) {
@@ -69,10 +61,6 @@ struct Sum {
     ConstMatrixView rows;
     MatrixView sums;
 
-    template <int W>
-    STLTSA_INLINE void run() const {
-        for_columns<W>(rows.cols, *this);
-    }
     template <class P>
     STLTSA_INLINE void columns(std::int64_t c) const {
         P sum{};
@@ -87,10 +75,6 @@ struct PrefixTotals {
     ConstMatrixView rows;
     MatrixView sums;
 
-    template <int W>
-    STLTSA_INLINE void run() const {
-        for_columns<W>(rows.cols, *this);
-    }
     template <class P>
     STLTSA_INLINE void columns(std::int64_t c) const {
         P sum{}, total{};
@@ -109,10 +93,6 @@ struct PrefixSums {
     const double* start;
     MatrixView out;
 
-    template <int W>
-    STLTSA_INLINE void run() const {
-        for_columns<W>(in.cols, *this);
-    }
     template <class P>
     STLTSA_INLINE void columns(std::int64_t c) const {
         P sum{};
@@ -130,10 +110,6 @@ struct SuffixSums {
     const double* start;
     MatrixView out;
 
-    template <int W>
-    STLTSA_INLINE void run() const {
-        for_columns<W>(in.cols, *this);
-    }
     template <class P>
     STLTSA_INLINE void columns(std::int64_t c) const {
         P sum{};
@@ -150,10 +126,6 @@ struct Subtraction {
     MatrixView rows;
     const double* what;
 
-    template <int W>
-    STLTSA_INLINE void run() const {
-        for_columns<W>(rows.cols, *this);
-    }
     template <class P>
     STLTSA_INLINE void columns(std::int64_t c) const {
         const P value = pack_at<P>(what + c);
@@ -165,10 +137,10 @@ struct Subtraction {
 /// Sums of each block of rows: a row of the result each.
 Matrix block_sums(ConstMatrixView panel, const Machine& machine) {
     Matrix sums(row_blocks(panel.rows), panel.cols);
-    const Simd simd = panel_simd(panel.cols, machine.simd);
     for_row_blocks(panel.rows, machine,
                    [&](std::int64_t block, std::int64_t first, std::int64_t rows) {
-                       run_simd(simd, Sum{panel.block(first, rows), sums.view().block(block, 1)});
+                       run_columns(panel.cols, machine.simd,
+                                   Sum{panel.block(first, rows), sums.view().block(block, 1)});
                    });
     return sums;
 }
@@ -177,10 +149,10 @@ Matrix block_sums(ConstMatrixView panel, const Machine& machine) {
 
 Matrix inner_products(ConstMatrixView a, ConstMatrixView b, const Machine& machine) {
     Matrix parts(row_blocks(a.rows) * a.cols, b.cols);
-    const Simd simd = panel_simd(a.cols, machine.simd);
     for_row_blocks(a.rows, machine, [&](std::int64_t block, std::int64_t first, std::int64_t rows) {
-        run_simd(simd, InnerProducts{a.block(first, rows), b.block(first, rows),
-                                     parts.view().block(block * a.cols, a.cols)});
+        run_columns(b.cols, machine.simd,
+                    InnerProducts{a.block(first, rows), b.block(first, rows),
+                                  parts.view().block(block * a.cols, a.cols)});
     });
     Matrix sum(a.cols, b.cols);
     for (std::int64_t row = 0; row < parts.rows(); ++row)
@@ -193,16 +165,17 @@ RestProducts rest_products(ConstMatrixView left, const Matrix& factor, ConstMatr
                            const Machine& machine) {
     const std::int64_t cols = right.cols;
     Matrix parts(row_blocks(right.rows) * 2 * cols, cols);
-    const Simd simd = panel_simd(cols, machine.simd);
     for_row_blocks(
         right.rows, machine, [&](std::int64_t block, std::int64_t first, std::int64_t rows) {
             Matrix rest(rows, cols);
-            run_simd(simd, Rest{left.block(first, rows), factor.view(), right.block(first, rows),
-                                rest.view()});
+            run_columns(cols, machine.simd,
+                        Rest{left.block(first, rows), factor.view(), right.block(first, rows),
+                             rest.view()});
             const MatrixView part = parts.view().block(2 * block * cols, 2 * cols);
-            run_simd(simd,
-                     InnerProducts{left.block(first, rows), rest.view(), part.block(0, cols)});
-            run_simd(simd, InnerProducts{rest.view(), rest.view(), part.block(cols, cols)});
+            run_columns(cols, machine.simd,
+                        InnerProducts{left.block(first, rows), rest.view(), part.block(0, cols)});
+            run_columns(cols, machine.simd,
+                        InnerProducts{rest.view(), rest.view(), part.block(cols, cols)});
         });
     RestProducts products{Matrix(cols, cols), Matrix(cols, cols)};
     for (std::int64_t row = 0; row < parts.rows(); ++row) {
@@ -238,17 +211,16 @@ void center(MatrixView panel, const Machine& machine) {
             mean(0, c) += sums(block, c);
     for (std::int64_t c = 0; c < panel.cols; ++c)
         mean(0, c) /= static_cast<double>(panel.rows);
-    const Simd simd = panel_simd(panel.cols, machine.simd);
     for_row_blocks(panel.rows, machine, [&](std::int64_t, std::int64_t first, std::int64_t rows) {
-        run_simd(simd, Subtraction{panel.block(first, rows), mean.data()});
+        run_columns(panel.cols, machine.simd, Subtraction{panel.block(first, rows), mean.data()});
     });
 }
 
 void centered_prefix_sums(ConstMatrixView z, MatrixView x, const Machine& machine) {
-    const Simd simd = panel_simd(z.cols, machine.simd);
     Matrix totals(2 * row_blocks(z.rows), z.cols);
     for_row_blocks(z.rows, machine, [&](std::int64_t block, std::int64_t first, std::int64_t rows) {
-        run_simd(simd, PrefixTotals{z.block(first, rows), totals.view().block(2 * block, 2)});
+        run_columns(z.cols, machine.simd,
+                    PrefixTotals{z.block(first, rows), totals.view().block(2 * block, 2)});
     });
     Matrix starts(row_blocks(z.rows) + 1, z.cols); // before each block
     Matrix mean(1, z.cols);
@@ -264,13 +236,12 @@ void centered_prefix_sums(ConstMatrixView z, MatrixView x, const Machine& machin
             starts(block, c) -= mean(0, c) / static_cast<double>(x.rows);
     std::copy_n(starts.row(0), x.cols, x.row(0));
     for_row_blocks(z.rows, machine, [&](std::int64_t block, std::int64_t first, std::int64_t rows) {
-        run_simd(simd,
-                 PrefixSums{z.block(first, rows), starts.row(block), x.block(first + 1, rows)});
+        run_columns(z.cols, machine.simd,
+                    PrefixSums{z.block(first, rows), starts.row(block), x.block(first + 1, rows)});
     });
 }
 
 void suffix_sums(ConstMatrixView x, MatrixView z, const Machine& machine) {
-    const Simd simd = panel_simd(z.cols, machine.simd);
     Matrix starts = block_sums(x.block(1, z.rows), machine); // the sums of what is after each block
     std::vector<double> after(static_cast<std::size_t>(z.cols));
     for (std::int64_t block = starts.rows(); block-- > 0;)
@@ -280,8 +251,8 @@ void suffix_sums(ConstMatrixView x, MatrixView z, const Machine& machine) {
             starts(block, c) = before;
         }
     for_row_blocks(z.rows, machine, [&](std::int64_t block, std::int64_t first, std::int64_t rows) {
-        run_simd(simd,
-                 SuffixSums{x.block(first + 1, rows), starts.row(block), z.block(first, rows)});
+        run_columns(z.cols, machine.simd,
+                    SuffixSums{x.block(first + 1, rows), starts.row(block), z.block(first, rows)});
     });
 }
 

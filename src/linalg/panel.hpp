@@ -28,15 +28,30 @@ constexpr Simd panel_simd(std::int64_t cols, Simd simd) {
     return simd;
 }
 
-/// For a kernel's run<W>(): calls kernel.columns<P>(c) for each pack of columns c .., or for the
-/// column of a single vector.
-template <int W, class Kernel>
-STLTSA_INLINE void for_columns(std::int64_t cols, const Kernel& kernel) {
-    if (cols == 1)
-        kernel.template columns<double>(0);
-    else
-        for (std::int64_t c = 0; c < cols; c += W)
-            kernel.template columns<Pack<W>>(c);
+namespace detail {
+
+template <class Kernel>
+struct ColumnWise {
+    const Kernel& kernel;
+    std::int64_t cols;
+
+    template <int W>
+    STLTSA_INLINE void run() const {
+        if (cols == 1)
+            kernel.template columns<double>(0);
+        else
+            for (std::int64_t c = 0; c < cols; c += W)
+                kernel.template columns<Pack<W>>(c);
+    }
+};
+
+} // namespace detail
+
+/// Calls kernel.columns<P>(c) for each pack P of columns c .. of a panel of `cols`, or for the
+/// column of a single vector; columns() is STLTSA_INLINE.
+template <class Kernel>
+void run_columns(std::int64_t cols, Simd simd, const Kernel& kernel) {
+    run_simd(panel_simd(cols, simd), detail::ColumnWise<Kernel>{kernel, cols});
 }
 
 /// The pack at an entry of a panel.

@@ -55,6 +55,8 @@ struct BlockIteration {
                     return;
             }
             orthonormalize<P>(product_data);
+            // Twice before a Rayleigh-Ritz step: what one pass leaves of the large columns in small
+            // ones, beside a single large eigenvalue, would spoil the Ritz values.
             if ((step + 1) % ritz_interval == 0)
                 orthonormalize<P>(block_data);
         }
@@ -103,8 +105,8 @@ struct BlockIteration {
         return even + odd;
     }
 
-    /// block := orthonormal basis of the product's columns (modified Gram-Schmidt). A column of
-    /// zeros stays one.
+    /// block := orthonormal basis of these columns, the product's or its own (modified
+    /// Gram-Schmidt). A column of zeros stays one.
     template <class P>
     STLTSA_INLINE void orthonormalize(const double* columns_data) const {
         const P* from = reinterpret_cast<const P*>(columns_data);

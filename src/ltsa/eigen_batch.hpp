@@ -33,7 +33,6 @@ class EigenBatch {
     double& matrix(std::int64_t lane, std::int64_t a, std::int64_t b) {
         return matrix_[index(a * rows_ + b, lane)];
     }
-
     double matrix(std::int64_t lane, std::int64_t a, std::int64_t b) const {
         return matrix_[index(a * rows_ + b, lane)];
     }

@@ -9,15 +9,6 @@
 
 namespace stltsa::ltsa {
 
-void select_nearest(std::vector<Candidate>& candidates, std::span<std::int32_t> out) {
-    const auto nth = candidates.begin() + static_cast<std::ptrdiff_t>(out.size());
-    if (nth != candidates.end())
-        std::nth_element(candidates.begin(), nth, candidates.end());
-    std::transform(candidates.begin(), nth, out.begin(),
-                   [](const Candidate& candidate) { return candidate.frame; });
-    std::sort(out.begin(), out.end());
-}
-
 Neighborhoods find_neighbors(ConstMatrixView x, std::span<const std::int64_t> lengths,
                              const Parameters& parameters, const Progress& progress) {
     switch (parameters.mode) {

@@ -36,9 +36,6 @@ struct Candidate {
     }
 };
 
-/// Writes the frame numbers of the `out.size()` smallest candidates in ascending order.
-void select_nearest(std::vector<Candidate>& candidates, std::span<std::int32_t> out);
-
 /// The neighborhoods that `parameters` ask for. Frames of all clips one after another.
 Neighborhoods find_neighbors(ConstMatrixView x, std::span<const std::int64_t> lengths,
                              const Parameters& parameters, const Progress& progress);

@@ -26,6 +26,14 @@ std::vector<RowRange> clip_of_frame(std::span<const std::int64_t> lengths) {
     return clips;
 }
 
+/// Puts the frames that were found behind those that a neighborhood has, and all in order of time.
+void complete(std::span<std::int32_t> neighborhood, const std::vector<Candidate>& found) {
+    std::transform(found.begin(), found.end(),
+                   neighborhood.end() - static_cast<std::ptrdiff_t>(found.size()),
+                   [](const Candidate& candidate) { return candidate.frame; });
+    std::sort(neighborhood.begin(), neighborhood.end());
+}
+
 } // namespace
 
 Neighborhoods spatial_neighbors(ConstMatrixView x, const Parameters& parameters,
@@ -35,8 +43,8 @@ Neighborhoods spatial_neighbors(ConstMatrixView x, const Parameters& parameters,
     const auto zone_of = [&](std::int64_t i) {
         return parameters.include_self ? RowRange{0, 0} : RowRange{i, i + 1};
     };
-    const auto store = [&](std::int64_t i, std::vector<Candidate> found) {
-        select_nearest(found, neighborhoods.of(i));
+    const auto store = [&](std::int64_t i, const std::vector<Candidate>& found) {
+        complete(neighborhoods.of(i), found);
     };
     find_nearest_of_all(x,
                         {parameters.neighbors, zone_of, store, parameters.threads, parameters.simd},
@@ -63,13 +71,9 @@ Neighborhoods recurrent_neighbors(ConstMatrixView x, std::span<const std::int64_
     Neighborhoods neighborhoods{parameters.neighbors + parameters.links, {}};
     neighborhoods.index.resize(checked_size(x.rows, neighborhoods.size));
     const auto store = [&](std::int64_t i, const std::vector<Candidate>& found) {
-        const auto out = neighborhoods.of(i);
         const auto temporal = near.of(i);
-        std::copy(temporal.begin(), temporal.end(), out.begin());
-        std::transform(found.begin(), found.end(),
-                       out.begin() + static_cast<std::ptrdiff_t>(temporal.size()),
-                       [](const Candidate& c) { return c.frame; });
-        std::sort(out.begin(), out.end());
+        std::copy(temporal.begin(), temporal.end(), neighborhoods.of(i).begin());
+        complete(neighborhoods.of(i), found);
     };
     find_nearest_of_all(x, {parameters.links, zone_of, store, parameters.threads, parameters.simd},
                         reporting(progress));

@@ -76,7 +76,7 @@ struct Ritz {
     Matrix product;             ///< B' of the unknowns
 };
 
-/// B' z - lambda S^T x, in place of the product B' z.
+/// B' z - lambda S^T x of each vector.
 Matrix residuals(const Alignment& alignment, const Ritz& ritz, const Basis& basis) {
     Matrix residual = ritz.product;
     Matrix right(residual.rows(), residual.cols());
