@@ -47,6 +47,7 @@ static int frames_of(const struct mapping* file, stltsa_in* frames) {
     size_t length;
     long long rows, cols;
     const char* shape;
+    char end; /* of the shape: after two numbers, unless there are more dimensions */
 
     if (file->size < 10 || memcmp(bytes, "\x93NUMPY\x01", 7) != 0)
         return 0;
@@ -56,7 +57,8 @@ static int frames_of(const struct mapping* file, stltsa_in* frames) {
     memcpy(header, bytes + 10, length < sizeof header ? length : sizeof header - 1);
     shape = strstr(header, "'shape': (");
     if (shape == NULL || strstr(header, "'<f8'") == NULL || strstr(header, "False") == NULL ||
-        sscanf(shape, "'shape': (%lld, %lld)", &rows, &cols) != 2 || rows < 1 || cols < 1 ||
+        sscanf(shape, "'shape': (%lld, %lld%c", &rows, &cols, &end) != 3 || end != ')' ||
+        rows < 1 || cols < 1 ||
         (file->size - 10 - length) / sizeof(double) / (size_t)cols < (size_t)rows)
         return 0;
     memset(frames, 0, sizeof *frames);
