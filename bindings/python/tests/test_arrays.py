@@ -44,6 +44,7 @@ def test_float32_is_read_as_it_is(circle):
 def test_integers(circle):
     whole = np.round(circle * 1000).astype(np.int32)
     assert np.array_equal(stltsa.fit(whole, **K).coords, stltsa.fit(whole * 1.0, **K).coords)
+    assert as_matrix(np.asfortranarray(whole)).flags.c_contiguous  # or the library copies again
 
 
 @pytest.mark.parametrize("layout", ["fortran", "every other", "turned around", "transposed"])
@@ -77,8 +78,9 @@ def test_other_than_two_dimensions_are_refused(values):
         np.arange(6).astype("M8[s]").reshape(3, 2),
         np.zeros((3, 2), dtype=[("x", "f8"), ("y", "f8")]),
         [[1, "a"], [2, object()]],
+        [[1, 10**400], [2, 3]],
     ],
-    ids=["texts", "bytes", "dates", "records", "objects"],
+    ids=["texts", "bytes", "dates", "records", "objects", "too large"],
 )
 def test_what_is_no_number_is_refused(values):
     with pytest.raises(ValueError, match="X must hold numbers"):

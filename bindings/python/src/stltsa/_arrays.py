@@ -51,8 +51,8 @@ def _as_float64(array: npt.NDArray[Any], what: str) -> FloatArray:
     if array.dtype.kind not in "biufO":
         raise ValueError(f"{what} must hold numbers; it holds {array.dtype}")
     try:
-        return array.astype(np.float64)
-    except (TypeError, ValueError) as error:
+        return array.astype(np.float64, order="C")
+    except (TypeError, ValueError, OverflowError) as error:
         raise ValueError(f"{what} must hold numbers: {error}") from error
 
 

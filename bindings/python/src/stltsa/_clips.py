@@ -61,7 +61,7 @@ def group_lengths(groups: Any, rows: int) -> IntArray:
         raise ValueError(
             f"groups must have a label for each of the {rows} rows; its shape is {labels.shape}"
         )
-    if np.not_equal(labels, labels).any():  # NaN alone differs from itself
+    if np.not_equal(labels, labels).any():  # only NaN and NaT differ from themselves
         raise ValueError("groups must have a label for each row; some are NaN")
     if rows == 0:
         return np.zeros(0, dtype=np.int64)
