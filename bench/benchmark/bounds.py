@@ -9,7 +9,7 @@ import dataclasses
 
 from tasks import DIMENSION
 
-SPARE_VECTORS = 4  # that ARPACK keeps beyond twice the wanted ones
+SPARE_VECTORS = 3  # that ARPACK keeps beyond twice the wanted ones
 SPARE_COLUMNS = 2  # of the block that finds the tangents, beyond d
 LEAST_PRODUCTS = 3  # with that block, before it may stop
 PASSES = 2  # through all patches, for the certificate

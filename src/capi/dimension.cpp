@@ -46,7 +46,7 @@ std::unique_ptr<stltsa_dimension_result> estimate_samples(ConstMatrixView sample
                                                           const std::vector<std::int64_t>& lengths,
                                                           const capi::OptionsReader& options,
                                                           capi::Source source) {
-    ltsa::check_frames(samples, lengths);
+    ltsa::check_frames(samples, lengths, "frames", options.threads());
     auto result = std::make_unique<stltsa_dimension_result>();
     const auto parameters =
         capi::choose_parameters(samples, options, capi::eigengap_tangent_dimension, source);

@@ -32,7 +32,7 @@ void warn_of_parts(const capi::SampleFacts& samples, ltsa::Model& model) {
 std::unique_ptr<stltsa_model> fit_samples(ConstMatrixView samples,
                                           const std::vector<std::int64_t>& lengths,
                                           const capi::OptionsReader& options, capi::Source source) {
-    ltsa::check_frames(samples, lengths);
+    ltsa::check_frames(samples, lengths, "frames", options.threads());
     auto model = std::make_unique<stltsa_model>();
     const auto parameters = capi::choose_parameters(samples, options, standard_dimension, source);
     model->model = ltsa::fit(samples, lengths, parameters, options.progress());

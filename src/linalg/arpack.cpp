@@ -7,6 +7,7 @@
 #include <arpack.h>
 
 #include "linalg/eigen.hpp"
+#include "linalg/panel.hpp"
 
 static_assert(sizeof(a_int) == sizeof(std::int32_t), "ARPACK with 32-bit integers is needed");
 
@@ -23,24 +24,28 @@ constexpr a_int few_restarts = 30;
 constexpr a_int many_restarts = 10000;
 constexpr std::int64_t most_vectors = 80;
 
-/// Eigenpairs whose residual is less, relative to their eigenvalue, count as found. What is asked
-/// beyond that costs as many applications again, and the caller corrects the vectors better.
-constexpr double tolerance = 1e-12;
+/// Eigenpairs whose residual is less, relative to their eigenvalue, count as found. The last one
+/// decides; those before it, which make up the embedding, are known much better by then, and the
+/// caller corrects all of them.
+constexpr double tolerance = 1e-9;
 
 /// Lanczos vectors at first.
 std::int64_t least_vectors(std::int64_t count) {
-    return 2 * count + 4;
+    return 2 * count + 3;
 }
 
 /// One run of dsaupd's reverse communication, then dseupd.
 class Lanczos {
   public:
-    Lanczos(std::span<const double> start, std::int64_t count, std::int64_t vectors,
-            a_int most_restarts)
-        : order_(static_cast<a_int>(start.size())), count_(static_cast<a_int>(count)),
-          subspace_(static_cast<a_int>(vectors)), residual_(start.begin(), start.end()),
-          basis_(checked_size(subspace_, order_)), work_(checked_size(3, order_)),
-          small_work_(checked_size(subspace_, subspace_ + 8)) {
+    Lanczos(ConstMatrixView start, std::int64_t count, std::int64_t vectors, a_int most_restarts,
+            const Machine& machine)
+        : order_(static_cast<a_int>(start.rows)), count_(static_cast<a_int>(count)),
+          subspace_(static_cast<a_int>(vectors)), residual_(start.data, start.data + start.rows),
+          small_work_(checked_size(subspace_, subspace_ + 8)),
+          basis_(Matrix::unset(subspace_, order_)), work_(Matrix::unset(3, order_)) {
+        // ARPACK, which has one thread, would be the first to touch this memory.
+        for (Matrix* memory : {&basis_, &work_})
+            clear({memory->data(), memory->rows() * memory->cols(), 1, 1}, machine);
         parameters_[0] = 1; // exact shifts
         parameters_[2] = most_restarts;
         parameters_[3] = 1; // block size
@@ -72,17 +77,19 @@ class Lanczos {
     }
     std::int64_t converged() const { return parameters_[4]; }
 
+    /// Once only: the vectors take the place of the basis.
     Eigenpairs extract() {
-        Eigenpairs pairs{std::vector<double>(static_cast<std::size_t>(count_)),
-                         Matrix(count_, order_), 0};
+        Eigenpairs pairs{std::vector<double>(static_cast<std::size_t>(count_)), std::move(basis_),
+                         0};
         std::vector<a_int> select(static_cast<std::size_t>(subspace_), 1);
         a_int info = 0;
         dseupd_c(1, "A", select.data(), pairs.values.data(), pairs.vectors.data(), order_, 0.0, "I",
-                 order_, "LA", count_, tolerance, residual_.data(), subspace_, basis_.data(),
+                 order_, "LA", count_, tolerance, residual_.data(), subspace_, pairs.vectors.data(),
                  order_, parameters_, pointers_, work_.data(), small_work_.data(),
                  small_work_size(), &info);
         if (info != 0)
             fail(Status::internal, "ARPACK dseupd failed (info {})", info);
+        pairs.vectors.keep_rows(count_);
         // dseupd gives ascending order.
         std::reverse(pairs.values.begin(), pairs.values.end());
         for (std::int64_t r = 0; r < count_ / 2; ++r)
@@ -95,7 +102,8 @@ class Lanczos {
     a_int small_work_size() const { return static_cast<a_int>(small_work_.size()); }
 
     a_int order_, count_, subspace_;
-    AlignedVector<double> residual_, basis_, work_, small_work_;
+    AlignedVector<double> residual_, small_work_;
+    Matrix basis_, work_;
     a_int parameters_[11] = {};
     a_int pointers_[11] = {};
 };
@@ -126,17 +134,17 @@ Eigenpairs dense_eigenpairs(const Operator& apply, std::int64_t order, std::int6
 
 } // namespace
 
-Eigenpairs largest_eigenpairs(const Operator& apply, std::span<const double> start,
-                              std::int64_t count, const std::function<void()>& poll) {
-    const auto order = static_cast<std::int64_t>(start.size());
+Eigenpairs largest_eigenpairs(const Operator& apply, ConstMatrixView start, std::int64_t count,
+                              const Machine& machine, const std::function<void()>& poll) {
+    const std::int64_t order = start.rows;
     if (order <= std::max(dense_order, 2 * count + 8))
         return dense_eigenpairs(apply, order, count);
     const std::lock_guard lock(arpack_mutex);
     std::int64_t applications = 0;
     for (std::int64_t vectors = least_vectors(count);; vectors *= 2) {
         const bool last = vectors >= std::min(most_vectors, order);
-        Lanczos lanczos(start, count, std::min(vectors, order),
-                        last ? many_restarts : few_restarts);
+        Lanczos lanczos(start, count, std::min(vectors, order), last ? many_restarts : few_restarts,
+                        machine);
         if (lanczos.iterate(apply, poll, applications)) {
             Eigenpairs pairs = lanczos.extract();
             pairs.applications = applications;

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "linalg/machine.hpp"
 #include "linalg/matrix.hpp"
 
 namespace stltsa {
@@ -20,12 +21,12 @@ struct Eigenpairs {
 /// y = A x, both of the operator's order.
 using Operator = std::function<void(std::span<const double> x, std::span<double> y)>;
 
-/// The `count` algebraically largest eigenpairs of a symmetric operator of order `order`, to
-/// machine precision. `start` is ARPACK's start vector and decides, with the operator, every bit
-/// of the result; it must not be an eigenvector. `poll` is called between applications and may
-/// throw. Needs count < start.size(); small orders are solved densely by LAPACK.
-/// Throws Status::not_converged.
-Eigenpairs largest_eigenpairs(const Operator& apply, std::span<const double> start,
-                              std::int64_t count, const std::function<void()>& poll);
+/// The `count` algebraically largest eigenpairs of a symmetric operator, with residuals of at most
+/// 1e-9 of their eigenvalue. `start`, a column of the operator's order, is ARPACK's start vector
+/// and decides, with the operator, every bit of the result; it must not be an eigenvector. `poll`
+/// is called between applications and may throw. Small orders are solved densely, by LAPACK. Needs
+/// count < start.rows. Throws Status::not_converged.
+Eigenpairs largest_eigenpairs(const Operator& apply, ConstMatrixView start, std::int64_t count,
+                              const Machine& machine, const std::function<void()>& poll);
 
 } // namespace stltsa

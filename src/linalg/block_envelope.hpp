@@ -3,6 +3,7 @@
 // factor.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -18,6 +19,7 @@ class BlockEnvelopeMatrix {
     static constexpr std::int64_t block_columns = 32;
 
     /// reach[j]: the last row of column j; does not decrease.
+    /// The entries have no value until clear() sets them to zero.
     explicit BlockEnvelopeMatrix(const std::vector<std::int64_t>& reach);
 
     struct Block {
@@ -33,6 +35,7 @@ class BlockEnvelopeMatrix {
     /// data(block)[(column - begin) * rows + row - begin].
     double* data(const Block& block) { return entries_.data() + block.offset; }
     const double* data(const Block& block) const { return entries_.data() + block.offset; }
+    void clear(const Block& block) { std::fill_n(data(block), block.columns * block.rows, 0.0); }
     double& diagonal(std::int64_t j) {
         const Block& block = blocks_[static_cast<std::size_t>(j / block_columns)];
         return data(block)[(j - block.begin) * (block.rows + 1)];
@@ -41,7 +44,7 @@ class BlockEnvelopeMatrix {
   private:
     std::int64_t order_;
     std::vector<Block> blocks_;
-    AlignedVector<double> entries_;
+    UnsetVector<double> entries_;
 };
 
 /// L L^T = matrix, in place; false, with the matrix destroyed, where a pivot is at or below

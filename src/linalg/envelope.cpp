@@ -18,6 +18,11 @@ EnvelopeMatrix::EnvelopeMatrix(std::vector<std::int64_t> reach) : reach_(std::mo
     entries_.resize(checked_size(total, 1));
 }
 
+void EnvelopeMatrix::clear(std::int64_t begin, std::int64_t end) {
+    if (begin < end)
+        std::fill(column(begin), column(end - 1) + (reach(end - 1) - end + 2), 0.0);
+}
+
 namespace {
 
 /// to -= factor * from

@@ -14,7 +14,10 @@ namespace stltsa {
 /// factor fits in the same envelope.
 class EnvelopeMatrix {
   public:
+    /// The entries have no value until clear() sets them to zero.
     explicit EnvelopeMatrix(std::vector<std::int64_t> reach);
+    /// Zeros for the columns [begin, end).
+    void clear(std::int64_t begin, std::int64_t end);
 
     std::int64_t order() const { return static_cast<std::int64_t>(reach_.size()); }
     std::int64_t reach(std::int64_t column) const {
@@ -33,7 +36,7 @@ class EnvelopeMatrix {
   private:
     std::vector<std::int64_t> reach_;
     std::vector<std::int64_t> offset_;
-    AlignedVector<double> entries_;
+    UnsetVector<double> entries_;
 };
 
 /// Factors the matrix in place from both ends at once, so that there is always work for two: the

@@ -2,11 +2,13 @@
 // Row-major matrices and views of them: frames are rows everywhere.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <new>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "base/error.hpp"
@@ -35,6 +37,27 @@ struct AlignedAllocator {
 
 template <class T>
 using AlignedVector = std::vector<T, AlignedAllocator<T>>;
+
+/// Leaves entries without a value. The first touch of fresh memory costs as much as the work on it:
+/// for large arrays that threads write as a whole, so that they touch it, not the constructor.
+template <class T>
+struct UnsetAllocator : AlignedAllocator<T> {
+    using AlignedAllocator<T>::AlignedAllocator;
+    template <class U>
+    struct rebind {
+        using other = UnsetAllocator<U>;
+    };
+    template <class U, class... Args>
+    void construct(U* at, Args&&... args) {
+        if constexpr (sizeof...(Args) == 0)
+            ::new (static_cast<void*>(at)) U;
+        else
+            ::new (static_cast<void*>(at)) U(std::forward<Args>(args)...);
+    }
+};
+
+template <class T>
+using UnsetVector = std::vector<T, UnsetAllocator<T>>;
 
 /// rows x cols, row r starts at data + r * stride, columns are adjacent. Owns nothing.
 template <class T>
@@ -67,12 +90,27 @@ inline std::size_t checked_size(std::int64_t rows, std::int64_t cols) {
     return static_cast<std::size_t>(rows) * static_cast<std::size_t>(cols);
 }
 
-/// A dense matrix that owns its entries, zero when made.
+/// A dense matrix that owns its entries, zero when made unless unset() makes it.
 class Matrix {
   public:
     Matrix() = default;
-    Matrix(std::int64_t rows, std::int64_t cols)
-        : rows_(rows), cols_(cols), data_(checked_size(rows, cols)) {}
+    Matrix(std::int64_t rows, std::int64_t cols) : Matrix(unset(rows, cols)) {
+        std::fill(data_.begin(), data_.end(), 0.0);
+    }
+    /// The entries have no value yet.
+    static Matrix unset(std::int64_t rows, std::int64_t cols) {
+        Matrix matrix;
+        matrix.rows_ = rows;
+        matrix.cols_ = cols;
+        matrix.data_.resize(checked_size(rows, cols));
+        return matrix;
+    }
+
+    /// Drops the rows after the first `count`.
+    void keep_rows(std::int64_t count) {
+        rows_ = count;
+        data_.resize(checked_size(count, cols_));
+    }
 
     std::int64_t rows() const { return rows_; }
     std::int64_t cols() const { return cols_; }
@@ -92,7 +130,7 @@ class Matrix {
   private:
     std::int64_t rows_ = 0;
     std::int64_t cols_ = 0;
-    AlignedVector<double> data_;
+    UnsetVector<double> data_;
 };
 
 } // namespace stltsa

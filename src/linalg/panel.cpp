@@ -104,18 +104,19 @@ struct PrefixSums {
     }
 };
 
-/// out(r) := start + in(r) + .. + in(last)
+/// out(r) := start + in(r) + .. + in(last), each less `mean`
 struct SuffixSums {
     ConstMatrixView in;
-    const double* start;
+    const double *mean, *start;
     MatrixView out;
 
     template <class P>
     STLTSA_INLINE void columns(std::int64_t c) const {
         P sum{};
         const P before = pack_at<P>(start + c);
+        const P shift = pack_at<P>(mean + c);
         for (std::int64_t row = in.rows; row-- > 0;) {
-            sum += pack_at<P>(in.row(row) + c);
+            sum += pack_at<P>(in.row(row) + c) - shift;
             pack_at<P>(out.row(row) + c) = before + sum;
         }
     }
@@ -146,6 +147,13 @@ Matrix block_sums(ConstMatrixView panel, const Machine& machine) {
 }
 
 } // namespace
+
+void clear(MatrixView panel, const Machine& machine) {
+    for_row_blocks(panel.rows, machine, [&](std::int64_t, std::int64_t first, std::int64_t rows) {
+        for (std::int64_t row = first; row < first + rows; ++row)
+            std::fill_n(panel.row(row), panel.cols, 0.0);
+    });
+}
 
 Matrix inner_products(ConstMatrixView a, ConstMatrixView b, const Machine& machine) {
     Matrix parts(row_blocks(a.rows) * a.cols, b.cols);
@@ -203,17 +211,34 @@ void subtract_scaled(ConstMatrixView source, const Matrix& factors, MatrixView t
     });
 }
 
-void center(MatrixView panel, const Machine& machine) {
-    const Matrix sums = block_sums(panel, machine);
-    Matrix mean(1, panel.cols);
+namespace {
+
+/// The mean of each column of so many rows: a first one, and blocks of which these are the sums.
+Matrix mean_of(const double* first, const Matrix& sums, std::int64_t rows) {
+    Matrix mean(1, sums.cols());
+    std::copy_n(first, sums.cols(), mean.data());
     for (std::int64_t block = 0; block < sums.rows(); ++block)
-        for (std::int64_t c = 0; c < panel.cols; ++c)
+        for (std::int64_t c = 0; c < sums.cols(); ++c)
             mean(0, c) += sums(block, c);
-    for (std::int64_t c = 0; c < panel.cols; ++c)
-        mean(0, c) /= static_cast<double>(panel.rows);
+    for (std::int64_t c = 0; c < sums.cols(); ++c)
+        mean(0, c) /= static_cast<double>(rows);
+    return mean;
+}
+
+} // namespace
+
+Matrix column_means(ConstMatrixView panel, const Machine& machine) {
+    return mean_of(panel.row(0), block_sums(panel.block(1, panel.rows - 1), machine), panel.rows);
+}
+
+void subtract_row(MatrixView panel, const Matrix& row, const Machine& machine) {
     for_row_blocks(panel.rows, machine, [&](std::int64_t, std::int64_t first, std::int64_t rows) {
-        run_columns(panel.cols, machine.simd, Subtraction{panel.block(first, rows), mean.data()});
+        run_columns(panel.cols, machine.simd, Subtraction{panel.block(first, rows), row.data()});
     });
+}
+
+void center(MatrixView panel, const Machine& machine) {
+    subtract_row(panel, column_means(panel, machine), machine);
 }
 
 void centered_prefix_sums(ConstMatrixView z, MatrixView x, const Machine& machine) {
@@ -241,19 +266,23 @@ void centered_prefix_sums(ConstMatrixView z, MatrixView x, const Machine& machin
     });
 }
 
-void suffix_sums(ConstMatrixView x, MatrixView z, const Machine& machine) {
-    Matrix starts = block_sums(x.block(1, z.rows), machine); // the sums of what is after each block
-    std::vector<double> after(static_cast<std::size_t>(z.cols));
-    for (std::int64_t block = starts.rows(); block-- > 0;)
-        for (std::int64_t c = 0; c < z.cols; ++c) {
-            const double before = after[static_cast<std::size_t>(c)];
-            after[static_cast<std::size_t>(c)] += starts(block, c);
-            starts(block, c) = before;
-        }
-    for_row_blocks(z.rows, machine, [&](std::int64_t block, std::int64_t first, std::int64_t rows) {
-        run_columns(z.cols, machine.simd,
-                    SuffixSums{x.block(first + 1, rows), starts.row(block), z.block(first, rows)});
-    });
+void centered_suffix_sums(ConstMatrixView x, MatrixView z, const Machine& machine) {
+    const ConstMatrixView rest = x.block(1, z.rows);
+    const Matrix sums = block_sums(rest, machine);
+    const Matrix mean = mean_of(x.row(0), sums, x.rows);
+    Matrix after(sums.rows(), sums.cols()); // the sums of what is after each block
+    for (std::int64_t block = sums.rows() - 1; block > 0; --block) {
+        const std::int64_t rows = std::min(row_block, rest.rows - block * row_block);
+        for (std::int64_t c = 0; c < z.cols; ++c)
+            after(block - 1, c) =
+                after(block, c) + (sums(block, c) - static_cast<double>(rows) * mean(0, c));
+    }
+    for_row_blocks(rest.rows, machine,
+                   [&](std::int64_t block, std::int64_t first, std::int64_t rows) {
+                       run_columns(z.cols, machine.simd,
+                                   SuffixSums{rest.block(first, rows), mean.data(),
+                                              after.row(block), z.block(first, rows)});
+                   });
 }
 
 } // namespace stltsa

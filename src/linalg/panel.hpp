@@ -64,6 +64,9 @@ STLTSA_INLINE const P& pack_at(const double* entry) {
     return *reinterpret_cast<const P*>(entry);
 }
 
+/// panel := 0
+void clear(MatrixView panel, const Machine& machine);
+
 /// Inner products of each column of a with each of b.
 Matrix inner_products(ConstMatrixView a, ConstMatrixView b, const Machine& machine);
 
@@ -81,13 +84,19 @@ void multiply_columns(MatrixView panel, const Matrix& factor, const Machine& mac
 void subtract_scaled(ConstMatrixView source, const Matrix& factors, MatrixView target,
                      const Machine& machine);
 
+/// The mean of each column: one row.
+Matrix column_means(ConstMatrixView panel, const Machine& machine);
+
+/// Subtracts a row from each row.
+void subtract_row(MatrixView panel, const Matrix& row, const Machine& machine);
+
 /// Subtracts its mean from each column.
 void center(MatrixView panel, const Machine& machine);
 
 /// x(0) := 0, x(c + 1) := the sum of z(0) .. z(c), less the mean of these.
 void centered_prefix_sums(ConstMatrixView z, MatrixView x, const Machine& machine);
 
-/// z(c) := the sum of x(c + 1) .. x(last)
-void suffix_sums(ConstMatrixView x, MatrixView z, const Machine& machine);
+/// z(c) := the sum of x(c + 1) .. x(last), each less the mean of all x
+void centered_suffix_sums(ConstMatrixView x, MatrixView z, const Machine& machine);
 
 } // namespace stltsa

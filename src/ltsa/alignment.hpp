@@ -26,7 +26,7 @@ class Alignment {
     std::int64_t unknowns() const { return patches_->frames() - 1; }
     const Machine& machine() const { return machine_; }
 
-    /// The right-hand side that values x at the frames (of zero mean) become in the unknowns.
+    /// The right-hand side that values x at the frames, less their mean, become in the unknowns.
     virtual void restrict_to(ConstMatrixView x, MatrixView unknowns) const = 0;
     /// Values at the frames, of zero mean, from unknowns.
     virtual void prolong(ConstMatrixView unknowns, MatrixView x) const = 0;

@@ -104,7 +104,7 @@ class DifferenceAlignment final : public PassingAlignment<RunningSums> {
     }
 
     void restrict_to(ConstMatrixView x, MatrixView unknowns) const override {
-        suffix_sums(x, unknowns, machine_);
+        centered_suffix_sums(x, unknowns, machine_);
     }
     void prolong(ConstMatrixView unknowns, MatrixView x) const override {
         centered_prefix_sums(unknowns, x, machine_);
@@ -113,10 +113,14 @@ class DifferenceAlignment final : public PassingAlignment<RunningSums> {
     void at_frames(ConstMatrixView right, MatrixView x) const override {
         for (std::int64_t c = 0; c < x.cols; ++c) {
             x(0, c) = -right(0, c);
-            for (std::int64_t i = 1; i < right.rows; ++i)
-                x(i, c) = right(i - 1, c) - right(i, c);
             x(right.rows, c) = right(right.rows - 1, c);
         }
+        for_row_blocks(right.rows - 1, machine_,
+                       [&](std::int64_t, std::int64_t first, std::int64_t rows) {
+                           for (std::int64_t i = first; i < first + rows; ++i)
+                               for (std::int64_t c = 0; c < x.cols; ++c)
+                                   x(i + 1, c) = right(i, c) - right(i + 1, c);
+                       });
     }
 
   private:

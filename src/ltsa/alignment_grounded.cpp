@@ -139,6 +139,7 @@ class GroundedAlignment final : public PassingAlignment<GroundedValues> {
 
     void restrict_to(ConstMatrixView x, MatrixView unknowns) const override {
         std::copy_n(x.data, unknowns.rows * unknowns.cols, unknowns.data);
+        subtract_row(unknowns, column_means(x, machine_), machine_);
     }
     void at_frames(ConstMatrixView right, MatrixView x) const override {
         std::copy_n(right.data, right.rows * right.cols, x.data);

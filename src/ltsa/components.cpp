@@ -22,6 +22,8 @@ class DisjointSets {
     }
     /// Unites the set of a frame with that of a root; returns the root of both.
     std::int32_t unite(std::int32_t root, std::int32_t frame) {
+        if (parent(frame) == root) // nearly always
+            return root;
         const std::int32_t other = find(frame);
         parent(std::max(root, other)) = std::min(root, other);
         return std::min(root, other);
@@ -47,19 +49,26 @@ Components connected_components(const Neighborhoods& neighborhoods) {
     }
     Components components;
     components.of_frame.resize(static_cast<std::size_t>(n));
-    components.position.resize(static_cast<std::size_t>(n));
+    std::vector<std::size_t> sizes;
     for (std::int32_t i = 0; i < n; ++i) {
         const std::int32_t root = sets.find(i);
         if (root == i) {
             components.of_frame[static_cast<std::size_t>(i)] = components.count++;
-            components.members.emplace_back();
+            sizes.push_back(0);
         }
-        const auto c =
-            static_cast<std::size_t>(components.of_frame[static_cast<std::size_t>(root)]);
-        components.of_frame[static_cast<std::size_t>(i)] = static_cast<std::int64_t>(c);
+        const std::int64_t c = components.of_frame[static_cast<std::size_t>(root)];
+        components.of_frame[static_cast<std::size_t>(i)] = c;
+        ++sizes[static_cast<std::size_t>(c)];
+    }
+    for (const std::size_t size : sizes)
+        components.members.emplace_back().reserve(size);
+    components.position.resize(static_cast<std::size_t>(n));
+    for (std::int32_t i = 0; i < n; ++i) {
+        auto& members = components.members[static_cast<std::size_t>(
+            components.of_frame[static_cast<std::size_t>(i)])];
         components.position[static_cast<std::size_t>(i)] =
-            static_cast<std::int32_t>(components.members[c].size());
-        components.members[c].push_back(i);
+            static_cast<std::int32_t>(members.size());
+        members.push_back(i);
     }
     return components;
 }

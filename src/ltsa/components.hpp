@@ -13,9 +13,9 @@ namespace stltsa::ltsa {
 /// embedded.
 struct Components {
     std::int64_t count = 0;
-    std::vector<std::int64_t> of_frame;             ///< numbered by first frame
+    UnsetVector<std::int64_t> of_frame;             ///< numbered by first frame
     std::vector<std::vector<std::int32_t>> members; ///< ascending
-    std::vector<std::int32_t> position;             ///< of a frame within its component
+    UnsetVector<std::int32_t> position;             ///< of a frame within its component
 };
 
 Components connected_components(const Neighborhoods& neighborhoods);

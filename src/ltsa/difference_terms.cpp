@@ -139,6 +139,7 @@ struct AddPatch {
 void assemble(const Patches& patches, const Machine& machine, EnvelopeMatrix& matrix) {
     for_column_blocks(patches, matrix.order(), narrow_block, machine.threads,
                       [&](std::int64_t begin, std::int64_t end, PatchRange range) {
+                          matrix.clear(begin, end);
                           PatchTerms terms;
                           for (std::int64_t p = range.begin; p < range.end; ++p) {
                               const auto frames = patches.of(p);
@@ -225,17 +226,24 @@ constexpr std::int64_t tile_patches = 32;
 void assemble(const Patches& patches, const Machine& machine, BlockEnvelopeMatrix& matrix) {
     constexpr std::int64_t columns = BlockEnvelopeMatrix::block_columns;
     static_assert(wide_block % columns == 0);
-    for_column_blocks(patches, matrix.order(), wide_block, machine.threads,
-                      [&](std::int64_t begin, std::int64_t end, PatchRange range) {
-                          Tile tile;
-                          // Tiles have the same borders for every block.
-                          for (std::int64_t p = range.begin / tile_patches * tile_patches;
-                               p < range.end; p += tile_patches) {
-                              tile.set(patches, p, std::min(p + tile_patches, patches.count()));
-                              for (std::int64_t b = begin / columns; b * columns < end; ++b)
-                                  tile.add_to(matrix, matrix.blocks()[static_cast<std::size_t>(b)]);
-                          }
-                      });
+    for_column_blocks(
+        patches, matrix.order(), wide_block, machine.threads,
+        [&](std::int64_t begin, std::int64_t end, PatchRange range) {
+            const std::span blocks =
+                std::span(matrix.blocks())
+                    .subspan(static_cast<std::size_t>(begin / columns),
+                             static_cast<std::size_t>((end - begin + columns - 1) / columns));
+            for (const auto& block : blocks)
+                matrix.clear(block);
+            Tile tile;
+            // Tiles have the same borders for every block.
+            for (std::int64_t p = range.begin / tile_patches * tile_patches; p < range.end;
+                 p += tile_patches) {
+                tile.set(patches, p, std::min(p + tile_patches, patches.count()));
+                for (const auto& block : blocks)
+                    tile.add_to(matrix, block);
+            }
+        });
 }
 
 } // namespace stltsa::ltsa

@@ -15,10 +15,9 @@ namespace stltsa::ltsa {
 
 Graph build_graph(ConstMatrixView frames, std::span<const std::int64_t> lengths,
                   const Parameters& parameters, const Progress& progress) {
-    check_frames(frames, lengths);
     Graph graph;
     graph.parameters = parameters;
-    graph.frames = collapse_repeats(frames, lengths);
+    graph.frames = collapse_repeats(frames, lengths, parameters.threads);
     check_parameters(parameters, graph.frames);
     // Memory is taken for as much as the window holds.
     Parameters within = parameters;
@@ -114,7 +113,8 @@ Model embed(const Graph& graph, int dimension, int eigenvalues, const Progress& 
             embed_component(graph, c, dimension, eigenvalues, progress, coords));
 
     const auto& row_of = graph.frames.row_of;
-    model.coords = Matrix(static_cast<std::int64_t>(row_of.size()), dimension);
+    model.coords = Matrix::unset(static_cast<std::int64_t>(row_of.size()), dimension);
+    model.component_of.reserve(row_of.size());
     for (std::size_t i = 0; i < row_of.size(); ++i) {
         std::copy_n(coords.row(row_of[i]), dimension,
                     model.coords.row(static_cast<std::int64_t>(i)));

@@ -24,6 +24,7 @@ struct Graph {
     Parameters parameters;
 };
 
+/// `frames` and `lengths` passed check_frames().
 Graph build_graph(ConstMatrixView frames, std::span<const std::int64_t> lengths,
                   const Parameters& parameters, const Progress& progress);
 

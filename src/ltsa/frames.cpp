@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "linalg/machine.hpp"
+
 namespace stltsa::ltsa {
 
 namespace {
@@ -22,25 +24,33 @@ bool usable(const double* row, std::int64_t count) {
 
 } // namespace
 
-void check_numbers(ConstMatrixView numbers, const char* name) {
-    for (std::int64_t r = 0; r < numbers.rows; ++r) {
-        if (usable(numbers.row(r), numbers.cols))
-            continue;
-        for (std::int64_t c = 0; c < numbers.cols; ++c) {
-            const double value = numbers(r, c);
-            if (!std::isfinite(value))
-                fail(Status::not_finite, "{}: row {}, column {} is {}; fill or cut gaps first",
-                     name, r, c, std::isnan(value) ? "NaN" : "infinite");
-            if (std::abs(value) > largest_number)
-                fail(Status::not_finite,
-                     "{}: row {}, column {} is {}; beyond {} distances are infinite: use another "
-                     "unit",
-                     name, r, c, value, largest_number);
-        }
+namespace {
+
+void check_row(const double* row, std::int64_t cols, std::int64_t r, const char* name) {
+    for (std::int64_t c = 0; c < cols; ++c) {
+        if (!std::isfinite(row[c]))
+            fail(Status::not_finite, "{}: row {}, column {} is {}; fill or cut gaps first", name, r,
+                 c, std::isnan(row[c]) ? "NaN" : "infinite");
+        if (std::abs(row[c]) > largest_number)
+            fail(Status::not_finite,
+                 "{}: row {}, column {} is {}; beyond {} distances are infinite: use another unit",
+                 name, r, c, row[c], largest_number);
     }
 }
 
-void check_frames(ConstMatrixView frames, std::span<const std::int64_t> lengths, const char* name) {
+} // namespace
+
+void check_numbers(ConstMatrixView numbers, const char* name, int threads) {
+    for_row_blocks(numbers.rows, {Simd::baseline, threads},
+                   [&](std::int64_t, std::int64_t first, std::int64_t rows) {
+                       for (std::int64_t r = first; r < first + rows; ++r)
+                           if (!usable(numbers.row(r), numbers.cols))
+                               check_row(numbers.row(r), numbers.cols, r, name);
+                   });
+}
+
+void check_frames(ConstMatrixView frames, std::span<const std::int64_t> lengths, const char* name,
+                  int threads) {
     if (frames.rows < 1 || frames.cols < 1)
         fail(Status::shape, "{} frames of {} features were given; at least one of each is needed",
              frames.rows, frames.cols);
@@ -59,39 +69,50 @@ void check_frames(ConstMatrixView frames, std::span<const std::int64_t> lengths,
     if (rest != 0)
         fail(Status::shape, "the clips' lengths sum to {}, not to the {} frames given",
              frames.rows - rest, frames.rows);
-    check_numbers(frames, name);
+    check_numbers(frames, name, threads);
 }
 
 namespace {
 
-bool same_frame(ConstMatrixView frames, std::int64_t a, std::int64_t b) {
-    return std::equal(frames.row(a), frames.row(a) + frames.cols, frames.row(b));
+/// Of each frame, whether it equals the one before it.
+std::vector<char> repeats(ConstMatrixView frames, int threads) {
+    std::vector<char> result(static_cast<std::size_t>(frames.rows));
+    for_row_blocks(
+        frames.rows, {Simd::baseline, threads},
+        [&](std::int64_t, std::int64_t first, std::int64_t rows) {
+            for (std::int64_t i = std::max<std::int64_t>(first, 1); i < first + rows; ++i)
+                result[static_cast<std::size_t>(i)] =
+                    std::equal(frames.row(i), frames.row(i) + frames.cols, frames.row(i - 1));
+        });
+    return result;
 }
 
 } // namespace
 
-DistinctFrames collapse_repeats(ConstMatrixView frames, std::span<const std::int64_t> lengths) {
+DistinctFrames collapse_repeats(ConstMatrixView frames, std::span<const std::int64_t> lengths,
+                                int threads) {
+    const std::vector<char> repeated = repeats(frames, threads);
     DistinctFrames distinct;
-    std::vector<std::int64_t> kept;
-    distinct.row_of.reserve(static_cast<std::size_t>(frames.rows));
+    distinct.row_of.resize(static_cast<std::size_t>(frames.rows));
+    std::int64_t kept = 0;
     std::int64_t first = 0;
     for (const std::int64_t length : lengths) {
-        const auto before = kept.size();
+        const std::int64_t before = kept;
         for (std::int64_t i = first; i < first + length; ++i) {
-            if (i == first || !same_frame(frames, i, i - 1))
-                kept.push_back(i);
-            distinct.row_of.push_back(static_cast<std::int64_t>(kept.size()) - 1);
+            if (i == first || !repeated[static_cast<std::size_t>(i)])
+                ++kept;
+            distinct.row_of[static_cast<std::size_t>(i)] = kept - 1;
         }
-        distinct.lengths.push_back(static_cast<std::int64_t>(kept.size() - before));
+        distinct.lengths.push_back(kept - before);
         first += length;
     }
-    distinct.repeated = frames.rows - static_cast<std::int64_t>(kept.size());
+    distinct.repeated = frames.rows - kept;
     distinct.x = frames;
     if (distinct.repeated > 0) {
-        distinct.storage = Matrix(static_cast<std::int64_t>(kept.size()), frames.cols);
-        for (std::size_t r = 0; r < kept.size(); ++r)
-            std::copy_n(frames.row(kept[r]), frames.cols,
-                        distinct.storage.row(static_cast<std::int64_t>(r)));
+        distinct.storage = Matrix(kept, frames.cols);
+        for (std::int64_t i = frames.rows; i-- > 0;) // the first of equals is the last to be copied
+            std::copy_n(frames.row(i), frames.cols,
+                        distinct.storage.row(distinct.row_of[static_cast<std::size_t>(i)]));
         distinct.x = distinct.storage.view();
     }
     return distinct;

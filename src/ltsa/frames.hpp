@@ -12,11 +12,11 @@
 namespace stltsa::ltsa {
 
 /// Throws for a number that is NaN or infinite, or so large that distances would be.
-void check_numbers(ConstMatrixView numbers, const char* name);
+void check_numbers(ConstMatrixView numbers, const char* name, int threads = 1);
 
 /// The same for frames, and for none of them and for lengths that do not sum to the rows.
 void check_frames(ConstMatrixView frames, std::span<const std::int64_t> lengths,
-                  const char* name = "frames");
+                  const char* name = "frames", int threads = 1);
 
 /// The frames without those that equal their predecessor in every feature. A window of held
 /// frames has no tangent, and a hold longer than the window would cut the clip in two.
@@ -24,11 +24,12 @@ struct DistinctFrames {
     Matrix storage; ///< used only where something repeats
     ConstMatrixView x;
     std::vector<std::int64_t> lengths;
-    std::vector<std::int64_t> row_of; ///< distinct row of each frame
+    UnsetVector<std::int64_t> row_of; ///< distinct row of each frame
     std::int64_t repeated = 0;
 };
 
-DistinctFrames collapse_repeats(ConstMatrixView frames, std::span<const std::int64_t> lengths);
+DistinctFrames collapse_repeats(ConstMatrixView frames, std::span<const std::int64_t> lengths,
+                                int threads);
 
 /// Throws for parameters that do not fit each other or the distinct frames.
 void check_parameters(const Parameters& parameters, const DistinctFrames& frames);

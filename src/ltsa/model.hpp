@@ -40,7 +40,8 @@ struct Model {
 std::int64_t first_cut(const Model& model);
 
 /// Fits STLTSA to `frames` (rows = frames of all clips one after another; lengths sum to rows).
-/// Throws Error for frames that are too few, parameters out of range, NaN, no memory, cancelled.
+/// They passed check_frames(). Throws Error for frames that are too few, parameters out of range,
+/// no memory, cancelled.
 Model fit(ConstMatrixView frames, std::span<const std::int64_t> lengths,
           const Parameters& parameters, const Progress& progress);
 

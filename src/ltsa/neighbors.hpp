@@ -15,7 +15,7 @@ namespace stltsa::ltsa {
 /// The neighborhood of each frame: k frame numbers, ascending.
 struct Neighborhoods {
     std::int64_t size = 0; ///< k
-    AlignedVector<std::int32_t> index;
+    UnsetVector<std::int32_t> index;
 
     std::int64_t frames() const { return static_cast<std::int64_t>(index.size()) / size; }
     std::span<const std::int32_t> of(std::int64_t frame) const {

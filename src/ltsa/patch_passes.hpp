@@ -111,8 +111,7 @@ class PassingAlignment : public Alignment {
         : Alignment(patches, machine), blocks_(patches) {}
 
     Matrix apply(ConstMatrixView in, MatrixView out, std::int64_t count) const override {
-        for (std::int64_t row = 0; row < out.rows; ++row)
-            std::fill_n(out.row(row), out.cols, 0.0);
+        clear(out, machine_);
         Matrix forms(blocks_.count() * count, in.cols);
         for (const std::int64_t parity : {0, 1})
             parallel_blocks((blocks_.count() + 1 - parity) / 2, threads(), [&](std::int64_t half) {

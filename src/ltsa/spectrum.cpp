@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/random.hpp"
 #include "linalg/arpack.hpp"
@@ -12,51 +13,58 @@
 namespace stltsa::ltsa {
 namespace {
 
-using Vector = AlignedVector<double>;
-
-MatrixView column_view(std::span<double> x) {
-    return {x.data(), static_cast<std::int64_t>(x.size()), 1, 1};
-}
-
 /// x -> B^+ x: the wanted eigenpairs are its largest, so no shift is needed.
 Operator pseudo_inverse(const Alignment& alignment) {
-    return [&alignment, centered = Vector(static_cast<std::size_t>(alignment.frames())),
-            unknowns = Vector(static_cast<std::size_t>(alignment.unknowns()))](
+    return [&alignment, unknowns = Matrix::unset(alignment.unknowns(), 1)](
                std::span<const double> x, std::span<double> y) mutable {
-        std::copy(x.begin(), x.end(), centered.begin());
-        center(column_view(centered), alignment.machine());
-        alignment.restrict_to(column_view(centered), column_view(unknowns));
-        alignment.solve(column_view(unknowns));
-        alignment.prolong(column_view(unknowns), column_view(y));
+        alignment.restrict_to({x.data(), alignment.frames(), 1, 1}, unknowns.view());
+        alignment.solve(unknowns.view());
+        alignment.prolong(unknowns.view(), {y.data(), alignment.frames(), 1, 1});
     };
 }
 
 /// ARPACK always gets this start vector: its own are different on every call.
-Vector start_vector(std::int64_t order) {
-    Vector start(static_cast<std::size_t>(order));
+Matrix start_vector(std::int64_t order) {
+    Matrix start(order, 1);
     Random random(1);
-    for (double& value : start)
-        value = random.symmetric();
-    center(column_view(start), {Simd::baseline, 1});
+    for (std::int64_t i = 0; i < order; ++i)
+        start(i, 0) = random.symmetric();
+    center(start.view(), {Simd::baseline, 1});
     return start;
 }
 
-/// Vectors in both forms, as panels: x is the prolongation of the unknowns.
+/// Vectors in both forms, as panels: x is the prolongation of the unknowns. Beside them what is
+/// computed with them, made once: fresh memory costs as much as the work on it.
 struct Basis {
+    Basis(const Alignment& alignment, std::int64_t vectors)
+        : count(vectors), unknowns(panel(alignment.unknowns(), alignment)),
+          x(panel(alignment.frames(), alignment)), before(panel(alignment.frames(), alignment)),
+          product(panel(alignment.unknowns(), alignment)),
+          right(panel(alignment.unknowns(), alignment)) {}
+
     std::int64_t count;
-    Matrix unknowns;
-    Matrix x;
+    Matrix unknowns, x;
+    Matrix before;              ///< x before the last correction
+    Matrix product;             ///< B' of the unknowns, until it is made their residual
+    Matrix right;               ///< S^T x for that residual
+    std::vector<double> values; ///< ascending, once the vectors are the best in their span
+
+  private:
+    Matrix panel(std::int64_t rows, const Alignment& alignment) const {
+        return Matrix::unset(rows, panel_width(count, alignment.machine().simd));
+    }
 };
 
 /// (B')^-1 u for each row u. The unknowns of a vector come from a solve, because differences of its
 /// entries would lose as many digits as the entries are larger than their differences.
 Basis solved(const Alignment& alignment, const Matrix& vectors) {
-    const std::int64_t width = panel_width(vectors.rows(), alignment.machine().simd);
-    Basis basis{vectors.rows(), Matrix(alignment.unknowns(), width),
-                Matrix(alignment.frames(), width)};
-    for (std::int64_t i = 0; i < vectors.cols(); ++i)
-        for (std::int64_t j = 0; j < vectors.rows(); ++j)
-            basis.x(i, j) = vectors(j, i);
+    Basis basis(alignment, vectors.rows());
+    for_row_blocks(basis.x.rows(), alignment.machine(),
+                   [&](std::int64_t, std::int64_t first, std::int64_t rows) {
+                       for (std::int64_t i = first; i < first + rows; ++i)
+                           for (std::int64_t j = 0; j < basis.x.cols(); ++j)
+                               basis.x(i, j) = j < basis.count ? vectors(j, i) : 0;
+                   });
     alignment.restrict_to(basis.x.view(), basis.unknowns.view());
     alignment.solve(basis.unknowns.view());
     alignment.prolong(basis.unknowns.view(), basis.x.view());
@@ -70,31 +78,23 @@ Matrix padded(const std::vector<double>& values, std::int64_t width) {
     return result;
 }
 
-/// Vectors that are the best eigenvectors in their span.
-struct Ritz {
-    std::vector<double> values; ///< ascending
-    Matrix product;             ///< B' of the unknowns
-};
-
-/// B' z - lambda S^T x of each vector.
-Matrix residuals(const Alignment& alignment, const Ritz& ritz, const Basis& basis) {
-    Matrix residual = ritz.product;
-    Matrix right(residual.rows(), residual.cols());
-    alignment.restrict_to(basis.x.view(), right.view());
-    subtract_scaled(right.view(), padded(ritz.values, residual.cols()), residual.view(),
-                    alignment.machine());
-    return residual;
+/// product := B' z - lambda S^T x of each vector, from B' z.
+void make_residual(const Alignment& alignment, Basis& basis) {
+    alignment.restrict_to(basis.x.view(), basis.right.view());
+    subtract_scaled(basis.right.view(), padded(basis.values, basis.right.cols()),
+                    basis.product.view(), alignment.machine());
 }
 
 /// One inverse iteration as a correction: z - F^-1 (B' z - lambda S^T x). With F = B' this is
 /// lambda B'^-1 S^T x; in floating point the residual goes through the patches, so neither the
 /// rounding of B' and its factor F nor a shift in F limits what the iteration converges to.
-void correct(const Alignment& alignment, const Ritz& ritz, Basis& basis) {
-    Matrix change = residuals(alignment, ritz, basis);
-    alignment.solve(change.view());
-    subtract_scaled(change.view(),
-                    padded(std::vector<double>(ritz.values.size(), 1.0), change.cols()),
+void correct(const Alignment& alignment, Basis& basis) {
+    make_residual(alignment, basis);
+    alignment.solve(basis.product.view());
+    subtract_scaled(basis.product.view(),
+                    padded(std::vector<double>(basis.values.size(), 1.0), basis.product.cols()),
                     basis.unknowns.view(), alignment.machine());
+    std::swap(basis.x, basis.before);
     alignment.prolong(basis.unknowns.view(), basis.x.view());
 }
 
@@ -171,11 +171,10 @@ double largest_angle(const Matrix& before, const Matrix& after, std::int64_t cou
 }
 
 /// Largest ||B u - lambda u|| / k over the first `count` vectors.
-double largest_residual(const Alignment& alignment, const Ritz& ritz, const Basis& basis,
-                        std::int64_t count) {
-    const Matrix residual = residuals(alignment, ritz, basis);
-    Matrix at_frames(basis.x.rows(), basis.x.cols());
-    alignment.at_frames(residual.view(), at_frames.view());
+double largest_residual(const Alignment& alignment, Basis& basis, std::int64_t count) {
+    make_residual(alignment, basis);
+    Matrix& at_frames = basis.before;
+    alignment.at_frames(basis.product.view(), at_frames.view());
     const Matrix squares = inner_products(at_frames.view(), at_frames.view(), alignment.machine());
     double largest = 0;
     for (std::int64_t j = 0; j < count; ++j)
@@ -184,31 +183,32 @@ double largest_residual(const Alignment& alignment, const Ritz& ritz, const Basi
 }
 
 /// Turns the basis into the best eigenvectors in its span.
-Ritz rayleigh_ritz(const Alignment& alignment, Basis& basis) {
+void rayleigh_ritz(const Alignment& alignment, Basis& basis) {
     orthonormalize(alignment, basis);
-    Ritz ritz{{}, Matrix(basis.unknowns.rows(), basis.unknowns.cols())};
-    const Matrix form = alignment.apply(basis.unknowns.view(), ritz.product.view(), basis.count);
+    const Matrix form = alignment.apply(basis.unknowns.view(), basis.product.view(), basis.count);
     Matrix vectors(basis.count, basis.count);
     for (std::int64_t i = 0; i < basis.count; ++i)
         std::copy_n(form.row(i), basis.count, vectors.row(i));
-    symmetric_eigen(vectors, ritz.values); // one per row
-    for (double& value : ritz.values)
+    symmetric_eigen(vectors, basis.values); // one per row
+    for (double& value : basis.values)
         value = std::max(value, 0.0); // B is positive semidefinite; a zero may round below
     Matrix rotation(basis.x.cols(), basis.x.cols());
     for (std::int64_t i = 0; i < basis.count; ++i)
         for (std::int64_t j = 0; j < basis.count; ++j)
             rotation(i, j) = vectors(j, i);
     multiply(alignment, rotation, basis);
-    multiply_columns(ritz.product.view(), rotation, alignment.machine());
-    return ritz;
+    multiply_columns(basis.product.view(), rotation, alignment.machine());
 }
 
 /// The first vectors, one per row.
-Matrix rows_of(const Matrix& panel, std::int64_t count) {
-    Matrix rows(count, panel.rows());
-    for (std::int64_t i = 0; i < panel.rows(); ++i)
-        for (std::int64_t j = 0; j < count; ++j)
-            rows(j, i) = panel(i, j);
+Matrix rows_of(const Matrix& panel, std::int64_t count, const Machine& machine) {
+    Matrix rows = Matrix::unset(count, panel.rows());
+    for_row_blocks(panel.rows(), machine,
+                   [&](std::int64_t, std::int64_t first, std::int64_t block) {
+                       for (std::int64_t j = 0; j < count; ++j)
+                           for (std::int64_t i = first; i < first + block; ++i)
+                               rows(j, i) = panel(i, j);
+                   });
     return rows;
 }
 
@@ -223,19 +223,19 @@ Spectrum smallest_eigenpairs(const Alignment& alignment, std::int64_t count, std
                              const Progress& progress) {
     const std::int64_t n = alignment.frames();
     const std::int64_t pairs = std::min(count, n - 1);
-    const Eigenpairs found = largest_eigenpairs(pseudo_inverse(alignment), start_vector(n), pairs,
-                                                [&] { progress.report(Stage::spectrum, 0.0); });
+    const Machine& machine = alignment.machine();
+    Eigenpairs found = largest_eigenpairs(pseudo_inverse(alignment), start_vector(n).view(), pairs,
+                                          machine, [&] { progress.report(Stage::spectrum, 0.0); });
     Spectrum spectrum;
     spectrum.solves = found.applications;
-    Basis basis = solved(alignment, found.vectors);
-    Ritz ritz = rayleigh_ritz(alignment, basis);
+    Basis basis = solved(alignment, std::exchange(found.vectors, {}));
+    rayleigh_ritz(alignment, basis);
     double before = 2;
     for (int i = 0; i < most_corrections; ++i) {
         progress.report(Stage::spectrum, 0.5);
-        const Matrix previous = basis.x;
-        correct(alignment, ritz, basis);
-        ritz = rayleigh_ritz(alignment, basis);
-        const double change = largest_angle(previous, basis.x, dimension, alignment.machine());
+        correct(alignment, basis);
+        rayleigh_ritz(alignment, basis);
+        const double change = largest_angle(basis.before, basis.x, dimension, machine);
         if (i == 0)
             spectrum.first_change = change;
         spectrum.last_change = change;
@@ -243,10 +243,10 @@ Spectrum smallest_eigenpairs(const Alignment& alignment, std::int64_t count, std
             break;
         before = change;
     }
-    spectrum.residual = largest_residual(alignment, ritz, basis, dimension);
-    spectrum.values = ritz.values;
+    spectrum.residual = largest_residual(alignment, basis, dimension);
+    spectrum.values = basis.values;
     spectrum.values.resize(static_cast<std::size_t>(std::min(count, pairs)));
-    spectrum.vectors = rows_of(basis.x, dimension);
+    spectrum.vectors = rows_of(basis.x, dimension, machine);
     progress.report(Stage::spectrum, 1.0);
     return spectrum;
 }

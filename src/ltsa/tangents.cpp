@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "base/parallel.hpp"
+#include "linalg/machine.hpp"
 #include "linalg/simd.hpp"
 #include "ltsa/band_distances.hpp"
 #include "ltsa/local_pca.hpp"
@@ -96,21 +97,24 @@ void report(const Progress& progress, std::int64_t done, std::int64_t blocks) {
 
 /// Directions whose eigenvalue is rounding noise are not there: the vectors that LAPACK gives for
 /// them are arbitrary. `values`: frames x d.
-void drop_missing_directions(const Matrix& values, Tangents& tangents) {
+void drop_missing_directions(const Matrix& values, Tangents& tangents, const Machine& machine) {
     std::vector<double> first(static_cast<std::size_t>(values.rows()));
     for (std::int64_t i = 0; i < values.rows(); ++i)
         first[static_cast<std::size_t>(i)] = values(i, 0);
     const auto middle = first.begin() + static_cast<std::ptrdiff_t>(first.size() / 2);
     std::nth_element(first.begin(), middle, first.end());
     const double floor = 1e-18 * *middle;
-    for (std::int64_t i = 0; i < values.rows(); ++i) {
-        std::int32_t rank = 0;
-        while (rank < tangents.count &&
-               values(i, rank) > std::max(negligible_value * values(i, 0), floor))
-            ++rank;
-        tangents.rank[static_cast<std::size_t>(i)] = rank;
-        std::fill(tangents.direction(i, rank), tangents.direction(i, tangents.count), 0.0);
-    }
+    for_row_blocks(
+        values.rows(), machine, [&](std::int64_t, std::int64_t begin, std::int64_t rows) {
+            for (std::int64_t i = begin; i < begin + rows; ++i) {
+                std::int32_t rank = 0;
+                while (rank < tangents.count &&
+                       values(i, rank) > std::max(negligible_value * values(i, 0), floor))
+                    ++rank;
+                tangents.rank[static_cast<std::size_t>(i)] = rank;
+                std::fill(tangents.direction(i, rank), tangents.direction(i, tangents.count), 0.0);
+            }
+        });
 }
 
 } // namespace
@@ -144,7 +148,7 @@ Tangents local_tangents(ConstMatrixView x, const Neighborhoods& neighborhoods,
     };
     parallel_blocks(blocks, parameters.threads, work,
                     [&](std::int64_t done) { report(progress, done, blocks); });
-    drop_missing_directions(values, tangents);
+    drop_missing_directions(values, tangents, {parameters.simd, parameters.threads});
     return tangents;
 }
 

@@ -22,7 +22,7 @@ inline constexpr double negligible_value = 1e-13;
 struct Tangents {
     std::int64_t size = 0;  ///< k
     std::int64_t count = 0; ///< d
-    AlignedVector<double> g;
+    UnsetVector<double> g;
     std::vector<std::int32_t> rank; ///< of each window: directions that are there, at most d
 
     const double* direction(std::int64_t frame, std::int64_t l) const {
