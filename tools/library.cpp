@@ -53,6 +53,10 @@ void check_reading(stltsa_status status) {
     }
 }
 
+Json parsed_json(const char* text) {
+    return Json::parse(text);
+}
+
 stltsa_out out_of(Grid& grid) {
     return {grid.values.data(), grid.rows, grid.cols, 0, 0, STLTSA_F64, 0};
 }

@@ -6,7 +6,9 @@
 #include <fstream>
 #include <stdexcept>
 
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
 
 #include "walker.hpp"
 
