@@ -3,11 +3,11 @@
  * What one core of this machine can do at most, as one line of JSON: the bounds that
  * scripts/benchmark holds the library's stages against.
  *
- *     arithmetic   floating-point operations a second: independent multiply-adds in the widest
- * vector registers, fused, and as the library has them, a multiplication and an addition streams
- * bytes a second of y += a x, with x and y together of so many bytes addition     seconds from one
- * addition to the next that needs its result step         the same of (b - a t) c: a step of a
- * triangular solve
+ * - fused, separate: floating-point operations a second, of independent multiply-adds in the widest
+ *   vector registers, fused and, as the library has them, a multiplication and an addition
+ * - streams: bytes a second of y += a x, with x and y together of so many bytes
+ * - addition: seconds from one addition to the next that needs its result
+ * - step: the same of (b - a t) c, a step of a triangular solve
  *
  * Each is the best of several runs.
  */
