@@ -2,15 +2,14 @@
 // The nearest rows and stretches against comparing every pair, and the order of rows in time.
 #include <numeric>
 
-#include "base/random.hpp"
 #include "linalg/simd.hpp"
 #include "ltsa/nearest.hpp"
 #include "ltsa/timeline.hpp"
-#include "motion_testing.hpp"
+#include "ltsa_testing.hpp"
 
 namespace {
 
-using namespace motion_testing;
+using namespace ltsa_testing;
 using stltsa::ltsa::Candidate;
 using stltsa::ltsa::NearestRows;
 using stltsa::ltsa::NearStretch;
@@ -26,15 +25,6 @@ Matrix curve(std::int64_t rows, std::int64_t cols, std::uint64_t seed) {
         for (std::int64_t c = 0; c < cols; ++c)
             x(r, c) =
                 r % 7 == 6 ? x(r / 2, c) : (r > 0 ? x(r - 1, c) : 1000) + 0.1 * random.symmetric();
-    return x;
-}
-
-/// Whole numbers, so that many distances are equal.
-Matrix lattice(std::int64_t rows, std::int64_t cols, std::uint64_t seed) {
-    stltsa::Random random(seed);
-    Matrix x(rows, cols);
-    for (std::int64_t i = 0; i < rows * cols; ++i)
-        x.data()[i] = std::round(1.5 * random.symmetric());
     return x;
 }
 

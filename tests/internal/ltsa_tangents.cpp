@@ -2,7 +2,6 @@
 // Tangents found several at a time, and followed from frame to frame, against those of LAPACK.
 #include <algorithm>
 
-#include "base/random.hpp"
 #include "linalg/blas_threads.hpp"
 #include "linalg/simd.hpp"
 #include "ltsa/local_pca.hpp"
@@ -10,12 +9,11 @@
 #include "ltsa/tangent_batch.hpp"
 #include "ltsa/tangent_track.hpp"
 #include "ltsa/tangents.hpp"
-#include "motion_testing.hpp"
+#include "ltsa_testing.hpp"
 
 namespace {
 
-using namespace motion_testing;
-using stltsa::Simd;
+using namespace ltsa_testing;
 using stltsa::ltsa::LocalPca;
 using stltsa::ltsa::Neighborhoods;
 using stltsa::ltsa::Parameters;
@@ -24,18 +22,6 @@ using stltsa::ltsa::Tangents;
 using stltsa::ltsa::TangentTrack;
 
 constexpr std::int64_t features = 40;
-
-Matrix motion(std::int64_t frames) {
-    return sampled(frames, features, 120, cyclic_pose);
-}
-
-Matrix noise(std::int64_t frames) {
-    stltsa::Random random(3);
-    Matrix x(frames, features);
-    for (std::int64_t i = 0; i < frames * features; ++i)
-        x.data()[i] = random.symmetric();
-    return x;
-}
 
 /// Every window has one direction, and it is orthogonal to every polynomial of low degree that is
 /// even about the middle of the window.
@@ -90,8 +76,8 @@ double largest_difference(const Matrix& x, std::int64_t size, int dimension) {
 void tangents_are_those_of_lapack(void**) {
     for (const std::int64_t size : {5, 8, 12, 33, 40, 41, 60, 140})
         for (int dimension = 1; dimension <= 3; ++dimension) {
-            ASSERT_NEAR(largest_difference(motion(200), size, dimension), 0, 1e-9);
-            ASSERT_NEAR(largest_difference(noise(200), size, dimension), 0, 1e-9);
+            ASSERT_NEAR(largest_difference(cyclic(200, features), size, dimension), 0, 1e-9);
+            ASSERT_NEAR(largest_difference(noise(200, features), size, dimension), 0, 1e-9);
         }
 }
 
@@ -154,13 +140,11 @@ void slow_lanes_are_found(void**) {
 
 void distances_within_a_neighborhood_are_those_of_frames(void**) {
     for (const std::int64_t size : {2, 8, 13, 40}) {
-        const Matrix x = noise(2 * size);
+        const Matrix x = noise(2 * size, features);
         std::vector<std::int32_t> members;
         for (std::int32_t i = 0; i < size; ++i)
             members.push_back(2 * i + i % 2);
-        for (const Simd simd : {Simd::baseline, Simd::avx2, Simd::avx512}) {
-            if (!simd_available(simd))
-                continue;
+        for (const Simd simd : machine_codes()) {
             stltsa::ltsa::NeighborhoodDistances distances(x.view(), size, simd);
             const auto among = distances.among(members);
             for (std::int64_t b = 1; b < size; ++b)
@@ -189,7 +173,7 @@ Matrix line() {
 
 /// One feature goes from one level to another between two frames, as angles do.
 Matrix jumping() {
-    Matrix x = motion(length);
+    Matrix x = cyclic(length, features);
     for (std::int64_t i = length / 2; i < length; ++i)
         x(i, 3) += 1000;
     return x;
@@ -197,23 +181,13 @@ Matrix jumping() {
 
 /// One frame is far out.
 Matrix spiked() {
-    Matrix x = motion(length);
+    Matrix x = cyclic(length, features);
     x(length / 2, 3) += 1e5;
     return x;
 }
 
 Matrix moved(double offset) {
-    Matrix x = motion(length);
-    for (std::int64_t i = 0; i < length * features; ++i)
-        x.data()[i] += offset;
-    return x;
-}
-
-Matrix scaled(double factor) {
-    Matrix x = motion(length);
-    for (std::int64_t i = 0; i < length * features; ++i)
-        x.data()[i] *= factor;
-    return x;
+    return changed(cyclic(length, features), [offset](double value) { return value + offset; });
 }
 
 /// Windows where following them gave no tangents.
@@ -242,8 +216,8 @@ void hard_motions_are_followed(void**) {
     check_hard(jumping(), 1e-13, 1e-9);
     check_hard(spiked(), 1e-13, 1e-6);
     check_hard(moved(1e8), 1e-13, 1e-13);
-    check_hard(scaled(1e-140), 1e-13, 1e-13);
-    check_hard(scaled(1e100), 1e-13, 1e-13);
+    check_hard(scaled(cyclic(length, features), 1e-140), 1e-13, 1e-13);
+    check_hard(scaled(cyclic(length, features), 1e100), 1e-13, 1e-13);
 }
 
 } // namespace

@@ -22,6 +22,7 @@ using namespace clip_testing;
 namespace clip = stltsa::clip;
 
 constexpr std::size_t head = 8 + 4 + 8; // magic, version, size
+constexpr int rows = 20;                // few: every byte of the model is altered
 
 /// Two joints that swing, one of them about a single axis and, as its bone is measured anew in
 /// every frame, up and down.
@@ -41,7 +42,7 @@ std::string swinging_bvh(int frames) {
 }
 
 std::string serialized_model() {
-    const std::string bvh = swinging_bvh(40);
+    const std::string bvh = swinging_bvh(rows);
     stltsa_clip* clip = nullptr;
     assert_int_equal(stltsa_clip_parse(bvh.data(), bvh.size(), STLTSA_FORMAT_BVH, nullptr, &clip),
                      STLTSA_OK);
@@ -161,37 +162,37 @@ void contradictions(void**) {
         {"features", [](auto& m) { ++m.model.features; }},
         {"lengths",
          [](auto& m) {
-             m.model.lengths = {39, 2};
+             m.model.lengths = {rows - 1, 2};
          }},
         {"negative length",
          [](auto& m) {
-             m.model.lengths = {-1, 41};
+             m.model.lengths = {-1, rows + 1};
          }},
-        {"too few rows", [](auto& m) { m.model.lengths = {39}; }},
+        {"too few rows", [](auto& m) { m.model.lengths = {rows - 1}; }},
         {"component", [](auto& m) { m.model.component_of[7] = 1; }},
         {"negative component", [](auto& m) { m.model.component_of[7] = -1; }},
         {"component of each row", [](auto& m) { m.model.component_of.pop_back(); }},
         {"eigenvalues", [](auto& m) { m.model.components[0].eigenvalues.resize(3); }},
         {"coordinates", [](auto& m) { m.model.coords(3, 1) = NAN; }},
-        {"rows of the clip", [](auto& m) { m.source.samples.count = 39; }},
+        {"rows of the clip", [](auto& m) { m.source.samples.count = rows - 1; }},
         {"first frame", [](auto& m) { m.source.samples.first = 1; }},
         {"far first frame", [](auto& m) { m.source.samples.first = huge; }},
         {"step", [](auto& m) { m.source.samples.step = 2; }},
         {"no step", [](auto& m) { m.source.samples.step = 0; }},
         {"long step", [](auto& m) { m.source.samples.step = huge; }},
-        {"frames of the clip", [](auto& m) { m.source.clip.frames = 39; }},
+        {"frames of the clip", [](auto& m) { m.source.clip.frames = rows - 1; }},
         {"period", [](auto& m) { m.source.period.period = 1e300; }},
         {"negative period", [](auto& m) { m.source.period.period = -1; }},
         {"smoothing", [](auto& m) { m.source.samples.smoothing = INFINITY; }},
         {"kind of features",
          [](auto& m) { m.source.samples.features = clip::Features::rotations6d; }},
-        {"frames", [](auto& m) { m.kept.frames = stltsa::Matrix(39, 9); }},
-        {"columns of the frames", [](auto& m) { m.kept.frames = stltsa::Matrix(40, 8); }},
-        {"frame", [](auto& m) { m.kept.frames(39, 8) = INFINITY; }},
+        {"frames", [](auto& m) { m.kept.frames = stltsa::Matrix(rows - 1, 9); }},
+        {"columns of the frames", [](auto& m) { m.kept.frames = stltsa::Matrix(rows, 8); }},
+        {"frame", [](auto& m) { m.kept.frames(rows - 1, 8) = INFINITY; }},
         {"poses without frames", [](auto& m) { m.kept.frames = {}; }},
         {"poses of a matrix", [](auto& m) { m.source.from_clip = false; }},
-        {"poses", [](auto& m) { m.kept.poses = stltsa::Matrix(39, m.kept.poses.cols()); }},
-        {"columns of the poses", [](auto& m) { m.kept.poses = stltsa::Matrix(40, 1); }},
+        {"poses", [](auto& m) { m.kept.poses = stltsa::Matrix(rows - 1, m.kept.poses.cols()); }},
+        {"columns of the poses", [](auto& m) { m.kept.poses = stltsa::Matrix(rows, 1); }},
         {"pose", [](auto& m) { m.kept.poses(0, 0) = NAN; }},
         {"moving column", [](auto& m) { m.kept.code.moves.at(0) = 8; }},
         {"far moving column", [](auto& m) { m.kept.code.moves.at(0) = ~std::size_t{0}; }},
