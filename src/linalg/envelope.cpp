@@ -8,13 +8,14 @@
 
 namespace stltsa {
 
-EnvelopeMatrix::EnvelopeMatrix(std::vector<std::int64_t> reach) : reach_(std::move(reach)) {
-    offset_.reserve(reach_.size());
+EnvelopeMatrix::EnvelopeMatrix(const std::vector<std::int64_t>& reach) {
+    offset_.reserve(reach.size() + 1);
     std::int64_t total = 0;
-    for (std::size_t j = 0; j < reach_.size(); ++j) {
+    for (std::size_t j = 0; j < reach.size(); ++j) {
         offset_.push_back(total);
-        total += reach_[j] - static_cast<std::int64_t>(j) + 1;
+        total += reach[j] - static_cast<std::int64_t>(j) + 1;
     }
+    offset_.push_back(total);
     entries_.resize(checked_size(total, 1));
 }
 
@@ -106,17 +107,18 @@ int arms(const EnvelopeMatrix& matrix, const Machine& machine) {
 } // namespace
 
 bool cholesky(EnvelopeMatrix& matrix, double smallest, const Machine& machine) {
-    std::vector<double> diagonal(static_cast<std::size_t>(matrix.order()));
-    for (std::int64_t j = 0; j < matrix.order(); ++j)
-        diagonal[static_cast<std::size_t>(j)] = matrix.column(j)[0];
     const Middle middle(matrix);
+    std::vector<double> diagonal(static_cast<std::size_t>(middle.end)); // before what is taken off
     bool down = true, up = true;
     parallel_blocks(2, arms(matrix, machine), [&](std::int64_t arm) {
-        if (arm == 0)
+        if (arm == 0) {
+            for (std::int64_t j = 0; j < middle.end; ++j)
+                diagonal[static_cast<std::size_t>(j)] = matrix.column(j)[0];
             run_simd(machine.simd,
                      FactorDown{matrix, 0, middle.begin, middle.end, smallest, diagonal, down});
-        else
+        } else {
             up = factor_up(matrix, middle.end, smallest);
+        }
     });
     if (!down || !up)
         return false;

@@ -15,13 +15,14 @@ namespace stltsa {
 class EnvelopeMatrix {
   public:
     /// The entries have no value until clear() sets them to zero.
-    explicit EnvelopeMatrix(std::vector<std::int64_t> reach);
+    explicit EnvelopeMatrix(const std::vector<std::int64_t>& reach);
     /// Zeros for the columns [begin, end).
     void clear(std::int64_t begin, std::int64_t end);
 
-    std::int64_t order() const { return static_cast<std::int64_t>(reach_.size()); }
+    std::int64_t order() const { return static_cast<std::int64_t>(offset_.size()) - 1; }
     std::int64_t reach(std::int64_t column) const {
-        return reach_[static_cast<std::size_t>(column)];
+        const auto c = static_cast<std::size_t>(column);
+        return column + offset_[c + 1] - offset_[c] - 1;
     }
     /// Entries that are stored.
     std::int64_t entries() const { return static_cast<std::int64_t>(entries_.size()); }
@@ -34,8 +35,7 @@ class EnvelopeMatrix {
     }
 
   private:
-    std::vector<std::int64_t> reach_;
-    std::vector<std::int64_t> offset_;
+    std::vector<std::int64_t> offset_; ///< of each column, then of the end
     UnsetVector<double> entries_;
 };
 

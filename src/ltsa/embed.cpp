@@ -89,11 +89,14 @@ Component embed_component(const Graph& graph, std::int64_t index, int dimension,
     Spectrum spectrum = smallest_eigenpairs(
         *alignment, std::min<std::int64_t>(eigenvalues - 1, patches.frames() - 1), dimension,
         progress);
-    for (int l = 0; l < dimension; ++l) {
+    for (int l = 0; l < dimension; ++l)
         fix_sign(spectrum.vectors.row(l), patches.frames());
-        for (std::size_t i = 0; i < members.size(); ++i)
-            coords(members[i], l) = spectrum.vectors(l, static_cast<std::int64_t>(i));
-    }
+    for_row_blocks(
+        patches.frames(), machine, [&](std::int64_t, std::int64_t first, std::int64_t rows) {
+            for (std::int64_t i = first; i < first + rows; ++i)
+                for (int l = 0; l < dimension; ++l)
+                    coords(members[static_cast<std::size_t>(i)], l) = spectrum.vectors(l, i);
+        });
     Component component = summarize(patches, spectrum, dimension, eigenvalues);
     component.error_estimate = error_estimate(spectrum, banded);
     return component;
