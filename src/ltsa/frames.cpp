@@ -74,15 +74,15 @@ void check_frames(ConstMatrixView frames, std::span<const std::int64_t> lengths,
 
 namespace {
 
-/// Of each frame, whether it equals the one before it.
-std::vector<char> repeats(ConstMatrixView frames, int threads) {
-    std::vector<char> result(static_cast<std::size_t>(frames.rows));
+/// Of each frame, 1 where it equals the one before it, else 0.
+std::vector<std::uint8_t> repeats(ConstMatrixView frames, int threads) {
+    std::vector<std::uint8_t> result(static_cast<std::size_t>(frames.rows));
     for_row_blocks(
         frames.rows, {Simd::baseline, threads},
         [&](std::int64_t, std::int64_t first, std::int64_t rows) {
             for (std::int64_t i = std::max<std::int64_t>(first, 1); i < first + rows; ++i)
-                result[static_cast<std::size_t>(i)] =
-                    std::equal(frames.row(i), frames.row(i) + frames.cols, frames.row(i - 1));
+                if (std::equal(frames.row(i), frames.row(i) + frames.cols, frames.row(i - 1)))
+                    result[static_cast<std::size_t>(i)] = 1;
         });
     return result;
 }
@@ -91,7 +91,7 @@ std::vector<char> repeats(ConstMatrixView frames, int threads) {
 
 DistinctFrames collapse_repeats(ConstMatrixView frames, std::span<const std::int64_t> lengths,
                                 int threads) {
-    const std::vector<char> repeated = repeats(frames, threads);
+    const std::vector<std::uint8_t> repeated = repeats(frames, threads);
     DistinctFrames distinct;
     distinct.row_of.resize(static_cast<std::size_t>(frames.rows));
     std::int64_t kept = 0;
@@ -99,7 +99,7 @@ DistinctFrames collapse_repeats(ConstMatrixView frames, std::span<const std::int
     for (const std::int64_t length : lengths) {
         const std::int64_t before = kept;
         for (std::int64_t i = first; i < first + length; ++i) {
-            if (i == first || !repeated[static_cast<std::size_t>(i)])
+            if (i == first || repeated[static_cast<std::size_t>(i)] == 0)
                 ++kept;
             distinct.row_of[static_cast<std::size_t>(i)] = kept - 1;
         }
