@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <mutex>
+#include <utility>
 
 #include <arpack.h>
 
@@ -45,7 +46,7 @@ class Lanczos {
           basis_(Matrix::unset(subspace_, order_)), work_(Matrix::unset(3, order_)) {
         // ARPACK, which has one thread, would be the first to touch this memory.
         for (Matrix* memory : {&basis_, &work_})
-            clear({memory->data(), memory->rows() * memory->cols(), 1, 1}, machine);
+            clear({memory->data(), memory->cols(), memory->rows(), memory->rows()}, machine);
         parameters_[0] = 1; // exact shifts
         parameters_[2] = most_restarts;
         parameters_[3] = 1; // block size

@@ -8,7 +8,6 @@
 #include <limits>
 #include <new>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 #include "base/error.hpp"
@@ -47,12 +46,9 @@ struct UnsetAllocator : AlignedAllocator<T> {
     struct rebind {
         using other = UnsetAllocator<U>;
     };
-    template <class U, class... Args>
-    void construct(U* at, Args&&... args) {
-        if constexpr (sizeof...(Args) == 0)
-            ::new (static_cast<void*>(at)) U;
-        else
-            ::new (static_cast<void*>(at)) U(std::forward<Args>(args)...);
+    template <class U>
+    void construct(U* at) {
+        ::new (static_cast<void*>(at)) U;
     }
 };
 

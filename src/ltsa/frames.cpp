@@ -22,10 +22,6 @@ bool usable(const double* row, std::int64_t count) {
     return within == count;
 }
 
-} // namespace
-
-namespace {
-
 void check_row(const double* row, std::int64_t cols, std::int64_t r, const char* name) {
     for (std::int64_t c = 0; c < cols; ++c) {
         if (!std::isfinite(row[c]))

@@ -55,6 +55,22 @@ static void nan_is_named_with_frame_and_channel(void** state) {
     }
 }
 
+/* However many threads look for it. */
+static void the_first_nan_of_a_long_matrix_is_named(void** state) {
+    enum { many = 300000 };
+    const struct fixture* f = *state;
+    double* x = calloc((size_t)many * cols, sizeof *x);
+    x[184319 * cols + 4] = NAN; /* the last of what one thread takes: the next comes upon */
+    x[184320 * cols + 2] = NAN; /* its own before this one is found */
+    x[299999 * cols] = NAN;
+    const stltsa_in in = packed_in(x, many, cols);
+    for (int threads = 1; threads <= 4; ++threads) {
+        assert_int_equal(stltsa_options_set_int(f->options, STLTSA_THREADS, threads), STLTSA_OK);
+        assert_fails(&in, NULL, 1, f->options, STLTSA_E_NOT_FINITE, "row 184319, column 4 is NaN");
+    }
+    free(x);
+}
+
 static void nan_in_float32_and_in_the_last_entry(void** state) {
     const struct fixture* f = *state;
     float x[rows * cols];
@@ -246,6 +262,7 @@ static void handles_survive_a_failure(void** state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(nan_is_named_with_frame_and_channel),
+        cmocka_unit_test(the_first_nan_of_a_long_matrix_is_named),
         cmocka_unit_test(nan_in_float32_and_in_the_last_entry),
         cmocka_unit_test(numbers_too_large_to_square),
         cmocka_unit_test(neighbors_fit_window_and_dimension),

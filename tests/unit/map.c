@@ -186,8 +186,8 @@ static void map_is_continuous(void** state) {
     (void)state;
     double* x = new_motion(rows, cols, 12);
     stltsa_model* model = fitted(x, rows, 25, 3);
-    const double coarse = largest_step(model, x, 250);
-    const double fine = largest_step(model, x, 4000);
+    const double coarse = largest_step(model, x, 500);
+    const double fine = largest_step(model, x, 8000);
     assert_below(fine, 0.2 * coarse, "step at a sixteenth of the distance");
     stltsa_model_free(model);
     free(x);
