@@ -24,7 +24,7 @@ def arguments():
                         help="build folder, made where there is none (default: build)")
     parser.add_argument("--million", action="store_true", help="a million frames, too")
     parser.add_argument("--rounds", type=int, default=3,
-                        help="of the comparison (default: %(default)s)")
+                        help="in which what is compared takes turns (default: %(default)s)")
     parser.add_argument("--limit", type=float, default=60,
                         help="seconds after which a fit is given up (default: %(default)g)")
     parser.add_argument("--machine", default=machine.describe(),
@@ -40,14 +40,15 @@ def arguments():
 def measured(args, folder):
     laboratory = tasks.Laboratory(args.build, folder, args.limit)
     versions = machine.peers()
-    motion, frames = plan.make_frames(laboratory, args.data, args.million)
+    sizes = plan.SIZES + ((plan.MILLION,) if args.million else ())
+    motion, frames = plan.make_frames(laboratory, args.data, sizes[-1])
     result = {"machine": args.machine, "versions": versions,
               "peaks": laboratory.program("bench/machine_peaks")}
     peers = list(versions)
     result["comparison"] = plan.measure_comparison(laboratory, frames, peers, args.rounds)
     result["angles"] = plan.measure_angles(laboratory, frames, peers)
-    result["growth"] = plan.measure_growth(laboratory, motion, peers, args.million)
-    result["neighbors"] = plan.measure_neighbors(laboratory, motion)
+    result["growth"] = plan.measure_growth(laboratory, motion, peers, sizes, args.rounds)
+    result["neighbors"] = plan.measure_neighbors(laboratory, motion, args.rounds)
     return result
 
 

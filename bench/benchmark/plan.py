@@ -17,15 +17,15 @@ NEIGHBORS = (12, 24, 48, 140)
 CLIPS = ("13_29.amc", "13_30.amc", "86_01.amc")  # of one skeleton, 86.asf
 
 
-def make_frames(laboratory, data, million):
-    """The made-up motion, and real frames where there are any, else made-up ones in their place."""
+def make_frames(laboratory, data, frames):
+    """So many of the made-up motion, and real frames where there are any, else made-up ones in their place."""
 
     def made(kind, name, *arguments):
         path = laboratory.folder / name
         said = laboratory.program("bench/make_frames", path, *arguments)
         return Frames(kind, str(path), said["frames"], said["features"])
 
-    motion = made("made up", "motion.frames", MILLION if million else SIZES[-1])
+    motion = made("made up", "motion.frames", frames)
     cmu = data / "cmu"
     clips = [cmu / clip for clip in CLIPS]
     if not all(clip.exists() for clip in clips):
@@ -58,31 +58,31 @@ def measure_comparison(laboratory, frames, peers, rounds):
     return {name: summary(task, laboratory.runs[task]) for name, task in tasks.items()}
 
 
-def measure_growth(laboratory, motion, peers, million):
-    """With n, on made-up frames."""
+def measure_growth(laboratory, motion, peers, sizes, rounds):
+    """With n, on made-up frames; the library's own sizes take turns, as claims compare them."""
     print("\nGrowth with the frames (made up):", flush=True)
     rows = []
 
-    def add(*tasks):
-        laboratory.measure(tasks)
+    def add(tasks, rounds=1):
+        laboratory.measure(tasks, rounds)
         rows.extend(summary(task, laboratory.runs[task]) for task in tasks)
 
-    for n in SIZES + ((MILLION,) if million else ()):
-        add(*(Task("stltsa", motion, n, PERIOD_K, "temporal", threads) for threads in (1, 2)))
+    add([Task("stltsa", motion, n, PERIOD_K, "temporal", threads)
+         for n in sizes for threads in (1, 2)], rounds)
     for program in ("stltsa", *peers):
         for n in PEER_SIZES:
-            add(Task(program, motion, n, ALL_K))
+            add([Task(program, motion, n, ALL_K)])
             if "failed" in rows[-1]:
                 break
     return rows
 
 
-def measure_neighbors(laboratory, motion):
+def measure_neighbors(laboratory, motion, rounds):
     """With k = w."""
     print("\nGrowth with the neighbors (made-up frames):", flush=True)
     tasks = [Task("stltsa", motion, SIZES[-1], k, "temporal", threads)
              for k in NEIGHBORS for threads in (1, 2)]
-    laboratory.measure([task for task in tasks if task not in laboratory.runs])
+    laboratory.measure([task for task in tasks if task not in laboratory.runs], rounds)
     return [summary(task, laboratory.runs[task]) for task in tasks]
 
 

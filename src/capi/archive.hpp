@@ -56,8 +56,8 @@ class ArchiveWriter {
         put_size(text.size());
         bytes_ += text;
     }
-    template <class T>
-    void put(const std::vector<T>& values) {
+    template <class T, class Allocator>
+    void put(const std::vector<T, Allocator>& values) {
         put_size(values.size());
         for (const auto& value : values)
             put(value);
@@ -134,8 +134,8 @@ class ArchiveReader {
         return static_cast<std::size_t>(count);
     }
     void get(std::string& text) { text = take(get_count()); }
-    template <class T>
-    void get(std::vector<T>& values) {
+    template <class T, class Allocator>
+    void get(std::vector<T, Allocator>& values) {
         values.clear();
         for (std::size_t count = get_count(); count > 0; --count)
             get(values.emplace_back());

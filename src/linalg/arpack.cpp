@@ -38,14 +38,15 @@ std::int64_t least_vectors(std::int64_t count) {
 /// One run of dsaupd's reverse communication, then dseupd.
 class Lanczos {
   public:
-    Lanczos(ConstMatrixView start, std::int64_t count, std::int64_t vectors, a_int most_restarts,
+    Lanczos(std::int64_t order, std::int64_t count, std::int64_t vectors, a_int most_restarts,
             const Machine& machine)
-        : order_(static_cast<a_int>(start.rows)), count_(static_cast<a_int>(count)),
-          subspace_(static_cast<a_int>(vectors)), residual_(start.data, start.data + start.rows),
+        : order_(static_cast<a_int>(order)), count_(static_cast<a_int>(count)),
+          subspace_(static_cast<a_int>(vectors)),
           small_work_(checked_size(subspace_, subspace_ + 8)),
-          basis_(Matrix::unset(subspace_, order_)), work_(Matrix::unset(3, order_)) {
+          basis_(Matrix::unset(subspace_, order_)), work_(Matrix::unset(3, order_)),
+          residual_(Matrix::unset(1, order_)) {
         // ARPACK, which has one thread, would be the first to touch this memory.
-        for (Matrix* memory : {&basis_, &work_})
+        for (Matrix* memory : {&basis_, &work_, &residual_})
             clear({memory->data(), memory->cols(), memory->rows(), memory->rows()}, machine);
         parameters_[0] = 1; // exact shifts
         parameters_[2] = most_restarts;
@@ -54,9 +55,10 @@ class Lanczos {
     }
 
     /// False where there were too few restarts.
-    bool iterate(const Operator& apply, const std::function<void()>& poll,
+    bool iterate(const Operator& apply, const Start& start, const std::function<void()>& poll,
                  std::int64_t& applications) {
         const auto length = static_cast<std::size_t>(order_);
+        start({residual_.data(), length});
         a_int ido = 0;
         a_int info = 1; // start from residual_
         for (;;) {
@@ -103,8 +105,8 @@ class Lanczos {
     a_int small_work_size() const { return static_cast<a_int>(small_work_.size()); }
 
     a_int order_, count_, subspace_;
-    AlignedVector<double> residual_, small_work_;
-    Matrix basis_, work_;
+    AlignedVector<double> small_work_;
+    Matrix basis_, work_, residual_;
     a_int parameters_[11] = {};
     a_int pointers_[11] = {};
 };
@@ -135,18 +137,18 @@ Eigenpairs dense_eigenpairs(const Operator& apply, std::int64_t order, std::int6
 
 } // namespace
 
-Eigenpairs largest_eigenpairs(const Operator& apply, ConstMatrixView start, std::int64_t count,
-                              const Machine& machine, const std::function<void()>& poll) {
-    const std::int64_t order = start.rows;
+Eigenpairs largest_eigenpairs(const Operator& apply, std::int64_t order, const Start& start,
+                              std::int64_t count, const Machine& machine,
+                              const std::function<void()>& poll) {
     if (order <= std::max(dense_order, 2 * count + 8))
         return dense_eigenpairs(apply, order, count);
     const std::lock_guard lock(arpack_mutex);
     std::int64_t applications = 0;
     for (std::int64_t vectors = least_vectors(count);; vectors *= 2) {
         const bool last = vectors >= std::min(most_vectors, order);
-        Lanczos lanczos(start, count, std::min(vectors, order), last ? many_restarts : few_restarts,
+        Lanczos lanczos(order, count, std::min(vectors, order), last ? many_restarts : few_restarts,
                         machine);
-        if (lanczos.iterate(apply, poll, applications)) {
+        if (lanczos.iterate(apply, start, poll, applications)) {
             Eigenpairs pairs = lanczos.extract();
             pairs.applications = applications;
             return pairs;

@@ -21,12 +21,16 @@ struct Eigenpairs {
 /// y = A x, both of the operator's order.
 using Operator = std::function<void(std::span<const double> x, std::span<double> y)>;
 
+/// Writes a vector, the same one each time.
+using Start = std::function<void(std::span<double> x)>;
+
 /// The `count` algebraically largest eigenpairs of a symmetric operator, with residuals of at most
-/// 1e-9 of their eigenvalue. `start`, a column of the operator's order, is ARPACK's start vector
-/// and decides, with the operator, every bit of the result; it must not be an eigenvector. `poll`
-/// is called between applications and may throw. Small orders are solved densely, by LAPACK. Needs
-/// count < start.rows. Throws Status::not_converged.
-Eigenpairs largest_eigenpairs(const Operator& apply, ConstMatrixView start, std::int64_t count,
-                              const Machine& machine, const std::function<void()>& poll);
+/// 1e-9 of their eigenvalue. `start` writes ARPACK's start vector, which decides, with the
+/// operator, every bit of the result; it must not be an eigenvector. `poll` is called between
+/// applications and may throw. Small orders are solved densely, by LAPACK. Needs count < order.
+/// Throws Status::not_converged.
+Eigenpairs largest_eigenpairs(const Operator& apply, std::int64_t order, const Start& start,
+                              std::int64_t count, const Machine& machine,
+                              const std::function<void()>& poll);
 
 } // namespace stltsa

@@ -30,7 +30,7 @@ constexpr int threads_for(std::int64_t rows, std::int64_t few, const Machine& ma
 /// work(block, first row, rows) for each block.
 template <class Work>
 void for_row_blocks(std::int64_t rows, const Machine& machine, const Work& work) {
-    constexpr std::int64_t few = 256 * row_block; // a pass over them is over in no time
+    constexpr std::int64_t few = 48 * row_block; // a pass over them is over in no time
     parallel_blocks(row_blocks(rows), threads_for(rows, few, machine), [&](std::int64_t block) {
         const std::int64_t first = block * row_block;
         work(block, first, rows - first < row_block ? rows - first : row_block);

@@ -3,16 +3,20 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace stltsa::ltsa {
 namespace {
 
-/// Union-find with path halving; a root is the smallest frame of its set.
+/// Union-find with path halving; a root is the smallest frame of its set, and a parent never a
+/// later frame.
 class DisjointSets {
   public:
     explicit DisjointSets(std::int64_t count) : parent_(static_cast<std::size_t>(count)) {
         std::iota(parent_.begin(), parent_.end(), 0);
     }
+    /// Of each frame; in the end, when no set is asked for any more.
+    UnsetVector<std::int32_t> release() { return std::move(parent_); }
     std::int32_t find(std::int32_t frame) {
         while (parent(frame) != frame) {
             parent(frame) = parent(parent(frame));
@@ -31,7 +35,7 @@ class DisjointSets {
 
   private:
     std::int32_t& parent(std::int32_t frame) { return parent_[static_cast<std::size_t>(frame)]; }
-    std::vector<std::int32_t> parent_;
+    UnsetVector<std::int32_t> parent_;
 };
 
 } // namespace
@@ -48,28 +52,27 @@ Components connected_components(const Neighborhoods& neighborhoods) {
             root = sets.unite(root, member);
     }
     Components components;
-    components.of_frame.resize(static_cast<std::size_t>(n));
-    std::vector<std::size_t> sizes;
-    for (std::int32_t i = 0; i < n; ++i) {
-        const std::int32_t root = sets.find(i);
-        if (root == i) {
-            components.of_frame[static_cast<std::size_t>(i)] = components.count++;
-            sizes.push_back(0);
-        }
-        const std::int64_t c = components.of_frame[static_cast<std::size_t>(root)];
-        components.of_frame[static_cast<std::size_t>(i)] = c;
-        ++sizes[static_cast<std::size_t>(c)];
-    }
-    for (const std::size_t size : sizes)
-        components.members.emplace_back().reserve(size);
+    components.of_frame = sets.release(); // parents, made numbers of components one after another
+    std::vector<std::int32_t> sizes;
     components.position.resize(static_cast<std::size_t>(n));
     for (std::int32_t i = 0; i < n; ++i) {
-        auto& members = components.members[static_cast<std::size_t>(
-            components.of_frame[static_cast<std::size_t>(i)])];
+        std::int32_t& of_frame = components.of_frame[static_cast<std::size_t>(i)];
+        if (of_frame == i) {
+            of_frame = static_cast<std::int32_t>(sizes.size());
+            sizes.push_back(0);
+        } else {
+            of_frame = components.of_frame[static_cast<std::size_t>(of_frame)];
+        }
         components.position[static_cast<std::size_t>(i)] =
-            static_cast<std::int32_t>(members.size());
-        members.push_back(i);
+            sizes[static_cast<std::size_t>(of_frame)]++;
     }
+    components.count = static_cast<std::int64_t>(sizes.size());
+    for (const std::int32_t size : sizes)
+        components.members.emplace_back(static_cast<std::size_t>(size));
+    for (std::size_t i = 0; i < components.position.size(); ++i)
+        components.members[static_cast<std::size_t>(components.of_frame[i])]
+                          [static_cast<std::size_t>(components.position[i])] =
+            static_cast<std::int32_t>(i);
     return components;
 }
 

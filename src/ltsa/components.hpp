@@ -13,8 +13,8 @@ namespace stltsa::ltsa {
 /// embedded.
 struct Components {
     std::int64_t count = 0;
-    UnsetVector<std::int64_t> of_frame;             ///< numbered by first frame
-    std::vector<std::vector<std::int32_t>> members; ///< ascending
+    UnsetVector<std::int32_t> of_frame;             ///< numbered by first frame
+    std::vector<UnsetVector<std::int32_t>> members; ///< ascending
     UnsetVector<std::int32_t> position;             ///< of a frame within its component
 };
 

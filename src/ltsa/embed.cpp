@@ -102,6 +102,24 @@ Component embed_component(const Graph& graph, std::int64_t index, int dimension,
     return component;
 }
 
+/// The coordinates and the component of each frame, from those of the distinct frames.
+void set_frames(const Graph& graph, const Matrix& coords, Model& model) {
+    const auto& row_of = graph.frames.row_of;
+    const auto frames = static_cast<std::int64_t>(row_of.size());
+    model.coords = Matrix::unset(frames, coords.cols());
+    model.component_of.resize(row_of.size());
+    for_row_blocks(frames, {graph.parameters.simd, graph.parameters.threads},
+                   [&](std::int64_t, std::int64_t first, std::int64_t rows) {
+                       for (std::int64_t i = first; i < first + rows; ++i) {
+                           const auto frame = static_cast<std::size_t>(i);
+                           const auto row = static_cast<std::size_t>(row_of[frame]);
+                           std::copy_n(coords.row(row_of[frame]), coords.cols(),
+                                       model.coords.row(i));
+                           model.component_of[frame] = graph.components.of_frame[row];
+                       }
+                   });
+}
+
 } // namespace
 
 Model embed(const Graph& graph, int dimension, int eigenvalues, const Progress& progress) {
@@ -110,20 +128,12 @@ Model embed(const Graph& graph, int dimension, int eigenvalues, const Progress& 
     model.parameters.dimension = dimension;
     model.features = graph.frames.x.cols;
     model.repeated_frames = graph.frames.repeated;
-    Matrix coords(graph.frames.x.rows, dimension);
+    Matrix coords = Matrix::unset(graph.frames.x.rows, dimension);
     for (std::int64_t c = 0; c < graph.components.count; ++c)
         model.components.push_back(
             embed_component(graph, c, dimension, eigenvalues, progress, coords));
 
-    const auto& row_of = graph.frames.row_of;
-    model.coords = Matrix::unset(static_cast<std::int64_t>(row_of.size()), dimension);
-    model.component_of.reserve(row_of.size());
-    for (std::size_t i = 0; i < row_of.size(); ++i) {
-        std::copy_n(coords.row(row_of[i]), dimension,
-                    model.coords.row(static_cast<std::int64_t>(i)));
-        model.component_of.push_back(
-            graph.components.of_frame[static_cast<std::size_t>(row_of[i])]);
-    }
+    set_frames(graph, coords, model);
     model.clock = clock_likeness(graph, coords);
     model.warnings = warnings_of(graph, model);
     return model;

@@ -90,10 +90,10 @@ DistinctFrames collapse_repeats(ConstMatrixView frames, std::span<const std::int
     const std::vector<std::uint8_t> repeated = repeats(frames, threads);
     DistinctFrames distinct;
     distinct.row_of.resize(static_cast<std::size_t>(frames.rows));
-    std::int64_t kept = 0;
+    std::int32_t kept = 0;
     std::int64_t first = 0;
     for (const std::int64_t length : lengths) {
-        const std::int64_t before = kept;
+        const std::int32_t before = kept;
         for (std::int64_t i = first; i < first + length; ++i) {
             if (i == first || repeated[static_cast<std::size_t>(i)] == 0)
                 ++kept;

@@ -24,7 +24,7 @@ struct DistinctFrames {
     Matrix storage; ///< used only where something repeats
     ConstMatrixView x;
     std::vector<std::int64_t> lengths;
-    UnsetVector<std::int64_t> row_of; ///< distinct row of each frame
+    UnsetVector<std::int32_t> row_of; ///< distinct row of each frame
     std::int64_t repeated = 0;
 };
 

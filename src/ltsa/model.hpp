@@ -29,7 +29,7 @@ struct Model {
     std::int64_t features = 0;
     std::vector<std::int64_t> lengths; ///< frames of each clip
     Matrix coords;                     ///< frames x d; per component: centered, unit norm columns
-    std::vector<std::int64_t> component_of; ///< per frame, 0-based, numbered by first frame
+    UnsetVector<std::int64_t> component_of; ///< per frame, 0-based, numbered by first frame
     std::vector<Component> components;
     std::int64_t repeated_frames = 0; ///< frames equal to the one before, collapsed before the fit
     double clock = 0; ///< |correlation| of ranks of coordinate 1 with time; ~1: only a clock

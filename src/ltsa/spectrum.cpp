@@ -24,13 +24,11 @@ Operator pseudo_inverse(const Alignment& alignment) {
 }
 
 /// ARPACK always gets this start vector: its own are different on every call.
-Matrix start_vector(std::int64_t order) {
-    Matrix start(order, 1);
+void set_start(std::span<double> x) {
     Random random(1);
-    for (std::int64_t i = 0; i < order; ++i)
-        start(i, 0) = random.symmetric();
-    center(start.view(), {Simd::baseline, 1});
-    return start;
+    for (double& entry : x)
+        entry = random.symmetric();
+    center({x.data(), static_cast<std::int64_t>(x.size()), 1, 1}, {Simd::baseline, 1});
 }
 
 /// Vectors in both forms, as panels: x is the prolongation of the unknowns. Beside them what is
@@ -224,8 +222,8 @@ Spectrum smallest_eigenpairs(const Alignment& alignment, std::int64_t count, std
     const std::int64_t n = alignment.frames();
     const std::int64_t pairs = std::min(count, n - 1);
     const Machine& machine = alignment.machine();
-    Eigenpairs found = largest_eigenpairs(pseudo_inverse(alignment), start_vector(n).view(), pairs,
-                                          machine, [&] { progress.report(Stage::spectrum, 0.0); });
+    Eigenpairs found = largest_eigenpairs(pseudo_inverse(alignment), n, set_start, pairs, machine,
+                                          [&] { progress.report(Stage::spectrum, 0.0); });
     Spectrum spectrum;
     spectrum.solves = found.applications;
     Basis basis = solved(alignment, std::exchange(found.vectors, {}));

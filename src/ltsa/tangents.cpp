@@ -95,12 +95,16 @@ void report(const Progress& progress, std::int64_t done, std::int64_t blocks) {
     progress.report(Stage::tangents, static_cast<double>(done) / static_cast<double>(blocks));
 }
 
+/// Frames of a long clip whose median says what size the eigenvalues have.
+constexpr std::int64_t most_sampled = 1 << 16;
+
 /// Directions whose eigenvalue is rounding noise are not there: the vectors that LAPACK gives for
-/// them are arbitrary. `values`: frames x d.
+/// them are arbitrary. `values`: frames x those computed.
 void drop_missing_directions(const Matrix& values, Tangents& tangents, const Machine& machine) {
-    std::vector<double> first(static_cast<std::size_t>(values.rows()));
-    for (std::int64_t i = 0; i < values.rows(); ++i)
-        first[static_cast<std::size_t>(i)] = values(i, 0);
+    const std::int64_t step = (values.rows() + most_sampled - 1) / most_sampled;
+    std::vector<double> first;
+    for (std::int64_t i = 0; i < values.rows(); i += step)
+        first.push_back(values(i, 0));
     const auto middle = first.begin() + static_cast<std::ptrdiff_t>(first.size() / 2);
     std::nth_element(first.begin(), middle, first.end());
     const double floor = 1e-18 * *middle;
@@ -108,7 +112,7 @@ void drop_missing_directions(const Matrix& values, Tangents& tangents, const Mac
         values.rows(), machine, [&](std::int64_t, std::int64_t begin, std::int64_t rows) {
             for (std::int64_t i = begin; i < begin + rows; ++i) {
                 std::int32_t rank = 0;
-                while (rank < tangents.count &&
+                while (rank < values.cols() &&
                        values(i, rank) > std::max(negligible_value * values(i, 0), floor))
                     ++rank;
                 tangents.rank[static_cast<std::size_t>(i)] = rank;
@@ -127,8 +131,8 @@ Tangents local_tangents(ConstMatrixView x, const Neighborhoods& neighborhoods,
     tangents.g.resize(
         checked_size(checked_size(x.rows, count) > 0 ? x.rows * count : 0, neighborhoods.size));
     tangents.rank.resize(static_cast<std::size_t>(x.rows));
-    Matrix values(x.rows, count);
     const std::int64_t computed = std::min({count, neighborhoods.size, x.cols});
+    Matrix values = Matrix::unset(x.rows, computed);
     // Temporal neighborhoods share most distances.
     const bool banded = parameters.mode == Mode::temporal &&
                         neighborhoods.size <= std::min(x.cols, TangentBatch::largest_size);

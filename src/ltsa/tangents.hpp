@@ -23,7 +23,7 @@ struct Tangents {
     std::int64_t size = 0;  ///< k
     std::int64_t count = 0; ///< d
     UnsetVector<double> g;
-    std::vector<std::int32_t> rank; ///< of each window: directions that are there, at most d
+    UnsetVector<std::int32_t> rank; ///< of each window: directions that are there, at most d
 
     const double* direction(std::int64_t frame, std::int64_t l) const {
         return g.data() + (frame * count + l) * size;
