@@ -21,28 +21,44 @@ constexpr double smallest_pivot = 1e-13;
 /// same for all of them; inverse iteration through the patches removes what it does to the vectors.
 constexpr double flat_shift = 1e-13;
 
-/// How values at a patch's frames come from differences: running sums within the patch, up to a
-/// constant. Differences of far values of x would lose their digits.
+/// How values at a patch's frames come from differences: running sums from the middle of the patch
+/// to both sides, up to a constant. Differences of far values of x would lose their digits. The two
+/// sides take turns, as neither waits for the other.
 struct RunningSums {
     template <class P>
     STLTSA_INLINE static void gather(const std::int32_t* frames, std::int64_t k,
                                      ConstMatrixView unknowns, std::int64_t column, P* values) {
-        P sum{};
-        values[0] = sum;
-        for (std::int64_t j = 1; j < k; ++j) {
-            for (auto c = frames[j - 1]; c < frames[j]; ++c)
-                sum += pack_at<P>(unknowns.row(c) + column);
-            values[j] = sum;
+        const std::int64_t middle = k / 2;
+        P before{}, after{};
+        values[middle] = P{};
+        for (std::int64_t step = 1; step <= middle; ++step) {
+            const std::int64_t left = middle - step;
+            for (auto c = frames[left + 1] - 1; c >= frames[left]; --c)
+                before -= pack_at<P>(unknowns.row(c) + column);
+            values[left] = before;
+            const std::int64_t right = middle + step;
+            if (right == k)
+                break;
+            for (auto c = frames[right - 1]; c < frames[right]; ++c)
+                after += pack_at<P>(unknowns.row(c) + column);
+            values[right] = after;
         }
     }
     template <class P>
     STLTSA_INLINE static void scatter(const std::int32_t* frames, std::int64_t k, const P* values,
                                       MatrixView unknowns, std::int64_t column) {
-        P beyond{};
-        for (std::int64_t j = k - 1; j > 0; --j) {
-            beyond += values[j];
-            for (auto c = frames[j - 1]; c < frames[j]; ++c)
-                pack_at<P>(unknowns.row(c) + column) += beyond;
+        const std::int64_t middle = k / 2;
+        P before{}, after{};
+        for (std::int64_t left = 0; left < middle; ++left) {
+            before += values[left];
+            for (auto c = frames[left]; c < frames[left + 1]; ++c)
+                pack_at<P>(unknowns.row(c) + column) -= before;
+            const std::int64_t right = k - 1 - left;
+            if (right <= middle)
+                break;
+            after += values[right];
+            for (auto c = frames[right - 1]; c < frames[right]; ++c)
+                pack_at<P>(unknowns.row(c) + column) += after;
         }
     }
 };

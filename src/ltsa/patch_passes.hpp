@@ -27,19 +27,45 @@ STLTSA_INLINE P sum_of(std::int64_t count, const Term& term) {
     return (sums[0] + sums[1]) + (sums[2] + sums[3]);
 }
 
-/// v := (I - e e^T/k - G G^T) v
+/// v := (I - e e^T/k - G G^T) v for `count` directions G.
+template <std::int64_t count, class P>
+STLTSA_INLINE void project_on(const double* g, std::int64_t k, P* v) {
+    P sums[2][1 + count] = {}; // of even and of odd entries, which do not wait for each other
+    const auto add = [&](std::int64_t part, std::int64_t j) STLTSA_INLINE_LAMBDA {
+        sums[part][0] += v[j];
+        for (std::int64_t l = 0; l < count; ++l)
+            sums[part][1 + l] += g[l * k + j] * v[j];
+    };
+    std::int64_t j = 0;
+    for (; j + 2 <= k; j += 2) {
+        add(0, j);
+        add(1, j + 1);
+    }
+    if (j < k)
+        add(0, j);
+    const P mean = (sums[0][0] + sums[1][0]) / static_cast<double>(k);
+    P overlaps[count];
+    for (std::int64_t l = 0; l < count; ++l)
+        overlaps[l] = sums[0][1 + l] + sums[1][1 + l];
+    for (j = 0; j < k; ++j) {
+        P part = mean;
+        for (std::int64_t l = 0; l < count; ++l)
+            part += overlaps[l] * g[l * k + j];
+        v[j] -= part;
+    }
+}
+
+/// The same for any number of directions, some at a time.
 template <class P>
 STLTSA_INLINE void project_once(const double* g, std::int64_t k, std::int64_t dimension, P* v) {
-    const P mean = sum_of<P>(k, [&](std::int64_t j) STLTSA_INLINE_LAMBDA { return v[j]; }) /
-                   static_cast<double>(k);
-    for (std::int64_t j = 0; j < k; ++j)
-        v[j] -= mean;
-    for (std::int64_t l = 0; l < dimension; ++l, g += k) {
-        const P overlap =
-            sum_of<P>(k, [&](std::int64_t j) STLTSA_INLINE_LAMBDA { return g[j] * v[j]; });
-        for (std::int64_t j = 0; j < k; ++j)
-            v[j] -= overlap * g[j];
-    }
+    for (; dimension > 3; dimension -= 2, g += 2 * k)
+        project_on<2>(g, k, v);
+    if (dimension == 3)
+        project_on<3>(g, k, v);
+    else if (dimension == 2)
+        project_on<2>(g, k, v);
+    else
+        project_on<1>(g, k, v);
 }
 
 /// Values at one patch's frames, gathered and projected. Projected twice: g is orthonormal to
