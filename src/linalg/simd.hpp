@@ -41,6 +41,17 @@ inline double dot(const double* a, const double* b, std::int64_t count) {
     return sum_lanes(s);
 }
 
+inline double sum(const double* a, std::int64_t count) {
+    double s[lanes] = {};
+    std::int64_t i = 0;
+    for (; i + lanes <= count; i += lanes)
+        for (std::int64_t l = 0; l < lanes; ++l)
+            s[l] += a[i + l];
+    for (std::int64_t l = 0; i < count; ++i, ++l)
+        s[l] += a[i];
+    return sum_lanes(s);
+}
+
 /// y += alpha x
 inline void axpy(double alpha, const double* x, double* y, std::int64_t count) {
     for (std::int64_t i = 0; i < count; ++i)

@@ -33,9 +33,11 @@ struct FillBand {
 
     template <int W>
     STLTSA_INLINE void run() const {
-        for (std::int64_t p = 0; p < x.rows; ++p)
+        for (std::int64_t p = 0; p < x.rows; ++p) {
+            band(p, 0) = 0;
             for (std::int64_t q = p + 1; q < std::min(x.rows, p + band.cols); ++q)
                 band(p, q - p) = distance_in_packs<W>(x.row(p), x.row(q), x.cols);
+        }
     }
 };
 
@@ -43,7 +45,7 @@ struct FillBand {
 
 BandDistances::BandDistances(ConstMatrixView x, std::int64_t begin, std::int64_t end,
                              std::int64_t width, Simd simd)
-    : begin_(begin), distances_(end - begin, width + 1) {
+    : begin_(begin), distances_(Matrix::unset(end - begin, width + 1)) {
     run_simd(simd, FillBand{x.block(begin, end - begin), distances_.view()});
 }
 

@@ -10,34 +10,39 @@
 
 namespace stltsa::ltsa {
 
-void PatchTerms::set(const Patches& patches, std::int64_t patch) {
-    const auto frames = patches.of(patch);
-    const auto k = patches.size();
-    size_ = static_cast<double>(k);
-    first_ = frames.front();
-    span_ = frames.back() - frames.front();
-    next_.resize(static_cast<std::size_t>(span_));
-    beyond_.resize(static_cast<std::size_t>(span_));
-    sums_.resize(static_cast<std::size_t>(span_ * patches.dimension()));
-    tail_.resize(static_cast<std::size_t>(k));
+namespace {
 
-    std::size_t c = 0;
-    for (std::size_t j = 1; j < frames.size(); ++j)
-        while (c < static_cast<std::size_t>(frames[j] - first_))
-            next_[c++] = static_cast<std::int32_t>(j);
-    for (c = 0; c < next_.size(); ++c)
-        beyond_[c] = size_ - next_[c];
-    for (std::int64_t l = 0; l < patches.dimension(); ++l)
-        spread_sums(patches.direction(patch, l), sums_.data() + l * span_);
+/// The sum of value(j) over the neighbors beyond each difference.
+template <class Value>
+void spread_sums(std::span<const std::int32_t> frames, const Value& value, double* to) {
+    double sum = 0;
+    for (std::size_t j = frames.size(); j-- > 1;) {
+        sum += value(j);
+        for (auto c = frames[j]; c-- > frames[j - 1];)
+            to[c - frames.front()] = sum;
+    }
 }
 
-/// The sums of g over the neighbors beyond each difference.
-void PatchTerms::spread_sums(const double* g, double* out) {
-    double sum = 0;
-    for (std::size_t j = tail_.size(); j-- > 0;)
-        tail_[j] = sum += g[j];
-    for (std::size_t c = 0; c < next_.size(); ++c)
-        out[c] = tail_[static_cast<std::size_t>(next_[c])];
+} // namespace
+
+void spread_terms(const Patches& patches, std::int64_t patch, double* to, std::int64_t stride) {
+    const auto frames = patches.of(patch);
+    spread_sums(
+        frames, [](std::size_t) { return 1.0; }, to);
+    for (std::int64_t l = 0; l < patches.dimension(); ++l) {
+        const double* g = patches.direction(patch, l);
+        spread_sums(
+            frames, [g](std::size_t j) { return g[j]; }, to + (1 + l) * stride);
+    }
+}
+
+void PatchTerms::set(const Patches& patches, std::int64_t patch) {
+    const auto frames = patches.of(patch);
+    size_ = static_cast<double>(patches.size());
+    first_ = frames.front();
+    span_ = frames.back() - frames.front();
+    values_.resize(static_cast<std::size_t>(span_ * (1 + patches.dimension())));
+    spread_terms(patches, patch, values_.data(), span_);
 }
 
 std::vector<std::int64_t> envelope_of(const Patches& patches) {
@@ -194,27 +199,22 @@ class Tile {
 
   private:
     void spread(const Patches& patches, std::int64_t patch, std::int64_t r) {
-        terms_.set(patches, patch);
+        const auto frames = patches.of(patch);
         const std::int64_t length = last_ - first_;
-        double* left = left_.data() + r * length + (terms_.first() - first_);
-        double* right = right_.data() + r * length + (terms_.first() - first_);
-        for (std::int64_t c = 0; c < terms_.span(); ++c) {
-            left[c] = terms_.beyond()[c];
-            right[c] = (terms_.size() - terms_.beyond()[c]) / terms_.size();
-        }
-        for (std::int64_t l = 0; l < patches.dimension(); ++l) {
-            const double* h = terms_.sums() + l * terms_.span();
-            left += length;
-            right += length;
-            std::copy_n(h, terms_.span(), left);
-            for (std::int64_t c = 0; c < terms_.span(); ++c)
-                right[c] = -h[c];
-        }
+        const std::int64_t span = frames.back() - frames.front();
+        const auto size = static_cast<double>(patches.size());
+        double* left = left_.data() + r * length + (frames.front() - first_);
+        double* right = right_.data() + r * length + (frames.front() - first_);
+        spread_terms(patches, patch, left, length);
+        for (std::int64_t c = 0; c < span; ++c)
+            right[c] = (size - left[c]) / size;
+        for (std::int64_t l = 1; l <= patches.dimension(); ++l)
+            for (std::int64_t c = 0; c < span; ++c)
+                right[l * length + c] = -left[l * length + c];
     }
 
     std::int64_t first_ = 0, last_ = 0, rank_ = 0;
     AlignedVector<double> left_, right_;
-    PatchTerms terms_;
 };
 
 /// Patches of one tile: the more, the better the product; but the differences that only some of

@@ -15,6 +15,10 @@
 
 namespace stltsa::ltsa {
 
+/// Writes a, then h_0, h_1, ..., each `stride` entries after the one before, at the differences
+/// that a patch covers.
+void spread_terms(const Patches& patches, std::int64_t patch, double* to, std::int64_t stride);
+
 /// One patch spread over the differences that it covers: `span` of them from the first one on.
 class PatchTerms {
   public:
@@ -25,19 +29,15 @@ class PatchTerms {
     /// k
     double size() const { return size_; }
     /// a
-    const double* beyond() const { return beyond_.data(); }
+    const double* beyond() const { return values_.data(); }
     /// h_0, then h_1, ...
-    const double* sums() const { return sums_.data(); }
+    const double* sums() const { return values_.data() + span_; }
 
   private:
-    void spread_sums(const double* g, double* out);
-
     std::int64_t first_ = 0;
     std::int64_t span_ = 0;
     double size_ = 0;
-    std::vector<std::int32_t> next_; ///< the first neighbor beyond each difference
-    std::vector<double> beyond_, sums_;
-    std::vector<double> tail_; ///< sums of g over each neighbor and those after it
+    std::vector<double> values_;
 };
 
 /// The last row of each column of B'.

@@ -96,10 +96,7 @@ void LocalPca::direction(std::int64_t l, double* out, const double* before) cons
 }
 
 void make_tangent(const double* before, std::int64_t count, std::int64_t size, double* direction) {
-    double mean = 0;
-    for (std::int64_t a = 0; a < size; ++a)
-        mean += direction[a];
-    mean /= static_cast<double>(size);
+    const double mean = sum(direction, size) / static_cast<double>(size);
     for (std::int64_t a = 0; a < size; ++a)
         direction[a] -= mean;
     for (std::int64_t b = 0; b < count; ++b)

@@ -40,33 +40,38 @@ struct ProjectFrames {
     template <int W, std::int64_t count>
     STLTSA_INLINE void project(std::int64_t l) const {
         const auto size = static_cast<std::int64_t>(members.size());
-        for (std::int64_t a = 0; a < size; ++a) {
-            double products[count];
-            multiply<W, count>(x.row(members[static_cast<std::size_t>(a)]), l, products);
-            for (std::int64_t j = 0; j < count; ++j)
-                out[(l + j) * size + a] = products[j];
-        }
+        std::int64_t a = 0;
+        for (; a + 2 <= size; a += 2)
+            multiply<W, count, 2>(a, l);
+        for (; a < size; ++a)
+            multiply<W, count, 1>(a, l);
     }
 
-    template <int W, std::int64_t count>
-    STLTSA_INLINE void multiply(const double* frame, std::int64_t l, double* products) const {
-        Pack<W> sums[count][lanes / W] = {};
+    template <int W, std::int64_t count, std::int64_t frames>
+    STLTSA_INLINE void multiply(std::int64_t a, std::int64_t l) const {
+        const double* frame[frames];
+        for (std::int64_t f = 0; f < frames; ++f)
+            frame[f] = x.row(members[static_cast<std::size_t>(a + f)]);
+        Pack<W> sums[frames][count][lanes / W] = {};
         std::int64_t i = 0;
         for (; i + lanes <= x.cols; i += lanes)
             for (std::int64_t part = 0; part < lanes / W; ++part) {
                 const std::int64_t at = i + part * W;
-                const Pack<W> d = load<Pack<W>>(frame + at) - load<Pack<W>>(origin + at);
-                for (std::int64_t j = 0; j < count; ++j)
-                    sums[j][part] += d * load<Pack<W>>(vectors.row(l + j) + at);
+                for (std::int64_t f = 0; f < frames; ++f) {
+                    const Pack<W> d = load<Pack<W>>(frame[f] + at) - load<Pack<W>>(origin + at);
+                    for (std::int64_t j = 0; j < count; ++j)
+                        sums[f][j][part] += d * load<Pack<W>>(vectors.row(l + j) + at);
+                }
             }
-        for (std::int64_t j = 0; j < count; ++j) {
-            double s[lanes];
-            for (std::int64_t lane = 0; lane < lanes; ++lane)
-                s[lane] = sums[j][lane / W][lane % W];
-            for (std::int64_t c = i; c < x.cols; ++c)
-                s[c - i] += (frame[c] - origin[c]) * vectors(l + j, c);
-            products[j] = sum_lanes(s);
-        }
+        for (std::int64_t f = 0; f < frames; ++f)
+            for (std::int64_t j = 0; j < count; ++j) {
+                double s[lanes];
+                for (std::int64_t lane = 0; lane < lanes; ++lane)
+                    s[lane] = sums[f][j][lane / W][lane % W];
+                for (std::int64_t c = i; c < x.cols; ++c)
+                    s[c - i] += (frame[f][c] - origin[c]) * vectors(l + j, c);
+                out[(l + j) * static_cast<std::int64_t>(members.size()) + a + f] = sum_lanes(s);
+            }
     }
 };
 
