@@ -18,7 +18,8 @@ CLIPS = ("13_29.amc", "13_30.amc", "86_01.amc")  # of one skeleton, 86.asf
 
 
 def make_frames(laboratory, data, frames):
-    """So many of the made-up motion, and real frames where there are any, else made-up ones in their place."""
+    """So many of the made-up motion, and real frames where there are any, else made-up ones in
+    their place."""
 
     def made(kind, name, *arguments):
         path = laboratory.folder / name
