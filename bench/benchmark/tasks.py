@@ -104,8 +104,12 @@ class Laboratory:
 
 
 def fetch_memory(task):
-    """A virtual machine lends out memory that nobody uses, and it takes longer to get it back than to
-    fit. So that this is not what is measured, about as much as a fit needs is touched before."""
+    """Touch about as much memory as the task needs, and give it back.
+
+    A virtual machine lends out memory that nobody uses, and to get it back takes longer than to
+    fit: so this is not what is measured. The frames are there twice, in the program and in the
+    file that it reads; neighbors, tangents and band take some 50 bytes for each neighbor.
+    """
     needed = b"\1" * (task.n * (2 * 8 * task.frames.features + 64 * task.k))
     del needed
 

@@ -14,42 +14,33 @@ inline double sum_lanes(const double (&s)[lanes]) {
     return ((s[0] + s[4]) + (s[2] + s[6])) + ((s[1] + s[5]) + (s[3] + s[7]));
 }
 
-/// |a - b|^2 by subtraction: exact zero for equal frames, no cancellation of large norms.
-inline double squared_distance(const double* a, const double* b, std::int64_t count) {
+/// Sum of term(i) over i < count.
+template <class Term>
+double sum_of(std::int64_t count, const Term& term) {
     double s[lanes] = {};
     std::int64_t i = 0;
     for (; i + lanes <= count; i += lanes)
-        for (std::int64_t l = 0; l < lanes; ++l) {
-            const double d = a[i + l] - b[i + l];
-            s[l] += d * d;
-        }
-    for (std::int64_t l = 0; i < count; ++i, ++l) {
-        const double d = a[i] - b[i];
-        s[l] += d * d;
-    }
+        for (std::int64_t l = 0; l < lanes; ++l)
+            s[l] += term(i + l);
+    for (std::int64_t l = 0; i < count; ++i, ++l)
+        s[l] += term(i);
     return sum_lanes(s);
+}
+
+/// |a - b|^2 by subtraction: exact zero for equal frames, no cancellation of large norms.
+inline double squared_distance(const double* a, const double* b, std::int64_t count) {
+    return sum_of(count, [=](std::int64_t i) {
+        const double d = a[i] - b[i];
+        return d * d;
+    });
 }
 
 inline double dot(const double* a, const double* b, std::int64_t count) {
-    double s[lanes] = {};
-    std::int64_t i = 0;
-    for (; i + lanes <= count; i += lanes)
-        for (std::int64_t l = 0; l < lanes; ++l)
-            s[l] += a[i + l] * b[i + l];
-    for (std::int64_t l = 0; i < count; ++i, ++l)
-        s[l] += a[i] * b[i];
-    return sum_lanes(s);
+    return sum_of(count, [=](std::int64_t i) { return a[i] * b[i]; });
 }
 
 inline double sum(const double* a, std::int64_t count) {
-    double s[lanes] = {};
-    std::int64_t i = 0;
-    for (; i + lanes <= count; i += lanes)
-        for (std::int64_t l = 0; l < lanes; ++l)
-            s[l] += a[i + l];
-    for (std::int64_t l = 0; i < count; ++i, ++l)
-        s[l] += a[i];
-    return sum_lanes(s);
+    return sum_of(count, [=](std::int64_t i) { return a[i]; });
 }
 
 /// y += alpha x

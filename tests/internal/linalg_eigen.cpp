@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The largest eigenpairs, also of matrices on which LAPACK's quick routine finds none.
+// The largest eigenpairs, by LAPACK also where its quick routine finds none, and by ARPACK.
 #include "testing.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "base/random.hpp"
+#include "linalg/arpack.hpp"
+#include "linalg/blas_threads.hpp"
 #include "linalg/eigen.hpp"
 #include "linalg/simd.hpp"
 
@@ -58,10 +62,32 @@ void nearly_the_identity(void**) {
     }
 }
 
+/// Two parts that know nothing of each other: 200 values of 1 / 2 to 1, and as many of 2 to 4.
+void two_parts(std::span<const double> x, std::span<double> y) {
+    const std::size_t half = x.size() / 2;
+    for (std::size_t i = 0; i < x.size(); ++i)
+        y[i] = (i < half ? 0.5 : 2) * (1 + static_cast<double>(i % half) / 199) * x[i];
+}
+
+/// The start says where ARPACK looks: all of it, and nothing else.
+void the_start_is_ours(void**) {
+    const auto largest = [](std::size_t entries) {
+        const auto start = [entries](std::span<double> x) {
+            std::fill(x.begin(), x.end(), 0.0);
+            std::fill_n(x.begin(), entries, 1.0);
+        };
+        return stltsa::largest_eigenpairs(two_parts, 400, start, 2, {}, [] {}).values[0];
+    };
+    ASSERT_NEAR(largest(400), 4, 1e-8);
+    ASSERT_NEAR(largest(200), 1, 1e-8);
+}
+
 } // namespace
 
 int main() {
+    const stltsa::SingleThreadedBlas single;
     const CMUnitTest tests[] = {
+        cmocka_unit_test(the_start_is_ours),
         cmocka_unit_test(a_known_spectrum),
         cmocka_unit_test(nearly_the_identity),
     };

@@ -103,6 +103,20 @@ void windows_that_do_not_vary_have_no_direction(void**) {
 }
 
 /// Motion is found together, noise one at a time; the numbers are as large or small as they may be.
+/// Standing still but for rounding, as positions that went through matrices do.
+void rounding_noise_has_no_direction(void**) {
+    for (const std::int64_t size : {12, 40, 60}) {
+        Matrix x = cyclic(400, features);
+        const Matrix rounding = noise(200, features);
+        for (std::int64_t i = 100; i < 300; ++i)
+            for (std::int64_t c = 0; c < features; ++c)
+                x(i, c) = x(100, c) + 1e-15 * rounding(i - 100, c);
+        const Tangents tangents = tangents_of(x, size, 2, stltsa::widest_simd());
+        assert_int_equal(tangents.rank[200], 0);
+        assert_int_equal(tangents.rank[30], 2);
+    }
+}
+
 void lanes_that_converge_are_known(void**) {
     for (const double scale : {1e-140, 1.0, 1e100}) {
         TangentBatch batch(7, 1, stltsa::widest_simd());
@@ -228,6 +242,7 @@ int main() {
         cmocka_unit_test(tangents_are_those_of_lapack),
         cmocka_unit_test(a_direction_that_the_start_lacks_is_found),
         cmocka_unit_test(windows_that_do_not_vary_have_no_direction),
+        cmocka_unit_test(rounding_noise_has_no_direction),
         cmocka_unit_test(lanes_that_converge_are_known),
         cmocka_unit_test(slow_lanes_are_found),
         cmocka_unit_test(distances_within_a_neighborhood_are_those_of_frames),

@@ -60,6 +60,7 @@ static void the_first_nan_of_a_long_matrix_is_named(void** state) {
     enum { many = 300000 };
     const struct fixture* f = *state;
     double* x = calloc((size_t)many * cols, sizeof *x);
+    assert_non_null(x);
     x[184319 * cols + 4] = NAN; /* the last of what one thread takes: the next comes upon */
     x[184320 * cols + 2] = NAN; /* its own before this one is found */
     x[299999 * cols] = NAN;
