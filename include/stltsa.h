@@ -175,8 +175,12 @@ enum {
     STLTSA_SEARCH = 29,      /* real  synthesize: seconds by which a cut may move to find a common
                                       posture; -1: a tenth of the cycle that is repeated, half
                                       a cycle and at least 0.5 s where clips join */
-    STLTSA_POSTURE_LIMIT = 30 /* real synthesize: largest distance of the postures at a seam, over
+    STLTSA_POSTURE_LIMIT = 30, /* real synthesize: largest distance of the postures at a seam, over
                                       what is common between a motion's own repetitions; 0: none */
+    STLTSA_MEMORY_MAP = 31   /* int   clip_open: 1: map the file into memory. The numbers of an NPY
+                                      file (float64, C order) then stay in the file. Whoever cuts
+                                      it short while the clip, or a model that keeps its frames,
+                                      lives, ends the process (SIGBUS) */
 };
 
 enum { STLTSA_MODE_TEMPORAL = 1, STLTSA_MODE_SPATIAL = 2, STLTSA_MODE_RECURRENT = 3 };

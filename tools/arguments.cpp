@@ -129,7 +129,7 @@ class HelpFormat : public CLI::Formatter {
 };
 
 using Keys = std::vector<std::int32_t>;
-const Keys reading = {STLTSA_FPS, STLTSA_SKELETON};
+const Keys reading = {STLTSA_FPS, STLTSA_SKELETON, STLTSA_MEMORY_MAP};
 const Keys timing = {STLTSA_FPS};
 const Keys preparing = {STLTSA_FEATURES,  STLTSA_UP_AXIS, STLTSA_KEEP_START,
                         STLTSA_SMOOTHING, STLTSA_RATE,    STLTSA_THREADS};

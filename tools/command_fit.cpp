@@ -5,17 +5,6 @@
 #include "session.hpp"
 
 namespace tool {
-namespace {
-
-std::string bytes_of(const stltsa_model* model) {
-    unsigned char* bytes = nullptr;
-    std::size_t size = 0;
-    check(stltsa_model_serialize(model, &bytes, &size));
-    const std::unique_ptr<unsigned char, FreeHandle<stltsa_bytes_free>> owner(bytes);
-    return {reinterpret_cast<const char*>(bytes), size};
-}
-
-} // namespace
 
 Exit run_fit(const Arguments& arguments) {
     Session session(arguments);
@@ -27,7 +16,7 @@ Exit run_fit(const Arguments& arguments) {
     if (!arguments.coords.empty())
         session.add_table(arguments.coords, coordinates_of(model.get()));
     if (!arguments.product.empty())
-        session.add_file(arguments.product, bytes_of(model.get()));
+        session.add_model(arguments.product, model.get());
     if (!arguments.plot.empty())
         session.add_file(arguments.plot,
                          fit_figure(session, object, model.get(), coordinates_of(model.get())));

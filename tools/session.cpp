@@ -47,11 +47,14 @@ double working_rate(const stltsa_clip* clip, const stltsa_options* options) {
 }
 
 /// A file that cannot be written is no unreadable input.
-void save(const stltsa_clip* clip, const std::string& path) {
-    const stltsa_status status = stltsa_clip_save(clip, path.c_str());
+void check_saving(stltsa_status status) {
     if (status == STLTSA_E_IO)
         throw Failure(Exit::failed, stltsa_last_error());
     check(status);
+}
+
+void save(const stltsa_clip* clip, const std::string& path) {
+    check_saving(stltsa_clip_save(clip, path.c_str()));
 }
 
 /// The numbers of a table, for the library to write.
@@ -161,6 +164,12 @@ void Session::add_table(const std::string& path, const Grid& table, const char* 
 
 void Session::add_clip(const std::string& path, const stltsa_clip* clip) {
     files_.add_written(path, [clip](const std::string& name) { save(clip, name); });
+}
+
+void Session::add_model(const std::string& path, const stltsa_model* model) {
+    files_.add_written(path, [model](const std::string& name) {
+        check_saving(stltsa_model_save(model, name.c_str()));
+    });
 }
 
 /// Warnings are part of the table; where it is not what the user sees, they go to stderr too.

@@ -41,8 +41,9 @@ class Session {
     void add_file(const std::string& path, std::string content);
     /// As NPY or CSV, as the suffix says; the columns of a CSV are headed y1, y2 and so on.
     void add_table(const std::string& path, const Grid& table, const char* column = "y");
-    /// Its format is told by the suffix. The clip must live until finish().
+    /// Its format is told by the suffix. The clip must live until finish(), as a model must.
     void add_clip(const std::string& path, const stltsa_clip* clip);
+    void add_model(const std::string& path, const stltsa_model* model);
     /// Writes the object as JSON or, without --json, `table`; then puts the files in their places.
     void finish(const Json& object, const std::string& table);
 

@@ -14,7 +14,8 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "linalg/matrix.hpp"
+#include "base/sink.hpp"
+#include "linalg/shared_matrix.hpp"
 
 namespace stltsa::capi {
 
@@ -28,8 +29,11 @@ template <Scalar T>
 using BitsOf = std::conditional_t<sizeof(T) == 1, std::uint8_t,
                                   std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>>;
 
+/// Hands its bytes on in pieces; the last of them with finish().
 class ArchiveWriter {
   public:
+    explicit ArchiveWriter(Sink sink) : sink_(std::move(sink)) {}
+
     template <class... Values>
     void operator()(const Values&... values) {
         (put(values), ...);
@@ -42,19 +46,24 @@ class ArchiveWriter {
             each(*this, value);
     }
 
-    const std::string& bytes() const { return bytes_; }
+    void finish() {
+        sink_(piece_);
+        piece_.clear();
+    }
 
   private:
     template <Scalar T>
     void put(T value) {
-        auto bits = std::bit_cast<BitsOf<T>>(value);
+        const auto bits = std::bit_cast<BitsOf<T>>(value);
+        char bytes[sizeof bits];
         for (std::size_t byte = 0; byte < sizeof bits; ++byte)
-            bytes_ += static_cast<char>((bits >> (8 * byte)) & 0xff);
+            bytes[byte] = static_cast<char>((bits >> (8 * byte)) & 0xff);
+        append({bytes, sizeof bytes});
     }
     void put_size(std::size_t size) { put(static_cast<std::uint64_t>(size)); }
     void put(const std::string& text) {
         put_size(text.size());
-        bytes_ += text;
+        append(text);
     }
     template <class T, class Allocator>
     void put(const std::vector<T, Allocator>& values) {
@@ -67,14 +76,24 @@ class ArchiveWriter {
         for (const T& value : values)
             put(value);
     }
-    void put(const Matrix& matrix) {
-        put(matrix.rows());
-        put(matrix.cols());
-        for (std::int64_t i = 0; i < matrix.rows() * matrix.cols(); ++i)
-            put(matrix.data()[i]);
+    void put(ConstMatrixView packed) {
+        put(packed.rows);
+        put(packed.cols);
+        for (std::int64_t i = 0; i < packed.rows * packed.cols; ++i)
+            put(packed.data[i]);
+    }
+    void put(const Matrix& matrix) { put(matrix.view()); }
+    void put(const SharedMatrix& matrix) { put(matrix.view()); }
+
+    void append(std::string_view bytes) {
+        constexpr std::size_t enough = 1 << 16;
+        piece_ += bytes;
+        if (piece_.size() >= enough)
+            finish();
     }
 
-    std::string bytes_;
+    Sink sink_;
+    std::string piece_;
 };
 
 /// Throws Status::format where the bytes end too early or cannot be what is named. Nothing larger
@@ -153,9 +172,14 @@ class ArchiveReader {
         const auto most = static_cast<std::int64_t>(rest_.size() / sizeof(double));
         if (rows < 0 || cols < 0 || (cols > 0 && rows > most / cols))
             damaged();
-        matrix = Matrix(rows, cols);
+        matrix = Matrix::unset(rows, cols);
         for (std::int64_t i = 0; i < rows * cols; ++i)
             get(matrix.data()[i]);
+    }
+    void get(SharedMatrix& shared) {
+        Matrix matrix;
+        get(matrix);
+        shared = std::move(matrix);
     }
 
     std::string_view rest_;

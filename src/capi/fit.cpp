@@ -41,18 +41,6 @@ std::unique_ptr<stltsa_model> fit_samples(ConstMatrixView samples,
     return model;
 }
 
-/// `frames`: those that were fitted.
-void keep_frames(stltsa_model& model, Matrix frames) {
-    model.kept.frames = std::move(frames);
-    capi::prepare_mapping(model);
-}
-
-Matrix copied(ConstMatrixView view) {
-    Matrix copy(view.rows, view.cols);
-    std::copy_n(view.data, view.rows * view.cols, copy.data());
-    return copy;
-}
-
 std::int64_t sum_over_components(const stltsa_model& model, std::int64_t ltsa::Component::*field) {
     std::int64_t sum = 0;
     for (const auto& component : model.model.components)
@@ -127,7 +115,9 @@ double real_of(const stltsa_model& model, int32_t key) {
     case STLTSA_MODEL_PERIOD:
         return model.source.period.period;
     case STLTSA_MODEL_SUPPORT:
-        return model.mapping ? model.mapping->support() : 0;
+        if (const ltsa::Mapping* mapping = capi::mapping_of(model))
+            return mapping->support();
+        return 0;
     default:
         fail(Status::argument, "{} is no real key of a model", key);
     }
@@ -144,7 +134,7 @@ stltsa_status stltsa_fit(const stltsa_in* frames, const int64_t* lengths, int64_
         auto made = fit_samples(input.view(), capi::clip_lengths(lengths, clips, input.view().rows),
                                 reader, capi::matrix_source(input.view(), reader));
         if (reader.integer(STLTSA_KEEP_FRAMES) != 0)
-            keep_frames(*made, copied(input.view()));
+            made->kept.frames = capi::copied(input.view());
         *model = made.release();
     });
 }
@@ -160,7 +150,7 @@ stltsa_status stltsa_fit_clip(const stltsa_clip* clip, const stltsa_options* opt
         if (reader.integer(STLTSA_KEEP_FRAMES) != 0) {
             made->kept.drop_tpose = reader.integer(STLTSA_KEEP_START) == 0;
             capi::keep_poses(*made, clip->clip);
-            keep_frames(*made, std::move(prepared.samples));
+            made->kept.frames = std::move(prepared.samples);
         }
         *model = made.release();
     });

@@ -2,6 +2,7 @@
 // What stands behind the opaque handles of stltsa.h.
 #pragma once
 
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,7 +31,7 @@ struct Source {
 
 /// What a model keeps of its source so that it can map.
 struct Kept {
-    Matrix frames;          ///< as they were fitted, a row of the model each; empty: cannot map
+    SharedMatrix frames;    ///< as they were fitted, a row of the model each; empty: cannot map
     bool drop_tpose = true; ///< of clips that are mapped, as it was of the one that was fitted
     bool has_poses = false; ///< fitted to a clip with a skeleton: the next two are there
     clip::PoseCode code;
@@ -50,8 +51,10 @@ struct stltsa_model {
     stltsa::ltsa::Model model;
     stltsa::capi::Source source;
     stltsa::capi::Kept kept;
-    /// Follows from the rest and looks into it: capi::prepare_mapping() makes it.
-    std::optional<stltsa::ltsa::Mapping> mapping;
+    /// Follows from the rest and looks into it: capi::mapping_of() makes it, as many models are
+    /// never asked to map.
+    mutable std::once_flag mapping_asked;
+    mutable std::optional<stltsa::ltsa::Mapping> mapping;
 };
 
 struct stltsa_dimension_result {

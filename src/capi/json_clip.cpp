@@ -24,7 +24,7 @@ ClipFacts clip_facts(const clip::Clip& clip) {
 std::string clip_json(const clip::Clip& clip) {
     const clip::Axis up =
         clip.skeleton ? clip::up_axis(clip, clip::Axis::automatic) : clip::Axis::automatic;
-    const Matrix features = clip::features(clip, clip::Features::automatic, up);
+    const SharedMatrix features = clip::features(clip, clip::Features::automatic, up);
     const auto kind = clip.skeleton ? clip::Features::positions : clip::Features::raw;
 
     const ClipFacts facts = clip_facts(clip);

@@ -21,10 +21,11 @@ namespace {
 constexpr std::int64_t rows_per_block = 16;
 
 const ltsa::Mapping& mapping_of(const stltsa_model& model) {
-    if (!model.mapping)
+    const ltsa::Mapping* mapping = capi::mapping_of(model);
+    if (mapping == nullptr)
         fail(Status::unsupported, "the model kept no frames, so that it cannot map: fit it with "
                                   "the option keep_frames");
-    return *model.mapping;
+    return *mapping;
 }
 
 ltsa::MapParameters map_parameters(const stltsa_model& model, const capi::OptionsReader& options) {
@@ -160,7 +161,7 @@ Placed unmap_rows(const stltsa_model& model, ConstMatrixView coords, const Hints
 void put_pose_features(const stltsa_model& model, const ltsa::Placement& place, double* out) {
     Matrix vector(1, model.kept.poses.cols());
     place.apply(model.kept.poses.view(), vector.row(0));
-    const Matrix features = capi::features_of_pose(model, vector.view());
+    const SharedMatrix features = capi::features_of_pose(model, vector.view());
     std::copy_n(features.row(0), features.cols(), out);
 }
 

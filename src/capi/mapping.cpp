@@ -5,10 +5,14 @@
 
 namespace stltsa::capi {
 
-void prepare_mapping(stltsa_model& model) {
-    if (model.kept.frames.rows() > 0)
+const ltsa::Mapping* mapping_of(const stltsa_model& model) {
+    if (model.kept.frames.rows() == 0)
+        return nullptr;
+    std::call_once(model.mapping_asked, [&model] {
         model.mapping.emplace(model.kept.frames.view(), model.model,
                               model.source.period.period * model.source.samples.fps);
+    });
+    return &*model.mapping;
 }
 
 void keep_poses(stltsa_model& model, const clip::Clip& clip) {
@@ -25,7 +29,7 @@ void keep_poses(stltsa_model& model, const clip::Clip& clip) {
     model.kept.has_poses = true;
 }
 
-Matrix features_of_pose(const stltsa_model& model, ConstMatrixView vector) {
+SharedMatrix features_of_pose(const stltsa_model& model, ConstMatrixView vector) {
     const SampleFacts& samples = model.source.samples;
     const clip::Clip pose = clip::decode_poses(model.kept.code, vector, samples.fps);
     return clip::pose_features(model.kept.code, pose, samples.features);

@@ -6,14 +6,13 @@
 
 namespace stltsa::capi {
 
-/// Makes model.mapping, where frames were kept. Everything else of the model is in place by now,
-/// and the model stays where it is.
-void prepare_mapping(stltsa_model& model);
+/// What looks up frames and coordinates of the model; null where it kept no frames.
+const ltsa::Mapping* mapping_of(const stltsa_model& model);
 
 /// Keeps the poses of the clip that the model was fitted to, where it has a skeleton.
 void keep_poses(stltsa_model& model, const clip::Clip& clip);
 
 /// A row of features: those of one pose vector, of the kind that the model was fitted to.
-Matrix features_of_pose(const stltsa_model& model, ConstMatrixView vector);
+SharedMatrix features_of_pose(const stltsa_model& model, ConstMatrixView vector);
 
 } // namespace stltsa::capi

@@ -6,7 +6,6 @@
 #include <zlib.h>
 
 #include "capi/archive.hpp"
-#include "capi/mapping.hpp"
 #include "capi/model_fields.hpp"
 
 namespace stltsa::capi {
@@ -21,15 +20,45 @@ constexpr std::uint32_t version = 1;
 constexpr std::size_t head_size = magic.size() + sizeof version + sizeof(std::uint64_t);
 
 /// CRC-32: every change of up to 32 bits in a row is seen.
-std::uint32_t checksum(std::string_view bytes) {
-    uLong sum = crc32(0, nullptr, 0);
-    constexpr std::size_t most = std::size_t{1} << 30; // zlib counts in unsigned int
-    for (std::size_t at = 0; at < bytes.size(); at += most) {
-        const std::string_view part = bytes.substr(at, most);
-        sum =
-            crc32(sum, reinterpret_cast<const Bytef*>(part.data()), static_cast<uInt>(part.size()));
+class Checksum {
+  public:
+    void operator()(std::string_view bytes) {
+        constexpr std::size_t most = std::size_t{1} << 30; // zlib counts in unsigned int
+        for (std::size_t at = 0; at < bytes.size(); at += most) {
+            const std::string_view part = bytes.substr(at, most);
+            sum_ = crc32(sum_, reinterpret_cast<const Bytef*>(part.data()),
+                         static_cast<uInt>(part.size()));
+        }
     }
-    return static_cast<std::uint32_t>(sum);
+    std::uint32_t value() const { return static_cast<std::uint32_t>(sum_); }
+
+  private:
+    uLong sum_ = crc32(0, nullptr, 0);
+};
+
+std::uint32_t checksum(std::string_view bytes) {
+    Checksum sum;
+    sum(bytes);
+    return sum.value();
+}
+
+void archive_parts(const stltsa_model& model, const Sink& sink) {
+    ArchiveWriter parts(sink);
+    model_fields(parts, model);
+    parts.finish();
+}
+
+std::uint64_t size_of_parts(const stltsa_model& model) {
+    std::uint64_t size = 0;
+    archive_parts(model, [&size](std::string_view piece) { size += piece.size(); });
+    return size;
+}
+
+template <class... Values>
+void archive_values(const Sink& sink, const Values&... values) {
+    ArchiveWriter writer(sink);
+    writer(values...);
+    writer.finish();
 }
 
 /// The parts of a file whose head and checksum are right.
@@ -61,18 +90,20 @@ std::string_view checked_parts(std::string_view bytes) {
 
 } // namespace
 
-std::string archive_model(const stltsa_model& model) {
-    ArchiveWriter parts;
-    model_fields(parts, model);
-    ArchiveWriter head;
-    head(version, static_cast<std::uint64_t>(parts.bytes().size()));
-    std::string bytes(magic);
-    bytes += head.bytes();
-    bytes += parts.bytes();
-    ArchiveWriter end;
-    end(checksum(bytes));
-    bytes += end.bytes();
-    return bytes;
+std::uint64_t archive_size(const stltsa_model& model) {
+    return head_size + size_of_parts(model) + sizeof(std::uint32_t);
+}
+
+void archive_model(const stltsa_model& model, const Sink& sink) {
+    Checksum sum;
+    const Sink summed = [&](std::string_view piece) {
+        sum(piece);
+        sink(piece);
+    };
+    summed(magic);
+    archive_values(summed, version, size_of_parts(model));
+    archive_parts(model, summed);
+    archive_values(sink, sum.value());
 }
 
 std::unique_ptr<stltsa_model> restore_model(std::string_view bytes) {
@@ -83,7 +114,6 @@ std::unique_ptr<stltsa_model> restore_model(std::string_view bytes) {
         fail(Status::format, "the model is damaged: {} bytes follow its last part",
              parts.bytes_left());
     check_model_fields(*model);
-    prepare_mapping(*model);
     return model;
 }
 

@@ -2,15 +2,17 @@
 // Models as bytes: a head that says what and how long, the parts, and a checksum of all of it.
 #pragma once
 
+#include <cstdint>
 #include <memory>
-#include <string>
 #include <string_view>
 
+#include "base/sink.hpp"
 #include "capi/handles.hpp"
 
 namespace stltsa::capi {
 
-std::string archive_model(const stltsa_model& model);
+std::uint64_t archive_size(const stltsa_model& model);
+void archive_model(const stltsa_model& model, const Sink& sink);
 
 /// Throws Status::format for bytes that are no model, are cut off, altered or of another version.
 std::unique_ptr<stltsa_model> restore_model(std::string_view bytes);

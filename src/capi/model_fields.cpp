@@ -21,8 +21,8 @@ bool in_range(Enumeration value, Enumeration first, Enumeration last) {
     return value >= first && value <= last;
 }
 
-bool finite(const Matrix& matrix) {
-    return std::all_of(matrix.data(), matrix.data() + matrix.rows() * matrix.cols(),
+bool finite(ConstMatrixView matrix) {
+    return std::all_of(matrix.data, matrix.data + matrix.rows * matrix.cols,
                        [](double value) { return std::isfinite(value); });
 }
 
@@ -54,7 +54,8 @@ void check_parameters(const ltsa::Parameters& p) {
 void check_embedding(const ltsa::Model& model) {
     check_parameters(model.parameters);
     const std::int64_t rows = model.coords.rows();
-    expect(rows >= 1 && model.coords.cols() == model.parameters.dimension && finite(model.coords),
+    expect(rows >= 1 && model.coords.cols() == model.parameters.dimension &&
+               finite(model.coords.view()),
            "coordinates");
     expect(model.features >= 1, "features");
     expect(sums_to(model.lengths, rows), "lengths");
@@ -130,15 +131,15 @@ void check_kept(const stltsa_model& model) {
     const std::int64_t rows = model.model.coords.rows();
     if (kept.frames.rows() > 0)
         expect(kept.frames.rows() == rows && kept.frames.cols() == model.model.features &&
-                   finite(kept.frames),
+                   finite(kept.frames.view()),
                "frames");
     if (!kept.has_poses)
         return;
     check_code(kept.code);
     expect(model.source.from_clip && kept.frames.rows() == rows && kept.poses.rows() == rows &&
-               kept.poses.cols() == kept.code.size() && finite(kept.poses),
+               kept.poses.cols() == kept.code.size() && finite(kept.poses.view()),
            "poses");
-    const Matrix features = features_of_pose(model, kept.poses.view().block(0, 1));
+    const SharedMatrix features = features_of_pose(model, kept.poses.view().block(0, 1));
     expect(features.cols() == model.model.features, "features");
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <cstring>
+#include <algorithm>
+#include <memory>
 
 #include "capi/guard.hpp"
 #include "capi/model_archive.hpp"
@@ -15,10 +16,14 @@ stltsa_status stltsa_model_serialize(const stltsa_model* model, unsigned char** 
     return guard([&] {
         required(bytes, "bytes") = nullptr;
         required(size, "size") = 0;
-        const std::string archive = capi::archive_model(required(model, "model"));
-        *bytes = new unsigned char[archive.size()];
-        std::memcpy(*bytes, archive.data(), archive.size());
-        *size = archive.size();
+        const auto needed = static_cast<std::size_t>(capi::archive_size(required(model, "model")));
+        std::unique_ptr<unsigned char[]> made(new unsigned char[needed]);
+        unsigned char* end = made.get();
+        capi::archive_model(*model, [&end](std::string_view piece) {
+            end = std::copy(piece.begin(), piece.end(), end);
+        });
+        *bytes = made.release();
+        *size = needed;
     });
 }
 
@@ -38,7 +43,9 @@ stltsa_status stltsa_model_parse(const void* bytes, size_t size, stltsa_model** 
 
 stltsa_status stltsa_model_save(const stltsa_model* model, const char* path) noexcept {
     return guard([&] {
-        clip::write_file(&required(path, "path"), capi::archive_model(required(model, "model")));
+        required(model, "model");
+        clip::write_file(&required(path, "path"),
+                         [&](const Sink& sink) { capi::archive_model(*model, sink); });
     });
 }
 
@@ -46,9 +53,9 @@ stltsa_status stltsa_model_load(const char* path, stltsa_model** model) noexcept
     return guard([&] {
         required(model, "model") = nullptr;
         const std::string name = &required(path, "path");
-        const std::string bytes = clip::read_file(name, {});
+        const clip::FileBytes file = clip::read_file(name, {});
         try {
-            *model = capi::restore_model(bytes).release();
+            *model = capi::restore_model(file.bytes).release();
         } catch (const Error& error) {
             fail(error.status(), "{}: {}", name, error.what());
         }

@@ -72,6 +72,7 @@ clip::ReadOptions OptionsReader::read_options() const {
     clip::ReadOptions read;
     read.fps = real(STLTSA_FPS);
     read.skeleton = text(STLTSA_SKELETON);
+    read.memory_map = integer(STLTSA_MEMORY_MAP) != 0;
     read.progress = progress();
     return read;
 }

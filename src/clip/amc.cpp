@@ -36,8 +36,9 @@ class AmcReader {
         if (frame_ < 0)
             in_.fail(Status::format, "the file has no frames");
         end_frame();
-        clip.values = Matrix(frame_ + 1, static_cast<std::int64_t>(columns_));
-        std::copy(values_.begin(), values_.end(), clip.values.data());
+        Matrix values = Matrix::unset(frame_ + 1, static_cast<std::int64_t>(columns_));
+        std::copy(values_.begin(), values_.end(), values.data());
+        clip.values = std::move(values);
         clip.fps = fps_;
     }
 
@@ -162,7 +163,7 @@ class AmcReader {
 
 Clip parse_amc(std::string_view bytes, const std::string& name, const ReadOptions& options) {
     const std::string& skeleton_path = options.skeleton;
-    AsfFile asf = parse_asf(read_file(skeleton_path, options.progress), skeleton_path);
+    AsfFile asf = parse_asf(read_file(skeleton_path, options.progress).bytes, skeleton_path);
     if (channel_count(asf.skeleton) == 0)
         fail(Status::format, "{}: nothing in this skeleton can move", skeleton_path);
     TextCursor in(bytes, name);

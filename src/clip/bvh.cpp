@@ -62,19 +62,20 @@ class RowReader {
         const auto most = static_cast<std::int64_t>(in_.bytes_left() / 2 + 1) / channels_;
         if (frames_ > most)
             truncated();
-        clip_.values = Matrix(frames_, channels_);
+        Matrix values(frames_, channels_);
         for (frame_ = 0; frame_ < frames_; ++frame_)
-            read_row();
+            read_row(values.row(frame_));
         if (!in_.word().empty()) {
             check_row_begin();
             in_.fail(Status::format,
                      "more numbers follow than Frames: {} says: there are {} for {} channels",
                      frames_, count_numbers(), channels_);
         }
+        clip_.values = std::move(values);
     }
 
   private:
-    void read_row() {
+    void read_row(double* row) {
         for (std::int64_t c = 0; c < channels_; ++c) {
             const std::string_view word = in_.word();
             if (word.empty())
@@ -87,7 +88,7 @@ class RowReader {
                          frame_, name(c));
             if (!std::isfinite(*value))
                 in_.fail(Status::not_finite, "frame {}, channel {} is {}", frame_, name(c), *value);
-            clip_.values(frame_, c) = *value;
+            row[c] = *value;
         }
         row_end_ = in_.line_number();
     }

@@ -56,8 +56,9 @@ void convert_rotations(Clip& clip) {
 void convert_positions(Clip& clip) {
     Skeleton& skeleton = *clip.skeleton;
     const double sign = skeleton.translations_add ? 1 : -1;
-    for (std::int64_t i = 0; i < clip.frames(); ++i) {
-        double* value = clip.values.row(i);
+    Matrix& values = clip.values.edit();
+    for (std::int64_t i = 0; i < values.rows(); ++i) {
+        double* value = values.row(i);
         for (const Joint& joint : skeleton.joints)
             for (const Channel channel : joint.channels) {
                 if (!is_rotation(channel) && joint.parent >= 0)
@@ -74,7 +75,7 @@ void convert_positions(Clip& clip) {
 /// that exist they replace it: the OFFSET of a root is a copy of its first position, and where
 /// every joint has translations these repeat the OFFSETs (and the common importers replace). Only
 /// where the translations below the root stay nearer to zero than to the OFFSETs do they add.
-bool positions_add_to_offsets(const Skeleton& skeleton, const Matrix& values) {
+bool positions_add_to_offsets(const Skeleton& skeleton, const SharedMatrix& values) {
     double from_zero = 0;
     double from_offset = 0;
     for (std::int64_t frame = 0; frame < values.rows(); ++frame) {

@@ -8,7 +8,7 @@ namespace stltsa::clip {
 
 /// How the position channels of a BVH file's joints below the root are meant: whether they add to
 /// the joints' OFFSETs. Nothing in the file says so but the numbers.
-bool positions_add_to_offsets(const Skeleton& skeleton, const Matrix& values);
+bool positions_add_to_offsets(const Skeleton& skeleton, const SharedMatrix& values);
 
 /// The same motion by rotations about moving axes, with a meaning of position channels that the
 /// rule above gives back. A clip that was read from BVH is as it was.

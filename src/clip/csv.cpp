@@ -62,8 +62,9 @@ class CsvReader {
             row(split(line));
         if (rows_ == 0)
             in_.fail(Status::format, "the file has no rows of numbers");
-        clip_.values = Matrix(rows_, static_cast<std::int64_t>(columns_));
-        std::copy(values_.begin(), values_.end(), clip_.values.data());
+        Matrix values = Matrix::unset(rows_, static_cast<std::int64_t>(columns_));
+        std::copy(values_.begin(), values_.end(), values.data());
+        clip_.values = std::move(values);
     }
 
   private:

@@ -36,6 +36,6 @@ class Heading {
 };
 
 /// Features of a clip whose body root and heading are known; not Features::automatic.
-Matrix body_features(const Clip& clip, Features kind, Heading heading);
+SharedMatrix body_features(const Clip& clip, Features kind, Heading heading);
 
 } // namespace stltsa::clip

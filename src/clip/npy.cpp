@@ -48,30 +48,54 @@ double load(const char* from, bool swap) {
     return std::bit_cast<Float>(bits);
 }
 
+bool is_swapped(const NpyHeader& header) {
+    return header.big_endian != (std::endian::native == std::endian::big);
+}
+
 double item(const NpyHeader& header, const char* data, std::int64_t index) {
-    const bool swap = header.big_endian != (std::endian::native == std::endian::big);
+    const bool swap = is_swapped(header);
     const char* from = data + static_cast<std::size_t>(index) * header.item_size;
     return header.item_size == 4 ? load<float, std::uint32_t>(from, swap)
                                  : load<double, std::uint64_t>(from, swap);
 }
 
+/// Rows that need no change to be used.
+bool usable_in_place(const NpyHeader& header, const char* data) {
+    return header.item_size == sizeof(double) && !header.fortran_order && !is_swapped(header) &&
+           reinterpret_cast<std::uintptr_t>(data) % alignof(double) == 0;
+}
+
+Matrix converted(const NpyHeader& header, const char* data, Shape shape) {
+    Matrix values = Matrix::unset(shape.rows, shape.cols);
+    for (std::int64_t i = 0; i < shape.rows; ++i)
+        for (std::int64_t c = 0; c < shape.cols; ++c)
+            values(i, c) =
+                item(header, data, header.fortran_order ? c * shape.rows + i : i * shape.cols + c);
+    return values;
+}
+
+void check_finite(const SharedMatrix& values, const std::string& name) {
+    for (std::int64_t i = 0; i < values.rows(); ++i)
+        for (std::int64_t c = 0; c < values.cols(); ++c)
+            if (!std::isfinite(values(i, c)))
+                fail(Status::not_finite, "{}: frame {}, column {} is {}", name, i, c + 1,
+                     values(i, c));
+}
+
 } // namespace
 
-Clip parse_npy(std::string_view bytes, const std::string& name) {
-    const NpyHeader header = read_npy_header(bytes, name);
-    const std::string_view data = bytes.substr(header.data_begin);
+Clip parse_npy(const FileBytes& file, const std::string& name) {
+    const NpyHeader header = read_npy_header(file.bytes, name);
+    const std::string_view data = file.bytes.substr(header.data_begin);
     const Shape shape = checked_shape(header, data.size(), name);
     Clip clip;
-    clip.values = Matrix(shape.rows, shape.cols);
-    for (std::int64_t i = 0; i < shape.rows; ++i)
-        for (std::int64_t c = 0; c < shape.cols; ++c) {
-            const std::int64_t index =
-                header.fortran_order ? c * shape.rows + i : i * shape.cols + c;
-            const double value = item(header, data.data(), index);
-            if (!std::isfinite(value))
-                fail(Status::not_finite, "{}: frame {}, column {} is {}", name, i, c + 1, value);
-            clip.values(i, c) = value;
-        }
+    if (file.owner && usable_in_place(header, data.data()))
+        clip.values = {
+            {reinterpret_cast<const double*>(data.data()), shape.rows, shape.cols, shape.cols},
+            file.owner};
+    else
+        clip.values = converted(header, data.data(), shape);
+    check_finite(clip.values, name);
     return clip;
 }
 

@@ -206,18 +206,19 @@ Clip decode_poses(const PoseCode& code, ConstMatrixView vectors, double fps) {
     clip.fps = fps;
     if (rate_of(code.frame_time) == fps)
         clip.frame_time = code.frame_time;
-    clip.values = Matrix(vectors.rows, static_cast<std::int64_t>(code.rest.size()));
+    Matrix values(vectors.rows, static_cast<std::int64_t>(code.rest.size()));
     const Decoder decoder(code);
     const double* before = code.rest.data();
     for (std::int64_t i = 0; i < vectors.rows; ++i) {
-        std::copy_n(before, clip.values.cols(), clip.values.row(i));
-        decoder.put(vectors.row(i), clip.values.row(i));
-        before = clip.values.row(i);
+        std::copy_n(before, values.cols(), values.row(i));
+        decoder.put(vectors.row(i), values.row(i));
+        before = values.row(i);
     }
+    clip.values = std::move(values);
     return clip;
 }
 
-Matrix pose_features(const PoseCode& code, const Clip& poses, Features kind) {
+SharedMatrix pose_features(const PoseCode& code, const Clip& poses, Features kind) {
     return body_features(poses, feature_kind(poses, kind), Heading(code.root));
 }
 

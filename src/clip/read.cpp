@@ -54,8 +54,9 @@ void set_amc_rate(Clip& clip, const ReadOptions& options) {
         amc_fps));
 }
 
-Clip parse_format(std::string_view bytes, Format format, const std::string& name,
+Clip parse_format(const FileBytes& file, Format format, const std::string& name,
                   const ReadOptions& options) {
+    const std::string_view bytes = file.bytes;
     switch (format) {
     case Format::bvh:
         return parse_bvh(bytes, name);
@@ -70,7 +71,7 @@ Clip parse_format(std::string_view bytes, Format format, const std::string& name
     case Format::csv:
         return parse_csv(bytes, name, options);
     case Format::npy:
-        return parse_npy(bytes, name);
+        return parse_npy(file, name);
     case Format::matrix:
         break;
     }
@@ -88,12 +89,12 @@ Format sniff(std::string_view bytes) {
     return word.starts_with(':') ? Format::amc : Format::csv;
 }
 
-Clip parse(std::string_view bytes, Format format, const std::string& name,
+Clip parse(const FileBytes& file, Format format, const std::string& name,
            const ReadOptions& options) {
     const std::string shown = name.empty() ? "clip" : name;
     if (format != Format::npy)
-        check_is_text(bytes, shown);
-    Clip clip = parse_format(bytes, format, shown, options);
+        check_is_text(file.bytes, shown);
+    Clip clip = parse_format(file, format, shown, options);
     clip.path = name;
     clip.format = format;
     if (format != Format::amc && !options.skeleton.empty())
@@ -106,9 +107,10 @@ Clip parse(std::string_view bytes, Format format, const std::string& name,
 }
 
 Clip read(const std::string& path, const ReadOptions& options) {
-    const std::string bytes = read_file(path, options.progress);
+    const FileBytes file =
+        options.memory_map ? map_file(path, options.progress) : read_file(path, options.progress);
     const auto known = format_of_suffix(path);
-    const Format format = known ? *known : sniff(bytes);
+    const Format format = known ? *known : sniff(file.bytes);
     if (equals_ignoring_case(std::filesystem::path(path).extension().string(), ".asf"))
         fail(Status::format, "{}: an ASF file is a skeleton without motion: open an AMC file",
              path);
@@ -116,7 +118,7 @@ Clip read(const std::string& path, const ReadOptions& options) {
     const bool search = format == Format::amc && options.skeleton.empty();
     if (search)
         with_skeleton.skeleton = find_skeleton(path);
-    Clip clip = parse(bytes, format, path, with_skeleton);
+    Clip clip = parse(file, format, path, with_skeleton);
     if (search)
         clip.notes.push_back("skeleton found beside the clip: " + with_skeleton.skeleton);
     return clip;

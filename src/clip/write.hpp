@@ -2,9 +2,11 @@
 // Clips to files.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 
+#include "base/sink.hpp"
 #include "clip/clip.hpp"
 
 namespace stltsa::clip {
@@ -15,6 +17,8 @@ void write(const Clip& clip, const std::string& path);
 /// Puts bytes into a file by way of a temporary one beside it, so that the file is never half
 /// written. What is no regular file (a pipe, a device) is written to directly.
 void write_file(const std::string& path, std::string_view bytes);
+/// The same of bytes that `content` hands over.
+void write_file(const std::string& path, const std::function<void(const Sink&)>& content);
 
 // The bytes of single formats. Numbers read back to the same bits.
 std::string format_bvh(const Clip& clip);

@@ -79,11 +79,7 @@ class TemporaryFile {
 
     bool exists() const { return !path_.empty(); }
 
-    bool write(std::string_view bytes, const std::string& same_mode_as) {
-        Descriptor file(path_.c_str(), O_WRONLY);
-        return file.is_open() && file.copy_mode(same_mode_as.c_str()) && file.write(bytes) &&
-               file.close();
-    }
+    const char* path() const { return path_.c_str(); }
 
     bool rename(const std::string& to) {
         if (std::rename(path_.c_str(), to.c_str()) != 0)
@@ -96,31 +92,52 @@ class TemporaryFile {
     std::string path_;
 };
 
-void replace_file(const fs::path& place, std::string_view bytes, const std::string& name) {
-    TemporaryFile temporary(place.parent_path());
-    if (!temporary.exists() || !temporary.write(bytes, place.string()) ||
-        !temporary.rename(place.string()))
+using Content = std::function<void(const Sink&)>;
+
+void fill(Descriptor& file, const Content& content, const std::string& name) {
+    content([&](std::string_view piece) {
+        if (!file.write(piece))
+            cannot_write(name, errno);
+    });
+    if (!file.close())
         cannot_write(name, errno);
 }
 
-void write_directly(const std::string& path, std::string_view bytes) {
+void replace_file(const fs::path& place, const Content& content, const std::string& name) {
+    TemporaryFile temporary(place.parent_path());
+    if (!temporary.exists())
+        cannot_write(name, errno);
+    Descriptor file(temporary.path(), O_WRONLY);
+    if (!file.is_open() || !file.copy_mode(place.c_str()))
+        cannot_write(name, errno);
+    fill(file, content, name);
+    if (!temporary.rename(place.string()))
+        cannot_write(name, errno);
+}
+
+void write_directly(const std::string& path, const Content& content) {
     Descriptor file(path.c_str(), O_WRONLY);
-    if (!file.is_open() || !file.write(bytes) || !file.close())
+    if (!file.is_open())
         cannot_write(path, errno);
+    fill(file, content, path);
 }
 
 } // namespace
 
 void write_file(const std::string& path, std::string_view bytes) {
+    write_file(path, [bytes](const Sink& sink) { sink(bytes); });
+}
+
+void write_file(const std::string& path, const std::function<void(const Sink&)>& content) {
     if (path.empty())
         fail(Status::io, "the path is empty: give the name of a file");
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
     if (fs::exists(status) && !fs::is_regular_file(status))
-        return write_directly(path, bytes);
+        return write_directly(path, content);
     // Links are followed, so that the file they lead to is replaced and not the link.
     const fs::path real = fs::canonical(path, error);
-    replace_file(error ? fs::path(path) : real, bytes, path);
+    replace_file(error ? fs::path(path) : real, content, path);
 }
 
 } // namespace stltsa::clip

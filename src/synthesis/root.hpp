@@ -47,7 +47,7 @@ class Body {
     /// Channels up to and with the root's: those that write() sets.
     std::int64_t root_channels() const;
     /// Whether a joint above the root turns in these frames.
-    bool turns_above_root(const Matrix& values) const;
+    bool turns_above_root(const SharedMatrix& values) const;
     int up() const { return up_; }
     /// For a clip of its own: at its first frame.
     clip::Heading heading() const { return heading_; }

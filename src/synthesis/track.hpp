@@ -11,8 +11,8 @@
 namespace stltsa::synthesis {
 
 struct Track {
-    std::string name; ///< of the clip, for messages
-    Matrix values;    ///< channels, at the frame rate of the new clip
+    std::string name;    ///< of the clip, for messages
+    SharedMatrix values; ///< channels, at the frame rate of the new clip
     double fps = 0;
     std::int64_t first = 0; ///< frames at the start that are a T-pose snapping into the motion
     std::vector<RootState> roots;
@@ -27,7 +27,7 @@ struct Track {
     }
 };
 
-Track make_track(const Body& body, Matrix values, double fps, std::string name);
+Track make_track(const Body& body, SharedMatrix values, double fps, std::string name);
 
 /// Motion in the plane from the frame before to this one; at the ends of the clip, the next step
 /// that there is.

@@ -23,9 +23,10 @@ namespace {
 using namespace clip_testing;
 using namespace stltsa::clip;
 using stltsa::Matrix;
+using stltsa::SharedMatrix;
 namespace fs = std::filesystem;
 
-void check_same_bits(const Matrix& a, const Matrix& b) {
+void check_same_bits(const SharedMatrix& a, const SharedMatrix& b) {
     assert_int_equal(a.rows(), b.rows());
     assert_int_equal(a.cols(), b.cols());
     assert_memory_equal(a.data(), b.data(),
@@ -124,7 +125,7 @@ void bvh_comes_back(void**) {
         check_same(through_file(clip, "a.bvh"), clip);
         for (std::int64_t c = 0; c < clip.values.cols(); ++c)
             for (std::int64_t i = 0; i < clip.frames(); ++i)
-                clip.values(i, c) = numbers[static_cast<std::size_t>(7 * i + c) % 17];
+                clip.values.edit()(i, c) = numbers[static_cast<std::size_t>(7 * i + c) % 17];
         check_same(through_file(clip, "a.BVH"), clip);
     }
 }
@@ -196,7 +197,7 @@ void positions_that_would_be_misread_are_converted(void**) {
         clip.skeleton->translations_add = add;
         for (std::int64_t i = 0; i < clip.frames(); ++i)
             for (std::int64_t c = 9; c < 12; ++c)
-                clip.values(i, c) = add ? 4 : 0.5; // looks like the other meaning
+                clip.values.edit()(i, c) = add ? 4 : 0.5; // looks like the other meaning
         assert_true(positions_add_to_offsets(*clip.skeleton, clip.values) != add);
         check_same_positions(through_file(clip, "a.bvh"), clip, 1e-15);
     }
@@ -256,7 +257,7 @@ void angles_do_not_jump_where_amc_becomes_bvh(void**) {
     Clip clip = SmallAmc().clip; // the axis of the thigh is turned by 20 degrees about z
     clip.values = Matrix(80, clip.values.cols());
     for (std::int64_t i = 0; i < clip.frames(); ++i)
-        clip.values(i, 6) = 10 * static_cast<double>(i);
+        clip.values.edit()(i, 6) = 10 * static_cast<double>(i);
     const Clip bvh = through_file(clip, "a.bvh");
     for (std::int64_t i = 1; i < bvh.frames(); ++i)
         for (std::int64_t c = 6; c < 9; ++c)
@@ -304,6 +305,10 @@ void what_a_format_cannot_hold_is_refused(void**) {
     assert_true(fs::is_empty(folder.path("")));
 }
 
+std::string content_of(const std::string& path) {
+    return std::string(read_file(path, {}).bytes);
+}
+
 void a_file_is_replaced_whole(void**) {
     const TemporaryFolder folder;
     const std::string path = folder.write("a.txt", "old");
@@ -311,7 +316,7 @@ void a_file_is_replaced_whole(void**) {
     fs::create_symlink("a.txt", folder.path("link"));
     write_file(folder.path("link"), "new");
     assert_true(fs::is_symlink(folder.path("link")));
-    assert_true(read_file(path, {}) == "new");
+    assert_true(content_of(path) == "new");
     assert_int_equal(fs::status(path).permissions(), fs::perms(0640));
     assert_int_equal(std::distance(fs::directory_iterator(folder.path("")), {}), 2);
 }
@@ -329,7 +334,7 @@ void a_file_that_cannot_be_written_stays(void**) {
     assert_int_equal(setrlimit(RLIMIT_FSIZE, &before), 0);
     assert_true(failure.status == Status::io);
     assert_true(failure.text.find("a.txt: cannot write: File too large") != failure.text.npos);
-    assert_true(read_file(path, {}) == "old");
+    assert_true(content_of(path) == "old");
     assert_int_equal(std::distance(fs::directory_iterator(folder.path("")), {}), 1);
 
     ASSERT_FAILS(Status::io, "cannot write: No such file", write_file(folder.path("b/c"), ""));
@@ -343,7 +348,7 @@ void names_of_temporary_files_in_use_are_passed_over(void**) {
     const TemporaryFolder folder;
     const std::string left = folder.write(stltsa::format_text(".stltsa-{}-0.tmp", getpid()), "x");
     write_file(folder.path("a"), "new");
-    assert_true(read_file(folder.path("a"), {}) == "new" && read_file(left, {}) == "x");
+    assert_true(content_of(folder.path("a")) == "new" && content_of(left) == "x");
 }
 
 } // namespace

@@ -104,21 +104,46 @@ static void maps_as_before(void** state) {
     stltsa_model_free(again);
 }
 
-static void files_hold_the_bytes(void** state) {
-    const struct fixture* f = *state;
+static void assert_file_holds(const stltsa_model* model, const unsigned char* expected,
+                              size_t size) {
     const char* path = "unit-model-file.stltsa"; /* in the folder that the test runs in */
-    must(stltsa_model_save(f->model, path));
+    must(stltsa_model_save(model, path));
     stltsa_model* again = NULL;
     must(stltsa_model_load(path, &again));
-    assert_same_model(f->model, again);
+    assert_same_model(model, again);
     stltsa_model_free(again);
     FILE* file = fopen(path, "rb");
-    unsigned char* bytes = malloc(f->size + 1);
-    assert_int_equal(fread(bytes, 1, f->size + 1, file), f->size);
-    assert_memory_equal(bytes, f->bytes, f->size);
+    unsigned char* bytes = malloc(size + 1);
+    assert_int_equal(fread(bytes, 1, size + 1, file), size);
+    assert_memory_equal(bytes, expected, size);
     free(bytes);
     fclose(file);
     remove(path);
+}
+
+static void files_hold_the_bytes(void** state) {
+    const struct fixture* f = *state;
+    assert_file_holds(f->model, f->bytes, f->size);
+}
+
+/* Files are written in pieces. */
+static void long_files_hold_the_bytes(void** state) {
+    (void)state;
+    enum { many = 5000 };
+    double* x = new_motion(many, cols, 5);
+    stltsa_options* options = new_options(12, 14, d);
+    const stltsa_in in = packed_in(x, many, cols);
+    stltsa_model* model = NULL;
+    must(stltsa_fit(&in, NULL, 0, options, &model));
+    unsigned char* bytes = NULL;
+    size_t size = 0;
+    must(stltsa_model_serialize(model, &bytes, &size));
+    assert_true(size > sizeof(double) * many * (cols + d));
+    assert_file_holds(model, bytes, size);
+    stltsa_bytes_free(bytes);
+    stltsa_model_free(model);
+    stltsa_options_free(options);
+    free(x);
 }
 
 static void assert_no_model(const unsigned char* bytes, size_t size) {
@@ -192,9 +217,13 @@ static void errors_say_what_is_wrong(void** state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(what_was_written_reads_back),   cmocka_unit_test(maps_as_before),
-        cmocka_unit_test(files_hold_the_bytes),          cmocka_unit_test(every_cut_is_noticed),
-        cmocka_unit_test(every_altered_byte_is_noticed), cmocka_unit_test(errors_say_what_is_wrong),
+        cmocka_unit_test(what_was_written_reads_back),
+        cmocka_unit_test(maps_as_before),
+        cmocka_unit_test(files_hold_the_bytes),
+        cmocka_unit_test(every_cut_is_noticed),
+        cmocka_unit_test(long_files_hold_the_bytes),
+        cmocka_unit_test(every_altered_byte_is_noticed),
+        cmocka_unit_test(errors_say_what_is_wrong),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }

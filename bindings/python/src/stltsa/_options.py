@@ -55,6 +55,7 @@ class Options(TypedDict, total=False):
     crossfade: float | Auto | None
     search: float | Auto | None
     posture_limit: float
+    memory_map: bool
     progress: Progress
 
 

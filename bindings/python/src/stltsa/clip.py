@@ -208,7 +208,8 @@ def read_clip(
         nothing but say where they are, as an exception, or fill them in linearly and say so, as a
         :class:`stltsa.QualityWarning`. See :mod:`stltsa.markers`.
     **options
-        Used: `fps` (over what the file says), `skeleton`, `progress`.
+        Used: `fps` (over what the file says), `skeleton`, `memory_map` (the numbers of an NPY file
+        stay in it: do not overwrite it while the clip, or a model of it, is in use), `progress`.
 
     Returns
     -------
@@ -244,7 +245,7 @@ def opened(motion: Any, options: Options) -> Any:
     """Return the clip that a path names, and anything else as it is."""
     if not isinstance(motion, str | os.PathLike):
         return motion
-    used: Any = {k: v for k, v in options.items() if k in ("fps", "skeleton")}
+    used: Any = {k: v for k, v in options.items() if k in ("fps", "skeleton", "memory_map")}
     return read_clip(motion, **used)
 
 

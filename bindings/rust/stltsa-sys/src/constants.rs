@@ -55,6 +55,7 @@ pub const STLTSA_ROBUST: i32 = 27;
 pub const STLTSA_CROSSFADE: i32 = 28;
 pub const STLTSA_SEARCH: i32 = 29;
 pub const STLTSA_POSTURE_LIMIT: i32 = 30;
+pub const STLTSA_MEMORY_MAP: i32 = 31;
 
 pub const STLTSA_MODE_TEMPORAL: i32 = 1;
 pub const STLTSA_MODE_SPATIAL: i32 = 2;

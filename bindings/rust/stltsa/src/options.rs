@@ -125,6 +125,10 @@ impl Options {
         /// Synthesis: largest distance of the postures at a seam, over what is common between a
         /// motion's own repetitions; 0: none.
         posture_limit(distance: f64) => STLTSA_POSTURE_LIMIT, Value::Real(distance);
+        /// Opening a clip: whether the file is mapped into memory. The numbers of an NPY file
+        /// (float64, C order) then stay in the file. Whoever cuts it short while the clip, or a
+        /// model that keeps its frames, lives, ends the process (SIGBUS).
+        memory_map(yes: bool) => STLTSA_MEMORY_MAP, Value::Int(yes.into());
     }
 
     /// Calls `report` as the work goes on, with the stage and the fraction of it that is done, from 0

@@ -22,7 +22,7 @@ fn one_each() -> impl IntoIterator<Item = (String, Options)> {
         rate(30.0) smoothing(0.1) period_min(0.3) period_max(6.0) eigengap(0.1) variance(0.9)
         skeleton("a.asf") keep_frames(true) map_neighbors(12) map_blend(3) hint_window(5)
         component(0) gamma(0.5) knots(0.1) robust(true) crossfade(0.1) search(0.1)
-        posture_limit(3.0)
+        posture_limit(3.0) memory_map(false)
     }
 }
 
