@@ -54,7 +54,7 @@ def tangents(size):
 
 def alignment(size):
     k, d = size.k, size.d
-    assemble, factor = (d + 1) * k * (k - 1), k * (k - 1)
+    assemble, factor = d * k * (k - 1), k * (k - 1)
     patches, matrix = 4 * k + 8 * k * d, 8 * k
     return Work(assemble + factor, patches + 3 * matrix, patches + matrix)
 

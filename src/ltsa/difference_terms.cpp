@@ -7,6 +7,7 @@
 #include <cblas.h>
 
 #include "base/parallel.hpp"
+#include "linalg/simd.hpp"
 
 namespace stltsa::ltsa {
 
@@ -23,18 +24,23 @@ void spread_sums(std::span<const std::int32_t> frames, const Value& value, doubl
     }
 }
 
-} // namespace
-
-void spread_terms(const Patches& patches, std::int64_t patch, double* to, std::int64_t stride) {
-    const auto frames = patches.of(patch);
+/// Writes a at the differences that a patch covers.
+void spread_counts(const Patches& patches, std::int64_t patch, double* to) {
     spread_sums(
-        frames, [](std::size_t) { return 1.0; }, to);
+        patches.of(patch), [](std::size_t) { return 1.0; }, to);
+}
+
+/// Writes h_0, h_1, ..., each `stride` entries after the one before.
+void spread_directions(const Patches& patches, std::int64_t patch, double* to,
+                       std::int64_t stride) {
     for (std::int64_t l = 0; l < patches.dimension(); ++l) {
         const double* g = patches.direction(patch, l);
         spread_sums(
-            frames, [g](std::size_t j) { return g[j]; }, to + (1 + l) * stride);
+            patches.of(patch), [g](std::size_t j) { return g[j]; }, to + l * stride);
     }
 }
+
+} // namespace
 
 void PatchTerms::set(const Patches& patches, std::int64_t patch) {
     const auto frames = patches.of(patch);
@@ -42,7 +48,8 @@ void PatchTerms::set(const Patches& patches, std::int64_t patch) {
     first_ = frames.front();
     span_ = frames.back() - frames.front();
     values_.resize(static_cast<std::size_t>(span_ * (1 + patches.dimension())));
-    spread_terms(patches, patch, values_.data(), span_);
+    spread_counts(patches, patch, values_.data());
+    spread_directions(patches, patch, values_.data() + span_, span_);
 }
 
 std::vector<std::int64_t> envelope_of(const Patches& patches) {
@@ -161,9 +168,90 @@ void assemble(const Patches& patches, const Machine& machine, EnvelopeMatrix& ma
 
 namespace {
 
-/// Some patches whose terms are one matrix product: for the differences [first, last) that they
-/// cover,
-///     B'(c', c) += sum_r left(c', r) right(c, r),     c' >= c
+/// The columns of some blocks, which follow each other.
+using Blocks = std::span<const BlockEnvelopeMatrix::Block>;
+
+/// The part of B' that counts frames: the sum of a(c') (k - a(c)) over patches grows, from one
+/// column to the next, by the a(c') of the patches that have frame c. These change only where a run
+/// of frames begins or ends in a patch. All are whole numbers, exact in any order.
+class Counts {
+  public:
+    Counts(const Patches& patches, BlockEnvelopeMatrix& matrix, Blocks blocks)
+        : patches_(patches), matrix_(matrix), blocks_(blocks), begin_(blocks.front().begin),
+          end_(blocks.back().begin + blocks.back().columns),
+          sums_(static_cast<std::size_t>(last_row(blocks.back()) + 1 - begin_)), steps_(sums_) {}
+
+    /// Leaves in the columns what each has more of than the one before.
+    void add(std::int64_t patch) {
+        const auto frames = patches_.of(patch);
+        beyond_.resize(static_cast<std::size_t>(frames.back() - frames.front()));
+        spread_counts(patches_, patch, beyond_.data());
+        if (frames.front() <= begin_ && begin_ < frames.back())
+            start(frames);
+        for (std::size_t j = 0; j < frames.size(); ++j) {
+            if (j == 0 || frames[j - 1] + 1 < frames[j])
+                change(frames, frames[j], 1);
+            if (j + 1 < frames.size() && frames[j] + 1 < frames[j + 1])
+                change(frames, frames[j] + 1, -1);
+        }
+    }
+
+    /// After all patches: the columns become sums, over k.
+    void finish() {
+        const auto size = static_cast<double>(patches_.size());
+        for (const auto& block : blocks_)
+            for (std::int64_t c = block.begin; c < block.begin + block.columns; ++c) {
+                double* column = diagonal(block, c);
+                double* steps = steps_.data() + (c - begin_);
+                double* sums = sums_.data() + (c - begin_);
+                const std::int64_t length = last_row(block) + 1 - c;
+                for (std::int64_t r = 0; r < length; ++r) {
+                    steps[r] += column[r];
+                    sums[r] += c == begin_ ? 0 : steps[r];
+                    column[r] = sums[r] / size;
+                }
+            }
+    }
+
+  private:
+    static std::int64_t last_row(const BlockEnvelopeMatrix::Block& block) {
+        return block.begin + block.rows - 1;
+    }
+    double* diagonal(const BlockEnvelopeMatrix::Block& block, std::int64_t column) {
+        return matrix_.data(block) + (column - block.begin) * (block.rows + 1);
+    }
+
+    /// What the first column has, and the columns before it would have left.
+    void start(std::span<const std::int32_t> frames) {
+        const double* beyond = beyond_.data() + (begin_ - frames.front());
+        const std::int64_t length = frames.back() - begin_;
+        axpy(static_cast<double>(patches_.size()) - beyond[0], beyond, sums_.data(), length);
+        if (std::ranges::binary_search(frames, begin_))
+            axpy(1, beyond, steps_.data(), length);
+    }
+
+    /// From `column` on the patch has, or has not, its frame.
+    void change(std::span<const std::int32_t> frames, std::int64_t column, double sign) {
+        if (column <= begin_ || column >= end_)
+            return;
+        const auto& block = blocks_[static_cast<std::size_t>((column - begin_) /
+                                                             BlockEnvelopeMatrix::block_columns)];
+        axpy(sign, beyond_.data() + (column - frames.front()), diagonal(block, column),
+             frames.back() - column);
+    }
+
+    const Patches& patches_;
+    BlockEnvelopeMatrix& matrix_;
+    Blocks blocks_;
+    std::int64_t begin_, end_;
+    std::vector<double> sums_;  ///< of a(c') (k - a(c)), in the column at hand
+    std::vector<double> steps_; ///< of a(c') where there is frame c
+    std::vector<double> beyond_;
+};
+
+/// Some patches whose directions are one matrix product: for the differences [first, last) that
+/// they cover,
+///     B'(c', c) -= sum_r h(c', r) h(c, r),     c' >= c
 /// with zeros where a patch does not reach.
 class Tile {
   public:
@@ -174,12 +262,14 @@ class Tile {
             first_ = std::min<std::int64_t>(first_, patches.of(p).front());
             last_ = std::max<std::int64_t>(last_, patches.of(p).back());
         }
-        rank_ = (end - begin) * (1 + patches.dimension());
-        const std::size_t size = checked_size(std::max<std::int64_t>(last_ - first_, 0), rank_);
-        left_.assign(size, 0);
-        right_.assign(size, 0);
+        const std::int64_t length = last_ - first_;
+        rank_ = (end - begin) * patches.dimension();
+        sums_.assign(checked_size(std::max<std::int64_t>(length, 0), rank_), 0);
         for (std::int64_t p = begin; p < end; ++p)
-            spread(patches, p, (p - begin) * (1 + patches.dimension()));
+            spread_directions(patches, p,
+                              sums_.data() + (p - begin) * patches.dimension() * length +
+                                  (patches.of(p).front() - first_),
+                              length);
     }
 
     /// To the columns of one block that the tile covers.
@@ -190,36 +280,21 @@ class Tile {
         if (columns <= 0)
             return;
         const auto ld = static_cast<int>(last_ - first_);
+        const double* sums = sums_.data() + (begin - first_);
         cblas_dgemm(CblasColMajor, CblasNoTrans, CblasTrans, static_cast<int>(rows),
-                    static_cast<int>(columns), static_cast<int>(rank_), 1,
-                    left_.data() + (begin - first_), ld, right_.data() + (begin - first_), ld, 1,
+                    static_cast<int>(columns), static_cast<int>(rank_), -1, sums, ld, sums, ld, 1,
                     matrix.data(block) + (begin - block.begin) * (block.rows + 1),
                     static_cast<int>(block.rows));
     }
 
   private:
-    void spread(const Patches& patches, std::int64_t patch, std::int64_t r) {
-        const auto frames = patches.of(patch);
-        const std::int64_t length = last_ - first_;
-        const std::int64_t span = frames.back() - frames.front();
-        const auto size = static_cast<double>(patches.size());
-        double* left = left_.data() + r * length + (frames.front() - first_);
-        double* right = right_.data() + r * length + (frames.front() - first_);
-        spread_terms(patches, patch, left, length);
-        for (std::int64_t c = 0; c < span; ++c)
-            right[c] = (size - left[c]) / size;
-        for (std::int64_t l = 1; l <= patches.dimension(); ++l)
-            for (std::int64_t c = 0; c < span; ++c)
-                right[l * length + c] = -left[l * length + c];
-    }
-
     std::int64_t first_ = 0, last_ = 0, rank_ = 0;
-    AlignedVector<double> left_, right_;
+    AlignedVector<double> sums_;
 };
 
 /// Patches of one tile: the more, the better the product; but the differences that only some of
 /// them cover are padded with zeros.
-constexpr std::int64_t tile_patches = 32;
+constexpr std::int64_t tile_patches = 24;
 
 } // namespace
 
@@ -229,12 +304,16 @@ void assemble(const Patches& patches, const Machine& machine, BlockEnvelopeMatri
     for_column_blocks(
         patches, matrix.order(), wide_block, machine.threads,
         [&](std::int64_t begin, std::int64_t end, PatchRange range) {
-            const std::span blocks =
+            const Blocks blocks =
                 std::span(matrix.blocks())
                     .subspan(static_cast<std::size_t>(begin / columns),
                              static_cast<std::size_t>((end - begin + columns - 1) / columns));
             for (const auto& block : blocks)
                 matrix.clear(block);
+            Counts counts(patches, matrix, blocks);
+            for (std::int64_t p = range.begin; p < range.end; ++p)
+                counts.add(p);
+            counts.finish();
             Tile tile;
             // Tiles have the same borders for every block.
             for (std::int64_t p = range.begin / tile_patches * tile_patches; p < range.end;

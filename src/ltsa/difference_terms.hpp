@@ -15,10 +15,6 @@
 
 namespace stltsa::ltsa {
 
-/// Writes a, then h_0, h_1, ..., each `stride` entries after the one before, at the differences
-/// that a patch covers.
-void spread_terms(const Patches& patches, std::int64_t patch, double* to, std::int64_t stride);
-
 /// One patch spread over the differences that it covers: `span` of them from the first one on.
 class PatchTerms {
   public:

@@ -5,6 +5,8 @@
 #include <bit>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <limits>
 #include <memory>
 
@@ -120,12 +122,30 @@ void numbers_that_are_not_ours_are_converted(void**) {
     check_values(owned_npy(fortran), 3, {1, 4, -2, 5, 3.5, 6});
 }
 
+/// Where the system tells; elsewhere `otherwise`.
+bool is_mapped(const std::string& path, bool otherwise) {
+    std::ifstream maps("/proc/self/maps");
+    if (!maps)
+        return otherwise;
+    const std::string text{std::istreambuf_iterator<char>(maps), {}};
+    return text.find(path) != text.npos;
+}
+
 void a_mapped_file(void**) {
     const TemporaryFolder folder;
     const std::string bytes = aligned_npy("<f8", "False");
     const std::string path = folder.write("x.npy", bytes);
     stltsa::clip::ReadOptions options;
+    {
+        const Clip clip = stltsa::clip::read(path, options);
+        assert_false(is_mapped(path, false));
+    }
     options.memory_map = true;
+    {
+        const Clip clip = stltsa::clip::read(path, options);
+        assert_true(is_mapped(path, true));
+    }
+    assert_false(is_mapped(path, false));
     const Clip clip = stltsa::clip::read(path, options);
     assert_true(stltsa::clip::map_file(path, {}).bytes == bytes);
     std::filesystem::remove(path);

@@ -14,10 +14,8 @@ using stltsa::ltsa::Alignment;
 using stltsa::ltsa::Neighborhoods;
 using stltsa::ltsa::Patches;
 
-constexpr std::int64_t frames = 150;
-
 /// Windows; with `links`, their first frame is another one somewhere else.
-Neighborhoods neighborhoods(std::int64_t size, bool links) {
+Neighborhoods neighborhoods(std::int64_t frames, std::int64_t size, bool links) {
     Neighborhoods result{size, {}};
     for (std::int64_t i = 0; i < frames; ++i) {
         const std::int64_t first = std::clamp(i - size / 2, 0L, frames - size);
@@ -80,6 +78,7 @@ void check_near(const Matrix& a, const Matrix& b, double tolerance, std::int64_t
 
 void check_alignment(const Alignment& alignment, std::int64_t k, int d) {
     const Patches& patches = alignment.patches();
+    const std::int64_t frames = patches.frames();
     const std::int64_t cols = stltsa::panel_width(d + 2, alignment.machine().simd);
     const Matrix in = noise(alignment.unknowns(), cols, 7);
     Matrix y(frames, cols);
@@ -108,26 +107,43 @@ void check_alignment(const Alignment& alignment, std::int64_t k, int d) {
 
 using MakeAlignment = std::unique_ptr<Alignment> (*)(const Patches&, const Machine&);
 
+void check_alignment_of(MakeAlignment make, const Matrix& x, const Neighborhoods& found, int d) {
+    stltsa::ltsa::Parameters parameters;
+    parameters.neighbors = parameters.window = found.size;
+    parameters.dimension = d;
+    const auto tangents = local_tangents(x.view(), found, parameters, {});
+    const auto components = connected_components(found);
+    assert_int_equal(components.count, 1);
+    const Patches patches(found, tangents, components, 0, d);
+    for (const Simd simd : machine_codes())
+        check_alignment(*make(patches, {simd, 1}), found.size, d);
+}
+
 /// Even and odd sizes, narrow and wide bands, as many directions as are summed together and more.
 void check_alignments(MakeAlignment make, bool links) {
-    const Matrix x = noise(frames, 12);
+    const Matrix x = noise(150, 12);
     for (const std::int64_t k : {8, 9, 11, 12, 15, 33, 40})
-        for (int d = 1; d <= 5; ++d) {
-            const Neighborhoods found = neighborhoods(k, links);
-            stltsa::ltsa::Parameters parameters;
-            parameters.neighbors = parameters.window = k;
-            parameters.dimension = d;
-            const auto tangents = local_tangents(x.view(), found, parameters, {});
-            const auto components = connected_components(found);
-            assert_int_equal(components.count, 1);
-            const Patches patches(found, tangents, components, 0, d);
-            for (const Simd simd : machine_codes())
-                check_alignment(*make(patches, {simd, 1}), k, d);
-        }
+        for (int d = 1; d <= 5; ++d)
+            check_alignment_of(make, x, neighborhoods(x.rows(), k, links), d);
 }
 
 void differences_of_frames(void**) {
     check_alignments(stltsa::ltsa::difference_alignment, false);
+}
+
+/// Of frames whose neighbors lie apart, so many that they are worked on in several blocks.
+void differences_of_many_frames(void**) {
+    const Matrix x = noise(4500, 12);
+    for (const std::int64_t k : {12, 40}) {
+        Neighborhoods found = neighborhoods(x.rows(), k, false);
+        stltsa::Random random(5);
+        for (std::int64_t i = 2 * k; i + 2 * k < x.rows(); ++i) {
+            std::int32_t* of_frame = found.index.data() + i * k;
+            for (std::int64_t j = 1; j < k; ++j) // one in two of them, or both, or none
+                of_frame[j] = of_frame[j - 1] + 1 + (random.symmetric() > 0.3 ? 1 : 0);
+        }
+        check_alignment_of(stltsa::ltsa::difference_alignment, x, found, 2);
+    }
 }
 
 void all_frames_but_one(void**) {
@@ -143,6 +159,7 @@ void all_frames_but_one(void**) {
 int main() {
     const CMUnitTest tests[] = {
         cmocka_unit_test(differences_of_frames),
+        cmocka_unit_test(differences_of_many_frames),
         cmocka_unit_test(all_frames_but_one),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
