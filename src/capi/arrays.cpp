@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "capi/arrays.hpp"
 
-#include <algorithm>
 #include <cstring>
 #include <limits>
 
@@ -90,12 +89,6 @@ InputFrames::InputFrames(const stltsa_in* in, const char* name) {
         for (std::int64_t c = 0; c < in->cols; ++c)
             copy_(r, c) = load(bytes + r * strides.row + c * strides.col, in->dtype);
     view_ = static_cast<const Matrix&>(copy_).view();
-}
-
-Matrix copied(ConstMatrixView packed) {
-    Matrix copy = Matrix::unset(packed.rows, packed.cols);
-    std::copy_n(packed.data, packed.rows * packed.cols, copy.data());
-    return copy;
 }
 
 void check_output(const stltsa_out* out, const char* name, std::int64_t rows, std::int64_t cols) {

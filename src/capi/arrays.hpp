@@ -22,8 +22,6 @@ class InputFrames {
     ConstMatrixView view_;
 };
 
-Matrix copied(ConstMatrixView packed);
-
 /// Throws unless the caller's array is rows x cols and can be written.
 void check_output(const stltsa_out* out, const char* name, std::int64_t rows, std::int64_t cols);
 

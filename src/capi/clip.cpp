@@ -89,7 +89,7 @@ stltsa_status stltsa_clip_from_matrix(const stltsa_in* frames, double fps,
         made->clip.fps = fps;
         const std::int64_t rows = input.view().rows;
         ltsa::check_frames(input.view(), {&rows, 1});
-        made->clip.values = capi::copied(input.view());
+        made->clip.values = copied(input.view());
         *clip = made.release();
     });
 }

@@ -134,7 +134,7 @@ stltsa_status stltsa_fit(const stltsa_in* frames, const int64_t* lengths, int64_
         auto made = fit_samples(input.view(), capi::clip_lengths(lengths, clips, input.view().rows),
                                 reader, capi::matrix_source(input.view(), reader));
         if (reader.integer(STLTSA_KEEP_FRAMES) != 0)
-            made->kept.frames = capi::copied(input.view());
+            made->kept.frames = copied(input.view());
         *model = made.release();
     });
 }

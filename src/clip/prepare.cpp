@@ -42,7 +42,7 @@ Matrix smoothed_features(const Clip& clip, Features kind, Axis up, double smooth
     const SharedMatrix all = features(clip, kind, up);
     const std::int64_t first = dropped_frames(clip, all, drop_tpose);
     const Matrix smoothed = gaussian_smoothed(all.from_row(first).view(), smoothing * clip.fps);
-    Matrix result = all.copy();
+    Matrix result = copied(all.view());
     std::copy_n(smoothed.data(), smoothed.rows() * smoothed.cols(), result.row(first));
     return result;
 }

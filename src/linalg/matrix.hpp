@@ -129,4 +129,11 @@ class Matrix {
     UnsetVector<double> data_;
 };
 
+/// Of packed rows.
+inline Matrix copied(ConstMatrixView packed) {
+    Matrix copy = Matrix::unset(packed.rows, packed.cols);
+    std::copy_n(packed.data, packed.rows * packed.cols, copy.data());
+    return copy;
+}
+
 } // namespace stltsa

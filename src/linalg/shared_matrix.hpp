@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <utility>
@@ -34,17 +33,11 @@ class SharedMatrix {
         return {entries_.block(first, rows() - first), owner_};
     }
 
-    Matrix copy() const {
-        Matrix copy = Matrix::unset(rows(), cols());
-        std::copy_n(data(), rows() * cols(), copy.data());
-        return copy;
-    }
-
     /// The entries for writing, copied first where others have them too. Its shape is to stay.
     Matrix& edit() {
         constexpr long by_this = 2; // own_ and owner_
         if (!own_ || own_.use_count() > by_this)
-            *this = copy();
+            *this = copied(entries_);
         return *own_;
     }
 

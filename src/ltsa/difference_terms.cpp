@@ -168,6 +168,31 @@ void assemble(const Patches& patches, const Machine& machine, EnvelopeMatrix& ma
 
 namespace {
 
+/// Makes a column of its sums the next one, from what its steps have more of.
+struct SumColumn {
+    double *steps, *sums, *column;
+    std::int64_t count;
+    double size;
+
+    template <int W>
+    STLTSA_INLINE void run() const {
+        std::int64_t r = 0;
+        for (; r + W <= count; r += W)
+            next<Pack<W>>(r);
+        for (; r < count; ++r)
+            next<double>(r);
+    }
+
+    template <class P>
+    STLTSA_INLINE void next(std::int64_t r) const {
+        const P step = load<P>(steps + r) + load<P>(column + r);
+        const P sum = load<P>(sums + r) + step;
+        store(step, steps + r);
+        store(sum, sums + r);
+        store(sum / size, column + r);
+    }
+};
+
 /// The columns of some blocks, which follow each other.
 using Blocks = std::span<const BlockEnvelopeMatrix::Block>;
 
@@ -197,20 +222,12 @@ class Counts {
     }
 
     /// After all patches: the columns become sums, over k.
-    void finish() {
-        const auto size = static_cast<double>(patches_.size());
+    void finish(Simd simd) {
         for (const auto& block : blocks_)
-            for (std::int64_t c = block.begin; c < block.begin + block.columns; ++c) {
-                double* column = diagonal(block, c);
-                double* steps = steps_.data() + (c - begin_);
-                double* sums = sums_.data() + (c - begin_);
-                const std::int64_t length = last_row(block) + 1 - c;
-                for (std::int64_t r = 0; r < length; ++r) {
-                    steps[r] += column[r];
-                    sums[r] += c == begin_ ? 0 : steps[r];
-                    column[r] = sums[r] / size;
-                }
-            }
+            for (std::int64_t c = block.begin; c < block.begin + block.columns; ++c)
+                run_simd(simd, SumColumn{steps_.data() + (c - begin_), sums_.data() + (c - begin_),
+                                         diagonal(block, c), last_row(block) + 1 - c,
+                                         static_cast<double>(patches_.size())});
     }
 
   private:
@@ -221,13 +238,13 @@ class Counts {
         return matrix_.data(block) + (column - block.begin) * (block.rows + 1);
     }
 
-    /// What the first column has, and the columns before it would have left.
+    /// What the column before the first leaves, and what the first has more.
     void start(std::span<const std::int32_t> frames) {
         const double* beyond = beyond_.data() + (begin_ - frames.front());
         const std::int64_t length = frames.back() - begin_;
-        axpy(static_cast<double>(patches_.size()) - beyond[0], beyond, sums_.data(), length);
-        if (std::ranges::binary_search(frames, begin_))
-            axpy(1, beyond, steps_.data(), length);
+        const double more = std::ranges::binary_search(frames, begin_) ? 1 : 0;
+        axpy(static_cast<double>(patches_.size()) - beyond[0] - more, beyond, sums_.data(), length);
+        axpy(more, beyond, steps_.data(), length);
     }
 
     /// From `column` on the patch has, or has not, its frame.
@@ -313,7 +330,7 @@ void assemble(const Patches& patches, const Machine& machine, BlockEnvelopeMatri
             Counts counts(patches, matrix, blocks);
             for (std::int64_t p = range.begin; p < range.end; ++p)
                 counts.add(p);
-            counts.finish();
+            counts.finish(machine.simd);
             Tile tile;
             // Tiles have the same borders for every block.
             for (std::int64_t p = range.begin / tile_patches * tile_patches; p < range.end;
