@@ -21,8 +21,8 @@ STYLE = {
 LINES = {
     ("scikit-learn", "spatial", 1): ("scikit-learn", RED, "s", "-", (-8, 11)),
     ("tapkee", "spatial", 1): ("tapkee", ORANGE, "^", "-", (10, 5)),
-    ("stltsa", "spatial", 1): ("libstltsa,\nall frames", GREEN, "D", "-", (10, -6)),
-    ("stltsa", "temporal", 1): ("libstltsa,\nin time", BLUE, "o", "-", (10, 7)),
+    ("stltsa", "spatial", 1): ("stltsa,\nall frames", GREEN, "D", "-", (10, -6)),
+    ("stltsa", "temporal", 1): ("stltsa,\nin time", BLUE, "o", "-", (10, 7)),
     ("stltsa", "temporal", 2): ("", BLUE, "o", ":", (10, -8)),
 }
 BOUNDS = {"arithmetic": (GREEN, "^"), "memory": (ORANGE, "s"), "latency": (SKY, "D")}
@@ -92,10 +92,11 @@ def time_figure(result):
     axes.set_ylim(bottom / 1.3, top * 1.5)
     axes.xaxis.set_major_formatter(lambda value, _: spaced(value))
     axes.yaxis.set_major_formatter(lambda value, _: readable(value))
-    axes.set_title("LTSA of a long motion, two coordinates, one thread\n", loc="left",
+    axes.set_title("LTSA of a long motion, two coordinates\n", loc="left",
                    fontweight="bold", fontsize=12)
     axes.text(0, 1.02, "in time: the 12 nearest of 12 frames to each side; the others: the 24 "
-              "nearest of all frames", transform=axes.transAxes, color=GRAY, fontsize=9.5)
+              "nearest of all frames; one thread where nothing else is said",
+              transform=axes.transAxes, color=GRAY, fontsize=9.5)
     return figure
 
 
@@ -125,8 +126,10 @@ def stages_figure(result):
     panels[0].xaxis.set_major_formatter(lambda value, _: f"{value:g}")
     figure.supxlabel("microseconds a frame, one thread", fontsize=11)
     marks = [Line2D([], [], color="black", marker="o", linestyle="", label="measured")]
+    found = {row["kind"] for row in rows}
     marks += [Line2D([], [], color=color, marker=marker, linestyle="", markersize=8,
-                     label=f"least possible: {kind}") for kind, (color, marker) in BOUNDS.items()]
+                     label=f"least possible: {kind}")
+              for kind, (color, marker) in BOUNDS.items() if kind in found]
     figure.legend(handles=marks, loc="outside upper left", ncols=4, frameon=False)
     return figure
 

@@ -48,7 +48,7 @@ def comparison(result):
     rows = list(result["comparison"].values())
     base = rows[0]["seconds"]
     pieces = any(in_pieces(row) for row in rows)
-    yield ["program", "neighbors", "seconds", "times", "memory, MB", ""]
+    yield ["program", "neighbors", "seconds", "times the first", "memory, MB", ""]
     for row in rows:
         times = row["seconds"] / base
         yield [program(row), f"{SPEAKING[row['mode']]} = {row['k']}", seconds(row),
@@ -88,7 +88,8 @@ def growth(result):
 
 
 def stages(result):
-    yield ["k = w", "stage", "µs a frame", "arithmetic", "memory", "latency", "largest", "share"]
+    yield ["k = w", "stage", "measured, µs a frame", "arithmetic, µs", "memory, µs", "latency, µs",
+           "largest", "share"]
     for row in result["stages"]:
         def each(value, n=row["n"]):
             return f"{1e6 * value / n:.3f}"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <filesystem>
+#include <functional>
 
 #include "clip/formats.hpp"
 #include "clip/text_cursor.hpp"
@@ -78,6 +79,12 @@ Clip parse_format(const FileBytes& file, Format format, const std::string& name,
     fail(Status::argument, "format {} cannot be parsed", static_cast<int>(format));
 }
 
+bool lies_in(const SharedMatrix& values, std::string_view bytes) {
+    const auto* first = reinterpret_cast<const char*>(values.data());
+    return std::less_equal<>()(bytes.data(), first) &&
+           std::less<>()(first, bytes.data() + bytes.size());
+}
+
 } // namespace
 
 Format sniff(std::string_view bytes) {
@@ -119,6 +126,9 @@ Clip read(const std::string& path, const ReadOptions& options) {
     if (search)
         with_skeleton.skeleton = find_skeleton(path);
     Clip clip = parse(file, format, path, with_skeleton);
+    if (options.memory_map && format == Format::npy && !lies_in(clip.values, file.bytes))
+        clip.notes.push_back("the file's numbers are not this machine's float64 in C order: "
+                             "converted, so that they are in memory and not in the file");
     if (search)
         clip.notes.push_back("skeleton found beside the clip: " + with_skeleton.skeleton);
     return clip;

@@ -146,6 +146,10 @@ void a_mapped_file(void**) {
         assert_true(is_mapped(path, true));
     }
     assert_false(is_mapped(path, false));
+    assert_true(stltsa::clip::read(path, options).notes.empty());
+    const std::string narrow = folder.write("narrow.npy", aligned_npy("<f4", "False"));
+    assert_int_equal(stltsa::clip::read(narrow, options).notes.size(), 1);
+    assert_true(stltsa::clip::read(narrow, {}).notes.empty());
     const Clip clip = stltsa::clip::read(path, options);
     assert_true(stltsa::clip::map_file(path, {}).bytes == bytes);
     std::filesystem::remove(path);

@@ -28,9 +28,12 @@ def as_matrix(values: Any, what: str = "X") -> npt.NDArray[Any]:
     if np.iscomplexobj(array):
         raise ValueError(f"Complex data not supported: {what} is complex")
     if array.ndim != 2:
+        reshaped = "reshape(-1, 1) is one column"
+        if array.ndim > 2:
+            reshaped = f"reshape(len({what}), -1) keeps a row per frame"
         raise ValueError(
             f"{what} must be 2-D, a row per frame; it is a {type(values).__name__} of the shape "
-            f"{array.shape}. Reshape your data: {what}.reshape(-1, 1) is one column"
+            f"{array.shape}. Reshape your data: {what}.{reshaped}"
         )
     if array.dtype not in _DTYPES:
         array = _as_float64(array, what)
