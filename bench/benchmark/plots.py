@@ -92,11 +92,10 @@ def time_figure(result):
     axes.set_ylim(bottom / 1.3, top * 1.5)
     axes.xaxis.set_major_formatter(lambda value, _: spaced(value))
     axes.yaxis.set_major_formatter(lambda value, _: readable(value))
-    axes.set_title("LTSA of a long motion, two coordinates\n", loc="left",
+    axes.set_title("LTSA of a long motion, two coordinates, one thread (dotted: two)\n", loc="left",
                    fontweight="bold", fontsize=12)
     axes.text(0, 1.02, "in time: the 12 nearest of 12 frames to each side; the others: the 24 "
-              "nearest of all frames; one thread where nothing else is said",
-              transform=axes.transAxes, color=GRAY, fontsize=9.5)
+              "nearest of all frames", transform=axes.transAxes, color=GRAY, fontsize=9.5)
     return figure
 
 
