@@ -178,9 +178,10 @@ enum {
     STLTSA_POSTURE_LIMIT = 30, /* real synthesize: largest distance of the postures at a seam, over
                                       what is common between a motion's own repetitions; 0: none */
     STLTSA_MEMORY_MAP = 31   /* int   clip_open: 1: map the file into memory. The numbers of an NPY
-                                      file (float64, C order) then stay in the file. Whoever cuts
-                                      it short while the clip, or a model that keeps its frames,
-                                      lives, ends the process (SIGBUS) */
+                                      file (float64, C order) then stay in the file. While the
+                                      clip, or a model that keeps its frames, lives, whoever writes
+                                      into the file changes them, and whoever cuts it short ends
+                                      the process (SIGBUS) */
 };
 
 enum { STLTSA_MODE_TEMPORAL = 1, STLTSA_MODE_SPATIAL = 2, STLTSA_MODE_RECURRENT = 3 };

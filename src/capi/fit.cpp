@@ -150,7 +150,7 @@ stltsa_status stltsa_fit_clip(const stltsa_clip* clip, const stltsa_options* opt
         if (reader.integer(STLTSA_KEEP_FRAMES) != 0) {
             made->kept.drop_tpose = reader.integer(STLTSA_KEEP_START) == 0;
             capi::keep_poses(*made, clip->clip);
-            made->kept.frames = std::move(prepared.samples);
+            made->kept.frames = prepared.samples;
         }
         *model = made.release();
     });

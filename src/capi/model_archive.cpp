@@ -18,6 +18,8 @@ constexpr std::string_view magic("\x89STLTSA\n", 8);
 constexpr std::uint32_t version = 1;
 
 constexpr std::size_t head_size = magic.size() + sizeof version + sizeof(std::uint64_t);
+/// Head and checksum.
+constexpr std::size_t wrapping_size = head_size + sizeof(std::uint32_t);
 
 /// CRC-32: every change of up to 32 bits in a row is seen.
 class Checksum {
@@ -48,12 +50,6 @@ void archive_parts(const stltsa_model& model, const Sink& sink) {
     parts.finish();
 }
 
-std::uint64_t size_of_parts(const stltsa_model& model) {
-    std::uint64_t size = 0;
-    archive_parts(model, [&size](std::string_view piece) { size += piece.size(); });
-    return size;
-}
-
 template <class... Values>
 void archive_values(const Sink& sink, const Values&... values) {
     ArchiveWriter writer(sink);
@@ -66,8 +62,7 @@ std::string_view checked_parts(std::string_view bytes) {
     if (!bytes.starts_with(magic.substr(0, std::min(magic.size(), bytes.size()))) || bytes.empty())
         fail(Status::format, "this is no model: it does not begin as one "
                              "(stltsa_model_save, or stltsa fit -o, writes models)");
-    constexpr std::size_t least = head_size + sizeof(std::uint32_t);
-    if (bytes.size() < least)
+    if (bytes.size() < wrapping_size)
         fail(Status::format, "the model is cut off: {} bytes are less than its head", bytes.size());
     ArchiveReader head(bytes.substr(magic.size(), head_size - magic.size()));
     std::uint32_t written = 0;
@@ -76,11 +71,11 @@ std::string_view checked_parts(std::string_view bytes) {
     if (written != version)
         fail(Status::format, "the model is of version {}, this library reads version {}", written,
              version);
-    if (size != bytes.size() - least)
+    if (size != bytes.size() - wrapping_size)
         fail(Status::format,
              "the model is cut off or has something behind it: {} bytes are here, "
              "{} were written",
-             bytes.size(), size + least);
+             bytes.size(), size + wrapping_size);
     std::uint32_t sum = 0;
     ArchiveReader(bytes.substr(bytes.size() - sizeof sum))(sum);
     if (sum != checksum(bytes.substr(0, bytes.size() - sizeof sum)))
@@ -91,17 +86,19 @@ std::string_view checked_parts(std::string_view bytes) {
 } // namespace
 
 std::uint64_t archive_size(const stltsa_model& model) {
-    return head_size + size_of_parts(model) + sizeof(std::uint32_t);
+    std::uint64_t size = wrapping_size;
+    archive_parts(model, [&size](std::string_view piece) { size += piece.size(); });
+    return size;
 }
 
-void archive_model(const stltsa_model& model, const Sink& sink) {
+void archive_model(const stltsa_model& model, std::uint64_t size, const Sink& sink) {
     Checksum sum;
     const Sink summed = [&](std::string_view piece) {
         sum(piece);
         sink(piece);
     };
     summed(magic);
-    archive_values(summed, version, size_of_parts(model));
+    archive_values(summed, version, size - wrapping_size);
     archive_parts(model, summed);
     archive_values(sink, sum.value());
 }

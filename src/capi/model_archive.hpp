@@ -11,8 +11,10 @@
 
 namespace stltsa::capi {
 
+/// Bytes that the archive has.
 std::uint64_t archive_size(const stltsa_model& model);
-void archive_model(const stltsa_model& model, const Sink& sink);
+/// `size`: archive_size(), which goes through all of the model as well.
+void archive_model(const stltsa_model& model, std::uint64_t size, const Sink& sink);
 
 /// Throws Status::format for bytes that are no model, are cut off, altered or of another version.
 std::unique_ptr<stltsa_model> restore_model(std::string_view bytes);

@@ -16,10 +16,10 @@ stltsa_status stltsa_model_serialize(const stltsa_model* model, unsigned char** 
     return guard([&] {
         required(bytes, "bytes") = nullptr;
         required(size, "size") = 0;
-        const auto needed = static_cast<std::size_t>(capi::archive_size(required(model, "model")));
+        const std::uint64_t needed = capi::archive_size(required(model, "model"));
         std::unique_ptr<unsigned char[]> made(new unsigned char[needed]);
         unsigned char* end = made.get();
-        capi::archive_model(*model, [&end](std::string_view piece) {
+        capi::archive_model(*model, needed, [&end](std::string_view piece) {
             end = std::copy(piece.begin(), piece.end(), end);
         });
         *bytes = made.release();
@@ -43,9 +43,9 @@ stltsa_status stltsa_model_parse(const void* bytes, size_t size, stltsa_model** 
 
 stltsa_status stltsa_model_save(const stltsa_model* model, const char* path) noexcept {
     return guard([&] {
-        required(model, "model");
+        const std::uint64_t needed = capi::archive_size(required(model, "model"));
         clip::write_file(&required(path, "path"),
-                         [&](const Sink& sink) { capi::archive_model(*model, sink); });
+                         [&](const Sink& sink) { capi::archive_model(*model, needed, sink); });
     });
 }
 

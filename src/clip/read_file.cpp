@@ -44,25 +44,28 @@ std::size_t size_of(std::FILE* file) {
 }
 
 /// The pages of a regular file.
-class Mapping {
+class MappedFile {
   public:
-    explicit Mapping(const char* path) {
+    explicit MappedFile(const char* path) {
+        struct stat status {};
+        // To open a pipe lets its writer go on, and to close it again ends that one.
+        if (::stat(path, &status) != 0 || !S_ISREG(status.st_mode))
+            return;
         const int descriptor = ::open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
         if (descriptor < 0)
             return;
-        struct stat status {};
         if (::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode) && status.st_size > 0) {
             size_ = static_cast<std::size_t>(status.st_size);
             data_ = ::mmap(nullptr, size_, PROT_READ, MAP_PRIVATE, descriptor, 0);
         }
         ::close(descriptor);
     }
-    ~Mapping() {
+    ~MappedFile() {
         if (is_mapped())
             ::munmap(data_, size_);
     }
-    Mapping(const Mapping&) = delete;
-    Mapping& operator=(const Mapping&) = delete;
+    MappedFile(const MappedFile&) = delete;
+    MappedFile& operator=(const MappedFile&) = delete;
 
     bool is_mapped() const { return data_ != MAP_FAILED; }
     std::string_view bytes() const { return {static_cast<const char*>(data_), size_}; }
@@ -101,10 +104,10 @@ FileBytes read_file(const std::string& path, const Progress& progress) {
 }
 
 FileBytes map_file(const std::string& path, const Progress& progress) {
-    const auto mapping = std::make_shared<const Mapping>(path.c_str());
-    if (!mapping->is_mapped())
+    const auto file = std::make_shared<const MappedFile>(path.c_str());
+    if (!file->is_mapped())
         return read_file(path, progress);
-    return {mapping->bytes(), mapping};
+    return {file->bytes(), file};
 }
 
 } // namespace stltsa::clip

@@ -21,6 +21,11 @@ class SharedMatrix {
     SharedMatrix(ConstMatrixView entries, std::shared_ptr<const void> owner)
         : entries_(entries), owner_(std::move(owner)) {}
 
+    // No moves, so that what was moved from is whole: a copy costs no more.
+    SharedMatrix(const SharedMatrix&) = default;
+    SharedMatrix& operator=(const SharedMatrix&) = default;
+    ~SharedMatrix() = default;
+
     std::int64_t rows() const { return entries_.rows; }
     std::int64_t cols() const { return entries_.cols; }
     const double* data() const { return entries_.data; }

@@ -198,7 +198,8 @@ using Blocks = std::span<const BlockEnvelopeMatrix::Block>;
 
 /// The part of B' that counts frames: the sum of a(c') (k - a(c)) over patches grows, from one
 /// column to the next, by the a(c') of the patches that have frame c. These change only where a run
-/// of frames begins or ends in a patch. All are whole numbers, exact in any order.
+/// of frames begins or ends in a patch. All are whole numbers, exact in any order, until they are
+/// divided by k.
 class Counts {
   public:
     Counts(const Patches& patches, BlockEnvelopeMatrix& matrix, Blocks blocks)

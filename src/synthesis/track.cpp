@@ -77,10 +77,10 @@ Matrix velocities(ConstMatrixView postures, double fps) {
 
 } // namespace
 
-Track make_track(const Body& body, SharedMatrix values, double fps, std::string name) {
+Track make_track(const Body& body, const SharedMatrix& values, double fps, std::string name) {
     Track track;
     track.name = std::move(name);
-    track.values = std::move(values);
+    track.values = values;
     track.fps = fps;
     place_frames(body, track);
     check_finite(track);

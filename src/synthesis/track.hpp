@@ -27,7 +27,7 @@ struct Track {
     }
 };
 
-Track make_track(const Body& body, SharedMatrix values, double fps, std::string name);
+Track make_track(const Body& body, const SharedMatrix& values, double fps, std::string name);
 
 /// Motion in the plane from the frame before to this one; at the ends of the clip, the next step
 /// that there is.

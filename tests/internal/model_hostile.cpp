@@ -43,7 +43,8 @@ std::string swinging_bvh(int frames) {
 
 std::string archived(const stltsa_model& model) {
     std::string bytes;
-    stltsa::capi::archive_model(model, [&](std::string_view piece) { bytes += piece; });
+    stltsa::capi::archive_model(model, stltsa::capi::archive_size(model),
+                                [&](std::string_view piece) { bytes += piece; });
     return bytes;
 }
 
@@ -200,6 +201,7 @@ void contradictions(void**) {
         {"frames", [](auto& m) { m.kept.frames = stltsa::Matrix(rows - 1, 9); }},
         {"columns of the frames", [](auto& m) { m.kept.frames = stltsa::Matrix(rows, 8); }},
         {"frame", [](auto& m) { m.kept.frames.edit()(rows - 1, 8) = INFINITY; }},
+        {"no number", [](auto& m) { m.kept.frames.edit()(0, 0) = NAN; }},
         {"poses without frames", [](auto& m) { m.kept.frames = {}; }},
         {"poses of a matrix", [](auto& m) { m.source.from_clip = false; }},
         {"poses", [](auto& m) { m.kept.poses = stltsa::Matrix(rows - 1, m.kept.poses.cols()); }},

@@ -126,8 +126,9 @@ impl Options {
         /// motion's own repetitions; 0: none.
         posture_limit(distance: f64) => STLTSA_POSTURE_LIMIT, Value::Real(distance);
         /// Opening a clip: whether the file is mapped into memory. The numbers of an NPY file
-        /// (float64, C order) then stay in the file. Whoever cuts it short while the clip, or a
-        /// model that keeps its frames, lives, ends the process (SIGBUS).
+        /// (float64, C order) then stay in the file. While the clip, or a model that keeps its
+        /// frames, lives, whoever writes into the file changes them, and whoever cuts it short ends
+        /// the process (SIGBUS).
         memory_map(yes: bool) => STLTSA_MEMORY_MAP, Value::Int(yes.into());
     }
 
