@@ -21,8 +21,8 @@ struct FileBytes {
 FileBytes read_file(const std::string& path, const Progress& progress);
 
 /// Maps the file into memory, so that pages are read when they are first looked at and need no room
-/// of their own. What is no regular file is read. What others write into the file changes the bytes;
-/// where they cut it short, the system ends the process (SIGBUS).
+/// of their own. What is no regular file is read. What others write into the file changes the
+/// bytes; where they cut it short, the system ends the process (SIGBUS).
 FileBytes map_file(const std::string& path, const Progress& progress);
 
 } // namespace stltsa::clip
