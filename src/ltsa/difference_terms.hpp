@@ -15,31 +15,16 @@
 
 namespace stltsa::ltsa {
 
-/// One patch spread over the differences that it covers: `span` of them from the first one on.
-class PatchTerms {
-  public:
-    void set(const Patches& patches, std::int64_t patch);
+/// Writes a at the differences that a patch covers.
+void spread_counts(const Patches& patches, std::int64_t patch, double* to);
 
-    std::int64_t first() const { return first_; }
-    std::int64_t span() const { return span_; }
-    /// k
-    double size() const { return size_; }
-    /// a
-    const double* beyond() const { return values_.data(); }
-    /// h_0, then h_1, ...
-    const double* sums() const { return values_.data() + span_; }
-
-  private:
-    std::int64_t first_ = 0;
-    std::int64_t span_ = 0;
-    double size_ = 0;
-    std::vector<double> values_;
-};
+/// Writes h_0, h_1, ..., each `stride` entries after the one before.
+void spread_directions(const Patches& patches, std::int64_t patch, double* to, std::int64_t stride);
 
 /// The last row of each column of B'.
 std::vector<std::int64_t> envelope_of(const Patches& patches);
 
-/// matrix += B', for narrow bands and for wide ones. Every entry receives the patches in the same
+/// matrix = B', for narrow bands and for wide ones. Every entry receives the patches in the same
 /// order whatever the number of threads.
 void assemble(const Patches& patches, const Machine& machine, EnvelopeMatrix& matrix);
 void assemble(const Patches& patches, const Machine& machine, BlockEnvelopeMatrix& matrix);
