@@ -54,11 +54,22 @@ bool write_all(int descriptor, std::string_view text) {
     return true;
 }
 
-/// Links are followed, so that the file they lead to is replaced and not the link.
+/// Where links lead, so that the file there is replaced, or made, and not the link.
 std::string followed(const std::string& path) {
     std::error_code missing;
     const fs::path real = fs::canonical(path, missing);
-    return missing ? path : real.string();
+    if (!missing)
+        return real.string();
+    fs::path place = path;
+    constexpr int most_links = 40; // a ring of them leads nowhere
+    std::error_code error;
+    for (int i = 0; i < most_links && !fs::exists(place, error); ++i) {
+        const fs::path next = fs::read_symlink(place, error);
+        if (error) // no link
+            break;
+        place = place.parent_path() / next;
+    }
+    return place.string();
 }
 
 bool regular_or_new(const std::string& path) {
@@ -139,7 +150,14 @@ void OutputFiles::add_written(const std::string& path, Write write) {
     }
     const std::string temporary = unused_name(place) + fs::path(path).extension().string();
     staged_.push_back({place, temporary, "", {}});
-    write(temporary);
+    try {
+        write(temporary);
+    } catch (const Failure& failure) { // the user knows the place, not the name beside it
+        std::string text = failure.what();
+        if (text.starts_with(temporary))
+            text.replace(0, temporary.size(), path);
+        throw Failure(failure.status(), std::move(text));
+    }
     struct stat existing {};
     if (::stat(place.c_str(), &existing) == 0 &&
         ::chmod(temporary.c_str(), existing.st_mode & 07777) != 0)
@@ -160,16 +178,17 @@ void OutputFiles::commit() {
 }
 
 void check_output_place(const std::string& path, const std::vector<std::string>& taken) {
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    if (!fs::status_known(status) || fs::is_directory(status)) {
+        errno = fs::is_directory(status) ? EISDIR : error.value();
+        fail_writing(path);
+    }
     for (const std::string& other : taken)
         if (same_place(path, other))
             throw Failure(Exit::usage,
                           fmt::format("{} is an input, or given for two outputs", path));
     const fs::path place = followed(path);
-    std::error_code ignored;
-    if (fs::is_directory(place, ignored)) {
-        errno = EISDIR;
-        fail_writing(path);
-    }
     if (!regular_or_new(place.string()))
         return;
     const std::string folder = place.has_parent_path() ? place.parent_path().string() : ".";

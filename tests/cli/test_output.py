@@ -3,12 +3,20 @@
 
 import json
 import os
+import pathlib
+import resource
+import signal
 import subprocess
 import unittest
 
 import numpy
 
 from common import STLTSA, CommandTest, circle, plain_environment, run, still, walk
+
+
+def let_files_be_small():
+    signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (1000, 1000))
 
 
 class Streams(CommandTest):
@@ -95,6 +103,32 @@ class Files(CommandTest):
         self.assertEqual(path.stat().st_mode & 0o777, 0o640)
         self.assertEqual(json.loads(path.read_text())["format"], "stltsa-decomposition/1")
         self.assertEqual(len(list(self.folder.iterdir())), 2)
+
+    def test_link_to_nothing_yet_leads_to_the_new_file(self):
+        links = self.folder / "links"
+        links.mkdir()
+        names = ("walk.stltsa", "walk.csv")
+        for name in names:
+            (links / name).symlink_to(pathlib.Path("..") / name)
+        self.done(
+            "fit", walk(), "-o", links / "walk.stltsa", "--coords", links / "walk.csv"
+        )
+        for name in names:
+            self.assertTrue((links / name).is_symlink())
+            self.assertGreater((self.folder / name).stat().st_size, 0)
+            self.assertFalse((self.folder / name).is_symlink())
+
+    def test_file_that_grows_too_large_is_named_as_given(self):
+        for option, name in (("-o", "walk.stltsa"), ("--coords", "walk.csv")):
+            with self.subTest(option):
+                path = self.folder / name
+                message = self.fails(
+                    1, "fit", walk(), option, path, preexec_fn=let_files_be_small
+                )
+                self.assertIn(f"{path}", message)
+                self.assertNotIn(".tmp", message)
+                self.assertIn("too large", message)
+                self.assert_empty(self.folder)
 
     def test_new_file_obeys_the_umask(self):
         path = self.folder / "walk.txt"
