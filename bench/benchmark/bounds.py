@@ -11,7 +11,8 @@ from tasks import DIMENSION
 
 SPARE_VECTORS = 3  # that ARPACK keeps beyond twice the wanted ones
 SPARE_COLUMNS = 2  # of the block that finds the tangents, beyond d
-LEAST_PRODUCTS = 3  # with that block, before it may stop
+LEAST_PRODUCTS = 5  # with that block, before it may stop
+LEAST_PRODUCTS_FOLLOWING = 3  # where it starts from what the frame before ended with
 PASSES = 2  # through all patches, for the certificate
 WIDE = 32  # neighbors from which on the band is solved with from one end only
 
@@ -47,7 +48,8 @@ def tangents(size):
     columns = d + SPARE_COLUMNS
     side = min(k, m)
     form = 6 * m * size.w + 2 * k * k if k <= m else 2 * m * (m + 1) + 2 * k * m * d
-    find = LEAST_PRODUCTS * 2 * side * columns * (side + columns)
+    products = LEAST_PRODUCTS if k <= m else LEAST_PRODUCTS_FOLLOWING
+    find = products * 2 * side * columns * (side + columns)
     data = 8 * m + 4 * k + 8 * k * d
     return Work(form + find, data, data)
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Block iteration for the leading eigenvectors of positive semidefinite matrices, one matrix in
-// each lane of a pack: V := orthonormal basis of A V, and now and then the best eigenvectors in the
-// span of V (Rayleigh-Ritz). Compiled once for each width of packs.
+// each lane of a pack: V := orthonormal basis of p(A) V, with Chebyshev polynomials p that are
+// small where the unwanted eigenvalues are, and now and then the best eigenvectors in the span of V
+// (Rayleigh-Ritz), as in H. Rutishauser, "Computational aspects of F. L. Bauer's simultaneous
+// iteration method", Numer. Math. 13 (1969). Compiled once for each width of packs.
 #pragma once
 
 #include <algorithm>
@@ -14,17 +16,25 @@
 namespace stltsa::ltsa {
 
 /// Rows and columns of a product that are computed together: eight sums fit into the registers of
-/// every machine.
+/// every machine, sixteen where there are 32 registers of 512 bits.
 inline constexpr std::int64_t product_rows = 4;
 inline constexpr std::int64_t product_columns = 2;
+template <class P>
+inline constexpr std::int64_t wide_product_columns = sizeof(P) == 64 ? 4 : product_columns;
 
 /// Iterations before a lane is given up.
 inline constexpr std::int64_t most_iterations = 60;
 
 /// A lane is given up early where, after so many iterations, what the block has missed is so many
 /// times the last wanted eigenvalue: noise, of which it would never be sure.
-inline constexpr std::int64_t patience = 12;
-inline constexpr double hopeless_share = 4;
+inline constexpr std::int64_t patience = 10;
+inline constexpr double hopeless_share = 2;
+
+/// The first step that knows enough of the eigenvalues for a polynomial.
+inline constexpr std::int64_t first_look = 2;
+
+/// How much of what the block has missed of the trace is likely in a single eigenvalue, measured.
+inline constexpr double share_of_one = 0.7;
 
 /// What rounding leaves of the residual of an eigenpair, relative to the largest eigenvalue.
 inline constexpr double small_residual = 2e-15;
@@ -38,6 +48,7 @@ struct BlockIteration {
     double* matrix_data;
     double* block_data;
     double* product_data;
+    double* previous_data; ///< the block of the step before, in the basis of this one
     double* small_data;
     double* values_data; ///< count eigenvalues, then 1 where they were found, else 0 or -1
     double* vectors_data;
@@ -47,18 +58,28 @@ struct BlockIteration {
     STLTSA_INLINE void iterate(P trace) const {
         const P scale = trace > 0 ? 1 / trace : P{};
         reinterpret_cast<P*>(values_data)[count] = P{};
+        P bound{}; // none: powers of A
+        bool begins = true;
         for (std::int64_t step = 1; step <= most_iterations; ++step) {
             multiply<P>(scale);
-            if (step % ritz_interval == 0) {
+            const bool ritz = step % ritz_interval == 0;
+            if (ritz) {
                 rotate_to_ritz_vectors<P>();
                 if (record<P>(trace, step >= patience))
                     return;
             }
-            orthonormalize<P>(product_data);
+            if (ritz || step == first_look) {
+                bound = unwanted<P>();
+                begins = true;
+            }
+            filter<P>(bound, begins);
+            begins = false;
+            const bool ritz_next = (step + 1) % ritz_interval == 0;
+            orthonormalize<P>(product_data, ritz_next ? nullptr : previous_data);
             // Twice before a Rayleigh-Ritz step: what one pass leaves of the large columns in small
             // ones, beside a single large eigenvalue, would spoil the Ritz values.
-            if ((step + 1) % ritz_interval == 0)
-                orthonormalize<P>(block_data);
+            if (ritz_next)
+                orthonormalize<P>(block_data, nullptr);
         }
     }
 
@@ -76,23 +97,66 @@ struct BlockIteration {
     /// underflow.
     template <class P>
     STLTSA_INLINE void multiply(P scale) const {
-        const P* matrix = reinterpret_cast<const P*>(matrix_data);
+        for (std::int64_t a = 0; a < rows; a += product_rows) {
+            std::int64_t l = 0;
+            for (; l + wide_product_columns<P> <= columns; l += wide_product_columns<P>)
+                multiply_tile<P, wide_product_columns<P>>(scale, a, l);
+            for (; l < columns; l += product_columns)
+                multiply_tile<P, product_columns>(scale, a, l);
+        }
+    }
+
+    template <class P, std::int64_t width>
+    STLTSA_INLINE void multiply_tile(P scale, std::int64_t a, std::int64_t l) const {
+        const P* matrix = reinterpret_cast<const P*>(matrix_data) + a * rows;
+        const P* block = reinterpret_cast<const P*>(block_data) + l * rows;
+        P* product = reinterpret_cast<P*>(product_data) + l * rows + a;
+        P sum[width][product_rows] = {};
+        for (std::int64_t b = 0; b < size; ++b)
+            for (std::int64_t i = 0; i < product_rows; ++i) {
+                const P entry = matrix[i * rows + b];
+                for (std::int64_t j = 0; j < width; ++j)
+                    sum[j][i] += entry * block[j * rows + b];
+            }
+        for (std::int64_t j = 0; j < width; ++j)
+            for (std::int64_t i = 0; i < product_rows; ++i)
+                product[j * rows + i] = sum[j][i] * scale;
+    }
+
+    /// What no wanted eigenvalue is below, in units of the trace, and the others are likely not
+    /// above: the least that a column stands for, or most of what none does. To be too low costs
+    /// steps, no digits.
+    template <class P>
+    STLTSA_INLINE P unwanted() const {
+        const P* block = reinterpret_cast<const P*>(block_data);
+        const P* product = reinterpret_cast<const P*>(product_data);
+        P missed = P{} + 1.0;
+        P least = P{} + 1.0;
+        for (std::int64_t l = 0; l < columns; ++l) {
+            const P value = inner(block + l * rows, product + l * rows);
+            missed -= value;
+            least = value < least ? value : least;
+        }
+        missed *= share_of_one;
+        const P bound = missed < least ? missed : least;
+        return bound > 0 ? bound : P{};
+    }
+
+    /// From A V in the product to the next Chebyshev polynomial for [0, bound], with the highest
+    /// coefficient that the recurrence leaves without dividing by the bound:
+    ///     p_1(A) = A - m,  p_j+1(A) = 2 (A - m) p_j(A) - m^2 p_j-1(A),  m = bound / 2
+    template <class P>
+    STLTSA_INLINE void filter(P bound, bool begins) const {
         const P* block = reinterpret_cast<const P*>(block_data);
         P* product = reinterpret_cast<P*>(product_data);
-        for (std::int64_t a = 0; a < rows; a += product_rows)
-            for (std::int64_t l = 0; l < columns; l += product_columns) {
-                P sum[product_columns][product_rows] = {};
-                for (std::int64_t b = 0; b < size; ++b)
-                    for (std::int64_t i = 0; i < product_rows; ++i) {
-                        // The matrix is symmetric: these are adjacent.
-                        const P entry = matrix[b * rows + a + i];
-                        for (std::int64_t j = 0; j < product_columns; ++j)
-                            sum[j][i] += entry * block[(l + j) * rows + b];
-                    }
-                for (std::int64_t j = 0; j < product_columns; ++j)
-                    for (std::int64_t i = 0; i < product_rows; ++i)
-                        product[(l + j) * rows + a + i] = sum[j][i] * scale;
-            }
+        P* previous = reinterpret_cast<P*>(previous_data);
+        const P middle = 0.5 * bound;
+        const P square = middle * middle;
+        for (std::int64_t i = 0; i < rows * columns; ++i) {
+            const P term = product[i] - middle * block[i];
+            product[i] = begins ? term : 2 * term - square * previous[i];
+            previous[i] = block[i];
+        }
     }
 
     template <class P>
@@ -106,26 +170,40 @@ struct BlockIteration {
     }
 
     /// block := orthonormal basis of these columns, the product's or its own (modified
-    /// Gram-Schmidt). A column of zeros stays one.
+    /// Gram-Schmidt). A column of zeros stays one. Columns of a companion are combined as these
+    /// are.
     template <class P>
-    STLTSA_INLINE void orthonormalize(const double* columns_data) const {
+    STLTSA_INLINE void orthonormalize(const double* columns_data, double* companion_data) const {
         const P* from = reinterpret_cast<const P*>(columns_data);
+        P* companion = reinterpret_cast<P*>(companion_data);
         P* block = reinterpret_cast<P*>(block_data);
         for (std::int64_t l = 0; l < columns; ++l) {
             P* column = block + l * rows;
             if (from != block)
                 std::copy_n(from + l * rows, rows, column);
             for (std::int64_t b = 0; b < l; ++b) {
-                const P* other = block + b * rows;
-                const P overlap = inner(other, static_cast<const P*>(column));
-                for (std::int64_t a = 0; a < rows; ++a)
-                    column[a] -= overlap * other[a];
+                const P overlap = inner<P>(block + b * rows, column);
+                subtract(overlap, block + b * rows, column);
+                if (companion)
+                    subtract(overlap, companion + b * rows, companion + l * rows);
             }
             const P norm = square_root(inner<P>(column, column));
             const P inverse = norm > 0 ? 1 / norm : P{};
-            for (std::int64_t a = 0; a < rows; ++a)
-                column[a] *= inverse;
+            scale(inverse, column);
+            if (companion)
+                scale(inverse, companion + l * rows);
         }
+    }
+
+    template <class P>
+    STLTSA_INLINE void subtract(P factor, const P* other, P* column) const {
+        for (std::int64_t a = 0; a < rows; ++a)
+            column[a] -= factor * other[a];
+    }
+    template <class P>
+    STLTSA_INLINE void scale(P factor, P* column) const {
+        for (std::int64_t a = 0; a < rows; ++a)
+            column[a] *= factor;
     }
 
     /// Turns block and product so that the columns are the best eigenvectors in their span.

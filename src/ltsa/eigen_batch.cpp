@@ -20,15 +20,16 @@ EigenBatch::EigenBatch(const Shape& shape, Simd simd)
     matrix_ = sized(rows_ * rows_);
     block_ = sized(rows_ * columns_);
     product_ = sized(rows_ * columns_);
+    previous_ = sized(rows_ * columns_);
     small_ = sized(columns_ * (2 * columns_ + 1));
     values_ = sized(shape.count + 1);
     vectors_ = sized(rows_ * kept_);
 }
 
 BlockIteration EigenBatch::iteration() {
-    return {shape_.size,          rows_,          columns_,      shape_.count,    kept_,
-            shape_.ritz_interval, matrix_.data(), block_.data(), product_.data(), small_.data(),
-            values_.data(),       vectors_.data()};
+    return {shape_.size,          rows_,          columns_,       shape_.count,    kept_,
+            shape_.ritz_interval, matrix_.data(), block_.data(),  product_.data(), previous_.data(),
+            small_.data(),        values_.data(), vectors_.data()};
 }
 
 void EigenBatch::clear() {

@@ -62,7 +62,7 @@ class EigenBatch {
     std::int64_t kept_;    ///< columns of the block
     Simd simd_;
     std::int64_t lanes_;
-    AlignedVector<double> matrix_, block_, product_;
+    AlignedVector<double> matrix_, block_, product_, previous_;
     AlignedVector<double> small_; ///< Ritz values and two matrices of order `columns`
     AlignedVector<double> values_, vectors_;
 };

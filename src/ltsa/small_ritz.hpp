@@ -2,6 +2,7 @@
 // Eigenpairs of very small symmetric matrices by Jacobi's method, one matrix in each lane of P.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "linalg/pack.hpp"
@@ -24,7 +25,7 @@ class SmallRitz {
     STLTSA_INLINE void solve() const {
         for (std::int64_t i = 0; i < order_ * order_; ++i)
             vectors_[i] = P{} + (i % (order_ + 1) == 0 ? 1.0 : 0.0);
-        for (int sweep = 0; sweep < most_sweeps; ++sweep) {
+        for (int done = 0; done < most_sweeps; ++done) {
             P largest{};
             for (std::int64_t i = 0; i < order_; ++i)
                 for (std::int64_t j = i + 1; j < order_; ++j) {
@@ -33,9 +34,7 @@ class SmallRitz {
                 }
             if (!any_above(largest, negligible))
                 break;
-            for (std::int64_t i = 0; i < order_; ++i)
-                for (std::int64_t j = i + 1; j < order_; ++j)
-                    annihilate(i, j);
+            sweep();
         }
         for (std::int64_t i = 0; i < order_; ++i)
             values_[i] = matrix_[i * order_ + i];
@@ -67,14 +66,27 @@ class SmallRitz {
         return any;
     }
 
+    /// Every pair once, in rounds of disjoint pairs, as players meet in a tournament: the machine
+    /// need not wait for one rotation before it begins the next of a round.
+    STLTSA_INLINE void sweep() const {
+        const std::int64_t ring = order_ - 1 + order_ % 2;
+        for (std::int64_t round = 0; round < ring; ++round)
+            for (std::int64_t pair = 0; pair <= ring / 2; ++pair) {
+                const std::int64_t a = pair == 0 ? ring : (round + pair) % ring;
+                const std::int64_t b = (round + ring - pair) % ring;
+                if (a < order_) // else b is left out in this round
+                    annihilate(std::min(a, b), std::max(a, b));
+            }
+    }
+
     /// One rotation: the entry (i, j) becomes zero.
     STLTSA_INLINE void annihilate(std::int64_t i, std::int64_t j) const {
         const P one = P{} + 1.0;
         const P entry = matrix_[i * order_ + j];
-        const P divisor = magnitude(entry) > negligible ? entry : one;
-        const P ratio = (matrix_[j * order_ + j] - matrix_[i * order_ + i]) / (2 * divisor);
-        const P denominator = magnitude(ratio) + square_root(one + ratio * ratio);
-        const P full = (ratio < 0 ? -one : one) / denominator;
+        const P twice = entry + entry;
+        const P difference = matrix_[j * order_ + j] - matrix_[i * order_ + i];
+        const P root = square_root(difference * difference + twice * twice);
+        const P full = twice / (difference < 0 ? difference - root : difference + root);
         const P tangent = magnitude(entry) > negligible ? full : P{};
         const P cosine = one / square_root(one + tangent * tangent);
         const P sine = tangent * cosine;

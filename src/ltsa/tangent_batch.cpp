@@ -60,7 +60,7 @@ struct CorrelationKernel {
 } // namespace
 
 TangentBatch::TangentBatch(std::int64_t size, std::int64_t count, Simd simd)
-    : size_(size), eigen_({size, count, count + 2, false, 3}, simd) {
+    : size_(size), eigen_({size, count, count + 2, false, 5}, simd) {
     start_.resize(checked_size(eigen_.rows(), eigen_.columns()));
     fill_start();
 }
