@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace stltsa::ltsa {
 namespace {
@@ -19,24 +20,6 @@ bool in_order(ConstMatrixView x, const std::vector<Stretch>& stretches) {
     return steps <= leaps / 4;
 }
 
-/// The column in which the rows that these begin at differ most.
-std::int64_t widest_column(ConstMatrixView x, std::span<const Stretch> stretches) {
-    const double* first = x.row(stretches.front().row);
-    std::vector<double> least(first, first + x.cols);
-    std::vector<double> most = least;
-    for (const Stretch& stretch : stretches)
-        for (std::size_t c = 0; c < least.size(); ++c) {
-            const double value = x.row(stretch.row)[c];
-            least[c] = std::min(least[c], value);
-            most[c] = std::max(most[c], value);
-        }
-    std::size_t widest = 0;
-    for (std::size_t c = 0; c < least.size(); ++c)
-        if (most[c] - least[c] > most[widest] - least[widest])
-            widest = c;
-    return static_cast<std::int64_t>(widest);
-}
-
 /// How many of these rows the first half of a node gets: whole leaves.
 std::int32_t first_half(std::int32_t rows) {
     constexpr std::int32_t size = BallTree::leaf_size;
@@ -49,34 +32,136 @@ std::int64_t node_count(std::int32_t rows) {
            1;
 }
 
+/// Pieces that follow each other stay together unless they would vary by so much more: a search
+/// begins with them. Measured, on recorded motion and on motion that repeats for long.
+constexpr double favor_for_time = 1.1;
+
+/// Puts stretches in the order in which they lie in the tree: what is halved are pieces of motion
+/// as long as a leaf, each taken for the row in its middle, or single rows.
+class Arrangement {
+  public:
+    Arrangement(ConstMatrixView x, const std::vector<Stretch>& stretches)
+        : x_(x), stretches_(stretches), length_(in_order(x, stretches) ? BallTree::leaf_size : 1),
+          pieces_((stretches.size() + length_ - 1) / length_) {
+        std::iota(pieces_.begin(), pieces_.end(), std::size_t{0});
+    }
+
+    /// Puts the pieces of a node in order about the one with which its second half begins: in order
+    /// of time, or of the column in which they differ most where that leaves halves that vary less.
+    void halve(std::int32_t begin, std::int32_t middle, std::int32_t end) {
+        const auto first = piece_at(begin);
+        const auto half = piece_at(middle);
+        const auto last = piece_at(end + static_cast<std::int32_t>(length_) - 1);
+        const auto variation = [&] {
+            return variation_of(std::span(first, half)) + variation_of(std::span(half, last));
+        };
+        const auto in_time = [&] { std::nth_element(first, half, last); };
+        in_time();
+        const double of_time = variation();
+        const std::int64_t column = widest_column(std::span(first, last));
+        std::nth_element(first, half, last, [&](std::size_t a, std::size_t b) {
+            if (is_short(a) || is_short(b)) // it stays at the end: the others are whole leaves
+                return is_short(b) && !is_short(a);
+            const double at_a = row_of(a)[column];
+            const double at_b = row_of(b)[column];
+            return at_a < at_b || (at_a == at_b && a < b);
+        });
+        if (of_time < favor_for_time * variation())
+            in_time();
+    }
+
+    std::vector<Stretch> arranged() const {
+        std::vector<Stretch> order;
+        order.reserve(stretches_.size());
+        for (const std::size_t piece : pieces_)
+            for (std::size_t i = piece * length_;
+                 i < std::min((piece + 1) * length_, stretches_.size()); ++i)
+                order.push_back(stretches_[i]);
+        return order;
+    }
+
+  private:
+    std::vector<std::size_t>::iterator piece_at(std::int32_t place) {
+        return pieces_.begin() + place / static_cast<std::int32_t>(length_);
+    }
+    bool is_short(std::size_t piece) const { return (piece + 1) * length_ > stretches_.size(); }
+    const double* row_of(std::size_t piece) const {
+        return x_.row(
+            stretches_[std::min(piece * length_ + length_ / 2, stretches_.size() - 1)].row);
+    }
+
+    /// The column in which these differ most.
+    std::int64_t widest_column(std::span<const std::size_t> pieces) const {
+        const double* first = row_of(pieces.front());
+        std::vector<double> least(first, first + x_.cols);
+        std::vector<double> most = least;
+        for (const std::size_t piece : pieces)
+            for (std::size_t c = 0; c < least.size(); ++c) {
+                const double value = row_of(piece)[c];
+                least[c] = std::min(least[c], value);
+                most[c] = std::max(most[c], value);
+            }
+        std::size_t widest = 0;
+        for (std::size_t c = 0; c < least.size(); ++c)
+            if (most[c] - least[c] > most[widest] - least[widest])
+                widest = c;
+        return static_cast<std::int64_t>(widest);
+    }
+
+    /// The sum of squared distances from their mean.
+    double variation_of(std::span<const std::size_t> pieces) const {
+        AlignedVector<double> mean(static_cast<std::size_t>(x_.cols));
+        for (const std::size_t piece : pieces)
+            axpy(1 / static_cast<double>(pieces.size()), row_of(piece), mean.data(), x_.cols);
+        double sum = 0;
+        for (const std::size_t piece : pieces)
+            sum += squared_distance(row_of(piece), mean.data(), x_.cols);
+        return sum;
+    }
+
+    ConstMatrixView x_;
+    const std::vector<Stretch>& stretches_;
+    std::size_t length_; ///< of a piece
+    std::vector<std::size_t> pieces_;
+};
+
 } // namespace
 
-BallTree::BallTree(ConstMatrixView x, const std::vector<Stretch>& stretches)
-    : x_(x), order_(stretches) {
+BallTree::BallTree(ConstMatrixView x, const std::vector<Stretch>& stretches) : x_(x) {
     rounding_ = 4e-12 + static_cast<double>(x.cols) * std::numeric_limits<double>::epsilon();
     if (stretches.empty())
         return;
     const auto size = static_cast<std::int32_t>(stretches.size());
-    centers_ = Matrix(node_count(size), x.cols);
-    nodes_.reserve(static_cast<std::size_t>(centers_.rows()));
-    const bool halve_time = in_order(x, stretches);
-    add_node(0, size);
-    for (std::int32_t i = 0; i < static_cast<std::int32_t>(nodes_.size()); ++i) {
-        const std::int32_t begin = nodes_[static_cast<std::size_t>(i)].begin;
-        const std::int32_t end = nodes_[static_cast<std::size_t>(i)].end;
+    nodes_.reserve(static_cast<std::size_t>(node_count(size)));
+    Arrangement arrangement(x, stretches);
+    nodes_.push_back({0, size});
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+        const auto [begin, end, radius, left] = nodes_[i];
         if (end - begin <= leaf_size)
             continue;
         const std::int32_t middle = begin + first_half(end - begin);
-        if (!halve_time)
-            halve_widest_column(i, middle);
-        nodes_[static_cast<std::size_t>(i)].left = add_node(begin, middle);
-        add_node(middle, end);
+        arrangement.halve(begin, middle, end);
+        nodes_[i].left = static_cast<std::int32_t>(nodes_.size());
+        nodes_.push_back({begin, middle});
+        nodes_.push_back({middle, end});
+    }
+    order_ = arrangement.arranged();
+    centers_ = Matrix(node_count(size), x.cols);
+    std::vector<std::int32_t> leaves(static_cast<std::size_t>((size + leaf_size - 1) / leaf_size));
+    for (auto i = static_cast<std::int32_t>(nodes_.size()); i-- > 0;) {
+        const Node& node = nodes_[static_cast<std::size_t>(i)];
+        const auto leaf = leaves.begin() + node.begin / leaf_size;
+        if (node.left == 0) {
+            *leaf = i;
+            enclose_rows(i);
+        } else {
+            enclose_leaves(i, {leaf, leaves.begin() + (node.end + leaf_size - 1) / leaf_size});
+        }
     }
 }
 
-std::int32_t BallTree::add_node(std::int32_t begin, std::int32_t end) {
-    const auto index = static_cast<std::int32_t>(nodes_.size());
-    nodes_.push_back({begin, end});
+/// The ball of a leaf: about the mean of its rows.
+void BallTree::enclose_rows(std::int32_t index) {
     double* center = centers_.row(index);
     const auto stretches = stretches_of(index);
     for (const Stretch& stretch : stretches)
@@ -87,20 +172,19 @@ std::int32_t BallTree::add_node(std::int32_t begin, std::int32_t end) {
         if (next != row)
             square = std::max(square, squared_distance(x_.row(next), center, x_.cols));
     }
-    nodes_.back().radius = std::sqrt(square);
-    return index;
+    nodes_[static_cast<std::size_t>(index)].radius = std::sqrt(square);
 }
 
-/// Puts the stretches of a node in order about the one that becomes number `middle`.
-void BallTree::halve_widest_column(std::int32_t index, std::int32_t middle) {
-    const Node& node = nodes_[static_cast<std::size_t>(index)];
-    const std::int64_t column = widest_column(x_, stretches_of(index));
-    std::nth_element(order_.begin() + node.begin, order_.begin() + middle,
-                     order_.begin() + node.end, [&](const Stretch& a, const Stretch& b) {
-                         const double at_a = x_(a.row, column);
-                         const double at_b = x_(b.row, column);
-                         return at_a < at_b || (at_a == at_b && a.row < b.row);
-                     });
+/// The ball of another node: about the mean of its leaves. Their balls are small, so that the ball
+/// about them is hardly larger than that about their rows.
+void BallTree::enclose_leaves(std::int32_t index, std::span<const std::int32_t> leaves) {
+    double* mean = centers_.row(index);
+    for (const std::int32_t leaf : leaves)
+        axpy(1 / static_cast<double>(leaves.size()), center(leaf), mean, x_.cols);
+    double& radius = nodes_[static_cast<std::size_t>(index)].radius;
+    for (const std::int32_t leaf : leaves)
+        radius = std::max(radius, nodes_[static_cast<std::size_t>(leaf)].radius +
+                                      std::sqrt(squared_distance(center(leaf), mean, x_.cols)));
 }
 
 } // namespace stltsa::ltsa

@@ -18,13 +18,13 @@ struct Stretch {
     std::int32_t row, next;
 };
 
-/// Each half of a ball's rows is a ball again. Rows in order of time are halved in that order: a
-/// leaf is a short piece of motion, which is smaller than what cuts across the features leave side
-/// by side. Rows that do not follow each other are halved along the column in which they differ
-/// most.
+/// Each half of a ball's rows is a ball again. A leaf of rows in order of time is a short piece of
+/// motion, which is smaller than what cuts across the features leave side by side. What is larger
+/// is halved in time or along the column in which the pieces differ most, whichever keeps them
+/// nearer together.
 class BallTree {
   public:
-    /// Most rows of a leaf; all but the last of rows in order of time have as many.
+    /// Most rows of a leaf; all but the last one have as many.
     static constexpr std::int32_t leaf_size = 8;
 
     /// Stretches [begin, end) of the order lie within the radius of the center.
@@ -94,8 +94,8 @@ class BallTree {
     Open opened(const double* from, std::int32_t node) const {
         return {squared_distance(from, center(node), x_.cols), node};
     }
-    std::int32_t add_node(std::int32_t begin, std::int32_t end);
-    void halve_widest_column(std::int32_t index, std::int32_t middle);
+    void enclose_rows(std::int32_t index);
+    void enclose_leaves(std::int32_t index, std::span<const std::int32_t> leaves);
 
     ConstMatrixView x_;
     double rounding_ = 0;
