@@ -58,27 +58,23 @@ struct BlockIteration {
     STLTSA_INLINE void iterate(P trace) const {
         const P scale = trace > 0 ? 1 / trace : P{};
         reinterpret_cast<P*>(values_data)[count] = P{};
-        P bound{}; // none: powers of A
-        bool begins = true;
+        P bound{};
         for (std::int64_t step = 1; step <= most_iterations; ++step) {
             multiply<P>(scale);
-            const bool ritz = step % ritz_interval == 0;
-            if (ritz) {
+            const bool begins = begins_polynomial(step);
+            if (is_ritz(step)) {
                 rotate_to_ritz_vectors<P>();
                 if (record<P>(trace, step >= patience))
                     return;
             }
-            if (ritz || step == first_look) {
+            if (begins)
                 bound = unwanted<P>();
-                begins = true;
-            }
-            filter<P>(bound, begins);
-            begins = false;
-            const bool ritz_next = (step + 1) % ritz_interval == 0;
-            orthonormalize<P>(product_data, ritz_next ? nullptr : previous_data);
+            if (step >= first_look)
+                filter<P>(bound, begins);
+            orthonormalize<P>(product_data, begins_polynomial(step + 1) ? nullptr : previous_data);
             // Twice before a Rayleigh-Ritz step: what one pass leaves of the large columns in small
             // ones, beside a single large eigenvalue, would spoil the Ritz values.
-            if (ritz_next)
+            if (is_ritz(step + 1))
                 orthonormalize<P>(block_data, nullptr);
         }
     }
@@ -93,6 +89,12 @@ struct BlockIteration {
     }
 
   private:
+    bool is_ritz(std::int64_t step) const { return step % ritz_interval == 0; }
+    /// With what the block then knows; what came before has no part in it.
+    bool begins_polynomial(std::int64_t step) const {
+        return step == first_look || (step > first_look && is_ritz(step));
+    }
+
     /// product := scale A block. Scaled, so that squares of its entries neither over- nor
     /// underflow.
     template <class P>
