@@ -74,7 +74,8 @@ Json mapping_json(const char* direction, const Arguments& arguments, const stlts
             {"rows", mapped.values.rows},
             {"fps", positive_or_null(fps)},
             {"distance", distances_json(mapped)},
-            {"beyond", beyond_json(mapped)}};
+            {"beyond", beyond_json(mapped)},
+            {"warnings", Json::array()}};
 }
 
 Json mapped_json(const Mapped& mapped) {

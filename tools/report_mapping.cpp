@@ -64,7 +64,7 @@ std::string mapping_report(const Json& mapping, const std::string& title, bool c
     if (mapping["beyond"]["count"] > 0)
         facts.add("beyond", stretches_text(mapping["beyond"]["stretches"]));
     return bold(wrapped(sentence(mapping, title), 80), colors) + "\n\n" + facts.text() +
-           dim(legend, colors);
+           dim(legend, colors) + listed("warning:", mapping["warnings"]);
 }
 
 } // namespace tool

@@ -108,6 +108,14 @@ class Mapping(CommandTest):
         self.done("unmap", model, points, "--fps", "120", "-o", poses)
         self.assertEqual(self.json("info", poses)["clip"]["fps"], 120)
 
+    def test_a_clip_without_the_rate_that_the_model_has(self):
+        model = self.model(circle(), "--fps", "30")
+        self.assertEqual(self.json("map", model, circle(), "--fps", "30")["warnings"], [])
+        [warning] = self.json("map", model, circle())["warnings"]
+        self.assertIn("not smoothed", warning)
+        self.assertIn("--fps", warning)
+        self.assertIn("not smoothed", " ".join(self.done("map", model, circle()).decode().split()))
+
     def test_frames_come_back(self):
         model = self.model(circle(), "--fps", "30", "--coords", self.folder / "y.npy")
         self.done("unmap", model, self.folder / "y.npy", "-o", self.folder / "x.csv")
