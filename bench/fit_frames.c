@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /*
- * One fit of two coordinates to frames from a file, for scripts/benchmark: time, time by stage,
- * peak memory, as one line of JSON; the coordinates go to a file of doubles.
+ * Fits two coordinates to frames from a file, for scripts/benchmark, twice: the first fit says how
+ * much memory it needs at most, the second, which finds as much in the process, how long it takes,
+ * in all and by stage. As one line of JSON; the coordinates go to a file of doubles.
  *
  *     fit_frames FILE FRAMES FEATURES temporal|spatial NEIGHBORS THREADS COORDS
  *
@@ -81,11 +82,19 @@ static void print_model(const stltsa_model* model) {
            (long long)components, estimate);
 }
 
+/* Memory that the first fit of this process needs beyond what there was. */
+static long long fit_memory(const stltsa_in* in, const stltsa_options* options) {
+    const long long before = peak_memory();
+    stltsa_model* model = NULL;
+    check(stltsa_fit(in, NULL, 0, options, &model));
+    stltsa_model_free(model);
+    return peak_memory() - before;
+}
+
 int main(int argc, char** argv) {
     struct stage_times times;
     stltsa_model* model = NULL;
     double seconds, processor;
-    long long memory;
     int stage;
     if (argc != 8) {
         fprintf(stderr, "usage: fit_frames FILE FRAMES FEATURES temporal|spatial NEIGHBORS THREADS "
@@ -94,14 +103,14 @@ int main(int argc, char** argv) {
     }
     const stltsa_in in = read_frames(argv[1], atoll(argv[2]), atoll(argv[3]));
     stltsa_options* options = options_of(argv + 4, &times);
-    memory = peak_memory();
+    const long long memory = fit_memory(&in, options);
+    keep_memory(memory + memory / 4); /* pieces of it may not fit where others were */
     processor = seconds_of(CLOCK_PROCESS_CPUTIME_ID);
     seconds = seconds_of(CLOCK_MONOTONIC);
     times = start_stages(CLOCK_MONOTONIC);
     check(stltsa_fit(&in, NULL, 0, options, &model));
     seconds = seconds_of(CLOCK_MONOTONIC) - seconds;
     processor = seconds_of(CLOCK_PROCESS_CPUTIME_ID) - processor;
-    memory = peak_memory() - memory;
     printf("{\"seconds\": %.6f, \"processor\": %.6f, \"memory\": %lld, \"stages\": {", seconds,
            processor, memory);
     for (stage = first_stage; stage <= last_stage; ++stage)
