@@ -38,8 +38,8 @@ def where(result):
     text = (f"{frames['n']} {frames['frames']} frames of {frames['features']} features "
             f"({frames['input'] / 1e6:.1f} MB), two coordinates; {result['machine']}; one thread "
             f"where nothing else is said; {versions}. Seconds are the median, and the least and "
-            "the most, of the runs, each in a process of its own, warmed up, without brackets of a single "
-            "one; memory is what a fit needs beyond the frames.")
+            "the most, of the runs, each in a process of its own, without brackets of a single "
+            "one; memory is what a first fit needs beyond the frames.")
     return textwrap.fill(text + busy(result), 100)
 
 
