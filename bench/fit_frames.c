@@ -92,7 +92,7 @@ static long long fit_memory(const stltsa_in* in, const stltsa_options* options) 
 }
 
 int main(int argc, char** argv) {
-    struct stage_times times;
+    struct stage_times times = start_stages(CLOCK_MONOTONIC);
     stltsa_model* model = NULL;
     double seconds, processor;
     int stage;

@@ -3,7 +3,6 @@
 #ifndef MEMORY_H
 #define MEMORY_H
 
-#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -37,7 +36,8 @@ static inline void keep_memory(long long bytes) {
     long long i;
 #ifdef __GLIBC__
     mallopt(M_MMAP_MAX, 0);
-    mallopt(M_TRIM_THRESHOLD, INT_MAX);
+    mallopt(M_TRIM_THRESHOLD, -1);
+    mallopt(M_ARENA_MAX, 1);
 #endif
     memory = malloc((size_t)bytes);
     for (i = 0; memory != NULL && i < bytes; i += 4096)

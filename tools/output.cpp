@@ -81,8 +81,10 @@ bool regular_or_new(const std::string& path) {
 /// Of files, there already or not; any number of results may go to /dev/null.
 bool same_place(const std::string& path, const std::string& other) {
     std::error_code none;
-    const fs::path place = fs::weakly_canonical(fs::absolute(path, none), none);
-    return regular_or_new(path) && place == fs::weakly_canonical(fs::absolute(other, none), none);
+    const auto place_of = [&none](const std::string& name) {
+        return fs::weakly_canonical(fs::absolute(followed(name), none), none);
+    };
+    return regular_or_new(path) && place_of(path) == place_of(other);
 }
 
 /// A name beside `path` that nobody uses, not even a run that was killed.
@@ -96,26 +98,28 @@ std::string unused_name(const std::string& path) {
     return name;
 }
 
-void write_beside(const std::string& path, const std::string& temporary, std::string_view content) {
+/// `name`: of the place, as it was given.
+void write_beside(const std::string& place, const std::string& temporary, std::string_view content,
+                  const std::string& name) {
     Descriptor file(temporary, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC);
     if (!file.good())
-        fail_writing(path);
+        fail_writing(name);
     struct stat existing {};
-    const bool replaces = ::stat(path.c_str(), &existing) == 0;
+    const bool replaces = ::stat(place.c_str(), &existing) == 0;
     const bool written = (!replaces || ::fchmod(file.number(), existing.st_mode & 07777) == 0) &&
                          write_all(file.number(), content) && file.close();
     if (!written) {
         const int why = errno;
         ::unlink(temporary.c_str());
         errno = why;
-        fail_writing(path);
+        fail_writing(name);
     }
 }
 
-void write_directly(const std::string& path, std::string_view content) {
-    Descriptor file(path, O_WRONLY | O_CLOEXEC);
+void write_directly(const std::string& place, std::string_view content, const std::string& name) {
+    Descriptor file(place, O_WRONLY | O_CLOEXEC);
     if (!file.good() || !write_all(file.number(), content) || !file.close())
-        fail_writing(path);
+        fail_writing(name);
 }
 
 } // namespace
@@ -134,22 +138,22 @@ OutputFiles::~OutputFiles() {
 void OutputFiles::add(const std::string& path, std::string content) {
     const std::string place = followed(path);
     if (!regular_or_new(place)) {
-        staged_.push_back({place, "", std::move(content), {}});
+        staged_.push_back({path, place, "", std::move(content), {}});
         return;
     }
     const std::string temporary = unused_name(place);
-    write_beside(place, temporary, content);
-    staged_.push_back({place, temporary, "", {}});
+    write_beside(place, temporary, content, path);
+    staged_.push_back({path, place, temporary, "", {}});
 }
 
 void OutputFiles::add_written(const std::string& path, Write write) {
     const std::string place = followed(path);
     if (!regular_or_new(place)) {
-        staged_.push_back({path, "", "", std::move(write)}); // the link has the suffix
+        staged_.push_back({path, path, "", "", std::move(write)}); // the link has the suffix
         return;
     }
     const std::string temporary = unused_name(place) + fs::path(path).extension().string();
-    staged_.push_back({place, temporary, "", {}});
+    staged_.push_back({path, place, temporary, "", {}});
     try {
         write(temporary);
     } catch (const Failure& failure) { // the user knows the place, not the name beside it
@@ -167,11 +171,11 @@ void OutputFiles::add_written(const std::string& path, Write write) {
 void OutputFiles::commit() {
     for (Staged& file : staged_) {
         if (file.write)
-            file.write(file.path);
+            file.write(file.place);
         else if (file.temporary.empty())
-            write_directly(file.path, file.content);
-        else if (std::rename(file.temporary.c_str(), file.path.c_str()) != 0)
-            fail_writing(file.path);
+            write_directly(file.place, file.content, file.name);
+        else if (std::rename(file.temporary.c_str(), file.place.c_str()) != 0)
+            fail_writing(file.name);
         file.temporary.clear();
     }
     staged_.clear();

@@ -31,7 +31,8 @@ class OutputFiles {
 
   private:
     struct Staged {
-        std::string path;      ///< of the place, links followed where it is a file
+        std::string name;      ///< as it was given
+        std::string place;     ///< links followed where it is a file
         std::string temporary; ///< empty: written directly
         std::string content;   ///< of those only
         Write write;           ///< of those whose content is not known

@@ -32,7 +32,8 @@ def keep_memory(size):
     mallopt = getattr(ctypes.CDLL(None), "mallopt", None)
     if mallopt:
         mallopt(-4, 0)  # M_MMAP_MAX
-        mallopt(-1, 2**31 - 1)  # M_TRIM_THRESHOLD
+        mallopt(-1, -1)  # M_TRIM_THRESHOLD
+        mallopt(-8, 1)  # M_ARENA_MAX
     needed = b"\1" * size
     del needed
 
@@ -77,7 +78,8 @@ def main(library, path, frames, features, neighbors, check, coords_path):
     if "failed" not in said:
         keep_memory(memory + memory // 4)
         said, coords = timed(fit)
-        np.ascontiguousarray(coords).tofile(coords_path)
+        if coords is not None:
+            np.ascontiguousarray(coords).tofile(coords_path)
     print(json.dumps(said | {"memory": memory}))
 
 

@@ -125,9 +125,9 @@ struct BlockIteration {
                 product[j * rows + i] = sum[j][i] * scale;
     }
 
-    /// What no wanted eigenvalue is below, in units of the trace, and the others are likely not
-    /// above: the least that a column stands for, or most of what none does. To be too low costs
-    /// steps, no digits.
+    /// What the unwanted eigenvalues are likely not above, in units of the trace: the least that a
+    /// column stands for, or most of what none does. After a Rayleigh-Ritz step no wanted
+    /// eigenvalue is below it; at the first look it is a guess. A bad one costs steps, no digits.
     template <class P>
     STLTSA_INLINE P unwanted() const {
         const P* block = reinterpret_cast<const P*>(block_data);

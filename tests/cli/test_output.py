@@ -118,17 +118,38 @@ class Files(CommandTest):
             self.assertGreater((self.folder / name).stat().st_size, 0)
             self.assertFalse((self.folder / name).is_symlink())
 
+    def test_links_to_one_new_file_are_one_place(self):
+        link, other = self.folder / "a.csv", self.folder / "b.csv"
+        link.symlink_to("b.csv")
+        message = self.fails(2, "denoise", walk(), "-o", link, "--curve-out", other)
+        self.assertIn("two outputs", message)
+        self.assertFalse(other.exists())
+
+    def test_ring_of_links(self):
+        ring = [self.folder / name for name in ("a.json", "b.json")]
+        ring[0].symlink_to(ring[1])
+        ring[1].symlink_to(ring[0])
+        self.assertIn("links", self.fails(1, "decompose", walk(), "--json", "-o", ring[0]))
+        self.assertTrue(all(link.is_symlink() for link in ring))
+
     def test_file_that_grows_too_large_is_named_as_given(self):
         for option, name in (("-o", "walk.stltsa"), ("--coords", "walk.csv")):
-            with self.subTest(option):
-                path = self.folder / name
-                message = self.fails(
-                    1, "fit", walk(), option, path, preexec_fn=let_files_be_small
-                )
-                self.assertIn(f"{path}", message)
-                self.assertNotIn(".tmp", message)
-                self.assertIn("too large", message)
-                self.assert_empty(self.folder)
+            for there in (False, True):
+                with self.subTest(option, there=there):
+                    path = self.folder / name
+                    if there:
+                        path.symlink_to("old")
+                        (self.folder / "old").write_text("old", encoding="ascii")
+                    message = self.fails(
+                        1, "fit", walk(), option, path, preexec_fn=let_files_be_small
+                    )
+                    self.assertIn(f"{path}", message)
+                    self.assertNotIn(".tmp", message)
+                    self.assertIn("too large", message)
+                    if there:
+                        path.unlink()
+                        (self.folder / "old").unlink()
+                    self.assert_empty(self.folder)
 
     def test_new_file_obeys_the_umask(self):
         path = self.folder / "walk.txt"
