@@ -33,7 +33,8 @@ std::int64_t node_count(std::int32_t rows) {
 }
 
 /// Pieces that follow each other stay together unless they would vary by so much more: a search
-/// begins with them. Measured, on recorded motion and on motion that repeats for long.
+/// begins with them. Of 1 to 2, what searches take least time with, of 9000 recorded frames and of
+/// 30 000 made-up ones that repeat for long.
 constexpr double favor_for_time = 1.1;
 
 /// Puts stretches in the order in which they lie in the tree: what is halved are pieces of motion

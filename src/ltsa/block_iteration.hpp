@@ -33,7 +33,8 @@ inline constexpr double hopeless_share = 2;
 /// The first step that knows enough of the eigenvalues for a polynomial.
 inline constexpr std::int64_t first_look = 2;
 
-/// How much of what the block has missed of the trace is likely in a single eigenvalue, measured.
+/// The share of the missed trace that a single eigenvalue is taken to hold: what windows of
+/// recorded motion converge soonest with.
 inline constexpr double share_of_one = 0.7;
 
 /// What rounding leaves of the residual of an eigenpair, relative to the largest eigenvalue.

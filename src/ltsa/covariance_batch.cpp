@@ -16,6 +16,10 @@ constexpr std::int64_t term_group = 8;
 /// longer a step takes.
 constexpr std::int64_t guard_columns = 4;
 
+/// Iterations from one Rayleigh-Ritz step to the next: few, for the block of the neighborhood
+/// before is nearly right already.
+constexpr std::int64_t ritz_interval = 3;
+
 /// matrix += sum over terms of sign * term term^T, where a term is a frame about the origin. Then
 /// the mean is taken out: with S the sum of all frames, S S^T / k leaves the matrix, and the one
 /// of the neighborhood before comes back.
@@ -91,7 +95,7 @@ struct CovarianceKernel {
 CovarianceBatch::CovarianceBatch(std::int64_t features, std::int64_t size, std::int64_t count,
                                  Simd simd)
     : features_(features), root_of_size_(std::sqrt(static_cast<double>(size))),
-      eigen_({features, count, count + guard_columns, true, 3}, simd),
+      eigen_({features, count, count + guard_columns, true, ritz_interval}, simd),
       start_(checked_size(eigen_.rows(), eigen_.columns())),
       origin_(checked_size(features, lanes())), sum_(checked_size(features, lanes())),
       used_(static_cast<std::size_t>(lanes())) {

@@ -18,6 +18,7 @@ class PatchTerms {
 
     std::int64_t first() const { return first_; }
     std::int64_t span() const { return span_; }
+    std::int64_t dimension() const { return dimension_; }
     /// k
     double size() const { return size_; }
     /// a
@@ -28,6 +29,7 @@ class PatchTerms {
   private:
     std::int64_t first_ = 0;
     std::int64_t span_ = 0;
+    std::int64_t dimension_ = 0;
     double size_ = 0;
     std::vector<double> values_;
 };
@@ -37,7 +39,8 @@ void PatchTerms::set(const Patches& patches, std::int64_t patch) {
     size_ = static_cast<double>(patches.size());
     first_ = frames.front();
     span_ = frames.back() - frames.front();
-    values_.resize(static_cast<std::size_t>(span_ * (1 + patches.dimension())));
+    dimension_ = patches.dimension();
+    values_.resize(static_cast<std::size_t>(span_ * (1 + dimension_)));
     spread_counts(patches, patch, values_.data());
     spread_directions(patches, patch, values_.data() + span_, span_);
 }
@@ -47,19 +50,17 @@ void PatchTerms::set(const Patches& patches, std::int64_t patch) {
 struct AddPatch {
     EnvelopeMatrix& matrix;
     std::int64_t begin, end;
-    std::int64_t first, span;
-    double size;
-    const double* beyond;
-    const double* sums; ///< of each dimension, `span` adjacent
-    std::int64_t dimension;
+    const PatchTerms& terms;
 
     template <int W>
     STLTSA_INLINE void run() const {
+        const std::int64_t first = terms.first();
+        const std::int64_t span = terms.span();
         for (std::int64_t c = std::max(begin, first); c < std::min(end, first + span); ++c) {
             double* column = matrix.column(c);
             const std::int64_t from = c - first;
             const std::int64_t length = span - from;
-            const double before = (size - beyond[from]) / size;
+            const double before = (terms.size() - terms.beyond()[from]) / terms.size();
             std::int64_t r = 0;
             for (; r + W <= length; r += W)
                 store(entry<Pack<W>>(column, before, from, r), column + r);
@@ -71,9 +72,9 @@ struct AddPatch {
     template <class P>
     STLTSA_INLINE P entry(const double* column, double before, std::int64_t from,
                           std::int64_t r) const {
-        P value = load<P>(column + r) + load<P>(beyond + from + r) * before;
-        for (std::int64_t l = 0; l < dimension; ++l) {
-            const double* h = sums + l * span + from;
+        P value = load<P>(column + r) + load<P>(terms.beyond() + from + r) * before;
+        for (std::int64_t l = 0; l < terms.dimension(); ++l) {
+            const double* h = terms.sums() + l * terms.span() + from;
             value -= h[0] * load<P>(h + r);
         }
         return value;
@@ -95,10 +96,7 @@ void assemble(const Patches& patches, const Machine& machine, EnvelopeMatrix& ma
                               if (frames.front() >= end || frames.back() <= begin)
                                   continue;
                               terms.set(patches, p);
-                              run_simd(machine.simd,
-                                       AddPatch{matrix, begin, end, terms.first(), terms.span(),
-                                                terms.size(), terms.beyond(), terms.sums(),
-                                                patches.dimension()});
+                              run_simd(machine.simd, AddPatch{matrix, begin, end, terms});
                           }
                       });
 }

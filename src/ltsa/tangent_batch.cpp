@@ -9,6 +9,11 @@
 namespace stltsa::ltsa {
 namespace {
 
+/// Columns of the block beyond those that are wanted, and iterations from one Rayleigh-Ritz step to
+/// the next: what takes least time for windows of 12 to 48 frames of recorded motion.
+constexpr std::int64_t guard_columns = 2;
+constexpr std::int64_t ritz_interval = 5;
+
 /// The correlation matrix from squared distances, and its eigenvectors from a start that is the
 /// same in every lane: polynomials of the frames' order, which the directions of a short piece of
 /// motion nearly are.
@@ -60,7 +65,7 @@ struct CorrelationKernel {
 } // namespace
 
 TangentBatch::TangentBatch(std::int64_t size, std::int64_t count, Simd simd)
-    : size_(size), eigen_({size, count, count + 2, false, 5}, simd) {
+    : size_(size), eigen_({size, count, count + guard_columns, false, ritz_interval}, simd) {
     start_.resize(checked_size(eigen_.rows(), eigen_.columns()));
     fill_start();
 }
