@@ -38,10 +38,44 @@ class DisjointSets {
     UnsetVector<std::int32_t> parent_;
 };
 
+/// Whether each frame but the first is in its own neighborhood, and an earlier one with it. Then
+/// all are connected: the temporal neighborhoods of one clip are, nearly always.
+bool each_has_an_earlier_one(const Neighborhoods& neighborhoods, const Machine& machine) {
+    const std::int64_t n = neighborhoods.frames();
+    std::vector<char> has(static_cast<std::size_t>(row_blocks(n)));
+    for_row_blocks(n, machine, [&](std::int64_t block, std::int64_t first, std::int64_t rows) {
+        std::int64_t i = std::max<std::int64_t>(first, 1);
+        while (i < first + rows && neighborhoods.of(i).front() < i &&
+               std::ranges::binary_search(neighborhoods.of(i), i))
+            ++i;
+        has[static_cast<std::size_t>(block)] = i == first + rows ? 1 : 0;
+    });
+    return std::ranges::all_of(has, [](char all) { return all != 0; });
+}
+
+Components one_component(std::int64_t n, const Machine& machine) {
+    Components components;
+    components.count = 1;
+    components.of_frame.resize(static_cast<std::size_t>(n));
+    components.position.resize(static_cast<std::size_t>(n));
+    components.members.emplace_back(static_cast<std::size_t>(n));
+    for_row_blocks(n, machine, [&](std::int64_t, std::int64_t first, std::int64_t rows) {
+        for (std::int64_t i = first; i < first + rows; ++i) {
+            const auto frame = static_cast<std::size_t>(i);
+            components.of_frame[frame] = 0;
+            components.position[frame] = components.members[0][frame] =
+                static_cast<std::int32_t>(i);
+        }
+    });
+    return components;
+}
+
 } // namespace
 
-Components connected_components(const Neighborhoods& neighborhoods) {
+Components connected_components(const Neighborhoods& neighborhoods, const Machine& machine) {
     const std::int64_t n = neighborhoods.frames();
+    if (each_has_an_earlier_one(neighborhoods, machine))
+        return one_component(n, machine);
     DisjointSets sets(n);
     for (std::int64_t i = 0; i < n; ++i) {
         // Frame i may be missing from its own neighborhood (include_self off): its window still

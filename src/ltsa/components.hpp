@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "linalg/machine.hpp"
 #include "ltsa/neighbors.hpp"
 
 namespace stltsa::ltsa {
@@ -18,6 +19,6 @@ struct Components {
     UnsetVector<std::int32_t> position;             ///< of a frame within its component
 };
 
-Components connected_components(const Neighborhoods& neighborhoods);
+Components connected_components(const Neighborhoods& neighborhoods, const Machine& machine);
 
 } // namespace stltsa::ltsa

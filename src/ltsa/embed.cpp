@@ -23,7 +23,8 @@ Graph build_graph(ConstMatrixView frames, std::span<const std::int64_t> lengths,
     Parameters within = parameters;
     within.window = std::min(parameters.window, graph.frames.x.rows);
     graph.neighborhoods = find_neighbors(graph.frames.x, graph.frames.lengths, within, progress);
-    graph.components = connected_components(graph.neighborhoods);
+    graph.components =
+        connected_components(graph.neighborhoods, {parameters.simd, parameters.threads});
     graph.tangents = local_tangents(graph.frames.x, graph.neighborhoods, within, progress);
     return graph;
 }

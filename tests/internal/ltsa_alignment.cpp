@@ -112,7 +112,7 @@ void check_alignment_of(MakeAlignment make, const Matrix& x, const Neighborhoods
     parameters.neighbors = parameters.window = found.size;
     parameters.dimension = d;
     const auto tangents = local_tangents(x.view(), found, parameters, {});
-    const auto components = connected_components(found);
+    const auto components = connected_components(found, {});
     assert_int_equal(components.count, 1);
     const Patches patches(found, tangents, components, 0, d);
     for (const Simd simd : machine_codes())
