@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <arpack.h>
+#include <cblas.h>
 
 #include "linalg/eigen.hpp"
 #include "linalg/panel.hpp"
@@ -16,7 +17,7 @@ namespace stltsa {
 namespace {
 
 /// ARPACK keeps state between its reverse-communication calls (Fortran SAVE), so one eigenproblem
-/// runs at a time, from the first call of dsaupd to the end of dseupd.
+/// runs at a time.
 std::mutex arpack_mutex;
 
 /// A run that needs more restarts than this is repeated with twice as many Lanczos vectors: where
@@ -28,14 +29,28 @@ constexpr std::int64_t most_vectors = 80;
 /// Eigenpairs whose residual is less, relative to their eigenvalue, count as found. The last one
 /// decides; those before it, which make up the embedding, are known much better by then, and the
 /// caller corrects all of them.
-constexpr double tolerance = 1e-9;
+constexpr double tolerance = 1e-7;
 
-/// Lanczos vectors at first.
+/// Lanczos vectors at first: so many that motion mostly needs no restart, which is a pass over all
+/// of them, on one thread, and more steps in the end.
 std::int64_t least_vectors(std::int64_t count) {
-    return 2 * count + 3;
+    return 2 * count + 5;
 }
 
-/// One run of dsaupd's reverse communication, then dseupd.
+/// The `count` largest pairs that an operator has in the span of a basis, from its inner products
+/// with that basis.
+Eigenpairs ritz_pairs(Matrix projected, Matrix basis, std::int64_t count) {
+    const std::int64_t order = projected.rows();
+    Eigenpairs pairs{std::move(basis), Matrix(order, count), {}, 0, 0};
+    symmetric_eigen(projected, pairs.values); // ascending, one per row
+    std::reverse(pairs.values.begin(), pairs.values.end());
+    for (std::int64_t j = 0; j < count; ++j)
+        for (std::int64_t m = 0; m < order; ++m)
+            pairs.coefficients(m, j) = projected(order - 1 - j, m);
+    return pairs;
+}
+
+/// One run of dsaupd's reverse communication.
 class Lanczos {
   public:
     Lanczos(std::int64_t order, std::int64_t count, std::int64_t vectors, a_int most_restarts,
@@ -80,24 +95,21 @@ class Lanczos {
     }
     std::int64_t converged() const { return parameters_[4]; }
 
-    /// Once only: the vectors take the place of the basis.
+    /// The Ritz pairs of the basis as it is; once only. dseupd would write the vectors out, on one
+    /// thread and in several passes, which takes as long as all steps but the operator's.
     Eigenpairs extract() {
-        Eigenpairs pairs{std::vector<double>(static_cast<std::size_t>(count_)), std::move(basis_),
-                         0};
-        std::vector<a_int> select(static_cast<std::size_t>(subspace_), 1);
-        a_int info = 0;
-        dseupd_c(1, "A", select.data(), pairs.values.data(), pairs.vectors.data(), order_, 0.0, "I",
-                 order_, "LA", count_, tolerance, residual_.data(), subspace_, pairs.vectors.data(),
-                 order_, parameters_, pointers_, work_.data(), small_work_.data(),
-                 small_work_size(), &info);
-        if (info != 0)
-            fail(Status::internal, "ARPACK dseupd failed (info {})", info);
-        pairs.vectors.keep_rows(count_);
-        // dseupd gives ascending order.
-        std::reverse(pairs.values.begin(), pairs.values.end());
-        for (std::int64_t r = 0; r < count_ / 2; ++r)
-            std::swap_ranges(pairs.vectors.row(r), pairs.vectors.row(r) + order_,
-                             pairs.vectors.row(count_ - 1 - r));
+        // Documented: the off-diagonal of the projected matrix from its second entry on, then the
+        // diagonal.
+        const double* off_diagonal = small_work_.data() + pointers_[4] - 1;
+        const double* diagonal = off_diagonal + subspace_;
+        Matrix projected(subspace_, subspace_);
+        for (a_int i = 0; i < subspace_; ++i) {
+            projected(i, i) = diagonal[i];
+            if (i > 0)
+                projected(i, i - 1) = projected(i - 1, i) = off_diagonal[i];
+        }
+        Eigenpairs pairs = ritz_pairs(std::move(projected), std::move(basis_), count_);
+        pairs.residual = cblas_dnrm2(order_, residual_.data(), 1);
         return pairs;
     }
 
@@ -125,13 +137,11 @@ Eigenpairs dense_eigenpairs(const Operator& apply, std::int64_t order, std::int6
     for (std::int64_t i = 0; i < order; ++i)
         for (std::int64_t j = 0; j < i; ++j)
             matrix(i, j) = matrix(j, i) = 0.5 * (matrix(i, j) + matrix(j, i));
-    std::vector<double> values;
-    symmetric_eigen(matrix, values);
-    Eigenpairs pairs{{}, Matrix(count, order), order};
-    for (std::int64_t r = 0; r < count; ++r) {
-        pairs.values.push_back(values[static_cast<std::size_t>(order - 1 - r)]);
-        std::copy_n(matrix.row(order - 1 - r), order, pairs.vectors.row(r));
-    }
+    Matrix basis(order, order);
+    for (std::int64_t i = 0; i < order; ++i)
+        basis(i, i) = 1;
+    Eigenpairs pairs = ritz_pairs(std::move(matrix), std::move(basis), count);
+    pairs.applications = order;
     return pairs;
 }
 

@@ -2,6 +2,7 @@
 // The largest eigenpairs of a symmetric operator, by ARPACK.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -12,10 +13,19 @@
 
 namespace stltsa {
 
+/// Vector j is the sum of coefficients(m, j) times row m of the basis: it takes a pass over memory
+/// to write it out, which is the caller's to share among threads.
 struct Eigenpairs {
-    std::vector<double> values; ///< descending
-    Matrix vectors;             ///< one per row, unit norm
+    Matrix basis;               ///< orthonormal rows
+    Matrix coefficients;        ///< a column for each pair that was asked for
+    std::vector<double> values; ///< descending; those beyond the pairs are rough, from below
+    double residual = 0;        ///< norm of what an application leaves outside of the basis
     std::int64_t applications = 0;
+
+    /// The residual of a pair.
+    double error(std::int64_t pair) const {
+        return residual * std::abs(coefficients(coefficients.rows() - 1, pair));
+    }
 };
 
 /// y = A x, both of the operator's order.
@@ -25,7 +35,7 @@ using Operator = std::function<void(std::span<const double> x, std::span<double>
 using Start = std::function<void(std::span<double> x)>;
 
 /// The `count` algebraically largest eigenpairs of a symmetric operator, with residuals of at most
-/// 1e-9 of their eigenvalue. `start` writes ARPACK's start vector, which decides, with the
+/// 1e-7 of their eigenvalue. `start` writes ARPACK's start vector, which decides, with the
 /// operator, every bit of the result; it must not be an eigenvector. `poll` is called between
 /// applications and may throw. Small orders are solved densely, by LAPACK. Needs count < order.
 /// Throws Status::not_converged.

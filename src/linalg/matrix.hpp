@@ -102,12 +102,6 @@ class Matrix {
         return matrix;
     }
 
-    /// Drops the rows after the first `count`.
-    void keep_rows(std::int64_t count) {
-        rows_ = count;
-        data_.resize(checked_size(count, cols_));
-    }
-
     std::int64_t rows() const { return rows_; }
     std::int64_t cols() const { return cols_; }
     double* data() { return data_.data(); }

@@ -40,6 +40,23 @@ struct ColumnProduct {
     }
 };
 
+/// panel := rows^T * factor, from row `first` of the panel on
+struct RowCombination {
+    ConstMatrixView rows, factor;
+    std::int64_t first;
+    MatrixView panel;
+
+    template <class P>
+    STLTSA_INLINE void columns(std::int64_t c) const {
+        for (std::int64_t m = 0; m < rows.rows; ++m) {
+            const double* entries = rows.row(m) + first;
+            const P share = pack_at<P>(factor.row(m) + c);
+            for (std::int64_t i = 0; i < panel.rows; ++i)
+                pack_at<P>(panel.row(i) + c) += entries[i] * share;
+        }
+    }
+};
+
 /// out := right - left * factor
 struct Rest {
     ConstMatrixView left, factor, right;
@@ -192,6 +209,18 @@ RestProducts rest_products(ConstMatrixView left, const Matrix& factor, ConstMatr
             sum(row % cols, c) += parts(row, c);
     }
     return products;
+}
+
+void combine_rows(ConstMatrixView rows, const Matrix& factor, MatrixView panel,
+                  const Machine& machine) {
+    Matrix padded(factor.rows(), panel.cols);
+    for (std::int64_t m = 0; m < factor.rows(); ++m)
+        std::copy_n(factor.row(m), factor.cols(), padded.row(m));
+    clear(panel, machine);
+    for_row_blocks(panel.rows, machine, [&](std::int64_t, std::int64_t first, std::int64_t count) {
+        run_columns(panel.cols, machine.simd,
+                    RowCombination{rows, padded.view(), first, panel.block(first, count)});
+    });
 }
 
 void multiply_columns(MatrixView panel, const Matrix& factor, const Machine& machine) {

@@ -77,6 +77,10 @@ struct RestProducts {
 RestProducts rest_products(ConstMatrixView left, const Matrix& factor, ConstMatrixView right,
                            const Machine& machine);
 
+/// panel := rows^T * factor; columns beyond the factor's are zero.
+void combine_rows(ConstMatrixView rows, const Matrix& factor, MatrixView panel,
+                  const Machine& machine);
+
 /// panel := panel * factor
 void multiply_columns(MatrixView panel, const Matrix& factor, const Machine& machine);
 

@@ -66,6 +66,12 @@ Component summarize(const Patches& patches, const Spectrum& spectrum, int dimens
     return component;
 }
 
+/// ARPACK's own work is done by one thread: it gets no longer vectors than this.
+std::int64_t run_length(std::int64_t frames) {
+    constexpr std::int64_t most_runs = 1 << 18;
+    return (frames + most_runs - 1) / most_runs;
+}
+
 /// Fills the rows of `coords` (distinct frames x dimension) that belong to a component.
 Component embed_component(const Graph& graph, std::int64_t index, int dimension, int eigenvalues,
                           const Progress& progress, Matrix& coords) {
@@ -89,7 +95,7 @@ Component embed_component(const Graph& graph, std::int64_t index, int dimension,
     progress.report(Stage::alignment, 1.0);
     Spectrum spectrum = smallest_eigenpairs(
         *alignment, std::min<std::int64_t>(eigenvalues - 1, patches.frames() - 1), dimension,
-        progress);
+        banded ? run_length(patches.frames()) : 1, progress);
     for (int l = 0; l < dimension; ++l)
         fix_sign(spectrum.vectors.row(l), patches.frames());
     for_row_blocks(

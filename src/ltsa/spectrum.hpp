@@ -20,9 +20,12 @@ struct Spectrum {
     std::int64_t solves = 0;
 };
 
-/// The `count` smallest eigenpairs beside the constant one (count < frames), the first
-/// `dimension` of them corrected and certified.
+/// The `count` smallest eigenpairs beside the constant one (count < frames / run_length), the first
+/// `dimension` of them corrected and certified. ARPACK looks among vectors that are constant over
+/// runs of `run_length` frames; where frames are in order of time the wanted ones hardly vary
+/// within a run, and after a solve what is missed of them is of the order of (run_length /
+/// frames)^2. Where a correction says that it is not, ARPACK begins again without runs.
 Spectrum smallest_eigenpairs(const Alignment& alignment, std::int64_t count, std::int64_t dimension,
-                             const Progress& progress);
+                             std::int64_t run_length, const Progress& progress);
 
 } // namespace stltsa::ltsa

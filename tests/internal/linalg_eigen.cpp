@@ -10,6 +10,7 @@
 #include "linalg/arpack.hpp"
 #include "linalg/blas_threads.hpp"
 #include "linalg/eigen.hpp"
+#include "linalg/panel.hpp"
 #include "linalg/simd.hpp"
 
 namespace {
@@ -82,12 +83,49 @@ void the_start_is_ours(void**) {
     ASSERT_NEAR(largest(200), 1, 1e-8);
 }
 
+/// A pair is what it is said to be, and off by as much as it says: of a small order, solved
+/// densely, and by ARPACK, without restarts and with them, where the values lie close.
+void check_diagonal(std::int64_t entries, double spread) {
+    const auto value = [spread](std::int64_t i) {
+        return 1 / (1 + spread * static_cast<double>(i));
+    };
+    const auto apply = [value](std::span<const double> x, std::span<double> y) {
+        for (std::size_t i = 0; i < x.size(); ++i)
+            y[i] = value(static_cast<std::int64_t>(i)) * x[i];
+    };
+    const auto start = [](std::span<double> x) { std::fill(x.begin(), x.end(), 1.0); };
+    constexpr std::int64_t wanted = 4;
+    const auto pairs = stltsa::largest_eigenpairs(apply, entries, start, wanted, {}, [] {});
+    const stltsa::Machine machine;
+    stltsa::Matrix vectors(entries, stltsa::panel_width(wanted, machine.simd));
+    stltsa::combine_rows(pairs.basis.view(), pairs.coefficients, vectors.view(), machine);
+    const auto products = stltsa::inner_products(vectors.view(), vectors.view(), machine);
+    for (std::int64_t j = 0; j < wanted; ++j) {
+        const double found = pairs.values[static_cast<std::size_t>(j)];
+        ASSERT_NEAR(found, value(j), 1e-12);
+        double square = 0;
+        for (std::int64_t i = 0; i < entries; ++i)
+            square += std::pow((value(i) - found) * vectors(i, j), 2);
+        ASSERT_NEAR(std::sqrt(square), pairs.error(j), 1e-13);
+        assert_true(pairs.error(j) <= 1e-7 * found);
+        for (std::int64_t l = 0; l < wanted; ++l)
+            ASSERT_NEAR(products(j, l), j == l ? 1 : 0, 1e-13);
+    }
+}
+
+void pairs_say_how_far_off_they_are(void**) {
+    for (const double spread : {0.01, 1.0, 30.0})
+        for (const std::int64_t entries : {50, 400, 4000})
+            check_diagonal(entries, spread);
+}
+
 } // namespace
 
 int main() {
     const stltsa::SingleThreadedBlas single;
     const CMUnitTest tests[] = {
         cmocka_unit_test(the_start_is_ours),
+        cmocka_unit_test(pairs_say_how_far_off_they_are),
         cmocka_unit_test(a_known_spectrum),
         cmocka_unit_test(nearly_the_identity),
     };
