@@ -9,7 +9,7 @@ import dataclasses
 
 from tasks import DIMENSION
 
-SPARE_VECTORS = 3  # that ARPACK keeps beyond twice the wanted ones
+SPARE_VECTORS = 5  # that ARPACK keeps beyond twice the wanted ones
 SPARE_COLUMNS = 2  # of the block that finds the tangents, beyond d
 LEAST_PRODUCTS = 5  # with that block, before it may stop
 LEAST_PRODUCTS_FOLLOWING = 3  # where it starts from what the frame before ended with
