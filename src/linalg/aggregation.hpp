@@ -22,9 +22,12 @@ class Aggregation {
     void spread(ConstMatrixView coarse, MatrixView panel, const Machine& machine) const;
     /// coarse := Q^T panel
     void gather(ConstMatrixView panel, MatrixView coarse, const Machine& machine) const;
+    /// The norm of what a column of a panel has beyond its means over runs: (I - Q Q^T) x.
+    double variation_within(ConstMatrixView panel, std::int64_t column,
+                            const Machine& machine) const;
 
   private:
-    /// work(run, first row, rows, 1 / sqrt(rows)) for each run.
+    /// work(block, run, first row, rows) for each run, many in a block.
     template <class Work>
     void for_runs(const Machine& machine, const Work& work) const;
 

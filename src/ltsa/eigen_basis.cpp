@@ -42,8 +42,8 @@ double largest_cosine(const Matrix& products, std::int64_t count) {
     double largest = 0;
     for (std::int64_t i = 0; i < count; ++i)
         for (std::int64_t j = 0; j < i; ++j)
-            largest = std::max(largest, std::abs(products(i, j)) /
-                                            std::sqrt(products(i, i) * products(j, j)));
+            largest = std::max(largest, std::abs(products(i, j)) / std::sqrt(products(i, i)) /
+                                            std::sqrt(products(j, j)));
     return largest;
 }
 
@@ -64,12 +64,15 @@ Matrix orthonormalize(const Alignment& alignment, EigenBasis& basis) {
 
 /// T^T form T of the first `count` columns.
 Matrix congruent(const Matrix& form, const Matrix& t, std::int64_t count) {
-    Matrix result(count, count);
+    Matrix product(count, count), result(count, count); // form T, then T^T of it
     for (std::int64_t i = 0; i < count; ++i)
-        for (std::int64_t j = 0; j < count; ++j)
-            for (std::int64_t p = 0; p < count; ++p)
-                for (std::int64_t q = 0; q < count; ++q)
-                    result(i, j) += t(p, i) * form(p, q) * t(q, j);
+        for (std::int64_t p = 0; p < count; ++p)
+            for (std::int64_t j = 0; j < count; ++j)
+                product(i, j) += form(i, p) * t(p, j);
+    for (std::int64_t p = 0; p < count; ++p)
+        for (std::int64_t i = 0; i < count; ++i)
+            for (std::int64_t j = 0; j < count; ++j)
+                result(i, j) += t(p, i) * product(p, j);
     return result;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "base/random.hpp"
@@ -63,19 +64,40 @@ int first_solves(const Eigenpairs& found, std::int64_t dimension) {
     return solves;
 }
 
-/// What ARPACK found, after so many solves.
+/// What ARPACK found, solved for so many times.
 EigenBasis solved(const Alignment& alignment, const Aggregation& runs, const Eigenpairs& found,
-                  int solves) {
+                  int times) {
     EigenBasis basis(alignment, found.coefficients.cols());
     Matrix coarse = Matrix::unset(runs.runs(), basis.x.cols());
     combine_rows(found.basis.view(), found.coefficients, coarse.view(), alignment.machine());
     runs.spread(coarse.view(), basis.x.view(), alignment.machine());
-    for (int i = 0; i < solves; ++i) {
+    for (int i = 0; i < times; ++i) {
         alignment.restrict_to(basis.x.view(), basis.unknowns.view());
         alignment.solve(basis.unknowns.view());
         alignment.prolong(basis.unknowns.view(), basis.x.view());
     }
     return basis;
+}
+
+/// Whether vectors that are constant over these runs are enough to look among: false where one may
+/// be wanted that mostly varies within runs. It would be in nothing that follows, not even as an
+/// error that grows. But a solve makes noise of variance 1 into a vector that has each eigenvector
+/// about as often as its eigenvalue says, and the wanted ones have at least this one.
+bool enough(const Alignment& alignment, const Aggregation& runs, double smallest_wanted) {
+    constexpr double small_share = 1e-3;
+    Matrix noise = Matrix::unset(alignment.frames(), 1);
+    Matrix unknowns = Matrix::unset(alignment.unknowns(), 1);
+    for_row_blocks(noise.rows(), alignment.machine(),
+                   [&](std::int64_t block, std::int64_t first, std::int64_t rows) {
+                       Random random(2 + static_cast<std::uint64_t>(block));
+                       for (std::int64_t i = first; i < first + rows; ++i)
+                           noise(i, 0) = std::sqrt(3.0) * random.symmetric();
+                   });
+    alignment.restrict_to(noise.view(), unknowns.view());
+    alignment.solve(unknowns.view());
+    alignment.prolong(unknowns.view(), noise.view());
+    return runs.variation_within(noise.view(), 0, alignment.machine()) <
+           small_share * smallest_wanted;
 }
 
 /// The first vectors, one per row.
@@ -108,18 +130,26 @@ void refine(const Alignment& alignment, std::int64_t dimension, const Progress& 
     }
 }
 
-Spectrum eigenpairs_from_runs(const Alignment& alignment, const Aggregation& runs,
-                              std::int64_t count, std::int64_t dimension,
-                              const Progress& progress) {
+/// From vectors that are constant over these runs; nothing where they turn out not to be enough.
+std::optional<Spectrum> eigenpairs_from(const Alignment& alignment, const Aggregation& runs,
+                                        std::int64_t count, std::int64_t dimension,
+                                        const Progress& progress, std::int64_t& solves) {
+    // Where a first correction turns the embedding by more, runs were too long for it.
+    constexpr double change_by_runs = 1e-9;
+    const bool fewer = runs.runs() < runs.rows();
     Eigenpairs found =
         largest_eigenpairs(pseudo_inverse(alignment, runs), runs.runs(), set_start, count,
                            alignment.machine(), [&] { progress.report(Stage::spectrum, 0.0); });
+    solves += found.applications;
+    if (fewer && !enough(alignment, runs, found.values[static_cast<std::size_t>(dimension) - 1]))
+        return {};
     Spectrum spectrum;
-    spectrum.solves = found.applications;
-    const int solves = first_solves(found, dimension);
-    EigenBasis basis = solved(alignment, runs, std::exchange(found, {}), solves);
+    const int times = first_solves(found, dimension);
+    EigenBasis basis = solved(alignment, runs, std::exchange(found, {}), times);
     rayleigh_ritz(alignment, basis);
     refine(alignment, dimension, progress, basis, spectrum);
+    if (fewer && !(spectrum.first_change < change_by_runs))
+        return {};
     spectrum.residual = largest_residual(alignment, basis, dimension);
     spectrum.values = basis.values;
     spectrum.vectors = rows_of(basis.x, dimension, alignment.machine());
@@ -127,23 +157,17 @@ Spectrum eigenpairs_from_runs(const Alignment& alignment, const Aggregation& run
     return spectrum;
 }
 
-/// Where a first correction turns the embedding by more, the runs were too long for it.
-constexpr double change_by_runs = 1e-9;
-
 } // namespace
 
 Spectrum smallest_eigenpairs(const Alignment& alignment, std::int64_t count, std::int64_t dimension,
                              std::int64_t run_length, const Progress& progress) {
     const std::int64_t n = alignment.frames();
-    Spectrum spectrum =
-        eigenpairs_from_runs(alignment, {n, run_length}, count, dimension, progress);
-    if (run_length == 1 || spectrum.first_change < change_by_runs)
-        return spectrum;
-    const std::int64_t solves = spectrum.solves;
-    spectrum = {};
-    spectrum = eigenpairs_from_runs(alignment, {n, 1}, count, dimension, progress);
-    spectrum.solves += solves;
-    return spectrum;
+    std::int64_t solves = 0;
+    auto spectrum = eigenpairs_from(alignment, {n, run_length}, count, dimension, progress, solves);
+    if (!spectrum)
+        spectrum = eigenpairs_from(alignment, {n, 1}, count, dimension, progress, solves);
+    spectrum->solves = solves;
+    return std::move(*spectrum);
 }
 
 } // namespace stltsa::ltsa
