@@ -96,7 +96,7 @@ class Lanczos {
     std::int64_t converged() const { return parameters_[4]; }
 
     /// The Ritz pairs of the basis as it is; once only. dseupd would write the vectors out, on one
-    /// thread and in several passes, which takes as long as all steps but the operator's.
+    /// thread and in several passes.
     Eigenpairs extract() {
         // Documented: the off-diagonal of the projected matrix from its second entry on, then the
         // diagonal.

@@ -16,6 +16,13 @@
 namespace stltsa::ltsa {
 namespace {
 
+/// x := B^+ x for a panel or one column; its unknowns are left, too.
+void multiply_by_inverse(const Alignment& alignment, MatrixView x, MatrixView unknowns) {
+    alignment.restrict_to(x, unknowns);
+    alignment.solve(unknowns);
+    alignment.prolong(unknowns, x);
+}
+
 /// x -> Q^T B^+ Q x, a value for each run of frames: the wanted eigenpairs are its largest, so no
 /// shift is needed.
 Operator pseudo_inverse(const Alignment& alignment, const Aggregation& runs) {
@@ -23,9 +30,7 @@ Operator pseudo_inverse(const Alignment& alignment, const Aggregation& runs) {
             unknowns = Matrix::unset(alignment.unknowns(), 1)](std::span<const double> x,
                                                                std::span<double> y) mutable {
         runs.spread({x.data(), runs.runs(), 1, 1}, frames.view(), alignment.machine());
-        alignment.restrict_to(frames.view(), unknowns.view());
-        alignment.solve(unknowns.view());
-        alignment.prolong(unknowns.view(), frames.view());
+        multiply_by_inverse(alignment, frames.view(), unknowns.view());
         runs.gather(frames.view(), {y.data(), runs.runs(), 1, 1}, alignment.machine());
     };
 }
@@ -47,7 +52,7 @@ void set_start(std::span<double> x) {
 constexpr double small_change = 1e-12;
 constexpr int most_corrections = 6;
 
-/// Solves that bring ARPACK's vectors as near: they take a quarter of a correction's time. One in
+/// Solves that bring ARPACK's vectors as near: they take less time than a correction. One in
 /// any case, because it makes unknowns: differences of a vector's entries would lose as many digits
 /// as the entries are larger than their differences.
 int first_solves(const Eigenpairs& found, std::int64_t dimension) {
@@ -71,20 +76,17 @@ EigenBasis solved(const Alignment& alignment, const Aggregation& runs, const Eig
     Matrix coarse = Matrix::unset(runs.runs(), basis.x.cols());
     combine_rows(found.basis.view(), found.coefficients, coarse.view(), alignment.machine());
     runs.spread(coarse.view(), basis.x.view(), alignment.machine());
-    for (int i = 0; i < times; ++i) {
-        alignment.restrict_to(basis.x.view(), basis.unknowns.view());
-        alignment.solve(basis.unknowns.view());
-        alignment.prolong(basis.unknowns.view(), basis.x.view());
-    }
+    for (int i = 0; i < times; ++i)
+        multiply_by_inverse(alignment, basis.x.view(), basis.unknowns.view());
     return basis;
 }
 
 /// Whether vectors that are constant over these runs are enough to look among: false where one may
 /// be wanted that mostly varies within runs. It would be in nothing that follows, not even as an
-/// error that grows. But a solve makes noise of variance 1 into a vector that has each eigenvector
-/// about as often as its eigenvalue says, and the wanted ones have at least this one.
+/// error that grows. But B^+ times noise of variance 1 has each eigenvector in it about as large as
+/// its eigenvalue of B^+, which is at least `smallest_wanted` for a wanted one.
 bool enough(const Alignment& alignment, const Aggregation& runs, double smallest_wanted) {
-    constexpr double small_share = 1e-3;
+    constexpr double small_share = 1e-3; // far above what motion has within runs
     Matrix noise = Matrix::unset(alignment.frames(), 1);
     Matrix unknowns = Matrix::unset(alignment.unknowns(), 1);
     for_row_blocks(noise.rows(), alignment.machine(),
@@ -93,9 +95,7 @@ bool enough(const Alignment& alignment, const Aggregation& runs, double smallest
                        for (std::int64_t i = first; i < first + rows; ++i)
                            noise(i, 0) = std::sqrt(3.0) * random.symmetric();
                    });
-    alignment.restrict_to(noise.view(), unknowns.view());
-    alignment.solve(unknowns.view());
-    alignment.prolong(unknowns.view(), noise.view());
+    multiply_by_inverse(alignment, noise.view(), unknowns.view());
     return runs.variation_within(noise.view(), 0, alignment.machine()) <
            small_share * smallest_wanted;
 }
