@@ -132,8 +132,12 @@ bool cholesky(EnvelopeMatrix& matrix, double smallest, const Machine& machine) {
 
 namespace {
 
-/// The sweeps of a solve through one pack of columns. Row by row, so that a step waits for the last
-/// value before it alone, and stores once.
+/// Rows that a sweep works on at a time: each value before or after them is read once for all, and
+/// of the numbers that a step waits for, all but the last few are there.
+constexpr int step_rows = 4;
+
+/// The sweeps of a solve through one pack of columns. A row has everything taken off in the same
+/// order, alone or in a step, and what came last, last.
 template <class P>
 struct Sweep {
     const EnvelopeMatrix& factor;
@@ -142,40 +146,94 @@ struct Sweep {
 
     STLTSA_INLINE P& at(std::int64_t row) const { return pack_at<P>(x.row(row) + column); }
 
-    /// What row i leaves of its value when the columns before it have theirs; `first` follows the
-    /// first column that reaches the row.
-    STLTSA_INLINE P after_columns(std::int64_t i, std::int64_t& first) const {
+    /// Gives the rows i .. i + R - 1 their values when the columns before have theirs; `first`
+    /// follows the first column that reaches row i.
+    template <int R>
+    STLTSA_INLINE void step_down(std::int64_t i, std::int64_t& first) const {
+        P value[R];
+        for (int r = 0; r < R; ++r)
+            value[r] = at(i + r);
         while (factor.reach(first) < i)
             ++first;
-        P value = at(i);
-        for (std::int64_t c = first; c < i; ++c)
-            value -= factor.column(c)[i - c] * at(c);
-        return value;
-    }
-    /// What the rows [from, to] leave of a value when they have theirs; the newest last.
-    STLTSA_INLINE P after_rows(P value, std::int64_t j, std::int64_t from, std::int64_t to) const {
-        const double* entries = factor.column(j);
-        for (std::int64_t i = to; i >= from; --i)
-            value -= entries[i - j] * at(i);
-        return value;
+        std::int64_t c = first;
+        for (; c < i && factor.reach(c) < i + R - 1; ++c)
+            for (int r = 0; r < R - 1; ++r)
+                if (i + r <= factor.reach(c))
+                    value[r] -= factor.column(c)[i + r - c] * at(c);
+        for (; c < i; ++c) {
+            const double* entries = factor.column(c) + (i - c);
+            const P before = at(c);
+            for (int r = 0; r < R; ++r)
+                value[r] -= entries[r] * before;
+        }
+        for (int s = 0; s < R; ++s) {
+            const double* entries = factor.column(i + s);
+            value[s] *= entries[0];
+            for (int r = s + 1; r < R; ++r)
+                if (i + r <= factor.reach(i + s))
+                    value[r] -= entries[r - s] * value[s];
+        }
+        for (int r = 0; r < R; ++r)
+            at(i + r) = value[r];
     }
 
-    STLTSA_INLINE void down(std::int64_t i, std::int64_t& first) const {
-        at(i) = after_columns(i, first) * factor.column(i)[0];
+    /// Gives the rows j .. j + R - 1 their values when the rows after them, before `end`, have
+    /// theirs.
+    template <int R>
+    STLTSA_INLINE void step_up(std::int64_t j, std::int64_t end) const {
+        P value[R];
+        const double* entries[R]; // of each column, from row j on
+        std::int64_t last[R];
+        for (int r = 0; r < R; ++r) {
+            value[r] = at(j + r);
+            entries[r] = factor.column(j + r) - r;
+            last[r] = std::min(factor.reach(j + r), end - 1);
+        }
+        std::int64_t i = last[R - 1];
+        for (; i >= j + R && i > last[0]; --i)
+            for (int r = 1; r < R; ++r)
+                if (i <= last[r])
+                    value[r] -= entries[r][i - j] * at(i);
+        for (; i >= j + R; --i) {
+            const P after = at(i);
+            for (int r = 0; r < R; ++r)
+                value[r] -= entries[r][i - j] * after;
+        }
+        for (int s = R - 1; s >= 0; --s) {
+            value[s] *= entries[s][s];
+            for (int r = 0; r < s; ++r)
+                if (j + s <= last[r])
+                    value[r] -= entries[r][s] * value[s];
+        }
+        for (int r = 0; r < R; ++r)
+            at(j + r) = value[r];
     }
-    STLTSA_INLINE void up(std::int64_t j, std::int64_t end) const {
-        const std::int64_t last = std::min(factor.reach(j), end - 1);
-        at(j) = after_rows(at(j), j, j + 1, last) * factor.column(j)[0];
+
+    /// At most step_rows rows.
+    STLTSA_INLINE void down(std::int64_t begin, std::int64_t end, std::int64_t& first) const {
+        if (end - begin == step_rows)
+            return step_down<step_rows>(begin, first);
+        for (std::int64_t i = begin; i < end; ++i)
+            step_down<1>(i, first);
+    }
+    STLTSA_INLINE void up(std::int64_t begin, std::int64_t end) const {
+        if (end - begin == step_rows)
+            return step_up<step_rows>(begin, factor.order());
+        for (std::int64_t j = end - 1; j >= begin; --j)
+            step_up<1>(j, factor.order());
     }
 
     STLTSA_INLINE void solve_middle(const Middle& middle) const {
-        std::int64_t first = 0;
+        std::int64_t first = middle.begin;
+        while (first > 0 && factor.reach(first - 1) >= middle.begin)
+            --first;
         for (std::int64_t i = middle.begin; i < middle.end; ++i) {
-            at(i) = after_rows(at(i), i, middle.end, factor.reach(i));
-            down(i, first);
+            for (std::int64_t r = factor.reach(i); r >= middle.end; --r)
+                at(i) -= factor.column(i)[r - i] * at(r);
+            step_down<1>(i, first);
         }
         for (std::int64_t j = middle.end - 1; j >= middle.begin; --j)
-            up(j, middle.end);
+            step_up<1>(j, middle.end);
     }
 };
 
@@ -196,19 +254,20 @@ struct Halves {
         const std::int64_t n = factor.order();
         const std::int64_t upper = arm == Arm::lower ? 0 : middle.begin;
         const std::int64_t lower = arm == Arm::upper ? 0 : n - middle.end;
-        std::int64_t first = 0;
-        for (std::int64_t step = 0; step < std::max(upper, lower); ++step)
+        std::int64_t first = inwards ? 0 : middle.begin;
+        for (std::int64_t done = 0; done < std::max(upper, lower); done += step_rows) {
+            const std::int64_t above = std::min(done, upper);
+            const std::int64_t above_then = std::min(done + step_rows, upper);
+            const std::int64_t below = std::min(done, lower);
+            const std::int64_t below_then = std::min(done + step_rows, lower);
             if (inwards) {
-                if (step < upper)
-                    sweep.down(step, first);
-                if (step < lower)
-                    sweep.up(n - 1 - step, n);
+                sweep.down(above, above_then, first);
+                sweep.up(n - below_then, n - below);
             } else {
-                if (step < upper)
-                    sweep.up(middle.begin - 1 - step, n);
-                if (step < lower)
-                    sweep.down(middle.end + step, first);
+                sweep.up(middle.begin - above_then, middle.begin - above);
+                sweep.down(middle.end + below, middle.end + below_then, first);
             }
+        }
     }
 };
 
