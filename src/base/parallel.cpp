@@ -9,7 +9,6 @@
 #include <limits>
 #include <mutex>
 #include <thread>
-#include <vector>
 
 namespace stltsa {
 namespace {
@@ -82,29 +81,52 @@ void parallel_blocks(std::int64_t blocks, int threads,
                      const std::function<void(std::int64_t)>& body,
                      const std::function<void(std::int64_t)>& poll) {
     BlockQueue queue(blocks, body);
-    std::vector<std::thread> workers;
-    const std::int64_t extra =
-        std::max<std::int64_t>(0, std::min<std::int64_t>(threads, blocks) - 1);
-    workers.reserve(static_cast<std::size_t>(extra));
-    try {
-        for (std::int64_t i = 0; i < extra; ++i)
-            workers.emplace_back([&queue] {
-                while (queue.run_one()) {
-                }
-            });
-    } catch (const std::exception&) {
-        // No more threads or memory for them: the ones that started and this one do the work.
-    }
-    try {
-        while (queue.run_one())
-            if (poll)
-                poll(queue.done());
-    } catch (...) {
-        queue.record(-1, std::current_exception());
-    }
-    for (auto& worker : workers)
-        worker.join();
+    const auto help = [&queue] {
+        while (queue.run_one()) {
+        }
+    };
+    const auto lead = [&queue, &poll] {
+        try {
+            while (queue.run_one())
+                if (poll)
+                    poll(queue.done());
+        } catch (...) {
+            queue.record(-1, std::current_exception());
+        }
+    };
+    const std::int64_t helpers = std::min<std::int64_t>(threads, blocks) - 1;
+    if (helpers < 1)
+        lead();
+    else if (ThreadPool* pool = SharedThreads::idle())
+        pool->run(helpers, help, lead);
+    else
+        ThreadPool().run(helpers, help, lead);
     queue.rethrow();
+}
+
+namespace {
+
+thread_local SharedThreads* shared_threads = nullptr;
+
+} // namespace
+
+SharedThreads::SharedThreads() {
+    if (shared_threads == nullptr)
+        shared_threads = this;
+}
+
+SharedThreads::~SharedThreads() {
+    if (shared_threads == this)
+        shared_threads = nullptr;
+}
+
+ThreadPool* SharedThreads::idle() {
+    if (shared_threads == nullptr)
+        return nullptr;
+    auto& pool = shared_threads->pool_;
+    if (!pool)
+        pool = std::make_unique<ThreadPool>();
+    return pool->running() ? nullptr : pool.get();
 }
 
 } // namespace stltsa

@@ -6,6 +6,9 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
+
+#include "base/thread_pool.hpp"
 
 namespace stltsa {
 
@@ -18,5 +21,21 @@ int thread_count(std::int64_t requested);
 void parallel_blocks(std::int64_t blocks, int threads,
                      const std::function<void(std::int64_t block)>& body,
                      const std::function<void(std::int64_t done)>& poll = {});
+
+/// While one lives, the parallel loops of the thread that made it share their threads, which start
+/// with the first loop that needs them. One within another does nothing.
+class SharedThreads {
+  public:
+    SharedThreads();
+    ~SharedThreads();
+    SharedThreads(const SharedThreads&) = delete;
+    SharedThreads& operator=(const SharedThreads&) = delete;
+
+    /// What a loop of this thread has to use: nothing outside all of these, or within another loop.
+    static ThreadPool* idle();
+
+  private:
+    std::unique_ptr<ThreadPool> pool_;
+};
 
 } // namespace stltsa

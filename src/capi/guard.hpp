@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "base/error.hpp"
+#include "base/parallel.hpp"
 #include "stltsa.h"
 
 namespace stltsa::capi {
@@ -18,6 +19,7 @@ stltsa_status remember(Status status, const char* text) noexcept;
 template <class Body>
 stltsa_status guard(Body&& body) noexcept {
     try {
+        const SharedThreads threads;
         body();
         return STLTSA_OK;
     } catch (const Error& error) {

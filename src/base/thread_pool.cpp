@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/thread_pool.hpp"
+
+#include <algorithm>
+#include <exception>
+
+namespace stltsa {
+namespace {
+
+/// Looks for a while, which is quicker than to be woken, before it is slept for. Others that need
+/// the processor get it.
+template <class Condition>
+void look_for(const Condition& condition) {
+    constexpr int looks = 2000; // about a millisecond
+    for (int i = 0; i < looks && !condition(); ++i)
+        std::this_thread::yield();
+}
+
+} // namespace
+
+ThreadPool::~ThreadPool() {
+    {
+        const std::lock_guard lock(mutex_);
+        ended_ = true;
+    }
+    wanted_.notify_all();
+    for (auto& thread : threads_)
+        thread.join();
+}
+
+void ThreadPool::run(std::int64_t helpers, const std::function<void()>& help,
+                     const std::function<void()>& lead) {
+    start(helpers);
+    const std::int64_t seats = std::min(helpers, static_cast<std::int64_t>(threads_.size()));
+    {
+        const std::lock_guard lock(mutex_);
+        help_ = &help;
+        seats_ = seats;
+    }
+    for (std::int64_t i = 0; i < seats; ++i)
+        wanted_.notify_one();
+    lead();
+    {
+        const std::lock_guard lock(mutex_);
+        seats_ = 0;
+    }
+    look_for([this] { return working_ == 0; });
+    std::unique_lock lock(mutex_);
+    idle_.wait(lock, [this] { return working_ == 0; });
+    help_ = nullptr;
+}
+
+void ThreadPool::start(std::int64_t count) {
+    try {
+        while (static_cast<std::int64_t>(threads_.size()) < count)
+            threads_.emplace_back([this] { work(); });
+    } catch (const std::exception&) {
+        // No more threads or memory for them: the ones that started do the work.
+    }
+}
+
+void ThreadPool::work() {
+    for (;;) {
+        look_for([this] { return seats_ > 0 || ended_; });
+        std::unique_lock lock(mutex_);
+        wanted_.wait(lock, [this] { return seats_ > 0 || ended_; });
+        if (ended_)
+            return;
+        --seats_;
+        ++working_;
+        lock.unlock();
+        (*help_)();
+        lock.lock();
+        if (--working_ == 0)
+            idle_.notify_one();
+    }
+}
+
+} // namespace stltsa
