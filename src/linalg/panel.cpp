@@ -87,58 +87,6 @@ struct Sum {
     }
 };
 
-/// sums(0, .) := the sum of the rows, sums(1, .) := that of their prefix sums
-struct PrefixTotals {
-    ConstMatrixView rows;
-    MatrixView sums;
-
-    template <class P>
-    STLTSA_INLINE void columns(std::int64_t c) const {
-        P sum{}, total{};
-        for (std::int64_t row = 0; row < rows.rows; ++row) {
-            sum += pack_at<P>(rows.row(row) + c);
-            total += sum;
-        }
-        pack_at<P>(sums.row(0) + c) = sum;
-        pack_at<P>(sums.row(1) + c) = total;
-    }
-};
-
-/// out(r) := start + in(0) + .. + in(r)
-struct PrefixSums {
-    ConstMatrixView in;
-    const double* start;
-    MatrixView out;
-
-    template <class P>
-    STLTSA_INLINE void columns(std::int64_t c) const {
-        P sum{};
-        const P before = pack_at<P>(start + c);
-        for (std::int64_t row = 0; row < in.rows; ++row) {
-            sum += pack_at<P>(in.row(row) + c);
-            pack_at<P>(out.row(row) + c) = before + sum;
-        }
-    }
-};
-
-/// out(r) := start + in(r) + .. + in(last), each less `mean`
-struct SuffixSums {
-    ConstMatrixView in;
-    const double *mean, *start;
-    MatrixView out;
-
-    template <class P>
-    STLTSA_INLINE void columns(std::int64_t c) const {
-        P sum{};
-        const P before = pack_at<P>(start + c);
-        const P shift = pack_at<P>(mean + c);
-        for (std::int64_t row = in.rows; row-- > 0;) {
-            sum += pack_at<P>(in.row(row) + c) - shift;
-            pack_at<P>(out.row(row) + c) = before + sum;
-        }
-    }
-};
-
 /// rows(r) -= what(0, .)
 struct Subtraction {
     MatrixView rows;
@@ -268,50 +216,6 @@ void subtract_row(MatrixView panel, const Matrix& row, const Machine& machine) {
 
 void center(MatrixView panel, const Machine& machine) {
     subtract_row(panel, column_means(panel, machine), machine);
-}
-
-void centered_prefix_sums(ConstMatrixView z, MatrixView x, const Machine& machine) {
-    Matrix totals(2 * row_blocks(z.rows), z.cols);
-    for_row_blocks(z.rows, machine, [&](std::int64_t block, std::int64_t first, std::int64_t rows) {
-        run_columns(z.cols, machine.simd,
-                    PrefixTotals{z.block(first, rows), totals.view().block(2 * block, 2)});
-    });
-    Matrix starts(row_blocks(z.rows) + 1, z.cols); // before each block
-    Matrix mean(1, z.cols);
-    for (std::int64_t block = 0; block < row_blocks(z.rows); ++block) {
-        const std::int64_t rows = std::min(row_block, z.rows - block * row_block);
-        for (std::int64_t c = 0; c < z.cols; ++c) {
-            mean(0, c) += totals(2 * block + 1, c) + static_cast<double>(rows) * starts(block, c);
-            starts(block + 1, c) = starts(block, c) + totals(2 * block, c);
-        }
-    }
-    for (std::int64_t block = 0; block < starts.rows(); ++block)
-        for (std::int64_t c = 0; c < z.cols; ++c)
-            starts(block, c) -= mean(0, c) / static_cast<double>(x.rows);
-    std::copy_n(starts.row(0), x.cols, x.row(0));
-    for_row_blocks(z.rows, machine, [&](std::int64_t block, std::int64_t first, std::int64_t rows) {
-        run_columns(z.cols, machine.simd,
-                    PrefixSums{z.block(first, rows), starts.row(block), x.block(first + 1, rows)});
-    });
-}
-
-void centered_suffix_sums(ConstMatrixView x, MatrixView z, const Machine& machine) {
-    const ConstMatrixView rest = x.block(1, z.rows);
-    const Matrix sums = block_sums(rest, machine);
-    const Matrix mean = mean_of(x.row(0), sums, x.rows);
-    Matrix after(sums.rows(), sums.cols()); // the sums of what is after each block
-    for (std::int64_t block = sums.rows() - 1; block > 0; --block) {
-        const std::int64_t rows = std::min(row_block, rest.rows - block * row_block);
-        for (std::int64_t c = 0; c < z.cols; ++c)
-            after(block - 1, c) =
-                after(block, c) + (sums(block, c) - static_cast<double>(rows) * mean(0, c));
-    }
-    for_row_blocks(rest.rows, machine,
-                   [&](std::int64_t block, std::int64_t first, std::int64_t rows) {
-                       run_columns(z.cols, machine.simd,
-                                   SuffixSums{rest.block(first, rows), mean.data(),
-                                              after.row(block), z.block(first, rows)});
-                   });
 }
 
 } // namespace stltsa

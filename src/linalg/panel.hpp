@@ -97,10 +97,4 @@ void subtract_row(MatrixView panel, const Matrix& row, const Machine& machine);
 /// Subtracts its mean from each column.
 void center(MatrixView panel, const Machine& machine);
 
-/// x(0) := 0, x(c + 1) := the sum of z(0) .. z(c), less the mean of these.
-void centered_prefix_sums(ConstMatrixView z, MatrixView x, const Machine& machine);
-
-/// z(c) := the sum of x(c + 1) .. x(last), each less the mean of all x
-void centered_suffix_sums(ConstMatrixView x, MatrixView z, const Machine& machine);
-
 } // namespace stltsa

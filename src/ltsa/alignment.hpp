@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "linalg/aggregation.hpp"
 #include "linalg/machine.hpp"
 #include "linalg/matrix.hpp"
 #include "ltsa/patches.hpp"
@@ -27,9 +28,18 @@ class Alignment {
     const Machine& machine() const { return machine_; }
 
     /// The right-hand side that values x at the frames, less their mean, become in the unknowns.
-    virtual void restrict_to(ConstMatrixView x, MatrixView unknowns) const = 0;
+    void restrict_to(ConstMatrixView x, MatrixView unknowns) const {
+        restrict_to({frames(), 1}, x, unknowns);
+    }
     /// Values at the frames, of zero mean, from unknowns.
-    virtual void prolong(ConstMatrixView unknowns, MatrixView x) const = 0;
+    void prolong(ConstMatrixView unknowns, MatrixView x) const {
+        prolong(unknowns, {frames(), 1}, x);
+    }
+    /// The same where the values at the frames are Q x.
+    virtual void restrict_to(const Aggregation& runs, ConstMatrixView x,
+                             MatrixView unknowns) const = 0;
+    /// Q^T of the values at the frames.
+    virtual void prolong(ConstMatrixView unknowns, const Aggregation& runs, MatrixView x) const = 0;
     /// Solves with the factor, in place.
     virtual void solve(MatrixView unknowns) const = 0;
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "linalg/run_sums.hpp"
 #include "ltsa/difference_terms.hpp"
 #include "ltsa/patch_passes.hpp"
 
@@ -119,11 +120,12 @@ class DifferenceAlignment final : public PassingAlignment<RunningSums> {
                  patches.dimension());
     }
 
-    void restrict_to(ConstMatrixView x, MatrixView unknowns) const override {
-        centered_suffix_sums(x, unknowns, machine_);
+    void restrict_to(const Aggregation& runs, ConstMatrixView x,
+                     MatrixView unknowns) const override {
+        centered_suffix_sums(runs, x, unknowns, machine_);
     }
-    void prolong(ConstMatrixView unknowns, MatrixView x) const override {
-        centered_prefix_sums(unknowns, x, machine_);
+    void prolong(ConstMatrixView unknowns, const Aggregation& runs, MatrixView x) const override {
+        centered_prefix_sums(unknowns, runs, x, machine_);
     }
     void solve(MatrixView unknowns) const override { factor_->solve(unknowns); }
     void at_frames(ConstMatrixView right, MatrixView x) const override {

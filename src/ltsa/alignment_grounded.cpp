@@ -137,7 +137,9 @@ class GroundedAlignment final : public PassingAlignment<GroundedValues> {
     GroundedAlignment(const Patches& patches, const Machine& machine)
         : PassingAlignment(patches, machine), factor_(assemble(patches)) {}
 
-    void restrict_to(ConstMatrixView x, MatrixView unknowns) const override {
+    void restrict_to(const Aggregation& runs, ConstMatrixView x,
+                     MatrixView unknowns) const override {
+        check_single(runs);
         std::copy_n(x.data, unknowns.rows * unknowns.cols, unknowns.data);
         subtract_row(unknowns, column_means(x, machine_), machine_);
     }
@@ -149,7 +151,8 @@ class GroundedAlignment final : public PassingAlignment<GroundedValues> {
             for (std::int64_t c = 0; c < x.cols; ++c)
                 ground[c] -= right(i, c);
     }
-    void prolong(ConstMatrixView unknowns, MatrixView x) const override {
+    void prolong(ConstMatrixView unknowns, const Aggregation& runs, MatrixView x) const override {
+        check_single(runs);
         std::copy_n(unknowns.data, unknowns.rows * unknowns.cols, x.data);
         std::fill_n(x.row(x.rows - 1), x.cols, 0.0);
         center(x, machine_);
@@ -166,6 +169,12 @@ class GroundedAlignment final : public PassingAlignment<GroundedValues> {
     }
 
   private:
+    /// Frames that are adjacent in memory are not near each other here.
+    static void check_single(const Aggregation& runs) {
+        if (runs.runs() != runs.rows())
+            fail(Status::internal, "runs of frames where frames are in no order");
+    }
+
     SparseCholesky factor_;
 };
 

@@ -16,22 +16,14 @@
 namespace stltsa::ltsa {
 namespace {
 
-/// x := B^+ x for a panel or one column; its unknowns are left, too.
-void multiply_by_inverse(const Alignment& alignment, MatrixView x, MatrixView unknowns) {
-    alignment.restrict_to(x, unknowns);
-    alignment.solve(unknowns);
-    alignment.prolong(unknowns, x);
-}
-
 /// x -> Q^T B^+ Q x, a value for each run of frames: the wanted eigenpairs are its largest, so no
 /// shift is needed.
 Operator pseudo_inverse(const Alignment& alignment, const Aggregation& runs) {
-    return [&alignment, runs, frames = Matrix::unset(alignment.frames(), 1),
-            unknowns = Matrix::unset(alignment.unknowns(), 1)](std::span<const double> x,
-                                                               std::span<double> y) mutable {
-        runs.spread({x.data(), runs.runs(), 1, 1}, frames.view(), alignment.machine());
-        multiply_by_inverse(alignment, frames.view(), unknowns.view());
-        runs.gather(frames.view(), {y.data(), runs.runs(), 1, 1}, alignment.machine());
+    return [&alignment, runs, unknowns = Matrix::unset(alignment.unknowns(), 1)](
+               std::span<const double> x, std::span<double> y) mutable {
+        alignment.restrict_to(runs, {x.data(), runs.runs(), 1, 1}, unknowns.view());
+        alignment.solve(unknowns.view());
+        alignment.prolong(unknowns.view(), runs, {y.data(), runs.runs(), 1, 1});
     };
 }
 
@@ -102,7 +94,9 @@ std::optional<EigenBasis> solved(const Alignment& alignment, const Aggregation& 
         set_noise(basis.x.view(), count, alignment.machine());
     const int solves = first_solves(found, dimension);
     for (int i = 0; i < solves; ++i) {
-        multiply_by_inverse(alignment, basis.x.view(), basis.unknowns.view());
+        alignment.restrict_to(basis.x.view(), basis.unknowns.view());
+        alignment.solve(basis.unknowns.view());
+        alignment.prolong(basis.unknowns.view(), basis.x.view());
         if (i == 0 && fewer &&
             !enough(runs, basis.x.view(), count,
                     found.values[static_cast<std::size_t>(dimension) - 1], alignment.machine()))

@@ -2,6 +2,7 @@
 // The smallest eigenvectors, looked for among vectors that are constant over runs of frames.
 #include "linalg/aggregation.hpp"
 #include "linalg/blas_threads.hpp"
+#include "linalg/run_sums.hpp"
 #include "linalg/simd.hpp"
 #include "ltsa/components.hpp"
 #include "ltsa/spectrum.hpp"
@@ -16,6 +17,16 @@ using stltsa::Machine;
 using stltsa::ltsa::Patches;
 using stltsa::ltsa::Spectrum;
 
+/// Q^T panel
+Matrix gathered(const Aggregation& runs, const Matrix& panel) {
+    Matrix coarse(runs.runs(), panel.cols());
+    for (std::int64_t run = 0; run < runs.runs(); ++run)
+        for (std::int64_t i = runs.begin(run); i < runs.begin(run + 1); ++i)
+            for (std::int64_t c = 0; c < panel.cols(); ++c)
+                coarse(run, c) += runs.entry(run) * panel(i, c);
+    return coarse;
+}
+
 void runs_are_orthonormal(void**) {
     const Machine machine;
     for (const std::int64_t rows : {1, 7, 12, 100000})
@@ -23,15 +34,64 @@ void runs_are_orthonormal(void**) {
             const Aggregation runs(rows, length);
             assert_int_equal(runs.runs(), (rows + length - 1) / length);
             const Matrix coarse = noise(runs.runs(), 2);
-            Matrix panel(rows, 2), back(runs.runs(), 2);
+            Matrix panel(rows, 2);
             runs.spread(coarse.view(), panel.view(), machine);
             for (std::int64_t i = 1; i < rows; ++i)
                 if (i % length != 0)
                     assert_true(panel(i, 0) == panel(i - 1, 0) && panel(i, 1) == panel(i - 1, 1));
-            runs.gather(panel.view(), back.view(), machine);
+            const Matrix back = gathered(runs, panel);
             for (std::int64_t i = 0; i < 2 * runs.runs(); ++i)
                 ASSERT_NEAR(back.data()[i], coarse.data()[i], 1e-15);
         }
+}
+
+/// By its definition.
+Matrix centered(Matrix x) {
+    for (std::int64_t c = 0; c < x.cols(); ++c) {
+        long double sum = 0;
+        for (std::int64_t i = 0; i < x.rows(); ++i)
+            sum += x(i, c);
+        for (std::int64_t i = 0; i < x.rows(); ++i)
+            x(i, c) -= static_cast<double>(sum / x.rows());
+    }
+    return x;
+}
+
+void check_equal(const Matrix& a, const Matrix& b) {
+    double largest = 0;
+    for (std::int64_t i = 0; i < a.rows() * a.cols(); ++i)
+        largest = std::max(largest, std::abs(b.data()[i]));
+    for (std::int64_t i = 0; i < a.rows() * a.cols(); ++i)
+        ASSERT_NEAR(a.data()[i], b.data()[i], 1e-13 * (1 + largest));
+}
+
+/// Against S, C and Q one by one.
+void check_run_sums(const Aggregation& runs, const Machine& machine) {
+    const std::int64_t rows = runs.rows();
+    const Matrix z = noise(rows - 1, 4, 5);
+    Matrix x(runs.runs(), 4), sums(rows, 4);
+    centered_prefix_sums(z.view(), runs, x.view(), machine);
+    for (std::int64_t i = 1; i < rows; ++i)
+        for (std::int64_t c = 0; c < 4; ++c)
+            sums(i, c) = sums(i - 1, c) + z(i - 1, c);
+    check_equal(x, gathered(runs, centered(sums)));
+
+    const Matrix coarse = noise(runs.runs(), 4, 6);
+    Matrix spread(rows, 4), suffix(rows - 1, 4), expected(rows - 1, 4);
+    centered_suffix_sums(runs, coarse.view(), suffix.view(), machine);
+    runs.spread(coarse.view(), spread.view(), machine);
+    spread = centered(spread);
+    for (std::int64_t i = rows - 1; i > 0; --i)
+        for (std::int64_t c = 0; c < 4; ++c)
+            expected(i - 1, c) = spread(i, c) + (i < rows - 1 ? expected(i, c) : 0);
+    check_equal(suffix, expected);
+}
+
+void sums_are_those_of_what_runs_stand_for(void**) {
+    for (const std::int64_t rows : {2, 7, 12, 1025, 200001})
+        for (const std::int64_t length : {1, 2, 5, 12})
+            for (const int threads : {1, 3})
+                check_run_sums({rows, length}, {stltsa::widest_simd(), threads});
 }
 
 /// What the first of the vectors of `a` have that those of `b` (both orthonormal) do not span.
@@ -140,6 +200,7 @@ int main() {
     const stltsa::SingleThreadedBlas single;
     const CMUnitTest tests[] = {
         cmocka_unit_test(runs_are_orthonormal),
+        cmocka_unit_test(sums_are_those_of_what_runs_stand_for),
         cmocka_unit_test(short_runs_change_nothing),
         cmocka_unit_test(long_runs_are_given_up),
         cmocka_unit_test(what_alternates_is_found),
