@@ -14,14 +14,11 @@ namespace stltsa::ltsa {
 /// Vectors in both forms, as panels: x is the prolongation of the unknowns. Beside them what is
 /// computed with them, made once: fresh memory costs as much as the work on it.
 struct EigenBasis {
-    /// Panels of at least so many columns. What is in those beyond the vectors, rayleigh_ritz()
-    /// leaves out of everything, and makes zero.
-    EigenBasis(const Alignment& alignment, std::int64_t vectors, std::int64_t columns)
-        : count(vectors), unknowns(panel(alignment.unknowns(), columns, alignment)),
-          x(panel(alignment.frames(), columns, alignment)),
-          before(panel(alignment.frames(), columns, alignment)),
-          product(panel(alignment.unknowns(), columns, alignment)),
-          right(panel(alignment.unknowns(), columns, alignment)) {}
+    EigenBasis(const Alignment& alignment, std::int64_t vectors)
+        : count(vectors), unknowns(panel(alignment.unknowns(), alignment)),
+          x(panel(alignment.frames(), alignment)), before(panel(alignment.frames(), alignment)),
+          product(panel(alignment.unknowns(), alignment)),
+          right(panel(alignment.unknowns(), alignment)) {}
 
     std::int64_t count;
     Matrix unknowns, x;
@@ -31,8 +28,8 @@ struct EigenBasis {
     std::vector<double> values; ///< ascending, once the vectors are the best in their span
 
   private:
-    static Matrix panel(std::int64_t rows, std::int64_t columns, const Alignment& alignment) {
-        return Matrix::unset(rows, panel_width(columns, alignment.machine().simd));
+    Matrix panel(std::int64_t rows, const Alignment& alignment) const {
+        return Matrix::unset(rows, panel_width(count, alignment.machine().simd));
     }
 };
 

@@ -16,6 +16,13 @@
 namespace stltsa::ltsa {
 namespace {
 
+/// x := B^+ x for a panel or one column; its unknowns are left, too.
+void multiply_by_inverse(const Alignment& alignment, MatrixView x, MatrixView unknowns) {
+    alignment.restrict_to(x, unknowns);
+    alignment.solve(unknowns);
+    alignment.prolong(unknowns, x);
+}
+
 /// x -> Q^T B^+ Q x, a value for each run of frames: the wanted eigenpairs are its largest, so no
 /// shift is needed.
 Operator pseudo_inverse(const Alignment& alignment, const Aggregation& runs) {
@@ -61,48 +68,35 @@ int first_solves(const Eigenpairs& found, std::int64_t dimension) {
     return solves;
 }
 
-/// Noise of variance 1 in a column.
-void set_noise(MatrixView panel, std::int64_t column, const Machine& machine) {
-    for_row_blocks(panel.rows, machine,
-                   [&](std::int64_t block, std::int64_t first, std::int64_t rows) {
-                       Random random(2 + static_cast<std::uint64_t>(block));
-                       for (std::int64_t i = first; i < first + rows; ++i)
-                           panel(i, column) = std::sqrt(3.0) * random.symmetric();
-                   });
+/// What ARPACK found, solved for so many times.
+EigenBasis solved(const Alignment& alignment, const Aggregation& runs, const Eigenpairs& found,
+                  int times) {
+    EigenBasis basis(alignment, found.coefficients.cols());
+    Matrix coarse = Matrix::unset(runs.runs(), basis.x.cols());
+    combine_rows(found.basis.view(), found.coefficients, coarse.view(), alignment.machine());
+    runs.spread(coarse.view(), basis.x.view(), alignment.machine());
+    for (int i = 0; i < times; ++i)
+        multiply_by_inverse(alignment, basis.x.view(), basis.unknowns.view());
+    return basis;
 }
 
 /// Whether vectors that are constant over these runs are enough to look among: false where one may
 /// be wanted that mostly varies within runs. It would be in nothing that follows, not even as an
-/// error that grows. But this column, B^+ times noise of variance 1, has each eigenvector in it
-/// about as large as its eigenvalue of B^+, which is at least `smallest_wanted` for a wanted one.
-bool enough(const Aggregation& runs, ConstMatrixView panel, std::int64_t column,
-            double smallest_wanted, const Machine& machine) {
+/// error that grows. But B^+ times noise of variance 1 has each eigenvector in it about as large as
+/// its eigenvalue of B^+, which is at least `smallest_wanted` for a wanted one.
+bool enough(const Alignment& alignment, const Aggregation& runs, double smallest_wanted) {
     constexpr double small_share = 1e-3; // far above what motion has within runs
-    return runs.variation_within(panel, column, machine) < small_share * smallest_wanted;
-}
-
-/// What ARPACK found, solved for as often as that asks for; nothing where runs hide something.
-std::optional<EigenBasis> solved(const Alignment& alignment, const Aggregation& runs,
-                                 Eigenpairs found, std::int64_t dimension) {
-    const std::int64_t count = found.coefficients.cols();
-    const bool fewer = runs.runs() < runs.rows();
-    EigenBasis basis(alignment, count, fewer ? count + 1 : count); // noise beside the vectors
-    Matrix coarse = Matrix::unset(runs.runs(), basis.x.cols());
-    combine_rows(found.basis.view(), found.coefficients, coarse.view(), alignment.machine());
-    runs.spread(coarse.view(), basis.x.view(), alignment.machine());
-    if (fewer)
-        set_noise(basis.x.view(), count, alignment.machine());
-    const int solves = first_solves(found, dimension);
-    for (int i = 0; i < solves; ++i) {
-        alignment.restrict_to(basis.x.view(), basis.unknowns.view());
-        alignment.solve(basis.unknowns.view());
-        alignment.prolong(basis.unknowns.view(), basis.x.view());
-        if (i == 0 && fewer &&
-            !enough(runs, basis.x.view(), count,
-                    found.values[static_cast<std::size_t>(dimension) - 1], alignment.machine()))
-            return {};
-    }
-    return basis;
+    Matrix noise = Matrix::unset(alignment.frames(), 1);
+    Matrix unknowns = Matrix::unset(alignment.unknowns(), 1);
+    for_row_blocks(noise.rows(), alignment.machine(),
+                   [&](std::int64_t block, std::int64_t first, std::int64_t rows) {
+                       Random random(2 + static_cast<std::uint64_t>(block));
+                       for (std::int64_t i = first; i < first + rows; ++i)
+                           noise(i, 0) = std::sqrt(3.0) * random.symmetric();
+                   });
+    multiply_by_inverse(alignment, noise.view(), unknowns.view());
+    return runs.variation_within(noise.view(), 0, alignment.machine()) <
+           small_share * smallest_wanted;
 }
 
 /// The first vectors, one per row.
@@ -141,21 +135,23 @@ std::optional<Spectrum> eigenpairs_from(const Alignment& alignment, const Aggreg
                                         const Progress& progress, std::int64_t& solves) {
     // Where a first correction turns the embedding by more, runs were too long for it.
     constexpr double change_by_runs = 1e-9;
+    const bool fewer = runs.runs() < runs.rows();
     Eigenpairs found =
         largest_eigenpairs(pseudo_inverse(alignment, runs), runs.runs(), set_start, count,
                            alignment.machine(), [&] { progress.report(Stage::spectrum, 0.0); });
     solves += found.applications;
-    auto basis = solved(alignment, runs, std::move(found), dimension);
-    if (!basis)
+    if (fewer && !enough(alignment, runs, found.values[static_cast<std::size_t>(dimension) - 1]))
         return {};
     Spectrum spectrum;
-    rayleigh_ritz(alignment, *basis);
-    refine(alignment, dimension, progress, *basis, spectrum);
-    if (runs.runs() < runs.rows() && !(spectrum.first_change < change_by_runs))
+    const int times = first_solves(found, dimension);
+    EigenBasis basis = solved(alignment, runs, std::exchange(found, {}), times);
+    rayleigh_ritz(alignment, basis);
+    refine(alignment, dimension, progress, basis, spectrum);
+    if (fewer && !(spectrum.first_change < change_by_runs))
         return {};
-    spectrum.residual = largest_residual(alignment, *basis, dimension);
-    spectrum.values = basis->values;
-    spectrum.vectors = rows_of(basis->x, dimension, alignment.machine());
+    spectrum.residual = largest_residual(alignment, basis, dimension);
+    spectrum.values = basis.values;
+    spectrum.vectors = rows_of(basis.x, dimension, alignment.machine());
     progress.report(Stage::spectrum, 1.0);
     return spectrum;
 }
