@@ -38,8 +38,10 @@
  *             once (ARPACK is not reentrant: the library lets one eigenproblem run at a time; it
  *             cannot know of other users of the same libarpack in the process). A handle that is
  *             not const in a signature is used by one thread at a time. Progress callbacks run on
- *             the thread that made the call. Threads that a call starts end with it. While a fit
- *             runs, OpenBLAS is set to one thread for the whole process, then back.
+ *             the thread that made the call. Threads that a call starts end with it (so a process
+ *             may fork between calls; what is forked off within a progress callback has to exec
+ *             or _exit). While a fit runs, OpenBLAS is set to one thread for the whole process,
+ *             then back.
  * Sameness.   Same input, options and build give the same bits on every run, for any number of
  *             threads. The sign of each coordinate is such that its entry of largest size is
  *             positive.

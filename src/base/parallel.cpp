@@ -87,9 +87,14 @@ void parallel_blocks(std::int64_t blocks, int threads,
     };
     const auto lead = [&queue, &poll] {
         try {
+            bool polled = !poll;
             while (queue.run_one())
-                if (poll)
+                if (poll) {
                     poll(queue.done());
+                    polled = true;
+                }
+            if (!polled) // the others had been quicker
+                poll(queue.done());
         } catch (...) {
             queue.record(-1, std::current_exception());
         }

@@ -16,8 +16,8 @@ namespace stltsa {
 int thread_count(std::int64_t requested);
 
 /// Runs body(block) for block = 0 .. blocks-1 on up to `threads` threads. `poll(done)` is called on
-/// the caller's thread as blocks finish and may throw to stop early. The first exception
-/// (lowest block) is rethrown on the caller's thread after every worker has stopped.
+/// the caller's thread as blocks finish, at least once, and may throw to stop early. The first
+/// exception (lowest block) is rethrown on the caller's thread after every worker has stopped.
 void parallel_blocks(std::int64_t blocks, int threads,
                      const std::function<void(std::int64_t block)>& body,
                      const std::function<void(std::int64_t done)>& poll = {});

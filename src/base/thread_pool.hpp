@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Threads that wait for work between one parallel loop and the next: to start one takes a tenth of
 // a millisecond, and a fit has more than a hundred loops. They end with their pool, and that with
-// the call that made it: those of OpenMP or TBB would outlive it, and a process that forks in
-// between would wait for them for ever.
+// the call that made it: those of OpenMP or TBB would outlive it, and a process that forks between
+// two calls would wait for them for ever.
 #pragma once
 
 #include <atomic>
@@ -24,7 +24,7 @@ class ThreadPool {
     ~ThreadPool();
 
     /// Runs lead() here and meanwhile help() on up to `helpers` other threads: on fewer where
-    /// lead() is over before they come, or where there is no memory for more. Returns when none of
+    /// lead() is over before they come, or where no more can be started. Returns when none of
     /// them is at it any more. Neither may throw.
     void run(std::int64_t helpers, const std::function<void()>& help,
              const std::function<void()>& lead);

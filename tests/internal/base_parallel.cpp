@@ -50,32 +50,34 @@ void every_block_runs_once(void**) {
     check_loops();
 }
 
-void threads_are_shared(void**) {
-    const SharedThreads threads;
-    see_thread();
-    threads_seen = 0;
-    for (int loop = 0; loop < 200; ++loop)
-        check_loop(64, 4);
-    assert_in_range(threads_seen, 0, 3); // and this one
-}
-
 /// Two blocks that wait for each other are at work at once.
 void check_two_at_once() {
     std::atomic<int> here{0};
     parallel_blocks(2, 2, [&](std::int64_t) {
+        see_thread();
         ++here;
         while (here < 2)
             std::this_thread::yield();
     });
 }
 
-void helpers_come(void**) {
-    check_two_at_once();
+void threads_are_shared(void**) {
     const SharedThreads threads;
+    see_thread();
+    threads_seen = 0;
     for (int loop = 0; loop < 100; ++loop)
         check_two_at_once();
-    std::this_thread::sleep_for(std::chrono::milliseconds(50)); // they sleep by then
+    std::this_thread::sleep_for(std::chrono::milliseconds(50)); // the other one sleeps by then
     check_two_at_once();
+    assert_int_equal(threads_seen, 1);
+}
+
+void threads_end_without_sharing(void**) {
+    see_thread();
+    threads_seen = 0;
+    for (int loop = 0; loop < 10; ++loop)
+        check_two_at_once();
+    assert_int_equal(threads_seen, 10);
 }
 
 std::string failure_of(const std::function<void()>& loop) {
@@ -106,23 +108,44 @@ void the_lowest_failure_is_thrown(void**) {
     }
 }
 
-void loops_within_loops(void**) {
+void the_caller_is_told(void**) {
     const SharedThreads threads;
-    const SharedThreads again;
+    for (int times = 0; times < 300; ++times) {
+        int polls = 0;
+        parallel_blocks(
+            100, 2, [](std::int64_t) {}, [&](std::int64_t) { ++polls; });
+        assert_true(polls > 0);
+        if (times % 10 == 0)
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+}
+
+void loops_within_loops(void**) {
+    assert_null(SharedThreads::idle());
+    const SharedThreads threads;
+    { const SharedThreads again; }
+    assert_non_null(SharedThreads::idle());
     std::atomic<int> count{0};
     const auto inner = [&](std::int64_t) { ++count; };
     parallel_blocks(
         8, 2, [&](std::int64_t) { parallel_blocks(10, 2, inner); },
-        [&](std::int64_t) { check_loop(10, 2); });
+        [&](std::int64_t) {
+            assert_null(SharedThreads::idle()); // it is at work
+            check_loop(10, 2);
+        });
     assert_int_equal(count, 80);
+    assert_non_null(SharedThreads::idle());
 }
 
 } // namespace
 
 int main() {
     const CMUnitTest tests[] = {
-        cmocka_unit_test(every_block_runs_once), cmocka_unit_test(threads_are_shared),
-        cmocka_unit_test(helpers_come),          cmocka_unit_test(the_lowest_failure_is_thrown),
+        cmocka_unit_test(every_block_runs_once),
+        cmocka_unit_test(threads_are_shared),
+        cmocka_unit_test(threads_end_without_sharing),
+        cmocka_unit_test(the_lowest_failure_is_thrown),
+        cmocka_unit_test(the_caller_is_told),
         cmocka_unit_test(loops_within_loops),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
