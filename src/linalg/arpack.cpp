@@ -2,6 +2,7 @@
 #include "linalg/arpack.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <mutex>
 #include <utility>
 
@@ -10,6 +11,7 @@
 
 #include "linalg/eigen.hpp"
 #include "linalg/panel.hpp"
+#include "linalg/simd.hpp"
 
 static_assert(sizeof(a_int) == sizeof(std::int32_t), "ARPACK with 32-bit integers is needed");
 
@@ -41,7 +43,8 @@ std::int64_t least_vectors(std::int64_t count) {
 /// with that basis.
 Eigenpairs ritz_pairs(Matrix projected, Matrix basis, std::int64_t count) {
     const std::int64_t order = projected.rows();
-    Eigenpairs pairs{std::move(basis), Matrix(order, count), {}, 0, 0};
+    Eigenpairs pairs{std::move(basis), Matrix(order, count), {}, {}, 0};
+    pairs.errors.resize(static_cast<std::size_t>(count));
     symmetric_eigen(projected, pairs.values); // ascending, one per row
     std::reverse(pairs.values.begin(), pairs.values.end());
     for (std::int64_t j = 0; j < count; ++j)
@@ -109,7 +112,11 @@ class Lanczos {
                 projected(i, i - 1) = projected(i - 1, i) = off_diagonal[i];
         }
         Eigenpairs pairs = ritz_pairs(std::move(projected), std::move(basis_), count_);
-        pairs.residual = cblas_dnrm2(order_, residual_.data(), 1);
+        // What an application leaves outside of the basis belongs to its last vector.
+        const double left = cblas_dnrm2(order_, residual_.data(), 1);
+        for (std::int64_t j = 0; j < count_; ++j)
+            pairs.errors[static_cast<std::size_t>(j)] =
+                left * std::abs(pairs.coefficients(subspace_ - 1, j));
         return pairs;
     }
 
@@ -145,13 +152,9 @@ Eigenpairs dense_eigenpairs(const Operator& apply, std::int64_t order, std::int6
     return pairs;
 }
 
-} // namespace
-
-Eigenpairs largest_eigenpairs(const Operator& apply, std::int64_t order, const Start& start,
-                              std::int64_t count, const Machine& machine,
-                              const std::function<void()>& poll) {
-    if (order <= std::max(dense_order, 2 * count + 8))
-        return dense_eigenpairs(apply, order, count);
+Eigenpairs krylov_eigenpairs(const Operator& apply, std::int64_t order, const Start& start,
+                             std::int64_t count, const Machine& machine,
+                             const std::function<void()>& poll) {
     const std::lock_guard lock(arpack_mutex);
     std::int64_t applications = 0;
     for (std::int64_t vectors = least_vectors(count);; vectors *= 2) {
@@ -170,6 +173,81 @@ Eigenpairs largest_eigenpairs(const Operator& apply, std::int64_t order, const S
                  "dimension",
                  lanczos.converged(), count, applications);
     }
+}
+
+/// Pairs are rounded relative to the largest eigenvalue: what is below this share of it is looked
+/// for on its own.
+constexpr double least_share = 1e-4;
+
+/// The pairs that are known well.
+std::int64_t known_pairs(const Eigenpairs& pairs) {
+    std::int64_t known = 1;
+    while (known < pairs.coefficients.cols() &&
+           pairs.values[static_cast<std::size_t>(known)] >= least_share * pairs.values[0])
+        ++known;
+    return known;
+}
+
+/// The vectors of the first pairs, one per row.
+Matrix vectors_of(const Eigenpairs& pairs, std::int64_t count) {
+    Matrix vectors(count, pairs.basis.cols());
+    for (std::int64_t j = 0; j < count; ++j)
+        for (std::int64_t m = 0; m < pairs.basis.rows(); ++m)
+            axpy(pairs.coefficients(m, j), pairs.basis.row(m), vectors.row(j), vectors.cols());
+    return vectors;
+}
+
+/// Takes what it has of these orthonormal rows off x.
+void take_off(const Matrix& rows, std::span<double> x) {
+    for (std::int64_t j = 0; j < rows.rows(); ++j)
+        axpy(-dot(rows.row(j), x.data(), rows.cols()), rows.row(j), x.data(), rows.cols());
+}
+
+/// The first `known` of these pairs, and after them those that were found beside them.
+Eigenpairs joined(const Eigenpairs& pairs, std::int64_t known, Matrix vectors,
+                  const Eigenpairs& others) {
+    const std::int64_t more = others.coefficients.cols();
+    Eigenpairs all{Matrix::unset(known + others.basis.rows(), vectors.cols()),
+                   Matrix(known + others.basis.rows(), known + more), pairs.values, pairs.errors,
+                   pairs.applications + others.applications};
+    std::copy_n(vectors.data(), known * vectors.cols(), all.basis.data());
+    std::copy_n(others.basis.data(), others.basis.rows() * vectors.cols(), all.basis.row(known));
+    for (std::int64_t j = 0; j < known; ++j)
+        all.coefficients(j, j) = 1;
+    for (std::int64_t m = 0; m < others.basis.rows(); ++m)
+        std::copy_n(others.coefficients.row(m), more, all.coefficients.row(known + m) + known);
+    all.values.resize(static_cast<std::size_t>(known));
+    all.errors.resize(static_cast<std::size_t>(known));
+    all.values.insert(all.values.end(), others.values.begin(), others.values.end());
+    all.errors.insert(all.errors.end(), others.errors.begin(), others.errors.end());
+    return all;
+}
+
+} // namespace
+
+Eigenpairs largest_eigenpairs(const Operator& apply, std::int64_t order, const Start& start,
+                              std::int64_t count, const Machine& machine,
+                              const std::function<void()>& poll) {
+    Eigenpairs pairs = order <= std::max(dense_order, 2 * count + 8)
+                           ? dense_eigenpairs(apply, order, count)
+                           : krylov_eigenpairs(apply, order, start, count, machine, poll);
+    const std::int64_t known = known_pairs(pairs);
+    if (known == count)
+        return pairs;
+    Matrix vectors = vectors_of(pairs, known);
+    const Operator beside = [&](std::span<const double> x, std::span<double> y) {
+        AlignedVector<double> rest(x.begin(), x.end());
+        take_off(vectors, rest);
+        apply(rest, y);
+        take_off(vectors, y);
+    };
+    const Start start_beside = [&](std::span<double> x) {
+        start(x);
+        take_off(vectors, x);
+    };
+    const Eigenpairs others =
+        largest_eigenpairs(beside, order, start_beside, count - known, machine, poll);
+    return joined(pairs, known, std::move(vectors), others);
 }
 
 } // namespace stltsa

@@ -2,7 +2,6 @@
 // The largest eigenpairs of a symmetric operator, by ARPACK.
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -19,13 +18,8 @@ struct Eigenpairs {
     Matrix basis;               ///< orthonormal rows
     Matrix coefficients;        ///< a column for each pair that was asked for
     std::vector<double> values; ///< descending; those beyond the pairs are rough, from below
-    double residual = 0;        ///< norm of what an application leaves outside of the basis
+    std::vector<double> errors; ///< the residual of each pair, but for rounding
     std::int64_t applications = 0;
-
-    /// The residual of a pair.
-    double error(std::int64_t pair) const {
-        return residual * std::abs(coefficients(coefficients.rows() - 1, pair));
-    }
 };
 
 /// y = A x, both of the operator's order.
@@ -35,10 +29,10 @@ using Operator = std::function<void(std::span<const double> x, std::span<double>
 using Start = std::function<void(std::span<double> x)>;
 
 /// The `count` algebraically largest eigenpairs of a symmetric operator, with residuals of at most
-/// 1e-7 of their eigenvalue. `start` writes ARPACK's start vector, which decides, with the
-/// operator, every bit of the result; it must not be an eigenvector. `poll` is called between
-/// applications and may throw. Small orders are solved densely, by LAPACK. Needs count < order.
-/// Throws Status::not_converged.
+/// 1e-7 of their eigenvalue, also where this is many powers of ten below the largest. `start`
+/// writes ARPACK's start vector, which decides, with the operator, every bit of the result; it must
+/// not be an eigenvector. `poll` is called between applications and may throw. Small orders are
+/// solved densely, by LAPACK. Needs count < order. Throws Status::not_converged.
 Eigenpairs largest_eigenpairs(const Operator& apply, std::int64_t order, const Start& start,
                               std::int64_t count, const Machine& machine,
                               const std::function<void()>& poll);

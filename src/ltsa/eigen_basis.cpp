@@ -47,21 +47,6 @@ double largest_cosine(const Matrix& products, std::int64_t count) {
     return largest;
 }
 
-/// The factor that makes the columns of basis.x orthonormal. It would lose as many digits as they
-/// are nearly parallel: then they are multiplied by it first, until they are not.
-Matrix orthonormalize(const Alignment& alignment, EigenBasis& basis) {
-    constexpr int most_passes = 6;
-    constexpr double small_cosine = 0.1;
-    for (int pass = 0;; ++pass) {
-        const Matrix products = inner_products(basis.x.view(), basis.x.view(), alignment.machine());
-        Matrix factor = orthonormalizing(products, basis.count);
-        if (pass == most_passes || largest_cosine(products, basis.count) < small_cosine)
-            return factor;
-        multiply_columns(basis.unknowns.view(), factor, alignment.machine());
-        multiply_columns(basis.x.view(), factor, alignment.machine());
-    }
-}
-
 /// T^T form T of the first `count` columns.
 Matrix congruent(const Matrix& form, const Matrix& t, std::int64_t count) {
     Matrix product(count, count), result(count, count); // form T, then T^T of it
@@ -92,8 +77,21 @@ void make_residual(const Alignment& alignment, EigenBasis& basis) {
 
 } // namespace
 
+Matrix orthonormal_factor(const Alignment& alignment, EigenBasis& basis) {
+    constexpr int most_passes = 6;
+    constexpr double small_cosine = 0.1;
+    for (int pass = 0;; ++pass) {
+        const Matrix products = inner_products(basis.x.view(), basis.x.view(), alignment.machine());
+        Matrix factor = orthonormalizing(products, basis.count);
+        if (pass == most_passes || largest_cosine(products, basis.count) < small_cosine)
+            return factor;
+        multiply_columns(basis.unknowns.view(), factor, alignment.machine());
+        multiply_columns(basis.x.view(), factor, alignment.machine());
+    }
+}
+
 void rayleigh_ritz(const Alignment& alignment, EigenBasis& basis) {
-    Matrix factor = orthonormalize(alignment, basis);
+    Matrix factor = orthonormal_factor(alignment, basis);
     const Matrix form = alignment.apply(basis.unknowns.view(), basis.product.view(), basis.count);
     Matrix vectors = congruent(form, factor, basis.count);
     symmetric_eigen(vectors, basis.values); // one per row

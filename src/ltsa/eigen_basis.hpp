@@ -33,6 +33,10 @@ struct EigenBasis {
     }
 };
 
+/// The factor that makes the columns of basis.x orthonormal. It would lose as many digits as they
+/// are nearly parallel: then they are multiplied by it first, until they are not.
+Matrix orthonormal_factor(const Alignment& alignment, EigenBasis& basis);
+
 /// Turns the basis into the best eigenvectors in its span.
 void rayleigh_ritz(const Alignment& alignment, EigenBasis& basis);
 

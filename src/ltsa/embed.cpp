@@ -39,12 +39,13 @@ void fix_sign(double* values, std::int64_t count) {
         std::transform(values, values + count, values, [](double v) { return -v; });
 }
 
-/// In differences the first correction undoes what rounding did to B' and its factor, which is more
-/// than what the rounding of the tangents, that no correction sees, does: so it bounds the error.
-/// Grounded, the factor is so much less exact that its own correction would say nothing.
-double error_estimate(const Spectrum& spectrum, bool banded) {
+/// What the tangents may be off by, which no correction sees, and what the eigenvectors may be: in
+/// differences the first correction undoes what rounding did to B' and its factor. Grounded, the
+/// factor is so much less exact that its own correction would say nothing.
+double error_estimate(const Spectrum& spectrum, bool banded, double rounding_of_tangents) {
     return std::max(banded ? spectrum.first_change : spectrum.last_change,
-                    std::numeric_limits<double>::epsilon());
+                    std::numeric_limits<double>::epsilon()) +
+           rounding_of_tangents;
 }
 
 Component summarize(const Patches& patches, const Spectrum& spectrum, int dimension,
@@ -105,7 +106,8 @@ Component embed_component(const Graph& graph, std::int64_t index, int dimension,
                     coords(members[static_cast<std::size_t>(i)], l) = spectrum.vectors(l, i);
         });
     Component component = summarize(patches, spectrum, dimension, eigenvalues);
-    component.error_estimate = error_estimate(spectrum, banded);
+    component.error_estimate = error_estimate(
+        spectrum, banded, graph.tangents.rounding[static_cast<std::size_t>(dimension - 1)]);
     return component;
 }
 

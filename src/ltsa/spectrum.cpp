@@ -49,17 +49,17 @@ void set_start(std::span<double> x) {
 /// A correction that turns the embedding by less than this is the last one: in differences the
 /// first, which is a certificate; grounded, two or three are needed.
 constexpr double small_change = 1e-12;
-constexpr int most_corrections = 6;
+constexpr int most_corrections = 12;
 
 /// Solves that bring ARPACK's vectors as near: they take less time than a correction. One in
 /// any case, because it makes unknowns: differences of a vector's entries would lose as many digits
 /// as the entries are larger than their differences.
 int first_solves(const Eigenpairs& found, std::int64_t dimension) {
-    constexpr int most_solves = 4; // then the vectors of a panel come near to each other
+    constexpr int most_solves = 4;
     const auto pairs = static_cast<std::size_t>(found.coefficients.cols());
     const double last = found.values[static_cast<std::size_t>(dimension) - 1];
     const double beyond = pairs < found.values.size() ? std::max(found.values[pairs], 0.0) : 0;
-    double angle = found.error(dimension - 1) / (last - beyond);
+    double angle = found.errors[static_cast<std::size_t>(dimension) - 1] / (last - beyond);
     int solves = 0;
     do {
         ++solves;
@@ -75,8 +75,12 @@ EigenBasis solved(const Alignment& alignment, const Aggregation& runs, const Eig
     Matrix coarse = Matrix::unset(runs.runs(), basis.x.cols());
     combine_rows(found.basis.view(), found.coefficients, coarse.view(), alignment.machine());
     runs.spread(coarse.view(), basis.x.view(), alignment.machine());
-    for (int i = 0; i < times; ++i)
+    for (int i = 0; i < times; ++i) {
+        if (i > 0) // else the largest eigenvalue would soon leave one vector in all of them
+            multiply_columns(basis.x.view(), orthonormal_factor(alignment, basis),
+                             alignment.machine());
         multiply_by_inverse(alignment, basis.x.view(), basis.unknowns.view());
+    }
     return basis;
 }
 
@@ -123,7 +127,7 @@ void refine(const Alignment& alignment, std::int64_t dimension, const Progress& 
         if (i == 0)
             spectrum.first_change = change;
         spectrum.last_change = change;
-        if (change < small_change || change > before / 2)
+        if (change < small_change || change > 0.8 * before)
             break;
         before = change;
     }

@@ -2,7 +2,9 @@
 #include "ltsa/tangents.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
+#include <limits>
 #include <memory>
 
 #include "base/parallel.hpp"
@@ -10,6 +12,7 @@
 #include "linalg/simd.hpp"
 #include "ltsa/band_distances.hpp"
 #include "ltsa/local_pca.hpp"
+#include "ltsa/local_svd.hpp"
 #include "ltsa/neighborhood_distances.hpp"
 #include "ltsa/tangent_batch.hpp"
 #include "ltsa/tangent_track.hpp"
@@ -17,14 +20,20 @@
 namespace stltsa::ltsa {
 namespace {
 
+/// Where an eigenvalue is a smaller share of the first one than this, the direction is computed
+/// from the frames themselves: matrices of products have as many digits less of it. Recorded motion
+/// is well above (3 directions of 12 frames: 6e-4), but for features of very different sizes.
+constexpr double small_share = 1e-5;
+
 /// Writes the tangents of neighborhoods: several at a time where they are small, following them
-/// from frame to frame where they are large, and one at a time where that did not find them.
+/// from frame to frame where they are large, and one at a time where that did not find them, or
+/// not well.
 class TangentFinder {
   public:
     TangentFinder(ConstMatrixView x, const Neighborhoods& neighborhoods, std::int64_t computed,
                   Simd simd, Matrix& values, Tangents& tangents)
-        : neighborhoods_(neighborhoods), computed_(computed), values_(values), tangents_(tangents),
-          pca_(x, neighborhoods.size, computed) {
+        : x_(x), neighborhoods_(neighborhoods), computed_(computed), values_(values),
+          tangents_(tangents), pca_(x, neighborhoods.size, computed) {
         if (neighborhoods.size <= std::min(x.cols, TangentBatch::largest_size))
             batch_ = std::make_unique<TangentBatch>(neighborhoods.size, computed, simd);
         else if (TangentTrack::worth_while(neighborhoods.size, x.cols))
@@ -35,6 +44,15 @@ class TangentFinder {
     /// distance(p, q): squared distance of frames p < q; distance.among(members): of these.
     template <class Distance>
     void find(std::int64_t first, std::int64_t last, Distance distance) {
+        find_by_products(first, last, distance);
+        for (std::int64_t i = first; i < last; ++i)
+            if (has_small_directions(i))
+                find_by_svd(i);
+    }
+
+  private:
+    template <class Distance>
+    void find_by_products(std::int64_t first, std::int64_t last, Distance& distance) {
         if (batch_) {
             for (std::int64_t i = first; i < last; i += batch_->lanes())
                 find_together(i, std::min(i + batch_->lanes(), last), distance);
@@ -47,7 +65,27 @@ class TangentFinder {
         }
     }
 
-  private:
+    /// Small, but not so small that they count as rounding noise however exact.
+    bool has_small_directions(std::int64_t i) const {
+        for (std::int64_t l = 1; l < computed_; ++l) {
+            const double share = values_(i, l) / values_(i, 0);
+            if (share < small_share && share > 0.1 * negligible_value)
+                return true;
+        }
+        return false;
+    }
+
+    void find_by_svd(std::int64_t i) {
+        if (!svd_)
+            svd_ = std::make_unique<LocalSvd>(x_, neighborhoods_.size, computed_);
+        if (!svd_->compute(neighborhoods_.of(i)))
+            return; // what products gave stays
+        for (std::int64_t l = 0; l < computed_; ++l) {
+            values_(i, l) = svd_->value(l);
+            svd_->direction(l, tangents_.direction(i, l), tangents_.direction(i, 0));
+        }
+    }
+
     template <class Distance>
     void find_alone(std::int64_t i, const Distance& distance) {
         pca_.compute(neighborhoods_.of(i), std::cref(distance));
@@ -82,6 +120,7 @@ class TangentFinder {
         }
     }
 
+    ConstMatrixView x_;
     const Neighborhoods& neighborhoods_;
     std::int64_t computed_;
     Matrix& values_;
@@ -89,6 +128,7 @@ class TangentFinder {
     LocalPca pca_;
     std::unique_ptr<TangentBatch> batch_;
     std::unique_ptr<TangentTrack> track_;
+    std::unique_ptr<LocalSvd> svd_;
 };
 
 void report(const Progress& progress, std::int64_t done, std::int64_t blocks) {
@@ -119,6 +159,34 @@ void drop_missing_directions(const Matrix& values, Tangents& tangents, const Mac
                 std::fill(tangents.direction(i, rank), tangents.direction(i, tangents.count), 0.0);
             }
         });
+}
+
+/// A matrix of products is rounded relative to its largest eigenvalue.
+double rounding_of(double value, double largest) {
+    constexpr double epsilon = std::numeric_limits<double>::epsilon();
+    return value < small_share * largest ? epsilon : epsilon * largest / value;
+}
+
+void set_rounding(const Matrix& values, Tangents& tangents, const Machine& machine) {
+    const std::int64_t blocks = row_blocks(values.rows());
+    Matrix squares(blocks, values.cols()), windows(blocks, values.cols());
+    for_row_blocks(
+        values.rows(), machine, [&](std::int64_t block, std::int64_t begin, std::int64_t rows) {
+            for (std::int64_t i = begin; i < begin + rows; ++i)
+                for (std::int64_t l = 0; l < tangents.rank[static_cast<std::size_t>(i)]; ++l) {
+                    const double angle = rounding_of(values(i, l), values(i, 0));
+                    squares(block, l) += angle * angle;
+                    windows(block, l) += 1;
+                }
+        });
+    for (std::int64_t l = 0; l < values.cols(); ++l) {
+        double square = 0, count = 0;
+        for (std::int64_t b = 0; b < blocks; ++b) {
+            square += squares(b, l);
+            count += windows(b, l);
+        }
+        tangents.rounding[static_cast<std::size_t>(l)] = count > 0 ? std::sqrt(square / count) : 0;
+    }
 }
 
 } // namespace
@@ -152,7 +220,9 @@ Tangents local_tangents(ConstMatrixView x, const Neighborhoods& neighborhoods,
     };
     parallel_blocks(blocks, parameters.threads, work,
                     [&](std::int64_t done) { report(progress, done, blocks); });
-    drop_missing_directions(values, tangents, {parameters.simd, parameters.threads});
+    const Machine machine{parameters.simd, parameters.threads};
+    drop_missing_directions(values, tangents, machine);
+    set_rounding(values, tangents, machine);
     return tangents;
 }
 

@@ -24,6 +24,9 @@ struct Tangents {
     std::int64_t count = 0; ///< d
     UnsetVector<double> g;
     UnsetVector<std::int32_t> rank; ///< of each window: directions that are there, at most d
+    /// Root mean square, over the windows that have it, of the angle by which rounding may have
+    /// turned each direction.
+    std::vector<double> rounding = std::vector<double>(static_cast<std::size_t>(count));
 
     const double* direction(std::int64_t frame, std::int64_t l) const {
         return g.data() + (frame * count + l) * size;

@@ -81,6 +81,37 @@ void tangents_are_those_of_lapack(void**) {
         }
 }
 
+/// Orthonormal polynomials of time, each in features of its own, whose sizes are far apart: its
+/// principal directions are those polynomials.
+void features_of_uneven_size(void**) {
+    for (const std::int64_t size : {12, 33, 60, 140}) {
+        constexpr std::int64_t count = 3;
+        const double scales[count] = {1e4, 1, 3e-2};
+        Matrix polynomials(count + 1, size), x(size, features);
+        for (std::int64_t l = 0; l <= count; ++l) {
+            double* p = polynomials.row(l);
+            for (std::int64_t a = 0; a < size; ++a)
+                p[a] = l == 0 ? 1 : polynomials(l - 1, a) * static_cast<double>(2 * a - size + 1);
+            for (int pass = 0; pass < 2; ++pass)
+                for (std::int64_t b = 0; b < l; ++b)
+                    stltsa::axpy(-stltsa::dot(polynomials.row(b), p, size), polynomials.row(b), p,
+                                 size);
+            const double norm = std::sqrt(stltsa::dot(p, p, size));
+            for (std::int64_t a = 0; a < size; ++a) {
+                p[a] /= norm;
+                for (std::int64_t c = 0; l > 0 && c < 9; ++c)
+                    x(a, 10 * l + c) = scales[l - 1] * static_cast<double>(1 + c) * p[a];
+            }
+        }
+        const Tangents tangents = tangents_of(x, size, count, stltsa::widest_simd());
+        for (std::int64_t l = 0; l < count; ++l)
+            ASSERT_NEAR(std::abs(stltsa::dot(tangents.direction(size / 2, l),
+                                             polynomials.row(l + 1), size)),
+                        1, 1e-14);
+        assert_true(tangents.rounding[count - 1] < 1e-10);
+    }
+}
+
 void a_direction_that_the_start_lacks_is_found(void**) {
     for (const std::int64_t size : {5, 7, 12}) {
         const Tangents tangents = tangents_of(alternation(50), size, 1, stltsa::widest_simd());
@@ -252,6 +283,7 @@ int main() {
     const stltsa::SingleThreadedBlas single;
     const CMUnitTest tests[] = {
         cmocka_unit_test(tangents_are_those_of_lapack),
+        cmocka_unit_test(features_of_uneven_size),
         cmocka_unit_test(a_direction_that_the_start_lacks_is_found),
         cmocka_unit_test(windows_that_do_not_vary_have_no_direction),
         cmocka_unit_test(rounding_noise_has_no_direction),
