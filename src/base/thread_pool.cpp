@@ -11,7 +11,7 @@ namespace {
 /// the processor get it.
 template <class Condition>
 void look_for(const Condition& condition) {
-    constexpr int looks = 2000; // about a millisecond
+    constexpr int looks = 2000;
     for (int i = 0; i < looks && !condition(); ++i)
         std::this_thread::yield();
 }

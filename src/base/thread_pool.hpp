@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Threads that wait for work between one parallel loop and the next: to start one takes a tenth of
-// a millisecond, and a fit has more than a hundred loops. They end with their pool, and that with
-// the call that made it: those of OpenMP or TBB would outlive it, and a process that forks between
-// two calls would wait for them for ever.
+// Threads that wait for work between one parallel loop and the next: a fit has many loops, and
+// some take no longer than starting a thread. They end with their pool, and that with the call that
+// made it: those of OpenMP or TBB would outlive it, and a process that forks between two calls
+// would wait for them for ever.
 #pragma once
 
 #include <atomic>
@@ -36,8 +36,8 @@ class ThreadPool {
     void work();
 
     std::vector<std::thread> threads_;
+    std::mutex mutex_; ///< held to change what is below
     const std::function<void()>* help_ = nullptr;
-    std::mutex mutex_;                   ///< held to change what is below
     std::atomic<std::int64_t> seats_{0}; ///< for threads that may still come
     std::atomic<std::int64_t> working_{0};
     std::atomic<bool> ended_{false};

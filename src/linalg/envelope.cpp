@@ -256,16 +256,16 @@ struct Halves {
         const std::int64_t lower = arm == Arm::upper ? 0 : n - middle.end;
         std::int64_t first = inwards ? 0 : middle.begin;
         for (std::int64_t done = 0; done < std::max(upper, lower); done += step_rows) {
-            const std::int64_t above = std::min(done, upper);
-            const std::int64_t above_then = std::min(done + step_rows, upper);
-            const std::int64_t below = std::min(done, lower);
-            const std::int64_t below_then = std::min(done + step_rows, lower);
+            const std::int64_t upper_done = std::min(done, upper);
+            const std::int64_t upper_next = std::min(done + step_rows, upper);
+            const std::int64_t lower_done = std::min(done, lower);
+            const std::int64_t lower_next = std::min(done + step_rows, lower);
             if (inwards) {
-                sweep.down(above, above_then, first);
-                sweep.up(n - below_then, n - below);
+                sweep.down(upper_done, upper_next, first);
+                sweep.up(n - lower_next, n - lower_done);
             } else {
-                sweep.up(middle.begin - above_then, middle.begin - above);
-                sweep.down(middle.end + below, middle.end + below_then, first);
+                sweep.up(middle.begin - upper_next, middle.begin - upper_done);
+                sweep.down(middle.end + lower_done, middle.end + lower_next, first);
             }
         }
     }

@@ -188,24 +188,15 @@ void subtract_scaled(ConstMatrixView source, const Matrix& factors, MatrixView t
     });
 }
 
-namespace {
-
-/// The mean of each column of so many rows: a first one, and blocks of which these are the sums.
-Matrix mean_of(const double* first, const Matrix& sums, std::int64_t rows) {
-    Matrix mean(1, sums.cols());
-    std::copy_n(first, sums.cols(), mean.data());
-    for (std::int64_t block = 0; block < sums.rows(); ++block)
-        for (std::int64_t c = 0; c < sums.cols(); ++c)
-            mean(0, c) += sums(block, c);
-    for (std::int64_t c = 0; c < sums.cols(); ++c)
-        mean(0, c) /= static_cast<double>(rows);
-    return mean;
-}
-
-} // namespace
-
 Matrix column_means(ConstMatrixView panel, const Machine& machine) {
-    return mean_of(panel.row(0), block_sums(panel.block(1, panel.rows - 1), machine), panel.rows);
+    const Matrix sums = block_sums(panel, machine);
+    Matrix mean(1, panel.cols);
+    for (std::int64_t block = 0; block < sums.rows(); ++block)
+        for (std::int64_t c = 0; c < panel.cols; ++c)
+            mean(0, c) += sums(block, c);
+    for (std::int64_t c = 0; c < panel.cols; ++c)
+        mean(0, c) /= static_cast<double>(panel.rows);
+    return mean;
 }
 
 void subtract_row(MatrixView panel, const Matrix& row, const Machine& machine) {

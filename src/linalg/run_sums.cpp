@@ -39,7 +39,7 @@ struct PrefixTotals {
     }
 };
 
-/// x(run) := scale * sum of its rows, the first row of the block being `start`
+/// x(run) := the sum of its rows times the run's entry of Q; the first row of the block is `start`
 struct PrefixSums {
     Block block;
     ConstMatrixView z;
@@ -101,7 +101,7 @@ struct SuffixSums {
     }
 };
 
-/// kernel(index, block) over the columns of a panel, for each block of runs.
+/// For each block of runs the kernel make(index, block), over the columns of a panel.
 template <class MakeKernel>
 void for_blocks(const Aggregation& runs, std::int64_t cols, const Machine& machine,
                 const MakeKernel& make) {

@@ -10,7 +10,7 @@
 
 namespace stltsa {
 
-/// x := Q^T C S z: a row for each run, from one row less than the runs have.
+/// x := Q^T C S z: a row for each run; z has one row less than all runs together.
 void centered_prefix_sums(ConstMatrixView z, const Aggregation& runs, MatrixView x,
                           const Machine& machine);
 

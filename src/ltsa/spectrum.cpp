@@ -16,11 +16,17 @@
 namespace stltsa::ltsa {
 namespace {
 
-/// x := B^+ x for a panel or one column; its unknowns are left, too.
-void multiply_by_inverse(const Alignment& alignment, MatrixView x, MatrixView unknowns) {
-    alignment.restrict_to(x, unknowns);
+/// y := Q^T B^+ Q x for a panel or one column, x or another; the unknowns of B^+ Q x are left, too.
+void multiply_by_inverse(const Alignment& alignment, const Aggregation& runs, ConstMatrixView x,
+                         MatrixView unknowns, MatrixView y) {
+    alignment.restrict_to(runs, x, unknowns);
     alignment.solve(unknowns);
-    alignment.prolong(unknowns, x);
+    alignment.prolong(unknowns, runs, y);
+}
+
+/// x := B^+ x
+void multiply_by_inverse(const Alignment& alignment, MatrixView x, MatrixView unknowns) {
+    multiply_by_inverse(alignment, {alignment.frames(), 1}, x, unknowns, x);
 }
 
 /// x -> Q^T B^+ Q x, a value for each run of frames: the wanted eigenpairs are its largest, so no
@@ -28,9 +34,8 @@ void multiply_by_inverse(const Alignment& alignment, MatrixView x, MatrixView un
 Operator pseudo_inverse(const Alignment& alignment, const Aggregation& runs) {
     return [&alignment, runs, unknowns = Matrix::unset(alignment.unknowns(), 1)](
                std::span<const double> x, std::span<double> y) mutable {
-        alignment.restrict_to(runs, {x.data(), runs.runs(), 1, 1}, unknowns.view());
-        alignment.solve(unknowns.view());
-        alignment.prolong(unknowns.view(), runs, {y.data(), runs.runs(), 1, 1});
+        multiply_by_inverse(alignment, runs, {x.data(), runs.runs(), 1, 1}, unknowns.view(),
+                            {y.data(), runs.runs(), 1, 1});
     };
 }
 
@@ -51,9 +56,9 @@ void set_start(std::span<double> x) {
 constexpr double small_change = 1e-12;
 constexpr int most_corrections = 12;
 
-/// Solves that bring ARPACK's vectors as near: they take less time than a correction. One in
-/// any case, because it makes unknowns: differences of a vector's entries would lose as many digits
-/// as the entries are larger than their differences.
+/// Solves that bring ARPACK's vectors as near: a correction has one of them, and passes through
+/// the patches beside. One in any case, because it makes unknowns: differences of a vector's
+/// entries would lose as many digits as the entries are larger than their differences.
 int first_solves(const Eigenpairs& found, std::int64_t dimension) {
     constexpr int most_solves = 4;
     const auto pairs = static_cast<std::size_t>(found.coefficients.cols());
@@ -89,7 +94,7 @@ EigenBasis solved(const Alignment& alignment, const Aggregation& runs, const Eig
 /// error that grows. But B^+ times noise of variance 1 has each eigenvector in it about as large as
 /// its eigenvalue of B^+, which is at least `smallest_wanted` for a wanted one.
 bool enough(const Alignment& alignment, const Aggregation& runs, double smallest_wanted) {
-    constexpr double small_share = 1e-3; // far above what motion has within runs
+    constexpr double small_share = 1e-3; // what motion has within runs stays below
     Matrix noise = Matrix::unset(alignment.frames(), 1);
     Matrix unknowns = Matrix::unset(alignment.unknowns(), 1);
     for_row_blocks(noise.rows(), alignment.machine(),

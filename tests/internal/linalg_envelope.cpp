@@ -103,11 +103,12 @@ void large_ones(void**) {
 }
 
 void a_singular_one_is_refused(void**) {
-    for (const std::int64_t where : {0, 7, 19}) {
-        EnvelopeMatrix matrix = made_matrix(20, 0, 0);
-        matrix.column(where)[0] = 0;
-        assert_false(cholesky(matrix, 1e-13, {}));
-    }
+    for (const std::int64_t least : {0, 3})
+        for (const std::int64_t where : {0, 7, 10, 19}) {
+            EnvelopeMatrix matrix = made_matrix(20, least, least);
+            matrix.column(where)[0] = 0;
+            assert_false(cholesky(matrix, 1e-13, {}));
+        }
 }
 
 } // namespace
