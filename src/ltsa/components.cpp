@@ -59,12 +59,13 @@ Components one_component(std::int64_t n, const Machine& machine) {
     components.of_frame.resize(static_cast<std::size_t>(n));
     components.position.resize(static_cast<std::size_t>(n));
     components.members.emplace_back(static_cast<std::size_t>(n));
+    components.windows.emplace_back(static_cast<std::size_t>(n));
     for_row_blocks(n, machine, [&](std::int64_t, std::int64_t first, std::int64_t rows) {
         for (std::int64_t i = first; i < first + rows; ++i) {
             const auto frame = static_cast<std::size_t>(i);
             components.of_frame[frame] = 0;
             components.position[frame] = components.members[0][frame] =
-                static_cast<std::int32_t>(i);
+                components.windows[0][frame] = static_cast<std::int32_t>(i);
         }
     });
     return components;
@@ -107,6 +108,12 @@ Components connected_components(const Neighborhoods& neighborhoods, const Machin
         components.members[static_cast<std::size_t>(components.of_frame[i])]
                           [static_cast<std::size_t>(components.position[i])] =
             static_cast<std::int32_t>(i);
+    components.windows.resize(sizes.size());
+    for (std::int64_t i = 0; i < n; ++i) {
+        const auto first = static_cast<std::size_t>(neighborhoods.of(i).front());
+        components.windows[static_cast<std::size_t>(components.of_frame[first])].push_back(
+            static_cast<std::int32_t>(i));
+    }
     return components;
 }
 

@@ -17,6 +17,9 @@ struct Components {
     UnsetVector<std::int32_t> of_frame;             ///< numbered by first frame
     std::vector<UnsetVector<std::int32_t>> members; ///< ascending
     UnsetVector<std::int32_t> position;             ///< of a frame within its component
+    /// Frames whose neighborhoods lie in a component, ascending: its members, but for a frame that
+    /// is not in its own neighborhood.
+    std::vector<UnsetVector<std::int32_t>> windows;
 };
 
 Components connected_components(const Neighborhoods& neighborhoods, const Machine& machine);

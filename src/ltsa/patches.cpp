@@ -10,13 +10,8 @@ Patches::Patches(const Neighborhoods& neighborhoods, const Tangents& tangents,
     : frames_(static_cast<std::int64_t>(
           components.members[static_cast<std::size_t>(component)].size())),
       size_(neighborhoods.size), dimension_(dimension), tangents_(&tangents),
+      source_(components.windows[static_cast<std::size_t>(component)]),
       index_(neighborhoods.index.data()) {
-    source_.reserve(static_cast<std::size_t>(frames_));
-    for (std::int64_t i = 0; i < neighborhoods.frames(); ++i) {
-        const auto first = static_cast<std::size_t>(neighborhoods.of(i).front());
-        if (components.of_frame[first] == component)
-            source_.push_back(static_cast<std::int32_t>(i));
-    }
     if (components.count == 1) // every frame keeps its number
         return;
     renumbered_.reserve(source_.size() * static_cast<std::size_t>(size_));

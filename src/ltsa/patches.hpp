@@ -14,6 +14,7 @@
 namespace stltsa::ltsa {
 
 /// Neighborhoods whose frames are renumbered 0 .. frames-1 within a component, in order of time.
+/// What it is made from must outlive it.
 class Patches {
   public:
     /// `dimension`: how many of the tangents to use.
@@ -41,8 +42,8 @@ class Patches {
     std::int64_t size_;
     std::int64_t dimension_;
     const Tangents* tangents_;
-    std::vector<std::int32_t> source_; ///< frame whose neighborhood a patch is
-    const std::int32_t* index_;        ///< the neighborhoods' own, or:
+    std::span<const std::int32_t> source_; ///< frame whose neighborhood a patch is
+    const std::int32_t* index_;            ///< the neighborhoods' own, or:
     AlignedVector<std::int32_t> renumbered_;
 };
 
