@@ -14,7 +14,7 @@ SPARE_COLUMNS = 2  # of the block that finds the tangents, beyond d
 LEAST_PRODUCTS = 5  # with that block, before it may stop
 LEAST_PRODUCTS_FOLLOWING = 3  # where it starts from what the frame before ended with
 PASSES = 2  # through all patches, for the certificate
-WIDE = 32  # neighbors from which on the band is solved with from one end only
+WIDE = 64  # entries of a column from which on a band is solved with from one end only
 
 
 @dataclasses.dataclass(frozen=True)
@@ -65,7 +65,7 @@ def spectrum(size):
     k, d, s = size.k, size.d, size.s
     pairs = d + 1
     vectors = min(s, 2 * pairs + SPARE_VECTORS)
-    steps = (2 * s + 4) / (2 if k < WIDE else 1)
+    steps = (2 * s + 4) / (2 if k - 1 < WIDE else 1)
     iterate = 4 * k * s + 2 * vectors * s
     certify = 8 * k * pairs + PASSES * pairs * k * (8 * d + 6)
     patches, matrix = 4 * k + 8 * k * d, 8 * k

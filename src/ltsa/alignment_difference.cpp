@@ -67,8 +67,8 @@ struct RunningSums {
 /// B' of a narrow band: a few entries to a column.
 class NarrowBand {
   public:
-    NarrowBand(const Patches& patches, const Machine& machine)
-        : machine_(machine), matrix_(envelope_of(patches)) {
+    NarrowBand(const Patches& patches, const Envelope& envelope, const Machine& machine)
+        : machine_(machine), matrix_(envelope) {
         assemble(patches, machine, matrix_);
     }
     std::int64_t order() const { return matrix_.order(); }
@@ -84,7 +84,8 @@ class NarrowBand {
 /// B' of a wide band, where BLAS is quicker.
 class WideBand {
   public:
-    WideBand(const Patches& patches, const Machine& machine) : matrix_(envelope_of(patches)) {
+    WideBand(const Patches& patches, const Envelope& envelope, const Machine& machine)
+        : matrix_(envelope) {
         assemble(patches, machine, matrix_);
     }
     std::int64_t order() const { return matrix_.order(); }
@@ -108,12 +109,13 @@ void shift_diagonal(Band& band, double share) {
 template <class Band>
 class DifferenceAlignment final : public PassingAlignment<RunningSums> {
   public:
-    DifferenceAlignment(const Patches& patches, const Machine& machine)
-        : PassingAlignment(patches, machine), factor_(std::make_unique<Band>(patches, machine)) {
+    DifferenceAlignment(const Patches& patches, const Envelope& envelope, const Machine& machine)
+        : PassingAlignment(patches, machine),
+          factor_(std::make_unique<Band>(patches, envelope, machine)) {
         if (factor_->factor(smallest_pivot))
             return;
         factor_.reset(); // before the next one takes as much memory
-        factor_ = std::make_unique<Band>(patches, machine);
+        factor_ = std::make_unique<Band>(patches, envelope, machine);
         shift_diagonal(*factor_, flat_shift);
         if (!factor_->factor(0))
             fail(Status::degenerate, "the frames do not vary in {} directions",
@@ -145,15 +147,23 @@ class DifferenceAlignment final : public PassingAlignment<RunningSums> {
     std::unique_ptr<Band> factor_;
 };
 
-/// Neighbors from which on bands are wide.
-constexpr std::int64_t wide = 32;
+/// Entries of a column, in the mean, from which on a band is wide.
+constexpr std::int64_t wide = 64;
+
+std::int64_t entries_of(const Envelope& envelope) {
+    std::int64_t entries = 0;
+    for (std::size_t c = 0; c < envelope.size(); ++c)
+        entries += envelope[c] - static_cast<std::int64_t>(c) + 1;
+    return entries;
+}
 
 } // namespace
 
 std::unique_ptr<Alignment> difference_alignment(const Patches& patches, const Machine& machine) {
-    if (patches.size() < wide)
-        return std::make_unique<DifferenceAlignment<NarrowBand>>(patches, machine);
-    return std::make_unique<DifferenceAlignment<WideBand>>(patches, machine);
+    const Envelope envelope = envelope_of(patches);
+    if (entries_of(envelope) < wide * static_cast<std::int64_t>(envelope.size()))
+        return std::make_unique<DifferenceAlignment<NarrowBand>>(patches, envelope, machine);
+    return std::make_unique<DifferenceAlignment<WideBand>>(patches, envelope, machine);
 }
 
 } // namespace stltsa::ltsa

@@ -35,8 +35,8 @@ void spread_directions(const Patches& patches, std::int64_t patch, double* to,
     }
 }
 
-std::vector<std::int64_t> envelope_of(const Patches& patches) {
-    std::vector<std::int64_t> reach(static_cast<std::size_t>(patches.frames() - 1));
+Envelope envelope_of(const Patches& patches) {
+    Envelope reach(static_cast<std::size_t>(patches.frames() - 1));
     std::iota(reach.begin(), reach.end(), 0);
     for (std::int64_t p = 0; p < patches.count(); ++p) {
         const auto frames = patches.of(p);

@@ -22,7 +22,8 @@ void spread_counts(const Patches& patches, std::int64_t patch, double* to);
 void spread_directions(const Patches& patches, std::int64_t patch, double* to, std::int64_t stride);
 
 /// The last row of each column of B'.
-std::vector<std::int64_t> envelope_of(const Patches& patches);
+using Envelope = std::vector<std::int64_t>;
+Envelope envelope_of(const Patches& patches);
 
 /// matrix = B', for narrow bands and for wide ones. Every entry receives the patches in the same
 /// order whatever the number of threads.
