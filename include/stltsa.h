@@ -237,7 +237,7 @@ STLTSA_API stltsa_status stltsa_options_get_text(const stltsa_options *options, 
 enum {
     STLTSA_STAGE_READ = 0,
     STLTSA_STAGE_FEATURES = 1,
-    STLTSA_STAGE_NEIGHBORS = 2,
+    STLTSA_STAGE_NEIGHBORS = 2, /* among all frames; temporal ones are found with the tangents */
     STLTSA_STAGE_TANGENTS = 3,
     STLTSA_STAGE_ALIGNMENT = 4,
     STLTSA_STAGE_SPECTRUM = 5,
@@ -339,7 +339,8 @@ typedef struct stltsa_model stltsa_model;
  * get the coordinates of the one they repeat.
  * Memory: packed rows of float64 are read where they lie, so a mapped file will do; others are
  * copied. Beside them temporal neighbors take about 4k + 8kd bytes a frame, 8 for each column of
- * the band (between w and 2w), and 250; option keep_frames off spares the model its copy.
+ * the band (between w and 2w), and 250; and for distances, w up to 1024, about 50 w^2 bytes a
+ * thread. Option keep_frames off spares the model its copy.
  * E_SHAPE, E_NOT_FINITE, E_TOO_FEW_FRAMES, E_ARGUMENT (needs d + 2 <= k <= w + 1), E_DEGENERATE,
  * E_NOT_CONVERGED, E_UNSUPPORTED (spatial, recurrent without CHOLMOD), E_CANCELLED,
  * E_NO_MEMORY. Section 2.2. */

@@ -38,16 +38,12 @@ class Work:
     additions: float = 0  # likewise
 
 
-def neighbors(size):
-    data = 8 * size.m + 4 * size.k
-    return Work(3 * size.m * size.w, data, data)
-
-
-def tangents(size):
+def neighbors_and_tangents(size):
     m, k, d = size.m, size.k, size.d
     columns = d + SPARE_COLUMNS
     side = min(k, m)
-    form = 6 * m * size.w + 2 * k * k if k <= m else 2 * m * (m + 1) + 2 * k * m * d
+    apart = 2 * size.w if k <= m else size.w  # frames whose distance is needed
+    form = 3 * m * apart + (2 * k * k if k <= m else 2 * m * (m + 1) + 2 * k * m * d)
     products = LEAST_PRODUCTS if k <= m else LEAST_PRODUCTS_FOLLOWING
     find = products * 2 * side * columns * (side + columns)
     data = 8 * m + 4 * k + 8 * k * d
@@ -73,8 +69,9 @@ def spectrum(size):
     return Work(iterate + certify, moved, matrix + 8 * vectors + patches, steps, 4 * s)
 
 
-STAGES = {"neighbors": neighbors, "tangents": tangents, "alignment": alignment,
-          "spectrum": spectrum}
+# What the library calls a stage, and what a temporal fit does in it.
+STAGES = {"tangents": ("neighbors and tangents", neighbors_and_tangents),
+          "alignment": ("alignment", alignment), "spectrum": ("spectrum", spectrum)}
 
 
 def stream_rate(peaks, resident):
@@ -96,11 +93,11 @@ def stage_bounds(fit, peaks):
     n, k = fit["n"], fit["k"]
     size = Size(n, fit["features"], k, k, DIMENSION, fit["solves"])
     rows = []
-    for stage, work_of in STAGES.items():
+    for stage, (name, work_of) in STAGES.items():
         work = work_of(size)
         seconds = limits(work, n, peaks)
         kind = max(seconds, key=seconds.get)
-        rows.append({"stage": stage, "n": n, "k": k, "seconds": fit["stages"][stage],
+        rows.append({"stage": name, "n": n, "k": k, "seconds": fit["stages"][stage],
                      "limits": seconds, "kind": kind, "bound": seconds[kind],
                      "operations": n * work.operations, "bytes": n * work.moved})
     return rows

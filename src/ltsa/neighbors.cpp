@@ -6,41 +6,11 @@
 
 #include "base/parallel.hpp"
 #include "ltsa/band_distances.hpp"
+#include "ltsa/neighborhood_distances.hpp"
 
 namespace stltsa::ltsa {
 
-Neighborhoods find_neighbors(ConstMatrixView x, std::span<const std::int64_t> lengths,
-                             const Parameters& parameters, const Progress& progress) {
-    switch (parameters.mode) {
-    case Mode::spatial:
-        return spatial_neighbors(x, parameters, progress);
-    case Mode::recurrent:
-        return recurrent_neighbors(x, lengths, parameters, progress);
-    case Mode::temporal:
-        break;
-    }
-    return temporal_neighbors(x, lengths, parameters, progress);
-}
-
 namespace {
-
-/// One block of frames of one clip.
-struct Block {
-    std::int64_t clip_begin, clip_end; ///< frames of the clip
-    std::int64_t begin, end;           ///< frames of the block
-};
-
-std::vector<Block> clip_blocks(std::span<const std::int64_t> lengths, std::int64_t block) {
-    std::vector<Block> blocks;
-    std::int64_t first = 0;
-    for (const std::int64_t length : lengths) {
-        for (std::int64_t begin = first; begin < first + length; begin += block)
-            blocks.push_back(
-                {first, first + length, begin, std::min(begin + block, first + length)});
-        first += length;
-    }
-    return blocks;
-}
 
 /// The nearest of the frames first, first + 1, ... at these distances, ties going to the earlier
 /// one: ascending, without sorting frames.
@@ -59,40 +29,65 @@ void select_in_order(std::span<const double> distances, std::int64_t first,
             out[found++] = static_cast<std::int32_t>(first + static_cast<std::int64_t>(j));
 }
 
-void fill_block(ConstMatrixView x, const Block& block, const Parameters& parameters,
-                Neighborhoods& neighborhoods) {
-    const std::int64_t w = parameters.window;
-    // Distances are needed from each frame of the block to its own window only.
-    const std::int64_t low = std::max(block.clip_begin, block.begin - w);
-    const std::int64_t high = std::min(block.clip_end, block.end + w);
-    const BandDistances distances(x, low, high, w, parameters.simd);
+/// The widest window whose distances are kept, so that each is computed once: a thread has room for
+/// about 48 w^2 bytes of them.
+constexpr std::int64_t widest_band = 1024;
+
+} // namespace
+
+WindowNeighbors::WindowNeighbors(std::span<const std::int64_t> lengths,
+                                 const Parameters& parameters)
+    : window_(parameters.window), include_self_(parameters.include_self) {
+    for (const std::int64_t length : lengths)
+        begins_.push_back(begins_.back() + length);
+}
+
+template <class Distance>
+void WindowNeighbors::select(const Distance& distance, std::int64_t first, std::int64_t last,
+                             Neighborhoods& neighborhoods) const {
     constexpr double never = std::numeric_limits<double>::infinity();
     std::vector<double> window, scratch;
-    for (std::int64_t i = block.begin; i < block.end; ++i) {
-        const std::int64_t first = std::max(low, i - w);
+    auto clip_end = std::ranges::upper_bound(begins_, first);
+    for (std::int64_t i = first; i < last; ++i) {
+        while (i >= *clip_end)
+            ++clip_end;
+        const std::int64_t begin = std::max(*(clip_end - 1), i - window_);
         window.clear();
-        for (std::int64_t j = first; j < std::min(high, i + w + 1); ++j)
-            window.push_back(j != i || parameters.include_self ? distances(i, j) : never);
-        select_in_order(window, first, scratch, neighborhoods.of(i));
+        for (std::int64_t j = begin; j < std::min(*clip_end, i + window_ + 1); ++j)
+            window.push_back(j != i || include_self_ ? distance(i, j) : never);
+        select_in_order(window, begin, scratch, neighborhoods.of(i));
     }
 }
 
-} // namespace
+template void WindowNeighbors::select(const BandDistances&, std::int64_t, std::int64_t,
+                                      Neighborhoods&) const;
+
+void WindowNeighbors::select(ConstMatrixView x, Simd simd, std::int64_t first, std::int64_t last,
+                             Neighborhoods& neighborhoods) const {
+    if (window_ > widest_band)
+        select(NeighborhoodDistances(x, neighborhoods.size, simd), first, last, neighborhoods);
+    else
+        select(BandDistances(x, std::max<std::int64_t>(0, first - window_),
+                             std::min(x.rows, last + window_), window_, simd),
+               first, last, neighborhoods);
+}
 
 Neighborhoods temporal_neighbors(ConstMatrixView x, std::span<const std::int64_t> lengths,
                                  const Parameters& parameters, const Progress& progress) {
     Neighborhoods neighborhoods{parameters.neighbors, {}};
     neighborhoods.index.resize(checked_size(x.rows, parameters.neighbors));
-    const auto blocks = clip_blocks(lengths, frame_block(parameters.window));
-    const auto count = static_cast<std::int64_t>(blocks.size());
+    const WindowNeighbors windows(lengths, parameters);
+    const std::int64_t block = frame_block(parameters.window);
+    const std::int64_t blocks = (x.rows + block - 1) / block;
     parallel_blocks(
-        count, parameters.threads,
+        blocks, parameters.threads,
         [&](std::int64_t b) {
-            fill_block(x, blocks[static_cast<std::size_t>(b)], parameters, neighborhoods);
+            windows.select(x, parameters.simd, b * block, std::min((b + 1) * block, x.rows),
+                           neighborhoods);
         },
         [&](std::int64_t done) {
             progress.report(Stage::neighbors,
-                            static_cast<double>(done) / static_cast<double>(count));
+                            static_cast<double>(done) / static_cast<double>(blocks));
         });
     return neighborhoods;
 }

@@ -36,11 +36,29 @@ struct Candidate {
     }
 };
 
-/// The neighborhoods that `parameters` ask for. Frames of all clips one after another.
-Neighborhoods find_neighbors(ConstMatrixView x, std::span<const std::int64_t> lengths,
-                             const Parameters& parameters, const Progress& progress);
+/// Selects the k nearest within +-window frames of the same clip. The window is cut off at the
+/// ends.
+class WindowNeighbors {
+  public:
+    WindowNeighbors(std::span<const std::int64_t> lengths, const Parameters& parameters);
+    /// Of the frames [first, last). distance(p, q): squared distance of frames of one window; for
+    /// BandDistances and NeighborhoodDistances.
+    template <class Distance>
+    void select(const Distance& distance, std::int64_t first, std::int64_t last,
+                Neighborhoods& neighborhoods) const;
+    /// The same, with distances of its own.
+    void select(ConstMatrixView x, Simd simd, std::int64_t first, std::int64_t last,
+                Neighborhoods& neighborhoods) const;
 
-/// The k nearest within +-window frames of the same clip. The window is cut off at the ends.
+  private:
+    std::vector<std::int64_t> begins_{0}; ///< of the clips, and the end of the last one
+    std::int64_t window_;
+    bool include_self_;
+};
+
+// Neighborhoods of all frames, the clips one after another.
+
+/// As WindowNeighbors selects them.
 Neighborhoods temporal_neighbors(ConstMatrixView x, std::span<const std::int64_t> lengths,
                                  const Parameters& parameters, const Progress& progress);
 /// The k nearest among all frames.

@@ -34,11 +34,16 @@ class TangentFinder {
                   Simd simd, Matrix& values, Tangents& tangents)
         : x_(x), neighborhoods_(neighborhoods), computed_(computed), values_(values),
           tangents_(tangents), pca_(x, neighborhoods.size, computed) {
-        if (neighborhoods.size <= std::min(x.cols, TangentBatch::largest_size))
+        if (takes_distances(neighborhoods.size, x.cols))
             batch_ = std::make_unique<TangentBatch>(neighborhoods.size, computed, simd);
         else if (TangentTrack::worth_while(neighborhoods.size, x.cols))
             track_ =
                 std::make_unique<TangentTrack>(x, neighborhoods, computed, simd, values, tangents);
+    }
+
+    /// Whether it needs the distances within all neighborhoods.
+    static bool takes_distances(std::int64_t size, std::int64_t features) {
+        return size <= std::min(features, TangentBatch::largest_size);
     }
 
     /// distance(p, q): squared distance of frames p < q; distance.among(members): of these.
@@ -189,34 +194,26 @@ void set_rounding(const Matrix& values, Tangents& tangents, const Machine& machi
     }
 }
 
-} // namespace
+/// Neighbors and tangents share distances where a window is at most so many times as large as a
+/// neighborhood: beyond, most of two windows' distances would be needed by neither.
+constexpr std::int64_t widest_shared = 4;
 
-Tangents local_tangents(ConstMatrixView x, const Neighborhoods& neighborhoods,
-                        const Parameters& parameters, const Progress& progress) {
+/// Block after block of frames, find(finder, first, last) for each.
+template <class Find>
+Tangents find_in_blocks(ConstMatrixView x, const Neighborhoods& neighborhoods,
+                        const Parameters& parameters, const Progress& progress, std::int64_t block,
+                        const Find& find) {
     const std::int64_t count = parameters.dimension;
-    const std::int64_t window = parameters.window;
     Tangents tangents{neighborhoods.size, count, {}, {}};
     tangents.g.resize(
         checked_size(checked_size(x.rows, count) > 0 ? x.rows * count : 0, neighborhoods.size));
     tangents.rank.resize(static_cast<std::size_t>(x.rows));
     const std::int64_t computed = std::min({count, neighborhoods.size, x.cols});
     Matrix values = Matrix::unset(x.rows, computed);
-    // Temporal neighborhoods share most distances.
-    const bool banded = parameters.mode == Mode::temporal &&
-                        neighborhoods.size <= std::min(x.cols, TangentBatch::largest_size);
-    const std::int64_t block = std::max(frame_block(banded ? window : 0), TangentTrack::block);
     const std::int64_t blocks = (x.rows + block - 1) / block;
     const auto work = [&](std::int64_t b) {
-        const std::int64_t first = b * block;
-        const std::int64_t last = std::min(first + block, x.rows);
         TangentFinder finder(x, neighborhoods, computed, parameters.simd, values, tangents);
-        if (banded)
-            finder.find(first, last,
-                        BandDistances(x, std::max<std::int64_t>(0, first - window),
-                                      std::min(x.rows, last + window), 2 * window,
-                                      parameters.simd));
-        else
-            finder.find(first, last, NeighborhoodDistances(x, neighborhoods.size, parameters.simd));
+        find(finder, b * block, std::min((b + 1) * block, x.rows));
     };
     parallel_blocks(blocks, parameters.threads, work,
                     [&](std::int64_t done) { report(progress, done, blocks); });
@@ -224,6 +221,44 @@ Tangents local_tangents(ConstMatrixView x, const Neighborhoods& neighborhoods,
     drop_missing_directions(values, tangents, machine);
     set_rounding(values, tangents, machine);
     return tangents;
+}
+
+} // namespace
+
+Tangents local_tangents(ConstMatrixView x, const Neighborhoods& neighborhoods,
+                        const Parameters& parameters, const Progress& progress) {
+    return find_in_blocks(
+        x, neighborhoods, parameters, progress, TangentTrack::block,
+        [&](TangentFinder& finder, std::int64_t first, std::int64_t last) {
+            finder.find(first, last, NeighborhoodDistances(x, neighborhoods.size, parameters.simd));
+        });
+}
+
+Tangents temporal_tangents(ConstMatrixView x, std::span<const std::int64_t> lengths,
+                           const Parameters& parameters, const Progress& progress,
+                           Neighborhoods& neighborhoods) {
+    neighborhoods.size = parameters.neighbors;
+    neighborhoods.index.resize(checked_size(x.rows, parameters.neighbors));
+    const WindowNeighbors windows(lengths, parameters);
+    const std::int64_t window = parameters.window;
+    const bool shared = TangentFinder::takes_distances(neighborhoods.size, x.cols) &&
+                        window <= widest_shared * neighborhoods.size;
+    const auto find = [&](TangentFinder& finder, std::int64_t first, std::int64_t last) {
+        if (shared) {
+            // Frames of one neighborhood are at most two windows apart.
+            const BandDistances distances(x, std::max<std::int64_t>(0, first - window),
+                                          std::min(x.rows, last + window), 2 * window,
+                                          parameters.simd);
+            windows.select(distances, first, last, neighborhoods);
+            finder.find(first, last, distances);
+        } else {
+            windows.select(x, parameters.simd, first, last, neighborhoods);
+            finder.find(first, last, NeighborhoodDistances(x, neighborhoods.size, parameters.simd));
+        }
+    };
+    const std::int64_t block =
+        TangentTrack::block * (frame_block(window) / TangentTrack::block + 1);
+    return find_in_blocks(x, neighborhoods, parameters, progress, block, find);
 }
 
 Matrix local_spectra(ConstMatrixView x, const Neighborhoods& neighborhoods, std::int64_t count,

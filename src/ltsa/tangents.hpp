@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "base/progress.hpp"
@@ -36,10 +37,15 @@ struct Tangents {
     }
 };
 
-/// Tangents of parameters.dimension dimensions. parameters.window bounds the distance in frames
-/// between a frame and its neighbors where these are temporal.
+/// Tangents of parameters.dimension dimensions, of neighborhoods that are there.
 Tangents local_tangents(ConstMatrixView x, const Neighborhoods& neighborhoods,
                         const Parameters& parameters, const Progress& progress);
+
+/// Temporal neighborhoods and their tangents in one pass: a block of frames goes from distances to
+/// neighbors, and from these and the same distances to tangents, before the next one.
+Tangents temporal_tangents(ConstMatrixView x, std::span<const std::int64_t> lengths,
+                           const Parameters& parameters, const Progress& progress,
+                           Neighborhoods& neighborhoods);
 
 /// Eigenvalues of every `stride`-th neighborhood's correlation matrix, descending: one row each,
 /// `count` columns. For local PCA.
