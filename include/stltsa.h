@@ -410,9 +410,10 @@ typedef struct stltsa_dimension_result stltsa_dimension_result;
 
 /* Two estimates of the dimension of the manifold: the paper's first eigengap above tau, and the
  * median number of local principal directions that hold `variance` of a neighborhood. B is built
- * with tangent dimension `dimension` (0: 2). The eigengap counts lambda_1 = 0, and tends to
- * answer one more than the tangent dimension: read it beside local PCA. Inputs and errors as
- * stltsa_fit; a disconnected or degenerate graph is an answer ("cannot tell"), not an error. */
+ * with tangent dimension `dimension` (0: 2). The eigengap counts lambda_1 = 0, and one eigenvalue
+ * more than that dimension is small by construction, so it moves with what was put in: read it
+ * beside local PCA. Inputs and errors as stltsa_fit; a disconnected or degenerate graph is an
+ * answer ("cannot tell"), not an error. */
 STLTSA_API stltsa_status stltsa_dimension(const stltsa_in *frames, const int64_t *lengths,
                                           int64_t clips, const stltsa_options *options,
                                           stltsa_dimension_result **result) STLTSA_NOEXCEPT;

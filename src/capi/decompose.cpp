@@ -73,7 +73,8 @@ class SourceFrames {
 void estimate_dimension(const SharedMatrix& samples, const capi::OptionsReader& options,
                         stltsa_decomposition& made) {
     ltsa::Parameters parameters = made.result.parameters;
-    parameters.dimension = capi::eigengap_tangent_dimension;
+    const auto asked = static_cast<int>(options.integer(STLTSA_DIMENSION));
+    parameters.dimension = asked > 0 ? asked : capi::eigengap_tangent_dimension;
     if (parameters.neighbors < parameters.dimension + 2)
         return;
     const std::int64_t length = samples.rows();
