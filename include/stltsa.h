@@ -372,7 +372,8 @@ enum {
     STLTSA_MODEL_FRAME_STEP = 15, /* int   1 for matrices */
     STLTSA_MODEL_RESIDUAL = 16,   /* real  max ||B u - lambda u|| / k over the coordinates */
     STLTSA_MODEL_ERROR_ESTIMATE = 17, /* real largest principal angle to the exact embedding of
-                                               these neighborhoods, estimated, radians */
+                                               these neighborhoods and their directions, its order
+                                               of magnitude, radians */
     STLTSA_MODEL_GAP = 18,        /* real  smallest lambda_{d+2} / lambda_{d+1} of a component;
                                            near 1: the d-dimensional curve is ill-defined */
     STLTSA_MODEL_CLOCK = 19,      /* real  |rank correlation| of coordinate 1 with time: 1 means

@@ -30,7 +30,7 @@ Examples:
   stltsa map walk.stltsa other.bvh -o y.npy        other frames, same curve
   stltsa unmap walk.stltsa y.npy -o poses.bvh      and back
   stltsa denoise walk.bvh --plot before_after.svg  the curve without noise
-  stltsa synthesize walk.bvh:best*4 -o loop.bvh    new motion from units
+  stltsa synthesize 'walk.bvh:best*4' -o loop.bvh  new motion from units
   stltsa dimension walk.bvh
   stltsa info - < walk.bvh)";
 

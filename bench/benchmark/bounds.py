@@ -14,7 +14,7 @@ SPARE_COLUMNS = 2  # of the block that finds the tangents, beyond d
 LEAST_PRODUCTS = 5  # with that block, before it may stop
 LEAST_PRODUCTS_FOLLOWING = 3  # where it starts from what the frame before ended with
 PASSES = 2  # through all patches, for the certificate
-WIDE = 64  # entries of a column from which on a band is solved with from one end only
+WIDE = 64  # as in src/ltsa/alignment_difference.cpp: from there on from one end only
 
 
 @dataclasses.dataclass(frozen=True)

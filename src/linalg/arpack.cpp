@@ -235,8 +235,9 @@ Eigenpairs largest_eigenpairs(const Operator& apply, std::int64_t order, const S
     if (known == count)
         return pairs;
     Matrix vectors = vectors_of(pairs, known);
+    AlignedVector<double> rest(static_cast<std::size_t>(order));
     const Operator beside = [&](std::span<const double> x, std::span<double> y) {
-        AlignedVector<double> rest(x.begin(), x.end());
+        std::ranges::copy(x, rest.begin());
         take_off(vectors, rest);
         apply(rest, y);
         take_off(vectors, y);

@@ -13,7 +13,7 @@ namespace stltsa::ltsa {
 namespace {
 
 /// The nearest of the frames first, first + 1, ... at these distances, ties going to the earlier
-/// one: ascending, without sorting frames.
+/// one: ascending, without sorting frames. So many are finite at least (check_parameters()).
 void select_in_order(std::span<const double> distances, std::int64_t first,
                      std::vector<double>& scratch, std::span<std::int32_t> out) {
     scratch.assign(distances.begin(), distances.end());

@@ -68,7 +68,7 @@ class TangentFinder {
         }
     }
 
-    /// Small, but not so small that they count as rounding noise however exact.
+    /// Small, but not so small that they are dropped whatever rounding did to them.
     bool has_small_directions(std::int64_t i) const {
         for (std::int64_t l = 1; l < computed_; ++l) {
             const double share = values_(i, l) / values_(i, 0);

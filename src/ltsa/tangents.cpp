@@ -55,6 +55,7 @@ double rounding_of(double value, double largest) {
 void set_rounding(const Matrix& values, Tangents& tangents, const Machine& machine) {
     const std::int64_t blocks = row_blocks(values.rows());
     Matrix squares(blocks, values.cols()), windows(blocks, values.cols());
+    tangents.rounding.resize(static_cast<std::size_t>(tangents.count));
     for_row_blocks(
         values.rows(), machine, [&](std::int64_t block, std::int64_t begin, std::int64_t rows) {
             for (std::int64_t i = begin; i < begin + rows; ++i)
@@ -84,7 +85,7 @@ Tangents find_in_blocks(ConstMatrixView x, const Neighborhoods& neighborhoods,
                         const Parameters& parameters, const Progress& progress, std::int64_t block,
                         const Find& find) {
     const std::int64_t count = parameters.dimension;
-    Tangents tangents{neighborhoods.size, count, {}, {}};
+    Tangents tangents{neighborhoods.size, count, {}, {}, {}};
     tangents.g.resize(
         checked_size(checked_size(x.rows, count) > 0 ? x.rows * count : 0, neighborhoods.size));
     tangents.rank.resize(static_cast<std::size_t>(x.rows));

@@ -13,8 +13,8 @@
 
 namespace stltsa::ltsa {
 
-/// Eigenvalues that are less, relative to the largest of their window, are not directions but
-/// rounding noise.
+/// Eigenvalues that are less, relative to the largest of their window, count as rounding noise and
+/// not as directions: deviations 3e-7 times as large, which is what numbers of 32 bits have.
 inline constexpr double negligible_value = 1e-13;
 
 /// For each frame i: d vectors g_l of k entries, orthonormal and orthogonal to e, entry j belonging
@@ -27,7 +27,7 @@ struct Tangents {
     UnsetVector<std::int32_t> rank; ///< of each window: directions that are there, at most d
     /// Root mean square, over the windows that have it, of the angle by which rounding may have
     /// turned each direction.
-    std::vector<double> rounding = std::vector<double>(static_cast<std::size_t>(count));
+    std::vector<double> rounding;
 
     const double* direction(std::int64_t frame, std::int64_t l) const {
         return g.data() + (frame * count + l) * size;

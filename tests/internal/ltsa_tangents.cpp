@@ -251,7 +251,7 @@ Matrix moved(double offset) {
 std::size_t not_followed(const Matrix& x, std::int64_t size, int dimension) {
     const Neighborhoods neighborhoods = windows(x.rows(), size);
     Matrix values(x.rows(), dimension);
-    Tangents tangents{size, dimension, {}, {}};
+    Tangents tangents{size, dimension, {}, {}, {}};
     tangents.g.resize(static_cast<std::size_t>(x.rows() * dimension * size));
     TangentTrack track(x.view(), neighborhoods, dimension, stltsa::widest_simd(), values, tangents);
     return track.find(0, x.rows()).size();
