@@ -25,7 +25,7 @@ def long_motion():
 def test_stages_are_named_and_fractions_rise(circle):
     seen = []
     stltsa.fit(circle, neighbors=100, progress=lambda *report: seen.append(report))
-    assert {"neighbors", "tangents", "spectrum"} <= {stage for stage, _ in seen}
+    assert {"tangents", "alignment", "spectrum"} <= {stage for stage, _ in seen}
     assert all(0 <= fraction <= 1 for _, fraction in seen)
 
 
