@@ -29,10 +29,11 @@ using Operator = std::function<void(std::span<const double> x, std::span<double>
 using Start = std::function<void(std::span<double> x)>;
 
 /// The `count` algebraically largest eigenpairs of a symmetric operator, with residuals of at most
-/// 1e-7 of their eigenvalue, also where this is many powers of ten below the largest. `start`
-/// writes ARPACK's start vector, which decides, with the operator, every bit of the result; it must
-/// not be an eigenvector. `poll` is called between applications and may throw. Small orders are
-/// solved densely, by LAPACK. Needs count < order. Throws Status::not_converged.
+/// 1e-7 of their eigenvalue, also where this is many powers of ten below the largest (but not below
+/// 1e-10, where ARPACK's tolerance ends). `start` writes ARPACK's start vector, which decides, with
+/// the operator, every bit of the result; it must not be an eigenvector. `poll` is called between
+/// applications and may throw. Small orders are solved densely, by LAPACK. Needs count < order.
+/// Throws Status::not_converged.
 Eigenpairs largest_eigenpairs(const Operator& apply, std::int64_t order, const Start& start,
                               std::int64_t count, const Machine& machine,
                               const std::function<void()>& poll);

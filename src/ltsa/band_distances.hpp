@@ -17,6 +17,13 @@ class BandDistances {
     BandDistances(ConstMatrixView x, std::int64_t begin, std::int64_t end, std::int64_t width,
                   Simd simd);
 
+    /// Of what the windows of frames [first, last) hold.
+    static BandDistances of_windows(ConstMatrixView x, std::int64_t first, std::int64_t last,
+                                    std::int64_t window, std::int64_t width, Simd simd) {
+        return {x, std::max<std::int64_t>(0, first - window), std::min(x.rows, last + window),
+                width, simd};
+    }
+
     double operator()(std::int64_t p, std::int64_t q) const {
         const std::int64_t low = std::min(p, q);
         return distances_(low - begin_, std::max(p, q) - low);

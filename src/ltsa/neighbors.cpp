@@ -67,9 +67,8 @@ void WindowNeighbors::select(ConstMatrixView x, Simd simd, std::int64_t first, s
     if (window_ > widest_band)
         select(NeighborhoodDistances(x, neighborhoods.size, simd), first, last, neighborhoods);
     else
-        select(BandDistances(x, std::max<std::int64_t>(0, first - window_),
-                             std::min(x.rows, last + window_), window_, simd),
-               first, last, neighborhoods);
+        select(BandDistances::of_windows(x, first, last, window_, window_, simd), first, last,
+               neighborhoods);
 }
 
 Neighborhoods temporal_neighbors(ConstMatrixView x, std::span<const std::int64_t> lengths,

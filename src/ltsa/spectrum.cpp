@@ -55,12 +55,14 @@ void set_start(std::span<double> x) {
 /// first, which is a certificate; grounded, two or three are needed.
 constexpr double small_change = 1e-12;
 constexpr int most_corrections = 12;
+/// One that turns it by more than this share of what the one before did is of no use.
+constexpr double least_progress = 0.8;
 
 /// Solves that bring ARPACK's vectors as near: a correction has one of them, and passes through
 /// the patches beside. One in any case, because it makes unknowns: differences of a vector's
 /// entries would lose as many digits as the entries are larger than their differences.
 int first_solves(const Eigenpairs& found, std::int64_t dimension) {
-    constexpr int most_solves = 4;
+    constexpr int most_solves = 4; // corrections say how far they come
     const auto pairs = static_cast<std::size_t>(found.coefficients.cols());
     const double last = found.values[static_cast<std::size_t>(dimension) - 1];
     const double beyond = pairs < found.values.size() ? std::max(found.values[pairs], 0.0) : 0;
@@ -132,7 +134,7 @@ void refine(const Alignment& alignment, std::int64_t dimension, const Progress& 
         if (i == 0)
             spectrum.first_change = change;
         spectrum.last_change = change;
-        if (change < small_change || change > 0.8 * before)
+        if (change < small_change || change > least_progress * before)
             break;
         before = change;
     }

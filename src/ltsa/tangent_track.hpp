@@ -14,7 +14,7 @@ namespace stltsa::ltsa {
 
 class TangentTrack {
   public:
-    /// Frames of which find() is best given a whole number at a time: its lanes share them.
+    /// Frames, or a multiple of them, that find() is best given at a time: its lanes share them.
     static constexpr std::int64_t block = 512;
 
     /// Whether matrices of this many features are small enough beside neighborhoods of this size.

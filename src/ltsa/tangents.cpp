@@ -46,7 +46,8 @@ void drop_missing_directions(const Matrix& values, Tangents& tangents, const Mac
         });
 }
 
-/// A matrix of products is rounded relative to its largest eigenvalue.
+/// By how much rounding may have turned a direction: a matrix of products is rounded relative to
+/// its largest eigenvalue, what LocalSvd finds is not.
 double rounding_of(double value, double largest) {
     constexpr double epsilon = std::numeric_limits<double>::epsilon();
     return value < least_share_by_products * largest ? epsilon : epsilon * largest / value;
@@ -127,9 +128,8 @@ Tangents temporal_tangents(ConstMatrixView x, std::span<const std::int64_t> leng
     const auto find = [&](TangentFinder& finder, std::int64_t first, std::int64_t last) {
         if (shared) {
             // Frames of one neighborhood are at most two windows apart.
-            const BandDistances distances(x, std::max<std::int64_t>(0, first - window),
-                                          std::min(x.rows, last + window), 2 * window,
-                                          parameters.simd);
+            const auto distances =
+                BandDistances::of_windows(x, first, last, window, 2 * window, parameters.simd);
             windows.select(distances, first, last, neighborhoods);
             finder.find(first, last, distances);
         } else {
@@ -137,8 +137,8 @@ Tangents temporal_tangents(ConstMatrixView x, std::span<const std::int64_t> leng
             finder.find(first, last, NeighborhoodDistances(x, neighborhoods.size, parameters.simd));
         }
     };
-    const std::int64_t block =
-        TangentTrack::block * (frame_block(window) / TangentTrack::block + 1);
+    constexpr std::int64_t track = TangentTrack::block;
+    const std::int64_t block = track * ((frame_block(window) + track - 1) / track);
     return find_in_blocks(x, neighborhoods, parameters, progress, block, find);
 }
 

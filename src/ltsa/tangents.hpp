@@ -14,7 +14,7 @@
 namespace stltsa::ltsa {
 
 /// Eigenvalues that are less, relative to the largest of their window, count as rounding noise and
-/// not as directions: deviations 3e-7 times as large, which is what numbers of 32 bits have.
+/// not as directions: deviations 3e-7 times as large, which 32-bit numbers nearly lose.
 inline constexpr double negligible_value = 1e-13;
 
 /// For each frame i: d vectors g_l of k entries, orthonormal and orthogonal to e, entry j belonging

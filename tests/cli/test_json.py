@@ -55,6 +55,13 @@ class Schemas(CommandTest):
             with self.subTest(command):
                 self.assertIsNone(self.check(command, circle())["clip"]["fps"])
 
+    def test_dimension_of_units_is_that_of_dimension(self):
+        for tangents in ("0", "1", "3"):
+            alone = self.check("dimension", walk(), "--dimension", tangents)
+            beside = self.check("decompose", walk(), "--dimension", tangents)
+            self.assertEqual(beside["intrinsic_dimension"],
+                             {key: alone[key]["dimension"] for key in ("local_pca", "eigengap")})
+
     def test_options(self):
         self.check("fit", walk(), "--mode", "recurrent", "--links", "3", "--no-include-self")
         self.check("fit", circle(), "--mode", "spatial", "--neighbors", "10")

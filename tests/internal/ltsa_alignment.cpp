@@ -122,7 +122,7 @@ void check_alignment_of(MakeAlignment make, const Matrix& x, const Neighborhoods
 /// Even and odd sizes, narrow and wide bands, as many directions as are summed together and more.
 void check_alignments(MakeAlignment make, bool links) {
     const Matrix x = noise(150, 12);
-    for (const std::int64_t k : {8, 9, 11, 12, 15, 40, 70, 71})
+    for (const std::int64_t k : {8, 9, 11, 12, 15, 33, 40, 70, 71})
         for (int d = 1; d <= 5; ++d)
             check_alignment_of(make, x, neighborhoods(x.rows(), k, links), d);
 }
@@ -134,7 +134,7 @@ void differences_of_frames(void**) {
 /// Of frames whose neighbors lie apart, so many that they are worked on in several blocks.
 void differences_of_many_frames(void**) {
     const Matrix x = noise(4500, 12);
-    for (const std::int64_t k : {12, 60}) {
+    for (const std::int64_t k : {12, 40, 60}) {
         Neighborhoods found = neighborhoods(x.rows(), k, false);
         stltsa::Random random(5);
         for (std::int64_t i = 2 * k; i + 2 * k < x.rows(); ++i) {

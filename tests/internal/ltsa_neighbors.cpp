@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Temporal neighborhoods against their definition, found alone and together with their tangents.
+// Temporal neighborhoods against their definition, found alone and together with their tangents,
+// and what they connect.
 #include <algorithm>
 #include <vector>
 
 #include "linalg/blas_threads.hpp"
 #include "linalg/simd.hpp"
+#include "ltsa/components.hpp"
 #include "ltsa/neighbors.hpp"
 #include "ltsa/tangents.hpp"
 #include "ltsa_testing.hpp"
@@ -104,6 +106,19 @@ void one_pass_finds_the_same_neighbors_and_tangents(void**) {
         }
 }
 
+/// Frame 2 is in no neighborhood, not even its own; what its neighbors are is known all the same.
+void a_window_belongs_to_the_component_of_its_frames(void**) {
+    const Neighborhoods found{2, {0, 1, 0, 1, 0, 1, 3, 4, 3, 4, 4, 5}};
+    const auto components = connected_components(found, {});
+    assert_int_equal(components.count, 3);
+    const std::vector<std::vector<std::int32_t>> members{{0, 1}, {2}, {3, 4, 5}};
+    const std::vector<std::vector<std::int32_t>> windows{{0, 1, 2}, {}, {3, 4, 5}};
+    for (std::size_t c = 0; c < 3; ++c) {
+        assert_true(std::ranges::equal(components.members[c], members[c]));
+        assert_true(std::ranges::equal(components.windows[c], windows[c]));
+    }
+}
+
 } // namespace
 
 int main() {
@@ -111,6 +126,7 @@ int main() {
     const CMUnitTest tests[] = {
         cmocka_unit_test(neighbors_are_the_nearest_of_the_window),
         cmocka_unit_test(one_pass_finds_the_same_neighbors_and_tangents),
+        cmocka_unit_test(a_window_belongs_to_the_component_of_its_frames),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

@@ -243,6 +243,26 @@ static void cancelled_at_every_call(void** state) {
     stltsa_options_free(options);
 }
 
+/* Neighbors of all frames are a stage of their own, which can be cancelled; temporal ones are not.
+ */
+static void neighbors_of_all_frames_are_a_stage(void** state) {
+    const struct fixture* f = *state;
+    const stltsa_in in = packed_in(f->x, rows, cols);
+    stltsa_options* options = new_options(12, 12, 2);
+    must(stltsa_options_set_int(options, STLTSA_MODE, STLTSA_MODE_SPATIAL));
+    struct countdown c = {.calls_left = -1};
+    must(stltsa_options_set_progress(options, count_down, &c));
+    stltsa_model* model = NULL;
+    const stltsa_status status = stltsa_fit(&in, NULL, 1, options, &model);
+    assert_true(status == STLTSA_OK || status == STLTSA_E_UNSUPPORTED); /* without CHOLMOD */
+    stltsa_model_free(model);
+    assert_true(c.stages_seen[STLTSA_STAGE_NEIGHBORS] > 0);
+    assert_true(c.stages_seen[STLTSA_STAGE_TANGENTS] > 0);
+    c.calls_left = 0;
+    assert_fails(&in, NULL, 1, options, STLTSA_E_CANCELLED, NULL);
+    stltsa_options_free(options);
+}
+
 /* After a failure the same handles give the same answer as before it. */
 static void handles_survive_a_failure(void** state) {
     const struct fixture* f = *state;
@@ -273,6 +293,7 @@ int main(void) {
         cmocka_unit_test(sizes_that_overflow),
         cmocka_unit_test(options_out_of_range),
         cmocka_unit_test(cancelled_at_every_call),
+        cmocka_unit_test(neighbors_of_all_frames_are_a_stage),
         cmocka_unit_test(handles_survive_a_failure),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);

@@ -27,6 +27,8 @@ def test_stages_are_named_and_fractions_rise(circle):
     stltsa.fit(circle, neighbors=100, progress=lambda *report: seen.append(report))
     assert {"tangents", "alignment", "spectrum"} <= {stage for stage, _ in seen}
     assert all(0 <= fraction <= 1 for _, fraction in seen)
+    stltsa.fit(circle, mode="spatial", neighbors=20, progress=lambda *report: seen.append(report))
+    assert "neighbors" in {stage for stage, _ in seen}
 
 
 def test_exception_in_the_callback_comes_out(circle):
