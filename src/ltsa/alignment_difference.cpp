@@ -160,7 +160,7 @@ std::int64_t entries_of(const Envelope& envelope) {
 } // namespace
 
 std::unique_ptr<Alignment> difference_alignment(const Patches& patches, const Machine& machine) {
-    const Envelope envelope = envelope_of(patches);
+    const Envelope envelope = envelope_of(patches, machine);
     if (entries_of(envelope) < wide * static_cast<std::int64_t>(envelope.size()))
         return std::make_unique<DifferenceAlignment<NarrowBand>>(patches, envelope, machine);
     return std::make_unique<DifferenceAlignment<WideBand>>(patches, envelope, machine);

@@ -11,8 +11,8 @@
 
 namespace stltsa::ltsa {
 
-/// For each block of columns the range of patches that may touch it: patches are in order of their
-/// center frame, not of their first, so the range is a hull.
+/// For each block of columns a range of patches with all that touch it: patches are in order of
+/// their center frame, not of their first.
 struct PatchRange {
     std::int64_t begin, end;
 };
@@ -20,14 +20,16 @@ struct PatchRange {
 inline std::vector<PatchRange> patches_by_block(const Patches& patches, std::int64_t column_block,
                                                 std::int64_t blocks) {
     std::vector<PatchRange> ranges(static_cast<std::size_t>(blocks), {patches.count(), 0});
-    for (std::int64_t p = 0; p < patches.count(); ++p) {
-        const auto frames = patches.of(p);
-        const std::int64_t last = std::max(frames.front(), frames.back() - 1) / column_block;
-        for (std::int64_t b = frames.front() / column_block; b <= std::min(last, blocks - 1); ++b) {
+    std::int64_t begin = 0;
+    for (const Patches::Hull& hull : patches.hulls()) {
+        const std::int64_t end = std::min(begin + Patches::hull_size, patches.count());
+        const std::int64_t last = std::max(hull.first, hull.last - 1) / column_block;
+        for (std::int64_t b = hull.first / column_block; b <= std::min(last, blocks - 1); ++b) {
             auto& range = ranges[static_cast<std::size_t>(b)];
-            range.begin = std::min(range.begin, p);
-            range.end = std::max(range.end, p + 1);
+            range.begin = std::min(range.begin, begin);
+            range.end = std::max(range.end, end);
         }
+        begin = end;
     }
     return ranges;
 }

@@ -2,7 +2,8 @@
 #include "ltsa/difference_terms.hpp"
 
 #include <algorithm>
-#include <numeric>
+
+#include "ltsa/column_blocks.hpp"
 
 namespace stltsa::ltsa {
 
@@ -35,18 +36,30 @@ void spread_directions(const Patches& patches, std::int64_t patch, double* to,
     }
 }
 
-Envelope envelope_of(const Patches& patches) {
+Envelope envelope_of(const Patches& patches, const Machine& machine) {
+    constexpr std::int64_t block = 4096;
     Envelope reach(static_cast<std::size_t>(patches.frames() - 1));
-    std::iota(reach.begin(), reach.end(), 0);
-    for (std::int64_t p = 0; p < patches.count(); ++p) {
-        const auto frames = patches.of(p);
-        if (frames.front() == frames.back())
-            continue;
-        std::int64_t& column = reach[static_cast<std::size_t>(frames.front())];
-        column = std::max<std::int64_t>(column, frames.back() - 1);
-    }
-    for (std::size_t c = 1; c < reach.size(); ++c)
-        reach[c] = std::max(reach[c], reach[c - 1]);
+    const auto reach_at = [&](std::int64_t c) -> auto& {
+        return reach[static_cast<std::size_t>(c)];
+    };
+    const auto order = static_cast<std::int64_t>(reach.size());
+    for_column_blocks(patches, order, block, machine.threads,
+                      [&](std::int64_t begin, std::int64_t end, PatchRange range) {
+                          for (std::int64_t c = begin; c < end; ++c)
+                              reach_at(c) = c;
+                          for (std::int64_t p = range.begin; p < range.end; ++p) {
+                              const auto frames = patches.of(p);
+                              const std::int64_t c = frames.front();
+                              if (begin <= c && c < end)
+                                  reach_at(c) =
+                                      std::max<std::int64_t>(reach_at(c), frames.back() - 1);
+                          }
+                          for (std::int64_t c = begin + 1; c < end; ++c)
+                              reach_at(c) = std::max(reach_at(c), reach_at(c - 1));
+                      });
+    for (std::int64_t begin = block; begin < order; begin += block)
+        for (std::int64_t c = begin; c < order && reach_at(c) < reach_at(c - 1); ++c)
+            reach_at(c) = reach_at(c - 1);
     return reach;
 }
 

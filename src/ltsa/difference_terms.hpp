@@ -23,7 +23,7 @@ void spread_directions(const Patches& patches, std::int64_t patch, double* to, s
 
 /// The last row of each column of B'.
 using Envelope = std::vector<std::int64_t>;
-Envelope envelope_of(const Patches& patches);
+Envelope envelope_of(const Patches& patches, const Machine& machine);
 
 /// matrix = B', for narrow bands and for wide ones. Every entry receives the patches in the same
 /// order whatever the number of threads.

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
+#include <span>
+#include <vector>
 
 #include "ltsa/alignment.hpp"
 #include "ltsa/patches.hpp"
@@ -52,12 +53,33 @@ Graph build_graph(ConstMatrixView frames, std::span<const std::int64_t> lengths,
 
 namespace {
 
-/// The entry of largest size, the first of equals, is made positive.
-void fix_sign(double* values, std::int64_t count) {
-    const double* largest = std::max_element(
-        values, values + count, [](double a, double b) { return std::abs(a) < std::abs(b); });
-    if (*largest < 0)
-        std::transform(values, values + count, values, [](double v) { return -v; });
+/// Of the entry of largest size, the first of equals.
+double sign_of(std::span<const double> values, const Machine& machine) {
+    const auto largest_of = [](std::span<const double> some) {
+        return *std::ranges::max_element(some, {}, [](double v) { return std::abs(v); });
+    };
+    const auto count = static_cast<std::int64_t>(values.size());
+    std::vector<double> largest(static_cast<std::size_t>(row_blocks(count)));
+    for_row_blocks(count, machine, [&](std::int64_t block, std::int64_t first, std::int64_t rows) {
+        largest[static_cast<std::size_t>(block)] = largest_of(
+            values.subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(rows)));
+    });
+    return largest_of(largest) < 0 ? -1 : 1;
+}
+
+/// Fills the rows of `coords` that these members are. A vector's sign means nothing: its entry of
+/// largest size is made positive.
+void set_coords(const Matrix& vectors, std::span<const std::int32_t> members,
+                const Machine& machine, Matrix& coords) {
+    for (std::int64_t l = 0; l < vectors.rows(); ++l) {
+        const double* values = vectors.row(l);
+        const double sign = sign_of({values, members.size()}, machine);
+        for_row_blocks(vectors.cols(), machine,
+                       [&](std::int64_t, std::int64_t first, std::int64_t rows) {
+                           for (std::int64_t i = first; i < first + rows; ++i)
+                               coords(members[static_cast<std::size_t>(i)], l) = sign * values[i];
+                       });
+    }
 }
 
 /// What the tangents may be off by, which no correction sees, and what the eigenvectors may be: in
@@ -98,7 +120,9 @@ std::int64_t run_length(std::int64_t frames) {
 Component embed_component(const Graph& graph, std::int64_t index, int dimension, int eigenvalues,
                           const Progress& progress, Matrix& coords) {
     const auto& members = graph.components.members[static_cast<std::size_t>(index)];
-    const Patches patches(graph.neighborhoods, graph.tangents, graph.components, index, dimension);
+    const Machine machine{graph.parameters.simd, graph.parameters.threads};
+    const Patches patches(graph.neighborhoods, graph.tangents, graph.components, index, dimension,
+                          machine);
     if (patches.frames() < dimension + 2)
         fail(Status::disconnected,
              "a part of the neighborhood graph has {} frames, too few for {} coordinates; use more "
@@ -111,21 +135,13 @@ Component embed_component(const Graph& graph, std::int64_t index, int dimension,
              dimension);
     progress.report(Stage::alignment, 0.0);
     const bool banded = graph.parameters.mode == Mode::temporal;
-    const Machine machine{graph.parameters.simd, graph.parameters.threads};
     const auto alignment =
         banded ? difference_alignment(patches, machine) : grounded_alignment(patches, machine);
     progress.report(Stage::alignment, 1.0);
-    Spectrum spectrum = smallest_eigenpairs(
+    const Spectrum spectrum = smallest_eigenpairs(
         *alignment, std::min<std::int64_t>(eigenvalues - 1, patches.frames() - 1), dimension,
         banded ? run_length(patches.frames()) : 1, progress);
-    for (int l = 0; l < dimension; ++l)
-        fix_sign(spectrum.vectors.row(l), patches.frames());
-    for_row_blocks(
-        patches.frames(), machine, [&](std::int64_t, std::int64_t first, std::int64_t rows) {
-            for (std::int64_t i = first; i < first + rows; ++i)
-                for (int l = 0; l < dimension; ++l)
-                    coords(members[static_cast<std::size_t>(i)], l) = spectrum.vectors(l, i);
-        });
+    set_coords(spectrum.vectors, members, machine, coords);
     Component component = summarize(patches, spectrum, dimension, eigenvalues);
     component.error_estimate = error_estimate(
         spectrum, banded, graph.tangents.rounding[static_cast<std::size_t>(dimension - 1)]);

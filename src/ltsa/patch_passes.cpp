@@ -1,25 +1,41 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ltsa/patch_passes.hpp"
 
+#include <span>
+
 namespace stltsa::ltsa {
 
+namespace {
+
+/// A whole number of hulls.
+std::int64_t block_size(const Patches& patches) {
+    constexpr std::int64_t hull = Patches::hull_size;
+    return hull * std::max<std::int64_t>(8, (4 * patches.size() + hull - 1) / hull);
+}
+
+/// Whether no two blocks of one parity have a frame in common.
+bool are_apart(std::span<const Patches::Hull> hulls, std::size_t hulls_in_block) {
+    std::int32_t before[2] = {-1, -1}; // last frame so far, at the end of a block of each parity
+    std::int32_t last = -1;
+    for (std::size_t h = 0; h < hulls.size(); ++h) {
+        const std::size_t parity = h / hulls_in_block % 2;
+        if (hulls[h].first <= before[parity])
+            return false;
+        last = std::max(last, hulls[h].last);
+        if ((h + 1) % hulls_in_block == 0)
+            before[parity] = last;
+    }
+    return true;
+}
+
+} // namespace
+
 PatchBlocks::PatchBlocks(const Patches& patches)
-    : patches_(patches.count()), size_(std::max<std::int64_t>(512, 4 * patches.size())),
+    : patches_(patches.count()), size_(block_size(patches)),
       count_((patches.count() + size_ - 1) / size_) {
-    std::int64_t reached[2] = {0, 0}; // by the blocks of each parity so far
-    for (std::int64_t b = 0; b < count_; ++b) {
-        std::int64_t first = patches.frames();
-        std::int64_t last = -1;
-        for (std::int64_t p = begin(b); p < end(b); ++p) {
-            first = std::min<std::int64_t>(first, patches.of(p).front());
-            last = std::max<std::int64_t>(last, patches.of(p).back());
-        }
-        if (first < reached[b % 2]) {
-            size_ = patches_;
-            count_ = 1;
-            return;
-        }
-        reached[b % 2] = last + 1;
+    if (!are_apart(patches.hulls(), static_cast<std::size_t>(size_ / Patches::hull_size))) {
+        size_ = patches_;
+        count_ = 1;
     }
 }
 

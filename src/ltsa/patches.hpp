@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "linalg/machine.hpp"
 #include "ltsa/components.hpp"
 #include "ltsa/neighbors.hpp"
 #include "ltsa/tangents.hpp"
@@ -19,7 +20,8 @@ class Patches {
   public:
     /// `dimension`: how many of the tangents to use.
     Patches(const Neighborhoods& neighborhoods, const Tangents& tangents,
-            const Components& components, std::int64_t component, std::int64_t dimension);
+            const Components& components, std::int64_t component, std::int64_t dimension,
+            const Machine& machine);
     Patches(const Patches&) = delete;
     Patches& operator=(const Patches&) = delete;
 
@@ -35,9 +37,20 @@ class Patches {
         return tangents_->direction(source_[static_cast<std::size_t>(patch)], l);
     }
     /// Patches of fewer than `dimension` directions.
-    std::int64_t rank_deficient() const;
+    std::int64_t rank_deficient() const { return rank_deficient_; }
+
+    /// So many patches after one another have one hull.
+    static constexpr std::int64_t hull_size = 64;
+    /// First and last frame of these patches.
+    struct Hull {
+        std::int32_t first, last;
+    };
+    std::span<const Hull> hulls() const { return hulls_; }
 
   private:
+    Hull hull_of(std::int64_t begin, std::int64_t end) const;
+    std::int64_t count_rank_deficient(std::int64_t begin, std::int64_t end) const;
+
     std::int64_t frames_;
     std::int64_t size_;
     std::int64_t dimension_;
@@ -45,6 +58,8 @@ class Patches {
     std::span<const std::int32_t> source_; ///< frame whose neighborhood a patch is
     const std::int32_t* index_;            ///< the neighborhoods' own, or:
     AlignedVector<std::int32_t> renumbered_;
+    std::vector<Hull> hulls_;
+    std::int64_t rank_deficient_;
 };
 
 } // namespace stltsa::ltsa

@@ -21,7 +21,7 @@ void report(const Progress& progress, std::int64_t done, std::int64_t blocks) {
 }
 
 /// Frames of a long clip whose median says what size the eigenvalues have.
-constexpr std::int64_t most_sampled = 1 << 16;
+constexpr std::int64_t most_sampled = 1 << 12;
 
 /// Directions whose eigenvalue is rounding noise are not there: the vectors that LAPACK gives for
 /// them are arbitrary. `values`: frames x those computed.

@@ -15,7 +15,7 @@ constexpr double small_gap = 1.05;
 /// An estimated error beyond this is no longer invisible in a plot.
 constexpr double large_error = 1e-6;
 /// Frames whose order in time is compared with that in the coordinate.
-constexpr std::size_t most_ranked = 1 << 16;
+constexpr std::size_t most_ranked = 1 << 14;
 
 } // namespace
 

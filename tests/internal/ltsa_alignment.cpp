@@ -114,7 +114,7 @@ void check_alignment_of(MakeAlignment make, const Matrix& x, const Neighborhoods
     const auto tangents = local_tangents(x.view(), found, parameters, {});
     const auto components = connected_components(found, {});
     assert_int_equal(components.count, 1);
-    const Patches patches(found, tangents, components, 0, d);
+    const Patches patches(found, tangents, components, 0, d, {stltsa::widest_simd(), 3});
     for (const Simd simd : machine_codes())
         check_alignment(*make(patches, {simd, 1}), found.size, d);
 }

@@ -142,7 +142,7 @@ std::vector<Spectrum> spectra(const Matrix& x, int dimension, std::int64_t windo
     const auto tangents = stltsa::ltsa::local_tangents(x.view(), found, parameters, {});
     const auto components = stltsa::ltsa::connected_components(found, {});
     assert_int_equal(components.count, 1);
-    const Patches patches(found, tangents, components, 0, dimension);
+    const Patches patches(found, tangents, components, 0, dimension, {stltsa::widest_simd(), 3});
     const auto alignment = stltsa::ltsa::difference_alignment(patches, {});
     std::vector<Spectrum> result;
     for (const std::int64_t length : run_lengths)
