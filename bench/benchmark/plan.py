@@ -70,7 +70,7 @@ def measure_growth(laboratory, motion, peers, sizes, rounds):
         rows.extend(summary(task, laboratory.runs[task]) for task in tasks)
 
     add([Task("stltsa", motion, n, PERIOD_K, "temporal", threads)
-         for n in sizes for threads in (1, 2)], 3 * rounds)
+         for n in sizes for threads in (1, 2)], 5 * rounds)
     for program in ("stltsa", *peers):
         for n in PEER_SIZES:
             add([Task(program, motion, n, ALL_K)])
