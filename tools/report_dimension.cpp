@@ -63,10 +63,11 @@ std::string dimension_report(const Json& result, const std::string& title, bool 
     text += fmt::format("\nLocal PCA: directions that hold {:g} % of a neighborhood's variance\n",
                         100 * pca["variance"].get<double>());
     text += reason_text(pca) + spectrum(pca["shares"], "direction", "share", 1.0, colors);
-    text += fmt::format("\nEigengap: eigenvalues up to the first gap above {:g}; the zero one\n"
-                        "counts, and B was built with tangent dimension {}, which tends to answer\n"
-                        "one more\n",
-                        gap["threshold"].get<double>(), result["parameters"]["dimension"].dump());
+    text +=
+        fmt::format("\nEigengap: eigenvalues up to the first gap above {:g}; the zero one\n"
+                    "counts, and B was built with tangent dimension {}, one more than which are\n"
+                    "small by construction: the answer moves with it\n",
+                    gap["threshold"].get<double>(), result["parameters"]["dimension"].dump());
     text += reason_text(gap) + spectrum(gap["eigenvalues"], "eigenvalue", "of B / k",
                                         largest(gap["eigenvalues"]), colors);
     return text;

@@ -104,7 +104,7 @@ motion::DecomposeOptions search_options(const capi::OptionsReader& options,
 std::unique_ptr<stltsa_decomposition> decompose(const stltsa_clip& clip,
                                                 const capi::OptionsReader& options) {
     if (!(clip.clip.fps > 0))
-        fail(Status::argument, "the clip's frame rate is unknown: set option fps when opening it");
+        fail(Status::argument, "the clip's frame rate is unknown: open it with option fps");
     auto prepared = capi::prepare_clip(clip, options);
     auto made = std::make_unique<stltsa_decomposition>();
     made->source = std::move(prepared.source);

@@ -101,7 +101,7 @@ std::string format_bvh(const Clip& clip) {
              "a BVH file needs a skeleton, and this clip is a bare matrix: write .csv or .npy");
     if (!(clip.fps > 0))
         fail(Status::unsupported, "a BVH file needs a frame rate, and that of this clip is "
-                                  "unknown: set option fps when opening it");
+                                  "unknown: open it with option fps");
     const Clip bvh = in_bvh_form(clip);
     std::string text;
     HierarchyWriter(*bvh.skeleton, text).write();

@@ -42,7 +42,7 @@ class Usage(CommandTest):
         self.assert_empty(self.folder)
 
     def test_rate_is_needed(self):
-        self.assertIn("set --fps", self.fails(2, "decompose", circle()))
+        self.assertIn("open it with --fps", self.fails(2, "decompose", circle()))
         self.assertIn("--fps", self.fails(2, "fit", circle(), "--neighbors", "1.2s"))
 
     def test_options_are_called_by_their_flags(self):

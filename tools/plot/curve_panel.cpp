@@ -144,13 +144,8 @@ void draw_posture(Svg& svg, const Figure& figure, const Layout& layout, const Po
     svg.line(dot, tie, {{"stroke", faint_ink}, {"stroke-width", 0.6}});
     svg.circle(dot, 2.2, {{"fill", "#ffffff"}, {"stroke", ink}, {"stroke-width", 1.0}});
     draw_stick_figure(svg, *figure.bodies, frame, {x, ground}, plan.scale);
-    svg.text({x, above ? ground - tall - 4 : ground + number_row}, Anchor::middle,
-             std::to_string(frame),
-             {{"font-size", small_font},
-              {"stroke", "#ffffff"},
-              {"stroke-width", 2.0},
-              {"stroke-opacity", 0.8},
-              {"paint-order", "stroke"}});
+    svg.text_with_halo({x, above ? ground - tall - 4 : ground + number_row}, Anchor::middle,
+                       std::to_string(frame), small_font, "posture-number");
 }
 
 } // namespace

@@ -156,12 +156,8 @@ void draw_number(Svg& svg, const std::string& text, Point at, Point outward,
     if (best == nullptr)
         return;
     space.take(*best);
-    svg.text({best->x + 0.5 * best->width, best->bottom() - 1.2}, Anchor::middle, text,
-             {{"class", "number"},
-              {"font-size", font},
-              {"stroke", "#ffffff"},
-              {"stroke-width", 2.0},
-              {"paint-order", "stroke"}});
+    svg.text_with_halo({best->x + 0.5 * best->width, best->bottom() - 1.2}, Anchor::middle, text,
+                       font, "number");
 }
 
 void draw_numbers(Svg& svg, const Figure& figure, const std::vector<Point>& points,

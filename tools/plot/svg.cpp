@@ -111,6 +111,18 @@ void Svg::text(Point at, Anchor anchor, std::string_view content, Attributes att
     body_ += fmt::format(">{}</text>\n", escaped(content));
 }
 
+void Svg::text_with_halo(Point at, Anchor anchor, std::string_view content, double font_size,
+                         std::string_view its_class) {
+    text(at, anchor, content,
+         {{"class", "halo"},
+          {"font-size", font_size},
+          {"fill", "#ffffff"},
+          {"stroke", "#ffffff"},
+          {"stroke-width", 2.0},
+          {"aria-hidden", "true"}});
+    text(at, anchor, content, {{"class", its_class}, {"font-size", font_size}});
+}
+
 std::string Svg::document(double width, double height, std::string_view title) const {
     return fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
                        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" "

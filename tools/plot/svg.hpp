@@ -53,6 +53,10 @@ class Svg {
     void circle(Point center, double radius, Attributes attributes);
     void polyline(const std::vector<Point>& points, Attributes attributes);
     void text(Point at, Anchor anchor, std::string_view content, Attributes attributes = {});
+    /// Text that is written over something else: a copy behind it, in white and wider, keeps that
+    /// off. (Not all programs know "paint-order", which would do the same.)
+    void text_with_halo(Point at, Anchor anchor, std::string_view content, double font_size,
+                        std::string_view its_class);
 
     /// The whole document, on white.
     std::string document(double width, double height, std::string_view title) const;

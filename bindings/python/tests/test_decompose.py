@@ -61,7 +61,7 @@ def test_rate_is_the_clip_s(result, clip, tmp_path):
     for motion in (clip, untold):
         with pytest.raises(ValueError, match="a Clip has its own"):
             stltsa.decompose(motion, fps=60)
-    with pytest.raises(stltsa.ArgumentError, match="set option fps when opening it"):
+    with pytest.raises(stltsa.ArgumentError, match="open it with option fps"):
         stltsa.decompose(untold)
     assert stltsa.decompose(tmp_path / "untold.npy", fps=120).unit_list == result.unit_list
 

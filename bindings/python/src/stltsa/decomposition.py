@@ -60,8 +60,8 @@ def decompose(motion: Any, **options: Unpack[Options]) -> Decomposition:
     ------
     stltsa.ArgumentError
         The Clip's frame rate is unknown, or an option does not fit.
-    stltsa.TooFewFramesError, stltsa.DegenerateError
-        The clip is too short, or nothing moves in it.
+    stltsa.TooFewFramesError
+        The clip is too short. (One in which nothing moves is no error: it is standing.)
 
     Examples
     --------

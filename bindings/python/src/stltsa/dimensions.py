@@ -71,8 +71,8 @@ class Dimension:
     def eigengap(self) -> int | None:
         """The first gap between eigenvalues above the threshold, the paper's estimate.
 
-        It tends to answer one more than the tangent dimension that was put in: read it beside
-        :attr:`local_pca`.
+        It counts the eigenvalue zero, and one eigenvalue more than the tangent dimension is small
+        by construction, so it moves with what was put in: read it beside :attr:`local_pca`.
         """
         return self._estimate(lib.stltsa_dimension_eigengap)[0]
 

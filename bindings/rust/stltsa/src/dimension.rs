@@ -91,7 +91,8 @@ impl Dimension {
     }
 
     /// The paper's: the first gap of the eigenvalues above tau. It counts the eigenvalue zero, and
-    /// tends to answer one more than the tangent dimension: read it beside [`Dimension::local_pca`].
+    /// one eigenvalue more than the tangent dimension is small by construction, so it moves with
+    /// what was put in: read it beside [`Dimension::local_pca`].
     pub fn eigengap(&self) -> Estimate {
         self.estimated(sys::stltsa_dimension_eigengap)
     }
