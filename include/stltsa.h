@@ -339,8 +339,8 @@ typedef struct stltsa_model stltsa_model;
  * get the coordinates of the one they repeat.
  * Memory: packed rows of float64 are read where they lie, so a mapped file will do; others are
  * copied. Beside them temporal neighbors take about 4k + 8kd bytes a frame, 8 for each column of
- * the band (between w and 2w), and 250; each thread up to 100 w^2 for distances, at most 55 MB.
- * Option keep_frames off spares the model its copy.
+ * the band (between w and 2w), and 250; each thread up to 100 w^2 + 9000 w for distances, at most
+ * 55 MB. Option keep_frames off spares the model its copy.
  * E_SHAPE, E_NOT_FINITE, E_TOO_FEW_FRAMES, E_ARGUMENT (needs d + 2 <= k <= w + 1), E_DEGENERATE,
  * E_NOT_CONVERGED, E_UNSUPPORTED (spatial, recurrent without CHOLMOD), E_CANCELLED,
  * E_NO_MEMORY. Section 2.2. */

@@ -8,8 +8,37 @@
 
 #include "base/error.hpp"
 
+// Of the OpenMP runtime that CHOLMOD may bring along, whichever it is.
+extern "C" {
+[[gnu::weak]] int omp_get_max_active_levels();
+[[gnu::weak]] void omp_set_max_active_levels(int levels);
+}
+
 namespace stltsa {
 namespace {
+
+/// While one lives, OpenMP starts no threads for this one. CHOLMOD's loops take a fixed number of
+/// them (4 in Debian 12), whatever is asked of it, and they would outlive the call: a process that
+/// forks after it would wait for them for ever. Nor are they quicker here.
+class WithoutOpenMp {
+  public:
+    WithoutOpenMp() {
+        if (omp_set_max_active_levels == nullptr || omp_get_max_active_levels == nullptr)
+            return;
+        levels_ = omp_get_max_active_levels();
+        if (levels_ > 0)
+            omp_set_max_active_levels(0);
+    }
+    ~WithoutOpenMp() {
+        if (levels_ > 0)
+            omp_set_max_active_levels(levels_);
+    }
+    WithoutOpenMp(const WithoutOpenMp&) = delete;
+    WithoutOpenMp& operator=(const WithoutOpenMp&) = delete;
+
+  private:
+    int levels_ = 0;
+};
 
 /// Shift for a singular matrix, as a share of its largest diagonal entry.
 constexpr double tiny_shift = 1e-13;
@@ -94,6 +123,7 @@ struct SparseCholesky::Parts {
 };
 
 SparseCholesky::SparseCholesky(SparseColumns matrix) : parts_(std::make_unique<Parts>()) {
+    const WithoutOpenMp one_thread;
     cholmod_sparse view = view_of(matrix);
     parts_->factor = cholmod_l_analyze(&view, &parts_->common);
     parts_->check();
@@ -108,6 +138,7 @@ SparseCholesky::SparseCholesky(SparseColumns matrix) : parts_(std::make_unique<P
 SparseCholesky::~SparseCholesky() = default;
 
 void SparseCholesky::solve(MatrixView rows) const {
+    const WithoutOpenMp one_thread;
     cholmod_dense right = view_of(rows);
     cholmod_l_solve2(CHOLMOD_A, parts_->factor, &right, nullptr, &parts_->result, nullptr,
                      &parts_->work_y, &parts_->work_e, &parts_->common);

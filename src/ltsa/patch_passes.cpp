@@ -13,7 +13,7 @@ std::int64_t block_size(const Patches& patches) {
     return hull * std::max<std::int64_t>(8, (4 * patches.size() + hull - 1) / hull);
 }
 
-/// Whether no two blocks of one parity have a frame in common.
+/// Whether no two blocks of one parity can have a frame in common, as far as hulls tell.
 bool are_apart(std::span<const Patches::Hull> hulls, std::size_t hulls_in_block) {
     std::int32_t before[2] = {-1, -1}; // last frame so far, at the end of a block of each parity
     std::int32_t last = -1;

@@ -1,7 +1,12 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* What must not change the coordinates: how the frames lie in space and in memory, how many
  * threads work, what else runs. */
+#define _POSIX_C_SOURCE 200809L
+#include <dirent.h>
+#include <sys/wait.h>
 #include <threads.h>
+#include <time.h>
+#include <unistd.h>
 
 #include "support.h"
 
@@ -109,6 +114,60 @@ static void number_of_threads_changes_no_bit(void** state) {
         free(got);
     }
     free(want);
+    free(x);
+}
+
+static int count_threads(void) {
+    DIR* folder = opendir("/proc/self/task");
+    assert_non_null(folder);
+    int count = 0;
+    for (const struct dirent* entry; (entry = readdir(folder)) != NULL;)
+        count += entry->d_name[0] != '.';
+    closedir(folder);
+    return count;
+}
+
+/* The kernel may list one for a moment after it was joined. */
+static void assert_no_more_threads_than(int count) {
+    const struct timespec moment = {0, 10000000};
+    for (int looks = 0; looks < 200 && count_threads() > count; ++looks)
+        nanosleep(&moment, NULL);
+    assert_in_range(count_threads(), 1, count);
+}
+
+static stltsa_status fit_in_mode(const double* x, int64_t mode, int64_t threads) {
+    const stltsa_in in = packed_in(x, rows, cols);
+    stltsa_options* options = new_options(24, 24, d);
+    must(stltsa_options_set_int(options, STLTSA_MODE, mode));
+    must(stltsa_options_set_int(options, STLTSA_THREADS, threads));
+    stltsa_model* model = NULL;
+    const stltsa_status status = stltsa_fit(&in, NULL, 1, options, &model);
+    stltsa_model_free(model);
+    stltsa_options_free(options);
+    return status;
+}
+
+/* Those of the libraries below included: what is forked off afterwards would wait for them. */
+static void threads_end_with_the_call(void** state) {
+    (void)state;
+    static const int64_t modes[] = {STLTSA_MODE_TEMPORAL, STLTSA_MODE_SPATIAL,
+                                    STLTSA_MODE_RECURRENT};
+    const int before = count_threads(); /* OpenBLAS's own among them, which it ends for a fork */
+    double* x = new_motion(rows, cols, 28);
+    for (int m = 0; m < 3; ++m) {
+        const stltsa_status status = fit_in_mode(x, modes[m], 3);
+        assert_true(status == STLTSA_OK ||
+                    (m > 0 && status == STLTSA_E_UNSUPPORTED)); /* without CHOLMOD */
+        assert_no_more_threads_than(before);
+        const pid_t child = fork();
+        if (child == 0) {
+            alarm(60);
+            _exit(fit_in_mode(x, modes[m], 3) == status ? 0 : 1);
+        }
+        int ended = -1;
+        assert_int_equal(waitpid(child, &ended, 0), child);
+        assert_int_equal(ended, 0);
+    }
     free(x);
 }
 
@@ -273,6 +332,7 @@ int main(void) {
         cmocka_unit_test(order_of_channels_does_not_matter),
         cmocka_unit_test(time_backwards_reverses_the_curve),
         cmocka_unit_test(number_of_threads_changes_no_bit),
+        cmocka_unit_test(threads_end_with_the_call),
         cmocka_unit_test(fits_at_the_same_time_change_no_bit),
         cmocka_unit_test(layout_in_memory_changes_no_bit),
         cmocka_unit_test(float32_is_the_same_numbers),
