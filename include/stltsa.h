@@ -376,8 +376,9 @@ enum {
                                                of magnitude, radians */
     STLTSA_MODEL_GAP = 18,        /* real  smallest lambda_{d+2} / lambda_{d+1} of a component;
                                            near 1: the d-dimensional curve is ill-defined */
-    STLTSA_MODEL_CLOCK = 19,      /* real  |rank correlation| of coordinate 1 with time: 1 means
-                                           that it tells the time and nothing else */
+    STLTSA_MODEL_CLOCK = 19,      /* real  |rank correlation| of coordinate 1 with time, over at
+                                           most 2^14 frames of the largest component: 1 means that
+                                           it tells the time and nothing else */
     STLTSA_MODEL_FPS = 20,        /* real  of the rows; 0: unknown */
     STLTSA_MODEL_PERIOD = 21,     /* real  seconds, that the automatic k rests on; 0: none */
     STLTSA_MODEL_SUPPORT = 22     /* real  distance from the fitted frames, in units of the

@@ -65,8 +65,8 @@ std::string dimension_report(const Json& result, const std::string& title, bool 
     text += reason_text(pca) + spectrum(pca["shares"], "direction", "share", 1.0, colors);
     text +=
         fmt::format("\nEigengap: eigenvalues up to the first gap above {:g}; the zero one\n"
-                    "counts, and B was built with tangent dimension {}, one more than which are\n"
-                    "small by construction: the answer moves with it\n",
+                    "counts, and as many as the tangent dimension that B was built with, {}, are\n"
+                    "small beside it by construction: the answer moves with that\n",
                     gap["threshold"].get<double>(), result["parameters"]["dimension"].dump());
     text += reason_text(gap) + spectrum(gap["eigenvalues"], "eigenvalue", "of B / k",
                                         largest(gap["eigenvalues"]), colors);

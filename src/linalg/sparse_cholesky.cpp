@@ -19,7 +19,7 @@ namespace {
 
 /// While one lives, OpenMP starts no threads for this one. CHOLMOD's loops take a fixed number of
 /// them (4 in Debian 12), whatever is asked of it, and they would outlive the call: a process that
-/// forks after it would wait for them for ever. Nor are they quicker here.
+/// forks after it would wait for them for ever.
 class WithoutOpenMp {
   public:
     WithoutOpenMp() {

@@ -129,6 +129,20 @@ class Figure(CommandTest):
                 apart = abs(x - other_x) >= (width + other_width) / 2 or abs(y - other_y) >= 7
                 self.assertTrue(apart, (boxes[i], (other_x, other_y)))
 
+    def test_numbers_stand_out(self):
+        """Each is written twice at its place, first wider and in white."""
+        root = self.figure("decompose", walk())
+        texts = list(root.iter(SVG + "text"))
+        for name in ("number", "posture-number"):
+            numbers = self.of_class(root, name)
+            self.assertGreater(len(numbers), 5)
+            for number in numbers:
+                halo = texts[texts.index(number) - 1]
+                self.assertEqual((halo.get("class"), halo.get("stroke")), ("halo", "#ffffff"))
+                for key in ("x", "y", "font-size", "text-anchor"):
+                    self.assertEqual(halo.get(key), number.get(key))
+                self.assertEqual(halo.text, number.text)
+
 
 if __name__ == "__main__":
     unittest.main()

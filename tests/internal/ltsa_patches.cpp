@@ -11,28 +11,20 @@
 namespace {
 
 using namespace ltsa_testing;
-using stltsa::Machine;
-using stltsa::ltsa::Components;
-using stltsa::ltsa::Neighborhoods;
-using stltsa::ltsa::PatchBlocks;
-using stltsa::ltsa::Patches;
-using stltsa::ltsa::Tangents;
+using namespace stltsa::ltsa;
 
-constexpr std::int64_t size = 9;
-constexpr std::int64_t reach = 3 * size; // of a neighborhood, to both sides
-
-/// Each frame, the one before it, and any others near.
-Neighborhoods scattered(std::int64_t frames) {
+/// Each frame, the one before it, and any others at most `size` frames away.
+Neighborhoods scattered(std::int64_t frames, std::int64_t size = 9) {
     Neighborhoods found{size, {}};
     stltsa::Random random(11);
     for (std::int64_t i = 0; i < frames; ++i) {
-        const std::int64_t first = std::clamp(i - reach, std::int64_t{0}, frames - 2 * reach);
+        const std::int64_t first = std::clamp(i - size, std::int64_t{0}, frames - 2 * size);
         std::set<std::int32_t> members{static_cast<std::int32_t>(i)};
         members.insert(static_cast<std::int32_t>(std::max<std::int64_t>(i - 1, 0)));
-        while (members.size() < size)
+        while (static_cast<std::int64_t>(members.size()) < size)
             members.insert(static_cast<std::int32_t>(
                 first +
-                static_cast<std::int64_t>((1 + random.symmetric()) * static_cast<double>(reach))));
+                static_cast<std::int64_t>((1 + random.symmetric()) * static_cast<double>(size))));
         found.index.insert(found.index.end(), members.begin(), members.end());
     }
     return found;
@@ -40,7 +32,7 @@ Neighborhoods scattered(std::int64_t frames) {
 
 struct Fixture {
     explicit Fixture(Neighborhoods from) : found(std::move(from)) {
-        tangents.size = size;
+        tangents.size = found.size;
         tangents.count = 2;
         tangents.rank.assign(static_cast<std::size_t>(found.frames()), 2);
         components = connected_components(found, {});
@@ -48,7 +40,7 @@ struct Fixture {
     }
     Patches patches() const { return {found, tangents, components, 0, 2, machine}; }
 
-    Machine machine{stltsa::widest_simd(), 3};
+    stltsa::Machine machine{stltsa::widest_simd(), 3};
     Neighborhoods found;
     Tangents tangents{};
     Components components;
@@ -127,30 +119,31 @@ bool blocks_are_apart(const Patches& patches, const PatchBlocks& blocks) {
     return true;
 }
 
-void blocks_of_one_parity_share_no_frame(void**) {
-    const Fixture near(scattered(5000));
-    const Patches patches = near.patches();
-    const PatchBlocks blocks(patches);
-    assert_true(blocks.count() > 4);
-    assert_int_equal(blocks.end(blocks.count() - 1), patches.count());
-    assert_true(blocks_are_apart(patches, blocks));
+/// With one frame of a patch, its `j`-th, another one.
+void check_one_block(Neighborhoods found, std::int64_t patch, std::int64_t j, std::int64_t frame) {
+    found.index[static_cast<std::size_t>(patch * found.size + j)] =
+        static_cast<std::int32_t>(frame);
+    const Fixture linked(std::move(found));
+    assert_int_equal(PatchBlocks(linked.patches()).count(), 1);
+}
 
-    // One frame that two blocks of one parity have, at any place of a hull and of a block.
-    for (const std::int64_t p : {1024, 1100, 1535, 2047}) {
-        Neighborhoods linked = near.found;
-        auto* members = linked.index.data() + p * size;
-        members[0] = static_cast<std::int32_t>(p % 512);
-        const Fixture far(std::move(linked));
-        const Patches linked_patches = far.patches();
-        assert_int_equal(PatchBlocks(linked_patches).count(), 1);
-    }
-    for (const std::int64_t p : {0, 77, 511, 1023}) {
-        Neighborhoods linked = near.found;
-        auto* members = linked.index.data() + p * size;
-        members[size - 1] = static_cast<std::int32_t>(p + 1024);
-        const Fixture far(std::move(linked));
-        const Patches linked_patches = far.patches();
-        assert_int_equal(PatchBlocks(linked_patches).count(), 1);
+/// Of small neighborhoods, and of such that a block has to be larger than its least size.
+void blocks_of_one_parity_share_no_frame(void**) {
+    for (const std::int64_t size : {9, 141}) {
+        const Fixture near(scattered(5000, size));
+        const Patches patches = near.patches();
+        const PatchBlocks blocks(patches);
+        const std::int64_t block = blocks.end(0);
+        assert_true(block >= 4 * size);
+        assert_true(blocks.count() > 4);
+        assert_int_equal(blocks.end(blocks.count() - 1), patches.count());
+        assert_true(blocks_are_apart(patches, blocks));
+
+        // One frame that two blocks of one parity have, at any place of a hull and of a block.
+        for (const std::int64_t p : {2 * block, 2 * block + 76, 3 * block - 1, 4 * block - 1})
+            check_one_block(near.found, p, 0, p - 2 * block);
+        for (const std::int64_t p : {std::int64_t{0}, std::int64_t{77}, block - 1, 2 * block - 1})
+            check_one_block(near.found, p, size - 1, p + 2 * block);
     }
 }
 

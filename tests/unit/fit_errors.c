@@ -243,8 +243,7 @@ static void cancelled_at_every_call(void** state) {
     stltsa_options_free(options);
 }
 
-/* Neighbors of all frames are a stage of their own, which can be cancelled; temporal ones are not.
- */
+/* Neighbors of all frames are a stage of their own, unlike temporal ones; it can be cancelled. */
 static void neighbors_of_all_frames_are_a_stage(void** state) {
     const struct fixture* f = *state;
     const stltsa_in in = packed_in(f->x, rows, cols);

@@ -160,6 +160,7 @@ static void threads_end_with_the_call(void** state) {
                     (m > 0 && status == STLTSA_E_UNSUPPORTED)); /* without CHOLMOD */
         assert_no_more_threads_than(before);
         const pid_t child = fork();
+        assert_true(child >= 0);
         if (child == 0) {
             alarm(60);
             _exit(fit_in_mode(x, modes[m], 3) == status ? 0 : 1);

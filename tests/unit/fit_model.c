@@ -47,14 +47,27 @@ static void columns_are_centered_and_orthonormal(void** state) {
     }
 }
 
-static void entry_of_largest_size_is_positive(void** state) {
-    const struct fixture* f = *state;
+static void assert_largest_are_positive(const double* coords, int64_t count) {
     for (int a = 0; a < d; ++a) {
         double largest = 0;
-        for (int i = 0; i < rows; ++i)
-            if (fabs(f->coords[i * d + a]) > fabs(largest))
-                largest = f->coords[i * d + a];
+        for (int64_t i = 0; i < count; ++i)
+            if (fabs(coords[i * d + a]) > fabs(largest))
+                largest = coords[i * d + a];
         assert_true(largest > 0);
+    }
+}
+
+/* Wherever it is in a long clip, too, of which frames are looked through in several blocks. */
+static void entry_of_largest_size_is_positive(void** state) {
+    const struct fixture* f = *state;
+    assert_largest_are_positive(f->coords, rows);
+    enum { many = 5000 };
+    for (uint64_t seed = 40; seed < 46; ++seed) {
+        double* x = new_motion(many, cols, seed);
+        double* coords = fit_coords(x, many, cols, d);
+        assert_largest_are_positive(coords, many);
+        free(coords);
+        free(x);
     }
 }
 

@@ -19,6 +19,13 @@ def test_units_and_cycles(result):
     assert result.representative_cycle == result.cycle_list[0]
 
 
+def test_what_does_not_move_is_standing():
+    result = stltsa.decompose(np.ones((500, 4)), fps=100)
+    assert [unit.kind for unit in result.unit_list] == ["preparing"]
+    assert result.cycle_list == ()
+    assert result.reason
+
+
 def test_tables_are_frames(result):
     pandas = pytest.importorskip("pandas")
     for table in (result.units, result.cycles):
