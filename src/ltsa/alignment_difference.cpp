@@ -68,11 +68,11 @@ struct RunningSums {
 class NarrowBand {
   public:
     NarrowBand(const Patches& patches, const Envelope& envelope, const Machine& machine)
-        : machine_(machine), matrix_(envelope) {
+        : machine_(machine), matrix_(envelope, machine) {
         assemble(patches, machine, matrix_);
     }
     std::int64_t order() const { return matrix_.order(); }
-    double& diagonal(std::int64_t c) { return matrix_.column(c)[0]; }
+    double& diagonal(std::int64_t c) { return matrix_.entry(c, c); }
     bool factor(double smallest) { return cholesky(matrix_, smallest, machine_); }
     void solve(MatrixView unknowns) const { cholesky_solve(matrix_, unknowns, machine_); }
 

@@ -9,30 +9,39 @@ namespace stltsa::ltsa {
 
 namespace {
 
-/// The sum of value(j) over the neighbors beyond each difference.
+/// The sum of value(j) over the neighbors beyond each difference; from the last one to the first,
+/// over those before it.
 template <class Value>
-void spread_sums(std::span<const std::int32_t> frames, const Value& value, double* to) {
+void spread_sums(std::span<const std::int32_t> frames, Order order, const Value& value,
+                 double* to) {
     double sum = 0;
-    for (std::size_t j = frames.size(); j-- > 1;) {
-        sum += value(j);
-        for (auto c = frames[j]; c-- > frames[j - 1];)
-            to[c - frames.front()] = sum;
-    }
+    if (order == Order::of_time)
+        for (std::size_t j = frames.size(); j-- > 1;) {
+            sum += value(j);
+            for (auto c = frames[j]; c-- > frames[j - 1];)
+                to[c - frames.front()] = sum;
+        }
+    else
+        for (std::size_t j = 0; j + 1 < frames.size(); ++j) {
+            sum += value(j);
+            for (auto c = frames[j]; c < frames[j + 1]; ++c)
+                to[frames.back() - 1 - c] = sum;
+        }
 }
 
 } // namespace
 
-void spread_counts(const Patches& patches, std::int64_t patch, double* to) {
+void spread_counts(const Patches& patches, std::int64_t patch, Order order, double* to) {
     spread_sums(
-        patches.of(patch), [](std::size_t) { return 1.0; }, to);
+        patches.of(patch), order, [](std::size_t) { return 1.0; }, to);
 }
 
-void spread_directions(const Patches& patches, std::int64_t patch, double* to,
+void spread_directions(const Patches& patches, std::int64_t patch, Order order, double* to,
                        std::int64_t stride) {
     for (std::int64_t l = 0; l < patches.dimension(); ++l) {
         const double* g = patches.direction(patch, l);
         spread_sums(
-            patches.of(patch), [g](std::size_t j) { return g[j]; }, to + l * stride);
+            patches.of(patch), order, [g](std::size_t j) { return g[j]; }, to + l * stride);
     }
 }
 

@@ -15,11 +15,16 @@
 
 namespace stltsa::ltsa {
 
+/// Read backwards, a patch is one of the clip read backwards: what is beyond a difference then is
+/// what was before it.
+enum class Order { of_time, reversed };
+
 /// Writes a at the differences that a patch covers.
-void spread_counts(const Patches& patches, std::int64_t patch, double* to);
+void spread_counts(const Patches& patches, std::int64_t patch, Order order, double* to);
 
 /// Writes h_0, h_1, ..., each `stride` entries after the one before.
-void spread_directions(const Patches& patches, std::int64_t patch, double* to, std::int64_t stride);
+void spread_directions(const Patches& patches, std::int64_t patch, Order order, double* to,
+                       std::int64_t stride);
 
 /// The last row of each column of B'.
 using Envelope = std::vector<std::int64_t>;

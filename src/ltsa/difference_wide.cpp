@@ -57,7 +57,7 @@ class Counts {
     void add(std::int64_t patch) {
         const auto frames = patches_.of(patch);
         beyond_.resize(static_cast<std::size_t>(frames.back() - frames.front()));
-        spread_counts(patches_, patch, beyond_.data());
+        spread_counts(patches_, patch, Order::of_time, beyond_.data());
         if (frames.front() <= begin_ && begin_ < frames.back())
             start(frames);
         for (std::size_t j = 0; j < frames.size(); ++j) {
@@ -130,7 +130,7 @@ class Tile {
         rank_ = (end - begin) * patches.dimension();
         sums_.assign(checked_size(std::max<std::int64_t>(length, 0), rank_), 0);
         for (std::int64_t p = begin; p < end; ++p)
-            spread_directions(patches, p,
+            spread_directions(patches, p, Order::of_time,
                               sums_.data() + (p - begin) * patches.dimension() * length +
                                   (patches.of(p).front() - first_),
                               length);

@@ -18,8 +18,13 @@ using stltsa::Matrix;
 using stltsa::Random;
 using stltsa::Simd;
 
+struct Made {
+    std::vector<std::int64_t> reach;
+    EnvelopeMatrix matrix;
+};
+
 /// A positive definite matrix whose columns reach `least` to `most` rows further.
-EnvelopeMatrix made_matrix(std::int64_t order, std::int64_t least, std::int64_t most) {
+Made made_matrix(std::int64_t order, std::int64_t least, std::int64_t most) {
     Random random(static_cast<std::uint64_t>(100 * order + 10 * least + most));
     std::vector<std::int64_t> reach(static_cast<std::size_t>(order));
     std::int64_t last = 0;
@@ -29,28 +34,30 @@ EnvelopeMatrix made_matrix(std::int64_t order, std::int64_t least, std::int64_t 
         last = std::max(last, std::min(order - 1, j + length));
         reach[static_cast<std::size_t>(j)] = last;
     }
-    EnvelopeMatrix matrix(reach);
-    matrix.clear(0, order);
+    Made made{reach, EnvelopeMatrix(reach, {})};
+    EnvelopeMatrix& matrix = made.matrix;
+    matrix.arm(0).columns.clear(0, matrix.middle_end());
+    matrix.arm(1).columns.clear(0, order - matrix.middle_end());
     for (std::int64_t j = 0; j < order; ++j) {
-        matrix.column(j)[0] += 0.1;
-        for (std::int64_t r = 1; r <= matrix.reach(j) - j; ++r) {
+        matrix.entry(j, j) += 0.1;
+        for (std::int64_t i = j + 1; i <= reach[static_cast<std::size_t>(j)]; ++i) {
             const double entry = random.symmetric();
-            matrix.column(j)[r] = entry;
-            matrix.column(j)[0] += std::abs(entry);
-            matrix.column(j + r)[0] += std::abs(entry);
+            matrix.entry(i, j) = entry;
+            matrix.entry(j, j) += std::abs(entry);
+            matrix.entry(i, i) += std::abs(entry);
         }
     }
-    return matrix;
+    return made;
 }
 
-Matrix product(const EnvelopeMatrix& matrix, const Matrix& x) {
+Matrix product(Made& made, const Matrix& x) {
     Matrix y(x.rows(), x.cols());
-    for (std::int64_t j = 0; j < matrix.order(); ++j)
-        for (std::int64_t i = j; i <= matrix.reach(j); ++i)
+    for (std::int64_t j = 0; j < made.matrix.order(); ++j)
+        for (std::int64_t i = j; i <= made.reach[static_cast<std::size_t>(j)]; ++i)
             for (std::int64_t c = 0; c < x.cols(); ++c) {
-                y(i, c) += matrix.column(j)[i - j] * x(j, c);
+                y(i, c) += made.matrix.entry(i, j) * x(j, c);
                 if (i > j)
-                    y(j, c) += matrix.column(j)[i - j] * x(i, c);
+                    y(j, c) += made.matrix.entry(i, j) * x(i, c);
             }
     return y;
 }
@@ -62,14 +69,15 @@ Matrix solved(EnvelopeMatrix matrix, const Matrix& right, const Machine& machine
     return x;
 }
 
-void check_matrix(const EnvelopeMatrix& matrix) {
+void check_matrix(Made made) {
+    const EnvelopeMatrix& matrix = made.matrix;
     constexpr std::int64_t cols = 4;
     Random random(1);
     Matrix right(matrix.order(), cols);
     for (std::int64_t i = 0; i < right.rows() * cols; ++i)
         right.data()[i] = random.symmetric();
     const Matrix x = solved(matrix, right, {Simd::baseline, 1});
-    const Matrix back = product(matrix, x);
+    const Matrix back = product(made, x);
     for (std::int64_t i = 0; i < right.rows() * cols; ++i)
         ASSERT_NEAR(back.data()[i], right.data()[i], 1e-12);
 
@@ -105,8 +113,8 @@ void large_ones(void**) {
 void a_singular_one_is_refused(void**) {
     for (const std::int64_t least : {0, 3})
         for (const std::int64_t where : {0, 7, 10, 19}) {
-            EnvelopeMatrix matrix = made_matrix(20, least, least);
-            matrix.column(where)[0] = 0;
+            EnvelopeMatrix matrix = made_matrix(20, least, least).matrix;
+            matrix.entry(where, where) = 0;
             assert_false(cholesky(matrix, 1e-13, {}));
         }
 }
