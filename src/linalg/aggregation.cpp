@@ -7,33 +7,47 @@
 
 namespace stltsa {
 
-template <class Work>
-void Aggregation::for_runs(const Machine& machine, const Work& work) const {
-    for_row_blocks(runs(), machine,
-                   [&](std::int64_t block, std::int64_t first, std::int64_t count) {
-                       for (std::int64_t run = first; run < first + count; ++run)
-                           work(block, run);
-                   });
+Aggregation::Entries Aggregation::entries_of(std::int64_t length) {
+    const auto n = static_cast<double>(length);
+    const double squares = n * (n * n - 1) / 12; // sum of (i - middle)^2
+    return {1 / std::sqrt(n), length > 1 ? 1 / std::sqrt(squares) : 0, (n - 1) / 2};
 }
 
 void Aggregation::spread(ConstMatrixView coarse, MatrixView panel, const Machine& machine) const {
-    for_runs(machine, [&](std::int64_t, std::int64_t run) {
-        for (std::int64_t i = begin(run); i < begin(run + 1); ++i)
-            for (std::int64_t c = 0; c < panel.cols; ++c)
-                panel(i, c) = entry(run) * coarse(run, c);
+    const bool sloped = terms() > 1;
+    for_blocks(machine, [&](std::int64_t, std::int64_t first, std::int64_t end) {
+        for (std::int64_t run = first; run < end; ++run) {
+            const Entries& q = entries(run);
+            const double* mean = coarse.row(run * terms());
+            const double* slope = sloped ? coarse.row(run * terms() + 1) : mean; // times 0
+            for (std::int64_t i = begin(run); i < begin(run + 1); ++i) {
+                const double at = q.slope * (static_cast<double>(i - begin(run)) - q.middle);
+                for (std::int64_t c = 0; c < panel.cols; ++c)
+                    panel(i, c) = q.mean * mean[c] + at * slope[c];
+            }
+        }
     });
 }
 
 double Aggregation::variation_within(ConstMatrixView panel, std::int64_t column,
                                      const Machine& machine) const {
-    std::vector<double> squares(static_cast<std::size_t>(row_blocks(runs())));
-    for_runs(machine, [&](std::int64_t block, std::int64_t run) {
+    std::vector<double> squares(static_cast<std::size_t>(blocks()));
+    for_blocks(machine, [&](std::int64_t block, std::int64_t first, std::int64_t end) {
         double sum = 0;
-        for (std::int64_t i = begin(run); i < begin(run + 1); ++i)
-            sum += panel(i, column);
-        const double mean = sum / static_cast<double>(begin(run + 1) - begin(run));
-        for (std::int64_t i = begin(run); i < begin(run + 1); ++i)
-            squares[static_cast<std::size_t>(block)] += std::pow(panel(i, column) - mean, 2);
+        for (std::int64_t run = first; run < end; ++run) {
+            const Entries& q = entries(run);
+            const auto at = [&](std::int64_t i) {
+                return q.slope * (static_cast<double>(i - begin(run)) - q.middle);
+            };
+            double mean = 0, slope = 0; // Q^T x
+            for (std::int64_t i = begin(run); i < begin(run + 1); ++i) {
+                mean += q.mean * panel(i, column);
+                slope += at(i) * panel(i, column);
+            }
+            for (std::int64_t i = begin(run); i < begin(run + 1); ++i)
+                sum += std::pow(panel(i, column) - q.mean * mean - at(i) * slope, 2);
+        }
+        squares[static_cast<std::size_t>(block)] = sum;
     });
     return std::sqrt(std::accumulate(squares.begin(), squares.end(), 0.0));
 }

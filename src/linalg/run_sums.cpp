@@ -2,6 +2,7 @@
 #include "linalg/run_sums.hpp"
 
 #include <algorithm>
+#include <vector>
 
 #include "linalg/panel.hpp"
 
@@ -13,6 +14,10 @@ struct Block {
     const Aggregation& runs;
     std::int64_t begin, end;
 
+    double length(std::int64_t run) const {
+        return static_cast<double>(runs.begin(run + 1) - runs.begin(run));
+    }
+    double rows() const { return static_cast<double>(end_row() - first_row()); }
     std::int64_t first_row() const { return runs.begin(begin); }
     std::int64_t end_row() const { return runs.begin(end); }
 };
@@ -39,7 +44,7 @@ struct PrefixTotals {
     }
 };
 
-/// x(run) := the sum of its rows times the run's entry of Q; the first row of the block is `start`
+/// x := Q^T times the rows that the differences add up to; the first one of the block is `start`
 struct PrefixSums {
     Block block;
     ConstMatrixView z;
@@ -51,14 +56,21 @@ struct PrefixSums {
         P sum{};
         const P before = pack_at<P>(start + c);
         for (std::int64_t run = block.begin; run < block.end; ++run) {
-            P total{};
+            P total{}, moment{};
+            const Aggregation::Entries& q = block.runs.entries(run);
+            double from_middle = -q.middle;
             const std::int64_t end = block.runs.begin(run + 1);
-            for (std::int64_t i = block.runs.begin(run); i < end; ++i) {
-                total += before + sum;
+            for (std::int64_t i = block.runs.begin(run); i < end; ++i, from_middle += 1) {
+                const P value = before + sum;
+                total += value;
+                moment += from_middle * value;
                 if (i < z.rows)
                     sum += pack_at<P>(z.row(i) + c);
             }
-            pack_at<P>(x.row(run) + c) = block.runs.entry(run) * total;
+            double* to = x.row(run * block.runs.terms()) + c;
+            pack_at<P>(to) = q.mean * total;
+            if (block.runs.terms() > 1)
+                pack_at<P>(to + x.stride) = q.slope * moment;
         }
     }
 };
@@ -73,7 +85,8 @@ struct Sum {
     STLTSA_INLINE void columns(std::int64_t c) const {
         P sum{};
         for (std::int64_t run = block.begin; run < block.end; ++run)
-            sum += block.runs.weight(run) * pack_at<P>(x.row(run) + c);
+            sum += block.runs.entries(run).mean * block.length(run) *
+                   pack_at<P>(x.row(run * block.runs.terms()) + c);
         pack_at<P>(sums.row(0) + c) = sum;
     }
 };
@@ -91,10 +104,15 @@ struct SuffixSums {
         const P beyond = pack_at<P>(after + c);
         const P shift = pack_at<P>(mean + c);
         for (std::int64_t run = block.end; run-- > block.begin;) {
-            const P value = block.runs.entry(run) * pack_at<P>(x.row(run) + c) - shift;
-            const std::int64_t first = std::max<std::int64_t>(block.runs.begin(run), 1);
-            for (std::int64_t i = block.runs.begin(run + 1); i-- > first;) {
-                sum += value;
+            const Aggregation::Entries& q = block.runs.entries(run);
+            const double* of_run = x.row(run * block.runs.terms()) + c;
+            const P value = q.mean * pack_at<P>(of_run) - shift;
+            const P slope = block.runs.terms() > 1 ? q.slope * pack_at<P>(of_run + x.stride) : P{};
+            const std::int64_t begin = block.runs.begin(run);
+            double from_middle = q.middle;
+            for (std::int64_t i = block.runs.begin(run + 1); i-- > std::max<std::int64_t>(begin, 1);
+                 from_middle -= 1) {
+                sum += value + from_middle * slope;
                 pack_at<P>(z.row(i - 1) + c) = beyond + sum;
             }
         }
@@ -105,32 +123,27 @@ struct SuffixSums {
 template <class MakeKernel>
 void for_blocks(const Aggregation& runs, std::int64_t cols, const Machine& machine,
                 const MakeKernel& make) {
-    for_row_blocks(
-        runs.runs(), machine, [&](std::int64_t index, std::int64_t first, std::int64_t count) {
-            run_columns(cols, machine.simd, make(index, Block{runs, first, first + count}));
-        });
-}
-
-/// Rows of the block of this index.
-double rows_of(const Aggregation& runs, std::int64_t index) {
-    const std::int64_t end = std::min(runs.runs(), (index + 1) * row_block);
-    return static_cast<double>(runs.begin(end) - runs.begin(index * row_block));
+    runs.for_blocks(machine, [&](std::int64_t index, std::int64_t begin, std::int64_t end) {
+        run_columns(cols, machine.simd, make(index, Block{runs, begin, end}));
+    });
 }
 
 } // namespace
 
 void centered_prefix_sums(ConstMatrixView z, const Aggregation& runs, MatrixView x,
                           const Machine& machine) {
-    const std::int64_t blocks = row_blocks(runs.runs());
+    const std::int64_t blocks = runs.blocks();
     Matrix totals(2 * blocks, z.cols);
+    std::vector<double> rows(static_cast<std::size_t>(blocks));
     for_blocks(runs, z.cols, machine, [&](std::int64_t index, const Block& block) {
+        rows[static_cast<std::size_t>(index)] = block.rows();
         return PrefixTotals{block, z, totals.view().block(2 * index, 2)};
     });
     Matrix starts(blocks + 1, z.cols); // the first row of each block
     Matrix mean(1, z.cols);
     for (std::int64_t b = 0; b < blocks; ++b)
         for (std::int64_t c = 0; c < z.cols; ++c) {
-            mean(0, c) += totals(2 * b + 1, c) + rows_of(runs, b) * starts(b, c);
+            mean(0, c) += totals(2 * b + 1, c) + rows[static_cast<std::size_t>(b)] * starts(b, c);
             starts(b + 1, c) = starts(b, c) + totals(2 * b, c);
         }
     for (std::int64_t b = 0; b < blocks; ++b)
@@ -143,9 +156,11 @@ void centered_prefix_sums(ConstMatrixView z, const Aggregation& runs, MatrixView
 
 void centered_suffix_sums(const Aggregation& runs, ConstMatrixView x, MatrixView z,
                           const Machine& machine) {
-    const std::int64_t blocks = row_blocks(runs.runs());
+    const std::int64_t blocks = runs.blocks();
     Matrix sums(blocks, x.cols);
+    std::vector<double> rows(static_cast<std::size_t>(blocks));
     for_blocks(runs, x.cols, machine, [&](std::int64_t index, const Block& block) {
+        rows[static_cast<std::size_t>(index)] = block.rows();
         return Sum{block, x, sums.view().block(index, 1)};
     });
     Matrix mean(1, x.cols);
@@ -155,7 +170,8 @@ void centered_suffix_sums(const Aggregation& runs, ConstMatrixView x, MatrixView
     Matrix after(blocks, x.cols); // the sums of what is after each block
     for (std::int64_t b = blocks - 1; b > 0; --b)
         for (std::int64_t c = 0; c < x.cols; ++c)
-            after(b - 1, c) = after(b, c) + (sums(b, c) - rows_of(runs, b) * mean(0, c));
+            after(b - 1, c) =
+                after(b, c) + (sums(b, c) - rows[static_cast<std::size_t>(b)] * mean(0, c));
     for_blocks(runs, x.cols, machine, [&](std::int64_t index, const Block& block) {
         return SuffixSums{block, x, mean.data(), after.row(index), z};
     });

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Running sums of panels whose rows are, or become, values at runs of rows: what is constant on a
-// run is summed without being written out. S is the running sum, (S z)(c) = z(0) + .. + z(c - 1),
-// and C takes off the mean.
+// Running sums of panels whose rows are, or become, means and slopes of runs of rows: what is
+// straight on a run is summed without being written out. S is the running sum, (S z)(c) = z(0) + ..
+// + z(c - 1), and C takes off the mean.
 #pragma once
 
 #include "linalg/aggregation.hpp"
@@ -10,7 +10,7 @@
 
 namespace stltsa {
 
-/// x := Q^T C S z: a row for each run; z has one row less than all runs together.
+/// x := Q^T C S z: a row for each column of Q; z has one row less than all runs together.
 void centered_prefix_sums(ConstMatrixView z, const Aggregation& runs, MatrixView x,
                           const Machine& machine);
 

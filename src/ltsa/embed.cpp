@@ -110,10 +110,11 @@ Component summarize(const Patches& patches, const Spectrum& spectrum, int dimens
     return component;
 }
 
-/// ARPACK's own work is done by one thread: it gets no longer vectors than this.
+/// ARPACK's own work is done by one thread: it gets no longer vectors than this. Two numbers stand
+/// for a run.
 std::int64_t run_length(std::int64_t frames) {
-    constexpr std::int64_t most_runs = 1 << 18;
-    return (frames + most_runs - 1) / most_runs;
+    constexpr std::int64_t longest = 1 << 17;
+    return frames <= longest ? 1 : (2 * frames + longest - 1) / longest;
 }
 
 /// Fills the rows of `coords` (distinct frames x dimension) that belong to a component.

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -29,26 +28,28 @@ void multiply_by_inverse(const Alignment& alignment, MatrixView x, MatrixView un
     multiply_by_inverse(alignment, {alignment.frames(), 1}, x, unknowns, x);
 }
 
-/// x -> Q^T B^+ Q x, a value for each run of frames: the wanted eigenpairs are its largest, so no
-/// shift is needed.
+/// x -> Q^T B^+ Q x, a mean and a slope for each run of frames: the wanted eigenpairs are its
+/// largest, so no shift is needed.
 Operator pseudo_inverse(const Alignment& alignment, const Aggregation& runs) {
     return [&alignment, runs, unknowns = Matrix::unset(alignment.unknowns(), 1)](
                std::span<const double> x, std::span<double> y) mutable {
-        multiply_by_inverse(alignment, runs, {x.data(), runs.runs(), 1, 1}, unknowns.view(),
-                            {y.data(), runs.runs(), 1, 1});
+        multiply_by_inverse(alignment, runs, {x.data(), runs.columns(), 1, 1}, unknowns.view(),
+                            {y.data(), runs.columns(), 1, 1});
     };
 }
 
 /// ARPACK always gets this start vector: its own are different on every call. Running sums of noise
 /// are mostly slow, as the wanted vectors are: one solve less, where rows are in order of time.
-void set_start(std::span<double> x) {
-    const MatrixView vector{x.data(), static_cast<std::int64_t>(x.size()), 1, 1};
+void set_start(const Aggregation& runs, std::span<double> x) {
+    std::ranges::fill(x, 0.0);
+    const MatrixView means{x.data(), runs.runs(), 1, runs.terms()};
     Random random(1);
-    for (double& entry : x)
-        entry = random.symmetric();
-    center(vector, {Simd::baseline, 1});
-    std::partial_sum(x.begin(), x.end(), x.begin());
-    center(vector, {Simd::baseline, 1});
+    for (std::int64_t run = 0; run < runs.runs(); ++run)
+        means(run, 0) = random.symmetric();
+    center(means, {Simd::baseline, 1});
+    for (std::int64_t run = 1; run < runs.runs(); ++run)
+        means(run, 0) += means(run - 1, 0);
+    center(means, {Simd::baseline, 1});
 }
 
 /// A correction that turns the embedding by less than this is the last one: in differences the
@@ -79,7 +80,7 @@ int first_solves(const Eigenpairs& found, std::int64_t dimension) {
 EigenBasis solved(const Alignment& alignment, const Aggregation& runs, const Eigenpairs& found,
                   int times) {
     EigenBasis basis(alignment, found.coefficients.cols());
-    Matrix coarse = Matrix::unset(runs.runs(), basis.x.cols());
+    Matrix coarse = Matrix::unset(runs.columns(), basis.x.cols());
     combine_rows(found.basis.view(), found.coefficients, coarse.view(), alignment.machine());
     runs.spread(coarse.view(), basis.x.view(), alignment.machine());
     for (int i = 0; i < times; ++i) {
@@ -91,7 +92,7 @@ EigenBasis solved(const Alignment& alignment, const Aggregation& runs, const Eig
     return basis;
 }
 
-/// Whether vectors that are constant over these runs are enough to look among: false where one may
+/// Whether vectors that are straight over these runs are enough to look among: false where one may
 /// be wanted that mostly varies within runs. It would be in nothing that follows, not even as an
 /// error that grows. But B^+ times noise of variance 1 has each eigenvector in it about as large as
 /// its eigenvalue of B^+, which is at least `smallest_wanted` for a wanted one.
@@ -140,16 +141,17 @@ void refine(const Alignment& alignment, std::int64_t dimension, const Progress& 
     }
 }
 
-/// From vectors that are constant over these runs; nothing where they turn out not to be enough.
+/// From vectors that are straight over these runs; nothing where they turn out not to be enough.
 std::optional<Spectrum> eigenpairs_from(const Alignment& alignment, const Aggregation& runs,
                                         std::int64_t count, std::int64_t dimension,
                                         const Progress& progress, std::int64_t& solves) {
     // Where a first correction turns the embedding by more, runs were too long for it.
     constexpr double change_by_runs = 1e-9;
     const bool fewer = runs.runs() < runs.rows();
-    Eigenpairs found =
-        largest_eigenpairs(pseudo_inverse(alignment, runs), runs.runs(), set_start, count,
-                           alignment.machine(), [&] { progress.report(Stage::spectrum, 0.0); });
+    Eigenpairs found = largest_eigenpairs(
+        pseudo_inverse(alignment, runs), runs.columns(),
+        [&](std::span<double> x) { set_start(runs, x); }, count, alignment.machine(),
+        [&] { progress.report(Stage::spectrum, 0.0); });
     solves += found.applications;
     if (fewer && !enough(alignment, runs, found.values[static_cast<std::size_t>(dimension) - 1]))
         return {};
