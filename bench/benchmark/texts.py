@@ -35,7 +35,7 @@ def outcome(row, pieces):
     """What else must be said of a fit; `pieces`: the graph of 12 neighbors is known to be so."""
     if "failed" in row:
         quoted = re.search(r"Error message: '([^']*)'", row["failed"])
-        return "fails: " + (quoted[1] if quoted else row["failed"])
+        return "then fails: " + (quoted[1] if quoted else row["failed"])
     if in_pieces(row):
         return f"the graph is in pieces: takes k = {in_pieces(row)}"
     if not row["check"] and pieces:
@@ -51,8 +51,9 @@ def comparison(result):
     yield ["program", "neighbors", "seconds", "times the first", "memory, MB", ""]
     for row in rows:
         times = row["seconds"] / base
-        yield [program(row), f"{SPEAKING[row['mode']]} = {row['k']}", seconds(row),
-               f"{times:.1f}" if times < 10 else f"{times:.0f}", memory(row), outcome(row, pieces)]
+        shown = "–" if "failed" in row else f"{times:.1f}" if times < 10 else f"{times:.0f}"
+        yield [program(row), f"{SPEAKING[row['mode']]} = {row['k']}", seconds(row), shown,
+               memory(row), outcome(row, pieces)]
 
 
 def claims(result):
