@@ -14,7 +14,7 @@ SPARE_COLUMNS = 2  # of the block that finds the tangents, beyond d
 LEAST_PRODUCTS = 5  # with that block, before it may stop
 LEAST_PRODUCTS_FOLLOWING = 3  # where it starts from what the frame before ended with
 PASSES = 2  # through all patches, for the certificate
-MOST_ENTRIES = 1 << 17  # of a vector of ARPACK's, as in src/ltsa/embed.cpp
+MANY, LONGEST = 1 << 18, 1 << 17  # frames, entries of ARPACK's vectors: as in src/ltsa/embed.cpp
 WIDE = 64  # as in src/ltsa/alignment_difference.cpp: from there on from one end only
 
 
@@ -61,7 +61,7 @@ def alignment(size):
 def spectrum(size):
     k, d, s = size.k, size.d, size.s
     pairs = d + 1
-    vectors = min(s, 2 * pairs + SPARE_VECTORS) * min(1, MOST_ENTRIES / size.n)
+    vectors = min(s, 2 * pairs + SPARE_VECTORS) * (LONGEST / size.n if size.n > MANY else 1)
     steps = (2 * s + 4) / (2 if k - 1 < WIDE else 1)
     iterate = 4 * k * s + 2 * vectors * s
     certify = 8 * k * pairs + PASSES * pairs * k * (8 * d + 6)

@@ -11,7 +11,8 @@
 namespace stltsa {
 
 /// Q, of orthonormal columns: for each run the mean of its rows, then their slope, each scaled to
-/// norm 1 and 0 outside the run. Runs of one row have no slope: Q is the identity.
+/// norm 1 and 0 outside the run. Where all runs are of one row there are no slopes, and Q is the
+/// identity; where only the last one is, the column of its slope is 0.
 class Aggregation {
   public:
     /// Runs of `length` rows, the last one of what is left.
@@ -35,7 +36,8 @@ class Aggregation {
         return run + 1 < runs_ ? entries_ : last_entries_;
     }
 
-    /// work(block, begin, end) for each block of runs, of about as many rows whatever their length.
+    /// work(block, begin, end) for each block of runs: those that begin within as many rows as a
+    /// block has, so none where runs are longer.
     template <class Work>
     void for_blocks(const Machine& machine, const Work& work) const {
         for_row_blocks(rows_, machine,

@@ -48,7 +48,8 @@ class EnvelopeColumns {
 /// reaches when half of the rows are its own.
 class EnvelopeMatrix {
   public:
-    /// From the last row of each column; no entry has a value until its arm is cleared.
+    /// From the last row of each column. What the second arm takes off the middle is zero, no other
+    /// entry has a value until the columns that an arm has for its rows are cleared.
     EnvelopeMatrix(const std::vector<std::int64_t>& reach, const Machine& machine);
 
     struct Arm {

@@ -110,11 +110,12 @@ Component summarize(const Patches& patches, const Spectrum& spectrum, int dimens
     return component;
 }
 
-/// ARPACK's own work is done by one thread: it gets no longer vectors than this. Two numbers stand
-/// for a run.
+/// ARPACK's own work is done by one thread: of many frames it gets shorter vectors, in which two
+/// numbers stand for a run. Runs of three or four frames would save less than they cost.
 std::int64_t run_length(std::int64_t frames) {
+    constexpr std::int64_t many = 1 << 18;
     constexpr std::int64_t longest = 1 << 17;
-    return frames <= longest ? 1 : (2 * frames + longest - 1) / longest;
+    return frames <= many ? 1 : (2 * frames + longest - 1) / longest;
 }
 
 /// Fills the rows of `coords` (distinct frames x dimension) that belong to a component.

@@ -93,7 +93,7 @@ EigenBasis solved(const Alignment& alignment, const Aggregation& runs, const Eig
 }
 
 /// Whether vectors that are straight over these runs are enough to look among: false where one may
-/// be wanted that mostly varies within runs. It would be in nothing that follows, not even as an
+/// be wanted that mostly varies within runs. It might be in nothing that follows, not even as an
 /// error that grows. But B^+ times noise of variance 1 has each eigenvector in it about as large as
 /// its eigenvalue of B^+, which is at least `smallest_wanted` for a wanted one.
 bool enough(const Alignment& alignment, const Aggregation& runs, double smallest_wanted) {

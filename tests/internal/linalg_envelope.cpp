@@ -119,6 +119,37 @@ void a_singular_one_is_refused(void**) {
         }
 }
 
+/// The identity but for rows `first` to `first` + 4, which reach each other: the last of them to be
+/// eliminated is left with this share of its diagonal entry. Their sizes differ by `scale` from
+/// each to the next.
+EnvelopeMatrix with_pivot(std::int64_t order, std::int64_t first, double share, double scale) {
+    const std::int64_t last = first + 4;
+    std::vector<std::int64_t> reach;
+    for (std::int64_t j = 0; j < order; ++j)
+        reach.push_back(first <= j && j <= last ? last : j);
+    EnvelopeMatrix matrix(reach, {});
+    matrix.arm(0).columns.clear(0, matrix.middle_end());
+    matrix.arm(1).columns.clear(0, order - matrix.middle_end());
+    const auto size = [&](std::int64_t i) { return std::pow(scale, double(i - first)); };
+    for (std::int64_t j = 0; j < order; ++j)
+        matrix.entry(j, j) = first <= j && j <= last ? size(j) * size(j) : 1;
+    matrix.entry(last, first) = std::sqrt(1 - share) * size(last);
+    return matrix;
+}
+
+/// A pivot is held against what its diagonal entry was, in both arms and in the middle.
+void small_pivots_are_refused(void**) {
+    constexpr std::int64_t order = 24;
+    for (const std::int64_t first : {2, 9, 10, 17})
+        for (const double scale : {1e-4, 1.0, 1e4})
+            for (const Simd simd : {Simd::baseline, stltsa::widest_simd()}) {
+                EnvelopeMatrix regular = with_pivot(order, first, 1e-12, scale);
+                assert_true(cholesky(regular, 1e-13, {simd, 1}));
+                EnvelopeMatrix singular = with_pivot(order, first, 1e-14, scale);
+                assert_false(cholesky(singular, 1e-13, {simd, 1}));
+            }
+}
+
 } // namespace
 
 int main() {
@@ -126,6 +157,7 @@ int main() {
         cmocka_unit_test(small_ones),
         cmocka_unit_test(large_ones),
         cmocka_unit_test(a_singular_one_is_refused),
+        cmocka_unit_test(small_pivots_are_refused),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }
