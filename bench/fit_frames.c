@@ -42,14 +42,14 @@ static stltsa_options* options_of(char** arguments, struct stage_times* times) {
     const int temporal = strcmp(arguments[0], "temporal") == 0;
     stltsa_options* options = NULL;
     check(stltsa_options_new(&options));
-    check(stltsa_options_set_int(options, STLTSA_MODE,
+    check(stltsa_options_set_int(options, STLTSA_OPT_MODE,
                                  temporal ? STLTSA_MODE_TEMPORAL : STLTSA_MODE_SPATIAL));
-    check(stltsa_options_set_int(options, STLTSA_INCLUDE_SELF, temporal));
-    check(stltsa_options_set_int(options, STLTSA_NEIGHBORS, atol(arguments[1])));
-    check(stltsa_options_set_int(options, STLTSA_WINDOW, atol(arguments[1])));
-    check(stltsa_options_set_int(options, STLTSA_THREADS, atol(arguments[2])));
-    check(stltsa_options_set_int(options, STLTSA_DIMENSION, dimension));
-    check(stltsa_options_set_int(options, STLTSA_KEEP_FRAMES, 0));
+    check(stltsa_options_set_int(options, STLTSA_OPT_INCLUDE_SELF, temporal));
+    check(stltsa_options_set_int(options, STLTSA_OPT_NEIGHBORS, atol(arguments[1])));
+    check(stltsa_options_set_int(options, STLTSA_OPT_WINDOW, atol(arguments[1])));
+    check(stltsa_options_set_int(options, STLTSA_OPT_THREADS, atol(arguments[2])));
+    check(stltsa_options_set_int(options, STLTSA_OPT_DIMENSION, dimension));
+    check(stltsa_options_set_int(options, STLTSA_OPT_KEEP_FRAMES, 0));
     check(stltsa_options_set_progress(options, record_stage, times));
     return options;
 }

@@ -41,13 +41,13 @@ int main(int argc, char** argv) {
         frames[i * motion_features] *= size;
     repeats = atol(argv[4]);
     check(stltsa_options_new(&options));
-    check(stltsa_options_set_int(options, STLTSA_NEIGHBORS, atol(argv[2])));
-    check(stltsa_options_set_int(options, STLTSA_WINDOW, atol(argv[2])));
-    check(stltsa_options_set_int(options, STLTSA_DIMENSION, 2));
-    check(stltsa_options_set_int(options, STLTSA_THREADS, atol(argv[3])));
+    check(stltsa_options_set_int(options, STLTSA_OPT_NEIGHBORS, atol(argv[2])));
+    check(stltsa_options_set_int(options, STLTSA_OPT_WINDOW, atol(argv[2])));
+    check(stltsa_options_set_int(options, STLTSA_OPT_DIMENSION, 2));
+    check(stltsa_options_set_int(options, STLTSA_OPT_THREADS, atol(argv[3])));
     if (argc > 5)
-        check(stltsa_options_set_int(options, STLTSA_MODE, atol(argv[5])));
-    check(stltsa_options_set_int(options, STLTSA_KEEP_FRAMES, 0));
+        check(stltsa_options_set_int(options, STLTSA_OPT_MODE, atol(argv[5])));
+    check(stltsa_options_set_int(options, STLTSA_OPT_KEEP_FRAMES, 0));
     check(stltsa_options_set_progress(options, record_stage, &times));
     for (r = 0; r < repeats; ++r) {
         stltsa_model* model = NULL;

@@ -27,8 +27,8 @@ static struct frames read_clip(const char* path, const char* skeleton) {
     stltsa_clip* clip = NULL;
     stltsa_out out;
     check(stltsa_options_new(&options));
-    check(stltsa_options_set_text(options, STLTSA_SKELETON, skeleton));
-    check(stltsa_options_set_int(options, STLTSA_FEATURES, STLTSA_FEATURES_EULER));
+    check(stltsa_options_set_text(options, STLTSA_OPT_SKELETON, skeleton));
+    check(stltsa_options_set_int(options, STLTSA_OPT_FEATURES, STLTSA_FEATURES_EULER));
     check(stltsa_clip_open(path, options, &clip));
     check(stltsa_clip_feature_count(clip, options, &read.cols));
     read.rows = stltsa_clip_frames(clip);

@@ -22,7 +22,7 @@ int main(int argc, char** argv) {
         return 2;
     }
     check(stltsa_options_new(&options));
-    check(stltsa_options_set_int(options, STLTSA_THREADS, argc > 2 ? atoi(argv[2]) : 1));
+    check(stltsa_options_set_int(options, STLTSA_OPT_THREADS, argc > 2 ? atoi(argv[2]) : 1));
     check(stltsa_options_set_progress(options, record_stage, &times));
     const double start = seconds_of(CLOCK_MONOTONIC);
     times = start_stages(CLOCK_MONOTONIC);

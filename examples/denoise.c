@@ -69,7 +69,7 @@ int main(void) {
     /* With the frame rate known, the period tells how fine a detail may be motion. */
     status = stltsa_options_new(&options);
     if (status == STLTSA_OK)
-        status = stltsa_options_set_real(options, STLTSA_FPS, fps);
+        status = stltsa_options_set_real(options, STLTSA_OPT_FPS, fps);
     if (status == STLTSA_OK)
         status = stltsa_denoise(&in, NULL, 1, options, &denoising);
     if (status == STLTSA_OK)

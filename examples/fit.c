@@ -43,9 +43,9 @@ static int32_t on_progress(void* user, int32_t stage, double fraction) {
 }
 
 static stltsa_status set_options(stltsa_options* options, int* calls_left) {
-    stltsa_status status = stltsa_options_set_int(options, STLTSA_DIMENSION, 2);
+    stltsa_status status = stltsa_options_set_int(options, STLTSA_OPT_DIMENSION, 2);
     if (status == STLTSA_OK) /* 1.2 periods: fewer and the first coordinate only tells the time */
-        status = stltsa_options_set_int(options, STLTSA_NEIGHBORS, PERIOD * 6 / 5);
+        status = stltsa_options_set_int(options, STLTSA_OPT_NEIGHBORS, PERIOD * 6 / 5);
     if (status == STLTSA_OK)
         status = stltsa_options_set_progress(options, on_progress, calls_left);
     return status;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* A recording that is larger than you want to load: an NPY file is mapped into memory and fitted in
  * place. The library reads packed rows of float64 where they lie, copies none of them, and keeps
- * none with STLTSA_KEEP_FRAMES 0; what it needs beside is a few hundred bytes a frame for short
+ * none with STLTSA_OPT_KEEP_FRAMES 0; what it needs beside is a few hundred bytes a frame for short
  * windows.
  *
  *     cc long_npy.c $(pkg-config --cflags --libs stltsa) -o long_npy
@@ -86,9 +86,9 @@ static stltsa_status fit(const stltsa_in* frames) {
 
     stltsa_status status = stltsa_options_new(&options);
     if (status == STLTSA_OK)
-        status = stltsa_options_set_int(options, STLTSA_NEIGHBORS, 12);
+        status = stltsa_options_set_int(options, STLTSA_OPT_NEIGHBORS, 12);
     if (status == STLTSA_OK)
-        status = stltsa_options_set_int(options, STLTSA_KEEP_FRAMES, 0);
+        status = stltsa_options_set_int(options, STLTSA_OPT_KEEP_FRAMES, 0);
     if (status == STLTSA_OK)
         status = stltsa_fit(frames, NULL, 0, options, &model);
     if (status == STLTSA_OK)

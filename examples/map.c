@@ -25,9 +25,9 @@ static stltsa_status fit(const stltsa_clip* clip, stltsa_model** model) {
     stltsa_options* options = NULL;
     stltsa_status status = stltsa_options_new(&options);
     if (status == STLTSA_OK)
-        status = stltsa_options_set_int(options, STLTSA_DIMENSION, dimension);
+        status = stltsa_options_set_int(options, STLTSA_OPT_DIMENSION, dimension);
     if (status == STLTSA_OK)
-        status = stltsa_options_set_real(options, STLTSA_RATE, stltsa_clip_fps(clip) / 2);
+        status = stltsa_options_set_real(options, STLTSA_OPT_RATE, stltsa_clip_fps(clip) / 2);
     if (status == STLTSA_OK)
         status = stltsa_fit_clip(clip, options, model);
     stltsa_options_free(options);

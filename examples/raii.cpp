@@ -31,7 +31,7 @@ Handle<stltsa_options> one_thread() {
     stltsa_options* options = nullptr;
     check(stltsa_options_new(&options));
     Handle<stltsa_options> owner(options); // owned before the next call can fail
-    check(stltsa_options_set_int(options, STLTSA_THREADS, 1));
+    check(stltsa_options_set_int(options, STLTSA_OPT_THREADS, 1));
     return owner;
 }
 

@@ -138,48 +138,48 @@ typedef struct stltsa_options stltsa_options;
 /* Keys. stltsa_option_describe() gives name, type, range, default and text of each at run time;
  * the command's flags and the bindings' keywords are made from that table. */
 enum {
-    STLTSA_NEIGHBORS = 1,    /* int   k; 0: 1.2 periods where a period is found, else 1.2 s (12
+    STLTSA_OPT_NEIGHBORS = 1,    /* int   k; 0: 1.2 periods where a period is found, else 1.2 s (12
                                       where the frame rate is unknown) */
-    STLTSA_WINDOW = 2,       /* int   w, frames to each side; 0: as neighbors */
-    STLTSA_DIMENSION = 3,    /* int   d; 0: fit 2, decompose the best of 1 to 3 */
-    STLTSA_MODE = 4,         /* int   STLTSA_MODE_* */
-    STLTSA_INCLUDE_SELF = 5, /* int   1: a frame is among its own k neighbors (Zhang and Zha);
+    STLTSA_OPT_WINDOW = 2,       /* int   w, frames to each side; 0: as neighbors */
+    STLTSA_OPT_DIMENSION = 3,    /* int   d; 0: fit 2, decompose the best of 1 to 3 */
+    STLTSA_OPT_MODE = 4,         /* int   STLTSA_MODE_* */
+    STLTSA_OPT_INCLUDE_SELF = 5, /* int   1: a frame is among its own k neighbors (Zhang and Zha);
                                       0: it is not (as scikit-learn has it) */
-    STLTSA_LINKS = 6,        /* int   recurrent: neighbors from outside the exclusion zone */
-    STLTSA_EXCLUSION = 7,    /* int   recurrent: half width of that zone in frames; 0: window */
-    STLTSA_THREADS = 8,      /* int   0: every core */
-    STLTSA_FEATURES = 9,     /* int   STLTSA_FEATURES_* */
-    STLTSA_UP_AXIS = 10,     /* int   0: found from the clip; 1, 2, 3: x, y, z */
-    STLTSA_KEEP_START = 11,  /* int   1: do not drop a T-pose at the start */
-    STLTSA_FPS = 12,         /* real  frames a second, over what the file says; 0: the file's.
+    STLTSA_OPT_LINKS = 6,        /* int   recurrent: neighbors from outside the exclusion zone */
+    STLTSA_OPT_EXCLUSION = 7,    /* int   recurrent: half width of that zone in frames; 0: window */
+    STLTSA_OPT_THREADS = 8,      /* int   0: every core */
+    STLTSA_OPT_FEATURES = 9,     /* int   STLTSA_FEATURES_* */
+    STLTSA_OPT_UP_AXIS = 10,     /* int   0: found from the clip; 1, 2, 3: x, y, z */
+    STLTSA_OPT_KEEP_START = 11,  /* int   1: do not drop a T-pose at the start */
+    STLTSA_OPT_FPS = 12,         /* real  frames a second, over what the file says; 0: the file's.
                                       unmap_clip: points a second; 0: the model's rows */
-    STLTSA_RATE = 13,        /* real  clips: keep one frame in fps / rate, rounded; 0: all */
-    STLTSA_SMOOTHING = 14,   /* real  sigma in seconds of the Gaussian on the features; 0: none */
-    STLTSA_PERIOD_MIN = 15,  /* real  shortest period looked for, seconds */
-    STLTSA_PERIOD_MAX = 16,  /* real  longest period looked for, seconds */
-    STLTSA_EIGENGAP = 17,    /* real  tau of section 2.3 as a fraction of k */
-    STLTSA_VARIANCE = 18,    /* real  share of local variance that local PCA must hold */
-    STLTSA_SKELETON = 19,    /* text  path of the ASF file of an AMC clip; "": beside the clip */
-    STLTSA_KEEP_FRAMES = 20, /* int   1: a model keeps the frames it was fitted to, and so can map
+    STLTSA_OPT_RATE = 13,        /* real  clips: keep one frame in fps / rate, rounded; 0: all */
+    STLTSA_OPT_SMOOTHING = 14,   /* real  sigma in seconds of the Gaussian on the features; 0: none */
+    STLTSA_OPT_PERIOD_MIN = 15,  /* real  shortest period looked for, seconds */
+    STLTSA_OPT_PERIOD_MAX = 16,  /* real  longest period looked for, seconds */
+    STLTSA_OPT_EIGENGAP = 17,    /* real  tau of section 2.3 as a fraction of k */
+    STLTSA_OPT_VARIANCE = 18,    /* real  share of local variance that local PCA must hold */
+    STLTSA_OPT_SKELETON = 19,    /* text  path of the ASF file of an AMC clip; "": beside the clip */
+    STLTSA_OPT_KEEP_FRAMES = 20, /* int   1: a model keeps the frames it was fitted to, and so can map
                                       and unmap; 0: it keeps the coordinates only */
-    STLTSA_MAP_NEIGHBORS = 21, /* int rows that a local map rests on; 0: max(d + 5, 10) */
-    STLTSA_MAP_BLEND = 22,   /* int   stretches of the curve whose maps are blended */
-    STLTSA_HINT_WINDOW = 23, /* int   rows to each side of a hint; 0: a fifth of k */
-    STLTSA_COMPONENT = 24,   /* int   unmap: component that the coordinates are of, 0-based; -1:
+    STLTSA_OPT_MAP_NEIGHBORS = 21, /* int rows that a local map rests on; 0: max(d + 5, 10) */
+    STLTSA_OPT_MAP_BLEND = 22,   /* int   stretches of the curve whose maps are blended */
+    STLTSA_OPT_HINT_WINDOW = 23, /* int   rows to each side of a hint; 0: a fifth of k */
+    STLTSA_OPT_COMPONENT = 24,   /* int   unmap: component that the coordinates are of, 0-based; -1:
                                       the only one there is */
-    STLTSA_GAMMA = 25,       /* real  gamma of section 3.2, in units of the coordinate; -1: one
+    STLTSA_OPT_GAMMA = 25,       /* real  gamma of section 3.2, in units of the coordinate; -1: one
                                       robust standard deviation of the residuals */
-    STLTSA_KNOTS = 26,       /* real  denoise: seconds (rows where the rate is unknown) between
+    STLTSA_OPT_KNOTS = 26,       /* real  denoise: seconds (rows where the rate is unknown) between
                                       knots; 0: a tenth of the period, else 2 rows */
-    STLTSA_ROBUST = 27,      /* int   denoise: 1: spikes do not pull at the curve */
-    STLTSA_CROSSFADE = 28,   /* real  synthesize: seconds to each side of a seam; -1: a tenth of the
+    STLTSA_OPT_ROBUST = 27,      /* int   denoise: 1: spikes do not pull at the curve */
+    STLTSA_OPT_CROSSFADE = 28,   /* real  synthesize: seconds to each side of a seam; -1: a tenth of the
                                       cycle that is repeated, 0.15 s where clips join */
-    STLTSA_SEARCH = 29,      /* real  synthesize: seconds by which a cut may move to find a common
+    STLTSA_OPT_SEARCH = 29,      /* real  synthesize: seconds by which a cut may move to find a common
                                       posture; -1: a tenth of the cycle that is repeated, half
                                       a cycle and at least 0.5 s where clips join */
-    STLTSA_POSTURE_LIMIT = 30, /* real synthesize: largest distance of the postures at a seam, over
+    STLTSA_OPT_POSTURE_LIMIT = 30, /* real synthesize: largest distance of the postures at a seam, over
                                       what is common between a motion's own repetitions; 0: none */
-    STLTSA_MEMORY_MAP = 31   /* int   clip_open: 1: map the file into memory. The numbers of an NPY
+    STLTSA_OPT_MEMORY_MAP = 31   /* int   clip_open: 1: map the file into memory. The numbers of an NPY
                                       file (float64, C order) then stay in the file. While the
                                       clip, or a model that keeps its frames, lives, whoever writes
                                       into the file changes them, and whoever cuts it short ends
@@ -532,16 +532,16 @@ STLTSA_API stltsa_status stltsa_decomposition_json(const stltsa_decomposition *d
 /* ---- Mapping, both ways (section 2.4) ---------------------------------------------------- */
 
 /* Places new frames on the curve. Near each frame of the model the map is linear, as LTSA assumes,
- * resting on STLTSA_MAP_NEIGHBORS frames of the whole model. Between a frame and the next the maps
- * of both are blended, and the STLTSA_MAP_BLEND nearest such stretches of the curve are blended in
+ * resting on STLTSA_OPT_MAP_NEIGHBORS frames of the whole model. Between a frame and the next the maps
+ * of both are blended, and the STLTSA_OPT_MAP_BLEND nearest such stretches of the curve are blended in
  * turn (the nearest frames, for spatial neighborhoods). A frame that was fitted gets its own
  * coordinates, to the bit; where equal frames come back after others, a hint must say which one is
  * meant, else it is the first of them.
  *
  * frames    rows x features of the model, finite
  * hints     NULL, or for each row the model row near which it is looked for (within
- *           STLTSA_HINT_WINDOW rows of the same clip), -1: everywhere. For a stream: the nearest
- *           row of the frame before, plus a small STLTSA_HINT_WINDOW, so that time never runs
+ *           STLTSA_OPT_HINT_WINDOW rows of the same clip), -1: everywhere. For a stream: the nearest
+ *           row of the frame before, plus a small STLTSA_OPT_HINT_WINDOW, so that time never runs
  *           back.
  * coords    rows x d
  * distance  NULL, or rows x 1: distance from the fitted frames over STLTSA_MODEL_SUPPORT. Beyond 1

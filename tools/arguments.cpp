@@ -129,20 +129,21 @@ class HelpFormat : public CLI::Formatter {
 };
 
 using Keys = std::vector<std::int32_t>;
-const Keys reading = {STLTSA_FPS, STLTSA_SKELETON, STLTSA_MEMORY_MAP};
-const Keys timing = {STLTSA_FPS};
-const Keys preparing = {STLTSA_FEATURES,  STLTSA_UP_AXIS, STLTSA_KEEP_START,
-                        STLTSA_SMOOTHING, STLTSA_RATE,    STLTSA_THREADS};
-const Keys choosing = {STLTSA_NEIGHBORS, STLTSA_WINDOW,     STLTSA_DIMENSION,
-                       STLTSA_MODE,      STLTSA_PERIOD_MIN, STLTSA_PERIOD_MAX};
-const Keys graph = {STLTSA_INCLUDE_SELF, STLTSA_LINKS, STLTSA_EXCLUSION};
-const Keys estimating = {STLTSA_EIGENGAP, STLTSA_VARIANCE};
-const Keys mapping = {STLTSA_MAP_NEIGHBORS, STLTSA_MAP_BLEND};
-const Keys unmapping = {STLTSA_COMPONENT, STLTSA_HINT_WINDOW};
-const Keys threading = {STLTSA_THREADS};
-const Keys denoising = {STLTSA_GAMMA, STLTSA_KNOTS, STLTSA_ROBUST};
-const Keys joining = {STLTSA_CROSSFADE, STLTSA_SEARCH, STLTSA_POSTURE_LIMIT, STLTSA_UP_AXIS};
-const Keys cutting = {STLTSA_PERIOD_MIN, STLTSA_PERIOD_MAX};
+const Keys reading = {STLTSA_OPT_FPS, STLTSA_OPT_SKELETON, STLTSA_OPT_MEMORY_MAP};
+const Keys timing = {STLTSA_OPT_FPS};
+const Keys preparing = {STLTSA_OPT_FEATURES,  STLTSA_OPT_UP_AXIS, STLTSA_OPT_KEEP_START,
+                        STLTSA_OPT_SMOOTHING, STLTSA_OPT_RATE,    STLTSA_OPT_THREADS};
+const Keys choosing = {STLTSA_OPT_NEIGHBORS, STLTSA_OPT_WINDOW,     STLTSA_OPT_DIMENSION,
+                       STLTSA_OPT_MODE,      STLTSA_OPT_PERIOD_MIN, STLTSA_OPT_PERIOD_MAX};
+const Keys graph = {STLTSA_OPT_INCLUDE_SELF, STLTSA_OPT_LINKS, STLTSA_OPT_EXCLUSION};
+const Keys estimating = {STLTSA_OPT_EIGENGAP, STLTSA_OPT_VARIANCE};
+const Keys mapping = {STLTSA_OPT_MAP_NEIGHBORS, STLTSA_OPT_MAP_BLEND};
+const Keys unmapping = {STLTSA_OPT_COMPONENT, STLTSA_OPT_HINT_WINDOW};
+const Keys threading = {STLTSA_OPT_THREADS};
+const Keys denoising = {STLTSA_OPT_GAMMA, STLTSA_OPT_KNOTS, STLTSA_OPT_ROBUST};
+const Keys joining = {STLTSA_OPT_CROSSFADE, STLTSA_OPT_SEARCH, STLTSA_OPT_POSTURE_LIMIT,
+                      STLTSA_OPT_UP_AXIS};
+const Keys cutting = {STLTSA_OPT_PERIOD_MIN, STLTSA_OPT_PERIOD_MAX};
 
 /// Builds the parser; what it reads goes into `to`.
 class Parser {
@@ -314,7 +315,7 @@ void check_arguments(const Arguments& arguments) {
                                                "--json makes it JSON",
                                                arguments.output));
     if (arguments.command == Command::unmap && !arguments.follow &&
-        arguments.options.contains(STLTSA_HINT_WINDOW))
+        arguments.options.contains(STLTSA_OPT_HINT_WINDOW))
         throw Failure(Exit::usage, "--hint-window goes with --follow");
     if (arguments.model == "-" && arguments.input == "-")
         throw Failure(Exit::usage, "standard input (-) is one file: the model or the other");

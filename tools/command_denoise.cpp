@@ -55,8 +55,9 @@ Cleaning clean_columns(Session& session, const stltsa_clip* clip) {
 /// Of what is not fitted here, options of a fit would change nothing.
 void refuse_fit_options(const Arguments& arguments, const char* what,
                         std::initializer_list<std::int32_t> more = {}) {
-    std::vector<std::int32_t> used = {STLTSA_GAMMA,      STLTSA_KNOTS,      STLTSA_ROBUST,
-                                      STLTSA_PERIOD_MIN, STLTSA_PERIOD_MAX, STLTSA_THREADS};
+    std::vector<std::int32_t> used = {STLTSA_OPT_GAMMA,      STLTSA_OPT_KNOTS,
+                                      STLTSA_OPT_ROBUST,     STLTSA_OPT_PERIOD_MIN,
+                                      STLTSA_OPT_PERIOD_MAX, STLTSA_OPT_THREADS};
     used.insert(used.end(), more);
     for (const auto& [key, typed] : arguments.options)
         if (std::ranges::find(used, key) == used.end())
@@ -74,7 +75,7 @@ Cleaning clean(Session& session) {
         return clean_model(session, session.open_model(arguments.input).get());
     }
     if (arguments.coordinates)
-        refuse_fit_options(arguments, "with --coordinates nothing is", {STLTSA_FPS});
+        refuse_fit_options(arguments, "with --coordinates nothing is", {STLTSA_OPT_FPS});
     const stltsa_clip* clip = session.open_input();
     if (arguments.coordinates)
         return clean_columns(session, clip);

@@ -47,7 +47,7 @@ class Unmapper {
     /// sides of a turning point of one coordinate things look the same.
     std::vector<std::int64_t> followed(Mapped& mapped) const {
         std::int64_t reach = 0;
-        check(stltsa_options_get_int(options_, STLTSA_HINT_WINDOW, &reach));
+        check(stltsa_options_get_int(options_, STLTSA_OPT_HINT_WINDOW, &reach));
         const std::int64_t last = whole_of(model_, STLTSA_MODEL_FRAMES) - 1;
         std::vector<std::int64_t> hints(static_cast<std::size_t>(points_.rows), -1);
         std::vector<double> frame(static_cast<std::size_t>(mapped.values.cols));
@@ -92,7 +92,7 @@ Exit run_unmap(const Arguments& arguments) {
     Session session(arguments);
     constexpr std::int64_t step = 2; // rows to and fro that one step may be off
     if (arguments.follow)
-        session.set_default(STLTSA_HINT_WINDOW, step);
+        session.set_default(STLTSA_OPT_HINT_WINDOW, step);
     const Model model = session.open_model(arguments.model);
     const stltsa_clip* input = session.open_input();
     const Grid points = points_of(input);

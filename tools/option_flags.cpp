@@ -43,7 +43,7 @@ bool is_switch(const stltsa_option_info& info) {
 }
 
 bool counts_frames(std::int32_t key) {
-    return key == STLTSA_NEIGHBORS || key == STLTSA_WINDOW || key == STLTSA_EXCLUSION;
+    return key == STLTSA_OPT_NEIGHBORS || key == STLTSA_OPT_WINDOW || key == STLTSA_OPT_EXCLUSION;
 }
 
 /// "temporal=1 spatial=2" to pairs.

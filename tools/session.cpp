@@ -41,7 +41,7 @@ std::string read_stdin() {
 /// Rate of the working samples: what lengths in seconds are counted in.
 double working_rate(const stltsa_clip* clip, const stltsa_options* options) {
     double rate = 0;
-    check(stltsa_options_get_real(options, STLTSA_RATE, &rate));
+    check(stltsa_options_get_real(options, STLTSA_OPT_RATE, &rate));
     const double fps = stltsa_clip_fps(clip);
     return rate > 0 ? fps / std::max(1.0, std::round(fps / rate)) : fps;
 }
@@ -70,7 +70,7 @@ void check_outputs(const Arguments& arguments) {
     std::vector<std::string> taken{arguments.input, arguments.model};
     for (const std::string& piece : arguments.pieces)
         taken.push_back(parse_piece(piece).path);
-    if (const auto skeleton = arguments.options.find(STLTSA_SKELETON);
+    if (const auto skeleton = arguments.options.find(STLTSA_OPT_SKELETON);
         skeleton != arguments.options.end())
         taken.push_back(skeleton->second);
     for (const std::string& path : {arguments.output, arguments.plot, arguments.coords,
@@ -138,7 +138,7 @@ const std::string& Session::standard_input() const {
 }
 
 void Session::set_fps(double fps) {
-    check(stltsa_options_set_real(options_.get(), STLTSA_FPS, fps));
+    check(stltsa_options_set_real(options_.get(), STLTSA_OPT_FPS, fps));
 }
 
 std::string Session::title() const {

@@ -73,7 +73,7 @@ class SourceFrames {
 void estimate_dimension(const SharedMatrix& samples, const capi::OptionsReader& options,
                         stltsa_decomposition& made) {
     ltsa::Parameters parameters = made.result.parameters;
-    const auto asked = static_cast<int>(options.integer(STLTSA_DIMENSION));
+    const auto asked = static_cast<int>(options.integer(STLTSA_OPT_DIMENSION));
     parameters.dimension = asked > 0 ? asked : capi::eigengap_tangent_dimension;
     if (parameters.neighbors < parameters.dimension + 2)
         return;

@@ -17,7 +17,7 @@ using capi::required;
 namespace stltsa::capi {
 
 ltsa::DimensionOptions dimension_options(const OptionsReader& options) {
-    return {options.real(STLTSA_EIGENGAP), options.real(STLTSA_VARIANCE)};
+    return {options.real(STLTSA_OPT_EIGENGAP), options.real(STLTSA_OPT_VARIANCE)};
 }
 
 } // namespace stltsa::capi
@@ -35,8 +35,8 @@ ltsa::Dimension estimate(ConstMatrixView samples, const std::vector<std::int64_t
             throw;
         ltsa::Dimension unknown;
         unknown.parameters = parameters;
-        unknown.threshold = options.real(STLTSA_EIGENGAP);
-        unknown.local_variance = options.real(STLTSA_VARIANCE);
+        unknown.threshold = options.real(STLTSA_OPT_EIGENGAP);
+        unknown.local_variance = options.real(STLTSA_OPT_VARIANCE);
         unknown.eigengap_reason = unknown.local_pca_reason = error.what();
         return unknown;
     }

@@ -133,7 +133,7 @@ stltsa_status stltsa_fit(const stltsa_in* frames, const int64_t* lengths, int64_
         const capi::OptionsReader reader(options);
         auto made = fit_samples(input.view(), capi::clip_lengths(lengths, clips, input.view().rows),
                                 reader, capi::matrix_source(input.view(), reader));
-        if (reader.integer(STLTSA_KEEP_FRAMES) != 0)
+        if (reader.integer(STLTSA_OPT_KEEP_FRAMES) != 0)
             made->kept.frames = copied(input.view());
         *model = made.release();
     });
@@ -147,8 +147,8 @@ stltsa_status stltsa_fit_clip(const stltsa_clip* clip, const stltsa_options* opt
         auto prepared = capi::prepare_clip(required(clip, "clip"), reader);
         auto made = fit_samples(prepared.samples.view(), {prepared.samples.rows()}, reader,
                                 std::move(prepared.source));
-        if (reader.integer(STLTSA_KEEP_FRAMES) != 0) {
-            made->kept.drop_tpose = reader.integer(STLTSA_KEEP_START) == 0;
+        if (reader.integer(STLTSA_OPT_KEEP_FRAMES) != 0) {
+            made->kept.drop_tpose = reader.integer(STLTSA_OPT_KEEP_START) == 0;
             capi::keep_poses(*made, clip->clip);
             made->kept.frames = prepared.samples;
         }

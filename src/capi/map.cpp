@@ -31,11 +31,11 @@ const ltsa::Mapping& mapping_of(const stltsa_model& model) {
 ltsa::MapParameters map_parameters(const stltsa_model& model, const capi::OptionsReader& options) {
     const ltsa::Parameters& fitted = model.model.parameters;
     ltsa::MapParameters p;
-    p.neighbors = options.integer(STLTSA_MAP_NEIGHBORS);
+    p.neighbors = options.integer(STLTSA_OPT_MAP_NEIGHBORS);
     if (p.neighbors == 0)
         p.neighbors = std::max<std::int64_t>(fitted.dimension + 5, 10);
-    p.blend = options.integer(STLTSA_MAP_BLEND);
-    p.hint_window = options.integer(STLTSA_HINT_WINDOW);
+    p.blend = options.integer(STLTSA_OPT_MAP_BLEND);
+    p.hint_window = options.integer(STLTSA_OPT_HINT_WINDOW);
     if (p.hint_window == 0)
         p.hint_window = std::max<std::int64_t>(fitted.neighbors / 5, 1);
     return p;
@@ -129,7 +129,7 @@ Placed map_rows(const stltsa_model& model, ConstMatrixView frames, const HintOf&
 
 std::int64_t component_of(const stltsa_model& model, const capi::OptionsReader& options) {
     const auto count = static_cast<std::int64_t>(model.model.components.size());
-    const std::int64_t component = options.integer(STLTSA_COMPONENT);
+    const std::int64_t component = options.integer(STLTSA_OPT_COMPONENT);
     if (component >= count)
         fail(Status::argument, "option component is {}; the model has {}", component, count);
     if (component < 0 && count > 1)
@@ -141,7 +141,7 @@ std::int64_t component_of(const stltsa_model& model, const capi::OptionsReader& 
 }
 
 double rate_of_points(const stltsa_model& model, const capi::OptionsReader& options) {
-    const double fps = options.real(STLTSA_FPS);
+    const double fps = options.real(STLTSA_OPT_FPS);
     return fps > 0 ? fps : model.source.samples.fps;
 }
 

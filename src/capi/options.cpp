@@ -65,36 +65,36 @@ const char* OptionsReader::text(int32_t key) const {
 }
 
 int OptionsReader::threads() const {
-    return thread_count(integer(STLTSA_THREADS));
+    return thread_count(integer(STLTSA_OPT_THREADS));
 }
 
 clip::ReadOptions OptionsReader::read_options() const {
     clip::ReadOptions read;
-    read.fps = real(STLTSA_FPS);
-    read.skeleton = text(STLTSA_SKELETON);
-    read.memory_map = integer(STLTSA_MEMORY_MAP) != 0;
+    read.fps = real(STLTSA_OPT_FPS);
+    read.skeleton = text(STLTSA_OPT_SKELETON);
+    read.memory_map = integer(STLTSA_OPT_MEMORY_MAP) != 0;
     read.progress = progress();
     return read;
 }
 
 clip::PrepareOptions OptionsReader::prepare_options() const {
     clip::PrepareOptions prepare;
-    prepare.features = static_cast<clip::Features>(integer(STLTSA_FEATURES));
-    prepare.up = static_cast<clip::Axis>(integer(STLTSA_UP_AXIS));
-    prepare.rate = real(STLTSA_RATE);
-    prepare.smoothing = real(STLTSA_SMOOTHING);
-    prepare.drop_tpose = integer(STLTSA_KEEP_START) == 0;
+    prepare.features = static_cast<clip::Features>(integer(STLTSA_OPT_FEATURES));
+    prepare.up = static_cast<clip::Axis>(integer(STLTSA_OPT_UP_AXIS));
+    prepare.rate = real(STLTSA_OPT_RATE);
+    prepare.smoothing = real(STLTSA_OPT_SMOOTHING);
+    prepare.drop_tpose = integer(STLTSA_OPT_KEEP_START) == 0;
     return prepare;
 }
 
 motion::DecomposeOptions OptionsReader::decompose_options() const {
     motion::DecomposeOptions decompose;
-    decompose.neighbors = integer(STLTSA_NEIGHBORS);
-    decompose.window = integer(STLTSA_WINDOW);
-    decompose.dimension = static_cast<int>(integer(STLTSA_DIMENSION));
-    decompose.mode = static_cast<ltsa::Mode>(integer(STLTSA_MODE));
-    decompose.shortest_period = real(STLTSA_PERIOD_MIN);
-    decompose.longest_period = real(STLTSA_PERIOD_MAX);
+    decompose.neighbors = integer(STLTSA_OPT_NEIGHBORS);
+    decompose.window = integer(STLTSA_OPT_WINDOW);
+    decompose.dimension = static_cast<int>(integer(STLTSA_OPT_DIMENSION));
+    decompose.mode = static_cast<ltsa::Mode>(integer(STLTSA_OPT_MODE));
+    decompose.shortest_period = real(STLTSA_OPT_PERIOD_MIN);
+    decompose.longest_period = real(STLTSA_OPT_PERIOD_MAX);
     if (decompose.shortest_period > decompose.longest_period)
         fail(Status::argument, "option period_min is {} s, longer than option period_max, {} s",
              decompose.shortest_period, decompose.longest_period);

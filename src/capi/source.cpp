@@ -18,7 +18,7 @@ char* caller_string(const std::string& text) {
 Source matrix_source(ConstMatrixView frames, const OptionsReader& options) {
     Source source;
     source.samples.count = frames.rows;
-    source.samples.fps = options.real(STLTSA_FPS);
+    source.samples.fps = options.real(STLTSA_OPT_FPS);
     source.samples.feature_count = frames.cols;
     return source;
 }
@@ -82,21 +82,21 @@ std::int64_t choose_neighbors(ConstMatrixView samples, const OptionsReader& opti
 ltsa::Parameters choose_parameters(ConstMatrixView samples, const OptionsReader& options,
                                    int standard_dimension, Source& source) {
     ltsa::Parameters p;
-    const auto dimension = static_cast<int>(options.integer(STLTSA_DIMENSION));
+    const auto dimension = static_cast<int>(options.integer(STLTSA_OPT_DIMENSION));
     p.dimension = dimension > 0 ? dimension : standard_dimension;
-    p.mode = static_cast<ltsa::Mode>(options.integer(STLTSA_MODE));
-    p.include_self = options.integer(STLTSA_INCLUDE_SELF) != 0;
-    p.links = options.integer(STLTSA_LINKS);
+    p.mode = static_cast<ltsa::Mode>(options.integer(STLTSA_OPT_MODE));
+    p.include_self = options.integer(STLTSA_OPT_INCLUDE_SELF) != 0;
+    p.links = options.integer(STLTSA_OPT_LINKS);
     p.threads = options.threads();
-    p.neighbors = options.integer(STLTSA_NEIGHBORS);
+    p.neighbors = options.integer(STLTSA_OPT_NEIGHBORS);
     if (p.neighbors == 0) {
         const std::int64_t wanted = choose_neighbors(samples, options, source);
         // A clip shorter than that is one neighborhood; dimension + 2 is the least that works.
         p.neighbors = std::max<std::int64_t>(std::min(wanted, samples.rows - 1), p.dimension + 2);
     }
-    const std::int64_t window = options.integer(STLTSA_WINDOW);
+    const std::int64_t window = options.integer(STLTSA_OPT_WINDOW);
     p.window = window > 0 ? window : p.neighbors;
-    const std::int64_t exclusion = options.integer(STLTSA_EXCLUSION);
+    const std::int64_t exclusion = options.integer(STLTSA_OPT_EXCLUSION);
     p.exclusion = exclusion > 0 ? exclusion : p.window;
     return p;
 }

@@ -41,8 +41,8 @@ std::vector<capi::PieceFacts> facts_of(const std::vector<synthesis::Piece>& piec
 std::unique_ptr<stltsa_synthesis> synthesize(const std::vector<synthesis::Piece>& pieces,
                                              const capi::OptionsReader& options) {
     auto made = std::make_unique<stltsa_synthesis>();
-    made->options = {options.real(STLTSA_CROSSFADE), options.real(STLTSA_SEARCH),
-                     options.real(STLTSA_POSTURE_LIMIT), options.prepare_options().up};
+    made->options = {options.real(STLTSA_OPT_CROSSFADE), options.real(STLTSA_OPT_SEARCH),
+                     options.real(STLTSA_OPT_POSTURE_LIMIT), options.prepare_options().up};
     made->pieces = facts_of(pieces);
     made->result = synthesis::synthesize(pieces, made->options, options.progress());
     made->clip.clip = std::move(made->result.clip);

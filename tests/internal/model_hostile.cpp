@@ -55,7 +55,7 @@ std::string serialized_model() {
                      STLTSA_OK);
     stltsa_options* options = nullptr;
     assert_int_equal(stltsa_options_new(&options), STLTSA_OK);
-    stltsa_options_set_int(options, STLTSA_NEIGHBORS, 8);
+    stltsa_options_set_int(options, STLTSA_OPT_NEIGHBORS, 8);
     stltsa_model* model = nullptr;
     assert_int_equal(stltsa_fit_clip(clip, options, &model), STLTSA_OK);
     std::string bytes = archived(*model);

@@ -97,7 +97,7 @@ stltsa_status decompose(const std::string& input) {
     char* json = nullptr;
     stltsa_status status = stltsa_options_new(&options);
     if (status == STLTSA_OK)
-        status = stltsa_options_set_real(options, STLTSA_FPS, 30);
+        status = stltsa_options_set_real(options, STLTSA_OPT_FPS, 30);
     if (status == STLTSA_OK)
         status = stltsa_clip_parse(input.data(), input.size(), STLTSA_FORMAT_CSV, options, &clip);
     if (status == STLTSA_OK)
@@ -254,7 +254,7 @@ stltsa_status fit_file(const std::string&) {
     if (status == STLTSA_OK)
         status = stltsa_options_new(&options);
     if (status == STLTSA_OK)
-        status = stltsa_options_set_int(options, STLTSA_MEMORY_MAP, 1);
+        status = stltsa_options_set_int(options, STLTSA_OPT_MEMORY_MAP, 1);
     if (status == STLTSA_OK)
         status = stltsa_clip_open(path.c_str(), options, &clip);
     if (status == STLTSA_OK)
@@ -280,9 +280,9 @@ stltsa_status fit_mode(std::int64_t mode) {
     stltsa_model* model = nullptr;
     stltsa_status status = stltsa_options_new(&options);
     if (status == STLTSA_OK)
-        status = stltsa_options_set_int(options, STLTSA_MODE, mode);
+        status = stltsa_options_set_int(options, STLTSA_OPT_MODE, mode);
     if (status == STLTSA_OK)
-        status = stltsa_options_set_int(options, STLTSA_THREADS, 2);
+        status = stltsa_options_set_int(options, STLTSA_OPT_THREADS, 2);
     if (status == STLTSA_OK)
         status = stltsa_fit(&in, nullptr, 0, options, &model);
     if (status != STLTSA_OK && model != nullptr)
@@ -311,7 +311,7 @@ stltsa_status denoise(const std::string&) {
     char* json = nullptr;
     stltsa_status status = stltsa_options_new(&options);
     if (status == STLTSA_OK)
-        status = stltsa_options_set_real(options, STLTSA_FPS, 30);
+        status = stltsa_options_set_real(options, STLTSA_OPT_FPS, 30);
     if (status == STLTSA_OK)
         status = stltsa_denoise(&in, nullptr, 1, options, &denoising);
     if (status == STLTSA_OK)

@@ -59,10 +59,10 @@ stltsa_out transposed(Table<double>& table) {
 
 Fitted fit(const Frames& frames, std::int32_t mode, std::size_t k, std::size_t w, std::size_t d) {
     const Options options = new_options();
-    set(options, STLTSA_NEIGHBORS, k);
-    set(options, STLTSA_WINDOW, w);
-    set(options, STLTSA_DIMENSION, d);
-    set(options, STLTSA_MODE, static_cast<std::size_t>(mode));
+    set(options, STLTSA_OPT_NEIGHBORS, k);
+    set(options, STLTSA_OPT_WINDOW, w);
+    set(options, STLTSA_OPT_DIMENSION, d);
+    set(options, STLTSA_OPT_MODE, static_cast<std::size_t>(mode));
     const stltsa_in in{frames.values.data(),
                        static_cast<std::int64_t>(frames.rows),
                        static_cast<std::int64_t>(frames.cols),
@@ -94,8 +94,8 @@ Fitted fit(const Frames& frames, std::int32_t mode, std::size_t k, std::size_t w
 Frames euler_features(const std::string& path, const std::string& skeleton) {
     const Options options = new_options();
     if (!skeleton.empty())
-        must(stltsa_options_set_text(options.get(), STLTSA_SKELETON, skeleton.c_str()));
-    set(options, STLTSA_FEATURES, STLTSA_FEATURES_EULER);
+        must(stltsa_options_set_text(options.get(), STLTSA_OPT_SKELETON, skeleton.c_str()));
+    set(options, STLTSA_OPT_FEATURES, STLTSA_FEATURES_EULER);
     stltsa_clip* raw = nullptr;
     must(stltsa_clip_open(path.c_str(), options.get(), &raw));
     const Clip clip(raw);

@@ -71,14 +71,14 @@ static void features_leave_out_place_and_heading(void** state) {
     stltsa_clip* clip = parsed(moved, 0);
     stltsa_options* options = NULL;
     must(stltsa_options_new(&options));
-    must(stltsa_options_set_int(options, STLTSA_UP_AXIS, 2));
+    must(stltsa_options_set_int(options, STLTSA_OPT_UP_AXIS, 2));
     int64_t count = 0;
     must(stltsa_clip_feature_count(clip, options, &count));
     double* x = new_matrix(2, count);
     const stltsa_out out = packed_out(x, 2, count);
     must(stltsa_clip_features(clip, options, &out));
     assert_below(largest_difference(x, x + count, count), 1e-12, "feature of the same pose");
-    must(stltsa_options_set_int(options, STLTSA_FEATURES, STLTSA_FEATURES_RAW));
+    must(stltsa_options_set_int(options, STLTSA_OPT_FEATURES, STLTSA_FEATURES_RAW));
     must(stltsa_clip_feature_count(clip, options, &count));
     assert_int_equal(count, 9);
     free(x);

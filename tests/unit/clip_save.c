@@ -61,7 +61,7 @@ static void what_is_saved_reads_back(void** state) {
         assert_true(stltsa_clip_fps(again) == (i == 2 ? 0 : 120)); /* NPY has no frame rate */
         stltsa_options* raw = NULL;
         must(stltsa_options_new(&raw));
-        must(stltsa_options_set_int(raw, STLTSA_FEATURES, STLTSA_FEATURES_RAW));
+        must(stltsa_options_set_int(raw, STLTSA_OPT_FEATURES, STLTSA_FEATURES_RAW));
         double x[12];
         double y[12];
         const stltsa_out before = packed_out(x, 2, 6);

@@ -98,7 +98,7 @@ static void threads_change_no_bit(void** state) {
     for (int t = 0; t < 2; ++t) {
         stltsa_options* options = NULL;
         must(stltsa_options_new(&options));
-        must(stltsa_options_set_int(options, STLTSA_THREADS, t + 1));
+        must(stltsa_options_set_int(options, STLTSA_OPT_THREADS, t + 1));
         stltsa_decomposition* d = decomposed(clip, options);
         curves[t] = new_curve(d, &count);
         stltsa_decomposition_free(d);
@@ -275,15 +275,15 @@ static void options_that_leave_nothing(void** state) {
     stltsa_decomposition* d = NULL;
     stltsa_options* options = NULL;
     must(stltsa_options_new(&options));
-    must(stltsa_options_set_real(options, STLTSA_PERIOD_MIN, 3));
-    must(stltsa_options_set_real(options, STLTSA_PERIOD_MAX, 1));
+    must(stltsa_options_set_real(options, STLTSA_OPT_PERIOD_MIN, 3));
+    must(stltsa_options_set_real(options, STLTSA_OPT_PERIOD_MAX, 1));
     assert_int_equal(stltsa_decompose(clip, options, &d), STLTSA_E_ARGUMENT);
     assert_non_null(strstr(stltsa_last_error(), "period_min is 3 s"));
     stltsa_options_free(options);
     stltsa_clip_free(clip);
 
     must(stltsa_options_new(&options));
-    must(stltsa_options_set_real(options, STLTSA_FPS, 100000));
+    must(stltsa_options_set_real(options, STLTSA_OPT_FPS, 100000));
     must(stltsa_clip_open(walker_path, options, &clip));
     assert_int_equal(stltsa_decompose(clip, NULL, &d), STLTSA_E_TOO_FEW_FRAMES);
     assert_non_null(strstr(stltsa_last_error(), "at 100000 a second one in 844 is kept"));

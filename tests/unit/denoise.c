@@ -101,7 +101,7 @@ static void options_are_used(void** state) {
     double* y = new_noisy();
     stltsa_options* options = NULL;
     must(stltsa_options_new(&options));
-    must(stltsa_options_set_real(options, STLTSA_GAMMA, 1e9));
+    must(stltsa_options_set_real(options, STLTSA_OPT_GAMMA, 1e9));
     stltsa_denoising* d = denoised(y, options);
     assert_true(real_of(d, STLTSA_DENOISING_GAMMA, 0) == 1e9);
     assert_int_equal(int_of(d, STLTSA_DENOISING_MOVED, 0), 0);
@@ -111,13 +111,13 @@ static void options_are_used(void** state) {
     stltsa_denoising_free(d);
 
     /* Knots 2 s apart at 30 rows a second cannot swing with a cycle of 1.1 s. */
-    must(stltsa_options_set_real(options, STLTSA_FPS, 30));
-    must(stltsa_options_set_real(options, STLTSA_KNOTS, 2));
+    must(stltsa_options_set_real(options, STLTSA_OPT_FPS, 30));
+    must(stltsa_options_set_real(options, STLTSA_OPT_KNOTS, 2));
     d = denoised(y, options);
     assert_true(real_of(d, STLTSA_DENOISING_FREEDOM, 0) < 6);
     stltsa_denoising_free(d);
 
-    must(stltsa_options_set_real(options, STLTSA_KNOTS, 0));
+    must(stltsa_options_set_real(options, STLTSA_OPT_KNOTS, 0));
     d = denoised(y, options);
     char* json = NULL;
     must(stltsa_denoising_json(d, &json));
@@ -138,7 +138,7 @@ static void spikes_are_refused_by_default(void** state) {
         spiked[i * cols] += 20;
     stltsa_options* plain = NULL;
     must(stltsa_options_new(&plain));
-    must(stltsa_options_set_int(plain, STLTSA_ROBUST, 0));
+    must(stltsa_options_set_int(plain, STLTSA_OPT_ROBUST, 0));
     double off[2];
     for (int robust = 0; robust < 2; ++robust) {
         stltsa_denoising* clean = denoised(y, plain);
@@ -236,7 +236,7 @@ static void errors(void** state) {
     in.rows = rows;
     stltsa_options* options = NULL;
     must(stltsa_options_new(&options));
-    assert_int_equal(stltsa_options_set_real(options, STLTSA_GAMMA, -2), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_options_set_real(options, STLTSA_OPT_GAMMA, -2), STLTSA_E_ARGUMENT);
     must(stltsa_options_set_progress(options, cancel, NULL));
     refuses(STLTSA_E_CANCELLED, &in, NULL, 1, options);
     stltsa_options_free(options);

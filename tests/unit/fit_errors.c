@@ -66,7 +66,8 @@ static void the_first_nan_of_a_long_matrix_is_named(void** state) {
     x[299999 * cols] = NAN;
     const stltsa_in in = packed_in(x, many, cols);
     for (int threads = 1; threads <= 4; ++threads) {
-        assert_int_equal(stltsa_options_set_int(f->options, STLTSA_THREADS, threads), STLTSA_OK);
+        assert_int_equal(stltsa_options_set_int(f->options, STLTSA_OPT_THREADS, threads),
+                         STLTSA_OK);
         assert_fails(&in, NULL, 1, f->options, STLTSA_E_NOT_FINITE, "row 184319, column 4 is NaN");
     }
     free(x);
@@ -189,15 +190,15 @@ static void options_out_of_range(void** state) {
     (void)state;
     stltsa_options* options = NULL;
     must(stltsa_options_new(&options));
-    assert_int_equal(stltsa_options_set_int(options, STLTSA_NEIGHBORS, -1), STLTSA_E_ARGUMENT);
-    assert_int_equal(stltsa_options_set_int(options, STLTSA_DIMENSION, -1), STLTSA_E_ARGUMENT);
-    assert_int_equal(stltsa_options_set_int(options, STLTSA_MODE, 9), STLTSA_E_ARGUMENT);
-    assert_int_equal(stltsa_options_set_int(options, STLTSA_FPS, 30), STLTSA_E_ARGUMENT);
-    assert_int_equal(stltsa_options_set_real(options, STLTSA_FPS, NAN), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_options_set_int(options, STLTSA_OPT_NEIGHBORS, -1), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_options_set_int(options, STLTSA_OPT_DIMENSION, -1), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_options_set_int(options, STLTSA_OPT_MODE, 9), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_options_set_int(options, STLTSA_OPT_FPS, 30), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_options_set_real(options, STLTSA_OPT_FPS, NAN), STLTSA_E_ARGUMENT);
     assert_int_equal(stltsa_options_set_int(options, 9999, 1), STLTSA_E_ARGUMENT);
-    assert_int_equal(stltsa_options_set_int(NULL, STLTSA_NEIGHBORS, 12), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_options_set_int(NULL, STLTSA_OPT_NEIGHBORS, 12), STLTSA_E_ARGUMENT);
     int64_t value = -1;
-    must(stltsa_options_get_int(options, STLTSA_NEIGHBORS, &value));
+    must(stltsa_options_get_int(options, STLTSA_OPT_NEIGHBORS, &value));
     assert_int_equal(value, 0);
     stltsa_options_free(options);
 }
@@ -248,7 +249,7 @@ static void neighbors_of_all_frames_are_a_stage(void** state) {
     const struct fixture* f = *state;
     const stltsa_in in = packed_in(f->x, rows, cols);
     stltsa_options* options = new_options(12, 12, 2);
-    must(stltsa_options_set_int(options, STLTSA_MODE, STLTSA_MODE_SPATIAL));
+    must(stltsa_options_set_int(options, STLTSA_OPT_MODE, STLTSA_MODE_SPATIAL));
     struct countdown c = {.calls_left = -1};
     must(stltsa_options_set_progress(options, count_down, &c));
     stltsa_model* model = NULL;

@@ -100,7 +100,7 @@ static void time_backwards_reverses_the_curve(void** state) {
 
 static double* fit_with_threads(const double* x, int64_t threads) {
     stltsa_options* options = new_options(12, 12, d);
-    must(stltsa_options_set_int(options, STLTSA_THREADS, threads));
+    must(stltsa_options_set_int(options, STLTSA_OPT_THREADS, threads));
     return fit_coords_with(options, x, rows, cols);
 }
 
@@ -138,8 +138,8 @@ static void assert_no_more_threads_than(int count) {
 static stltsa_status fit_in_mode(const double* x, int64_t mode, int64_t threads) {
     const stltsa_in in = packed_in(x, rows, cols);
     stltsa_options* options = new_options(24, 24, d);
-    must(stltsa_options_set_int(options, STLTSA_MODE, mode));
-    must(stltsa_options_set_int(options, STLTSA_THREADS, threads));
+    must(stltsa_options_set_int(options, STLTSA_OPT_MODE, mode));
+    must(stltsa_options_set_int(options, STLTSA_OPT_THREADS, threads));
     stltsa_model* model = NULL;
     const stltsa_status status = stltsa_fit(&in, NULL, 1, options, &model);
     stltsa_model_free(model);

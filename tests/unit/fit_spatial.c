@@ -4,7 +4,7 @@
 
 static stltsa_options* new_mode_options(int64_t k, int64_t d, int64_t mode) {
     stltsa_options* options = new_options(k, k, d);
-    must(stltsa_options_set_int(options, STLTSA_MODE, mode));
+    must(stltsa_options_set_int(options, STLTSA_OPT_MODE, mode));
     return options;
 }
 
@@ -82,9 +82,9 @@ static void number_of_threads_changes_no_bit(void** state) {
     double* x = new_motion(rows, cols, 83);
     for (int64_t mode = STLTSA_MODE_SPATIAL; mode <= STLTSA_MODE_RECURRENT; ++mode) {
         stltsa_options* options = new_mode_options(12, d, mode);
-        must(stltsa_options_set_int(options, STLTSA_THREADS, 1));
+        must(stltsa_options_set_int(options, STLTSA_OPT_THREADS, 1));
         stltsa_model* a = fit_mode(x, rows, cols, options);
-        must(stltsa_options_set_int(options, STLTSA_THREADS, 2));
+        must(stltsa_options_set_int(options, STLTSA_OPT_THREADS, 2));
         stltsa_model* b = fit_mode(x, rows, cols, options);
         double* want = new_coords(a);
         double* got = new_coords(b);

@@ -245,7 +245,7 @@ static void ask(const stltsa_model* model, const double* near, const double* poi
                 int64_t threads, int64_t at_once, struct asked* asked) {
     stltsa_options* options = NULL;
     must(stltsa_options_new(&options));
-    must(stltsa_options_set_int(options, STLTSA_THREADS, threads));
+    must(stltsa_options_set_int(options, STLTSA_OPT_THREADS, threads));
     for (int64_t i = 0; i < rows; i += at_once) {
         map(model, near + i * cols, at_once, NULL, options, asked->y + 3 * i, asked->distance + i,
             asked->nearest + i);
@@ -324,7 +324,7 @@ static void hints_tell_to_from_fro(void** state) {
     double* back = new_matrix(rows, cols);
     int64_t hints[rows], nearest[rows];
     stltsa_options* options = new_options(48, 48, 1);
-    must(stltsa_options_set_int(options, STLTSA_HINT_WINDOW, 2));
+    must(stltsa_options_set_int(options, STLTSA_OPT_HINT_WINDOW, 2));
     for (int64_t i = 0; i < rows; ++i)
         hints[i] = i;
     unmap(model, middle, rows - 1, hints, options, back, NULL, nearest);
@@ -369,10 +369,10 @@ static void hints_stay_in_their_window(void** state) {
     double y[2];
     int64_t nearest = -1;
     const int64_t hint = 148;
-    must(stltsa_options_set_int(options, STLTSA_HINT_WINDOW, 10));
+    must(stltsa_options_set_int(options, STLTSA_OPT_HINT_WINDOW, 10));
     map(model, x + 155 * cols, 1, &hint, options, y, NULL, &nearest);
     assert_in_range((uint64_t)nearest, 138, 149);
-    must(stltsa_options_set_int(options, STLTSA_HINT_WINDOW, 3));
+    must(stltsa_options_set_int(options, STLTSA_OPT_HINT_WINDOW, 3));
     map(model, x + 20 * cols, 1, &hint, options, y, NULL, &nearest);
     assert_in_range((uint64_t)nearest, 145, 149);
     map(model, x + 20 * cols, 1, NULL, options, y, NULL, &nearest);
@@ -401,7 +401,7 @@ static void repeated_rows_are_one(void** state) {
         assert_int_equal(nearest[i], i / copies * copies);
     double* between = new_between(once, rows, cols, 1, 0.5);
     stltsa_options* options = new_options(25, 25, 2);
-    must(stltsa_options_set_int(options, STLTSA_HINT_WINDOW, 2));
+    must(stltsa_options_set_int(options, STLTSA_OPT_HINT_WINDOW, 2));
     for (int64_t i = 0; i < rows - 1; ++i) {
         double y[2], distance;
         const int64_t hint = copies * i + 1;
@@ -429,8 +429,8 @@ static void any_number_of_neighbors_and_maps(void** state) {
     const int64_t numbers[][2] = {{1, 1}, {2, 3}, {2147483647, 1}, {3, 2}, {12, 1000}};
     for (int n = 0; n < 5; ++n) {
         stltsa_options* options = new_options(25, 25, 3);
-        must(stltsa_options_set_int(options, STLTSA_MAP_NEIGHBORS, numbers[n][0]));
-        must(stltsa_options_set_int(options, STLTSA_MAP_BLEND, numbers[n][1]));
+        must(stltsa_options_set_int(options, STLTSA_OPT_MAP_NEIGHBORS, numbers[n][0]));
+        must(stltsa_options_set_int(options, STLTSA_OPT_MAP_BLEND, numbers[n][1]));
         double y[9], back[3 * cols];
         map(model, x + 77 * cols, 1, NULL, options, y, NULL, NULL);
         assert_same_bits(y, coords + 3 * 77, 3);

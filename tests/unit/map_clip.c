@@ -14,8 +14,8 @@ static stltsa_clip* opened(void) {
 static stltsa_model* fitted(const stltsa_clip* clip, int64_t features) {
     stltsa_options* options = NULL;
     must(stltsa_options_new(&options));
-    must(stltsa_options_set_int(options, STLTSA_DIMENSION, 3));
-    must(stltsa_options_set_int(options, STLTSA_FEATURES, features));
+    must(stltsa_options_set_int(options, STLTSA_OPT_DIMENSION, 3));
+    must(stltsa_options_set_int(options, STLTSA_OPT_FEATURES, features));
     stltsa_model* model = NULL;
     must(stltsa_fit_clip(clip, options, &model));
     stltsa_options_free(options);
@@ -84,7 +84,7 @@ static void equal_frames_keep_their_own_coordinates(void** state) {
     stltsa_clip* clip = NULL;
     must(stltsa_clip_from_matrix(&in, 30, &clip));
     stltsa_options* options = new_options(12, 12, 3);
-    must(stltsa_options_set_real(options, STLTSA_SMOOTHING, 0));
+    must(stltsa_options_set_real(options, STLTSA_OPT_SMOOTHING, 0));
     stltsa_model* model = NULL;
     must(stltsa_fit_clip(clip, options, &model));
     double* coords = new_coords(model);
@@ -178,7 +178,7 @@ static void poses_have_the_rate_of_the_points(void** state) {
     assert_true(stltsa_clip_fps(untold) == model_real(model, STLTSA_MODEL_FPS));
     stltsa_options* options = NULL;
     must(stltsa_options_new(&options));
-    must(stltsa_options_set_real(options, STLTSA_FPS, stltsa_clip_fps(clip)));
+    must(stltsa_options_set_real(options, STLTSA_OPT_FPS, stltsa_clip_fps(clip)));
     stltsa_clip* told = posed(model, coords, frames, options);
     assert_true(stltsa_clip_fps(told) == stltsa_clip_fps(clip));
     assert_true(stltsa_clip_fps(told) == 4 * stltsa_clip_fps(untold));
@@ -237,7 +237,7 @@ static void frames_are_features_of_the_poses(const stltsa_clip* clip, int64_t fe
     must(stltsa_unmap(model, &in, NULL, NULL, &out, NULL, NULL));
     stltsa_options* options = NULL;
     must(stltsa_options_new(&options));
-    must(stltsa_options_set_int(options, STLTSA_FEATURES, features));
+    must(stltsa_options_set_int(options, STLTSA_OPT_FEATURES, features));
     must(stltsa_clip_features(poses, options, &expected_out));
     assert_below(largest_difference(frames, expected, count * width), 1e-9, "features");
     /* A row does not depend on the others. */
@@ -274,7 +274,7 @@ static void threads_change_nothing(void** state) {
     for (int t = 0; t < 2; ++t) {
         stltsa_options* options = NULL;
         must(stltsa_options_new(&options));
-        must(stltsa_options_set_int(options, STLTSA_THREADS, t + 1));
+        must(stltsa_options_set_int(options, STLTSA_OPT_THREADS, t + 1));
         stltsa_clip* poses = posed(model, points, count, options);
         positions[t] = new_positions(poses);
         stltsa_clip_free(poses);

@@ -177,7 +177,7 @@ static void outputs_must_not_overlap(void** state) {
 static void model_without_frames_cannot_map(void** state) {
     struct fixture* f = *state;
     stltsa_model_free(f->model);
-    must(stltsa_options_set_int(f->options, STLTSA_KEEP_FRAMES, 0));
+    must(stltsa_options_set_int(f->options, STLTSA_OPT_KEEP_FRAMES, 0));
     const stltsa_in in = packed_in(f->x, rows, cols);
     must(stltsa_fit(&in, NULL, 1, f->options, &f->model));
     assert_true(model_real(f->model, STLTSA_MODEL_SUPPORT) == 0);
@@ -195,14 +195,14 @@ static void components_do_not_mix(void** state) {
     assert_int_equal(model_int(f->model, STLTSA_MODEL_COMPONENTS), 2);
     double* coords = new_coords(f->model);
     assert_status(unmap(f, coords, 1, 2, NULL), STLTSA_E_DISCONNECTED, "component");
-    must(stltsa_options_set_int(f->options, STLTSA_COMPONENT, 2));
+    must(stltsa_options_set_int(f->options, STLTSA_OPT_COMPONENT, 2));
     assert_status(unmap(f, coords, 1, 2, NULL), STLTSA_E_ARGUMENT, "component");
     assert_untouched(f);
 
     must(map(f, f->x, rows, cols, NULL)); /* the option is not for this way */
     assert_same_bits(f->y, coords, 2 * rows);
     for (int component = 0; component < 2; ++component) {
-        must(stltsa_options_set_int(f->options, STLTSA_COMPONENT, component));
+        must(stltsa_options_set_int(f->options, STLTSA_OPT_COMPONENT, component));
         must(unmap(f, coords, rows, 2, NULL));
         for (int64_t i = 0; i < rows; ++i)
             assert_true((f->nearest[i] >= 80) == (component == 1));
@@ -232,7 +232,7 @@ static void progress_cancels(void** state) {
     struct fixture* f = *state;
     for (int64_t threads = 1; threads <= 2; ++threads) {
         int calls = 0;
-        must(stltsa_options_set_int(f->options, STLTSA_THREADS, threads));
+        must(stltsa_options_set_int(f->options, STLTSA_OPT_THREADS, threads));
         must(stltsa_options_set_progress(f->options, stop_in_map, &calls));
         const stltsa_status status = map(f, f->x, rows, cols, NULL);
         if (threads == 1) {

@@ -15,7 +15,7 @@ static int set_up(void** state) {
     struct fixture* f = calloc(1, sizeof *f);
     f->x = new_motion(rows, cols, 5);
     stltsa_options* options = new_options(12, 14, d);
-    must(stltsa_options_set_real(options, STLTSA_FPS, 30));
+    must(stltsa_options_set_real(options, STLTSA_OPT_FPS, 30));
     const stltsa_in in = packed_in(f->x, rows, cols);
     const int64_t lengths[2] = {50, 40};
     must(stltsa_fit(&in, lengths, 2, options, &f->model));
@@ -63,7 +63,7 @@ static double* new_round_trip(const stltsa_model* model, const double* x) {
     must(stltsa_map(model, &frames, NULL, NULL, &coords, NULL, NULL));
     stltsa_options* options = NULL;
     must(stltsa_options_new(&options));
-    must(stltsa_options_set_int(options, STLTSA_COMPONENT, 1));
+    must(stltsa_options_set_int(options, STLTSA_OPT_COMPONENT, 1));
     const stltsa_in points = {result, rows, d, coords.row_stride, coords.col_stride, STLTSA_F64, 0};
     stltsa_out back = coords;
     back.data = result + d;

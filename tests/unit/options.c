@@ -12,7 +12,7 @@ static stltsa_option_info describe(int64_t index) {
 
 static void every_option_is_described_and_holds_its_default(void** state) {
     (void)state;
-    assert_int_equal(stltsa_option_count(), STLTSA_MEMORY_MAP);
+    assert_int_equal(stltsa_option_count(), STLTSA_OPT_MEMORY_MAP);
     for (int64_t i = 0; i < stltsa_option_count(); ++i) {
         const stltsa_option_info info = describe(i);
         assert_int_equal(info.key, i + 1);
@@ -43,13 +43,13 @@ static void values_come_back_and_texts_are_copied(void** state) {
     int64_t whole = 0;
     double real = 0;
     must(stltsa_options_new(&options));
-    must(stltsa_options_set_int(options, STLTSA_WINDOW, 77));
-    must(stltsa_options_set_real(options, STLTSA_SMOOTHING, 0.25));
-    must(stltsa_options_set_text(options, STLTSA_SKELETON, path));
+    must(stltsa_options_set_int(options, STLTSA_OPT_WINDOW, 77));
+    must(stltsa_options_set_real(options, STLTSA_OPT_SMOOTHING, 0.25));
+    must(stltsa_options_set_text(options, STLTSA_OPT_SKELETON, path));
     path[0] = 'X';
-    must(stltsa_options_get_int(options, STLTSA_WINDOW, &whole));
-    must(stltsa_options_get_real(options, STLTSA_SMOOTHING, &real));
-    must(stltsa_options_get_text(options, STLTSA_SKELETON, &text));
+    must(stltsa_options_get_int(options, STLTSA_OPT_WINDOW, &whole));
+    must(stltsa_options_get_real(options, STLTSA_OPT_SMOOTHING, &real));
+    must(stltsa_options_get_text(options, STLTSA_OPT_SKELETON, &text));
     assert_int_equal(whole, 77);
     assert_true(real == 0.25);
     assert_string_equal(text, "skeleton.asf");
@@ -76,7 +76,7 @@ static void ranges_types_and_keys_are_checked(void** state) {
             assert_non_null(strstr(stltsa_last_error(), info.name));
         }
     }
-    const int32_t chosen[] = {STLTSA_GAMMA, STLTSA_CROSSFADE, STLTSA_SEARCH};
+    const int32_t chosen[] = {STLTSA_OPT_GAMMA, STLTSA_OPT_CROSSFADE, STLTSA_OPT_SEARCH};
     for (int c = 0; c < 3; ++c) { /* -1 is a word, not a number */
         must(stltsa_options_set_real(options, chosen[c], -1));
         assert_int_equal(stltsa_options_set_real(options, chosen[c], -0.5), STLTSA_E_ARGUMENT);
@@ -85,12 +85,13 @@ static void ranges_types_and_keys_are_checked(void** state) {
     }
     assert_int_equal(stltsa_options_set_int(options, 0, 1), STLTSA_E_ARGUMENT);
     assert_int_equal(stltsa_options_set_int(options, 10000, 1), STLTSA_E_ARGUMENT);
-    assert_int_equal(stltsa_options_set_int(options, STLTSA_SMOOTHING, 1), STLTSA_E_ARGUMENT);
-    assert_int_equal(stltsa_options_set_real(options, STLTSA_WINDOW, 1), STLTSA_E_ARGUMENT);
-    assert_int_equal(stltsa_options_set_text(options, STLTSA_WINDOW, "1"), STLTSA_E_ARGUMENT);
-    assert_int_equal(stltsa_options_set_text(options, STLTSA_SKELETON, NULL), STLTSA_E_ARGUMENT);
-    assert_int_equal(stltsa_options_set_int(NULL, STLTSA_WINDOW, 1), STLTSA_E_ARGUMENT);
-    assert_int_equal(stltsa_options_get_int(options, STLTSA_WINDOW, NULL), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_options_set_int(options, STLTSA_OPT_SMOOTHING, 1), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_options_set_real(options, STLTSA_OPT_WINDOW, 1), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_options_set_text(options, STLTSA_OPT_WINDOW, "1"), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_options_set_text(options, STLTSA_OPT_SKELETON, NULL),
+                     STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_options_set_int(NULL, STLTSA_OPT_WINDOW, 1), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_options_get_int(options, STLTSA_OPT_WINDOW, NULL), STLTSA_E_ARGUMENT);
     assert_int_equal(stltsa_options_get_int(options, 10000, &value), STLTSA_E_ARGUMENT);
     assert_int_equal(value, 5);
     assert_int_equal(stltsa_options_new(NULL), STLTSA_E_ARGUMENT);

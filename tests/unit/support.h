@@ -107,10 +107,10 @@ static inline stltsa_out packed_out(double* x, int64_t rows, int64_t cols) {
 static inline stltsa_options* new_options(int64_t k, int64_t w, int64_t d) {
     stltsa_options* options = NULL;
     must(stltsa_options_new(&options));
-    must(stltsa_options_set_int(options, STLTSA_NEIGHBORS, k));
-    must(stltsa_options_set_int(options, STLTSA_WINDOW, w));
-    must(stltsa_options_set_int(options, STLTSA_DIMENSION, d));
-    must(stltsa_options_set_int(options, STLTSA_MODE, STLTSA_MODE_TEMPORAL));
+    must(stltsa_options_set_int(options, STLTSA_OPT_NEIGHBORS, k));
+    must(stltsa_options_set_int(options, STLTSA_OPT_WINDOW, w));
+    must(stltsa_options_set_int(options, STLTSA_OPT_DIMENSION, d));
+    must(stltsa_options_set_int(options, STLTSA_OPT_MODE, STLTSA_MODE_TEMPORAL));
     return options;
 }
 

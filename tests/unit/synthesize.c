@@ -87,7 +87,7 @@ static void seams_are_measured_by_the_livelier_piece(void** state) {
     struct figure standing = usual_figure;
     standing.still = 1;
     stltsa_clip *still = new_figure(standing), *walk = new_figure(usual_figure);
-    stltsa_options* options = with(STLTSA_POSTURE_LIMIT, 0);
+    stltsa_options* options = with(STLTSA_OPT_POSTURE_LIMIT, 0);
     for (int order = 0; order < 2; ++order) {
         const stltsa_piece rest = {still, 100, 300, 1, 0}, way = {walk, 100, 400, 1, 0};
         const stltsa_piece pieces[] = {order ? way : rest, order ? rest : way};
@@ -133,9 +133,9 @@ static void other_rates_are_resampled(void** state) {
 static void no_search_cuts_where_the_pieces_end(void** state) {
     (void)state;
     stltsa_clip* clip = new_figure(usual_figure);
-    stltsa_options* options = with(STLTSA_SEARCH, 0);
-    must(stltsa_options_set_real(options, STLTSA_CROSSFADE, 0.05));
-    must(stltsa_options_set_real(options, STLTSA_POSTURE_LIMIT, 0));
+    stltsa_options* options = with(STLTSA_OPT_SEARCH, 0);
+    must(stltsa_options_set_real(options, STLTSA_OPT_CROSSFADE, 0.05));
+    must(stltsa_options_set_real(options, STLTSA_OPT_POSTURE_LIMIT, 0));
     const stltsa_piece pieces[] = {{clip, 20, 300, 1, 0}, {clip, 100, 400, 2, 0}};
     stltsa_synthesis* s = made(pieces, 2, options);
     const stltsa_seam join = seam_of(s, 0), loop = seam_of(s, 1);
@@ -151,7 +151,7 @@ static void no_search_cuts_where_the_pieces_end(void** state) {
 static void where_the_clip_ends_nothing_is_blended(void** state) {
     (void)state;
     stltsa_clip* clip = new_figure(usual_figure);
-    stltsa_options* options = with(STLTSA_SEARCH, 0);
+    stltsa_options* options = with(STLTSA_OPT_SEARCH, 0);
     const stltsa_piece piece = {clip, 0, 480, 2, 0};
     stltsa_synthesis* s = made(&piece, 1, options);
     assert_int_equal(seam_of(s, 0).crossfade, 0);
@@ -165,7 +165,7 @@ static void where_the_clip_ends_nothing_is_blended(void** state) {
     free(x);
     stltsa_synthesis_free(s);
     /* No crossfade wanted, none missed. */
-    must(stltsa_options_set_real(options, STLTSA_CROSSFADE, 0));
+    must(stltsa_options_set_real(options, STLTSA_OPT_CROSSFADE, 0));
     s = made(&piece, 1, options);
     assert_false(has_warning(s, "blended"));
     stltsa_synthesis_free(s);
@@ -176,9 +176,9 @@ static void where_the_clip_ends_nothing_is_blended(void** state) {
 static void short_pieces_keep_half_their_length(void** state) {
     (void)state;
     stltsa_clip* clip = new_figure(usual_figure);
-    stltsa_options* options = with(STLTSA_POSTURE_LIMIT, 0);
-    must(stltsa_options_set_real(options, STLTSA_SEARCH, 3));
-    must(stltsa_options_set_real(options, STLTSA_CROSSFADE, 3));
+    stltsa_options* options = with(STLTSA_OPT_POSTURE_LIMIT, 0);
+    must(stltsa_options_set_real(options, STLTSA_OPT_SEARCH, 3));
+    must(stltsa_options_set_real(options, STLTSA_OPT_CROSSFADE, 3));
     const int64_t lengths[] = {1, 2, 3, 5, 8, 40};
     for (int l = 0; l < 6; ++l) {
         const int64_t length = lengths[l];

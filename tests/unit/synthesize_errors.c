@@ -62,7 +62,7 @@ static void no_common_posture_is_refused(void** state) {
     const stltsa_piece pieces[] = {{raised, 0, 300, 1, 0}, {hanging, 0, 300, 1, 0}};
     stltsa_synthesis* s = NULL;
     assert_int_equal(stltsa_synthesize(pieces, 2, NULL, &s), STLTSA_E_NO_COMMON_POSTURE);
-    stltsa_options* options = with(STLTSA_POSTURE_LIMIT, 0);
+    stltsa_options* options = with(STLTSA_OPT_POSTURE_LIMIT, 0);
     s = made(pieces, 2, options);
     const stltsa_seam seam = seam_of(s, 0);
     assert_true(isfinite(seam.posture) && isfinite(seam.step) && isfinite(seam.acceleration));

@@ -104,7 +104,7 @@ static void half_a_cycle_too_much_is_refused(void** state) {
     assert_null(s);
     assert_non_null(strstr(stltsa_last_error(), "pieces[0]"));
     assert_non_null(strstr(stltsa_last_error(), "seam at frame"));
-    stltsa_options* options = with(STLTSA_POSTURE_LIMIT, 0);
+    stltsa_options* options = with(STLTSA_OPT_POSTURE_LIMIT, 0);
     s = made(&piece, 1, options);
     assert_true(seam_of(s, 0).posture > 3);
     assert_true(has_warning(s, "times as far apart"));
@@ -119,7 +119,7 @@ static void warnings_are_given_once(void** state) {
     stltsa_clip* clip = opened();
     const stltsa_interval cycle = middle_cycle(clip);
     const int64_t half = (cycle.end - cycle.begin) / 2;
-    stltsa_options* options = with(STLTSA_POSTURE_LIMIT, 0);
+    stltsa_options* options = with(STLTSA_OPT_POSTURE_LIMIT, 0);
     stltsa_piece piece = {clip, cycle.begin, cycle.end + half, 2, 0};
     stltsa_synthesis* s = made(&piece, 1, options);
     const int64_t count = stltsa_synthesis_warning_count(s);

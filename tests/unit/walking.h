@@ -19,7 +19,7 @@ static inline stltsa_clip* opened(void) {
 static inline double* new_channels(const stltsa_clip* clip) {
     stltsa_options* options = NULL;
     must(stltsa_options_new(&options));
-    must(stltsa_options_set_int(options, STLTSA_FEATURES, STLTSA_FEATURES_RAW));
+    must(stltsa_options_set_int(options, STLTSA_OPT_FEATURES, STLTSA_FEATURES_RAW));
     const int64_t rows = stltsa_clip_frames(clip), cols = stltsa_clip_channels(clip);
     double* values = new_matrix(rows, cols);
     const stltsa_out out = packed_out(values, rows, cols);
