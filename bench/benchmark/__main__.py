@@ -6,7 +6,6 @@ import json
 import sys
 from pathlib import Path
 
-import bounds
 import claims
 import machine
 import pages
@@ -42,8 +41,7 @@ def measured(args, folder):
     versions = machine.peers()
     sizes = plan.SIZES + ((plan.MILLION,) if args.million else ())
     motion, frames = plan.make_frames(laboratory, args.data, sizes[-1])
-    result = {"machine": args.machine, "versions": versions,
-              "peaks": laboratory.program("bench/machine_peaks")}
+    result = {"machine": args.machine, "versions": versions}
     peers = list(versions)
     result["comparison"] = plan.measure_comparison(laboratory, frames, peers, args.rounds)
     result["angles"] = plan.measure_angles(laboratory, frames, peers)
@@ -52,23 +50,13 @@ def measured(args, folder):
     return result
 
 
-def judge(result):
-    """What follows from what was measured."""
-    result["stages"] = [row for fit in result["neighbors"] if fit["threads"] == 1
-                        and "failed" not in fit
-                        for row in bounds.stage_bounds(fit, result["peaks"])]
-    result["claims"] = claims.claims_of(result)
-
-
 def show(result):
     for title, rows in (("The comparison", texts.comparison), ("Angles", texts.angles),
-                        ("Growth", texts.growth), ("Stages and their bounds", texts.stages),
+                        ("Growth", texts.growth), ("Stages", texts.stages),
                         ("Claims", texts.claims)):
         print(f"\n{title}\n")
         if rows is texts.comparison:
             print(pages.where(result) + "\n")
-        if rows is texts.stages:
-            print(texts.peaks(result) + "\n")
         print("\n".join(texts.plain(rows(result))))
 
 
@@ -78,13 +66,13 @@ def main():
     folder.mkdir(exist_ok=True)
     path = folder / "benchmark.json"
     result = json.loads(path.read_text()) if args.redraw else measured(args, folder)
-    judge(result)
+    result["claims"] = claims.claims_of(result)
     path.write_text(json.dumps(result, indent=1) + "\n")
     show(result)
-    figures = plots.save_figures(result, folder)
-    print(f"\nall of it: {path}; figures: {', '.join(str(figure) for figure in figures)}")
+    figure = plots.save_figure(result, folder)
+    print(f"\nResult: {path}; figure: {figure}")
     if args.update_docs:
-        pages.update(ROOT, result, figures)
+        pages.update(ROOT, result, figure)
     return 0 if all(claim["holds"] for claim in result["claims"]) else 1
 
 

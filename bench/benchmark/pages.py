@@ -7,7 +7,7 @@ import textwrap
 
 import texts
 
-QUIET = 0.95  # of a processor, that a fit gets where nothing else runs
+QUIET = 0.95  # share of a processor that a fit gets on an idle machine
 
 
 def between_markers(text, name, content):
@@ -21,14 +21,14 @@ def between_markers(text, name, content):
 
 
 def busy(result):
-    """A warning where fits had to wait for a processor."""
+    """A warning if fits had to wait for a processor."""
     rows = [row for row in result["comparison"].values()
             if "failed" not in row and row["threads"] == 1]
     share = sum(row["processor"] for row in rows) / sum(row["seconds"] for row in rows)
     if share > QUIET:
         return ""
-    return (f" The machine had other work: fits had {100 * share:.0f} % of a processor, so seconds "
-            "are too many.")
+    return (f" The machine was busy: fits had {100 * share:.0f} % of a processor, so the seconds "
+            "are too high.")
 
 
 def where(result):
@@ -37,13 +37,12 @@ def where(result):
     versions = ", ".join(f"{name} {version}" for name, version in result["versions"].items())
     text = (f"{frames['n']} {frames['frames']} frames of {frames['features']} features "
             f"({frames['input'] / 1e6:.1f} MB), two coordinates; {result['machine']}; one thread "
-            f"where nothing else is said; {versions}. Seconds are the median, and the least and "
-            "the most, of the runs, each in a process of its own, without brackets of a single "
-            "one; memory is what a first fit needs beyond the frames.")
+            f"unless the row says otherwise; {versions}. Seconds: median (minimum–maximum) of "
+            "runs in separate processes; a value without a range is a single run.")
     return textwrap.fill(text + busy(result), 100)
 
 
-def update(root, result, figures):
+def update(root, result, figure):
     table = {name: "\n".join(texts.markdown(getattr(texts, name)(result)))
              for name in ("comparison", "claims", "angles", "growth", "stages")}
     parts = {
@@ -51,12 +50,11 @@ def update(root, result, figures):
         root / "docs/benchmark.md": {
             "comparison": f"{where(result)}\n\n{table['comparison']}", "claims": table["claims"],
             "angles": table["angles"], "growth": table["growth"],
-            "stages": f"{textwrap.fill(texts.peaks(result), 100)}\n\n{table['stages']}"},
+            "stages": table["stages"]},
     }
     for path, contents in parts.items():
         text = path.read_text(encoding="utf-8")
         for name, content in contents.items():
             text = between_markers(text, name, content)
         path.write_text(text, encoding="utf-8")
-    for figure in figures:
-        shutil.copy(figure, root / "docs")
+    shutil.copy(figure, root / "docs")

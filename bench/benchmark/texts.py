@@ -3,7 +3,7 @@
 
 import re
 
-SPEAKING = {"temporal": "in time, k = w", "spatial": "of all frames, k"}
+SPEAKING = {"temporal": "temporal, k = w", "spatial": "all frames, k"}
 
 
 def seconds(row):
@@ -44,11 +44,11 @@ def outcome(row, pieces):
 
 
 def comparison(result):
-    """The fits of the comparison, ours first; times against the quickest."""
+    """The fits of the comparison, ours first; times relative to the first row."""
     rows = list(result["comparison"].values())
     base = rows[0]["seconds"]
     pieces = any(in_pieces(row) for row in rows)
-    yield ["program", "neighbors", "seconds", "times the first", "memory, MB", ""]
+    yield ["program", "neighbors", "seconds", "relative time", "memory beyond the frames, MB", "note"]
     for row in rows:
         times = row["seconds"] / base
         shown = "–" if "failed" in row else f"{times:.1f}" if times < 10 else f"{times:.0f}"
@@ -57,7 +57,7 @@ def comparison(result):
 
 
 def claims(result):
-    yield ["claim", "measured", "limit", ""]
+    yield ["claim", "measured", "limit", "result"]
     for claim in result["claims"]:
         small = claim["value"] < 1e-3
         spread = claim["spread"]
@@ -71,7 +71,7 @@ def claims(result):
 
 
 def angles(result):
-    yield ["program", "neighbors", "frames", "to", "angle"]
+    yield ["program", "neighbors", "frames", "compared with", "angle, rad"]
     for row in result["angles"]:
         to = "exact embedding" if row["to"] == "exact" else row["to"]
         yield [row["program"], f"{SPEAKING[row['mode']]} = {row['k']}", f"{row['n']}", to,
@@ -79,7 +79,8 @@ def angles(result):
 
 
 def growth(result):
-    yield ["program", "neighbors", "frames", "seconds", "µs a frame", "frames, MB", "memory, MB"]
+    yield ["program", "neighbors", "frames", "seconds", "µs per frame", "frames, MB",
+           "memory beyond the frames, MB"]
     rows = result["growth"]
     for row in rows + [row for row in result["neighbors"] if row not in rows]:
         each = "–" if "failed" in row else f"{1e6 * row['seconds'] / row['n']:.2f}"
@@ -89,29 +90,12 @@ def growth(result):
 
 
 def stages(result):
-    yield ["k = w", "stage", "measured, µs a frame", "arithmetic, µs", "memory, µs", "latency, µs",
-           "largest", "share"]
-    for row in result["stages"]:
-        def each(value, n=row["n"]):
-            return f"{1e6 * value / n:.3f}"
-
-        yield [f"{row['k']}", row["stage"], each(row["seconds"]),
-               *(each(value) for value in row["limits"].values()), row["kind"],
-               f"{100 * row['bound'] / row['seconds']:.0f} %"]
-
-
-def peaks(result):
-    found = result["peaks"]
-    streams = ", ".join(f"{stream['rate'] / 1e9:.0f} GB/s over {size(stream['size'])}"
-                        for stream in found["streams"])
-    return (f"One core: {found['fused'] / 1e9:.0f} GFlop/s of fused multiply-adds in registers of "
-            f"{found['bits']} bits ({found['separate'] / 1e9:.0f} as separate multiplications and "
-            f"additions), a stream of {streams}, {found['addition'] * 1e9:.2f} ns from addition to "
-            f"addition and {found['step'] * 1e9:.2f} ns from step to step of a triangular solve.")
-
-
-def size(count):
-    return f"{count // 2 ** 20} MiB" if count >= 2 ** 20 else f"{count // 2 ** 10} KiB"
+    """Time of each stage of a fit on one thread, by the number of neighbors."""
+    yield ["k = w", "stage", "µs per frame"]
+    for fit in result["neighbors"]:
+        if fit["threads"] == 1 and "failed" not in fit:
+            for name, value in fit["stages"].items():
+                yield [f"{fit['k']}", name, f"{1e6 * value / fit['n']:.3f}"]
 
 
 def plain(rows):
