@@ -46,7 +46,7 @@ def update(root, result, figure):
     table = {name: "\n".join(texts.markdown(getattr(texts, name)(result)))
              for name in ("comparison", "claims", "angles", "growth", "stages")}
     parts = {
-        root / "README.md": {"comparison": f"{table['comparison']}\n\n{where(result)}"},
+        root / "README.md": {"summary": textwrap.fill(texts.summary(result), 100)},
         root / "docs/benchmark.md": {
             "comparison": f"{where(result)}\n\n{table['comparison']}", "claims": table["claims"],
             "angles": table["angles"], "growth": table["growth"],

@@ -56,6 +56,24 @@ def comparison(result):
                memory(row), outcome(row, pieces)]
 
 
+def summary(result):
+    """Sentences for the README: the same task as scikit-learn's and tapkee's, and our own."""
+    fits = result["comparison"]
+    ours, own = fits["all"], fits["temporal"]
+    angle = {row["program"]: row["angle"] for row in result["angles"] if row["to"] == "stltsa"}
+    peers = [f"{1e3 * ours['seconds']:.0f} ms"]
+    for key in ("sklearn", "tapkee"):
+        if key in fits and "failed" not in fits[key]:
+            row = fits[key]
+            peers.append(f"{row['program']} {row['seconds']:.1f} s "
+                         f"({row['seconds'] / ours['seconds']:.0f} times as long; the angle between "
+                         f"the embeddings is {angle[row['program']]:.0e})")
+    return (f"For {ours['n']} frames of {ours['features']} features with {ours['k']} neighbors, one "
+            f"thread, this takes {', '.join(peers)}. A temporal fit of the same frames with "
+            f"{own['k']} neighbors takes {1e3 * own['seconds']:.0f} ms. `scripts/benchmark` measures "
+            "this; [docs/benchmark.md](docs/benchmark.md) has the rest.")
+
+
 def claims(result):
     yield ["claim", "measured", "limit", "result"]
     for claim in result["claims"]:
