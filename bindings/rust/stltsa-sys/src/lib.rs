@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-//! Declarations of libstltsa's C interface, one for each of `stltsa.h`, names unchanged.
+//! Declarations of libstltsa's C interface, as bindgen reads them from `stltsa.h`, names unchanged.
 //!
 //! The header's comments are the reference manual: what each function takes, who owns what, which
 //! errors there are, what threads may do. The crate `stltsa` is the safe interface above this one.
@@ -8,10 +8,6 @@
 //! declarations may return values that they do not know.
 #![allow(non_camel_case_types)]
 
-mod constants;
-mod functions;
-mod types;
+mod declarations;
 
-pub use constants::*;
-pub use functions::*;
-pub use types::*;
+pub use declarations::*;

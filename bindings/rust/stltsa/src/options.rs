@@ -251,7 +251,7 @@ fn describe(index: i64) -> Option<OptionInfo> {
     let mut row = sys::stltsa_option_info {
         size: size_of::<sys::stltsa_option_info>(),
         key: 0,
-        r#type: 0,
+        type_: 0,
         name: none,
         text: none,
         choices: none,
@@ -267,7 +267,7 @@ fn describe(index: i64) -> Option<OptionInfo> {
             name: text(row.name),
             text: text(row.text),
             choices: if row.choices.is_null() { None } else { Some(text(row.choices)) },
-            range: (row.r#type != sys::STLTSA_TYPE_TEXT).then_some(row.minimum..=row.maximum),
+            range: (row.type_ != sys::STLTSA_TYPE_TEXT).then_some(row.minimum..=row.maximum),
             standard: row.standard,
         })
     }

@@ -1,0 +1,1375 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Made by scripts/generate-bindings: do not edit.
+pub const STLTSA_VERSION_MAJOR: i32 = 0;
+pub const STLTSA_VERSION_MINOR: i32 = 1;
+pub const STLTSA_VERSION_PATCH: i32 = 0;
+pub type stltsa_status = i32;
+pub const STLTSA_OK: i32 = 0;
+pub const STLTSA_E_ARGUMENT: i32 = -1;
+pub const STLTSA_E_SHAPE: i32 = -2;
+pub const STLTSA_E_NOT_FINITE: i32 = -3;
+pub const STLTSA_E_TOO_FEW_FRAMES: i32 = -4;
+pub const STLTSA_E_NO_MEMORY: i32 = -5;
+pub const STLTSA_E_IO: i32 = -6;
+pub const STLTSA_E_FORMAT: i32 = -7;
+pub const STLTSA_E_DISCONNECTED: i32 = -8;
+pub const STLTSA_E_DEGENERATE: i32 = -9;
+pub const STLTSA_E_NOT_CONVERGED: i32 = -10;
+pub const STLTSA_E_CANCELLED: i32 = -11;
+pub const STLTSA_E_UNSUPPORTED: i32 = -12;
+pub const STLTSA_E_INTERNAL: i32 = -13;
+pub const STLTSA_E_NO_COMMON_POSTURE: i32 = -14;
+extern "C" {
+    pub fn stltsa_status_name(status: stltsa_status) -> *const ::std::os::raw::c_char;
+}
+extern "C" {
+    pub fn stltsa_last_error() -> *const ::std::os::raw::c_char;
+}
+extern "C" {
+    pub fn stltsa_version() -> *const ::std::os::raw::c_char;
+}
+pub const STLTSA_F32: i32 = 1;
+pub const STLTSA_F64: i32 = 2;
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct stltsa_in {
+    pub data: *const ::std::os::raw::c_void,
+    pub rows: i64,
+    pub cols: i64,
+    pub row_stride: i64,
+    pub col_stride: i64,
+    pub dtype: i32,
+    pub reserved: i32,
+}
+#[test]
+fn bindgen_test_layout_stltsa_in() {
+    assert_eq!(
+        ::std::mem::size_of::<stltsa_in>(),
+        48usize,
+        concat!("Size of: ", stringify!(stltsa_in))
+    );
+    assert_eq!(
+        ::std::mem::align_of::<stltsa_in>(),
+        8usize,
+        concat!("Alignment of ", stringify!(stltsa_in))
+    );
+    fn test_field_data() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_in>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).data) as usize - ptr as usize
+            },
+            0usize,
+            concat!("Offset of field: ", stringify!(stltsa_in), "::", stringify!(data))
+        );
+    }
+    test_field_data();
+    fn test_field_rows() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_in>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).rows) as usize - ptr as usize
+            },
+            8usize,
+            concat!("Offset of field: ", stringify!(stltsa_in), "::", stringify!(rows))
+        );
+    }
+    test_field_rows();
+    fn test_field_cols() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_in>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).cols) as usize - ptr as usize
+            },
+            16usize,
+            concat!("Offset of field: ", stringify!(stltsa_in), "::", stringify!(cols))
+        );
+    }
+    test_field_cols();
+    fn test_field_row_stride() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_in>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).row_stride) as usize - ptr as usize
+            },
+            24usize,
+            concat!("Offset of field: ", stringify!(stltsa_in), "::", stringify!(row_stride))
+        );
+    }
+    test_field_row_stride();
+    fn test_field_col_stride() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_in>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).col_stride) as usize - ptr as usize
+            },
+            32usize,
+            concat!("Offset of field: ", stringify!(stltsa_in), "::", stringify!(col_stride))
+        );
+    }
+    test_field_col_stride();
+    fn test_field_dtype() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_in>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).dtype) as usize - ptr as usize
+            },
+            40usize,
+            concat!("Offset of field: ", stringify!(stltsa_in), "::", stringify!(dtype))
+        );
+    }
+    test_field_dtype();
+    fn test_field_reserved() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_in>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).reserved) as usize - ptr as usize
+            },
+            44usize,
+            concat!("Offset of field: ", stringify!(stltsa_in), "::", stringify!(reserved))
+        );
+    }
+    test_field_reserved();
+}
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct stltsa_out {
+    pub data: *mut ::std::os::raw::c_void,
+    pub rows: i64,
+    pub cols: i64,
+    pub row_stride: i64,
+    pub col_stride: i64,
+    pub dtype: i32,
+    pub reserved: i32,
+}
+#[test]
+fn bindgen_test_layout_stltsa_out() {
+    assert_eq!(
+        ::std::mem::size_of::<stltsa_out>(),
+        48usize,
+        concat!("Size of: ", stringify!(stltsa_out))
+    );
+    assert_eq!(
+        ::std::mem::align_of::<stltsa_out>(),
+        8usize,
+        concat!("Alignment of ", stringify!(stltsa_out))
+    );
+    fn test_field_data() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_out>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).data) as usize - ptr as usize
+            },
+            0usize,
+            concat!("Offset of field: ", stringify!(stltsa_out), "::", stringify!(data))
+        );
+    }
+    test_field_data();
+    fn test_field_rows() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_out>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).rows) as usize - ptr as usize
+            },
+            8usize,
+            concat!("Offset of field: ", stringify!(stltsa_out), "::", stringify!(rows))
+        );
+    }
+    test_field_rows();
+    fn test_field_cols() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_out>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).cols) as usize - ptr as usize
+            },
+            16usize,
+            concat!("Offset of field: ", stringify!(stltsa_out), "::", stringify!(cols))
+        );
+    }
+    test_field_cols();
+    fn test_field_row_stride() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_out>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).row_stride) as usize - ptr as usize
+            },
+            24usize,
+            concat!("Offset of field: ", stringify!(stltsa_out), "::", stringify!(row_stride))
+        );
+    }
+    test_field_row_stride();
+    fn test_field_col_stride() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_out>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).col_stride) as usize - ptr as usize
+            },
+            32usize,
+            concat!("Offset of field: ", stringify!(stltsa_out), "::", stringify!(col_stride))
+        );
+    }
+    test_field_col_stride();
+    fn test_field_dtype() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_out>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).dtype) as usize - ptr as usize
+            },
+            40usize,
+            concat!("Offset of field: ", stringify!(stltsa_out), "::", stringify!(dtype))
+        );
+    }
+    test_field_dtype();
+    fn test_field_reserved() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_out>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).reserved) as usize - ptr as usize
+            },
+            44usize,
+            concat!("Offset of field: ", stringify!(stltsa_out), "::", stringify!(reserved))
+        );
+    }
+    test_field_reserved();
+}
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct stltsa_options {
+    _unused: [u8; 0],
+}
+pub const STLTSA_OPT_NEIGHBORS: i32 = 1;
+pub const STLTSA_OPT_WINDOW: i32 = 2;
+pub const STLTSA_OPT_DIMENSION: i32 = 3;
+pub const STLTSA_OPT_MODE: i32 = 4;
+pub const STLTSA_OPT_INCLUDE_SELF: i32 = 5;
+pub const STLTSA_OPT_LINKS: i32 = 6;
+pub const STLTSA_OPT_EXCLUSION: i32 = 7;
+pub const STLTSA_OPT_THREADS: i32 = 8;
+pub const STLTSA_OPT_FEATURES: i32 = 9;
+pub const STLTSA_OPT_UP_AXIS: i32 = 10;
+pub const STLTSA_OPT_KEEP_START: i32 = 11;
+pub const STLTSA_OPT_FPS: i32 = 12;
+pub const STLTSA_OPT_RATE: i32 = 13;
+pub const STLTSA_OPT_SMOOTHING: i32 = 14;
+pub const STLTSA_OPT_PERIOD_MIN: i32 = 15;
+pub const STLTSA_OPT_PERIOD_MAX: i32 = 16;
+pub const STLTSA_OPT_EIGENGAP: i32 = 17;
+pub const STLTSA_OPT_VARIANCE: i32 = 18;
+pub const STLTSA_OPT_SKELETON: i32 = 19;
+pub const STLTSA_OPT_KEEP_FRAMES: i32 = 20;
+pub const STLTSA_OPT_MAP_NEIGHBORS: i32 = 21;
+pub const STLTSA_OPT_MAP_BLEND: i32 = 22;
+pub const STLTSA_OPT_HINT_WINDOW: i32 = 23;
+pub const STLTSA_OPT_COMPONENT: i32 = 24;
+pub const STLTSA_OPT_GAMMA: i32 = 25;
+pub const STLTSA_OPT_KNOTS: i32 = 26;
+pub const STLTSA_OPT_ROBUST: i32 = 27;
+pub const STLTSA_OPT_CROSSFADE: i32 = 28;
+pub const STLTSA_OPT_SEARCH: i32 = 29;
+pub const STLTSA_OPT_POSTURE_LIMIT: i32 = 30;
+pub const STLTSA_OPT_MEMORY_MAP: i32 = 31;
+pub const STLTSA_MODE_TEMPORAL: i32 = 1;
+pub const STLTSA_MODE_SPATIAL: i32 = 2;
+pub const STLTSA_MODE_RECURRENT: i32 = 3;
+pub const STLTSA_FEATURES_AUTO: i32 = 0;
+pub const STLTSA_FEATURES_POSITIONS: i32 = 1;
+pub const STLTSA_FEATURES_ROTATIONS6D: i32 = 2;
+pub const STLTSA_FEATURES_EULER: i32 = 3;
+pub const STLTSA_FEATURES_RAW: i32 = 4;
+pub const STLTSA_TYPE_INT: i32 = 1;
+pub const STLTSA_TYPE_REAL: i32 = 2;
+pub const STLTSA_TYPE_TEXT: i32 = 3;
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct stltsa_option_info {
+    pub size: usize,
+    pub key: i32,
+    pub type_: i32,
+    pub name: *const ::std::os::raw::c_char,
+    pub text: *const ::std::os::raw::c_char,
+    pub choices: *const ::std::os::raw::c_char,
+    pub minimum: f64,
+    pub maximum: f64,
+    pub standard: f64,
+}
+#[test]
+fn bindgen_test_layout_stltsa_option_info() {
+    assert_eq!(
+        ::std::mem::size_of::<stltsa_option_info>(),
+        64usize,
+        concat!("Size of: ", stringify!(stltsa_option_info))
+    );
+    assert_eq!(
+        ::std::mem::align_of::<stltsa_option_info>(),
+        8usize,
+        concat!("Alignment of ", stringify!(stltsa_option_info))
+    );
+    fn test_field_size() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_option_info>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).size) as usize - ptr as usize
+            },
+            0usize,
+            concat!("Offset of field: ", stringify!(stltsa_option_info), "::", stringify!(size))
+        );
+    }
+    test_field_size();
+    fn test_field_key() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_option_info>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).key) as usize - ptr as usize
+            },
+            8usize,
+            concat!("Offset of field: ", stringify!(stltsa_option_info), "::", stringify!(key))
+        );
+    }
+    test_field_key();
+    fn test_field_type() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_option_info>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).type_) as usize - ptr as usize
+            },
+            12usize,
+            concat!("Offset of field: ", stringify!(stltsa_option_info), "::", stringify!(type_))
+        );
+    }
+    test_field_type();
+    fn test_field_name() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_option_info>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).name) as usize - ptr as usize
+            },
+            16usize,
+            concat!("Offset of field: ", stringify!(stltsa_option_info), "::", stringify!(name))
+        );
+    }
+    test_field_name();
+    fn test_field_text() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_option_info>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).text) as usize - ptr as usize
+            },
+            24usize,
+            concat!("Offset of field: ", stringify!(stltsa_option_info), "::", stringify!(text))
+        );
+    }
+    test_field_text();
+    fn test_field_choices() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_option_info>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).choices) as usize - ptr as usize
+            },
+            32usize,
+            concat!("Offset of field: ", stringify!(stltsa_option_info), "::", stringify!(choices))
+        );
+    }
+    test_field_choices();
+    fn test_field_minimum() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_option_info>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).minimum) as usize - ptr as usize
+            },
+            40usize,
+            concat!("Offset of field: ", stringify!(stltsa_option_info), "::", stringify!(minimum))
+        );
+    }
+    test_field_minimum();
+    fn test_field_maximum() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_option_info>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).maximum) as usize - ptr as usize
+            },
+            48usize,
+            concat!("Offset of field: ", stringify!(stltsa_option_info), "::", stringify!(maximum))
+        );
+    }
+    test_field_maximum();
+    fn test_field_standard() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_option_info>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).standard) as usize - ptr as usize
+            },
+            56usize,
+            concat!(
+                "Offset of field: ",
+                stringify!(stltsa_option_info),
+                "::",
+                stringify!(standard)
+            )
+        );
+    }
+    test_field_standard();
+}
+extern "C" {
+    pub fn stltsa_option_count() -> i64;
+}
+extern "C" {
+    pub fn stltsa_option_describe(index: i64, info: *mut stltsa_option_info) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_options_new(options: *mut *mut stltsa_options) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_options_free(options: *mut stltsa_options);
+}
+extern "C" {
+    pub fn stltsa_options_set_int(
+        options: *mut stltsa_options,
+        key: i32,
+        value: i64,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_options_set_real(
+        options: *mut stltsa_options,
+        key: i32,
+        value: f64,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_options_set_text(
+        options: *mut stltsa_options,
+        key: i32,
+        value: *const ::std::os::raw::c_char,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_options_get_int(
+        options: *const stltsa_options,
+        key: i32,
+        value: *mut i64,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_options_get_real(
+        options: *const stltsa_options,
+        key: i32,
+        value: *mut f64,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_options_get_text(
+        options: *const stltsa_options,
+        key: i32,
+        value: *mut *const ::std::os::raw::c_char,
+    ) -> stltsa_status;
+}
+pub const STLTSA_STAGE_READ: i32 = 0;
+pub const STLTSA_STAGE_FEATURES: i32 = 1;
+pub const STLTSA_STAGE_NEIGHBORS: i32 = 2;
+pub const STLTSA_STAGE_TANGENTS: i32 = 3;
+pub const STLTSA_STAGE_ALIGNMENT: i32 = 4;
+pub const STLTSA_STAGE_SPECTRUM: i32 = 5;
+pub const STLTSA_STAGE_UNITS: i32 = 6;
+pub const STLTSA_STAGE_MAP: i32 = 7;
+pub const STLTSA_STAGE_DENOISE: i32 = 8;
+pub const STLTSA_STAGE_SYNTHESIS: i32 = 9;
+pub type stltsa_progress = ::std::option::Option<
+    unsafe extern "C" fn(user: *mut ::std::os::raw::c_void, stage: i32, fraction: f64) -> i32,
+>;
+extern "C" {
+    pub fn stltsa_options_set_progress(
+        options: *mut stltsa_options,
+        progress: stltsa_progress,
+        user: *mut ::std::os::raw::c_void,
+    ) -> stltsa_status;
+}
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct stltsa_clip {
+    _unused: [u8; 0],
+}
+pub const STLTSA_FORMAT_BVH: i32 = 1;
+pub const STLTSA_FORMAT_AMC: i32 = 2;
+pub const STLTSA_FORMAT_CSV: i32 = 3;
+pub const STLTSA_FORMAT_NPY: i32 = 4;
+pub const STLTSA_FORMAT_MATRIX: i32 = 5;
+extern "C" {
+    pub fn stltsa_clip_open(
+        path: *const ::std::os::raw::c_char,
+        options: *const stltsa_options,
+        clip: *mut *mut stltsa_clip,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_clip_parse(
+        bytes: *const ::std::os::raw::c_void,
+        size: usize,
+        format: i32,
+        options: *const stltsa_options,
+        clip: *mut *mut stltsa_clip,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_clip_from_matrix(
+        frames: *const stltsa_in,
+        fps: f64,
+        clip: *mut *mut stltsa_clip,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_clip_free(clip: *mut stltsa_clip);
+}
+extern "C" {
+    pub fn stltsa_clip_frames(clip: *const stltsa_clip) -> i64;
+}
+extern "C" {
+    pub fn stltsa_clip_fps(clip: *const stltsa_clip) -> f64;
+}
+extern "C" {
+    pub fn stltsa_clip_format(clip: *const stltsa_clip) -> i32;
+}
+extern "C" {
+    pub fn stltsa_clip_channels(clip: *const stltsa_clip) -> i64;
+}
+extern "C" {
+    pub fn stltsa_clip_joints(clip: *const stltsa_clip) -> i64;
+}
+extern "C" {
+    pub fn stltsa_clip_joint(
+        clip: *const stltsa_clip,
+        joint: i64,
+        name: *mut *const ::std::os::raw::c_char,
+        parent: *mut i64,
+        is_end_site: *mut i32,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_clip_positions(
+        clip: *const stltsa_clip,
+        positions: *const stltsa_out,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_clip_rotations(
+        clip: *const stltsa_clip,
+        rotations: *const stltsa_out,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_clip_feature_count(
+        clip: *const stltsa_clip,
+        options: *const stltsa_options,
+        count: *mut i64,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_clip_features(
+        clip: *const stltsa_clip,
+        options: *const stltsa_options,
+        features: *const stltsa_out,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_clip_json(
+        clip: *const stltsa_clip,
+        json: *mut *mut ::std::os::raw::c_char,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_string_free(text: *mut ::std::os::raw::c_char);
+}
+extern "C" {
+    pub fn stltsa_clip_save(
+        clip: *const stltsa_clip,
+        path: *const ::std::os::raw::c_char,
+    ) -> stltsa_status;
+}
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct stltsa_model {
+    _unused: [u8; 0],
+}
+extern "C" {
+    pub fn stltsa_fit(
+        frames: *const stltsa_in,
+        lengths: *const i64,
+        clips: i64,
+        options: *const stltsa_options,
+        model: *mut *mut stltsa_model,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_fit_clip(
+        clip: *const stltsa_clip,
+        options: *const stltsa_options,
+        model: *mut *mut stltsa_model,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_model_free(model: *mut stltsa_model);
+}
+pub const STLTSA_MODEL_FRAMES: i32 = 1;
+pub const STLTSA_MODEL_FEATURES: i32 = 2;
+pub const STLTSA_MODEL_DIMENSION: i32 = 3;
+pub const STLTSA_MODEL_NEIGHBORS: i32 = 4;
+pub const STLTSA_MODEL_WINDOW: i32 = 5;
+pub const STLTSA_MODEL_MODE: i32 = 6;
+pub const STLTSA_MODEL_INCLUDE_SELF: i32 = 7;
+pub const STLTSA_MODEL_LINKS: i32 = 8;
+pub const STLTSA_MODEL_EXCLUSION: i32 = 9;
+pub const STLTSA_MODEL_COMPONENTS: i32 = 10;
+pub const STLTSA_MODEL_REPEATED: i32 = 11;
+pub const STLTSA_MODEL_RANK_DEFICIENT: i32 = 12;
+pub const STLTSA_MODEL_SOLVES: i32 = 13;
+pub const STLTSA_MODEL_FIRST_FRAME: i32 = 14;
+pub const STLTSA_MODEL_FRAME_STEP: i32 = 15;
+pub const STLTSA_MODEL_RESIDUAL: i32 = 16;
+pub const STLTSA_MODEL_ERROR_ESTIMATE: i32 = 17;
+pub const STLTSA_MODEL_GAP: i32 = 18;
+pub const STLTSA_MODEL_CLOCK: i32 = 19;
+pub const STLTSA_MODEL_FPS: i32 = 20;
+pub const STLTSA_MODEL_PERIOD: i32 = 21;
+pub const STLTSA_MODEL_SUPPORT: i32 = 22;
+extern "C" {
+    pub fn stltsa_model_get_int(
+        model: *const stltsa_model,
+        key: i32,
+        value: *mut i64,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_model_get_real(
+        model: *const stltsa_model,
+        key: i32,
+        value: *mut f64,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_model_coords(
+        model: *const stltsa_model,
+        coords: *const stltsa_out,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_model_eigenvalues(
+        model: *const stltsa_model,
+        values: *const stltsa_out,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_model_components(
+        model: *const stltsa_model,
+        rows: i64,
+        labels: *mut i64,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_model_warning_count(model: *const stltsa_model) -> i64;
+}
+extern "C" {
+    pub fn stltsa_model_warning(
+        model: *const stltsa_model,
+        index: i64,
+    ) -> *const ::std::os::raw::c_char;
+}
+extern "C" {
+    pub fn stltsa_model_json(
+        model: *const stltsa_model,
+        json: *mut *mut ::std::os::raw::c_char,
+    ) -> stltsa_status;
+}
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct stltsa_dimension_result {
+    _unused: [u8; 0],
+}
+extern "C" {
+    pub fn stltsa_dimension(
+        frames: *const stltsa_in,
+        lengths: *const i64,
+        clips: i64,
+        options: *const stltsa_options,
+        result: *mut *mut stltsa_dimension_result,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_dimension_clip(
+        clip: *const stltsa_clip,
+        options: *const stltsa_options,
+        result: *mut *mut stltsa_dimension_result,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_dimension_free(result: *mut stltsa_dimension_result);
+}
+extern "C" {
+    pub fn stltsa_dimension_eigengap(
+        result: *const stltsa_dimension_result,
+        reason: *mut *const ::std::os::raw::c_char,
+    ) -> i64;
+}
+extern "C" {
+    pub fn stltsa_dimension_local_pca(
+        result: *const stltsa_dimension_result,
+        reason: *mut *const ::std::os::raw::c_char,
+    ) -> i64;
+}
+extern "C" {
+    pub fn stltsa_dimension_eigenvalues(
+        result: *const stltsa_dimension_result,
+        values: *mut f64,
+        capacity: i64,
+    ) -> i64;
+}
+extern "C" {
+    pub fn stltsa_dimension_local_variances(
+        result: *const stltsa_dimension_result,
+        values: *mut f64,
+        capacity: i64,
+    ) -> i64;
+}
+extern "C" {
+    pub fn stltsa_dimension_json(
+        result: *const stltsa_dimension_result,
+        json: *mut *mut ::std::os::raw::c_char,
+    ) -> stltsa_status;
+}
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct stltsa_decomposition {
+    _unused: [u8; 0],
+}
+pub const STLTSA_UNIT_PREPARING: i32 = 1;
+pub const STLTSA_UNIT_INITIAL: i32 = 2;
+pub const STLTSA_UNIT_CYCLIC: i32 = 3;
+pub const STLTSA_UNIT_FINAL: i32 = 4;
+pub const STLTSA_UNIT_WIND_UP: i32 = 5;
+pub const STLTSA_UNIT_ACTION: i32 = 6;
+pub const STLTSA_UNIT_CYCLE: i32 = 7;
+extern "C" {
+    pub fn stltsa_unit_name(kind: i32) -> *const ::std::os::raw::c_char;
+}
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct stltsa_interval {
+    pub begin: i64,
+    pub end: i64,
+    pub begin_s: f64,
+    pub end_s: f64,
+    pub kind: i32,
+    pub reserved: i32,
+}
+#[test]
+fn bindgen_test_layout_stltsa_interval() {
+    assert_eq!(
+        ::std::mem::size_of::<stltsa_interval>(),
+        40usize,
+        concat!("Size of: ", stringify!(stltsa_interval))
+    );
+    assert_eq!(
+        ::std::mem::align_of::<stltsa_interval>(),
+        8usize,
+        concat!("Alignment of ", stringify!(stltsa_interval))
+    );
+    fn test_field_begin() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_interval>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).begin) as usize - ptr as usize
+            },
+            0usize,
+            concat!("Offset of field: ", stringify!(stltsa_interval), "::", stringify!(begin))
+        );
+    }
+    test_field_begin();
+    fn test_field_end() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_interval>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).end) as usize - ptr as usize
+            },
+            8usize,
+            concat!("Offset of field: ", stringify!(stltsa_interval), "::", stringify!(end))
+        );
+    }
+    test_field_end();
+    fn test_field_begin_s() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_interval>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).begin_s) as usize - ptr as usize
+            },
+            16usize,
+            concat!("Offset of field: ", stringify!(stltsa_interval), "::", stringify!(begin_s))
+        );
+    }
+    test_field_begin_s();
+    fn test_field_end_s() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_interval>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).end_s) as usize - ptr as usize
+            },
+            24usize,
+            concat!("Offset of field: ", stringify!(stltsa_interval), "::", stringify!(end_s))
+        );
+    }
+    test_field_end_s();
+    fn test_field_kind() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_interval>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).kind) as usize - ptr as usize
+            },
+            32usize,
+            concat!("Offset of field: ", stringify!(stltsa_interval), "::", stringify!(kind))
+        );
+    }
+    test_field_kind();
+    fn test_field_reserved() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_interval>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).reserved) as usize - ptr as usize
+            },
+            36usize,
+            concat!("Offset of field: ", stringify!(stltsa_interval), "::", stringify!(reserved))
+        );
+    }
+    test_field_reserved();
+}
+extern "C" {
+    pub fn stltsa_decompose(
+        clip: *const stltsa_clip,
+        options: *const stltsa_options,
+        decomposition: *mut *mut stltsa_decomposition,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_decomposition_free(decomposition: *mut stltsa_decomposition);
+}
+extern "C" {
+    pub fn stltsa_decomposition_unit_count(decomposition: *const stltsa_decomposition) -> i64;
+}
+extern "C" {
+    pub fn stltsa_decomposition_unit(
+        decomposition: *const stltsa_decomposition,
+        index: i64,
+        unit: *mut stltsa_interval,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_decomposition_cycle_count(decomposition: *const stltsa_decomposition) -> i64;
+}
+extern "C" {
+    pub fn stltsa_decomposition_cycle(
+        decomposition: *const stltsa_decomposition,
+        index: i64,
+        cycle: *mut stltsa_interval,
+    ) -> stltsa_status;
+}
+pub const STLTSA_DECOMPOSITION_SAMPLES: i32 = 1;
+pub const STLTSA_DECOMPOSITION_FIRST_FRAME: i32 = 2;
+pub const STLTSA_DECOMPOSITION_FRAME_STEP: i32 = 3;
+pub const STLTSA_DECOMPOSITION_NEIGHBORS: i32 = 4;
+pub const STLTSA_DECOMPOSITION_WINDOW: i32 = 5;
+pub const STLTSA_DECOMPOSITION_DIMENSION: i32 = 6;
+pub const STLTSA_DECOMPOSITION_COORDINATE: i32 = 7;
+pub const STLTSA_DECOMPOSITION_REPRESENTATIVE: i32 = 8;
+pub const STLTSA_DECOMPOSITION_BEST: i32 = 9;
+pub const STLTSA_DECOMPOSITION_FEATURES: i32 = 10;
+pub const STLTSA_DECOMPOSITION_PERIOD: i32 = 11;
+pub const STLTSA_DECOMPOSITION_CYCLICITY: i32 = 12;
+pub const STLTSA_DECOMPOSITION_LAG_QUALITY: i32 = 13;
+pub const STLTSA_DECOMPOSITION_FPS: i32 = 14;
+extern "C" {
+    pub fn stltsa_decomposition_get_int(
+        decomposition: *const stltsa_decomposition,
+        key: i32,
+        value: *mut i64,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_decomposition_get_real(
+        decomposition: *const stltsa_decomposition,
+        key: i32,
+        value: *mut f64,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_decomposition_curve(
+        decomposition: *const stltsa_decomposition,
+        curve: *const stltsa_out,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_decomposition_loop(
+        decomposition: *const stltsa_decomposition,
+        loop_: *const stltsa_out,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_decomposition_reason(
+        decomposition: *const stltsa_decomposition,
+    ) -> *const ::std::os::raw::c_char;
+}
+extern "C" {
+    pub fn stltsa_decomposition_warning_count(decomposition: *const stltsa_decomposition) -> i64;
+}
+extern "C" {
+    pub fn stltsa_decomposition_warning(
+        decomposition: *const stltsa_decomposition,
+        index: i64,
+    ) -> *const ::std::os::raw::c_char;
+}
+extern "C" {
+    pub fn stltsa_decomposition_json(
+        decomposition: *const stltsa_decomposition,
+        json: *mut *mut ::std::os::raw::c_char,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_map(
+        model: *const stltsa_model,
+        frames: *const stltsa_in,
+        hints: *const i64,
+        options: *const stltsa_options,
+        coords: *const stltsa_out,
+        distance: *const stltsa_out,
+        nearest: *mut i64,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_map_clip(
+        model: *const stltsa_model,
+        clip: *const stltsa_clip,
+        options: *const stltsa_options,
+        coords: *const stltsa_out,
+        distance: *const stltsa_out,
+        nearest: *mut i64,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_unmap(
+        model: *const stltsa_model,
+        coords: *const stltsa_in,
+        hints: *const i64,
+        options: *const stltsa_options,
+        frames: *const stltsa_out,
+        distance: *const stltsa_out,
+        nearest: *mut i64,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_unmap_clip(
+        model: *const stltsa_model,
+        coords: *const stltsa_in,
+        hints: *const i64,
+        options: *const stltsa_options,
+        distance: *const stltsa_out,
+        nearest: *mut i64,
+        poses: *mut *mut stltsa_clip,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_model_serialize(
+        model: *const stltsa_model,
+        bytes: *mut *mut ::std::os::raw::c_uchar,
+        size: *mut usize,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_model_parse(
+        bytes: *const ::std::os::raw::c_void,
+        size: usize,
+        model: *mut *mut stltsa_model,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_bytes_free(bytes: *mut ::std::os::raw::c_uchar);
+}
+extern "C" {
+    pub fn stltsa_model_save(
+        model: *const stltsa_model,
+        path: *const ::std::os::raw::c_char,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_model_load(
+        path: *const ::std::os::raw::c_char,
+        model: *mut *mut stltsa_model,
+    ) -> stltsa_status;
+}
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct stltsa_denoising {
+    _unused: [u8; 0],
+}
+extern "C" {
+    pub fn stltsa_denoise(
+        coords: *const stltsa_in,
+        lengths: *const i64,
+        clips: i64,
+        options: *const stltsa_options,
+        denoising: *mut *mut stltsa_denoising,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_denoise_model(
+        model: *const stltsa_model,
+        options: *const stltsa_options,
+        denoising: *mut *mut stltsa_denoising,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_denoising_free(denoising: *mut stltsa_denoising);
+}
+pub const STLTSA_DENOISING_ROWS: i32 = 1;
+pub const STLTSA_DENOISING_COLUMNS: i32 = 2;
+pub const STLTSA_DENOISING_MOVED: i32 = 3;
+pub const STLTSA_DENOISING_GAMMA: i32 = 4;
+pub const STLTSA_DENOISING_SHIFT: i32 = 5;
+pub const STLTSA_DENOISING_NOISE: i32 = 6;
+pub const STLTSA_DENOISING_FREEDOM: i32 = 7;
+extern "C" {
+    pub fn stltsa_denoising_get_int(
+        denoising: *const stltsa_denoising,
+        key: i32,
+        column: i64,
+        value: *mut i64,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_denoising_get_real(
+        denoising: *const stltsa_denoising,
+        key: i32,
+        column: i64,
+        value: *mut f64,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_denoising_curve(
+        denoising: *const stltsa_denoising,
+        curve: *const stltsa_out,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_denoising_cleaned(
+        denoising: *const stltsa_denoising,
+        cleaned: *const stltsa_out,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_denoising_moves(
+        denoising: *const stltsa_denoising,
+        moves: *const stltsa_out,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_denoising_json(
+        denoising: *const stltsa_denoising,
+        json: *mut *mut ::std::os::raw::c_char,
+    ) -> stltsa_status;
+}
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct stltsa_piece {
+    pub clip: *const stltsa_clip,
+    pub begin: i64,
+    pub end: i64,
+    pub repeat: i64,
+    pub reserved: i64,
+}
+#[test]
+fn bindgen_test_layout_stltsa_piece() {
+    assert_eq!(
+        ::std::mem::size_of::<stltsa_piece>(),
+        40usize,
+        concat!("Size of: ", stringify!(stltsa_piece))
+    );
+    assert_eq!(
+        ::std::mem::align_of::<stltsa_piece>(),
+        8usize,
+        concat!("Alignment of ", stringify!(stltsa_piece))
+    );
+    fn test_field_clip() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_piece>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).clip) as usize - ptr as usize
+            },
+            0usize,
+            concat!("Offset of field: ", stringify!(stltsa_piece), "::", stringify!(clip))
+        );
+    }
+    test_field_clip();
+    fn test_field_begin() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_piece>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).begin) as usize - ptr as usize
+            },
+            8usize,
+            concat!("Offset of field: ", stringify!(stltsa_piece), "::", stringify!(begin))
+        );
+    }
+    test_field_begin();
+    fn test_field_end() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_piece>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).end) as usize - ptr as usize
+            },
+            16usize,
+            concat!("Offset of field: ", stringify!(stltsa_piece), "::", stringify!(end))
+        );
+    }
+    test_field_end();
+    fn test_field_repeat() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_piece>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).repeat) as usize - ptr as usize
+            },
+            24usize,
+            concat!("Offset of field: ", stringify!(stltsa_piece), "::", stringify!(repeat))
+        );
+    }
+    test_field_repeat();
+    fn test_field_reserved() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_piece>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).reserved) as usize - ptr as usize
+            },
+            32usize,
+            concat!("Offset of field: ", stringify!(stltsa_piece), "::", stringify!(reserved))
+        );
+    }
+    test_field_reserved();
+}
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct stltsa_synthesis {
+    _unused: [u8; 0],
+}
+extern "C" {
+    pub fn stltsa_synthesize(
+        pieces: *const stltsa_piece,
+        count: i64,
+        options: *const stltsa_options,
+        synthesis: *mut *mut stltsa_synthesis,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_synthesis_free(synthesis: *mut stltsa_synthesis);
+}
+extern "C" {
+    pub fn stltsa_synthesis_clip(synthesis: *const stltsa_synthesis) -> *const stltsa_clip;
+}
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct stltsa_seam {
+    pub size: usize,
+    pub frame: i64,
+    pub piece: i64,
+    pub next: i64,
+    pub cut_end: i64,
+    pub cut_begin: i64,
+    pub crossfade: i64,
+    pub posture: f64,
+    pub step: f64,
+    pub acceleration: f64,
+}
+#[test]
+fn bindgen_test_layout_stltsa_seam() {
+    assert_eq!(
+        ::std::mem::size_of::<stltsa_seam>(),
+        80usize,
+        concat!("Size of: ", stringify!(stltsa_seam))
+    );
+    assert_eq!(
+        ::std::mem::align_of::<stltsa_seam>(),
+        8usize,
+        concat!("Alignment of ", stringify!(stltsa_seam))
+    );
+    fn test_field_size() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_seam>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).size) as usize - ptr as usize
+            },
+            0usize,
+            concat!("Offset of field: ", stringify!(stltsa_seam), "::", stringify!(size))
+        );
+    }
+    test_field_size();
+    fn test_field_frame() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_seam>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).frame) as usize - ptr as usize
+            },
+            8usize,
+            concat!("Offset of field: ", stringify!(stltsa_seam), "::", stringify!(frame))
+        );
+    }
+    test_field_frame();
+    fn test_field_piece() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_seam>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).piece) as usize - ptr as usize
+            },
+            16usize,
+            concat!("Offset of field: ", stringify!(stltsa_seam), "::", stringify!(piece))
+        );
+    }
+    test_field_piece();
+    fn test_field_next() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_seam>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).next) as usize - ptr as usize
+            },
+            24usize,
+            concat!("Offset of field: ", stringify!(stltsa_seam), "::", stringify!(next))
+        );
+    }
+    test_field_next();
+    fn test_field_cut_end() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_seam>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).cut_end) as usize - ptr as usize
+            },
+            32usize,
+            concat!("Offset of field: ", stringify!(stltsa_seam), "::", stringify!(cut_end))
+        );
+    }
+    test_field_cut_end();
+    fn test_field_cut_begin() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_seam>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).cut_begin) as usize - ptr as usize
+            },
+            40usize,
+            concat!("Offset of field: ", stringify!(stltsa_seam), "::", stringify!(cut_begin))
+        );
+    }
+    test_field_cut_begin();
+    fn test_field_crossfade() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_seam>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).crossfade) as usize - ptr as usize
+            },
+            48usize,
+            concat!("Offset of field: ", stringify!(stltsa_seam), "::", stringify!(crossfade))
+        );
+    }
+    test_field_crossfade();
+    fn test_field_posture() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_seam>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).posture) as usize - ptr as usize
+            },
+            56usize,
+            concat!("Offset of field: ", stringify!(stltsa_seam), "::", stringify!(posture))
+        );
+    }
+    test_field_posture();
+    fn test_field_step() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_seam>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).step) as usize - ptr as usize
+            },
+            64usize,
+            concat!("Offset of field: ", stringify!(stltsa_seam), "::", stringify!(step))
+        );
+    }
+    test_field_step();
+    fn test_field_acceleration() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_seam>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).acceleration) as usize - ptr as usize
+            },
+            72usize,
+            concat!("Offset of field: ", stringify!(stltsa_seam), "::", stringify!(acceleration))
+        );
+    }
+    test_field_acceleration();
+}
+extern "C" {
+    pub fn stltsa_synthesis_seam_count(synthesis: *const stltsa_synthesis) -> i64;
+}
+extern "C" {
+    pub fn stltsa_synthesis_seam(
+        synthesis: *const stltsa_synthesis,
+        index: i64,
+        seam: *mut stltsa_seam,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_synthesis_warning_count(synthesis: *const stltsa_synthesis) -> i64;
+}
+extern "C" {
+    pub fn stltsa_synthesis_warning(
+        synthesis: *const stltsa_synthesis,
+        index: i64,
+    ) -> *const ::std::os::raw::c_char;
+}
+extern "C" {
+    pub fn stltsa_synthesis_json(
+        synthesis: *const stltsa_synthesis,
+        json: *mut *mut ::std::os::raw::c_char,
+    ) -> stltsa_status;
+}
