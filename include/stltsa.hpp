@@ -1,0 +1,648 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// libstltsa for C++20: stltsa.h with move-only handles, exceptions, std::string and std::span.
+// What each function does, and the options that it takes, is said there.
+//
+//     const stltsa::Clip clip = stltsa::Clip::open("walk.bvh");
+//     for (const stltsa::Interval& unit : stltsa::decompose(clip).units())
+//         std::cout << stltsa::unit_name(unit.kind) << ' ' << unit.begin_s << " s\n";
+//
+// A failure is thrown as stltsa::Error. Keys and kinds are the constants of stltsa.h, and get() of
+// each object is its handle there. An Options object that nothing was set in means the defaults.
+#ifndef STLTSA_HPP
+#define STLTSA_HPP
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <functional>
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "stltsa.h"
+
+namespace stltsa {
+// The library has an inner namespace stltsa. The version keeps these names apart from those in a
+// static link; users leave it out.
+inline namespace v0 {
+
+class Error : public std::runtime_error {
+  public:
+    Error(stltsa_status status, const std::string& text)
+        : std::runtime_error(text), status_(status) {}
+    stltsa_status status() const noexcept { return status_; }
+    /// "STLTSA_E_SHAPE" and so on.
+    const char* name() const noexcept { return stltsa_status_name(status_); }
+
+  private:
+    stltsa_status status_;
+};
+
+using Interval = stltsa_interval;
+using Seam = stltsa_seam;
+using Piece = stltsa_piece; ///< see Clip::piece()
+using OptionInfo = stltsa_option_info;
+
+/// Numbers row by row, as the library returns them.
+struct Matrix {
+    std::int64_t rows = 0;
+    std::int64_t cols = 0;
+    std::vector<double> values; ///< rows * cols
+
+    Matrix() = default;
+    Matrix(std::int64_t row_count, std::int64_t col_count)
+        : rows(row_count), cols(col_count),
+          values(static_cast<std::size_t>(row_count) * static_cast<std::size_t>(col_count)) {}
+
+    double& operator()(std::int64_t r, std::int64_t c) {
+        return values[static_cast<std::size_t>(r * cols + c)];
+    }
+    double operator()(std::int64_t r, std::int64_t c) const {
+        return values[static_cast<std::size_t>(r * cols + c)];
+    }
+    std::span<const double> row(std::int64_t r) const {
+        return std::span(values).subspan(static_cast<std::size_t>(r * cols),
+                                         static_cast<std::size_t>(cols));
+    }
+};
+
+/// A caller's numbers, read where they lie. Strides and their like: make it from a stltsa_in.
+class MatrixView {
+  public:
+    MatrixView(const stltsa_in& in) : in_(in) {}
+    MatrixView(const Matrix& matrix)
+        : in_{matrix.values.data(), matrix.rows, matrix.cols, 0, 0, STLTSA_F64, 0} {}
+    /// Packed rows of so many columns. Throws Error where the values are not whole rows.
+    MatrixView(std::span<const double> values, std::int64_t cols)
+        : in_{values.data(), rows_of(values.size(), cols), cols, 0, 0, STLTSA_F64, 0} {}
+    MatrixView(std::span<const float> values, std::int64_t cols)
+        : in_{values.data(), rows_of(values.size(), cols), cols, 0, 0, STLTSA_F32, 0} {}
+
+    const stltsa_in* get() const noexcept { return &in_; }
+    std::int64_t rows() const noexcept { return in_.rows; }
+
+  private:
+    static std::int64_t rows_of(std::size_t count, std::int64_t cols) {
+        if (cols <= 0 || count % static_cast<std::size_t>(cols) != 0)
+            throw Error(STLTSA_E_SHAPE, std::to_string(count) + " values are not rows of " +
+                                            std::to_string(cols) + " columns");
+        return static_cast<std::int64_t>(count) / cols;
+    }
+
+    stltsa_in in_;
+};
+
+namespace detail {
+
+/// What a progress callback threw on this thread, until the call that it ran in returns.
+inline std::exception_ptr& thrown() noexcept {
+    thread_local std::exception_ptr thrown_by_callback;
+    return thrown_by_callback;
+}
+
+inline void check(stltsa_status status) {
+    if (status == STLTSA_OK)
+        return;
+    if (const std::exception_ptr by_callback = std::exchange(thrown(), nullptr))
+        std::rethrow_exception(by_callback);
+    throw Error(status, stltsa_last_error());
+}
+
+template <auto free_handle>
+struct Free {
+    template <class T>
+    void operator()(T* handle) const noexcept {
+        free_handle(handle);
+    }
+};
+template <class T, auto free_handle>
+using Handle = std::unique_ptr<T, Free<free_handle>>;
+
+/// The object of class T that make(..., Handle**) makes.
+template <class T, class Make, class... Arguments>
+T made(Make make, Arguments... arguments) {
+    typename T::Pointer handle = nullptr;
+    check(make(arguments..., &handle));
+    return T(handle);
+}
+
+template <class Value, class Get, class... Arguments>
+Value got(Get get, Arguments... arguments) {
+    Value value{};
+    check(get(arguments..., &value));
+    return value;
+}
+
+template <class Write, class T>
+std::string json(Write write, const T* handle) {
+    const Handle<char, stltsa_string_free> text(got<char*>(write, handle));
+    return text.get();
+}
+
+inline stltsa_out out(Matrix& matrix) noexcept {
+    return {matrix.values.data(), matrix.rows, matrix.cols, 0, 0, STLTSA_F64, 0};
+}
+inline stltsa_out out(std::vector<double>& column) noexcept {
+    return {column.data(), static_cast<std::int64_t>(column.size()), 1, 0, 0, STLTSA_F64, 0};
+}
+
+template <class Fill, class T, class... Arguments>
+Matrix matrix(Fill fill, const T* handle, std::int64_t rows, std::int64_t cols,
+              Arguments... arguments) {
+    Matrix result(rows, cols);
+    const stltsa_out to = out(result);
+    check(fill(handle, arguments..., &to));
+    return result;
+}
+
+/// The items 0 to count - 1, as item(index) gives them.
+template <class Item>
+auto list(std::int64_t count, Item item) {
+    std::vector<decltype(item(count))> items;
+    for (std::int64_t i = 0; i < count; ++i)
+        items.push_back(item(i));
+    return items;
+}
+
+template <class Count, class Text, class T>
+std::vector<std::string> texts(Count count, Text text, const T* handle) {
+    return list(count(handle), [&](std::int64_t i) { return std::string(text(handle, i)); });
+}
+
+} // namespace detail
+
+inline std::string version() {
+    return stltsa_version();
+}
+inline std::string status_name(stltsa_status status) {
+    return stltsa_status_name(status);
+}
+inline std::string unit_name(std::int32_t kind) {
+    return stltsa_unit_name(kind);
+}
+
+/// One row for each option.
+inline std::vector<OptionInfo> option_table() {
+    return detail::list(stltsa_option_count(), [](std::int64_t index) {
+        OptionInfo info{};
+        info.size = sizeof info;
+        detail::check(stltsa_option_describe(index, &info));
+        return info;
+    });
+}
+
+class Options {
+  public:
+    using Pointer = stltsa_options*;
+    /// Told the stage and how much of it is done, 0 to 1; true cancels the call. What it throws
+    /// comes out of the call.
+    using Progress = std::function<bool(std::int32_t stage, double fraction)>;
+
+    /// A whole number, a switch, or one of the constants.
+    template <class Value>
+    requires std::is_integral_v<Value> || std::is_enum_v<Value> Options& set(std::int32_t key,
+                                                                             Value value) {
+        detail::check(stltsa_options_set_int(made(), key, static_cast<std::int64_t>(value)));
+        return *this;
+    }
+    template <std::floating_point Value>
+    Options& set(std::int32_t key, Value value) {
+        detail::check(stltsa_options_set_real(made(), key, static_cast<double>(value)));
+        return *this;
+    }
+    Options& set(std::int32_t key, const std::string& value) {
+        detail::check(stltsa_options_set_text(made(), key, value.c_str()));
+        return *this;
+    }
+    Options& set_progress(Progress progress) {
+        auto kept = std::make_unique<Progress>(std::move(progress));
+        detail::check(stltsa_options_set_progress(made(), *kept ? call : nullptr, kept.get()));
+        progress_ = std::move(kept);
+        return *this;
+    }
+
+    std::int64_t integer(std::int32_t key) const {
+        return detail::got<std::int64_t>(stltsa_options_get_int, get(), key);
+    }
+    double real(std::int32_t key) const {
+        return detail::got<double>(stltsa_options_get_real, get(), key);
+    }
+    std::string text(std::int32_t key) const {
+        return detail::got<const char*>(stltsa_options_get_text, get(), key);
+    }
+
+    const stltsa_options* get() const noexcept { return handle_.get(); }
+
+  private:
+    stltsa_options* made() {
+        if (!handle_)
+            handle_.reset(detail::got<stltsa_options*>(stltsa_options_new));
+        return handle_.get();
+    }
+    static std::int32_t call(void* user, std::int32_t stage, double fraction) {
+        try {
+            return (*static_cast<Progress*>(user))(stage, fraction) ? 1 : 0;
+        } catch (...) {
+            detail::thrown() = std::current_exception();
+            return 1;
+        }
+    }
+
+    std::unique_ptr<Progress> progress_; // outlives the handle that points to it
+    detail::Handle<stltsa_options, stltsa_options_free> handle_;
+};
+
+struct Joint {
+    std::string name;
+    std::int64_t parent = -1; ///< -1: the root
+    bool is_end_site = false;
+};
+
+class Clip {
+  public:
+    using Pointer = stltsa_clip*;
+
+    explicit Clip(stltsa_clip* owned) : handle_(owned, Free{owned}) {}
+
+    static Clip open(const std::string& path, const Options& options = {}) {
+        return detail::made<Clip>(stltsa_clip_open, path.c_str(), options.get());
+    }
+    /// `format` 0: told by the content.
+    static Clip parse(std::span<const std::byte> bytes, std::int32_t format = 0,
+                      const Options& options = {}) {
+        return detail::made<Clip>(stltsa_clip_parse, bytes.data(), bytes.size(), format,
+                                  options.get());
+    }
+    static Clip from_matrix(const MatrixView& frames, double fps) {
+        return detail::made<Clip>(stltsa_clip_from_matrix, frames.get(), fps);
+    }
+
+    std::int64_t frames() const noexcept { return stltsa_clip_frames(get()); }
+    double fps() const noexcept { return stltsa_clip_fps(get()); }
+    std::int32_t format() const noexcept { return stltsa_clip_format(get()); }
+    std::int64_t channels() const noexcept { return stltsa_clip_channels(get()); }
+    std::int64_t joint_count() const noexcept { return stltsa_clip_joints(get()); }
+    Joint joint(std::int64_t index) const {
+        const char* name = nullptr;
+        std::int64_t parent = -1;
+        std::int32_t is_end_site = 0;
+        detail::check(stltsa_clip_joint(get(), index, &name, &parent, &is_end_site));
+        return {name, parent, is_end_site != 0};
+    }
+    std::vector<Joint> joints() const {
+        return detail::list(joint_count(), [this](std::int64_t index) { return joint(index); });
+    }
+    Matrix positions() const {
+        return detail::matrix(stltsa_clip_positions, get(), frames(), 3 * joint_count());
+    }
+    Matrix rotations() const {
+        return detail::matrix(stltsa_clip_rotations, get(), frames(), 4 * joint_count());
+    }
+    std::int64_t feature_count(const Options& options = {}) const {
+        return detail::got<std::int64_t>(stltsa_clip_feature_count, get(), options.get());
+    }
+    Matrix features(const Options& options = {}) const {
+        return detail::matrix(stltsa_clip_features, get(), frames(), feature_count(options),
+                              options.get());
+    }
+    std::string json() const { return detail::json(stltsa_clip_json, get()); }
+    void save(const std::string& path) const {
+        detail::check(stltsa_clip_save(get(), path.c_str()));
+    }
+
+    /// Frames [begin, end) of this clip, for synthesize(); the clip has to live until then.
+    Piece piece(std::int64_t begin, std::int64_t end, std::int64_t repeat = 1) const noexcept {
+        return {get(), begin, end, repeat, 0};
+    }
+
+    const stltsa_clip* get() const noexcept { return handle_.get(); }
+
+  private:
+    friend class Synthesis;
+    struct Free {
+        stltsa_clip* owned = nullptr; ///< nullptr: the clip is another object's
+        void operator()(const stltsa_clip*) const noexcept { stltsa_clip_free(owned); }
+    };
+    explicit Clip(const stltsa_clip* borrowed) : handle_(borrowed, Free{}) {}
+
+    std::unique_ptr<const stltsa_clip, Free> handle_;
+};
+
+/// What Model::map() and Model::unmap() say of each row.
+struct Mapped {
+    Matrix values; ///< coordinates, or frames
+    std::vector<double> distance;
+    std::vector<std::int64_t> nearest;
+};
+
+struct Poses {
+    Clip clip;
+    std::vector<double> distance;
+    std::vector<std::int64_t> nearest;
+};
+
+class Model {
+  public:
+    using Pointer = stltsa_model*;
+    using Hints = std::span<const std::int64_t>; ///< empty: none
+
+    explicit Model(stltsa_model* owned) : handle_(owned) {}
+
+    static Model load(const std::string& path) {
+        return detail::made<Model>(stltsa_model_load, path.c_str());
+    }
+    static Model parse(std::span<const std::byte> bytes) {
+        return detail::made<Model>(stltsa_model_parse, bytes.data(), bytes.size());
+    }
+    void save(const std::string& path) const {
+        detail::check(stltsa_model_save(get(), path.c_str()));
+    }
+    std::vector<std::byte> serialize() const {
+        unsigned char* bytes = nullptr;
+        std::size_t size = 0;
+        detail::check(stltsa_model_serialize(get(), &bytes, &size));
+        const detail::Handle<unsigned char, stltsa_bytes_free> owner(bytes);
+        const auto all = std::as_bytes(std::span(bytes, size));
+        return {all.begin(), all.end()};
+    }
+
+    std::int64_t integer(std::int32_t key) const {
+        return detail::got<std::int64_t>(stltsa_model_get_int, get(), key);
+    }
+    double real(std::int32_t key) const {
+        return detail::got<double>(stltsa_model_get_real, get(), key);
+    }
+    Matrix coords() const {
+        return detail::matrix(stltsa_model_coords, get(), integer(STLTSA_MODEL_FRAMES),
+                              integer(STLTSA_MODEL_DIMENSION));
+    }
+    Matrix eigenvalues() const {
+        return detail::matrix(stltsa_model_eigenvalues, get(), integer(STLTSA_MODEL_COMPONENTS),
+                              integer(STLTSA_MODEL_DIMENSION) + 2);
+    }
+    /// The component of each row.
+    std::vector<std::int64_t> components() const {
+        const std::int64_t rows = integer(STLTSA_MODEL_FRAMES);
+        std::vector<std::int64_t> labels(static_cast<std::size_t>(rows));
+        detail::check(stltsa_model_components(get(), rows, labels.data()));
+        return labels;
+    }
+    std::vector<std::string> warnings() const {
+        return detail::texts(stltsa_model_warning_count, stltsa_model_warning, get());
+    }
+    std::string json() const { return detail::json(stltsa_model_json, get()); }
+
+    Mapped map(const MatrixView& frames, const Options& options = {}, Hints hints = {}) const {
+        return mapped(stltsa_map, integer(STLTSA_MODEL_DIMENSION), frames, options, hints);
+    }
+    Mapped map(const Clip& clip, const Options& options = {}) const {
+        Mapped result = room(clip.frames(), integer(STLTSA_MODEL_DIMENSION));
+        const stltsa_out values = detail::out(result.values);
+        const stltsa_out distance = detail::out(result.distance);
+        detail::check(stltsa_map_clip(get(), clip.get(), options.get(), &values, &distance,
+                                      result.nearest.data()));
+        return result;
+    }
+    Mapped unmap(const MatrixView& coords, const Options& options = {}, Hints hints = {}) const {
+        return mapped(stltsa_unmap, integer(STLTSA_MODEL_FEATURES), coords, options, hints);
+    }
+    Poses unmap_clip(const MatrixView& coords, const Options& options = {},
+                     Hints hints = {}) const {
+        check_hints(coords, hints);
+        Mapped result = room(coords.rows(), 0);
+        const stltsa_out distance = detail::out(result.distance);
+        Clip clip = detail::made<Clip>(stltsa_unmap_clip, get(), coords.get(), pointer(hints),
+                                       options.get(), &distance, result.nearest.data());
+        return {std::move(clip), std::move(result.distance), std::move(result.nearest)};
+    }
+
+    const stltsa_model* get() const noexcept { return handle_.get(); }
+
+  private:
+    static Mapped room(std::int64_t rows, std::int64_t cols) {
+        const auto count = static_cast<std::size_t>(rows);
+        return {Matrix(rows, cols), std::vector<double>(count), std::vector<std::int64_t>(count)};
+    }
+    static const std::int64_t* pointer(Hints hints) {
+        return hints.empty() ? nullptr : hints.data();
+    }
+    static void check_hints(const MatrixView& rows, Hints hints) {
+        if (!hints.empty() && static_cast<std::int64_t>(hints.size()) != rows.rows())
+            throw Error(STLTSA_E_SHAPE, std::to_string(hints.size()) + " hints are given for " +
+                                            std::to_string(rows.rows()) + " rows");
+    }
+    template <class Map>
+    Mapped mapped(Map call, std::int64_t cols, const MatrixView& rows, const Options& options,
+                  Hints hints) const {
+        check_hints(rows, hints);
+        Mapped result = room(rows.rows(), cols);
+        const stltsa_out values = detail::out(result.values);
+        const stltsa_out distance = detail::out(result.distance);
+        detail::check(call(get(), rows.get(), pointer(hints), options.get(), &values, &distance,
+                           result.nearest.data()));
+        return result;
+    }
+
+    detail::Handle<stltsa_model, stltsa_model_free> handle_;
+};
+
+/// Frames of each clip, where several clips follow each other in a matrix; empty: one clip.
+using Lengths = std::span<const std::int64_t>;
+
+namespace detail {
+
+/// Calls make(in, lengths, clips, options, ...) as the C functions of several clips have it.
+template <class T, class Make>
+T made_of_rows(Make make, const MatrixView& rows, const Options& options, Lengths lengths) {
+    const bool one = lengths.empty();
+    return made<T>(make, rows.get(), one ? nullptr : lengths.data(),
+                   one ? std::int64_t{1} : static_cast<std::int64_t>(lengths.size()),
+                   options.get());
+}
+
+} // namespace detail
+
+inline Model fit(const MatrixView& frames, const Options& options = {}, Lengths lengths = {}) {
+    return detail::made_of_rows<Model>(stltsa_fit, frames, options, lengths);
+}
+inline Model fit(const Clip& clip, const Options& options = {}) {
+    return detail::made<Model>(stltsa_fit_clip, clip.get(), options.get());
+}
+
+class Dimension {
+  public:
+    using Pointer = stltsa_dimension_result*;
+    struct Estimate {
+        std::int64_t dimension = 0; ///< 0: cannot tell
+        std::string reason;         ///< why not
+    };
+
+    explicit Dimension(stltsa_dimension_result* owned) : handle_(owned) {}
+
+    Estimate eigengap() const { return estimate(stltsa_dimension_eigengap); }
+    Estimate local_pca() const { return estimate(stltsa_dimension_local_pca); }
+    std::vector<double> eigenvalues() const { return values(stltsa_dimension_eigenvalues); }
+    std::vector<double> local_variances() const { return values(stltsa_dimension_local_variances); }
+    std::string json() const { return detail::json(stltsa_dimension_json, get()); }
+
+    const stltsa_dimension_result* get() const noexcept { return handle_.get(); }
+
+  private:
+    template <class Get>
+    Estimate estimate(Get of) const {
+        const char* reason = "";
+        const std::int64_t dimension = of(get(), &reason);
+        return {dimension, reason};
+    }
+    template <class Get>
+    std::vector<double> values(Get of) const {
+        const std::int64_t count = of(get(), nullptr, 0);
+        std::vector<double> result(static_cast<std::size_t>(count));
+        of(get(), result.data(), count);
+        return result;
+    }
+
+    detail::Handle<stltsa_dimension_result, stltsa_dimension_free> handle_;
+};
+
+inline Dimension dimension(const MatrixView& frames, const Options& options = {},
+                           Lengths lengths = {}) {
+    return detail::made_of_rows<Dimension>(stltsa_dimension, frames, options, lengths);
+}
+inline Dimension dimension(const Clip& clip, const Options& options = {}) {
+    return detail::made<Dimension>(stltsa_dimension_clip, clip.get(), options.get());
+}
+
+class Decomposition {
+  public:
+    using Pointer = stltsa_decomposition*;
+
+    explicit Decomposition(stltsa_decomposition* owned) : handle_(owned) {}
+
+    std::int64_t unit_count() const noexcept { return stltsa_decomposition_unit_count(get()); }
+    Interval unit(std::int64_t index) const {
+        return detail::got<Interval>(stltsa_decomposition_unit, get(), index);
+    }
+    std::vector<Interval> units() const {
+        return detail::list(unit_count(), [this](std::int64_t index) { return unit(index); });
+    }
+    std::int64_t cycle_count() const noexcept { return stltsa_decomposition_cycle_count(get()); }
+    Interval cycle(std::int64_t index) const {
+        return detail::got<Interval>(stltsa_decomposition_cycle, get(), index);
+    }
+    std::vector<Interval> cycles() const {
+        return detail::list(cycle_count(), [this](std::int64_t index) { return cycle(index); });
+    }
+    std::int64_t integer(std::int32_t key) const {
+        return detail::got<std::int64_t>(stltsa_decomposition_get_int, get(), key);
+    }
+    double real(std::int32_t key) const {
+        return detail::got<double>(stltsa_decomposition_get_real, get(), key);
+    }
+    Matrix curve() const { return samples(stltsa_decomposition_curve, 1); }
+    Matrix loop() const { return samples(stltsa_decomposition_loop, 2); }
+    std::string reason() const { return stltsa_decomposition_reason(get()); }
+    std::vector<std::string> warnings() const {
+        return detail::texts(stltsa_decomposition_warning_count, stltsa_decomposition_warning,
+                             get());
+    }
+    std::string json() const { return detail::json(stltsa_decomposition_json, get()); }
+
+    const stltsa_decomposition* get() const noexcept { return handle_.get(); }
+
+  private:
+    template <class Fill>
+    Matrix samples(Fill fill, std::int64_t cols) const {
+        return detail::matrix(fill, get(), integer(STLTSA_DECOMPOSITION_SAMPLES), cols);
+    }
+
+    detail::Handle<stltsa_decomposition, stltsa_decomposition_free> handle_;
+};
+
+inline Decomposition decompose(const Clip& clip, const Options& options = {}) {
+    return detail::made<Decomposition>(stltsa_decompose, clip.get(), options.get());
+}
+
+class Denoising {
+  public:
+    using Pointer = stltsa_denoising*;
+
+    explicit Denoising(stltsa_denoising* owned) : handle_(owned) {}
+
+    /// Of one column; the numbers of rows and columns are the same of all.
+    std::int64_t integer(std::int32_t key, std::int64_t column = 0) const {
+        return detail::got<std::int64_t>(stltsa_denoising_get_int, get(), key, column);
+    }
+    double real(std::int32_t key, std::int64_t column = 0) const {
+        return detail::got<double>(stltsa_denoising_get_real, get(), key, column);
+    }
+    Matrix curve() const { return table(stltsa_denoising_curve); }
+    Matrix cleaned() const { return table(stltsa_denoising_cleaned); }
+    Matrix moves() const { return table(stltsa_denoising_moves); }
+    std::string json() const { return detail::json(stltsa_denoising_json, get()); }
+
+    const stltsa_denoising* get() const noexcept { return handle_.get(); }
+
+  private:
+    template <class Fill>
+    Matrix table(Fill fill) const {
+        return detail::matrix(fill, get(), integer(STLTSA_DENOISING_ROWS),
+                              integer(STLTSA_DENOISING_COLUMNS));
+    }
+
+    detail::Handle<stltsa_denoising, stltsa_denoising_free> handle_;
+};
+
+inline Denoising denoise(const MatrixView& coords, const Options& options = {},
+                         Lengths lengths = {}) {
+    return detail::made_of_rows<Denoising>(stltsa_denoise, coords, options, lengths);
+}
+inline Denoising denoise(const Model& model, const Options& options = {}) {
+    return detail::made<Denoising>(stltsa_denoise_model, model.get(), options.get());
+}
+
+class Synthesis {
+  public:
+    using Pointer = stltsa_synthesis*;
+
+    explicit Synthesis(stltsa_synthesis* owned)
+        : handle_(owned), clip_(stltsa_synthesis_clip(owned)) {}
+
+    /// The new clip; it lives as long as this object.
+    const Clip& clip() const noexcept { return clip_; }
+    std::int64_t seam_count() const noexcept { return stltsa_synthesis_seam_count(get()); }
+    Seam seam(std::int64_t index) const {
+        Seam seam{};
+        seam.size = sizeof seam;
+        detail::check(stltsa_synthesis_seam(get(), index, &seam));
+        return seam;
+    }
+    std::vector<Seam> seams() const {
+        return detail::list(seam_count(), [this](std::int64_t index) { return seam(index); });
+    }
+    std::vector<std::string> warnings() const {
+        return detail::texts(stltsa_synthesis_warning_count, stltsa_synthesis_warning, get());
+    }
+    std::string json() const { return detail::json(stltsa_synthesis_json, get()); }
+
+    const stltsa_synthesis* get() const noexcept { return handle_.get(); }
+
+  private:
+    detail::Handle<stltsa_synthesis, stltsa_synthesis_free> handle_;
+    Clip clip_;
+};
+
+inline Synthesis synthesize(std::span<const Piece> pieces, const Options& options = {}) {
+    return detail::made<Synthesis>(stltsa_synthesize, pieces.data(),
+                                   static_cast<std::int64_t>(pieces.size()), options.get());
+}
+
+} // namespace v0
+} // namespace stltsa
+
+#endif // STLTSA_HPP
