@@ -148,7 +148,7 @@ Clip parse_bvh(std::string_view bytes, const std::string& name) {
     const std::int64_t frames = read_frame_count(in);
     read_rate(in, clip);
     RowReader(in, clip, frames, channels).read();
-    if (positions_add_to_offsets(*clip.skeleton, clip.values)) {
+    if (positions_add_to_offsets(clip)) {
         clip.skeleton->translations_add = true;
         clip.notes.push_back("positions of joints below the root are taken to add to OFFSET");
     }

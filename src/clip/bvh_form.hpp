@@ -6,12 +6,12 @@
 
 namespace stltsa::clip {
 
-/// How the position channels of a BVH file's joints below the root are meant: whether they add to
-/// the joints' OFFSETs. Nothing in the file says so but the numbers.
-bool positions_add_to_offsets(const Skeleton& skeleton, const SharedMatrix& values);
+/// Whether the position channels of a BVH clip's joints add to the joints' OFFSETs. Nothing in a
+/// file says so but the numbers.
+bool positions_add_to_offsets(const Clip& clip);
 
-/// The same motion by rotations about moving axes, with a meaning of position channels that the
-/// rule above gives back. A clip that was read from BVH is as it was.
+/// The same motion by rotations about moving axes, with positions that replace the joints' OFFSETs,
+/// as other programs take them. Where the rule above would misread these, they add.
 Clip in_bvh_form(const Clip& clip);
 
 } // namespace stltsa::clip

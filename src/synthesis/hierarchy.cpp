@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "clip/formats.hpp"
+#include "clip/heading.hpp"
 #include "clip/quaternion.hpp"
 
 namespace stltsa::synthesis {
@@ -44,15 +46,20 @@ void check_joint(const Joint& a, const Joint& b, std::size_t index, const std::s
              b.name, name, advice);
 }
 
-/// Over 1: too different. The root's offset says nothing where channels replace it.
-double offset_difference(const Skeleton& a, const Skeleton& b, std::size_t j, double longest) {
-    const Joint& first = a.joints[j];
-    if (first.parent < 0 && !first.channels.empty())
-        return 0;
-    const double length = std::max(clip::norm(first.offset), clip::norm(b.joints[j].offset));
+/// Whether channels place the joint in place of its offset, which then says nothing of the body:
+/// the root's do, and those of hips that travel below a static root.
+bool is_placed(const Skeleton& skeleton, std::size_t j, std::size_t body_root) {
+    const std::vector<clip::Channel>& channels = skeleton.joints[j].channels;
+    const auto rotations = std::count_if(channels.begin(), channels.end(), clip::is_rotation);
+    const bool replaced = !skeleton.translations_add && std::ssize(channels) - rotations == 3;
+    return j == 0 ? !channels.empty() : j <= body_root && replaced;
+}
+
+/// Over 1: too different.
+double offset_difference(const Joint& first, const Joint& other, double longest) {
+    const double length = std::max(clip::norm(first.offset), clip::norm(other.offset));
     const double allowed = std::max(tolerance * length, rounding * longest);
-    return allowed > 0 ? clip::norm(clip::operator-(first.offset, b.joints[j].offset)) / allowed
-                       : 0;
+    return allowed > 0 ? clip::norm(clip::operator-(first.offset, other.offset)) / allowed : 0;
 }
 
 } // namespace
@@ -67,11 +74,14 @@ std::string check_same_body(const clip::Clip& first, const clip::Clip& other,
     if (a.fixed_axes != b.fixed_axes || a.translations_add != b.translations_add)
         fail(Status::unsupported, "{} is of another format than the first clip{}", name, advice);
     const double longest = longest_offset(a);
+    const std::size_t body_root = clip::body_root(first);
     std::string differs;
     double most = tolerance * rounding;
     for (std::size_t j = 0; j < a.joints.size(); ++j) {
         check_joint(a.joints[j], b.joints[j], j, name);
-        const double difference = offset_difference(a, b, j, longest);
+        if (is_placed(a, j, body_root))
+            continue;
+        const double difference = offset_difference(a.joints[j], b.joints[j], longest);
         if (difference > 1)
             fail(Status::unsupported,
                  "joint \"{}\" of {} has an offset that differs by more than "

@@ -167,6 +167,86 @@ void takes_positions_below_the_root_as_the_file_means_them(void**) {
     assert_int_equal(relative.notes.size(), 1);
 }
 
+/// Joints of a body that stands still in its own axes; `hips` travel below a static root.
+struct Traveler {
+    bool add;                     ///< positions add to OFFSET
+    int limbs = 3;                ///< joints below the hips that have positions
+    Vec3 limb{10, 0, 0};          ///< their OFFSET
+    Vec3 hips{0, 90, -450};       ///< OFFSET of the hips
+    const char* root_turns = "0"; ///< rotation of the root in the second frame
+    bool prop = false;            ///< one more joint, that travels on its own
+
+    std::string text() const;
+    std::string row(double way) const;
+};
+
+constexpr std::string_view six =
+    "CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation\n";
+
+std::string triple(const Vec3& v) {
+    return stltsa::format_text(" {} {} {}", v[0], v[1], v[2]);
+}
+
+std::string Traveler::row(double way) const {
+    const Vec3 place = add ? Vec3{0, 0, way} : Vec3{0, 90, way - 450};
+    std::string text = "0 0 0 0 0 " + std::string(way == 0 ? "0" : root_turns) + triple(place) +
+                       triple({way, way, 0});
+    for (int i = 0; i < limbs; ++i)
+        text += triple(add ? Vec3{} : limb) + " 0 0 0";
+    if (prop)
+        text += triple(add ? Vec3{0, 0, 40 * way} : Vec3{0, 0, 1 - way / 500}) + " 0 0 0";
+    return text + "\n";
+}
+
+std::string Traveler::text() const {
+    std::string text = "HIERARCHY\nROOT reference\n{\nOFFSET 0 0 0\n" + std::string(six) +
+                       "JOINT hips\n{\nOFFSET" + triple(hips) + "\n" + std::string(six);
+    for (int i = 0; i < limbs; ++i)
+        text += stltsa::format_text("JOINT limb{}\n{{\nOFFSET{}\n{}}}\n", i, triple(limb), six);
+    if (prop)
+        text += "JOINT prop\n{\nOFFSET 0 0 500\n" + std::string(six) + "}\n";
+    return text + "}\n}\nMOTION\nFrames: 3\nFrame Time: 0.01\n" + row(0) + row(200) + row(450);
+}
+
+/// Whether positions are taken as they are meant, and so where they place the body.
+void check_meaning(const Traveler& traveler) {
+    const Clip clip = bvh(traveler.text());
+    assert_true(clip.skeleton->translations_add == traveler.add);
+    assert_int_equal(clip.notes.size(), traveler.add ? 1 : 0);
+    ASSERT_NEAR(positions(clip)(0, 4), 90, 1e-12); // height of the hips
+    ASSERT_NEAR(positions(clip)(0, 5), -450, 1e-12);
+    if (traveler.limbs > 0)
+        ASSERT_NEAR(positions(clip)(0, 6), traveler.limb[0], 1e-12);
+}
+
+void hips_that_travel_below_a_static_root_have_no_vote(void**) {
+    check_meaning({.add = false});
+    check_meaning({.add = true});
+    check_meaning({.add = false, .limbs = 1});
+    check_meaning({.add = true, .limbs = 1});
+    check_meaning({.add = false, .limbs = 0}); // nothing else has positions: they replace
+}
+
+void one_joint_that_travels_has_one_vote(void**) {
+    check_meaning({.add = false, .root_turns = "1"}); // the root is the body's, the hips vote
+    check_meaning({.add = true, .root_turns = "1"});
+    check_meaning({.add = false, .prop = true});
+    check_meaning({.add = true, .prop = true});
+}
+
+void joints_without_an_offset_have_no_vote(void**) {
+    check_meaning({.add = false, .limb = {0, 0, 0}});
+    const Clip clip = bvh(every(Traveler{.add = true}.text(), "OFFSET 10 0 0", "OFFSET 0 0 0"));
+    assert_false(clip.skeleton->translations_add); // nothing tells: as in most files
+}
+
+void a_single_joint_replaces(void**) {
+    const Clip clip = bvh("HIERARCHY\nROOT a\n{\nOFFSET 5 0 0\nCHANNELS 1 Xposition\n}\n"
+                          "MOTION\nFrames: 2\nFrame Time: 0.01\n0\n1\n");
+    assert_false(clip.skeleton->translations_add);
+    assert_true(positions(clip)(1, 0) == 1);
+}
+
 void a_root_offset_does_not_add_to_its_position(void**) {
     const Clip clip = bvh(replaced(small_bvh, "OFFSET 0.0 0.0 0.0", "OFFSET 1.0 2.0 3.0"));
     assert_true(positions(clip)(0, 1) == 2);
@@ -213,6 +293,10 @@ int main() {
         cmocka_unit_test(reads_names_with_blanks_and_without),
         cmocka_unit_test(reads_channels_in_any_order_and_number),
         cmocka_unit_test(takes_positions_below_the_root_as_the_file_means_them),
+        cmocka_unit_test(hips_that_travel_below_a_static_root_have_no_vote),
+        cmocka_unit_test(one_joint_that_travels_has_one_vote),
+        cmocka_unit_test(joints_without_an_offset_have_no_vote),
+        cmocka_unit_test(a_single_joint_replaces),
         cmocka_unit_test(a_root_offset_does_not_add_to_its_position),
         cmocka_unit_test(a_frame_time_of_zero_means_unknown),
         cmocka_unit_test(tells_formats_by_content_and_suffix),

@@ -182,13 +182,16 @@ std::string bvh_with_moving_arm(const char* x_y_z) {
     return text;
 }
 
-void positions_of_joints_keep_their_meaning(void**) {
+void positions_are_written_to_replace_offsets(void**) {
     const Clip replacing = parse(bvh_with_moving_arm("3.1 5 0"), Format::bvh);
     assert_false(replacing.skeleton->translations_add);
     check_same(through_file(replacing, "a.bvh"), replacing);
     const Clip adding = parse(bvh_with_moving_arm("0.1 0 0"), Format::bvh);
     assert_true(adding.skeleton->translations_add);
-    check_same(through_file(adding, "a.bvh"), adding);
+    const Clip again = through_file(adding, "a.bvh");
+    assert_false(again.skeleton->translations_add);
+    assert_true(again.values(1, 9) == 3.1 && again.values(1, 10) == 5);
+    check_same_positions(again, adding, 0);
 }
 
 void positions_that_would_be_misread_are_converted(void**) {
@@ -198,8 +201,10 @@ void positions_that_would_be_misread_are_converted(void**) {
         for (std::int64_t i = 0; i < clip.frames(); ++i)
             for (std::int64_t c = 9; c < 12; ++c)
                 clip.values.edit()(i, c) = add ? 4 : 0.5; // looks like the other meaning
-        assert_true(positions_add_to_offsets(*clip.skeleton, clip.values) != add);
-        check_same_positions(through_file(clip, "a.bvh"), clip, 1e-15);
+        assert_true(positions_add_to_offsets(clip) != add);
+        const Clip again = through_file(clip, "a.bvh");
+        assert_true(again.skeleton->translations_add != add);
+        check_same_positions(again, clip, 1e-15);
     }
 }
 
@@ -359,7 +364,7 @@ int main() {
         cmocka_unit_test(bvh_comes_back),
         cmocka_unit_test(bvh_is_laid_out_as_everybody_does),
         cmocka_unit_test(a_frame_rate_that_was_given_is_written),
-        cmocka_unit_test(positions_of_joints_keep_their_meaning),
+        cmocka_unit_test(positions_are_written_to_replace_offsets),
         cmocka_unit_test(positions_that_would_be_misread_are_converted),
         cmocka_unit_test(amc_comes_back),
         cmocka_unit_test(amc_becomes_a_bvh_of_the_same_motion),

@@ -53,6 +53,27 @@ void offsets_that_say_nothing(void**) {
     check_same_body(tiny, rounded, "other");
 }
 
+/// Hips that travel below a static root are where their positions say, whatever their offset is.
+void offsets_of_hips_that_travel_below_a_static_root(void**) {
+    using namespace stltsa::clip;
+    const auto traveling = [](const Vec3& hips, bool add) {
+        Clip clip = walking({});
+        std::vector<Joint>& joints = clip.skeleton->joints;
+        for (Joint& joint : joints)
+            ++joint.parent;
+        joints[0].offset = hips;
+        joints.emplace(joints.begin());
+        clip.skeleton->translations_add = add;
+        return clip;
+    };
+    const Vec3 here{0, 90, -450};
+    const Vec3 there{9, 80, 0};
+    assert_string_equal(
+        check_same_body(traveling(here, false), traveling(there, false), "other").c_str(), "");
+    ASSERT_FAILS(Status::unsupported, "1 %",
+                 check_same_body(traveling(here, true), traveling(there, true), "other"));
+}
+
 void other_bodies_are_told_apart(void**) {
     const Clip clip = walking({});
     const auto refused = [&](const char* word, const Clip& other) {
@@ -79,6 +100,7 @@ int main() {
         cmocka_unit_test(the_same_body_has_no_difference),
         cmocka_unit_test(offsets_may_differ_by_one_percent),
         cmocka_unit_test(offsets_that_say_nothing),
+        cmocka_unit_test(offsets_of_hips_that_travel_below_a_static_root),
         cmocka_unit_test(other_bodies_are_told_apart),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
