@@ -88,7 +88,7 @@ enum {
     STLTSA_E_NOT_FINITE = -3,    /* a NaN or an infinity among the numbers, or one beyond 1e100,
                                     where distances would be infinite */
     STLTSA_E_TOO_FEW_FRAMES = -4, /* fewer (distinct) frames than the neighbors ask for */
-    STLTSA_E_NO_MEMORY = -5,     /* also: rows * cols overflows */
+    STLTSA_E_NO_MEMORY = -5,     /* no memory, or rows * cols overflows */
     STLTSA_E_IO = -6,            /* a file cannot be opened, read or written */
     STLTSA_E_FORMAT = -7,        /* a file is not what its format says; text has the line */
     STLTSA_E_DISCONNECTED = -8,  /* the neighborhood graph falls apart and one was needed */
@@ -186,7 +186,12 @@ enum {
                                       the process (SIGBUS) */
 };
 
-enum { STLTSA_MODE_TEMPORAL = 1, STLTSA_MODE_SPATIAL = 2, STLTSA_MODE_RECURRENT = 3 };
+enum {
+    STLTSA_MODE_TEMPORAL = 1, /* the frames of the same clip within the window */
+    STLTSA_MODE_SPATIAL = 2,  /* all frames; needs CHOLMOD */
+    STLTSA_MODE_RECURRENT = 3 /* those of the window and, as links, the frames outside the
+                                 exclusion zone; needs CHOLMOD */
+};
 
 enum {
     STLTSA_FEATURES_AUTO = 0,        /* positions where there is a skeleton, else raw */
@@ -235,16 +240,16 @@ STLTSA_API stltsa_status stltsa_options_get_text(const stltsa_options *options, 
 
 /* Stages of the work as the progress callback sees them; a call passes through some of them. */
 enum {
-    STLTSA_STAGE_READ = 0,
-    STLTSA_STAGE_FEATURES = 1,
-    STLTSA_STAGE_NEIGHBORS = 2, /* among all frames; temporal ones are found with the tangents */
-    STLTSA_STAGE_TANGENTS = 3,
-    STLTSA_STAGE_ALIGNMENT = 4,
-    STLTSA_STAGE_SPECTRUM = 5,
-    STLTSA_STAGE_UNITS = 6,
-    STLTSA_STAGE_MAP = 7,
-    STLTSA_STAGE_DENOISE = 8,
-    STLTSA_STAGE_SYNTHESIS = 9
+    STLTSA_STAGE_READ = 0,      /* reading a clip */
+    STLTSA_STAGE_FEATURES = 1,  /* features of its poses */
+    STLTSA_STAGE_NEIGHBORS = 2, /* neighbors among all frames; temporal ones come with the tangents */
+    STLTSA_STAGE_TANGENTS = 3,  /* local tangents */
+    STLTSA_STAGE_ALIGNMENT = 4, /* the alignment matrix */
+    STLTSA_STAGE_SPECTRUM = 5,  /* its smallest eigenvectors */
+    STLTSA_STAGE_UNITS = 6,     /* units and cycles */
+    STLTSA_STAGE_MAP = 7,       /* mapping, either way */
+    STLTSA_STAGE_DENOISE = 8,   /* denoising */
+    STLTSA_STAGE_SYNTHESIS = 9  /* new motion */
 };
 
 /* `fraction` of the stage is done, 0 to 1. Nonzero cancels: the call returns E_CANCELLED. It runs
@@ -260,12 +265,12 @@ STLTSA_API stltsa_status stltsa_options_set_progress(stltsa_options *options,
 typedef struct stltsa_clip stltsa_clip;
 
 enum {
-    STLTSA_FORMAT_BVH = 1,
-    STLTSA_FORMAT_AMC = 2, /* needs its ASF: option skeleton, or found by subject number */
+    STLTSA_FORMAT_BVH = 1, /* BVH */
+    STLTSA_FORMAT_AMC = 2, /* AMC; needs its ASF: option skeleton, or found by subject number */
     STLTSA_FORMAT_CSV = 3, /* numbers split by , ; tab or blanks; a header line is optional */
     STLTSA_FORMAT_NPY = 4, /* NumPy 1.0 to 3.0, 1-D or 2-D, float32 or float64, C or Fortran;
                               others, as frames x joints x 3, are refused: reshape them */
-    STLTSA_FORMAT_MATRIX = 5 /* stltsa_clip_from_matrix */
+    STLTSA_FORMAT_MATRIX = 5 /* no file: stltsa_clip_from_matrix */
 };
 
 /* Reads a clip; the format is told by the suffix, else by the content. Options used: fps,
@@ -445,13 +450,13 @@ STLTSA_API stltsa_status stltsa_dimension_json(const stltsa_dimension_result *re
 typedef struct stltsa_decomposition stltsa_decomposition;
 
 enum {
-    STLTSA_UNIT_PREPARING = 1,
-    STLTSA_UNIT_INITIAL = 2,
-    STLTSA_UNIT_CYCLIC = 3,
-    STLTSA_UNIT_FINAL = 4,
-    STLTSA_UNIT_WIND_UP = 5,
-    STLTSA_UNIT_ACTION = 6, /* moving, and no cycle is claimed there */
-    STLTSA_UNIT_CYCLE = 7   /* one cycle of the cyclic unit */
+    STLTSA_UNIT_PREPARING = 1, /* standing before a motion */
+    STLTSA_UNIT_INITIAL = 2,   /* from the first movement to the first cycle */
+    STLTSA_UNIT_CYCLIC = 3,    /* the cycles */
+    STLTSA_UNIT_FINAL = 4,     /* from the last cycle to standing */
+    STLTSA_UNIT_WIND_UP = 5,   /* standing after a motion */
+    STLTSA_UNIT_ACTION = 6,    /* moving, and no cycle is claimed there */
+    STLTSA_UNIT_CYCLE = 7      /* one cycle of the cyclic unit */
 };
 /* "preparing", "initial", "cyclic", "final", "wind-up", "action", "cycle"; "" for others. */
 STLTSA_API const char *stltsa_unit_name(int32_t kind) STLTSA_NOEXCEPT;

@@ -2,18 +2,18 @@
 """Colors that color-blind readers can tell apart too.
 
 From the palette of Okabe and Ito, "Color Universal Design" (2008); the command `stltsa` has the
-same.
+same. A kind of unit has the color of its place among the kinds.
 """
 
+from ._native import lib
+from ._text import names, string
+
+_PALETTE = ("#56B4E9", "#E69F00", "#0072B2", "#D55E00", "#CC79A7", "#009E73")
 UNIT_COLORS = {
-    "preparing": "#56B4E9",
-    "initial": "#E69F00",
-    "cyclic": "#0072B2",
-    "final": "#D55E00",
-    "wind-up": "#CC79A7",
-    "action": "#009E73",
-    "cycle": "#0072B2",
+    string(lib.stltsa_unit_name(kind)): _PALETTE[place % len(_PALETTE)]
+    for place, kind in enumerate(sorted(names("STLTSA_UNIT_")))
 }
+UNIT_COLORS["cycle"] = UNIT_COLORS["cyclic"]
 POINTS = "#D55E00"
 CURVE = "#0072B2"
 INK = "#222222"

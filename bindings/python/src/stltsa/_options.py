@@ -4,20 +4,18 @@
 from __future__ import annotations
 
 import operator
-import os  # noqa: TC003 (the keywords' types can be asked for)
-from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypedDict
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
+from ._keywords import Keywords
 from ._native import ffi, lib
 from ._progress import Progress  # noqa: TC001 (the keywords' types can be asked for)
-from ._text import c_path, string
+from ._text import c_path, names, string
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-Auto = Literal["auto"]
 
-
-class Options(TypedDict, total=False):
+class Options(Keywords, total=False):
     """Keywords that the functions of this package take.
 
     ``None`` and ``"auto"`` stand for the library's choice. What each means, its range and its
@@ -25,37 +23,6 @@ class Options(TypedDict, total=False):
     `progress` is known to all.
     """
 
-    neighbors: int | Auto | None
-    window: int | Auto | None
-    dimension: int | Auto | None
-    mode: Literal["temporal", "spatial", "recurrent"]
-    include_self: bool
-    links: int
-    exclusion: int | Auto | None
-    threads: int | Auto | None
-    features: Literal["auto", "positions", "rotations6d", "euler", "raw"]
-    up_axis: Literal["auto", "x", "y", "z"]
-    keep_start: bool
-    fps: float | Auto | None
-    rate: float
-    smoothing: float
-    period_min: float
-    period_max: float
-    eigengap: float
-    variance: float
-    skeleton: str | os.PathLike[str]
-    keep_frames: bool
-    map_neighbors: int | Auto | None
-    map_blend: int
-    hint_window: int | Auto | None
-    component: int | Auto | None
-    gamma: float | Auto | None
-    knots: float | Auto | None
-    robust: bool
-    crossfade: float | Auto | None
-    search: float | Auto | None
-    posture_limit: float
-    memory_map: bool
     progress: Progress
 
 
@@ -72,7 +39,7 @@ class Option(NamedTuple):
     key: int
 
 
-_TYPES: dict[int, Literal["int", "real", "text"]] = {1: "int", 2: "real", 3: "text"}
+_TYPES: dict[int, Any] = names("STLTSA_TYPE_")
 
 
 def _read_option(index: int) -> Option:

@@ -11,17 +11,13 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any, Protocol, TypeAlias
 
-from ._native import ffi, lib
+from ._native import ffi
+from ._text import names
 
 Progress: TypeAlias = bool | Callable[[str, float], object] | None
 
 
-def _stage_names() -> dict[int, str]:
-    prefix = "STLTSA_STAGE_"
-    return {getattr(lib, n): n[len(prefix) :].lower() for n in dir(lib) if n.startswith(prefix)}
-
-
-_STAGES = _stage_names()
+_STAGES = names("STLTSA_STAGE_")
 
 
 class Reporter(Protocol):

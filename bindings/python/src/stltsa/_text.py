@@ -6,12 +6,17 @@ from __future__ import annotations
 import os
 from typing import Any
 
-from ._native import ffi
+from ._native import ffi, lib
 
 
 def string(text: Any) -> str:
     """Return a text that belongs to the library."""
     return str(ffi.string(text).decode("utf-8", "replace"))
+
+
+def names(prefix: str) -> dict[int, str]:
+    """Return the names of the header's constants with a prefix, by value: ``{1: "bvh", ...}``."""
+    return {getattr(lib, n): n[len(prefix) :].lower() for n in dir(lib) if n.startswith(prefix)}
 
 
 def c_path(path: str | os.PathLike[str]) -> bytes:

@@ -14,14 +14,14 @@ import numpy.typing as npt
 from ._arrays import FloatArray, IntArray, as_matrix, columns, read_from, write_to
 from ._call import Call, check, json_text, owned
 from ._native import ffi, lib
-from ._text import c_path, string
+from ._text import c_path, names, string
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
     from ._options import Options
 
-_FORMATS = {1: "bvh", 2: "amc", 3: "csv", 4: "npy", 5: "matrix"}
+_FORMATS = names("STLTSA_FORMAT_")
 
 
 class Clip:

@@ -24,8 +24,8 @@ if TYPE_CHECKING:
 class Interval(NamedTuple):
     """A unit or a cycle: ``[begin, end)`` in source frames, and in seconds.
 
-    Seconds keep fractions of a frame. `kind` is ``"preparing"``, ``"initial"``, ``"cyclic"``,
-    ``"final"``, ``"wind-up"``, ``"action"`` or ``"cycle"``.
+    Seconds keep fractions of a frame. `kind` is the library's name of a unit, such as
+    ``"preparing"``, ``"cyclic"`` or ``"action"``, or ``"cycle"``.
     """
 
     kind: str

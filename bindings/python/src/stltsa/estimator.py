@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from ._arrays import FloatArray
+    from ._keywords import Mode
 
 
 @contextmanager
@@ -108,7 +109,7 @@ class STLTSA(Base):
         n_neighbors: int | Literal["auto"] = "auto",
         n_components: int = 2,
         *,
-        neighbors: Literal["temporal", "recurrent", "spatial"] = "temporal",
+        neighbors: Mode = "temporal",
         window: int | Literal["auto"] = "auto",
         include_self: bool = True,
         links: int = 4,

@@ -20,7 +20,7 @@ from ._arrays import (
 from ._call import Call, check, get_int, get_real, json_text, owned, texts
 from ._clips import call_on_clips, frames_and_lengths, refuse_groups
 from ._native import ffi, lib
-from ._text import c_path
+from ._text import c_path, names
 from .clip import Clip, opened
 
 if TYPE_CHECKING:
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
     from ._options import Options
 
-_MODES = {1: "temporal", 2: "spatial", 3: "recurrent"}
+_MODES = names("STLTSA_MODE_")
 
 
 class Mapped(NamedTuple):

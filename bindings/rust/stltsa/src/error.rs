@@ -7,66 +7,10 @@ use std::path::Path;
 
 use stltsa_sys as sys;
 
+pub use crate::kinds::ErrorKind;
+
 /// `Result` with this crate's [`Error`].
 pub type Result<T> = std::result::Result<T, Error>;
-
-/// Kinds of failure. What each function can fail with is said at the function.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[non_exhaustive]
-pub enum ErrorKind {
-    /// A value out of range, or an option that the library does not know.
-    Argument,
-    /// Rows, columns or strides do not fit.
-    Shape,
-    /// A NaN or an infinity among the frames.
-    NotFinite,
-    /// Fewer (distinct) frames than the neighbors ask for.
-    TooFewFrames,
-    /// No memory; also: rows times columns overflows.
-    NoMemory,
-    /// A file cannot be opened, read or written.
-    Io,
-    /// A file is not what its format says.
-    Format,
-    /// The neighborhood graph falls apart and one was needed.
-    Disconnected,
-    /// The frames do not vary, or not in enough directions.
-    Degenerate,
-    /// The eigensolver gave up.
-    NotConverged,
-    /// The progress closure asked to stop.
-    Cancelled,
-    /// Not in this build of the library, or not for this clip.
-    Unsupported,
-    /// A defect of the library: please report it.
-    Internal,
-    /// Two pieces of motion have no posture at which to join.
-    NoCommonPosture,
-    /// A status that is newer than this crate.
-    Other(i32),
-}
-
-impl ErrorKind {
-    fn of_status(status: sys::stltsa_status) -> Self {
-        match status {
-            sys::STLTSA_E_ARGUMENT => Self::Argument,
-            sys::STLTSA_E_SHAPE => Self::Shape,
-            sys::STLTSA_E_NOT_FINITE => Self::NotFinite,
-            sys::STLTSA_E_TOO_FEW_FRAMES => Self::TooFewFrames,
-            sys::STLTSA_E_NO_MEMORY => Self::NoMemory,
-            sys::STLTSA_E_IO => Self::Io,
-            sys::STLTSA_E_FORMAT => Self::Format,
-            sys::STLTSA_E_DISCONNECTED => Self::Disconnected,
-            sys::STLTSA_E_DEGENERATE => Self::Degenerate,
-            sys::STLTSA_E_NOT_CONVERGED => Self::NotConverged,
-            sys::STLTSA_E_CANCELLED => Self::Cancelled,
-            sys::STLTSA_E_UNSUPPORTED => Self::Unsupported,
-            sys::STLTSA_E_INTERNAL => Self::Internal,
-            sys::STLTSA_E_NO_COMMON_POSTURE => Self::NoCommonPosture,
-            other => Self::Other(other),
-        }
-    }
-}
 
 /// A failure: its kind, and the library's own words on what was wrong, where, and what to do.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -106,7 +50,7 @@ pub(crate) fn check(status: sys::stltsa_status) -> Result<()> {
     }
     // SAFETY: never NULL, and valid until the next failure on this thread; copied at once.
     let message = unsafe { text(sys::stltsa_last_error()) };
-    Err(Error::new(ErrorKind::of_status(status), message))
+    Err(Error::new(ErrorKind::from_raw(status), message))
 }
 
 /// A copy of a text of the library. What is not UTF-8 (names out of files) is replaced.
@@ -172,26 +116,4 @@ pub(crate) unsafe fn texts(
 ) -> Vec<String> {
     // SAFETY: as the caller promises.
     (0..count).map(|index| unsafe { text(get(index)) }).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// "STLTSA_E_TOO_FEW_FRAMES" is `TooFewFrames`, and the first unknown one is `Other`.
-    #[test]
-    fn there_is_a_kind_for_each_status() {
-        let word = |word: &str| word[..1].to_owned() + &word[1..].to_lowercase();
-        for status in (-99..0).rev() {
-            // SAFETY: a static text for any number.
-            let name = unsafe { text(sys::stltsa_status_name(status)) };
-            let words = name.trim_start_matches("STLTSA_E_").split('_');
-            let expected = match words.map(word).collect::<String>() {
-                unknown if unknown == "Unknown" => format!("Other({status})"),
-                known => known,
-            };
-            assert_eq!(format!("{:?}", ErrorKind::of_status(status)), expected);
-        }
-        assert_ne!(ErrorKind::of_status(-14), ErrorKind::Other(-14));
-    }
 }

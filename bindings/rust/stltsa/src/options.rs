@@ -15,6 +15,8 @@ use crate::handle::Owned;
 use crate::kinds::{Axis, Features, Mode, Stage};
 use crate::progress::{watched, Callback};
 
+mod generated; // a method for each option
+
 #[derive(Clone, Debug, PartialEq)]
 enum Value {
     Int(i64),
@@ -40,96 +42,10 @@ pub struct Options {
     progress: Option<Callback>,
 }
 
-macro_rules! setters {
-    ($($(#[$text:meta])* $name:ident($value:ident: $kind:ty) => $key:ident, $to:expr;)*) => {$(
-        $(#[$text])*
-        #[must_use]
-        pub fn $name(self, $value: $kind) -> Self {
-            self.with(sys::$key, $to)
-        }
-    )*};
-}
-
 impl Options {
     /// The defaults.
     pub fn new() -> Self {
         Self::default()
-    }
-
-    setters! {
-        /// Neighbors of each frame, k; 0: 1.2 periods where a period is found, else 1.2 seconds (12
-        /// where the frame rate is unknown).
-        neighbors(k: usize) => STLTSA_OPT_NEIGHBORS, int(k);
-        /// Frames to each side that neighbors come from, w; 0: as neighbors.
-        window(frames: usize) => STLTSA_OPT_WINDOW, int(frames);
-        /// Tangent dimension and number of coordinates, d; 0: fit 2, decompose the best of 1 to 3.
-        dimension(d: usize) => STLTSA_OPT_DIMENSION, int(d);
-        /// Where neighbors are looked for.
-        mode(mode: Mode) => STLTSA_OPT_MODE, Value::Int(mode.raw().into());
-        /// Whether a frame is among its own k neighbors (Zhang and Zha) or not (scikit-learn).
-        include_self(yes: bool) => STLTSA_OPT_INCLUDE_SELF, Value::Int(yes.into());
-        /// Mode recurrent: neighbors from outside the exclusion zone.
-        links(count: usize) => STLTSA_OPT_LINKS, int(count);
-        /// Mode recurrent: half width of that zone in frames; 0: as window.
-        exclusion(frames: usize) => STLTSA_OPT_EXCLUSION, int(frames);
-        /// Threads; 0: every core. Results are the same for any number.
-        threads(count: usize) => STLTSA_OPT_THREADS, int(count);
-        /// What a pose is described by.
-        features(features: Features) => STLTSA_OPT_FEATURES, Value::Int(features.raw().into());
-        /// The axis that points up; found from the clip where it is not set.
-        up_axis(axis: Axis) => STLTSA_OPT_UP_AXIS, Value::Int(axis as i64);
-        /// Whether a T-pose at the start is kept.
-        keep_start(yes: bool) => STLTSA_OPT_KEEP_START, Value::Int(yes.into());
-        /// Frames a second, over what the file says; 0: the file's.
-        fps(rate: f64) => STLTSA_OPT_FPS, Value::Real(rate);
-        /// Clips are decimated to about this many frames a second: one frame in fps / rate,
-        /// rounded, is kept; 0: all.
-        rate(rate: f64) => STLTSA_OPT_RATE, Value::Real(rate);
-        /// Sigma in seconds of the Gaussian that smooths features; 0: none.
-        smoothing(seconds: f64) => STLTSA_OPT_SMOOTHING, Value::Real(seconds);
-        /// Shortest period looked for, in seconds.
-        period_min(seconds: f64) => STLTSA_OPT_PERIOD_MIN, Value::Real(seconds);
-        /// Longest period looked for, in seconds.
-        period_max(seconds: f64) => STLTSA_OPT_PERIOD_MAX, Value::Real(seconds);
-        /// Dimension: the gap of eigenvalues that counts (tau), as a fraction of k.
-        eigengap(tau: f64) => STLTSA_OPT_EIGENGAP, Value::Real(tau);
-        /// Dimension: share of local variance that local principal directions must hold.
-        variance(share: f64) => STLTSA_OPT_VARIANCE, Value::Real(share);
-        /// The ASF file of an AMC clip; found beside the clip where it is not set.
-        skeleton(path: impl AsRef<Path>) => STLTSA_OPT_SKELETON, Value::Path(path.as_ref().into());
-        /// Whether a model keeps the frames it was fitted to, and so can map and unmap.
-        keep_frames(yes: bool) => STLTSA_OPT_KEEP_FRAMES, Value::Int(yes.into());
-        /// Rows that a local map rests on; 0: d + 5, at least 10.
-        map_neighbors(rows: usize) => STLTSA_OPT_MAP_NEIGHBORS, int(rows);
-        /// Local maps that are blended.
-        map_blend(count: usize) => STLTSA_OPT_MAP_BLEND, int(count);
-        /// Rows to each side of a hint in which a frame is looked for; 0: a fifth of k.
-        hint_window(rows: usize) => STLTSA_OPT_HINT_WINDOW, int(rows);
-        /// Unmapping: component that the coordinates are of, counted from 0; the only one there is
-        /// where it is not set.
-        component(index: usize) => STLTSA_OPT_COMPONENT, int(index);
-        /// Denoising: points farther than this from the curve are moved (gamma), in units of the
-        /// coordinate; one robust standard deviation of the residuals where it is not set.
-        gamma(gamma: f64) => STLTSA_OPT_GAMMA, Value::Real(gamma);
-        /// Denoising: seconds (rows where the rate is unknown) between knots; 0: a tenth of the
-        /// period, else 2 rows.
-        knots(seconds: f64) => STLTSA_OPT_KNOTS, Value::Real(seconds);
-        /// Denoising: whether spikes are kept from pulling at the curve.
-        robust(yes: bool) => STLTSA_OPT_ROBUST, Value::Int(yes.into());
-        /// Synthesis: seconds to each side of a seam that are blended; a tenth of the cycle that is
-        /// repeated, 0.15 s where clips join, where it is not set.
-        crossfade(seconds: f64) => STLTSA_OPT_CROSSFADE, Value::Real(seconds);
-        /// Synthesis: seconds by which a cut may move to find a common posture; a tenth of the cycle
-        /// that is repeated, half a cycle and at least 0.5 s where clips join, where it is not set.
-        search(seconds: f64) => STLTSA_OPT_SEARCH, Value::Real(seconds);
-        /// Synthesis: largest distance of the postures at a seam, over what is common between a
-        /// motion's own repetitions; 0: none.
-        posture_limit(distance: f64) => STLTSA_OPT_POSTURE_LIMIT, Value::Real(distance);
-        /// Opening a clip: whether the file is mapped into memory. The numbers of an NPY file
-        /// (float64, C order) then stay in the file. While the clip, or a model that keeps its
-        /// frames, lives, whoever writes into the file changes them, and whoever cuts it short ends
-        /// the process (SIGBUS).
-        memory_map(yes: bool) => STLTSA_OPT_MEMORY_MAP, Value::Int(yes.into());
     }
 
     /// Calls `report` as the work goes on, with the stage and the fraction of it that is done, from 0

@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Made by scripts/generate-bindings: do not edit.
+"""The library's options as keywords with types."""
+
+from __future__ import annotations
+
+import os  # noqa: TC003 (the keywords' types can be asked for)
+from typing import Literal, TypeAlias, TypedDict
+
+Auto: TypeAlias = Literal["auto"]
+Mode: TypeAlias = Literal["temporal", "spatial", "recurrent"]
+Features: TypeAlias = Literal["auto", "positions", "rotations6d", "euler", "raw"]
+UpAxis: TypeAlias = Literal["auto", "x", "y", "z"]
+
+
+class Keywords(TypedDict, total=False):
+    """Every option of the library."""
+
+    neighbors: int | Auto | None
+    window: int | Auto | None
+    dimension: int | Auto | None
+    mode: Mode
+    include_self: bool
+    links: int
+    exclusion: int | Auto | None
+    threads: int | Auto | None
+    features: Features
+    up_axis: UpAxis
+    keep_start: bool
+    fps: float | Auto | None
+    rate: float
+    smoothing: float
+    period_min: float
+    period_max: float
+    eigengap: float
+    variance: float
+    skeleton: str | os.PathLike[str]
+    keep_frames: bool
+    map_neighbors: int | Auto | None
+    map_blend: int
+    hint_window: int | Auto | None
+    component: int | Auto | None
+    gamma: float | Auto | None
+    knots: float | Auto | None
+    robust: bool
+    crossfade: float | Auto | None
+    search: float | Auto | None
+    posture_limit: float
+    memory_map: bool

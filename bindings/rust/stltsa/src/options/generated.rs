@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Made by scripts/generate-bindings: do not edit.
+use super::*;
+
+impl Options {
+    /// Neighbors of each frame (k); 0: 1.2 periods where a period is found, else 1.2 seconds, or 12
+    /// where the frame rate is unknown.
+    #[must_use]
+    pub fn neighbors(self, value: usize) -> Self {
+        self.with(sys::STLTSA_OPT_NEIGHBORS, int(value))
+    }
+
+    /// Frames to each side that neighbors come from (w); 0: as neighbors.
+    #[must_use]
+    pub fn window(self, value: usize) -> Self {
+        self.with(sys::STLTSA_OPT_WINDOW, int(value))
+    }
+
+    /// Tangent dimension, the number of coordinates (d); 0: fit 2, decompose the best of 1 to 3.
+    #[must_use]
+    pub fn dimension(self, value: usize) -> Self {
+        self.with(sys::STLTSA_OPT_DIMENSION, int(value))
+    }
+
+    /// Where neighbors are looked for: temporal, within the window of the clip; spatial, among all
+    /// frames; recurrent, within the window and, as links, among all frames outside the exclusion
+    /// zone.
+    #[must_use]
+    pub fn mode(self, value: Mode) -> Self {
+        self.with(sys::STLTSA_OPT_MODE, Value::Int(value.raw().into()))
+    }
+
+    /// Count a frame among its own neighbors.
+    #[must_use]
+    pub fn include_self(self, value: bool) -> Self {
+        self.with(sys::STLTSA_OPT_INCLUDE_SELF, Value::Int(value.into()))
+    }
+
+    /// Recurrent: neighbors from outside the exclusion zone.
+    #[must_use]
+    pub fn links(self, value: usize) -> Self {
+        self.with(sys::STLTSA_OPT_LINKS, int(value))
+    }
+
+    /// Recurrent: frames to each side that are not links; 0: as window.
+    #[must_use]
+    pub fn exclusion(self, value: usize) -> Self {
+        self.with(sys::STLTSA_OPT_EXCLUSION, int(value))
+    }
+
+    /// Threads; 0: every core.
+    #[must_use]
+    pub fn threads(self, value: usize) -> Self {
+        self.with(sys::STLTSA_OPT_THREADS, int(value))
+    }
+
+    /// What a pose is described by: positions of the joints without root position and yaw,
+    /// rotations6d, euler (the file's angles), raw (the file's numbers); auto: positions where
+    /// there is a skeleton, else raw.
+    #[must_use]
+    pub fn features(self, value: Features) -> Self {
+        self.with(sys::STLTSA_OPT_FEATURES, Value::Int(value.raw().into()))
+    }
+
+    /// The axis that points up.
+    #[must_use]
+    pub fn up_axis(self, value: Axis) -> Self {
+        self.with(sys::STLTSA_OPT_UP_AXIS, Value::Int(value.raw().into()))
+    }
+
+    /// Keep a T-pose at the start instead of dropping it.
+    #[must_use]
+    pub fn keep_start(self, value: bool) -> Self {
+        self.with(sys::STLTSA_OPT_KEEP_START, Value::Int(value.into()))
+    }
+
+    /// Frames a second, over what the file says; of unmap, points a second; 0: the file's, or the
+    /// model's.
+    #[must_use]
+    pub fn fps(self, value: f64) -> Self {
+        self.with(sys::STLTSA_OPT_FPS, Value::Real(value))
+    }
+
+    /// Decimate a clip to about this many frames a second: one frame in fps / rate, rounded, is
+    /// kept; 0: keep all.
+    #[must_use]
+    pub fn rate(self, value: f64) -> Self {
+        self.with(sys::STLTSA_OPT_RATE, Value::Real(value))
+    }
+
+    /// Sigma in seconds of the Gaussian that smooths the features; 0: none.
+    #[must_use]
+    pub fn smoothing(self, value: f64) -> Self {
+        self.with(sys::STLTSA_OPT_SMOOTHING, Value::Real(value))
+    }
+
+    /// Shortest period looked for, in seconds.
+    #[must_use]
+    pub fn period_min(self, value: f64) -> Self {
+        self.with(sys::STLTSA_OPT_PERIOD_MIN, Value::Real(value))
+    }
+
+    /// Longest period looked for, in seconds.
+    #[must_use]
+    pub fn period_max(self, value: f64) -> Self {
+        self.with(sys::STLTSA_OPT_PERIOD_MAX, Value::Real(value))
+    }
+
+    /// Gap between eigenvalues that tells the dimension, as a fraction of the neighbors.
+    #[must_use]
+    pub fn eigengap(self, value: f64) -> Self {
+        self.with(sys::STLTSA_OPT_EIGENGAP, Value::Real(value))
+    }
+
+    /// Share of a neighborhood's variance that local PCA must hold.
+    #[must_use]
+    pub fn variance(self, value: f64) -> Self {
+        self.with(sys::STLTSA_OPT_VARIANCE, Value::Real(value))
+    }
+
+    /// The ASF file of an AMC clip; empty: beside the clip.
+    #[must_use]
+    pub fn skeleton(self, value: impl AsRef<Path>) -> Self {
+        self.with(sys::STLTSA_OPT_SKELETON, Value::Path(value.as_ref().into()))
+    }
+
+    /// Keep in a model the frames it was fitted to, so that it can map.
+    #[must_use]
+    pub fn keep_frames(self, value: bool) -> Self {
+        self.with(sys::STLTSA_OPT_KEEP_FRAMES, Value::Int(value.into()))
+    }
+
+    /// Rows that a local map rests on; 0: the dimension and 5 more, at least 10.
+    #[must_use]
+    pub fn map_neighbors(self, value: usize) -> Self {
+        self.with(sys::STLTSA_OPT_MAP_NEIGHBORS, int(value))
+    }
+
+    /// Stretches of the curve whose local maps are blended.
+    #[must_use]
+    pub fn map_blend(self, value: usize) -> Self {
+        self.with(sys::STLTSA_OPT_MAP_BLEND, int(value))
+    }
+
+    /// Rows to each side of a hint in which a frame is looked for; 0: a fifth of the neighbors.
+    #[must_use]
+    pub fn hint_window(self, value: usize) -> Self {
+        self.with(sys::STLTSA_OPT_HINT_WINDOW, int(value))
+    }
+
+    /// Component of the model that coordinates are of, counted from 0; -1: the only one.
+    #[must_use]
+    pub fn component(self, value: usize) -> Self {
+        self.with(sys::STLTSA_OPT_COMPONENT, int(value))
+    }
+
+    /// Distance from the curve beyond which a point is noisy, in units of the coordinate; -1: one
+    /// robust standard deviation.
+    #[must_use]
+    pub fn gamma(self, value: f64) -> Self {
+        self.with(sys::STLTSA_OPT_GAMMA, Value::Real(value))
+    }
+
+    /// Seconds between the knots of the smooth curve, rows where the rate is unknown; 0: a tenth of
+    /// the period, else 2 rows.
+    #[must_use]
+    pub fn knots(self, value: f64) -> Self {
+        self.with(sys::STLTSA_OPT_KNOTS, Value::Real(value))
+    }
+
+    /// Fit the smooth curve so that spikes do not pull at it.
+    #[must_use]
+    pub fn robust(self, value: bool) -> Self {
+        self.with(sys::STLTSA_OPT_ROBUST, Value::Int(value.into()))
+    }
+
+    /// Seconds to each side of a seam that are blended; -1: a tenth of the cycle that is repeated,
+    /// 0.15 where clips join.
+    #[must_use]
+    pub fn crossfade(self, value: f64) -> Self {
+        self.with(sys::STLTSA_OPT_CROSSFADE, Value::Real(value))
+    }
+
+    /// Seconds by which a cut may move to find a common posture; -1: a tenth of the cycle that is
+    /// repeated, half a cycle and at least 0.5 where clips join.
+    #[must_use]
+    pub fn search(self, value: f64) -> Self {
+        self.with(sys::STLTSA_OPT_SEARCH, Value::Real(value))
+    }
+
+    /// Largest distance of the postures at a seam, over what is common between repetitions of one
+    /// motion; 0: none.
+    #[must_use]
+    pub fn posture_limit(self, value: f64) -> Self {
+        self.with(sys::STLTSA_OPT_POSTURE_LIMIT, Value::Real(value))
+    }
+
+    /// Map the clip's file into memory instead of reading it: the numbers of an NPY file (float64,
+    /// C order) stay in the file, which must not be cut short meanwhile.
+    #[must_use]
+    pub fn memory_map(self, value: bool) -> Self {
+        self.with(sys::STLTSA_OPT_MEMORY_MAP, Value::Int(value.into()))
+    }
+}
