@@ -260,6 +260,164 @@ STLTSA_API stltsa_status stltsa_options_set_progress(stltsa_options *options,
                                                      stltsa_progress progress,
                                                      void *user) STLTSA_NOEXCEPT;
 
+/* ---- Facts ------------------------------------------------------------------------------ */
+
+/* What a clip or a result says about itself, by key. Together with the arrays, intervals and seams
+ * that have functions of their own these are all the facts of its JSON. An info belongs to the
+ * handle that it came from and lives as long; it is NULL for NULL. */
+typedef struct stltsa_info stltsa_info;
+
+/* Keys. stltsa_info_describe() gives name, type and text of each at run time. A key with [] has any
+ * number of values, any other has one, or none if the handle does not have that fact. */
+enum {
+    /* Where the frames come from. Of these four a result of a matrix has none. */
+    STLTSA_INFO_PATH = 1,               /* text[] path of the clip as given; empty: from memory */
+    STLTSA_INFO_FORMAT = 2,             /* int[]  STLTSA_FORMAT_* of the clip */
+    STLTSA_INFO_CLIP_FRAMES = 3,        /* int[]  frames of the clip */
+    STLTSA_INFO_CLIP_FPS = 4,           /* real[] frames a second of the clip; 0: unknown */
+    STLTSA_INFO_NOTE = 5,               /* text[] what the reader of the clip assumed */
+    STLTSA_INFO_CHANNEL = 6,            /* text[] names of the clip's channels; none if the
+                                                  file has no names */
+    STLTSA_INFO_FEATURES = 7,           /* int    STLTSA_FEATURES_* used */
+    STLTSA_INFO_FEATURE_COUNT = 8,      /* int    columns of the features */
+    STLTSA_INFO_UP_AXIS = 9,            /* int    axis that points up: 1, 2, 3 for x, y, z; 0:
+                                                  none was needed */
+    STLTSA_INFO_SMOOTHING = 10,         /* real   sigma in seconds of the Gaussian on the
+                                                  features; 0: none */
+    STLTSA_INFO_ROWS = 11,              /* int    rows that the method worked on */
+    STLTSA_INFO_LENGTH = 12,            /* int[]  rows of each clip; of a denoising, of each
+                                                  spline */
+    STLTSA_INFO_FIRST_FRAME = 13,       /* int[]  row i of a clip is its source frame
+                                                  first_frame + i * frame_step */
+    STLTSA_INFO_FRAME_STEP = 14,        /* int    see first_frame; 1 for matrices */
+    STLTSA_INFO_FPS = 15,               /* real   rows a second; 0: unknown */
+    /* The fit. A denoising of given coordinates has none of these seven. */
+    STLTSA_INFO_MODE = 20,              /* int    STLTSA_MODE_* */
+    STLTSA_INFO_NEIGHBORS = 21,         /* int    k used, in rows */
+    STLTSA_INFO_WINDOW = 22,            /* int    w used, in rows to each side */
+    STLTSA_INFO_DIMENSION = 23,         /* int    tangent dimension d */
+    STLTSA_INFO_INCLUDE_SELF = 24,      /* int    1: a row is among its own neighbors */
+    STLTSA_INFO_LINKS = 25,             /* int    Recurrent: neighbors from outside the
+                                                  exclusion zone */
+    STLTSA_INFO_EXCLUSION = 26,         /* int    Recurrent: half width of that zone in rows */
+    /* The period, if one was looked for. */
+    STLTSA_INFO_PERIOD = 30,            /* real   period in seconds; 0: none */
+    STLTSA_INFO_LAG_QUALITY = 31,       /* real   1 - D(T) of the period; 1: perfect, 0: no
+                                                  period */
+    STLTSA_INFO_PERIOD_MIN = 32,        /* real   shortest period looked for, in seconds; 0: no
+                                                  search was made */
+    STLTSA_INFO_PERIOD_MAX = 33,        /* real   longest period looked for, in seconds; 0: no
+                                                  search was made */
+    /* Models. */
+    STLTSA_INFO_REPEATED = 40,          /* int    rows collapsed because they repeat the one
+                                                  before */
+    STLTSA_INFO_TIME_CORRELATION = 41,  /* real   absolute rank correlation of coordinate 1
+                                                  with time, over at most 2^14 frames of the
+                                                  largest component; 1: it only follows time */
+    STLTSA_INFO_REACH = 42,             /* real   distance from the fitted frames, in units of
+                                                  the features, up to which a new frame is like
+                                                  them; 0: the model cannot map */
+    STLTSA_INFO_COMPONENT_ROWS = 43,    /* int[]  distinct rows of each component of the
+                                                  neighborhood graph */
+    STLTSA_INFO_RANK_DEFICIENT = 44,    /* int[]  windows of fewer than d directions in each
+                                                  component */
+    STLTSA_INFO_SOLVES = 45,            /* int[]  applications of the inverse operator by
+                                                  ARPACK, for each component */
+    STLTSA_INFO_RESIDUAL = 46,          /* real[] largest ||B u - lambda u|| / k of each
+                                                  component */
+    STLTSA_INFO_ERROR_ESTIMATE = 47,    /* real[] estimate of the largest principal angle to
+                                                  the exact embedding, in radians, for each
+                                                  component */
+    STLTSA_INFO_GAP = 48,               /* real[] lambda_{d+2} / lambda_{d+1} of each
+                                                  component; near 1: the curve is ill-defined */
+    /* Decompositions; the last three are facts of a dimension, too. */
+    STLTSA_INFO_COORDINATE = 60,        /* int    1-based column that was cut; 0: none */
+    STLTSA_INFO_CYCLICITY = 61,         /* real   how well that coordinate repeats once a
+                                                  period; 1: perfect */
+    STLTSA_INFO_REPRESENTATIVE = 62,    /* int    index of the paper's cycle (first to third
+                                                  candidate); -1: none */
+    STLTSA_INFO_BEST = 63,              /* int    index of the cycle most like the others; -1:
+                                                  none */
+    STLTSA_INFO_REASON = 64,            /* text   why no cycle is claimed; empty if cycles are */
+    STLTSA_INFO_EIGENVALUE = 65,        /* real[] eigenvalues, ascending, the zero one first:
+                                                  of B, and of B / k in a dimension */
+    STLTSA_INFO_LOCAL_PCA = 66,         /* int    intrinsic dimension by local PCA; 0: cannot
+                                                  tell */
+    STLTSA_INFO_EIGENGAP = 67,          /* int    intrinsic dimension by the eigengap; 0:
+                                                  cannot tell */
+    /* Dimensions. */
+    STLTSA_INFO_LOCAL_PCA_REASON = 70,  /* text   why local PCA cannot tell; empty if it can */
+    STLTSA_INFO_EIGENGAP_REASON = 71,   /* text   why the eigengap cannot tell; empty if it can */
+    STLTSA_INFO_VARIANCE = 72,          /* real   share of local variance that local PCA must
+                                                  hold */
+    STLTSA_INFO_EIGENGAP_THRESHOLD = 73, /* real   tau of section 2.3 as a fraction of k */
+    STLTSA_INFO_LOCAL_VARIANCE = 74,    /* real[] mean share of a neighborhood's variance along
+                                                  each of its principal directions */
+    /* Denoisings; the next five are of one column each. */
+    STLTSA_INFO_GAMMA = 80,             /* real[] threshold used in each column */
+    STLTSA_INFO_SHIFT = 81,             /* real[] d_t: mean distance of the points beyond gamma
+                                                  in each column */
+    STLTSA_INFO_NOISE = 82,             /* real[] robust standard deviation of the residuals of
+                                                  each column */
+    STLTSA_INFO_DEGREES_OF_FREEDOM = 83, /* real[] effective degrees of freedom of the curve of
+                                                   each column */
+    STLTSA_INFO_MOVED = 84,             /* int[]  points that were moved in each column */
+    STLTSA_INFO_GAMMA_OPTION = 85,      /* real   option gamma; -1: chosen for each column */
+    STLTSA_INFO_KNOT_ROWS = 86,         /* real   rows between the knots of the curve */
+    STLTSA_INFO_ROBUST = 87,            /* int    1: spikes do not pull at the curve */
+    STLTSA_INFO_FIT_PERIOD_MIN = 88,    /* real   period_min of the model whose coordinates
+                                                  these are; 0: none */
+    STLTSA_INFO_FIT_PERIOD_MAX = 89,    /* real   period_max of that model; 0: none */
+    /* Syntheses. */
+    STLTSA_INFO_CROSSFADE = 100,        /* real   option crossfade; -1: chosen for each seam */
+    STLTSA_INFO_CUT_RANGE = 101,        /* real   option cut_range; -1: chosen for each seam */
+    STLTSA_INFO_POSTURE_LIMIT = 102,    /* real   option posture_limit; 0: none */
+    STLTSA_INFO_PIECE_PATH = 103,       /* text[] path of the clip of each piece; empty: from
+                                                  memory */
+    STLTSA_INFO_PIECE_BEGIN = 104,      /* int[]  first frame of each piece */
+    STLTSA_INFO_PIECE_END = 105,        /* int[]  frame after the last of each piece */
+    STLTSA_INFO_PIECE_REPEAT = 106,     /* int[]  how often each piece is played */
+    /* Everything but clips. */
+    STLTSA_INFO_WARNING = 120           /* text[] what a user should know about the result */
+};
+
+/* How many values a key has here; 0: none, or an unknown key. */
+STLTSA_API int64_t stltsa_info_count(const stltsa_info *info, int32_t key) STLTSA_NOEXCEPT;
+
+/* One value; index 0 if there is one only. A text lives as long as the handle. E_ARGUMENT: the
+ * handle does not have that fact or that many values, or the key is of another type. */
+STLTSA_API stltsa_status stltsa_info_int(const stltsa_info *info, int32_t key, int64_t index,
+                                         int64_t *value) STLTSA_NOEXCEPT;
+STLTSA_API stltsa_status stltsa_info_real(const stltsa_info *info, int32_t key, int64_t index,
+                                          double *value) STLTSA_NOEXCEPT;
+STLTSA_API stltsa_status stltsa_info_text(const stltsa_info *info, int32_t key, int64_t index,
+                                          const char **value) STLTSA_NOEXCEPT;
+
+/* Bits of stltsa_info_key.handles. */
+enum {
+    STLTSA_HANDLE_CLIP = 1,
+    STLTSA_HANDLE_MODEL = 2,
+    STLTSA_HANDLE_DIMENSION = 4,
+    STLTSA_HANDLE_DECOMPOSITION = 8,
+    STLTSA_HANDLE_DENOISING = 16,
+    STLTSA_HANDLE_SYNTHESIS = 32
+};
+
+/* One row of the table of facts. Texts are static. `choices` is NULL, or "temporal=1 spatial=2" for
+ * keys whose values have names. Append-only: set size to sizeof(stltsa_info_key). */
+typedef struct stltsa_info_key {
+    size_t size;
+    int32_t key, type;   /* STLTSA_INFO_*, STLTSA_TYPE_* */
+    const char *name;    /* "neighbors" */
+    const char *text;    /* one sentence */
+    const char *choices;
+    int32_t is_list;     /* 1: any number of values */
+    int32_t handles;     /* handles that can have it: STLTSA_HANDLE_*, added up */
+} stltsa_info_key;
+
+STLTSA_API int64_t stltsa_info_key_count(void) STLTSA_NOEXCEPT;
+STLTSA_API stltsa_status stltsa_info_describe(int64_t index, stltsa_info_key *key) STLTSA_NOEXCEPT;
+
 /* ---- Clips ------------------------------------------------------------------------------ */
 
 typedef struct stltsa_clip stltsa_clip;
@@ -287,6 +445,8 @@ STLTSA_API stltsa_status stltsa_clip_parse(const void *bytes, size_t size, int32
 STLTSA_API stltsa_status stltsa_clip_from_matrix(const stltsa_in *frames, double fps,
                                                  stltsa_clip **clip) STLTSA_NOEXCEPT;
 STLTSA_API void stltsa_clip_free(stltsa_clip *clip) STLTSA_NOEXCEPT;
+/* Path, format, frames, notes, ...: see STLTSA_INFO_*. */
+STLTSA_API const stltsa_info *stltsa_clip_info(const stltsa_clip *clip) STLTSA_NOEXCEPT;
 
 STLTSA_API int64_t stltsa_clip_frames(const stltsa_clip *clip) STLTSA_NOEXCEPT;
 STLTSA_API double stltsa_clip_fps(const stltsa_clip *clip) STLTSA_NOEXCEPT; /* 0: unknown */
@@ -358,6 +518,7 @@ STLTSA_API stltsa_status stltsa_fit(const stltsa_in *frames, const int64_t *leng
 STLTSA_API stltsa_status stltsa_fit_clip(const stltsa_clip *clip, const stltsa_options *options,
                                          stltsa_model **model) STLTSA_NOEXCEPT;
 STLTSA_API void stltsa_model_free(stltsa_model *model) STLTSA_NOEXCEPT;
+STLTSA_API const stltsa_info *stltsa_model_info(const stltsa_model *model) STLTSA_NOEXCEPT;
 
 enum {
     STLTSA_MODEL_FRAMES = 1,      /* int   rows of the coordinates */
@@ -428,6 +589,8 @@ STLTSA_API stltsa_status stltsa_dimension_clip(const stltsa_clip *clip,
                                                const stltsa_options *options,
                                                stltsa_dimension_result **result) STLTSA_NOEXCEPT;
 STLTSA_API void stltsa_dimension_free(stltsa_dimension_result *result) STLTSA_NOEXCEPT;
+STLTSA_API const stltsa_info *
+stltsa_dimension_info(const stltsa_dimension_result *result) STLTSA_NOEXCEPT;
 
 /* 0: cannot tell; the reason then is the text ("" otherwise). */
 STLTSA_API int64_t stltsa_dimension_eigengap(const stltsa_dimension_result *result,
@@ -480,6 +643,8 @@ typedef struct stltsa_interval {
 STLTSA_API stltsa_status stltsa_decompose(const stltsa_clip *clip, const stltsa_options *options,
                                           stltsa_decomposition **decomposition) STLTSA_NOEXCEPT;
 STLTSA_API void stltsa_decomposition_free(stltsa_decomposition *decomposition) STLTSA_NOEXCEPT;
+STLTSA_API const stltsa_info *
+stltsa_decomposition_info(const stltsa_decomposition *decomposition) STLTSA_NOEXCEPT;
 
 /* Units in order of time; they cover [0, frames of the clip) without gap or overlap. */
 STLTSA_API int64_t
@@ -625,6 +790,8 @@ STLTSA_API stltsa_status stltsa_denoise_model(const stltsa_model *model,
                                               const stltsa_options *options,
                                               stltsa_denoising **denoising) STLTSA_NOEXCEPT;
 STLTSA_API void stltsa_denoising_free(stltsa_denoising *denoising) STLTSA_NOEXCEPT;
+STLTSA_API const stltsa_info *
+stltsa_denoising_info(const stltsa_denoising *denoising) STLTSA_NOEXCEPT;
 
 enum {
     STLTSA_DENOISING_ROWS = 1,    /* int */
@@ -677,6 +844,8 @@ STLTSA_API stltsa_status stltsa_synthesize(const stltsa_piece *pieces, int64_t c
                                            const stltsa_options *options,
                                            stltsa_synthesis **synthesis) STLTSA_NOEXCEPT;
 STLTSA_API void stltsa_synthesis_free(stltsa_synthesis *synthesis) STLTSA_NOEXCEPT;
+STLTSA_API const stltsa_info *
+stltsa_synthesis_info(const stltsa_synthesis *synthesis) STLTSA_NOEXCEPT;
 /* The new clip; it belongs to the synthesis. */
 STLTSA_API const stltsa_clip *
 stltsa_synthesis_clip(const stltsa_synthesis *synthesis) STLTSA_NOEXCEPT;

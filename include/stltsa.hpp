@@ -47,6 +47,7 @@ using Interval = stltsa_interval;
 using Seam = stltsa_seam;
 using Piece = stltsa_piece; ///< see Clip::piece()
 using OptionInfo = stltsa_option_info;
+using InfoKey = stltsa_info_key;
 
 /// Numbers row by row, as the library returns them.
 struct Matrix {
@@ -196,6 +197,45 @@ inline std::vector<OptionInfo> option_table() {
     });
 }
 
+/// One row for each key of Info.
+inline std::vector<InfoKey> info_table() {
+    return detail::list(stltsa_info_key_count(), [](std::int64_t index) {
+        InfoKey key{};
+        key.size = sizeof key;
+        detail::check(stltsa_info_describe(index, &key));
+        return key;
+    });
+}
+
+/// Facts by key, as info() of an object gives them; they live as long as the object.
+class Info {
+  public:
+    explicit Info(const stltsa_info* of) : info_(of) {}
+
+    std::int64_t count(std::int32_t key) const noexcept { return stltsa_info_count(info_, key); }
+    std::int64_t integer(std::int32_t key, std::int64_t index = 0) const {
+        return detail::got<std::int64_t>(stltsa_info_int, info_, key, index);
+    }
+    double real(std::int32_t key, std::int64_t index = 0) const {
+        return detail::got<double>(stltsa_info_real, info_, key, index);
+    }
+    std::string text(std::int32_t key, std::int64_t index = 0) const {
+        return detail::got<const char*>(stltsa_info_text, info_, key, index);
+    }
+    std::vector<std::int64_t> integers(std::int32_t key) const {
+        return detail::list(count(key), [&](std::int64_t index) { return integer(key, index); });
+    }
+    std::vector<double> reals(std::int32_t key) const {
+        return detail::list(count(key), [&](std::int64_t index) { return real(key, index); });
+    }
+    std::vector<std::string> texts(std::int32_t key) const {
+        return detail::list(count(key), [&](std::int64_t index) { return text(key, index); });
+    }
+
+  private:
+    const stltsa_info* info_;
+};
+
 class Options {
   public:
     using Pointer = stltsa_options*;
@@ -310,6 +350,7 @@ class Clip {
         return detail::matrix(stltsa_clip_features, get(), frames(), feature_count(options),
                               options.get());
     }
+    Info info() const noexcept { return Info(stltsa_clip_info(get())); }
     std::string json() const { return detail::json(stltsa_clip_json, get()); }
     void save(const std::string& path) const {
         detail::check(stltsa_clip_save(get(), path.c_str()));
@@ -395,6 +436,7 @@ class Model {
     std::vector<std::string> warnings() const {
         return detail::texts(stltsa_model_warning_count, stltsa_model_warning, get());
     }
+    Info info() const noexcept { return Info(stltsa_model_info(get())); }
     std::string json() const { return detail::json(stltsa_model_json, get()); }
 
     Mapped map(const MatrixView& frames, const Options& options = {}, Hints hints = {}) const {
@@ -488,6 +530,7 @@ class Dimension {
     Estimate local_pca() const { return estimate(stltsa_dimension_local_pca); }
     std::vector<double> eigenvalues() const { return values(stltsa_dimension_eigenvalues); }
     std::vector<double> local_variances() const { return values(stltsa_dimension_local_variances); }
+    Info info() const noexcept { return Info(stltsa_dimension_info(get())); }
     std::string json() const { return detail::json(stltsa_dimension_json, get()); }
 
     const stltsa_dimension_result* get() const noexcept { return handle_.get(); }
@@ -551,6 +594,7 @@ class Decomposition {
         return detail::texts(stltsa_decomposition_warning_count, stltsa_decomposition_warning,
                              get());
     }
+    Info info() const noexcept { return Info(stltsa_decomposition_info(get())); }
     std::string json() const { return detail::json(stltsa_decomposition_json, get()); }
 
     const stltsa_decomposition* get() const noexcept { return handle_.get(); }
@@ -584,6 +628,7 @@ class Denoising {
     Matrix curve() const { return table(stltsa_denoising_curve); }
     Matrix cleaned() const { return table(stltsa_denoising_cleaned); }
     Matrix moves() const { return table(stltsa_denoising_moves); }
+    Info info() const noexcept { return Info(stltsa_denoising_info(get())); }
     std::string json() const { return detail::json(stltsa_denoising_json, get()); }
 
     const stltsa_denoising* get() const noexcept { return handle_.get(); }
@@ -628,6 +673,7 @@ class Synthesis {
     std::vector<std::string> warnings() const {
         return detail::texts(stltsa_synthesis_warning_count, stltsa_synthesis_warning, get());
     }
+    Info info() const noexcept { return Info(stltsa_synthesis_info(get())); }
     std::string json() const { return detail::json(stltsa_synthesis_json, get()); }
 
     const stltsa_synthesis* get() const noexcept { return handle_.get(); }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "capi/info.hpp"
 #include "capi/json.hpp"
 #include "capi/json_synthesis.hpp"
 #include "clip/clip.hpp"
@@ -43,11 +44,16 @@ char* caller_string(const std::string& text);
 
 } // namespace stltsa::capi
 
-struct stltsa_clip {
+struct stltsa_clip : stltsa_info {
+    explicit stltsa_clip(stltsa::clip::Clip of = {})
+        : stltsa_info{&stltsa::capi::clip_table}, clip(std::move(of)) {}
+
     stltsa::clip::Clip clip;
 };
 
-struct stltsa_model {
+struct stltsa_model : stltsa_info {
+    stltsa_model() : stltsa_info{&stltsa::capi::model_table} {}
+
     stltsa::ltsa::Model model;
     stltsa::capi::Source source;
     stltsa::capi::Kept kept;
@@ -57,12 +63,16 @@ struct stltsa_model {
     mutable std::optional<stltsa::ltsa::Mapping> mapping;
 };
 
-struct stltsa_dimension_result {
+struct stltsa_dimension_result : stltsa_info {
+    stltsa_dimension_result() : stltsa_info{&stltsa::capi::dimension_table} {}
+
     stltsa::ltsa::Dimension dimension;
     stltsa::capi::Source source;
 };
 
-struct stltsa_decomposition {
+struct stltsa_decomposition : stltsa_info {
+    stltsa_decomposition() : stltsa_info{&stltsa::capi::decomposition_table} {}
+
     stltsa::motion::Decomposition result;
     stltsa::ltsa::Dimension dimension;
     bool has_dimension = false;
@@ -71,7 +81,9 @@ struct stltsa_decomposition {
     std::vector<stltsa_interval> cycles;
 };
 
-struct stltsa_denoising {
+struct stltsa_denoising : stltsa_info {
+    stltsa_denoising() : stltsa_info{&stltsa::capi::denoising_table} {}
+
     stltsa::motion::Denoised result;
     stltsa::motion::DenoiseOptions options; ///< as used
     std::vector<std::int64_t> lengths;      ///< rows that each spline goes through
@@ -81,7 +93,9 @@ struct stltsa_denoising {
     std::vector<std::string> warnings;           ///< of that fit
 };
 
-struct stltsa_synthesis {
+struct stltsa_synthesis : stltsa_info {
+    stltsa_synthesis() : stltsa_info{&stltsa::capi::synthesis_table} {}
+
     stltsa::synthesis::Synthesis result; ///< without its clip, which is the next member
     stltsa_clip clip;
     stltsa::synthesis::Options options;

@@ -28,6 +28,12 @@ struct ClipFacts {
 };
 ClipFacts clip_facts(const clip::Clip& clip);
 
+/// How a clip is read without options: features, the axis that points up (automatic: bare
+/// numbers), and the first frame after a T-pose.
+clip::Features default_features(const clip::Clip& clip);
+clip::Axis default_up(const clip::Clip& clip);
+std::int64_t default_first_frame(const clip::Clip& clip);
+
 /// How the frames of a clip became the working samples: sample i is frame first + i * step.
 struct SampleFacts {
     std::int64_t count = 0;

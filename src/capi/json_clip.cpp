@@ -21,17 +21,29 @@ ClipFacts clip_facts(const clip::Clip& clip) {
     return {clip.path, clip.format, clip.frames(), clip.fps, clip.notes};
 }
 
-std::string clip_json(const clip::Clip& clip) {
-    const clip::Axis up =
-        clip.skeleton ? clip::up_axis(clip, clip::Axis::automatic) : clip::Axis::automatic;
-    const SharedMatrix features = clip::features(clip, clip::Features::automatic, up);
-    const auto kind = clip.skeleton ? clip::Features::positions : clip::Features::raw;
+clip::Features default_features(const clip::Clip& clip) {
+    return clip.skeleton ? clip::Features::positions : clip::Features::raw;
+}
 
+clip::Axis default_up(const clip::Clip& clip) {
+    return clip.skeleton ? clip::up_axis(clip, clip::Axis::automatic) : clip::Axis::automatic;
+}
+
+std::int64_t default_first_frame(const clip::Clip& clip) {
+    if (!clip.skeleton)
+        return 0;
+    return clip::tpose_frames(
+        clip::features(clip, clip::Features::automatic, default_up(clip)).view());
+}
+
+std::string clip_json(const clip::Clip& clip) {
+    const clip::Axis up = default_up(clip);
+    const SharedMatrix features = clip::features(clip, clip::Features::automatic, up);
     const ClipFacts facts = clip_facts(clip);
     const std::int64_t tpose = clip.skeleton ? clip::tpose_frames(features.view()) : 0;
 
     JsonObject object = json_head("clip");
-    object.set("clip", json_clip(&facts, kind, tpose));
+    object.set("clip", json_clip(&facts, default_features(clip), tpose));
     object.set("channels", JsonObject("count", clip.values.cols(), "names", clip.channel_names));
     object.set("joints", joints(clip));
     object.set("up_axis", json_axis(up));

@@ -427,6 +427,32 @@ void pieces_become_a_new_clip(void**) {
     assert_int_equal(status_of([] { stltsa::synthesize({}); }), STLTSA_E_ARGUMENT);
 }
 
+void facts_are_told_by_key(void**) {
+    const stltsa::Decomposition found = stltsa::decompose(walker());
+    const stltsa::Info info = found.info();
+    assert_int_equal(info.integer(STLTSA_INFO_FORMAT), STLTSA_FORMAT_BVH);
+    assert_int_equal(info.integers(STLTSA_INFO_CLIP_FRAMES).at(0), walker().frames());
+    assert_true(info.real(STLTSA_INFO_CLIP_FPS) == walker().fps());
+    assert_string_equal(info.text(STLTSA_INFO_PATH).c_str(),
+                        walker().info().text(STLTSA_INFO_PATH).c_str());
+    assert_int_equal(info.reals(STLTSA_INFO_EIGENVALUE).size(),
+                     info.integer(STLTSA_INFO_DIMENSION) + 2);
+    assert_int_equal(info.texts(STLTSA_INFO_WARNING).size(), info.count(STLTSA_INFO_WARNING));
+    assert_int_equal(info.count(STLTSA_INFO_RESIDUAL), 0);
+    assert_int_equal(status_of([&] { info.real(STLTSA_INFO_RESIDUAL); }), STLTSA_E_ARGUMENT);
+
+    const stltsa::Model model = stltsa::fit(walker());
+    assert_int_equal(model.info().integers(STLTSA_INFO_LENGTH).at(0), model.coords().rows);
+    assert_int_equal(stltsa::denoise(model).info().reals(STLTSA_INFO_GAMMA).size(), 2);
+    assert_int_equal(stltsa::dimension(walker()).info().integer(STLTSA_INFO_DIMENSION), 2);
+    const std::array pieces{walker().piece(0, 50)};
+    assert_int_equal(stltsa::synthesize(pieces).info().integer(STLTSA_INFO_PIECE_END), 50);
+
+    const std::vector<stltsa::InfoKey> keys = stltsa::info_table();
+    assert_int_equal(keys.size(), stltsa_info_key_count());
+    assert_string_equal(keys.at(0).name, "path");
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -435,6 +461,7 @@ int main(int argc, char** argv) {
     walker_path = argv[1];
     const CMUnitTest tests[] = {
         cmocka_unit_test(names_and_versions_are_those_of_the_library),
+        cmocka_unit_test(facts_are_told_by_key),
         cmocka_unit_test(an_error_has_status_name_and_text),
         cmocka_unit_test(a_matrix_is_read_by_rows_and_columns),
         cmocka_unit_test(views_of_the_same_numbers_are_the_same_clip),

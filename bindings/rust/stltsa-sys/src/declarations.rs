@@ -508,6 +508,237 @@ extern "C" {
 }
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
+pub struct stltsa_info {
+    _unused: [u8; 0],
+}
+pub const STLTSA_INFO_PATH: i32 = 1;
+pub const STLTSA_INFO_FORMAT: i32 = 2;
+pub const STLTSA_INFO_CLIP_FRAMES: i32 = 3;
+pub const STLTSA_INFO_CLIP_FPS: i32 = 4;
+pub const STLTSA_INFO_NOTE: i32 = 5;
+pub const STLTSA_INFO_CHANNEL: i32 = 6;
+pub const STLTSA_INFO_FEATURES: i32 = 7;
+pub const STLTSA_INFO_FEATURE_COUNT: i32 = 8;
+pub const STLTSA_INFO_UP_AXIS: i32 = 9;
+pub const STLTSA_INFO_SMOOTHING: i32 = 10;
+pub const STLTSA_INFO_ROWS: i32 = 11;
+pub const STLTSA_INFO_LENGTH: i32 = 12;
+pub const STLTSA_INFO_FIRST_FRAME: i32 = 13;
+pub const STLTSA_INFO_FRAME_STEP: i32 = 14;
+pub const STLTSA_INFO_FPS: i32 = 15;
+pub const STLTSA_INFO_MODE: i32 = 20;
+pub const STLTSA_INFO_NEIGHBORS: i32 = 21;
+pub const STLTSA_INFO_WINDOW: i32 = 22;
+pub const STLTSA_INFO_DIMENSION: i32 = 23;
+pub const STLTSA_INFO_INCLUDE_SELF: i32 = 24;
+pub const STLTSA_INFO_LINKS: i32 = 25;
+pub const STLTSA_INFO_EXCLUSION: i32 = 26;
+pub const STLTSA_INFO_PERIOD: i32 = 30;
+pub const STLTSA_INFO_LAG_QUALITY: i32 = 31;
+pub const STLTSA_INFO_PERIOD_MIN: i32 = 32;
+pub const STLTSA_INFO_PERIOD_MAX: i32 = 33;
+pub const STLTSA_INFO_REPEATED: i32 = 40;
+pub const STLTSA_INFO_TIME_CORRELATION: i32 = 41;
+pub const STLTSA_INFO_REACH: i32 = 42;
+pub const STLTSA_INFO_COMPONENT_ROWS: i32 = 43;
+pub const STLTSA_INFO_RANK_DEFICIENT: i32 = 44;
+pub const STLTSA_INFO_SOLVES: i32 = 45;
+pub const STLTSA_INFO_RESIDUAL: i32 = 46;
+pub const STLTSA_INFO_ERROR_ESTIMATE: i32 = 47;
+pub const STLTSA_INFO_GAP: i32 = 48;
+pub const STLTSA_INFO_COORDINATE: i32 = 60;
+pub const STLTSA_INFO_CYCLICITY: i32 = 61;
+pub const STLTSA_INFO_REPRESENTATIVE: i32 = 62;
+pub const STLTSA_INFO_BEST: i32 = 63;
+pub const STLTSA_INFO_REASON: i32 = 64;
+pub const STLTSA_INFO_EIGENVALUE: i32 = 65;
+pub const STLTSA_INFO_LOCAL_PCA: i32 = 66;
+pub const STLTSA_INFO_EIGENGAP: i32 = 67;
+pub const STLTSA_INFO_LOCAL_PCA_REASON: i32 = 70;
+pub const STLTSA_INFO_EIGENGAP_REASON: i32 = 71;
+pub const STLTSA_INFO_VARIANCE: i32 = 72;
+pub const STLTSA_INFO_EIGENGAP_THRESHOLD: i32 = 73;
+pub const STLTSA_INFO_LOCAL_VARIANCE: i32 = 74;
+pub const STLTSA_INFO_GAMMA: i32 = 80;
+pub const STLTSA_INFO_SHIFT: i32 = 81;
+pub const STLTSA_INFO_NOISE: i32 = 82;
+pub const STLTSA_INFO_DEGREES_OF_FREEDOM: i32 = 83;
+pub const STLTSA_INFO_MOVED: i32 = 84;
+pub const STLTSA_INFO_GAMMA_OPTION: i32 = 85;
+pub const STLTSA_INFO_KNOT_ROWS: i32 = 86;
+pub const STLTSA_INFO_ROBUST: i32 = 87;
+pub const STLTSA_INFO_FIT_PERIOD_MIN: i32 = 88;
+pub const STLTSA_INFO_FIT_PERIOD_MAX: i32 = 89;
+pub const STLTSA_INFO_CROSSFADE: i32 = 100;
+pub const STLTSA_INFO_CUT_RANGE: i32 = 101;
+pub const STLTSA_INFO_POSTURE_LIMIT: i32 = 102;
+pub const STLTSA_INFO_PIECE_PATH: i32 = 103;
+pub const STLTSA_INFO_PIECE_BEGIN: i32 = 104;
+pub const STLTSA_INFO_PIECE_END: i32 = 105;
+pub const STLTSA_INFO_PIECE_REPEAT: i32 = 106;
+pub const STLTSA_INFO_WARNING: i32 = 120;
+extern "C" {
+    pub fn stltsa_info_count(info: *const stltsa_info, key: i32) -> i64;
+}
+extern "C" {
+    pub fn stltsa_info_int(
+        info: *const stltsa_info,
+        key: i32,
+        index: i64,
+        value: *mut i64,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_info_real(
+        info: *const stltsa_info,
+        key: i32,
+        index: i64,
+        value: *mut f64,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_info_text(
+        info: *const stltsa_info,
+        key: i32,
+        index: i64,
+        value: *mut *const ::std::os::raw::c_char,
+    ) -> stltsa_status;
+}
+pub const STLTSA_HANDLE_CLIP: i32 = 1;
+pub const STLTSA_HANDLE_MODEL: i32 = 2;
+pub const STLTSA_HANDLE_DIMENSION: i32 = 4;
+pub const STLTSA_HANDLE_DECOMPOSITION: i32 = 8;
+pub const STLTSA_HANDLE_DENOISING: i32 = 16;
+pub const STLTSA_HANDLE_SYNTHESIS: i32 = 32;
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct stltsa_info_key {
+    pub size: usize,
+    pub key: i32,
+    pub type_: i32,
+    pub name: *const ::std::os::raw::c_char,
+    pub text: *const ::std::os::raw::c_char,
+    pub choices: *const ::std::os::raw::c_char,
+    pub is_list: i32,
+    pub handles: i32,
+}
+#[test]
+fn bindgen_test_layout_stltsa_info_key() {
+    assert_eq!(
+        ::std::mem::size_of::<stltsa_info_key>(),
+        48usize,
+        concat!("Size of: ", stringify!(stltsa_info_key))
+    );
+    assert_eq!(
+        ::std::mem::align_of::<stltsa_info_key>(),
+        8usize,
+        concat!("Alignment of ", stringify!(stltsa_info_key))
+    );
+    fn test_field_size() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_info_key>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).size) as usize - ptr as usize
+            },
+            0usize,
+            concat!("Offset of field: ", stringify!(stltsa_info_key), "::", stringify!(size))
+        );
+    }
+    test_field_size();
+    fn test_field_key() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_info_key>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).key) as usize - ptr as usize
+            },
+            8usize,
+            concat!("Offset of field: ", stringify!(stltsa_info_key), "::", stringify!(key))
+        );
+    }
+    test_field_key();
+    fn test_field_type() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_info_key>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).type_) as usize - ptr as usize
+            },
+            12usize,
+            concat!("Offset of field: ", stringify!(stltsa_info_key), "::", stringify!(type_))
+        );
+    }
+    test_field_type();
+    fn test_field_name() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_info_key>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).name) as usize - ptr as usize
+            },
+            16usize,
+            concat!("Offset of field: ", stringify!(stltsa_info_key), "::", stringify!(name))
+        );
+    }
+    test_field_name();
+    fn test_field_text() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_info_key>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).text) as usize - ptr as usize
+            },
+            24usize,
+            concat!("Offset of field: ", stringify!(stltsa_info_key), "::", stringify!(text))
+        );
+    }
+    test_field_text();
+    fn test_field_choices() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_info_key>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).choices) as usize - ptr as usize
+            },
+            32usize,
+            concat!("Offset of field: ", stringify!(stltsa_info_key), "::", stringify!(choices))
+        );
+    }
+    test_field_choices();
+    fn test_field_is_list() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_info_key>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).is_list) as usize - ptr as usize
+            },
+            40usize,
+            concat!("Offset of field: ", stringify!(stltsa_info_key), "::", stringify!(is_list))
+        );
+    }
+    test_field_is_list();
+    fn test_field_handles() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_info_key>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).handles) as usize - ptr as usize
+            },
+            44usize,
+            concat!("Offset of field: ", stringify!(stltsa_info_key), "::", stringify!(handles))
+        );
+    }
+    test_field_handles();
+}
+extern "C" {
+    pub fn stltsa_info_key_count() -> i64;
+}
+extern "C" {
+    pub fn stltsa_info_describe(index: i64, key: *mut stltsa_info_key) -> stltsa_status;
+}
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
 pub struct stltsa_clip {
     _unused: [u8; 0],
 }
@@ -541,6 +772,9 @@ extern "C" {
 }
 extern "C" {
     pub fn stltsa_clip_free(clip: *mut stltsa_clip);
+}
+extern "C" {
+    pub fn stltsa_clip_info(clip: *const stltsa_clip) -> *const stltsa_info;
 }
 extern "C" {
     pub fn stltsa_clip_frames(clip: *const stltsa_clip) -> i64;
@@ -630,6 +864,9 @@ extern "C" {
 }
 extern "C" {
     pub fn stltsa_model_free(model: *mut stltsa_model);
+}
+extern "C" {
+    pub fn stltsa_model_info(model: *const stltsa_model) -> *const stltsa_info;
 }
 pub const STLTSA_MODEL_FRAMES: i32 = 1;
 pub const STLTSA_MODEL_FEATURES: i32 = 2;
@@ -724,6 +961,9 @@ extern "C" {
 }
 extern "C" {
     pub fn stltsa_dimension_free(result: *mut stltsa_dimension_result);
+}
+extern "C" {
+    pub fn stltsa_dimension_info(result: *const stltsa_dimension_result) -> *const stltsa_info;
 }
 extern "C" {
     pub fn stltsa_dimension_eigengap(
@@ -876,6 +1116,11 @@ extern "C" {
 }
 extern "C" {
     pub fn stltsa_decomposition_free(decomposition: *mut stltsa_decomposition);
+}
+extern "C" {
+    pub fn stltsa_decomposition_info(
+        decomposition: *const stltsa_decomposition,
+    ) -> *const stltsa_info;
 }
 extern "C" {
     pub fn stltsa_decomposition_unit_count(decomposition: *const stltsa_decomposition) -> i64;
@@ -1053,6 +1298,9 @@ extern "C" {
 extern "C" {
     pub fn stltsa_denoising_free(denoising: *mut stltsa_denoising);
 }
+extern "C" {
+    pub fn stltsa_denoising_info(denoising: *const stltsa_denoising) -> *const stltsa_info;
+}
 pub const STLTSA_DENOISING_ROWS: i32 = 1;
 pub const STLTSA_DENOISING_COLUMNS: i32 = 2;
 pub const STLTSA_DENOISING_MOVED: i32 = 3;
@@ -1197,6 +1445,9 @@ extern "C" {
 }
 extern "C" {
     pub fn stltsa_synthesis_free(synthesis: *mut stltsa_synthesis);
+}
+extern "C" {
+    pub fn stltsa_synthesis_info(synthesis: *const stltsa_synthesis) -> *const stltsa_info;
 }
 extern "C" {
     pub fn stltsa_synthesis_clip(synthesis: *const stltsa_synthesis) -> *const stltsa_clip;

@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The facts of each kind of handle.
+#include "capi/handles.hpp"
+#include "capi/mapping.hpp"
+
+using namespace stltsa;
+
+namespace stltsa::capi {
+namespace {
+
+// ---- Where the rows come from ----
+
+std::span<const ClipFacts> clips_of(const Source& source) {
+    return {&source.clip, source.from_clip ? std::size_t{1} : 0};
+}
+
+const PeriodFacts& period_of(const stltsa_denoising& denoising) {
+    return denoising.period;
+}
+template <class Handle>
+const PeriodFacts& period_of(const Handle& handle) {
+    return handle.source.period;
+}
+
+template <class H>
+constexpr InfoRow source_rows[] = {
+    each<H>(
+        STLTSA_INFO_PATH, [](const H& h) { return clips_of(h.source); },
+        [](const ClipFacts& clip) -> const auto& { return clip.path; }),
+    each<H>(
+        STLTSA_INFO_FORMAT, [](const H& h) { return clips_of(h.source); },
+        [](const ClipFacts& clip) { return clip.format; }),
+    each<H>(
+        STLTSA_INFO_CLIP_FRAMES, [](const H& h) { return clips_of(h.source); },
+        [](const ClipFacts& clip) { return clip.frames; }),
+    each<H>(
+        STLTSA_INFO_CLIP_FPS, [](const H& h) { return clips_of(h.source); },
+        [](const ClipFacts& clip) { return clip.fps; }),
+    list<H>(
+        STLTSA_INFO_NOTE, [](const H& h) -> const auto& { return h.source.clip.notes; }),
+    one<H>(STLTSA_INFO_FEATURES, [](const H& h) { return h.source.samples.features; }),
+    one<H>(STLTSA_INFO_FEATURE_COUNT, [](const H& h) { return h.source.samples.feature_count; }),
+    one<H>(STLTSA_INFO_UP_AXIS, [](const H& h) { return h.source.samples.up; }),
+    one<H>(STLTSA_INFO_SMOOTHING, [](const H& h) { return h.source.samples.smoothing; }),
+    one<H>(STLTSA_INFO_ROWS, [](const H& h) { return h.source.samples.count; }),
+    one<H>(STLTSA_INFO_FIRST_FRAME, [](const H& h) { return h.source.samples.first; }),
+    one<H>(STLTSA_INFO_FRAME_STEP, [](const H& h) { return h.source.samples.step; }),
+    one<H>(STLTSA_INFO_FPS, [](const H& h) { return h.source.samples.fps; }),
+    one<H>(STLTSA_INFO_PERIOD, [](const H& h) { return period_of(h).period; }),
+    one<H>(STLTSA_INFO_LAG_QUALITY, [](const H& h) { return period_of(h).lag_quality; }),
+    one<H>(STLTSA_INFO_PERIOD_MIN, [](const H& h) { return period_of(h).shortest; }),
+    one<H>(STLTSA_INFO_PERIOD_MAX, [](const H& h) { return period_of(h).longest; }),
+};
+
+// ---- The fit ----
+
+const ltsa::Parameters* fit_of(const stltsa_model& model) {
+    return &model.model.parameters;
+}
+const ltsa::Parameters* fit_of(const stltsa_dimension_result& result) {
+    return &result.dimension.parameters;
+}
+const ltsa::Parameters* fit_of(const stltsa_decomposition& decomposition) {
+    return &decomposition.result.parameters;
+}
+const ltsa::Parameters* fit_of(const stltsa_denoising& denoising) {
+    return denoising.fit ? &*denoising.fit : nullptr;
+}
+
+template <class H, class Get>
+constexpr InfoRow of_fit(std::int32_t key, Get get) {
+    return maybe<H>(
+        key, [](const H& h) { return fit_of(h); }, get);
+}
+
+template <class H>
+constexpr InfoRow fit_rows[] = {
+    of_fit<H>(STLTSA_INFO_MODE, [](const ltsa::Parameters& p) { return p.mode; }),
+    of_fit<H>(STLTSA_INFO_NEIGHBORS, [](const ltsa::Parameters& p) { return p.neighbors; }),
+    of_fit<H>(STLTSA_INFO_WINDOW, [](const ltsa::Parameters& p) { return p.window; }),
+    of_fit<H>(STLTSA_INFO_DIMENSION, [](const ltsa::Parameters& p) { return p.dimension; }),
+    of_fit<H>(STLTSA_INFO_INCLUDE_SELF, [](const ltsa::Parameters& p) { return p.include_self; }),
+    of_fit<H>(STLTSA_INFO_LINKS, [](const ltsa::Parameters& p) { return p.links; }),
+    of_fit<H>(STLTSA_INFO_EXCLUSION, [](const ltsa::Parameters& p) { return p.exclusion; }),
+};
+
+// ---- Clips ----
+
+using Clip = stltsa_clip;
+
+constexpr InfoRow clip_rows[] = {
+    one<Clip>(
+        STLTSA_INFO_PATH, [](const Clip& c) -> const auto& { return c.clip.path; }),
+    one<Clip>(STLTSA_INFO_FORMAT, [](const Clip& c) { return c.clip.format; }),
+    one<Clip>(STLTSA_INFO_CLIP_FRAMES, [](const Clip& c) { return c.clip.frames(); }),
+    one<Clip>(STLTSA_INFO_CLIP_FPS, [](const Clip& c) { return c.clip.fps; }),
+    list<Clip>(
+        STLTSA_INFO_NOTE, [](const Clip& c) -> const auto& { return c.clip.notes; }),
+    list<Clip>(
+        STLTSA_INFO_CHANNEL, [](const Clip& c) -> const auto& { return c.clip.channel_names; }),
+    one<Clip>(STLTSA_INFO_FEATURES, [](const Clip& c) { return default_features(c.clip); }),
+    one<Clip>(STLTSA_INFO_UP_AXIS, [](const Clip& c) { return default_up(c.clip); }),
+    one<Clip>(STLTSA_INFO_FIRST_FRAME, [](const Clip& c) { return default_first_frame(c.clip); }),
+};
+
+// ---- Models ----
+
+using Model = stltsa_model;
+
+template <class Get>
+constexpr InfoRow of_component(std::int32_t key, Get get) {
+    return each<Model>(
+        key, [](const Model& m) -> const auto& { return m.model.components; }, get);
+}
+
+constexpr InfoRow model_rows[] = {
+    list<Model>(
+        STLTSA_INFO_LENGTH, [](const Model& m) -> const auto& { return m.model.lengths; }),
+    one<Model>(STLTSA_INFO_REPEATED, [](const Model& m) { return m.model.repeated_frames; }),
+    one<Model>(STLTSA_INFO_TIME_CORRELATION, [](const Model& m) { return m.model.clock; }),
+    one<Model>(STLTSA_INFO_REACH,
+               [](const Model& m) {
+                   const ltsa::Mapping* mapping = mapping_of(m);
+                   return mapping == nullptr ? 0 : mapping->support();
+               }),
+    of_component(STLTSA_INFO_COMPONENT_ROWS, [](const ltsa::Component& c) { return c.frames; }),
+    of_component(STLTSA_INFO_RANK_DEFICIENT,
+                 [](const ltsa::Component& c) { return c.rank_deficient_windows; }),
+    of_component(STLTSA_INFO_SOLVES, [](const ltsa::Component& c) { return c.solves; }),
+    of_component(STLTSA_INFO_RESIDUAL, [](const ltsa::Component& c) { return c.residual; }),
+    of_component(STLTSA_INFO_ERROR_ESTIMATE,
+                 [](const ltsa::Component& c) { return c.error_estimate; }),
+    of_component(STLTSA_INFO_GAP, [](const ltsa::Component& c) { return c.gap; }),
+    list<Model>(
+        STLTSA_INFO_WARNING, [](const Model& m) -> const auto& { return m.model.warnings; }),
+};
+
+// ---- Intrinsic dimension ----
+
+using Dimension = stltsa_dimension_result;
+
+constexpr InfoRow dimension_rows[] = {
+    one<Dimension>(STLTSA_INFO_LOCAL_PCA, [](const Dimension& d) { return d.dimension.local_pca; }),
+    one<Dimension>(STLTSA_INFO_EIGENGAP, [](const Dimension& d) { return d.dimension.eigengap; }),
+    one<Dimension>(
+        STLTSA_INFO_LOCAL_PCA_REASON,
+        [](const Dimension& d) -> const auto& { return d.dimension.local_pca_reason; }),
+    one<Dimension>(
+        STLTSA_INFO_EIGENGAP_REASON,
+        [](const Dimension& d) -> const auto& { return d.dimension.eigengap_reason; }),
+    one<Dimension>(STLTSA_INFO_VARIANCE,
+                   [](const Dimension& d) { return d.dimension.local_variance; }),
+    one<Dimension>(STLTSA_INFO_EIGENGAP_THRESHOLD,
+                   [](const Dimension& d) { return d.dimension.threshold; }),
+    list<Dimension>(
+        STLTSA_INFO_EIGENVALUE,
+        [](const Dimension& d) -> const auto& { return d.dimension.eigenvalues; }),
+    list<Dimension>(
+        STLTSA_INFO_LOCAL_VARIANCE,
+        [](const Dimension& d) -> const auto& { return d.dimension.local_variances; }),
+};
+
+// ---- Decompositions ----
+
+using Decomposition = stltsa_decomposition;
+
+const ltsa::Dimension* dimension_of(const Decomposition& d) {
+    return d.has_dimension ? &d.dimension : nullptr;
+}
+
+constexpr InfoRow decomposition_rows[] = {
+    one<Decomposition>(STLTSA_INFO_COORDINATE,
+                       [](const Decomposition& d) { return d.result.coordinate; }),
+    one<Decomposition>(STLTSA_INFO_CYCLICITY,
+                       [](const Decomposition& d) { return d.result.cyclicity; }),
+    one<Decomposition>(STLTSA_INFO_REPRESENTATIVE,
+                       [](const Decomposition& d) { return d.result.representative; }),
+    one<Decomposition>(STLTSA_INFO_BEST, [](const Decomposition& d) { return d.result.best; }),
+    one<Decomposition>(
+        STLTSA_INFO_REASON, [](const Decomposition& d) -> const auto& { return d.result.reason; }),
+    list<Decomposition>(
+        STLTSA_INFO_EIGENVALUE,
+        [](const Decomposition& d) -> const auto& { return d.result.eigenvalues; }),
+    maybe<Decomposition>(
+        STLTSA_INFO_LOCAL_PCA, [](const Decomposition& d) { return dimension_of(d); },
+        [](const ltsa::Dimension& found) { return found.local_pca; }),
+    maybe<Decomposition>(
+        STLTSA_INFO_EIGENGAP, [](const Decomposition& d) { return dimension_of(d); },
+        [](const ltsa::Dimension& found) { return found.eigengap; }),
+    list<Decomposition>(
+        STLTSA_INFO_WARNING,
+        [](const Decomposition& d) -> const auto& { return d.result.warnings; }),
+};
+
+// ---- Denoisings ----
+
+using Denoising = stltsa_denoising;
+
+template <class Get>
+constexpr InfoRow of_column(std::int32_t key, Get get) {
+    return each<Denoising>(
+        key, [](const Denoising& d) -> const auto& { return d.result.columns; }, get);
+}
+
+constexpr InfoRow denoising_rows[] = {
+    list<Denoising>(
+        STLTSA_INFO_LENGTH, [](const Denoising& d) -> const auto& { return d.lengths; }),
+    of_column(STLTSA_INFO_GAMMA, [](const motion::DenoisedColumn& c) { return c.gamma; }),
+    of_column(STLTSA_INFO_SHIFT, [](const motion::DenoisedColumn& c) { return c.shift; }),
+    of_column(STLTSA_INFO_NOISE, [](const motion::DenoisedColumn& c) { return c.noise; }),
+    of_column(STLTSA_INFO_DEGREES_OF_FREEDOM,
+              [](const motion::DenoisedColumn& c) { return c.freedom; }),
+    of_column(STLTSA_INFO_MOVED, [](const motion::DenoisedColumn& c) { return c.moved; }),
+    one<Denoising>(STLTSA_INFO_GAMMA_OPTION, [](const Denoising& d) { return d.options.gamma; }),
+    one<Denoising>(STLTSA_INFO_KNOT_ROWS, [](const Denoising& d) { return d.options.knot_step; }),
+    one<Denoising>(STLTSA_INFO_ROBUST, [](const Denoising& d) { return d.options.robust; }),
+    one<Denoising>(STLTSA_INFO_FIT_PERIOD_MIN,
+                   [](const Denoising& d) { return d.source.period.shortest; }),
+    one<Denoising>(STLTSA_INFO_FIT_PERIOD_MAX,
+                   [](const Denoising& d) { return d.source.period.longest; }),
+    list<Denoising>(
+        STLTSA_INFO_WARNING, [](const Denoising& d) -> const auto& { return d.warnings; }),
+};
+
+// ---- Syntheses ----
+
+using Synthesis = stltsa_synthesis;
+
+template <class Get>
+constexpr InfoRow of_piece(std::int32_t key, Get get) {
+    return each<Synthesis>(
+        key, [](const Synthesis& s) -> const auto& { return s.pieces; }, get);
+}
+
+constexpr InfoRow synthesis_rows[] = {
+    one<Synthesis>(STLTSA_INFO_CROSSFADE, [](const Synthesis& s) { return s.options.crossfade; }),
+    one<Synthesis>(STLTSA_INFO_CUT_RANGE, [](const Synthesis& s) { return s.options.search; }),
+    one<Synthesis>(STLTSA_INFO_POSTURE_LIMIT,
+                   [](const Synthesis& s) { return s.options.posture_limit; }),
+    one<Synthesis>(STLTSA_INFO_UP_AXIS, [](const Synthesis& s) { return s.result.up; }),
+    of_piece(
+        STLTSA_INFO_PIECE_PATH, [](const PieceFacts& p) -> const auto& { return p.path; }),
+    of_piece(STLTSA_INFO_PIECE_BEGIN, [](const PieceFacts& p) { return p.begin; }),
+    of_piece(STLTSA_INFO_PIECE_END, [](const PieceFacts& p) { return p.end; }),
+    of_piece(STLTSA_INFO_PIECE_REPEAT, [](const PieceFacts& p) { return p.repeat; }),
+    list<Synthesis>(
+        STLTSA_INFO_WARNING, [](const Synthesis& s) -> const auto& { return s.result.warnings; }),
+};
+
+} // namespace
+
+constexpr InfoTable clip_table = {STLTSA_HANDLE_CLIP, clip_rows, {}, {}};
+constexpr InfoTable model_table = {STLTSA_HANDLE_MODEL, model_rows, source_rows<Model>,
+                                   fit_rows<Model>};
+constexpr InfoTable dimension_table = {STLTSA_HANDLE_DIMENSION, dimension_rows,
+                                       source_rows<Dimension>, fit_rows<Dimension>};
+constexpr InfoTable decomposition_table = {STLTSA_HANDLE_DECOMPOSITION, decomposition_rows,
+                                           source_rows<Decomposition>, fit_rows<Decomposition>};
+constexpr InfoTable denoising_table = {STLTSA_HANDLE_DENOISING, denoising_rows,
+                                       source_rows<Denoising>, fit_rows<Denoising>};
+constexpr InfoTable synthesis_table = {STLTSA_HANDLE_SYNTHESIS, synthesis_rows, {}, {}};
+
+} // namespace stltsa::capi
+
+const stltsa_info* stltsa_clip_info(const stltsa_clip* clip) noexcept {
+    return clip;
+}
+
+const stltsa_info* stltsa_model_info(const stltsa_model* model) noexcept {
+    return model;
+}
+
+const stltsa_info* stltsa_dimension_info(const stltsa_dimension_result* result) noexcept {
+    return result;
+}
+
+const stltsa_info* stltsa_decomposition_info(const stltsa_decomposition* decomposition) noexcept {
+    return decomposition;
+}
+
+const stltsa_info* stltsa_denoising_info(const stltsa_denoising* denoising) noexcept {
+    return denoising;
+}
+
+const stltsa_info* stltsa_synthesis_info(const stltsa_synthesis* synthesis) noexcept {
+    return synthesis;
+}

@@ -1,0 +1,489 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Every fact of the library's JSON has a function that says the same.
+
+The schemas drive it: a key that is new in a schema fails until a function is named for it here.
+Calls go through ctypes; keys are found by name in the table that the library describes.
+"""
+
+import ctypes
+import json
+import math
+import os
+import pathlib
+import re
+import unittest
+from ctypes import POINTER, byref, c_char_p, c_double, c_int32, c_int64, c_size_t, c_void_p
+
+from common import SCHEMAS, circle, cut, still, walk, write_csv
+
+HEADER = pathlib.Path(os.environ["STLTSA_HEADER"])
+lib = ctypes.CDLL(os.environ["STLTSA_LIBRARY"])
+
+
+class InfoKey(ctypes.Structure):
+    _fields_ = [("size", c_size_t), ("key", c_int32), ("type", c_int32), ("name", c_char_p),
+                ("text", c_char_p), ("choices", c_char_p), ("is_list", c_int32),
+                ("handles", c_int32)]
+
+
+class Interval(ctypes.Structure):
+    _fields_ = [("begin", c_int64), ("end", c_int64), ("begin_s", c_double), ("end_s", c_double),
+                ("kind", c_int32), ("reserved", c_int32)]
+
+
+class Piece(ctypes.Structure):
+    _fields_ = [("clip", c_void_p), ("begin", c_int64), ("end", c_int64), ("repeat", c_int64),
+                ("reserved", c_int64)]
+
+
+class Seam(ctypes.Structure):
+    _fields_ = [("size", c_size_t), *((name, c_int64) for name in (
+        "frame", "piece", "next", "cut_end", "cut_begin", "crossfade")),
+        ("posture", c_double), ("step", c_double), ("acceleration", c_double)]
+
+
+class Out(ctypes.Structure):
+    _fields_ = [("data", c_void_p), ("rows", c_int64), ("cols", c_int64),
+                ("row_stride", c_int64), ("col_stride", c_int64), ("dtype", c_int32),
+                ("reserved", c_int32)]
+
+
+def call(name, *arguments):
+    function = lib["stltsa_" + name]
+    function.restype = c_int32
+    status = function(*arguments)
+    if status != 0:
+        lib.stltsa_last_error.restype = c_char_p
+        raise ValueError(f"{name}: {lib.stltsa_last_error().decode()}")
+
+
+def value(name, restype, *arguments):
+    function = lib["stltsa_" + name]
+    function.restype = restype
+    return function(*arguments)
+
+
+def described():
+    keys = {}
+    for index in range(value("info_key_count", c_int64)):
+        row = InfoKey(size=ctypes.sizeof(InfoKey))
+        call("info_describe", c_int64(index), byref(row))
+        keys[row.name.decode()] = row
+    return keys
+
+
+KEYS = described()
+
+
+class Handle:
+    """A handle of the library, with its facts by name."""
+
+    def __init__(self, kind, make, *arguments):
+        self.kind, out = kind, c_void_p()
+        call(make, *arguments, byref(out))
+        self.pointer = out
+        self.info = c_void_p(value(kind + "_info", c_void_p, out))
+
+    def free(self):
+        value(self.kind + "_free", None, self.pointer)
+
+    def list(self, name):
+        key = KEYS[name]
+        type_, function = {1: (c_int64, "info_int"), 2: (c_double, "info_real"),
+                           3: (c_char_p, "info_text")}[key.type]
+        found = []
+        for index in range(value("info_count", c_int64, self.info, key.key)):
+            out = type_()
+            call(function, self.info, key.key, c_int64(index), byref(out))
+            found.append(out.value.decode() if key.type == 3 else out.value)
+        return found
+
+    def __getitem__(self, name):
+        (found,) = self.list(name)
+        return found
+
+    def choice(self, name):
+        """The name of an enumerated value; None for the value 0 of "none"."""
+        names = dict(pair.split("=")[::-1] for pair in KEYS[name].choices.decode().split())
+        found = names[str(self[name])]
+        return None if found == "none" else found
+
+    def json(self):
+        out = c_void_p()
+        call(self.kind + "_json", self.pointer, byref(out))
+        try:
+            return json.loads(ctypes.string_at(out).decode())
+        finally:
+            value("string_free", None, out)
+
+    def rows(self, function, item):
+        for index in range(value(f"{self.kind}_{function}_count", c_int64, self.pointer)):
+            if hasattr(item, "size"):
+                item.size = ctypes.sizeof(item)
+            call(f"{self.kind}_{function}", self.pointer, c_int64(index), byref(item))
+            yield item
+
+
+def positive(number):
+    return number if number > 0 else None
+
+
+def chosen(number):
+    return number if number >= 0 else None
+
+
+def finite(numbers):
+    return [number if math.isfinite(number) else None for number in numbers]
+
+
+def text(found):
+    return found or None
+
+
+# ---- For each leaf of a schema the functions that say the same; lists in the JSON's order. ----
+
+CLIP = {
+    "path": lambda h: text(h["path"]),
+    "format": lambda h: h.choice("format"),
+    "frames": lambda h: h["clip_frames"],
+    "fps": lambda h: positive(h["clip_fps"]),
+    "duration_s": lambda h: h["clip_frames"] / h["clip_fps"],
+    "features": lambda h: h.choice("features"),
+    "dropped_start_frames": lambda h: h["first_frame"],
+    "notes": lambda h: h.list("note"),
+}
+SAMPLES = {
+    "count": lambda h: h["rows"],
+    "first_frame": lambda h: h["first_frame"],
+    "frame_step": lambda h: h["frame_step"],
+    "fps": lambda h: positive(h["fps"]),
+    "feature_count": lambda h: h["feature_count"],
+    "up_axis": lambda h: h.choice("up_axis"),
+    "smoothing_s": lambda h: h["smoothing"],
+}
+LENGTHS = {"samples.lengths": lambda h: h.list("length")}
+SEARCH = {
+    "period_min_s": lambda h: positive(h["period_min"]),
+    "period_max_s": lambda h: positive(h["period_max"]),
+}
+
+
+def recurrent(name):
+    return lambda h: h[name] if h.choice("mode") == "recurrent" else None
+
+
+FIT = {
+    "mode": lambda h: h.choice("mode"),
+    "neighbors": lambda h: h["neighbors"],
+    "window": lambda h: h["window"],
+    "dimension": lambda h: h["dimension"],
+    "include_self": lambda h: bool(h["include_self"]),
+    "links": recurrent("links"),
+    "exclusion": recurrent("exclusion"),
+}
+PERIOD = {"period_s": lambda h: positive(h["period"])}
+WARNINGS = {"warnings": lambda h: h.list("warning")}
+
+
+def below(key, facts):
+    return {f"{key}.{name}": fact for name, fact in facts.items()}
+
+
+def channels(h):
+    return value("clip_channels", c_int64, h.pointer)
+
+
+def joints(field):
+    def of(h):
+        for joint in range(value("clip_joints", c_int64, h.pointer)):
+            name, parent, end = c_char_p(), c_int64(), c_int32()
+            call("clip_joint", h.pointer, c_int64(joint), byref(name), byref(parent), byref(end))
+            yield {"name": name.value.decode(), "parent": chosen(parent.value),
+                   "end_site": bool(end.value)}[field]
+
+    return lambda h: list(of(h))
+
+
+def feature_count(h):
+    count = c_int64()
+    call("clip_feature_count", h.pointer, None, byref(count))
+    return count.value
+
+
+def intervals(function):
+    def of(field):
+        return lambda h: [getattr(i, field) for i in h.rows(function, Interval())]
+
+    return {f"{function}s.{f}": of(f) for f in ("begin", "end", "begin_s", "end_s")}
+
+
+def unit_kinds(h):
+    return [value("unit_name", c_char_p, i.kind).decode() for i in h.rows("unit", Interval())]
+
+
+def cycle(name):
+    def of(field):
+        def fact(h):
+            found = Interval()
+            call("decomposition_cycle", h.pointer, c_int64(h[name]), byref(found))
+            return getattr(found, field)
+
+        return fact
+
+    return {"index": lambda h: h[name],
+            **{f: of(f) for f in ("begin", "end", "begin_s", "end_s")}}
+
+
+def eigenvalues(h):
+    shape = len(h.list("component_rows")), h["dimension"] + 2
+    data = (c_double * (shape[0] * shape[1]))()
+    out = Out(ctypes.cast(data, c_void_p), *shape, 0, 0, 2, 0)
+    call("model_eigenvalues", h.pointer, byref(out))
+    return finite(data)
+
+
+def seams(field):
+    return lambda h: [getattr(s, field) for s in h.rows("seam", Seam())]
+
+
+def in_seconds(field):
+    return lambda h: [getattr(s, field) / made(h)["clip_fps"] for s in h.rows("seam", Seam())]
+
+
+class Made(Handle):
+    """The clip that belongs to a synthesis."""
+
+    def __init__(self, synthesis):
+        self.kind = "clip"
+        self.pointer = c_void_p(value("synthesis_clip", c_void_p, synthesis.pointer))
+        self.info = c_void_p(value("clip_info", c_void_p, self.pointer))
+
+
+def made(h):
+    return Made(h)
+
+
+FACTS = {
+    "clip": {
+        **below("clip", CLIP),
+        "channels.count": channels,
+        "channels.names": lambda h: h.list("channel"),
+        **{f"joints.{f}": joints(f) for f in ("name", "parent", "end_site")},
+        "up_axis": lambda h: h.choice("up_axis"),
+        "feature_count": feature_count,
+    },
+    "model": {
+        **below("clip", CLIP),
+        **below("samples", SAMPLES),
+        **LENGTHS,
+        **below("parameters", {**FIT, **SEARCH}),
+        **PERIOD,
+        "clock": lambda h: h["time_correlation"],
+        "repeated_frames": lambda h: h["repeated"],
+        "components.frames": lambda h: h.list("component_rows"),
+        "components.eigenvalues": eigenvalues,
+        "components.residual": lambda h: h.list("residual"),
+        "components.error_estimate_rad": lambda h: h.list("error_estimate"),
+        "components.gap": lambda h: finite(h.list("gap")),
+        "components.rank_deficient_windows": lambda h: h.list("rank_deficient"),
+        "components.solves": lambda h: h.list("solves"),
+        **WARNINGS,
+    },
+    "dimension": {
+        **below("clip", CLIP),
+        **below("samples", SAMPLES),
+        **below("parameters", {**FIT, **SEARCH}),
+        **PERIOD,
+        "local_pca.dimension": lambda h: positive(h["local_pca"]),
+        "local_pca.reason": lambda h: text(h["local_pca_reason"]),
+        "local_pca.variance": lambda h: h["variance"],
+        "local_pca.shares": lambda h: h.list("local_variance"),
+        "eigengap.dimension": lambda h: positive(h["eigengap"]),
+        "eigengap.reason": lambda h: text(h["eigengap_reason"]),
+        "eigengap.threshold": lambda h: h["eigengap_threshold"],
+        "eigengap.eigenvalues": lambda h: h.list("eigenvalue"),
+    },
+    "decomposition": {
+        **below("clip", CLIP),
+        **below("samples", SAMPLES),
+        **below("parameters", {**FIT, **SEARCH}),
+        "embedding.eigenvalues": lambda h: h.list("eigenvalue"),
+        "embedding.tangent_dimension": lambda h: h["dimension"],
+        "embedding.coordinate": lambda h: positive(h["coordinate"]),
+        "embedding.cyclicity": lambda h: h["cyclicity"],
+        "intrinsic_dimension.local_pca": lambda h: positive(h["local_pca"]),
+        "intrinsic_dimension.eigengap": lambda h: positive(h["eigengap"]),
+        **PERIOD,
+        "lag_quality": lambda h: h["lag_quality"],
+        "units.kind": unit_kinds,
+        **intervals("unit"),
+        **intervals("cycle"),
+        **below("representative_cycle", cycle("representative")),
+        **below("best_cycle", cycle("best")),
+        "reason": lambda h: text(h["reason"]),
+        **WARNINGS,
+    },
+    "denoising": {
+        **below("clip", CLIP),
+        **below("samples", SAMPLES),
+        **LENGTHS,
+        **below("fit", FIT),
+        "fit.period_min_s": lambda h: positive(h["fit_period_min"]),
+        "fit.period_max_s": lambda h: positive(h["fit_period_max"]),
+        **PERIOD,
+        "parameters.gamma": lambda h: chosen(h["gamma_option"]),
+        "parameters.knot_rows": lambda h: h["knot_rows"],
+        "parameters.knot_s": lambda h: h["knot_rows"] / h["fps"],
+        "parameters.robust": lambda h: bool(h["robust"]),
+        **below("parameters", SEARCH),
+        "columns.gamma": lambda h: h.list("gamma"),
+        "columns.shift": lambda h: h.list("shift"),
+        "columns.noise": lambda h: h.list("noise"),
+        "columns.freedom": lambda h: h.list("degrees_of_freedom"),
+        "columns.moved": lambda h: h.list("moved"),
+        **WARNINGS,
+    },
+    "synthesis": {
+        "clip.format": lambda h: made(h).choice("format"),
+        "clip.frames": lambda h: made(h)["clip_frames"],
+        "clip.fps": lambda h: made(h)["clip_fps"],
+        "clip.duration_s": lambda h: made(h)["clip_frames"] / made(h)["clip_fps"],
+        "pieces.path": lambda h: [text(path) for path in h.list("piece_path")],
+        "pieces.begin": lambda h: h.list("piece_begin"),
+        "pieces.end": lambda h: h.list("piece_end"),
+        "pieces.repeat": lambda h: h.list("piece_repeat"),
+        "parameters.crossfade_s": lambda h: chosen(h["crossfade"]),
+        "parameters.search_s": lambda h: chosen(h["cut_range"]),
+        "parameters.posture_limit": lambda h: positive(h["posture_limit"]),
+        "parameters.up_axis": lambda h: h.choice("up_axis"),
+        **{f"seams.{f}": seams(f) for f, _ in Seam._fields_[1:]},
+        "seams.time_s": in_seconds("frame"),
+        "seams.crossfade_s": in_seconds("crossfade"),
+        **WARNINGS,
+    },
+}
+
+
+def leaves(schema, path=""):
+    """Paths of the values of a schema, without those that only the command adds (--curve)."""
+    if "properties" in schema:
+        for key, member in schema["properties"].items():
+            if (path, key) not in (("", "format"), ("", "curve")):
+                yield from leaves(member, f"{path}.{key}".lstrip("."))
+    elif "items" in schema:
+        yield from leaves(schema["items"], path)
+    else:
+        yield path
+
+
+def values(node, keys):
+    """The leaf values at a path; None: there is null on the way."""
+    if isinstance(node, list):
+        found = [values(item, keys) for item in node]
+        return [v for each in found for v in (each if isinstance(each, list) else [each])]
+    if not keys:
+        return node
+    return Missing if node is None else values(node[keys[0]], keys[1:])
+
+
+class Missing:
+    """Stands for what is below a null."""
+
+
+class Facts(unittest.TestCase):
+    def handle(self, *arguments):
+        made_one = Handle(*arguments)
+        self.addCleanup(made_one.free)
+        return made_one
+
+    def options(self, **given):
+        out = c_void_p()
+        call("options_new", byref(out))
+        self.addCleanup(value, "options_free", None, out)
+        for name, number in given.items():
+            key = re.search(rf"STLTSA_OPT_{name.upper()} = (\d+)", HEADER.read_text())
+            kind = c_double if isinstance(number, float) else c_int64
+            setter = "options_set_real" if kind is c_double else "options_set_int"
+            call(setter, out, int(key[1]), kind(number))
+        return out
+
+    def opened(self, path, **options):
+        return self.handle("clip", "clip_open", os.fsencode(path), self.options(**options))
+
+    def examples(self):
+        clip = self.opened(walk())
+        none = self.options()
+        # Moves on and never comes back; the reader says that the first column is no channel.
+        noted = self.opened(write_csv("noted.csv", [[i, 0.1 * i, (0.02 * i) ** 2]
+                                                    for i in range(200)], "Frame,x,y\n"), fps=30.0)
+        parted = self.handle("model", "fit_clip", self.opened(cut(), fps=30.0).pointer,
+                             self.options(neighbors=5, window=8))
+        recurrent_ = self.handle("model", "fit_clip", clip.pointer, self.options(mode=3, links=3))
+        of_notes = self.handle("model", "fit_clip", noted.pointer, none)
+        units = self.handle("decomposition", "decompose", clip.pointer, self.options(mode=3))
+        cycles = [(i.begin, i.end) for i in units.rows("cycle", Interval())]
+        pieces = (Piece * 2)(*(Piece(clip.pointer, begin, end, 2, 0) for begin, end in cycles[:2]))
+        short = Piece(clip.pointer, cycles[0][0], cycles[0][1] - 20, 2, 0)
+        return [
+            clip, noted, parted, recurrent_, of_notes, units,
+            self.handle("decomposition", "decompose", noted.pointer, none),
+            self.handle("decomposition", "decompose", self.opened(circle(), fps=50.0).pointer, none),
+            self.handle("dimension", "dimension_clip", clip.pointer, none),
+            self.handle("dimension", "dimension_clip", noted.pointer, self.options(mode=3)),
+            self.handle("dimension", "dimension_clip", self.opened(still(), fps=30.0).pointer,
+                        none),
+            self.handle("denoising", "denoise_model", parted.pointer, none),
+            self.handle("denoising", "denoise_model", recurrent_.pointer,
+                        self.options(gamma=0.01, robust=0)),
+            self.handle("denoising", "denoise_model", of_notes.pointer, none),
+            self.handle("synthesis", "synthesize", pieces, c_int64(2), none),
+            self.handle("synthesis", "synthesize", byref(short), c_int64(1),
+                        self.options(crossfade=0.05, search=0.0, posture_limit=0.0)),
+        ]
+
+    def test_every_leaf_of_a_schema_has_a_function(self):
+        for kind, facts in FACTS.items():
+            schema = json.loads((SCHEMAS / f"stltsa-{kind}-1.schema.json").read_text())
+            with self.subTest(kind):
+                self.assertEqual(sorted(facts), sorted({*leaves(schema)} - {"library"}))
+
+    def test_functions_say_what_the_json_says(self):
+        seen = set()
+        for example in self.examples():
+            said = example.json()
+            self.assertEqual(said["library"], value("version", c_char_p).decode())
+            for path, fact in FACTS[example.kind].items():
+                wanted = values(said, path.split("."))
+                if wanted is Missing:
+                    continue
+                with self.subTest(example.kind, path=path):
+                    self.assertEqual(fact(example), wanted)
+                if wanted not in ([], None):
+                    seen.add((example.kind, path))
+        unseen = {(kind, path) for kind, facts in FACTS.items() for path in facts} - seen
+        self.assertEqual(unseen, set())
+
+    def test_every_key_is_described(self):
+        in_header = dict(re.findall(r"STLTSA_INFO_(\w+) = (\d+)", HEADER.read_text()))
+        self.assertEqual({name.upper(): str(row.key) for name, row in KEYS.items()}, in_header)
+        for name, row in KEYS.items():
+            with self.subTest(name):
+                self.assertTrue(row.text.decode().endswith("."))
+                self.assertGreater(row.handles, 0)
+
+    def test_handles_have_what_their_keys_say(self):
+        bits = {kind: int(bit) for kind, bit in
+                re.findall(r"STLTSA_HANDLE_(\w+) = (\d+)", HEADER.read_text())}
+        for example in self.examples():
+            for name, row in KEYS.items():
+                with self.subTest(example.kind, key=name):
+                    found = example.list(name)
+                    if not row.handles & bits[example.kind.upper()]:
+                        self.assertEqual(found, [])
+                    elif not row.is_list:
+                        self.assertLessEqual(len(found), 1)
+
+
+if __name__ == "__main__":
+    unittest.main()
