@@ -10,7 +10,7 @@
 #include <CLI/Formatter.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <stltsa.h>
+#include <stltsa.hpp>
 
 #include "exit_status.hpp"
 #include "option_flags.hpp"
@@ -155,7 +155,7 @@ class Parser {
         app_.footer(ending);
         app_.set_version_flag("--version", fmt::format("stltsa {}.{}.{} (libstltsa {})",
                                                        STLTSA_VERSION_MAJOR, STLTSA_VERSION_MINOR,
-                                                       STLTSA_VERSION_PATCH, stltsa_version()));
+                                                       STLTSA_VERSION_PATCH, stltsa::version()));
         app_.require_subcommand(1);
         const char* const a_clip = "A clip, or - for standard input.";
         clip_command(Command::info, "info", about_info, a_clip, {reading});

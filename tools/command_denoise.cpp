@@ -14,41 +14,27 @@ namespace {
 
 /// Coordinates before, the result, and what the library says of it.
 struct Cleaning {
-    Grid points;
-    Denoising denoising;
+    stltsa::Matrix points;
+    stltsa::Denoising denoising;
     Json object;
 
-    Grid grid(stltsa_status (*fill)(const stltsa_denoising*, const stltsa_out*) noexcept) const {
-        return grid_of(fill, denoising.get(), points.rows, points.cols);
-    }
+    Cleaning(stltsa::Matrix before, stltsa::Denoising after)
+        : points(std::move(before)), denoising(std::move(after)),
+          object(parsed_json(denoising.json())) {}
 };
 
-Cleaning clean_model(const Session& session, const stltsa_model* model) {
-    Cleaning cleaning{coordinates_of(model),
-                      made_by<Denoising>([&](stltsa_denoising** made) {
-                          return stltsa_denoise_model(model, session.options(), made);
-                      }),
-                      {}};
-    cleaning.object = json_of(stltsa_denoising_json, cleaning.denoising.get());
-    return cleaning;
+Cleaning clean_model(const Session& session, const stltsa::Model& model) {
+    return {model.coords(), stltsa::denoise(model, session.options())};
 }
 
 /// The file's columns are coordinates already.
-Cleaning clean_columns(Session& session, const stltsa_clip* clip) {
-    if (stltsa_clip_joints(clip) > 0)
+Cleaning clean_columns(Session& session, const stltsa::Clip& clip) {
+    if (clip.joint_count() > 0)
         throw Failure(Exit::usage, "--coordinates goes with a CSV or NPY file; this is a motion");
-    std::int64_t cols = 0;
-    check(stltsa_clip_feature_count(clip, nullptr, &cols));
-    Cleaning cleaning{Grid(stltsa_clip_frames(clip), cols), nullptr, {}};
-    const stltsa_out out = out_of(cleaning.points);
-    check(stltsa_clip_features(clip, nullptr, &out));
-    session.set_fps(stltsa_clip_fps(clip));
-    cleaning.denoising = made_by<Denoising>([&](stltsa_denoising** made) {
-        const stltsa_in in{out.data, out.rows, out.cols, 0, 0, STLTSA_F64, 0};
-        return stltsa_denoise(&in, nullptr, 1, session.options(), made);
-    });
-    cleaning.object = json_of(stltsa_denoising_json, cleaning.denoising.get());
-    cleaning.object["clip"] = json_of(stltsa_clip_json, clip)["clip"];
+    const stltsa::Matrix points = clip.features();
+    session.set_fps(clip.fps());
+    Cleaning cleaning(points, stltsa::denoise(points, session.options()));
+    cleaning.object["clip"] = parsed_json(clip.json())["clip"];
     return cleaning;
 }
 
@@ -72,24 +58,20 @@ Cleaning clean(Session& session) {
             throw Failure(Exit::usage, "--coordinates goes with a CSV or NPY file; this is a "
                                        "model, which has its own");
         refuse_fit_options(arguments, "this is a model");
-        return clean_model(session, session.open_model(arguments.input).get());
+        return clean_model(session, session.open_model(arguments.input));
     }
     if (arguments.coordinates)
         refuse_fit_options(arguments, "with --coordinates nothing is", {STLTSA_OPT_FPS});
-    const stltsa_clip* clip = session.open_input();
+    const stltsa::Clip& clip = session.open_input();
     if (arguments.coordinates)
         return clean_columns(session, clip);
-    const auto model = made_by<Model>(
-        [&](stltsa_model** made) { return stltsa_fit_clip(clip, session.options(), made); });
-    return clean_model(session, model.get());
+    return clean_model(session, stltsa::fit(clip, session.options()));
 }
 
-Json rows_of(const Grid& grid) {
+Json rows_of(const stltsa::Matrix& table) {
     Json rows = Json::array();
-    for (std::int64_t r = 0; r < grid.rows; ++r) {
-        const double* first = grid.values.data() + r * grid.cols;
-        rows.push_back(std::vector<double>(first, first + grid.cols));
-    }
+    for (std::int64_t r = 0; r < table.rows; ++r)
+        rows.push_back(table.row(r));
     return rows;
 }
 
@@ -101,8 +83,8 @@ Json curve_json(const Cleaning& cleaning) {
                          i * samples["frame_step"].get<std::int64_t>());
     return {{"frames", frames},
             {"points", rows_of(cleaning.points)},
-            {"fitted", rows_of(cleaning.grid(stltsa_denoising_curve))},
-            {"cleaned", rows_of(cleaning.grid(stltsa_denoising_cleaned))}};
+            {"fitted", rows_of(cleaning.denoising.curve())},
+            {"cleaned", rows_of(cleaning.denoising.cleaned())}};
 }
 
 } // namespace
@@ -111,12 +93,12 @@ Exit run_denoise(const Arguments& arguments) {
     Session session(arguments);
     Cleaning cleaning = clean(session);
     if (!arguments.product.empty())
-        session.add_table(arguments.product, cleaning.grid(stltsa_denoising_cleaned));
+        session.add_table(arguments.product, cleaning.denoising.cleaned());
     if (!arguments.curve_product.empty())
-        session.add_table(arguments.curve_product, cleaning.grid(stltsa_denoising_curve));
+        session.add_table(arguments.curve_product, cleaning.denoising.curve());
     if (!arguments.plot.empty())
-        session.add_file(arguments.plot, denoising_figure(cleaning.object, cleaning.points,
-                                                          cleaning.denoising.get()));
+        session.add_file(arguments.plot,
+                         denoising_figure(cleaning.object, cleaning.points, cleaning.denoising));
     if (arguments.curve)
         cleaning.object["curve"] = curve_json(cleaning);
     session.finish(cleaning.object,

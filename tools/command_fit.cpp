@@ -8,18 +8,14 @@ namespace tool {
 
 Exit run_fit(const Arguments& arguments) {
     Session session(arguments);
-    session.open_input();
-    const auto model = made_by<Model>([&](stltsa_model** made) {
-        return stltsa_fit_clip(session.clip(), session.options(), made);
-    });
-    const Json object = json_of(stltsa_model_json, model.get());
+    const stltsa::Model model = stltsa::fit(session.open_input(), session.options());
+    const Json object = parsed_json(model.json());
     if (!arguments.coords.empty())
-        session.add_table(arguments.coords, coordinates_of(model.get()));
+        session.add_table(arguments.coords, model.coords());
     if (!arguments.product.empty())
-        session.add_model(arguments.product, model.get());
+        session.add_model(arguments.product, model);
     if (!arguments.plot.empty())
-        session.add_file(arguments.plot,
-                         fit_figure(session, object, model.get(), coordinates_of(model.get())));
+        session.add_file(arguments.plot, fit_figure(session, object, model));
     session.finish(object, model_report(object, session.title(), session.colors()));
     return object["components"].size() > 1 ? Exit::untrustworthy : Exit::done;
 }

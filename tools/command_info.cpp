@@ -8,7 +8,7 @@ namespace tool {
 Exit run_info(const Arguments& arguments) {
     Session session(arguments);
     session.open_input();
-    const Json clip = json_of(stltsa_clip_json, session.clip());
+    const Json clip = parsed_json(session.clip().json());
     session.finish(clip, info_report(clip, session.title(), session.colors()));
     return Exit::done;
 }

@@ -13,18 +13,14 @@ Exit run_synthesize(const Arguments& arguments) {
     std::vector<PieceText> texts;
     for (const std::string& text : arguments.pieces)
         texts.push_back(parse_piece(text));
-    std::vector<stltsa_piece> pieces;
+    std::vector<stltsa::Piece> pieces;
     for (const PieceText& text : texts)
         pieces.push_back(finder.find(text));
-    const auto made = made_by<Synthesis>([&](stltsa_synthesis** synthesis) {
-        return stltsa_synthesize(pieces.data(), static_cast<std::int64_t>(pieces.size()),
-                                 session.options(), synthesis);
-    });
-    session.add_clip(arguments.product, stltsa_synthesis_clip(made.get()));
-    const Json object = json_of(stltsa_synthesis_json, made.get());
+    const stltsa::Synthesis made = stltsa::synthesize(pieces, session.options());
+    session.add_clip(arguments.product, made.clip());
+    const Json object = parsed_json(made.json());
     if (!arguments.plot.empty())
-        session.add_file(arguments.plot,
-                         synthesis_figure(object, arguments, stltsa_synthesis_clip(made.get())));
+        session.add_file(arguments.plot, synthesis_figure(object, arguments, made.clip()));
     session.finish(object, synthesis_report(object, arguments.pieces, session.colors()));
     return Exit::done;
 }

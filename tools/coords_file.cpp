@@ -5,7 +5,7 @@
 
 namespace tool {
 
-std::string csv_text(const Grid& grid, const char* column) {
+std::string csv_text(const stltsa::Matrix& grid, const char* column) {
     std::string text;
     for (std::int64_t c = 0; c < grid.cols; ++c)
         text += fmt::format("{}{}{}", c == 0 ? "" : ",", column, c + 1);

@@ -3,11 +3,11 @@
 
 #include <string>
 
-#include "grid.hpp"
+#include <stltsa.hpp>
 
 namespace tool {
 
 /// Heading y1,y2,... for a column "y", and a line per row; numbers read back to the same bits.
-std::string csv_text(const Grid& grid, const char* column);
+std::string csv_text(const stltsa::Matrix& grid, const char* column);
 
 } // namespace tool

@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+#include <stltsa.hpp>
+
 namespace tool {
 
 /// What the command says to the shell; documented in the manual page.
@@ -21,6 +23,8 @@ enum class Exit {
 class Failure : public std::exception {
   public:
     Failure(Exit status, std::string text) : status_(status), text_(std::move(text)) {}
+    /// What the library refuses, flags being named as the user types them.
+    explicit Failure(const stltsa::Error& error);
     Exit status() const noexcept { return status_; }
     const char* what() const noexcept override { return text_.c_str(); }
 
@@ -28,5 +32,8 @@ class Failure : public std::exception {
     Exit status_;
     std::string text_;
 };
+
+/// The same of a call that reads the input: whatever is wrong with it makes it unreadable.
+Failure unreadable(const stltsa::Error& error);
 
 } // namespace tool

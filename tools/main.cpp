@@ -34,6 +34,11 @@ Exit run(const Arguments& arguments) {
     return Exit::usage;
 }
 
+int ended_by(const Failure& failure, bool colors) {
+    print_message(failure.what(), Tone::error, colors);
+    return static_cast<int>(failure.status());
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -48,8 +53,9 @@ int main(int argc, char** argv) {
         write_stdout(arguments.answer);
         return static_cast<int>(Exit::done);
     } catch (const Failure& failure) {
-        print_message(failure.what(), Tone::error, colors);
-        return static_cast<int>(failure.status());
+        return ended_by(failure, colors);
+    } catch (const stltsa::Error& error) {
+        return ended_by(Failure(error), colors);
     } catch (const std::exception& error) {
         print_message(error.what(), Tone::error, colors);
         return static_cast<int>(Exit::failed);

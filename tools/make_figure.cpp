@@ -18,21 +18,14 @@ namespace tool {
 namespace {
 
 /// The body, for clips with a skeleton; `up` is "x", "y" or "z".
-std::optional<plot::SideView> bodies_of(const stltsa_clip* clip, const Json& up) {
-    const std::int64_t joints = stltsa_clip_joints(clip);
-    if (joints == 0)
+std::optional<plot::SideView> bodies_of(const stltsa::Clip& clip, const Json& up) {
+    if (clip.joint_count() == 0)
         return std::nullopt;
     plot::Bodies bodies;
-    for (std::int64_t i = 0; i < joints; ++i) {
-        const char* name = nullptr;
-        std::int64_t parent = -1;
-        std::int32_t end_site = 0;
-        check(stltsa_clip_joint(clip, i, &name, &parent, &end_site));
-        bodies.joints.push_back({name, parent});
-    }
-    const std::int64_t frames = stltsa_clip_frames(clip);
-    bodies.positions = grid_of(stltsa_clip_positions, clip, frames, 3 * joints);
-    bodies.rotations = grid_of(stltsa_clip_rotations, clip, frames, 4 * joints);
+    for (const stltsa::Joint& joint : clip.joints())
+        bodies.joints.push_back({joint.name, joint.parent});
+    bodies.positions = clip.positions();
+    bodies.rotations = clip.rotations();
     bodies.up = up.is_null() ? 1 : up.get<std::string>()[0] - 'x';
     return plot::SideView(std::move(bodies));
 }
@@ -47,8 +40,8 @@ std::string title_of(const Json& clip) {
 plot::Figure figure_of(const Session& session, const Json& object) {
     plot::Figure figure;
     figure.title = title_of(object["clip"]);
-    figure.frames = stltsa_clip_frames(session.clip());
-    figure.fps = stltsa_clip_fps(session.clip());
+    figure.frames = session.clip().frames();
+    figure.fps = session.clip().fps();
     figure.first = object["samples"]["first_frame"];
     figure.step = object["samples"]["frame_step"];
     figure.bodies = bodies_of(session.clip(), object["samples"]["up_axis"]);
@@ -64,14 +57,6 @@ std::string embedding_text(const Json& object) {
     return fmt::format("period {:.3f} s, lag quality {:.2f}, cyclicity {:.2f}",
                        object["period_s"].get<double>(), object["lag_quality"].get<double>(),
                        object["embedding"]["cyclicity"].get<double>());
-}
-
-template <class Count, class Get>
-std::vector<stltsa_interval> intervals(const stltsa_decomposition* from, Count count, Get get) {
-    std::vector<stltsa_interval> list(static_cast<std::size_t>(count(from)));
-    for (std::size_t i = 0; i < list.size(); ++i)
-        check(get(from, static_cast<std::int64_t>(i), &list[i]));
-    return list;
 }
 
 /// More would be a page too long for the eye.
@@ -130,42 +115,37 @@ plot::Strip whole_strip(std::int64_t frames) {
 } // namespace
 
 std::string decomposition_figure(const Session& session, const Json& object,
-                                 const stltsa_decomposition* decomposition) {
+                                 const stltsa::Decomposition& decomposition) {
     plot::Figure figure = figure_of(session, object);
     figure.summary = decomposition_summary(object);
     figure.facts = facts_of(object);
     if (!object["period_s"].is_null())
         figure.facts.insert(figure.facts.begin(), embedding_text(object));
-    const auto count = object["samples"]["count"].get<std::int64_t>();
     const Json& column = object["embedding"]["coordinate"];
     figure.curve_name = column.is_null() ? "coordinate" : "coordinate " + column.dump();
-    figure.curve = grid_of(stltsa_decomposition_curve, decomposition, count, 1).values;
+    figure.curve = decomposition.curve().values;
     figure.loop_names = {"first coordinate of the loop", "second coordinate of the loop"};
-    figure.loop = grid_of(stltsa_decomposition_loop, decomposition, count, 2);
-    figure.units =
-        intervals(decomposition, stltsa_decomposition_unit_count, stltsa_decomposition_unit);
-    figure.cycles =
-        intervals(decomposition, stltsa_decomposition_cycle_count, stltsa_decomposition_cycle);
-    check(stltsa_decomposition_get_int(decomposition, STLTSA_DECOMPOSITION_REPRESENTATIVE,
-                                       &figure.representative));
+    figure.loop = decomposition.loop();
+    figure.units = decomposition.units();
+    figure.cycles = decomposition.cycles();
+    figure.representative = decomposition.integer(STLTSA_DECOMPOSITION_REPRESENTATIVE);
     return plot::figure_svg(figure);
 }
 
-std::string fit_figure(const Session& session, const Json& object, const stltsa_model* model,
-                       const Grid& coords) {
+std::string fit_figure(const Session& session, const Json& object, const stltsa::Model& model) {
+    const stltsa::Matrix coords = model.coords();
     plot::Figure figure = figure_of(session, object);
     figure.summary = fmt::format("curve of {}, mode {}",
                                  counted(static_cast<std::size_t>(coords.cols), "coordinate"),
                                  object["parameters"]["mode"].get<std::string>());
     figure.facts = facts_of(object);
     figure.curve_name = "coordinate 1";
-    figure.pieces.resize(static_cast<std::size_t>(coords.rows));
-    check(stltsa_model_components(model, coords.rows, figure.pieces.data()));
+    figure.pieces = model.components();
     for (std::int64_t i = 0; i < coords.rows; ++i)
         figure.curve.push_back(coords(i, 0));
     if (coords.cols >= 2) {
         figure.loop_names = {"coordinate 1", "coordinate 2"};
-        figure.loop = Grid(coords.rows, 2);
+        figure.loop = stltsa::Matrix(coords.rows, 2);
         for (std::int64_t i = 0; i < coords.rows; ++i)
             for (std::int64_t c = 0; c < 2; ++c)
                 figure.loop(i, c) = coords(i, c);
@@ -173,8 +153,8 @@ std::string fit_figure(const Session& session, const Json& object, const stltsa_
     return plot::figure_svg(figure);
 }
 
-std::string denoising_figure(const Json& object, const Grid& points,
-                             const stltsa_denoising* denoising) {
+std::string denoising_figure(const Json& object, const stltsa::Matrix& points,
+                             const stltsa::Denoising& denoising) {
     const Json& clip = object["clip"];
     const Json& samples = object["samples"];
     plot::DenoiseFigure figure;
@@ -187,16 +167,16 @@ std::string denoising_figure(const Json& object, const Grid& points,
     figure.fps *= static_cast<double>(figure.step);
     figure.lengths = samples["lengths"].get<std::vector<std::int64_t>>();
     figure.before = points;
-    figure.after = grid_of(stltsa_denoising_cleaned, denoising, points.rows, points.cols);
-    figure.curve = grid_of(stltsa_denoising_curve, denoising, points.rows, points.cols);
-    figure.moves = grid_of(stltsa_denoising_moves, denoising, points.rows, points.cols);
+    figure.after = denoising.cleaned();
+    figure.curve = denoising.curve();
+    figure.moves = denoising.moves();
     for (const Json& column : object["columns"])
         figure.gammas.push_back(column["gamma"]);
     return plot::denoise_figure_svg(figure);
 }
 
 std::string synthesis_figure(const Json& object, const Arguments& arguments,
-                             const stltsa_clip* clip) {
+                             const stltsa::Clip& clip) {
     std::vector<Json> seams = different_seams(object["seams"]);
     const std::size_t left_out = seams.size() - std::min(seams.size(), most_strips);
     seams.resize(seams.size() - left_out);
@@ -211,7 +191,7 @@ std::string synthesis_figure(const Json& object, const Arguments& arguments,
     for (const Json& seam : seams)
         figure.strips.push_back(strip_of(seam, arguments.pieces, object["clip"]["fps"]));
     if (seams.empty()) {
-        figure.strips.push_back(whole_strip(stltsa_clip_frames(clip)));
+        figure.strips.push_back(whole_strip(clip.frames()));
         figure.note.clear();
     }
     return plot::seam_figure_svg(figure);

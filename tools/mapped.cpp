@@ -16,8 +16,8 @@ double quantile(const std::vector<double>& sorted, double share) {
     return sorted[static_cast<std::size_t>(std::lround(share * last))];
 }
 
-Json distances_json(const Mapped& mapped) {
-    std::vector<double> sorted = mapped.distance.values;
+Json distances_json(const stltsa::Mapped& mapped) {
+    std::vector<double> sorted = mapped.distance;
     std::ranges::sort(sorted);
     return {{"median", quantile(sorted, 0.5)},
             {"p90", quantile(sorted, 0.9)},
@@ -25,11 +25,11 @@ Json distances_json(const Mapped& mapped) {
 }
 
 /// Stretches of rows beyond the limit.
-Json beyond_json(const Mapped& mapped) {
+Json beyond_json(const stltsa::Mapped& mapped) {
     Json stretches = Json::array();
     std::int64_t count = 0;
-    for (std::int64_t r = 0; r < mapped.distance.rows; ++r) {
-        if (mapped.distance(r, 0) <= limit)
+    for (std::size_t r = 0; r < mapped.distance.size(); ++r) {
+        if (mapped.distance[r] <= limit)
             continue;
         ++count;
         if (stretches.empty() || stretches.back()["end"] != r)
@@ -38,7 +38,7 @@ Json beyond_json(const Mapped& mapped) {
             stretches.back()["end"] = r + 1;
     }
     return {{"count", count},
-            {"share", static_cast<double>(count) / static_cast<double>(mapped.distance.rows)},
+            {"share", static_cast<double>(count) / static_cast<double>(mapped.distance.size())},
             {"stretches", stretches}};
 }
 
@@ -48,45 +48,33 @@ Json positive_or_null(double value) {
 
 } // namespace
 
-std::int64_t whole_of(const stltsa_model* model, std::int32_t key) {
-    std::int64_t value = 0;
-    check(stltsa_model_get_int(model, key, &value));
-    return value;
-}
-
-Json mapping_json(const char* direction, const Arguments& arguments, const stltsa_model* model,
-                  const Mapped& mapped, double fps) {
-    double support = 0;
-    check(stltsa_model_get_real(model, STLTSA_MODEL_SUPPORT, &support));
+Json mapping_json(const char* direction, const Arguments& arguments, const stltsa::Model& model,
+                  const stltsa::Mapped& mapped, double fps) {
     const auto path = [](const std::string& name) {
         return name == "-" ? Json(nullptr) : Json(name);
     };
     return {{"format", "stltsa-mapping/1"},
-            {"library", stltsa_version()},
+            {"library", stltsa::version()},
             {"direction", direction},
             {"model",
              {{"path", path(arguments.model)},
-              {"frames", whole_of(model, STLTSA_MODEL_FRAMES)},
-              {"dimension", whole_of(model, STLTSA_MODEL_DIMENSION)},
-              {"features", whole_of(model, STLTSA_MODEL_FEATURES)},
-              {"support", support}}},
+              {"frames", model.integer(STLTSA_MODEL_FRAMES)},
+              {"dimension", model.integer(STLTSA_MODEL_DIMENSION)},
+              {"features", model.integer(STLTSA_MODEL_FEATURES)},
+              {"support", model.real(STLTSA_MODEL_SUPPORT)}}},
             {"input", path(arguments.input)},
-            {"rows", mapped.values.rows},
+            {"rows", mapped.distance.size()},
             {"fps", positive_or_null(fps)},
             {"distance", distances_json(mapped)},
             {"beyond", beyond_json(mapped)},
             {"warnings", Json::array()}};
 }
 
-Json mapped_json(const Mapped& mapped) {
+Json mapped_json(const stltsa::Mapped& mapped) {
     Json rows = Json::array();
-    for (std::int64_t r = 0; r < mapped.values.rows; ++r) {
-        Json row = Json::array();
-        for (std::int64_t c = 0; c < mapped.values.cols; ++c)
-            row.push_back(mapped.values(r, c));
-        rows.push_back(std::move(row));
-    }
-    return {{"coords", rows}, {"distance", mapped.distance.values}, {"nearest", mapped.nearest}};
+    for (std::int64_t r = 0; r < mapped.values.rows; ++r)
+        rows.push_back(mapped.values.row(r));
+    return {{"coords", rows}, {"distance", mapped.distance}, {"nearest", mapped.nearest}};
 }
 
 } // namespace tool

@@ -13,31 +13,33 @@
 #include <fmt/format.h>
 
 #include "exit_status.hpp"
-#include "library.hpp"
 #include "text.hpp"
 
 namespace tool {
 namespace {
 
-stltsa_option_info describe(std::int32_t key) {
-    for (std::int64_t i = 0; i < stltsa_option_count(); ++i) {
-        stltsa_option_info info{};
-        info.size = sizeof info;
-        check(stltsa_option_describe(i, &info));
-        if (info.key == key)
-            return info;
-    }
-    throw Failure(Exit::failed, fmt::format("the library has no option {}", key));
+using stltsa::OptionInfo;
+
+const std::vector<OptionInfo>& table() {
+    static const std::vector<OptionInfo> rows = stltsa::option_table();
+    return rows;
+}
+
+const OptionInfo& describe(std::int32_t key) {
+    const auto row = std::ranges::find(table(), key, &OptionInfo::key);
+    if (row == table().end())
+        throw Failure(Exit::failed, fmt::format("the library has no option {}", key));
+    return *row;
 }
 
 /// keep_start: --keep-start
-std::string flag_name(const stltsa_option_info& info) {
+std::string flag_name(const OptionInfo& info) {
     std::string name = info.name;
     std::ranges::replace(name, '_', '-');
     return "--" + name;
 }
 
-bool is_switch(const stltsa_option_info& info) {
+bool is_switch(const OptionInfo& info) {
     return info.type == STLTSA_TYPE_INT && info.choices == nullptr && info.minimum == 0 &&
            info.maximum == 1;
 }
@@ -47,7 +49,7 @@ bool counts_frames(std::int32_t key) {
 }
 
 /// "temporal=1 spatial=2" to pairs.
-std::vector<std::pair<std::string, std::int64_t>> choices_of(const stltsa_option_info& info) {
+std::vector<std::pair<std::string, std::int64_t>> choices_of(const OptionInfo& info) {
     std::vector<std::pair<std::string, std::int64_t>> choices;
     std::istringstream words(info.choices);
     for (std::string word; words >> word;) {
@@ -57,14 +59,14 @@ std::vector<std::pair<std::string, std::int64_t>> choices_of(const stltsa_option
     return choices;
 }
 
-std::string choice_names(const stltsa_option_info& info) {
+std::string choice_names(const OptionInfo& info) {
     std::string names;
     for (const auto& [name, value] : choices_of(info))
         names += (names.empty() ? "" : "|") + name;
     return names;
 }
 
-std::string value_name(const stltsa_option_info& info) {
+std::string value_name(const OptionInfo& info) {
     if (info.choices != nullptr)
         return choice_names(info);
     if (info.type == STLTSA_TYPE_TEXT)
@@ -73,7 +75,7 @@ std::string value_name(const stltsa_option_info& info) {
 }
 
 /// The default where the text does not say it ("0: ...").
-std::string default_text(const stltsa_option_info& info) {
+std::string default_text(const OptionInfo& info) {
     if (info.choices != nullptr) {
         for (const auto& [name, value] : choices_of(info))
             if (static_cast<double>(value) == info.standard)
@@ -95,14 +97,14 @@ std::optional<T> number_in(std::string_view text) {
     return value;
 }
 
-[[noreturn]] void refuse(const stltsa_option_info& info, const std::string& typed,
+[[noreturn]] void refuse(const OptionInfo& info, const std::string& typed,
                          std::string_view wanted) {
     throw Failure(Exit::usage,
                   fmt::format("{} is given '{}': it takes {}", flag_name(info), typed, wanted));
 }
 
 /// Seconds of "1.2s"; nothing where there is no such suffix or none is allowed.
-std::optional<double> seconds_in(const stltsa_option_info& info, const std::string& typed) {
+std::optional<double> seconds_in(const OptionInfo& info, const std::string& typed) {
     if (!counts_frames(info.key) || !typed.ends_with('s'))
         return std::nullopt;
     const auto seconds = number_in<double>(std::string_view(typed).substr(0, typed.size() - 1));
@@ -111,31 +113,25 @@ std::optional<double> seconds_in(const stltsa_option_info& info, const std::stri
     return seconds;
 }
 
-/// A value that the library refuses is a wrong command line; its text says the range.
-void set_checked(stltsa_status status) {
-    if (status != STLTSA_OK)
-        throw Failure(Exit::usage, with_flags(stltsa_last_error()));
-}
-
-void set_whole(stltsa_options* options, const stltsa_option_info& info, const std::string& typed) {
+void set_whole(stltsa::Options& options, const OptionInfo& info, const std::string& typed) {
     if (info.choices != nullptr) {
         for (const auto& [name, value] : choices_of(info))
             if (name == typed)
-                return set_checked(stltsa_options_set_int(options, info.key, value));
+                return static_cast<void>(options.set(info.key, value));
         refuse(info, typed, choice_names(info));
     }
     const auto value = number_in<std::int64_t>(typed);
     if (!value)
         refuse(info, typed,
                counts_frames(info.key) ? "frames (36) or seconds (1.2s)" : "a whole number");
-    set_checked(stltsa_options_set_int(options, info.key, *value));
+    options.set(info.key, *value);
 }
 
-void set_real(stltsa_options* options, const stltsa_option_info& info, const std::string& typed) {
+void set_real(stltsa::Options& options, const OptionInfo& info, const std::string& typed) {
     const auto value = number_in<double>(typed);
     if (!value)
         refuse(info, typed, "a number");
-    set_checked(stltsa_options_set_real(options, info.key, *value));
+    options.set(info.key, *value);
 }
 
 } // namespace
@@ -144,7 +140,7 @@ void add_option_flags(CLI::App& app, std::span<const std::int32_t> keys,
                       std::map<std::int32_t, std::string>& typed) {
     constexpr std::size_t help_columns = 48;
     for (const std::int32_t key : keys) {
-        const stltsa_option_info info = describe(key);
+        const OptionInfo& info = describe(key);
         const std::string flag = flag_name(info);
         const std::string text = wrapped(info.text + default_text(info), help_columns);
         if (is_switch(info)) {
@@ -161,11 +157,11 @@ void add_option_flags(CLI::App& app, std::span<const std::int32_t> keys,
     }
 }
 
-void set_options(stltsa_options* options, const std::map<std::int32_t, std::string>& typed) {
+void set_options(stltsa::Options& options, const std::map<std::int32_t, std::string>& typed) {
     for (const auto& [key, value] : typed) {
-        const stltsa_option_info info = describe(key);
+        const OptionInfo& info = describe(key);
         if (info.type == STLTSA_TYPE_TEXT)
-            set_checked(stltsa_options_set_text(options, key, value.c_str()));
+            options.set(key, value);
         else if (info.type == STLTSA_TYPE_REAL)
             set_real(options, info, value);
         else if (!seconds_in(info, value))
@@ -173,10 +169,10 @@ void set_options(stltsa_options* options, const std::map<std::int32_t, std::stri
     }
 }
 
-void set_lengths(stltsa_options* options, const std::map<std::int32_t, std::string>& typed,
+void set_lengths(stltsa::Options& options, const std::map<std::int32_t, std::string>& typed,
                  double rate) {
     for (const auto& [key, value] : typed) {
-        const stltsa_option_info info = describe(key);
+        const OptionInfo& info = describe(key);
         const auto seconds = seconds_in(info, value);
         if (!seconds)
             continue;
@@ -188,7 +184,7 @@ void set_lengths(stltsa_options* options, const std::map<std::int32_t, std::stri
         // At least 1: 0 would mean "choose for me".
         const double frames = std::max(1.0, std::round(*seconds * rate));
         const double most = std::min(frames, info.maximum);
-        set_checked(stltsa_options_set_int(options, key, static_cast<std::int64_t>(most)));
+        options.set(key, static_cast<std::int64_t>(most));
     }
 }
 
@@ -218,16 +214,10 @@ bool ends_with_flag(const std::string& text) {
 
 std::string with_flags(std::string text) {
     const auto always = [](const std::string&) { return true; };
-    std::vector<stltsa_option_info> all;
-    for (std::int64_t i = 0; i < stltsa_option_count(); ++i) {
-        stltsa_option_info& info = all.emplace_back();
-        info.size = sizeof info;
-        check(stltsa_option_describe(i, &info));
-    }
     for (const char* words : {"the option ", "option "})
-        for (const stltsa_option_info& info : all)
+        for (const OptionInfo& info : table())
             replace_words(text, std::string(words) + info.name, flag_name(info), always);
-    for (const stltsa_option_info& info : all)
+    for (const OptionInfo& info : table())
         replace_words(text, std::string(" or ") + info.name, " or " + flag_name(info),
                       ends_with_flag);
     return text;

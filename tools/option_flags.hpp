@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-#include <stltsa.h>
+#include <stltsa.hpp>
 
 namespace CLI {
 class App;
@@ -21,10 +21,10 @@ void add_option_flags(CLI::App& app, std::span<const std::int32_t> keys,
 
 /// Sets what was typed. Lengths in seconds (1.2s) need the rate of the frames that they count,
 /// so they are left for set_lengths(). Throws Failure with Exit::usage.
-void set_options(stltsa_options* options, const std::map<std::int32_t, std::string>& typed);
+void set_options(stltsa::Options& options, const std::map<std::int32_t, std::string>& typed);
 
 /// Sets the lengths typed in seconds; rate 0: unknown, which is an error if there is any.
-void set_lengths(stltsa_options* options, const std::map<std::int32_t, std::string>& typed,
+void set_lengths(stltsa::Options& options, const std::map<std::int32_t, std::string>& typed,
                  double rate);
 
 /// What the user types: "--period-min".

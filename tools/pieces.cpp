@@ -109,20 +109,15 @@ PieceText parse_piece(const std::string& text) {
 }
 
 PieceFinder::Source& PieceFinder::source(const std::string& path) {
-    const auto [found, added] = sources_.try_emplace(path);
-    if (added)
-        found->second.clip = session_.open_clip(path);
-    return found->second;
+    if (const auto found = sources_.find(path); found != sources_.end())
+        return found->second;
+    return sources_.emplace(path, Source{session_.open_clip(path), nullptr}).first->second;
 }
 
 const Json& PieceFinder::units(Source& source) {
-    if (!source.units) {
-        const auto decomposition = made_by<Decomposition>([&](stltsa_decomposition** made) {
-            return stltsa_decompose(source.clip.get(), session_.options(), made);
-        });
-        source.units =
-            std::make_unique<Json>(json_of(stltsa_decomposition_json, decomposition.get()));
-    }
+    if (!source.units)
+        source.units = std::make_unique<Json>(
+            parsed_json(stltsa::decompose(source.clip, session_.options()).json()));
     return *source.units;
 }
 
@@ -145,13 +140,13 @@ const Json& PieceFinder::interval(Source& source, const PieceText& text) {
     missing(text, all);
 }
 
-stltsa_piece PieceFinder::find(const PieceText& text) {
+stltsa::Piece PieceFinder::find(const PieceText& text) {
     Source& from = source(text.path);
-    stltsa_piece piece{from.clip.get(), 0, stltsa_clip_frames(from.clip.get()), text.repeat, 0};
+    stltsa::Piece piece = from.clip.piece(0, from.clip.frames(), text.repeat);
     if (text.what.empty())
         return piece;
     if (const auto range = range_in(text.what)) {
-        const double scale = range->seconds ? stltsa_clip_fps(from.clip.get()) : 1;
+        const double scale = range->seconds ? from.clip.fps() : 1;
         const auto frame = [scale](double at) { return std::llround(std::min(at * scale, 1e15)); };
         piece.begin = frame(range->begin);
         piece.end = frame(range->end);

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "library.hpp"
+#include "json.hpp"
 #include "session.hpp"
 
 namespace tool {
@@ -28,11 +28,11 @@ class PieceFinder {
   public:
     explicit PieceFinder(const Session& session) : session_(session) {}
 
-    stltsa_piece find(const PieceText& text);
+    stltsa::Piece find(const PieceText& text);
 
   private:
     struct Source {
-        Clip clip;
+        stltsa::Clip clip;
         std::unique_ptr<const Json> units; ///< the decomposition; none until asked for
     };
     Source& source(const std::string& path);

@@ -8,8 +8,6 @@
 #include <fmt/format.h>
 #include <stltsa.h>
 
-#include "interrupt.hpp"
-
 namespace tool {
 namespace {
 
@@ -66,11 +64,6 @@ void ProgressBar::clear() {
     if (drawn_)
         write_stderr("\r\x1b[K");
     drawn_ = false;
-}
-
-std::int32_t ProgressBar::callback(void* user, std::int32_t stage, double fraction) {
-    static_cast<ProgressBar*>(user)->show(stage, fraction);
-    return interrupted() ? 1 : 0;
 }
 
 } // namespace tool

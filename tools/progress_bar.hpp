@@ -17,9 +17,6 @@ class ProgressBar {
     void show(std::int32_t stage, double fraction);
     void clear();
 
-    /// For stltsa_options_set_progress; `user` is the bar. Asks to stop after a Ctrl-C.
-    static std::int32_t callback(void* user, std::int32_t stage, double fraction);
-
   private:
     bool shown_;
     bool drawn_ = false;

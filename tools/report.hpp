@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "library.hpp"
+#include "json.hpp"
 
 namespace tool {
 

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <filesystem>
 #include <memory>
+#include <span>
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -39,31 +40,29 @@ std::string read_stdin() {
 }
 
 /// Rate of the working samples: what lengths in seconds are counted in.
-double working_rate(const stltsa_clip* clip, const stltsa_options* options) {
-    double rate = 0;
-    check(stltsa_options_get_real(options, STLTSA_OPT_RATE, &rate));
-    const double fps = stltsa_clip_fps(clip);
-    return rate > 0 ? fps / std::max(1.0, std::round(fps / rate)) : fps;
+double working_rate(const stltsa::Clip& clip, const stltsa::Options& options) {
+    const double rate = options.real(STLTSA_OPT_RATE);
+    return rate > 0 ? clip.fps() / std::max(1.0, std::round(clip.fps() / rate)) : clip.fps();
 }
 
 /// A file that cannot be written is no unreadable input.
-void check_saving(stltsa_status status) {
-    if (status == STLTSA_E_IO)
-        throw Failure(Exit::failed, stltsa_last_error());
-    check(status);
+template <class Product>
+void save(const Product& product, const std::string& path) {
+    try {
+        product.save(path);
+    } catch (const stltsa::Error& error) {
+        throw error.status() == STLTSA_E_IO ? Failure(Exit::failed, error.what()) : Failure(error);
+    }
 }
 
-void save(const stltsa_clip* clip, const std::string& path) {
-    check_saving(stltsa_clip_save(clip, path.c_str()));
-}
-
-/// The numbers of a table, for the library to write.
-std::shared_ptr<stltsa_clip> bare_clip(const Grid& table) {
-    const stltsa_in rows{table.values.data(), table.rows, table.cols, 0, 0, STLTSA_F64, 0};
-    constexpr double any_rate = 1; // NPY has none
-    stltsa_clip* clip = nullptr;
-    check(stltsa_clip_from_matrix(&rows, any_rate, &clip));
-    return {clip, stltsa_clip_free};
+/// Calls what reads the input.
+template <class Read>
+auto reading(Read read) {
+    try {
+        return read();
+    } catch (const stltsa::Error& error) {
+        throw unreadable(error);
+    }
 }
 
 void check_outputs(const Arguments& arguments) {
@@ -85,44 +84,39 @@ void check_outputs(const Arguments& arguments) {
 } // namespace
 
 Session::Session(const Arguments& arguments)
-    : arguments_(arguments), bar_(!arguments.quiet && ::isatty(STDERR_FILENO) != 0),
-      options_(made_by<Options>(stltsa_options_new)) {
+    : arguments_(arguments), bar_(!arguments.quiet && ::isatty(STDERR_FILENO) != 0) {
     check_outputs(arguments);
-    check(stltsa_options_set_progress(options_.get(), ProgressBar::callback, &bar_));
-    set_options(options_.get(), arguments.options);
+    options_.set_progress([this](std::int32_t stage, double fraction) {
+        bar_.show(stage, fraction);
+        return interrupted();
+    });
+    set_options(options_, arguments.options);
 }
 
 void Session::set_default(std::int32_t key, std::int64_t value) {
     if (!arguments_.options.contains(key))
-        check(stltsa_options_set_int(options_.get(), key, value));
+        options_.set(key, value);
 }
 
-const stltsa_clip* Session::open_input() {
+const stltsa::Clip& Session::open_input() {
     clip_ = open_clip(arguments_.input);
-    set_lengths(options_.get(), arguments_.options, working_rate(clip(), options()));
+    set_lengths(options_, arguments_.options, working_rate(clip(), options()));
     return clip();
 }
 
-Clip Session::open_clip(const std::string& path) const {
-    stltsa_clip* clip = nullptr;
-    if (path == "-") {
-        const std::string& bytes = standard_input();
-        check_reading(stltsa_clip_parse(bytes.data(), bytes.size(), 0, options(), &clip));
-    } else {
-        check_reading(stltsa_clip_open(path.c_str(), options(), &clip));
-    }
-    return Clip(clip);
+stltsa::Clip Session::open_clip(const std::string& path) const {
+    return reading([&] {
+        return path == "-"
+                   ? stltsa::Clip::parse(std::as_bytes(std::span(standard_input())), 0, options())
+                   : stltsa::Clip::open(path, options());
+    });
 }
 
-Model Session::open_model(const std::string& path) const {
-    stltsa_model* model = nullptr;
-    if (path == "-") {
-        const std::string& bytes = standard_input();
-        check_reading(stltsa_model_parse(bytes.data(), bytes.size(), &model));
-    } else {
-        check_reading(stltsa_model_load(path.c_str(), &model));
-    }
-    return Model(model);
+stltsa::Model Session::open_model(const std::string& path) const {
+    return reading([&] {
+        return path == "-" ? stltsa::Model::parse(std::as_bytes(std::span(standard_input())))
+                           : stltsa::Model::load(path);
+    });
 }
 
 bool Session::input_is_model() const {
@@ -138,7 +132,7 @@ const std::string& Session::standard_input() const {
 }
 
 void Session::set_fps(double fps) {
-    check(stltsa_options_set_real(options_.get(), STLTSA_OPT_FPS, fps));
+    options_.set(STLTSA_OPT_FPS, fps);
 }
 
 std::string Session::title() const {
@@ -155,21 +149,20 @@ void Session::add_file(const std::string& path, std::string content) {
     files_.add(path, std::move(content));
 }
 
-void Session::add_table(const std::string& path, const Grid& table, const char* column) {
+void Session::add_table(const std::string& path, const stltsa::Matrix& table, const char* column) {
     if (!ends_in(path, ".npy"))
         return add_file(path, csv_text(table, column));
-    files_.add_written(
-        path, [clip = bare_clip(table)](const std::string& name) { save(clip.get(), name); });
+    constexpr double any_rate = 1; // NPY has none
+    const auto clip = std::make_shared<stltsa::Clip>(stltsa::Clip::from_matrix(table, any_rate));
+    files_.add_written(path, [clip](const std::string& name) { save(*clip, name); });
 }
 
-void Session::add_clip(const std::string& path, const stltsa_clip* clip) {
-    files_.add_written(path, [clip](const std::string& name) { save(clip, name); });
+void Session::add_clip(const std::string& path, const stltsa::Clip& clip) {
+    files_.add_written(path, [&clip](const std::string& name) { save(clip, name); });
 }
 
-void Session::add_model(const std::string& path, const stltsa_model* model) {
-    files_.add_written(path, [model](const std::string& name) {
-        check_saving(stltsa_model_save(model, name.c_str()));
-    });
+void Session::add_model(const std::string& path, const stltsa::Model& model) {
+    files_.add_written(path, [&model](const std::string& name) { save(model, name); });
 }
 
 /// Warnings are part of the table; where it is not what the user sees, they go to stderr too.

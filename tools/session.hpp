@@ -4,8 +4,10 @@
 #include <optional>
 #include <string>
 
+#include <stltsa.hpp>
+
 #include "arguments.hpp"
-#include "library.hpp"
+#include "json.hpp"
 #include "output.hpp"
 #include "progress_bar.hpp"
 
@@ -18,17 +20,17 @@ class Session {
     explicit Session(const Arguments& arguments);
 
     /// Opens arguments.input; lengths given in seconds are counted in its frames.
-    const stltsa_clip* open_input();
-    const stltsa_clip* clip() const { return clip_.get(); }
-    Clip open_clip(const std::string& path) const;
-    Model open_model(const std::string& path) const;
+    const stltsa::Clip& open_input();
+    const stltsa::Clip& clip() const { return *clip_; }
+    stltsa::Clip open_clip(const std::string& path) const;
+    stltsa::Model open_model(const std::string& path) const;
 
     /// Whether arguments.input is a model: by its name or, of standard input, by how it begins.
     bool input_is_model() const;
 
     /// As option fps: the rate that a file was found to have.
     void set_fps(double fps);
-    const stltsa_options* options() const { return options_.get(); }
+    const stltsa::Options& options() const { return options_; }
     /// What an option that nobody typed is here.
     void set_default(std::int32_t key, std::int64_t value);
     const Arguments& arguments() const { return arguments_; }
@@ -40,10 +42,10 @@ class Session {
 
     void add_file(const std::string& path, std::string content);
     /// As NPY or CSV, as the suffix says; the columns of a CSV are headed y1, y2 and so on.
-    void add_table(const std::string& path, const Grid& table, const char* column = "y");
+    void add_table(const std::string& path, const stltsa::Matrix& table, const char* column = "y");
     /// Its format is told by the suffix. The clip must live until finish(), as a model must.
-    void add_clip(const std::string& path, const stltsa_clip* clip);
-    void add_model(const std::string& path, const stltsa_model* model);
+    void add_clip(const std::string& path, const stltsa::Clip& clip);
+    void add_model(const std::string& path, const stltsa::Model& model);
     /// Writes the object as JSON or, without --json, `table`; then puts the files in their places.
     void finish(const Json& object, const std::string& table);
 
@@ -54,8 +56,8 @@ class Session {
 
     const Arguments& arguments_;
     ProgressBar bar_;
-    Options options_;
-    Clip clip_;
+    stltsa::Options options_;
+    std::optional<stltsa::Clip> clip_;
     mutable std::optional<std::string> standard_input_;
     OutputFiles files_;
 };

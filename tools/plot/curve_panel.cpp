@@ -61,7 +61,7 @@ Point curve_at(const Figure& figure, const Layout& layout, std::int64_t frame) {
 }
 
 void draw_bands(Svg& svg, const Figure& figure, const Layout& layout) {
-    for (const stltsa_interval& unit : figure.units) {
+    for (const stltsa::Interval& unit : figure.units) {
         const double begin = layout.time(static_cast<double>(unit.begin));
         const double end = layout.time(static_cast<double>(unit.end));
         svg.rect({begin, layout.frame.y, end - begin, layout.frame.height},

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <stltsa.h>
+#include <stltsa.hpp>
 
 #include "plot/labels.hpp"
 #include "plot/palette.hpp"
@@ -35,12 +35,12 @@ const char* const moved_color = unit_colors(STLTSA_UNIT_FINAL).line;
 struct Panel {
     const DenoiseFigure& figure;
     std::int64_t column;
-    const Grid& points;
+    const stltsa::Matrix& points;
     Rect frame;
     Scale time;  ///< row to x
     Scale value; ///< to y
 
-    Point at(const Grid& grid, std::int64_t row, double offset = 0) const {
+    Point at(const stltsa::Matrix& grid, std::int64_t row, double offset = 0) const {
         return {time(static_cast<double>(row)), value(grid(row, column) + offset)};
     }
     double gamma() const { return figure.gammas[static_cast<std::size_t>(column)]; }
@@ -50,7 +50,7 @@ struct Panel {
 std::pair<double, double> range_of(const DenoiseFigure& figure, std::int64_t column) {
     double low = INFINITY;
     double high = -HUGE_VAL;
-    for (const Grid* grid : {&figure.before, &figure.after, &figure.curve})
+    for (const stltsa::Matrix* grid : {&figure.before, &figure.after, &figure.curve})
         for (std::int64_t r = 0; r < grid->rows; ++r) {
             low = std::min(low, (*grid)(r, column));
             high = std::max(high, (*grid)(r, column));
@@ -60,7 +60,7 @@ std::pair<double, double> range_of(const DenoiseFigure& figure, std::int64_t col
     return {low, high};
 }
 
-Panel panel_of(const DenoiseFigure& figure, std::int64_t column, const Grid& points,
+Panel panel_of(const DenoiseFigure& figure, std::int64_t column, const stltsa::Matrix& points,
                const Rect& frame) {
     const auto [low, high] = range_of(figure, column);
     constexpr double air = 8;

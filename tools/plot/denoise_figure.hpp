@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "grid.hpp"
+#include <stltsa.hpp>
 
 namespace tool::plot {
 
@@ -18,10 +18,10 @@ struct DenoiseFigure {
     std::int64_t first = 0; ///< row i is frame first + i * step
     std::int64_t step = 1;
     std::vector<std::int64_t> lengths; ///< rows of each piece: no line leads from one to the next
-    Grid before;                       ///< rows x columns, as the next two
-    Grid after;
-    Grid curve;
-    Grid moves;                 ///< 0: the point was not moved
+    stltsa::Matrix before;             ///< rows x columns, as the next two
+    stltsa::Matrix after;
+    stltsa::Matrix curve;
+    stltsa::Matrix moves;       ///< 0: the point was not moved
     std::vector<double> gammas; ///< of each column
 };
 

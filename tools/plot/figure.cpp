@@ -17,7 +17,7 @@ constexpr double right = 14;
 } // namespace
 
 std::int32_t Figure::unit_at(std::int64_t frame) const {
-    for (const stltsa_interval& unit : units)
+    for (const stltsa::Interval& unit : units)
         if (frame >= unit.begin && frame < unit.end)
             return unit.kind;
     return 0;
@@ -49,7 +49,7 @@ std::string figure_svg(const Figure& figure) {
 
     constexpr double loop_side = 270;
     constexpr double key_left = left + loop_side + 30;
-    const bool loop = !figure.loop.empty();
+    const bool loop = !figure.loop.values.empty();
     if (loop)
         draw_loop_panel(svg, figure, {left, y, loop_side, loop_side});
     draw_key(svg, figure, {loop ? key_left : left, y, width - right - key_left, loop_side});

@@ -8,9 +8,8 @@
 #include <string>
 #include <vector>
 
-#include <stltsa.h>
+#include <stltsa.hpp>
 
-#include "grid.hpp"
 #include "plot/side_view.hpp"
 
 namespace tool::plot {
@@ -27,9 +26,9 @@ struct Figure {
     std::vector<double> curve;        ///< a value per sample
     std::vector<std::int64_t> pieces; ///< per sample: no line leads to another piece; empty: one
     std::vector<std::string> loop_names;
-    Grid loop; ///< samples x 2; empty: no second panel
-    std::vector<stltsa_interval> units;
-    std::vector<stltsa_interval> cycles;
+    stltsa::Matrix loop; ///< samples x 2; empty: no second panel
+    std::vector<stltsa::Interval> units;
+    std::vector<stltsa::Interval> cycles;
     std::int64_t representative = -1; ///< index into cycles
     std::optional<SideView> bodies;
 

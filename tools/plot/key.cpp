@@ -29,10 +29,10 @@ void draw_heading(Svg& svg, const Columns& x, double y, bool timed) {
     svg.close("g");
 }
 
-void draw_row(Svg& svg, const stltsa_interval& unit, const Columns& x, double y) {
+void draw_row(Svg& svg, const stltsa::Interval& unit, const Columns& x, double y) {
     svg.rect({x.name - 16, y - 8.5, 10, 10}, {{"fill", unit_colors(unit.kind).line}});
     svg.open("g", {{"font-size", font}});
-    svg.text({x.name, y}, Anchor::start, stltsa_unit_name(unit.kind));
+    svg.text({x.name, y}, Anchor::start, stltsa::unit_name(unit.kind));
     svg.text({x.frames, y}, Anchor::end, fmt::format("{}\u2013{}", unit.begin, unit.end));
     svg.text({x.seconds, y}, Anchor::end,
              fmt::format("{:.2f}\u2013{:.2f}", unit.begin_s, unit.end_s));

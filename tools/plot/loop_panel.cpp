@@ -16,7 +16,7 @@ constexpr int most_numbers = 16;
 constexpr double air = 22; // between the frame and the loop, for numbers outside it
 
 /// Samples to points, one scale for both axes, the loop in the middle.
-std::vector<Point> loop_points(const Grid& loop, const Rect& area) {
+std::vector<Point> loop_points(const stltsa::Matrix& loop, const Rect& area) {
     Point low{INFINITY, INFINITY};
     Point high{-HUGE_VAL, -HUGE_VAL};
     for (std::int64_t i = 0; i < loop.rows; ++i) {

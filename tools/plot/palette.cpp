@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plot/palette.hpp"
 
-#include <stltsa.h>
+#include <stltsa.hpp>
 
 namespace tool::plot {
 

@@ -39,9 +39,9 @@ void add_extrema(const Figure& figure, std::vector<std::int64_t>& events) {
 
 std::vector<std::int64_t> events_of(const Figure& figure) {
     std::vector<std::int64_t> events;
-    for (const stltsa_interval& unit : figure.units)
+    for (const stltsa::Interval& unit : figure.units)
         events.push_back(unit.begin);
-    for (const stltsa_interval& cycle : figure.cycles) {
+    for (const stltsa::Interval& cycle : figure.cycles) {
         events.push_back(cycle.begin);
         events.push_back(cycle.end);
     }

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include <stltsa.h>
+#include <stltsa.hpp>
 
 #include "plot/labels.hpp"
 #include "plot/palette.hpp"

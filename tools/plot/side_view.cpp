@@ -22,7 +22,7 @@ std::string lower(std::string text) {
 }
 
 /// Yaw of a rotation about axis `up`: the twist of its swing-twist split.
-Point yaw_of(const Grid& rotations, std::int64_t frame, int up) {
+Point yaw_of(const stltsa::Matrix& rotations, std::int64_t frame, int up) {
     const double angle = 2 * std::atan2(rotations(frame, 1 + up), rotations(frame, 0));
     return {std::cos(angle), std::sin(angle)};
 }

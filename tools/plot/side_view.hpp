@@ -8,7 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "grid.hpp"
+#include <stltsa.hpp>
+
 #include "plot/svg.hpp"
 
 namespace tool::plot {
@@ -21,8 +22,8 @@ struct Joint {
 /// A skeleton and its motion, as the library tells them.
 struct Bodies {
     std::vector<Joint> joints; ///< parents first
-    Grid positions;            ///< frames x (3 * joints), world
-    Grid rotations;            ///< frames x (4 * joints), local, w x y z
+    stltsa::Matrix positions;  ///< frames x (3 * joints), world
+    stltsa::Matrix rotations;  ///< frames x (4 * joints), local, w x y z
     int up = 1;                ///< 0, 1, 2: x, y, z
 };
 

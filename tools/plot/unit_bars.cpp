@@ -19,7 +19,7 @@ void bar_text(Svg& svg, const Rect& bar, const std::string& text, const char* co
                  {{"font-size", font}, {"fill", color}});
 }
 
-Rect bar_of(const Figure& figure, const stltsa_interval& interval, const Rect& row) {
+Rect bar_of(const Figure& figure, const stltsa::Interval& interval, const Rect& row) {
     const Scale time{0, static_cast<double>(figure.frames), row.x, row.right()};
     const double begin = time(static_cast<double>(interval.begin));
     const double end = time(static_cast<double>(interval.end));
@@ -46,11 +46,11 @@ double draw_unit_bars(Svg& svg, const Figure& figure, const Rect& area) {
     if (figure.units.empty())
         return 0;
     const Rect units{area.x, area.y, area.width, unit_bar};
-    for (const stltsa_interval& unit : figure.units) {
+    for (const stltsa::Interval& unit : figure.units) {
         const UnitColors colors = unit_colors(unit.kind);
         const Rect bar = bar_of(figure, unit, units);
         svg.rect(bar, {{"class", "unit"}, {"fill", colors.line}});
-        bar_text(svg, bar, stltsa_unit_name(unit.kind), colors.text);
+        bar_text(svg, bar, stltsa::unit_name(unit.kind), colors.text);
     }
     if (figure.cycles.empty())
         return unit_bar + gap;
