@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Between two poses.
+// Interpolation between two poses.
 #pragma once
 
 #include <cstddef>
@@ -9,8 +9,8 @@
 namespace stltsa::synthesis {
 
 /// Writes the pose between two rows of channels into `row`, joint by joint from joint `first` on:
-/// rotations by slerp, other channels linear. What `row` holds before chooses among the angles
-/// that mean the same rotation.
+/// rotations by slerp, other channels linearly. Of equivalent angles it picks those nearest to the
+/// previous contents of `row`.
 void blend_poses(const clip::Skeleton& skeleton, std::size_t first, const double* a,
                  const double* b, double weight_of_b, double* row);
 

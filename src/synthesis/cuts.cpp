@@ -8,13 +8,13 @@
 namespace stltsa::synthesis {
 namespace {
 
-/// A quarter of a stretch is the most that a cut takes from it, and that a crossfade covers: then
-/// what happens at one of its ends never reaches what happens at the other.
+/// A cut removes at most a quarter of a stretch, and a crossfade covers at most a quarter, so that
+/// the two ends of a stretch never affect each other.
 std::int64_t quarter(std::int64_t length) {
     return length / 4;
 }
 
-/// How far the cuts may move, each for itself; ranges with their ends.
+/// Range of each cut, both ends included.
 struct Reach {
     std::int64_t first_end, last_end;
     std::int64_t first_begin, last_begin;
@@ -25,12 +25,12 @@ struct Reach {
         last_begin = std::min(join.begin + std::min(search, quarter(join.later_length)),
                               join.later->frames() - 1);
         first_begin = std::max<std::int64_t>(join.begin - search, 0);
-        if (join.later->first <= last_begin) // not into a T-pose, where it can be helped
+        if (join.later->first <= last_begin) // avoid a T-pose if possible
             first_begin = std::max(first_begin, join.later->first);
     }
 };
 
-/// As much of the wanted crossfade as the clips have frames for.
+/// The wanted crossfade, limited by the frames that the clips have.
 std::int64_t crossfade_at(const Join& join, std::int64_t wanted, std::int64_t end,
                           std::int64_t begin) {
     return std::max<std::int64_t>(
@@ -39,9 +39,9 @@ std::int64_t crossfade_at(const Join& join, std::int64_t wanted, std::int64_t en
                      begin - join.later->first}));
 }
 
-/// Squared distance of two postures and velocities and of those around them that a crossfade mixes,
-/// each counting as much as the crossfade changes there: as the slope of smoothstep, x (1 - x).
-/// What the later frame takes the place of is the earlier stretch's frame e.
+/// Squared distance of two postures and velocities, averaged over the frames that the crossfade
+/// blends, weighted by the slope of smoothstep, x (1 - x). The later frame replaces frame e of the
+/// earlier stretch.
 double squared_distance_around(const Join& join, std::int64_t e, std::int64_t b,
                                std::int64_t crossfade, double velocity_s) {
     double sum = 0;
@@ -59,14 +59,14 @@ double squared_distance_around(const Join& join, std::int64_t e, std::int64_t b,
     return sum / weights;
 }
 
-/// The cut between frames `end` and `begin`, with as much crossfade as there can be.
+/// The cut between frames `end` and `begin`, with the longest possible crossfade.
 Cut cut_at(const Join& join, const CutOptions& options, std::int64_t end, std::int64_t begin) {
     const std::int64_t crossfade = crossfade_at(join, options.crossfade, end, begin);
     return {end, begin, crossfade,
             std::sqrt(squared_distance_around(join, end, begin, crossfade, options.velocity_s))};
 }
 
-/// What a cut adds to each step from frame to frame.
+/// Contribution of a cut to each step from frame to frame.
 double added(const Cut& cut) {
     return cut.distance / static_cast<double>(2 * cut.crossfade + 1);
 }

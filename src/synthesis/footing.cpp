@@ -7,7 +7,7 @@
 namespace stltsa::synthesis {
 namespace {
 
-/// Squared speed, as a share of the mean over the joints, below which all joints count alike.
+/// Squared speed, relative to the mean over the joints, below which all joints weigh the same.
 constexpr double still = 0.0025;
 
 Vec3 posture(const Track& track, std::int64_t frame, std::int64_t joint) {

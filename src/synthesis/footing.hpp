@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What keeps standing feet from sliding while one posture turns into another.
+// Keeps standing feet from sliding while one posture blends into another.
 #pragma once
 
 #include "synthesis/track.hpp"
 
 namespace stltsa::synthesis {
 
-/// How much further along the body's axes the later clip has, in its frame b, what stands still in
-/// the earlier one's frame a: the mean over all joints, each counting the more the less it moves
-/// through the world in both. The body must give way by as much for a standing foot to stay.
+/// Offset, in the body's axes, from the joints of frame a of the earlier clip to those of frame b
+/// of the later: the mean over all joints, weighted towards joints that move little in the world
+/// in both. Shifting the body back by this offset keeps a standing foot in place.
 Vec3 standing_offset(const Track& earlier, std::int64_t a, const Track& later, std::int64_t b);
 
 } // namespace stltsa::synthesis

@@ -13,8 +13,8 @@ namespace {
 using clip::Joint;
 using clip::Skeleton;
 
-/// Share of its length by which an offset may differ, and share of the longest one that is
-/// rounding in a file of few digits.
+/// Allowed relative difference of an offset, and the share of the longest offset that counts as
+/// rounding in a file with few digits.
 constexpr double tolerance = 0.01;
 constexpr double rounding = 1e-4;
 
@@ -46,8 +46,8 @@ void check_joint(const Joint& a, const Joint& b, std::size_t index, const std::s
              b.name, name, advice);
 }
 
-/// Whether channels place the joint in place of its offset, which then says nothing of the body:
-/// the root's do, and those of hips that travel below a static root.
+/// Whether position channels replace the joint's offset, which then carries no information on the
+/// body: true for the root, and for hips that travel below a static root.
 bool is_placed(const Skeleton& skeleton, std::size_t j, std::size_t body_root) {
     const std::vector<clip::Channel>& channels = skeleton.joints[j].channels;
     const auto rotations = std::count_if(channels.begin(), channels.end(), clip::is_rotation);
@@ -55,7 +55,7 @@ bool is_placed(const Skeleton& skeleton, std::size_t j, std::size_t body_root) {
     return j == 0 ? !channels.empty() : j <= body_root && replaced;
 }
 
-/// Over 1: too different.
+/// Difference in units of the tolerance; above 1 the bodies differ.
 double offset_difference(const Joint& first, const Joint& other, double longest) {
     const double length = std::max(clip::norm(first.offset), clip::norm(other.offset));
     const double allowed = std::max(tolerance * length, rounding * longest);

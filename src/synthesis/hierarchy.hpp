@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether two clips show the same body.
+// Checks whether two clips show the same body.
 #pragma once
 
 #include <string>
@@ -8,10 +8,9 @@
 
 namespace stltsa::synthesis {
 
-/// Throws Status::unsupported where the clips differ in the names of joints, in what joint hangs on
-/// what, in channels or, by more than 1 %, in offsets that no channels replace: the text says at
-/// which joint. Returns the name of the joint whose offset differs most, within 1 %; "" where all
-/// are the same.
+/// Throws Status::unsupported if the clips differ in joint names, parents, channels or, by more
+/// than 1 %, in offsets that no channels replace; the text names the joint. Returns the name of the
+/// joint whose offset differs most, within 1 %; "" if all are equal.
 std::string check_same_body(const clip::Clip& first, const clip::Clip& other,
                             const std::string& other_name);
 

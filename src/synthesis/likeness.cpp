@@ -12,21 +12,21 @@
 namespace stltsa::synthesis {
 namespace {
 
-/// What is looked at around a piece, in seconds: enough for three cycles of gait.
+/// Seconds around a piece in which to look for repetitions: three cycles of gait.
 constexpr double context_s = 4;
-/// The range of periods that motion units are looked for with.
+/// Range of periods, as for motion units.
 constexpr double shortest_period_s = 0.3;
 constexpr double longest_period_s = 6;
-/// A lag curve with a valley less deep is no repetition.
+/// Least depth of a valley of the lag curve that counts as a repetition.
 constexpr double least_quality = 0.4;
-/// The next cycle is looked for this share of a period early and late.
+/// Search range for the next cycle, as a share of the period to each side.
 constexpr double lateness = 0.3;
-/// Frames that the median is taken over, at most.
+/// Largest number of frames for the median.
 constexpr std::int64_t most_frames = 200;
-/// A repetition is about as far from a frame as the frame so many seconds later: 0.02 to 0.04 in
-/// walks and runs, to 0.1 in slower actions.
+/// Without repetitions, the frame this many seconds later stands in for one: in walks and runs a
+/// repetition is as far away as the frame 0.02 to 0.04 s later, in slower actions up to 0.1 s.
 constexpr double stand_in_s = 0.04;
-/// Where nothing moves: differences below this share of a posture are none.
+/// Differences below this share of a posture count as none.
 constexpr double rounding = 1e-4;
 
 double nearest(const Track& track, std::int64_t frame, std::int64_t first, std::int64_t last,
@@ -79,7 +79,7 @@ double repetition_distance(const Track& track, std::int64_t begin, std::int64_t 
         append_finite(steps, nearest(track, frame, frame + 1, frame + 1, velocity_s));
     }
     const double common = motion::median(repetitions.empty() ? later : repetitions);
-    // Cuts lie on frames: repetitions that are the same cannot be met nearer than half a frame.
+    // Cuts lie on frames, so even identical repetitions may be half a frame apart.
     return std::max({common, motion::median(steps) / 2, rounding * posture_size(track, begin)});
 }
 

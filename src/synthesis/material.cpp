@@ -10,7 +10,7 @@
 namespace stltsa::synthesis {
 namespace {
 
-/// More would be a mistake, not motion.
+/// A longer clip is assumed to be a mistake.
 constexpr double most_frames = 2147483647;
 
 std::string name_of(std::span<const Piece> pieces, std::size_t p) {
@@ -48,8 +48,7 @@ void check_pieces(std::span<const Piece> pieces) {
              total, most_frames);
 }
 
-/// The joint below those that do not turn, in whatever clip shows it: in a clip that stands still
-/// none does.
+/// The first joint that turns, in any of the clips: in a clip of standing none does.
 std::size_t common_root(std::span<const Piece> pieces) {
     std::size_t root = 0;
     for (const Piece& piece : pieces)
@@ -109,7 +108,7 @@ class Preparation {
     std::span<const Piece> pieces_;
     const clip::Clip& first_;
     Material& material_;
-    std::vector<const clip::Clip*> clips_; ///< of the tracks
+    std::vector<const clip::Clip*> clips_; ///< one per track
 };
 
 } // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a synthesis works on: the clips brought to one body and one frame rate.
+// Input of a synthesis: the clips with one body and one frame rate.
 #pragma once
 
 #include <string>
@@ -18,7 +18,7 @@ struct Material {
     std::vector<std::string> warnings;
 };
 
-/// Checks the pieces, at least one, and makes their tracks.
+/// Checks the pieces (at least one) and makes their tracks.
 Material prepare_material(std::span<const Piece> pieces, clip::Axis up, const Progress& progress);
 
 } // namespace stltsa::synthesis

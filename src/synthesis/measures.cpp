@@ -13,7 +13,7 @@ namespace {
 
 constexpr double near_s = 0.125;
 constexpr double usual = 0.95;
-/// Where nothing moves: steps below this share of a posture are none.
+/// Steps below this share of a posture count as none.
 constexpr double rounding = 1e-6;
 
 struct Differences {
@@ -21,7 +21,7 @@ struct Differences {
     std::vector<double> accelerations;
 };
 
-/// Those that lie wholly within frames [begin, end).
+/// Steps and second differences entirely within frames [begin, end).
 Differences differences(const Matrix& x, std::int64_t begin, std::int64_t end) {
     Differences result;
     for (std::int64_t t = begin + 1; t < end; ++t)
@@ -53,7 +53,7 @@ Roughness usual_roughness(const Track& track, std::int64_t begin, std::int64_t e
 
 Roughness roughness_near(const Track& track, std::int64_t seam) {
     const auto reach = std::max<std::int64_t>(1, std::llround(near_s * track.fps));
-    // The step into the seam is that from the frame before it.
+    // The step into the seam starts at the frame before it.
     const Differences found =
         differences(track.postures, std::max<std::int64_t>(0, seam - 1 - reach),
                     std::min(track.frames(), seam + reach + 1));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether a seam can be seen.
+// Visibility of a seam.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,8 @@
 
 namespace stltsa::synthesis {
 
-/// Largest pose step |p_t - p_(t-1)| and largest second difference |p_(t+1) - 2 p_t + p_(t-1)| in
-/// some frames, or their 95th percentile.
+/// Pose step |p_t - p_(t-1)| and second difference |p_(t+1) - 2 p_t + p_(t-1)|: the largest of a
+/// range of frames, or the 95th percentile.
 struct Roughness {
     double step = 0;
     double acceleration = 0;
@@ -17,7 +17,7 @@ struct Roughness {
 
 /// The 95th percentile of frames [begin, end); above 0.
 Roughness usual_roughness(const Track& track, std::int64_t begin, std::int64_t end);
-/// The largest within an eighth of a second of frame `seam`.
+/// The largest within an eighth of a second around frame `seam`.
 Roughness roughness_near(const Track& track, std::int64_t seam);
 
 } // namespace stltsa::synthesis

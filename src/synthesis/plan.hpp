@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From pieces to the stretches that are played one after another.
+// Merges adjacent pieces into runs, which play one after another.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ struct Part {
     std::int64_t repeat = 1;
 };
 
-/// Frames of one track that are played without a seam: pieces that follow each other.
+/// Frames of one track without a seam: adjacent pieces.
 struct Run {
     std::size_t track = 0;
     std::int64_t begin = 0;
@@ -27,7 +27,7 @@ struct Run {
     std::int64_t last_piece = 0;
 };
 
-/// At least one run; a seam lies between each two.
+/// At least one run, with a seam between each two.
 std::vector<Run> make_runs(std::span<const Part> parts);
 
 } // namespace stltsa::synthesis

@@ -9,7 +9,7 @@
 namespace stltsa::synthesis {
 namespace {
 
-/// Share of a frame that is rounding of a time.
+/// Share of a frame that counts as rounding of a time.
 constexpr double rounding = 1e-6;
 
 } // namespace
@@ -33,7 +33,7 @@ Matrix resampled(const clip::Clip& clip, double fps) {
         const double share = at - static_cast<double>(before);
         const double* source = clip.values.row(before);
         double* row = result.row(i);
-        // The angles of the row before choose among those that mean the same.
+        // Of equivalent angles, take those nearest to the previous row.
         std::copy_n(i > 0 ? result.row(i - 1) : source, result.cols(), row);
         if (before == last || share < rounding)
             std::copy_n(source, result.cols(), row);

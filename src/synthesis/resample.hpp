@@ -5,11 +5,11 @@
 
 namespace stltsa::synthesis {
 
-/// Whether two frame rates are one, but for the digits of the frame time in a file.
+/// Whether two frame rates agree up to the digits of a file's frame time.
 bool same_rate(double a, double b);
 
-/// The channel values of a clip at another frame rate: rotations by slerp, the rest linear. Frames
-/// that fall on source frames are those.
+/// The channel values of a clip at another frame rate: rotations by slerp, the rest linearly.
+/// Frames that coincide with source frames keep their values.
 Matrix resampled(const clip::Clip& clip, double fps);
 
 } // namespace stltsa::synthesis

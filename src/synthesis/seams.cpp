@@ -9,36 +9,37 @@
 namespace stltsa::synthesis {
 namespace {
 
-/// Of the cycle that is repeated; seconds where clips join.
+/// As a share of the repeated cycle; in seconds if clips join.
 constexpr double crossfade_share = 0.1;
 constexpr double search_share = 0.1;
 constexpr double crossfade_s = 0.15;
 constexpr double search_s = 0.5;
-/// Where clips join, of the shorter cycle: all of its phases are within reach, even where one clip
-/// ends and the other begins and each cut can move but one way.
+/// If clips join, as a share of the shorter cycle: every phase is then within reach, even if each
+/// cut can move one way only (at the end of one clip and the beginning of the other).
 constexpr double search_of_cycle = 0.5;
-/// A difference in velocity counts as what it grows to in this share of a cycle.
+/// A difference in velocity counts as the difference in position it causes in this share of a
+/// cycle.
 constexpr double velocity_share = 0.1;
-/// Where nothing repeats: about a cycle of gait.
+/// Stands in for the cycle if nothing repeats: about a cycle of gait.
 constexpr double usual_cycle_s = 1;
 
-/// The option, or what is chosen for it, in frames.
+/// The option or its automatic value, in frames.
 std::int64_t frames_of(double option, double chosen, double fps) {
     return std::llround((option < 0 ? chosen : option) * fps);
 }
 
-/// Whether a frame of one is the same frame of the other: one clip, or one that was read twice.
+/// Whether two tracks are the same clip, or a clip that was read twice.
 bool same_motion(const Track& a, const Track& b) {
     return &a == &b || (a.values.rows() == b.values.rows() &&
                         std::equal(a.values.row(0), a.values.row(a.frames()), b.values.row(0)));
 }
 
-/// Of two periods of which either may be missing.
+/// The shorter of two periods, either of which may be missing.
 double shorter(double a, double b) {
     return a > 0 && b > 0 ? std::min(a, b) : std::max(a, b);
 }
 
-/// A repeated stretch is a whole number of cycles.
+/// A repeated stretch holds a whole number of cycles.
 double cycle_of(double seconds, double period) {
     return seconds / std::max(1.0, std::round(seconds / period));
 }

@@ -9,7 +9,7 @@
 namespace stltsa::synthesis {
 namespace {
 
-/// From 0 to 1 with no slope at either end.
+/// Rises from 0 to 1 with zero slope at both ends.
 double smoothstep(double x) {
     return x * x * (3 - 2 * x);
 }
@@ -24,7 +24,7 @@ double crossfade_weight(std::int64_t i, std::int64_t crossfade) {
 Splicer::Splicer(const Body& body, std::int64_t frames)
     : body_(body), values_(frames, body.channels()) {}
 
-/// The next row, holding the numbers of the one before: they choose among equal angles.
+/// The next row, filled with the previous one, which selects among equivalent angles.
 double* Splicer::new_row() {
     double* row = values_.row(next_);
     if (next_ > 0)
@@ -80,7 +80,7 @@ void Splicer::cross(const Track& earlier, const Track& later, const Cut& cut, do
         placement_ = body_.placement(later.root(cut.begin + w - 1), last_);
         return;
     }
-    // Nothing is blended: the step across the seam is half that of either side.
+    // Nothing is blended: the step across the seam is the mean of those on both sides.
     const Step step = mix(step_to(body_, earlier, cut.end), step_to(body_, later, cut.begin), 0.5);
     placement_ = body_.placement(later.root(cut.begin), body_.after(last_, step));
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// New motion from pieces of clips (paper, section 4): the pieces are cut where they have a posture
-// in common, joined there, and blended across the seam.
+// New motion from pieces of clips (paper, section 4): pieces are cut at a common posture, joined
+// there, and blended across the seam.
 #pragma once
 
 #include <cstdint>
@@ -29,17 +29,17 @@ struct Options {
     clip::Axis up = clip::Axis::automatic;
 };
 
-/// Where one piece gives way to another, or to its own repetition. Frames of clips that were
-/// resampled are counted after that.
+/// The transition from one piece to another, or to its own repetition. Frame numbers count after
+/// any resampling.
 struct Seam {
-    std::int64_t frame = 0;     ///< first frame of the new clip that is the later piece's
+    std::int64_t frame = 0;     ///< first frame of the later piece in the new clip
     std::int64_t piece = 0;     ///< index of the earlier piece
     std::int64_t next = 0;      ///< index of the later piece
     std::int64_t cut_end = 0;   ///< the earlier piece ends before this frame of its clip
     std::int64_t cut_begin = 0; ///< the later piece begins at this frame of its clip
     std::int64_t crossfade = 0; ///< frames to each side that are blended
-    double posture = 0;         ///< distance at the cuts over what is common between repetitions
-    double step = 0;         ///< largest pose step near the seam over the pieces' 95th percentile
+    double posture = 0;         ///< distance at the cuts relative to that between repetitions
+    double step = 0; ///< largest pose step near the seam, relative to the pieces' 95th percentile
     double acceleration = 0; ///< the same of the second difference
 };
 
@@ -50,8 +50,8 @@ struct Synthesis {
     clip::Axis up = clip::Axis::automatic; ///< the axis used
 };
 
-/// Throws Status::argument (pieces that are not within their clips), unsupported (bare numbers, no
-/// frame rate, other hierarchies), no_common_posture.
+/// Throws Status::argument (a piece exceeds its clip), unsupported (bare numbers, no frame rate,
+/// different hierarchies), no_common_posture.
 Synthesis synthesize(std::span<const Piece> pieces, const Options& options,
                      const Progress& progress);
 

@@ -11,11 +11,11 @@
 namespace stltsa::synthesis {
 namespace {
 
-/// From here on a seam may be seen.
+/// Above this a seam may be visible.
 constexpr double visible_step = 1.4;
 constexpr double visible_acceleration = 3;
 
-/// The first clip in all but its motion.
+/// The first clip without its motion.
 clip::Clip empty_clip(const clip::Clip& first) {
     clip::Clip made;
     made.format = first.format;
@@ -50,7 +50,7 @@ class Synthesizer {
 
   private:
     const Track& track(std::size_t run) const { return material_.tracks[runs_[run].track]; }
-    /// Frames of a run between the cuts at its ends.
+    /// The frames of a run between the cuts at its ends.
     std::int64_t start(std::size_t run) const {
         return run == 0 ? runs_[run].begin : cuts_[run - 1].cut.begin;
     }
@@ -94,8 +94,8 @@ class Synthesizer {
                 where(seam), seam.piece, seam.next, seam.posture, options_.posture_limit);
     }
 
-    /// Radians by which each frame of a run must turn, so that a straight walk stays straight
-    /// however often its cycle is repeated.
+    /// Radians by which each frame of a run must turn so that a straight walk stays straight,
+    /// however often its cycle repeats.
     double straightening(std::size_t i) const {
         if (i == 0 || i == cuts_.size() || !cut_alike(result_.seams[i - 1], result_.seams[i]))
             return 0;
@@ -105,7 +105,7 @@ class Synthesizer {
 
     Matrix splice(std::int64_t frames) const {
         Splicer splicer(material_.body, frames);
-        std::int64_t crossed = 0; ///< frames of a run that the crossfade before it has covered
+        std::int64_t crossed = 0; ///< frames of a run already covered by the previous crossfade
         for (std::size_t i = 0; i < runs_.size(); ++i) {
             progress_.report(Stage::synthesis,
                              static_cast<double>(i) / static_cast<double>(runs_.size()));
@@ -146,7 +146,7 @@ class Synthesizer {
 
     static double ratio(double found, double usual) { return found > 0 ? found / usual : 0; }
 
-    /// Of seam i and of those after it that are cut alike, once; returns the next seam.
+    /// Warns once for seam i and the following seams with the same cut; returns the next seam.
     std::size_t warn_of(std::size_t i) {
         Seam seam = result_.seams[i];
         std::size_t next = i + 1;

@@ -9,7 +9,7 @@
 namespace stltsa::synthesis {
 namespace {
 
-/// Half the time over which velocities are taken, so that they mean the same at any frame rate.
+/// Half the time span of the velocities, which makes them independent of the frame rate.
 constexpr double velocity_reach_s = 0.025;
 
 void place_frames(const Body& body, Track& track) {
@@ -39,7 +39,7 @@ void check_finite(const Track& track) {
                  track.name);
 }
 
-/// The posture after the last one: straight on.
+/// The posture after the last one, extrapolated.
 void extrapolate(Matrix& postures) {
     const std::int64_t end = postures.rows() - 1;
     const double* last = postures.row(end - 1);
@@ -48,7 +48,7 @@ void extrapolate(Matrix& postures) {
         postures(end, c) = 2 * last[c] - before[c];
 }
 
-/// Central differences, over less time near the ends; at the ends a parabola's slope.
+/// Central differences, over a shorter span near the ends; at the ends the slope of a parabola.
 Matrix velocities(ConstMatrixView postures, double fps) {
     const std::int64_t last = postures.rows - 1;
     const std::int64_t most = std::max<std::int64_t>(1, std::llround(velocity_reach_s * fps));

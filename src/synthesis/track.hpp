@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A clip as the joins see it: what a posture is, how alike two are, where the body stands.
+// A clip prepared for joining: postures, their distances, and the state of the root.
 #pragma once
 
 #include <cstdint>
@@ -11,13 +11,13 @@
 namespace stltsa::synthesis {
 
 struct Track {
-    std::string name;    ///< of the clip, for messages
+    std::string name;    ///< the clip's name, for messages
     SharedMatrix values; ///< channels, at the frame rate of the new clip
     double fps = 0;
-    std::int64_t first = 0; ///< frames at the start that are a T-pose snapping into the motion
+    std::int64_t first = 0; ///< frames of a T-pose at the start
     std::vector<RootState> roots;
-    /// Joints relative to the body root, as seen along its heading, and their velocities per
-    /// second. One row more than there are frames: how the motion would go on.
+    /// Joints relative to the body root, in its heading, and their velocities per second. The last
+    /// row, beyond the frames, extrapolates the motion.
     Matrix postures;
     Matrix velocities;
 
@@ -29,15 +29,15 @@ struct Track {
 
 Track make_track(const Body& body, const SharedMatrix& values, double fps, std::string name);
 
-/// Motion in the plane from the frame before to this one; at the ends of the clip, the next step
-/// that there is.
+/// Motion in the plane from the previous frame to this one; at the ends of the clip, the nearest
+/// step that exists.
 Step step_to(const Body& body, const Track& track, std::int64_t frame);
 
-/// How far two postures and their velocities are apart: |dp|^2 + (velocity_s |dv|)^2, squared.
+/// Squared distance of two postures and their velocities: |dp|^2 + (velocity_s |dv|)^2.
 double squared_distance(const Track& a, std::int64_t i, const Track& b, std::int64_t j,
                         double velocity_s);
 
-/// Root of the sum of squares: a ruler for what is small.
+/// Norm of a posture: the unit for thresholds on small differences.
 double posture_size(const Track& track, std::int64_t frame);
 
 } // namespace stltsa::synthesis

@@ -10,7 +10,7 @@
 namespace stltsa::synthesis {
 namespace {
 
-/// Headings of frames [first, last], unwrapped, from 0 on.
+/// Unwrapped headings of frames [first, last], starting at 0.
 std::vector<double> headings(const Body& body, const Track& track, std::int64_t first,
                              std::int64_t last) {
     std::vector<double> result{0};
@@ -19,7 +19,7 @@ std::vector<double> headings(const Body& body, const Track& track, std::int64_t 
     return result;
 }
 
-/// Of one repetition as it is played, crossfade and all.
+/// Turn of one repetition as played, including its crossfade.
 double turn_of_repetition(const Body& body, const Track& track, const Cut& cut) {
     const auto turn = [&](std::int64_t frame) { return step_to(body, track, frame).turn; };
     const std::int64_t w = cut.crossfade;
@@ -34,7 +34,7 @@ double turn_of_repetition(const Body& body, const Track& track, const Cut& cut) 
     return sum;
 }
 
-/// From the leftmost to the rightmost, steady turning aside.
+/// Range of the heading from leftmost to rightmost, without the steady part.
 double swing(const double* heading, std::int64_t count) {
     const double steady = (heading[count - 1] - heading[0]) / static_cast<double>(count - 1);
     double least = heading[0];

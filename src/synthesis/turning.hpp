@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether a cycle that is repeated turns the body, or only ends at another place of its swing.
+// Decides whether a repeated cycle turns the body or only ends at another phase of its sway.
 #pragma once
 
 #include "synthesis/cuts.hpp"
 
 namespace stltsa::synthesis {
 
-/// Radians about the up axis by which each repetition from cut to cut turns the body without its
-/// turning there: less than the heading swings, steady turning aside, within the repetition, while
-/// stretches as long, beginning anywhere from one repetition before to one after, turn to either
-/// side. Otherwise 0.
+/// Spurious turn of each repetition about the up axis, in radians; 0 if the turn is real. A turn is
+/// spurious if it is smaller than the heading's swing within the repetition (without the steady
+/// part) and stretches of the same length, beginning from one repetition before to one after, turn
+/// to both sides.
 double stray_turn(const Body& body, const Track& track, const Cut& cut);
 
 } // namespace stltsa::synthesis
