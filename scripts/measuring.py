@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the measuring scripts share: the Python binding, files of clips, tables of limits."""
+
+import importlib.util
+import os
+import pathlib
+import subprocess
+import sys
+import sysconfig
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+DATA = pathlib.Path(os.environ.get("STLTSA_DATA", ROOT / ".." / "shared" / "data"))
+# Names of both ankles in the skeletons that are measured, lower case.
+ANKLES = (("leftankle", "rightankle"), ("lankle", "rankle"), ("lfoot", "rfoot"),
+          ("leftfoot", "rightfoot"))
+
+
+def binding(build):
+    """The package stltsa of this tree, on the library of a build. Needs python3-cffi, python3-dev."""
+    library = pathlib.Path(build).resolve() / "src" / "capi" / "libstltsa.so.0"
+    package, header = ROOT / "bindings" / "python", ROOT / "include" / "stltsa.h"
+    with tempfile.TemporaryDirectory() as folder:
+        source, extension = f"{folder}/native.c", f"{folder}/_native.so"
+        subprocess.run([sys.executable, package / "tools" / "generate_native.py", header, source],
+                       check=True, stdout=subprocess.DEVNULL)
+        subprocess.run(["cc", "-shared", "-fPIC", "-I", header.parent, "-I",
+                        sysconfig.get_path("include"), source, library, "-o", extension,
+                        f"-Wl,-rpath,{library.parent}"], check=True)
+        spec = importlib.util.spec_from_file_location("stltsa._native", extension)
+        sys.modules["stltsa._native"] = importlib.util.module_from_spec(spec)
+    sys.path.insert(0, str(package / "src"))
+    import stltsa
+    return stltsa
+
+
+def pair(names, pairs):
+    """Indices of the first pair of which both names are there."""
+    return next((names.index(a), names.index(b)) for a, b in pairs if a in names and b in names)
+
+
+class ClipFile:
+    """The text of a BVH or AMC file: what is before the frames, and the lines of each frame."""
+
+    def __init__(self, path):
+        lines = [line for line in path.read_text().splitlines() if line.strip()]
+        self.is_bvh = path.suffix == ".bvh"
+        if self.is_bvh:
+            start = next(i for i, line in enumerate(lines) if line.startswith("Frames"))
+            self.head, self.frame_time = lines[:start], lines[start + 1]
+            self.frames = [[line] for line in lines[start + 2:]]
+            return
+        starts = [i for i, line in enumerate(lines) if line.strip().isdigit()]
+        self.head = lines[:starts[0]]
+        self.frames = [lines[begin + 1:end]
+                       for begin, end in zip(starts, [*starts[1:], len(lines)])]
+
+    def write(self, path, frames):
+        count = [f"Frames: {len(frames)}", self.frame_time] if self.is_bvh else []
+        numbers = [[] if self.is_bvh else [str(i + 1)] for i in range(len(frames))]
+        rows = [line for number, frame in zip(numbers, frames) for line in number + frame]
+        path.write_text("\n".join([*self.head, *count, *rows]) + "\n")
+
+
+def cut(source, target, begin, end, step=1):
+    clip = ClipFile(source)
+    clip.write(target, clip.frames[begin:end:step])
+
+
+class Table:
+    """Rows of figures with their limits; counts those that fail."""
+
+    def __init__(self, width=44):
+        self.width = width
+        self.failed = 0
+        self.rows = 0
+
+    def title(self, text):
+        print(f"\n{text}")
+
+    def figure(self, name, text, passed=None):
+        """passed None: a figure without a limit."""
+        self.rows += passed is not None
+        self.failed += passed is False
+        verdict = {None: "    ", True: "pass", False: "FAIL"}[passed]
+        print(f"{verdict}  {name:<{self.width}} {text}".rstrip(), flush=True)
+
+    def row(self, name, checks, remark=""):
+        """checks: (text, passed) pairs; what failed is in brackets."""
+        texts = [text if ok else f"[{text}]" for text, ok in checks]
+        self.figure(name, f"{'  '.join(texts)}  {remark}", bool(all(ok for _, ok in checks)))
+
+    def end(self):
+        """Exit status, after the count of rows."""
+        print(f"\n{self.rows - self.failed} passed, {self.failed} failed")
+        return 1 if self.failed else 0
+
+
+def skipped_real_clips():
+    print(f"\nskipped: no real clips in {DATA} (set STLTSA_DATA)")
