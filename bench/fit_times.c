@@ -3,10 +3,9 @@
  * Where the time of stltsa_fit goes, in microseconds of processor time a frame and in wall-clock
  * time: one row of the table of scripts/measure-speed. The frames are those of motion.h.
  *
- *     fit_times FRAMES NEIGHBORS THREADS REPEATS [MODE [SIZE]]
+ *     fit_times FRAMES NEIGHBORS THREADS REPEATS [MODE]
  *
- * MODE is that of the options, 1 (temporal) without it. The first feature is SIZE times as large as
- * in motion.h. The shortest of the repeats is printed.
+ * MODE is that of the options, 1 (temporal) without it. The shortest of the repeats is printed.
  */
 #define _POSIX_C_SOURCE 199309L
 #include <string.h>
@@ -20,14 +19,12 @@ enum { first_stage = STLTSA_STAGE_NEIGHBORS, last_stage = STLTSA_STAGE_SPECTRUM 
 int main(int argc, char** argv) {
     struct stage_times times, best;
     double shortest = 0, best_wall = 0;
-    double *frames, size;
     stltsa_options* options = NULL;
     stltsa_in in;
-    int64_t i;
     long repeats, r;
     int stage;
     if (argc < 5) {
-        fprintf(stderr, "usage: fit_times FRAMES NEIGHBORS THREADS REPEATS [MODE [SIZE]]\n");
+        fprintf(stderr, "usage: fit_times FRAMES NEIGHBORS THREADS REPEATS [MODE]\n");
         return 2;
     }
     memset(&in, 0, sizeof in);
@@ -35,10 +32,7 @@ int main(int argc, char** argv) {
     in.rows = atol(argv[1]);
     in.cols = motion_features;
     in.dtype = STLTSA_F64;
-    size = argc > 6 ? atof(argv[6]) : 1;
-    in.data = frames = make_motion(in.rows);
-    for (i = 0; i < in.rows; ++i)
-        frames[i * motion_features] *= size;
+    in.data = make_motion(in.rows);
     repeats = atol(argv[4]);
     check(stltsa_options_new(&options));
     check(stltsa_options_set_int(options, STLTSA_OPT_NEIGHBORS, atol(argv[2])));

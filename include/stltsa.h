@@ -566,7 +566,8 @@ STLTSA_API stltsa_status stltsa_model_eigenvalues(const stltsa_model *model,
 /* Component of each row, 0-based, numbered by first row; labels[rows]. */
 STLTSA_API stltsa_status stltsa_model_components(const stltsa_model *model, int64_t rows,
                                                  int64_t *labels) STLTSA_NOEXCEPT;
-/* What a user should know: only a clock, disconnected, rank-deficient windows, small gap. */
+/* What a user should know: only a clock, disconnected, rank-deficient windows, small gap, features
+ * of very different sizes. */
 STLTSA_API int64_t stltsa_model_warning_count(const stltsa_model *model) STLTSA_NOEXCEPT;
 STLTSA_API const char *stltsa_model_warning(const stltsa_model *model,
                                             int64_t index) STLTSA_NOEXCEPT; /* "" past the end */

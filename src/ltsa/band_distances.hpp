@@ -44,7 +44,8 @@ class BandDistances {
 /// Frames of the blocks that parallel loops over frames take: large enough that the 2w frames at
 /// a block's borders, computed twice, do not matter.
 inline std::int64_t frame_block(std::int64_t window) {
-    return std::max<std::int64_t>(256, 4 * window);
+    constexpr std::int64_t least = 512;
+    return std::max<std::int64_t>(1, (4 * window + least - 1) / least) * least;
 }
 
 } // namespace stltsa::ltsa

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Block iteration for the leading eigenvectors of positive semidefinite matrices, one matrix in
-// each lane of a pack: V := orthonormal basis of p(A) V, with Chebyshev polynomials p that are
-// small where the unwanted eigenvalues are, and now and then the best eigenvectors in the span of V
-// (Rayleigh-Ritz), as in H. Rutishauser, "Computational aspects of F. L. Bauer's simultaneous
-// iteration method", Numer. Math. 13 (1969). Compiled once for each width of packs.
+// each lane of a pack: V := orthonormal basis of A V, and now and then the best eigenvectors in the
+// span of V (Rayleigh-Ritz), as in H. Rutishauser, "Computational aspects of F. L. Bauer's
+// simultaneous iteration method", Numer. Math. 13 (1969). Compiled once for each width of packs.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +10,6 @@
 
 #include "linalg/pack.hpp"
 #include "ltsa/small_ritz.hpp"
-#include "ltsa/tangents.hpp"
 
 namespace stltsa::ltsa {
 
@@ -25,17 +23,14 @@ inline constexpr std::int64_t wide_product_columns = sizeof(P) == 64 ? 4 : produ
 /// Iterations before a lane is given up.
 inline constexpr std::int64_t most_iterations = 60;
 
-/// A lane is given up early where, after so many iterations, what the block has missed is so many
-/// times the last wanted eigenvalue: noise, of which it would never be sure.
-inline constexpr std::int64_t patience = 10;
+/// A lane is given up early if, after so many iterations, the trace that the block misses is so
+/// many times the last wanted eigenvalue: noise, of which it would never be sure.
+inline constexpr std::int64_t iterations_for_noise = 10;
 inline constexpr double hopeless_share = 2;
 
-/// The first step that knows enough of the eigenvalues for a polynomial.
-inline constexpr std::int64_t first_look = 2;
-
-/// The share of the missed trace that a single eigenvalue is taken to hold: what windows of
-/// recorded motion converge soonest with.
-inline constexpr double share_of_one = 0.7;
+/// Eigenvalues that are less, relative to the largest of their matrix, count as rounding noise and
+/// not as directions: deviations 3e-7 times as large, which 32-bit numbers nearly lose.
+inline constexpr double negligible_value = 1e-13;
 
 /// What rounding leaves of the residual of an eigenpair, relative to the largest eigenvalue.
 inline constexpr double small_residual = 2e-15;
@@ -46,38 +41,42 @@ struct BlockIteration {
     std::int64_t size, rows, columns, count;
     std::int64_t kept;          ///< columns of the block to keep, at least count
     std::int64_t ritz_interval; ///< iterations between two Rayleigh-Ritz steps
+    const double* start_data;   ///< not packs: the block that all lanes start from
     double* matrix_data;
     double* block_data;
     double* product_data;
-    double* previous_data; ///< the block of the step before, in the basis of this one
     double* small_data;
     double* values_data; ///< count eigenvalues, then 1 where they were found, else 0 or -1
     double* vectors_data;
 
-    /// From what is in the block.
+    /// From the start, until every lane has its eigenvectors or is given up.
     template <class P>
-    STLTSA_INLINE void iterate(P trace) const {
+    STLTSA_INLINE void iterate() const {
+        begin<P>();
+        const P trace = this->trace<P>();
         const P scale = trace > 0 ? 1 / trace : P{};
         reinterpret_cast<P*>(values_data)[count] = P{};
-        P bound{};
         for (std::int64_t step = 1; step <= most_iterations; ++step) {
             multiply<P>(scale);
-            const bool begins = begins_polynomial(step);
             if (is_ritz(step)) {
                 rotate_to_ritz_vectors<P>();
-                if (record<P>(trace, step >= patience))
+                if (record<P>(trace, step >= iterations_for_noise))
                     return;
             }
-            if (begins)
-                bound = unwanted<P>();
-            if (step >= first_look)
-                filter<P>(bound, begins);
-            orthonormalize<P>(product_data, begins_polynomial(step + 1) ? nullptr : previous_data);
+            orthonormalize<P>(product_data);
             // Twice before a Rayleigh-Ritz step: what one pass leaves of the large columns in small
             // ones, beside a single large eigenvalue, would spoil the Ritz values.
             if (is_ritz(step + 1))
-                orthonormalize<P>(block_data, nullptr);
+                orthonormalize<P>(block_data);
         }
+    }
+
+  private:
+    template <class P>
+    STLTSA_INLINE void begin() const {
+        P* block = reinterpret_cast<P*>(block_data);
+        for (std::int64_t i = 0; i < rows * columns; ++i)
+            block[i] = P{} + start_data[i];
     }
 
     template <class P>
@@ -89,12 +88,7 @@ struct BlockIteration {
         return sum;
     }
 
-  private:
     bool is_ritz(std::int64_t step) const { return step % ritz_interval == 0; }
-    /// With what the block then knows; what came before has no part in it.
-    bool begins_polynomial(std::int64_t step) const {
-        return step == first_look || (step > first_look && is_ritz(step));
-    }
 
     /// product := scale A block. Scaled, so that squares of its entries neither over- nor
     /// underflow.
@@ -126,42 +120,6 @@ struct BlockIteration {
                 product[j * rows + i] = sum[j][i] * scale;
     }
 
-    /// What the unwanted eigenvalues are likely not above, in units of the trace: the least that a
-    /// column stands for, or most of what none does. After a Rayleigh-Ritz step no wanted
-    /// eigenvalue is below it; at the first look it is a guess. A bad one costs steps, no digits.
-    template <class P>
-    STLTSA_INLINE P unwanted() const {
-        const P* block = reinterpret_cast<const P*>(block_data);
-        const P* product = reinterpret_cast<const P*>(product_data);
-        P missed = P{} + 1.0;
-        P least = P{} + 1.0;
-        for (std::int64_t l = 0; l < columns; ++l) {
-            const P value = inner(block + l * rows, product + l * rows);
-            missed -= value;
-            least = value < least ? value : least;
-        }
-        missed *= share_of_one;
-        const P bound = missed < least ? missed : least;
-        return bound > 0 ? bound : P{};
-    }
-
-    /// From A V in the product to the next Chebyshev polynomial for [0, bound], with the highest
-    /// coefficient that the recurrence leaves without dividing by the bound:
-    ///     p_1(A) = A - m,  p_j+1(A) = 2 (A - m) p_j(A) - m^2 p_j-1(A),  m = bound / 2
-    template <class P>
-    STLTSA_INLINE void filter(P bound, bool begins) const {
-        const P* block = reinterpret_cast<const P*>(block_data);
-        P* product = reinterpret_cast<P*>(product_data);
-        P* previous = reinterpret_cast<P*>(previous_data);
-        const P middle = 0.5 * bound;
-        const P square = middle * middle;
-        for (std::int64_t i = 0; i < rows * columns; ++i) {
-            const P term = product[i] - middle * block[i];
-            product[i] = begins ? term : 2 * term - square * previous[i];
-            previous[i] = block[i];
-        }
-    }
-
     template <class P>
     STLTSA_INLINE P inner(const P* a, const P* b) const {
         P even{}, odd{};
@@ -173,28 +131,19 @@ struct BlockIteration {
     }
 
     /// block := orthonormal basis of these columns, the product's or its own (modified
-    /// Gram-Schmidt). A column of zeros stays one. Columns of a companion are combined as these
-    /// are.
+    /// Gram-Schmidt). A column of zeros stays one.
     template <class P>
-    STLTSA_INLINE void orthonormalize(const double* columns_data, double* companion_data) const {
+    STLTSA_INLINE void orthonormalize(const double* columns_data) const {
         const P* from = reinterpret_cast<const P*>(columns_data);
-        P* companion = reinterpret_cast<P*>(companion_data);
         P* block = reinterpret_cast<P*>(block_data);
         for (std::int64_t l = 0; l < columns; ++l) {
             P* column = block + l * rows;
             if (from != block)
                 std::copy_n(from + l * rows, rows, column);
-            for (std::int64_t b = 0; b < l; ++b) {
-                const P overlap = inner<P>(block + b * rows, column);
-                subtract(overlap, block + b * rows, column);
-                if (companion)
-                    subtract(overlap, companion + b * rows, companion + l * rows);
-            }
+            for (std::int64_t b = 0; b < l; ++b)
+                subtract(inner<P>(block + b * rows, column), block + b * rows, column);
             const P norm = square_root(inner<P>(column, column));
-            const P inverse = norm > 0 ? 1 / norm : P{};
-            scale(inverse, column);
-            if (companion)
-                scale(inverse, companion + l * rows);
+            scale(norm > 0 ? 1 / norm : P{}, column);
         }
     }
 
@@ -230,7 +179,7 @@ struct BlockIteration {
     /// positive semidefinite, so an eigenvalue that the block has missed is at most what the Ritz
     /// values leave of the trace: below the last wanted one, or negligible, none was missed.
     template <class P>
-    STLTSA_INLINE bool record(P trace, bool impatient) const {
+    STLTSA_INLINE bool record(P trace, bool give_up) const {
         const P* block = reinterpret_cast<const P*>(block_data);
         const P* product = reinterpret_cast<const P*>(product_data);
         P* values = reinterpret_cast<P*>(values_data);
@@ -261,7 +210,7 @@ struct BlockIteration {
         for (std::int64_t i = 0; i < kept * rows; ++i)
             vectors[i] = fresh > 0 ? block[i] : vectors[i];
         P ended = fresh > 0 ? fresh : state;
-        if (impatient)
+        if (give_up)
             ended = ended == 0.0 ? (missed > hopeless_share * least ? P{} - 1.0 : ended) : ended;
         values[count] = ended;
         return none_open(ended);

@@ -3,8 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+
+#include <cblas.h>
 
 #include "base/random.hpp"
+#include "ltsa/centered.hpp"
 
 namespace stltsa::ltsa {
 namespace {
@@ -16,60 +20,50 @@ constexpr std::int64_t term_group = 8;
 /// longer a step takes.
 constexpr std::int64_t guard_columns = 4;
 
-/// Iterations from one Rayleigh-Ritz step to the next: few, for the block of the neighborhood
-/// before is nearly right already.
+/// Iterations from one Rayleigh-Ritz step to the next: few, because the block of the group before
+/// is nearly right already.
 constexpr std::int64_t ritz_interval = 3;
 
-/// matrix += sum over terms of sign * term term^T, where a term is a frame about the origin. Then
-/// the mean is taken out: with S the sum of all frames, S S^T / k leaves the matrix, and the one
-/// of the neighborhood before comes back.
+constexpr std::int64_t rounded_up(std::int64_t value, std::int64_t step) {
+    return (value + step - 1) / step * step;
+}
+
+/// Covariance matrices times the size, from the products of the shared members and from terms, the
+/// other members: with S their sum about the origin, S S^T / k leaves the matrix.
 struct CovarianceKernel {
     BlockIteration iteration;
-    const double* start;
-    double* terms_data; ///< with room for two more, and zeros up to a whole group
-    double* sum_data;
+    ConstMatrixView shared;   ///< upper triangle
+    const double* terms_data; ///< whole groups of terms
     std::int64_t terms;
     double root_of_size;
 
     template <int W>
     STLTSA_INLINE void run() const {
         using P = Pack<W>;
-        add_means<P>();
-        for (std::int64_t t = 0; t < terms + 2; t += term_group)
+        subtract_mean<P>();
+        for (std::int64_t t = 0; t < terms; t += term_group)
             add_terms<P>(t);
-        fill_block<P>();
-        iteration.iterate(iteration.trace<P>());
+        iteration.iterate<P>();
     }
 
     template <class P>
-    STLTSA_INLINE P* term(std::int64_t t) const {
-        return reinterpret_cast<P*>(terms_data) + t * (iteration.size + 1);
+    STLTSA_INLINE const P* term(std::int64_t t) const {
+        return reinterpret_cast<const P*>(terms_data) + t * iteration.size;
     }
 
     template <class P>
-    STLTSA_INLINE void add_means() const {
-        P* sum = reinterpret_cast<P*>(sum_data);
-        P* before = term<P>(terms);
-        P* after = term<P>(terms + 1);
-        before[0] = P{} + 1.0;
-        after[0] = P{} - 1.0;
+    STLTSA_INLINE void subtract_mean() const {
+        P* matrix = reinterpret_cast<P*>(iteration.matrix_data);
+        P* mean = reinterpret_cast<P*>(iteration.product_data);
         for (std::int64_t c = 0; c < iteration.size; ++c) {
-            before[1 + c] = sum[c] / root_of_size;
+            mean[c] = P{};
             for (std::int64_t t = 0; t < terms; ++t)
-                sum[c] += term<P>(t)[0] * term<P>(t)[1 + c];
-            after[1 + c] = sum[c] / root_of_size;
+                mean[c] += term<P>(t)[c];
+            mean[c] /= root_of_size;
         }
-    }
-
-    /// From what the neighborhood before ended with, where it did.
-    template <class P>
-    STLTSA_INLINE void fill_block() const {
-        P* block = reinterpret_cast<P*>(iteration.block_data);
-        const P* before = reinterpret_cast<const P*>(iteration.vectors_data);
-        const P* values = reinterpret_cast<const P*>(iteration.values_data);
-        const P usable = values[iteration.count] > 0 ? values[0] : P{};
-        for (std::int64_t i = 0; i < iteration.rows * iteration.columns; ++i)
-            block[i] = usable > 0 ? before[i] : P{} + start[i];
+        for (std::int64_t a = 0; a < iteration.size; ++a)
+            for (std::int64_t b = a; b < iteration.size; ++b)
+                matrix[a * iteration.rows + b] = shared(a, b) - mean[a] * mean[b];
     }
 
     template <class P>
@@ -79,11 +73,11 @@ struct CovarianceKernel {
         for (std::int64_t a = 0; a < iteration.size; ++a) {
             P factor[term_group];
             for (std::int64_t t = 0; t < term_group; ++t)
-                factor[t] = term<P>(first + t)[0] * term<P>(first + t)[1 + a];
+                factor[t] = term<P>(first + t)[a];
             for (std::int64_t b = a; b < iteration.size; ++b) {
                 P entry = matrix[a * rows + b];
                 for (std::int64_t t = 0; t < term_group; ++t)
-                    entry += factor[t] * term<P>(first + t)[1 + b];
+                    entry += factor[t] * term<P>(first + t)[b];
                 matrix[a * rows + b] = matrix[b * rows + a] = entry;
             }
         }
@@ -92,68 +86,89 @@ struct CovarianceKernel {
 
 } // namespace
 
-CovarianceBatch::CovarianceBatch(std::int64_t features, std::int64_t size, std::int64_t count,
+CovarianceBatch::CovarianceBatch(ConstMatrixView x, std::int64_t size, std::int64_t count,
                                  Simd simd)
-    : features_(features), root_of_size_(std::sqrt(static_cast<double>(size))),
-      eigen_({features, count, count + guard_columns, true, ritz_interval}, simd),
-      start_(checked_size(eigen_.rows(), eigen_.columns())),
-      origin_(checked_size(features, lanes())), sum_(checked_size(features, lanes())),
-      used_(static_cast<std::size_t>(lanes())) {
-    add_room();
+    : x_(x), features_(x.cols), size_(size), count_(count),
+      eigen_({features_, count, count + guard_columns, true, ritz_interval}, simd),
+      shared_products_(features_, features_), offset_(static_cast<std::size_t>(features_)),
+      vector_(static_cast<std::size_t>(features_)), centered_(size, features_),
+      terms_(checked_size(rounded_up(size, term_group) * lanes(), features_)),
+      terms_in_use_(term_group) {
     // Columns beyond the number of features stay zero.
     Random random(1);
-    for (std::int64_t l = 0; l < std::min(eigen_.columns(), features); ++l)
-        for (std::int64_t a = 0; a < features; ++a)
-            start_[static_cast<std::size_t>(l * eigen_.rows() + a)] = random.symmetric();
+    for (std::int64_t l = 0; l < std::min(eigen_.columns(), features_); ++l)
+        for (std::int64_t a = 0; a < features_; ++a)
+            eigen_.start(l)[a] = random.symmetric();
 }
 
-void CovarianceBatch::clear() {
-    eigen_.clear();
-    std::fill(sum_.begin(), sum_.end(), 0.0);
-}
-
-void CovarianceBatch::restart(std::int64_t lane, const double* origin) {
-    for (std::int64_t a = 0; a < features_; ++a)
-        for (std::int64_t b = 0; b < features_; ++b)
-            eigen_.matrix(lane, a, b) = 0;
-    for (std::int64_t c = 0; c < features_; ++c) {
-        sum_[static_cast<std::size_t>(c * lanes() + lane)] = 0;
-        origin_[static_cast<std::size_t>(c * lanes() + lane)] = origin[c];
+void CovarianceBatch::begin_group(const Neighborhoods& neighborhoods, std::int64_t first,
+                                  std::int64_t last) {
+    shared_.assign(neighborhoods.of(first).begin(), neighborhoods.of(first).end());
+    for (std::int64_t i = first + 1; i < last; ++i) {
+        own_.clear();
+        std::ranges::set_intersection(shared_, neighborhoods.of(i), std::back_inserter(own_));
+        shared_.swap(own_);
     }
+    // About the mean of less than half its members a neighborhood might lose digits.
+    if (2 * static_cast<std::int64_t>(shared_.size()) < size_)
+        shared_.clear();
+    if (shared_.empty()) {
+        std::fill_n(shared_products_.data(), features_ * features_, 0.0);
+        return;
+    }
+    center(shared_);
+    const auto order = static_cast<int>(features_);
+    cblas_dsyrk(CblasColMajor, CblasLower, CblasNoTrans, order, static_cast<int>(shared_.size()),
+                1.0, centered_.data(), order, 0.0, shared_products_.data(), order);
 }
 
-double CovarianceBatch::trace(std::int64_t lane) const {
-    double sum = 0;
-    for (std::int64_t a = 0; a < features_; ++a)
-        sum += eigen_.matrix(lane, a, a);
-    return sum;
+/// Writes the members about their mean, which becomes the origin.
+void CovarianceBatch::center(std::span<const std::int32_t> members) {
+    origin_ = x_.row(members[members.size() / 2]);
+    write_differences(x_, members, origin_, centered_.data());
+    const auto rows = centered_.view().block(0, static_cast<std::int64_t>(members.size()));
+    mean_of(rows, offset_.data());
+    subtract(offset_.data(), rows);
 }
 
-void CovarianceBatch::change(std::int64_t lane, const double* frame, double sign) {
-    const std::int64_t t = used_[static_cast<std::size_t>(lane)]++;
-    terms_in_use_ = std::max(terms_in_use_, t + 1);
-    add_room();
-    double* entries = term(t) + lane;
-    entries[0] = sign;
-    for (std::int64_t c = 0; c < features_; ++c)
-        entries[(1 + c) * lanes()] =
-            frame[c] - origin_[static_cast<std::size_t>(c * lanes() + lane)];
-}
-
-/// For the terms in use, two more, and whole groups.
-void CovarianceBatch::add_room() {
-    const std::int64_t groups = (terms_in_use_ + 2 + term_group - 1) / term_group;
-    const std::size_t needed = checked_size(groups * term_group, (features_ + 1) * lanes());
-    if (terms_.size() < needed)
-        terms_.resize(2 * needed);
+void CovarianceBatch::set_members(std::int64_t lane, std::span<const std::int32_t> members) {
+    own_.clear();
+    std::ranges::set_difference(members, shared_, std::back_inserter(own_));
+    if (shared_.empty()) {
+        center(own_);
+    } else {
+        write_differences(x_, own_, origin_, centered_.data());
+        subtract(offset_.data(), centered_.view().block(0, static_cast<std::int64_t>(own_.size())));
+    }
+    const auto own = static_cast<std::int64_t>(own_.size());
+    for (std::int64_t i = 0; i < own * features_; ++i)
+        terms_[static_cast<std::size_t>(i * lanes() + lane)] = centered_.data()[i];
+    terms_in_use_ = std::max(terms_in_use_, rounded_up(own, term_group));
 }
 
 void CovarianceBatch::solve() {
-    run_simd(eigen_.simd(), CovarianceKernel{eigen_.iteration(), start_.data(), terms_.data(),
-                                             sum_.data(), terms_in_use_, root_of_size_});
-    std::fill(terms_.data(), term(terms_in_use_ + 2), 0.0);
-    std::fill(used_.begin(), used_.end(), 0);
-    terms_in_use_ = 0;
+    run_simd(eigen_.simd(),
+             CovarianceKernel{eigen_.iteration(), shared_products_.view(), terms_.data(),
+                              terms_in_use_, std::sqrt(static_cast<double>(size_))});
+    std::fill_n(terms_.begin(), terms_in_use_ * features_ * lanes(), 0.0);
+    terms_in_use_ = term_group;
+}
+
+void CovarianceBatch::directions(std::int64_t lane, std::span<const std::int32_t> members,
+                                 double* out) {
+    write_differences(x_, members, x_.row(members[members.size() / 2]), centered_.data());
+    const auto order = static_cast<int>(features_);
+    for (std::int64_t l = 0; l < count_; ++l) {
+        for (std::int64_t c = 0; c < features_; ++c)
+            vector_[static_cast<std::size_t>(c)] = eigen_.vector(lane, l, c);
+        cblas_dgemv(CblasColMajor, CblasTrans, order, static_cast<int>(size_), 1.0,
+                    centered_.data(), order, vector_.data(), 1, 0.0, out + l * size_, 1);
+    }
+}
+
+void CovarianceBatch::end_group(std::int64_t lane) {
+    if (eigen_.found(lane))
+        eigen_.start_from(lane);
 }
 
 } // namespace stltsa::ltsa

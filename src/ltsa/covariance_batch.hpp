@@ -1,56 +1,65 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Principal directions, over the features, of neighborhoods that change little from one to the
-// next: one sequence of them in each lane of a pack.
+// Principal directions of neighborhoods with more frames than features, several at once, one in
+// each lane of a pack.
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "ltsa/eigen_batch.hpp"
+#include "ltsa/neighbors.hpp"
 
 namespace stltsa::ltsa {
 
-/// A covariance matrix is brought up to date by the frames that come and go, and its eigenvectors
-/// by block iteration from those of the neighborhood before. Rounding adds up from one to the next:
-/// sequences are to be short.
+/// Finds the leading eigenvectors of covariance matrices, over the features. Neighborhoods of
+/// successive frames have most of their members in common: what these add to the matrices is
+/// computed once for a group of frames, and the iteration starts from the vectors that the group
+/// before ended with.
 class CovarianceBatch {
   public:
+    /// Frames of a group: a multiple of the lanes of every machine, so that results do not depend
+    /// on it.
+    static constexpr std::int64_t group = 8;
+
+    /// Whether matrices of this many features are small enough beside neighborhoods of this size.
+    static bool worth_while(std::int64_t size, std::int64_t features) {
+        return features <= std::min<std::int64_t>(2 * size, 512);
+    }
+
     /// For neighborhoods of `size` frames, `count` directions.
-    CovarianceBatch(std::int64_t features, std::int64_t size, std::int64_t count, Simd simd);
+    CovarianceBatch(ConstMatrixView x, std::int64_t size, std::int64_t count, Simd simd);
 
     std::int64_t lanes() const { return eigen_.lanes(); }
-    /// Forgets all neighborhoods and what was found.
-    void clear();
-    /// Begins a lane's sequence with an empty neighborhood. The origin is subtracted from its
-    /// frames: near their mean, no digits are lost.
-    void restart(std::int64_t lane, const double* origin);
-    /// A frame that has come into a lane's neighborhood (sign 1) or left it (sign -1).
-    void change(std::int64_t lane, const double* frame, double sign);
-    /// Takes in the changes.
+    /// The neighborhoods of frames [first, last) come next.
+    void begin_group(const Neighborhoods& neighborhoods, std::int64_t first, std::int64_t last);
+    void set_members(std::int64_t lane, std::span<const std::int32_t> members);
+    /// Every lane must have its members.
     void solve();
 
     bool found(std::int64_t lane) const { return eigen_.found(lane); }
-    /// Of the scatter matrix.
-    double trace(std::int64_t lane) const;
-    /// Eigenvalue l of the scatter matrix (the covariance matrix times the size), descending.
+    /// Eigenvalue l of the covariance matrix times the size, descending.
     double value(std::int64_t lane, std::int64_t l) const { return eigen_.value(lane, l); }
-    /// Entry of its eigenvector.
-    double vector(std::int64_t lane, std::int64_t l, std::int64_t feature) const {
-        return eigen_.vector(lane, l, feature);
-    }
+    /// Writes what the members of a lane have in each direction: `count` rows of `size` entries.
+    void directions(std::int64_t lane, std::span<const std::int32_t> members, double* out);
+    /// The next group starts from what this lane found, if it did.
+    void end_group(std::int64_t lane);
 
   private:
-    double* term(std::int64_t t) { return terms_.data() + t * (features_ + 1) * lanes(); }
-    void add_room();
+    void center(std::span<const std::int32_t> members);
 
-    std::int64_t features_;
-    double root_of_size_;
+    ConstMatrixView x_;
+    std::int64_t features_, size_, count_;
     EigenBatch eigen_;
-    AlignedVector<double> start_; ///< columns of the block
-    AlignedVector<double> origin_, sum_;
-    AlignedVector<double> terms_;    ///< of each the signs, then the entries
-    std::vector<std::int64_t> used_; ///< terms of each lane
-    std::int64_t terms_in_use_ = 0;  ///< the most of any lane
+    std::vector<std::int32_t> shared_; ///< members that all neighborhoods of the group have
+    std::vector<std::int32_t> own_;    ///< the others of one neighborhood
+    Matrix shared_products_;           ///< of the features, summed over the shared members
+    const double* origin_ = nullptr;   ///< subtracted from frames, and then the offset
+    AlignedVector<double> offset_;
+    AlignedVector<double> vector_; ///< of one direction
+    Matrix centered_;              ///< frames of one neighborhood about the origin
+    AlignedVector<double> terms_;  ///< own members of all lanes
+    std::int64_t terms_in_use_;
 };
 
 } // namespace stltsa::ltsa

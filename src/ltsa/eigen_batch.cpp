@@ -20,21 +20,21 @@ EigenBatch::EigenBatch(const Shape& shape, Simd simd)
     matrix_ = sized(rows_ * rows_);
     block_ = sized(rows_ * columns_);
     product_ = sized(rows_ * columns_);
-    previous_ = sized(rows_ * columns_);
     small_ = sized(columns_ * (2 * columns_ + 1));
     values_ = sized(shape.count + 1);
     vectors_ = sized(rows_ * kept_);
+    start_.resize(checked_size(rows_, columns_));
 }
 
 BlockIteration EigenBatch::iteration() {
-    return {shape_.size,          rows_,          columns_,       shape_.count,    kept_,
-            shape_.ritz_interval, matrix_.data(), block_.data(),  product_.data(), previous_.data(),
+    return {shape_.size,          rows_,          columns_,       shape_.count,  kept_,
+            shape_.ritz_interval, start_.data(),  matrix_.data(), block_.data(), product_.data(),
             small_.data(),        values_.data(), vectors_.data()};
 }
 
-void EigenBatch::clear() {
-    std::fill(matrix_.begin(), matrix_.end(), 0.0);
-    std::fill(values_.begin(), values_.end(), 0.0);
+void EigenBatch::start_from(std::int64_t lane) {
+    for (std::size_t i = 0; i < start_.size(); ++i)
+        start_[i] = vectors_[index(static_cast<std::int64_t>(i), lane)];
 }
 
 } // namespace stltsa::ltsa

@@ -18,7 +18,7 @@ class EigenBatch {
         std::int64_t size;    ///< order of the matrices
         std::int64_t count;   ///< eigenvectors that are wanted
         std::int64_t columns; ///< of the block, at least count; more of them converge sooner
-        bool keeps_block;     ///< keep the block where a lane has converged, not `count` vectors
+        bool keeps_block;     ///< keep the block of a lane that has converged, not `count` vectors
         std::int64_t ritz_interval;
     };
 
@@ -33,9 +33,11 @@ class EigenBatch {
     double& matrix(std::int64_t lane, std::int64_t a, std::int64_t b) {
         return matrix_[index(a * rows_ + b, lane)];
     }
-    double matrix(std::int64_t lane, std::int64_t a, std::int64_t b) const {
-        return matrix_[index(a * rows_ + b, lane)];
-    }
+
+    /// Column l of the block that every lane starts from.
+    double* start(std::int64_t l) { return start_.data() + l * rows_; }
+    /// It becomes the block that a lane ended with, which must have been kept.
+    void start_from(std::int64_t lane);
 
     /// Whether the iteration found the eigenvectors of a lane, and they are the leading ones beyond
     /// doubt. Where it did not, another method is needed.
@@ -48,8 +50,6 @@ class EigenBatch {
     }
 
     BlockIteration iteration();
-    /// All matrices become zero, and nothing found.
-    void clear();
 
   private:
     std::size_t index(std::int64_t entry, std::int64_t lane) const {
@@ -62,9 +62,10 @@ class EigenBatch {
     std::int64_t kept_;    ///< columns of the block
     Simd simd_;
     std::int64_t lanes_;
-    AlignedVector<double> matrix_, block_, product_, previous_;
+    AlignedVector<double> matrix_, block_, product_;
     AlignedVector<double> small_; ///< Ritz values and two matrices of order `columns`
     AlignedVector<double> values_, vectors_;
+    AlignedVector<double> start_; ///< not in packs
 };
 
 } // namespace stltsa::ltsa

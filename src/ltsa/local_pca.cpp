@@ -7,11 +7,12 @@
 #include <cblas.h>
 
 #include "linalg/simd.hpp"
+#include "ltsa/centered.hpp"
 
 namespace stltsa::ltsa {
 
-LocalPca::LocalPca(ConstMatrixView x, std::int64_t size, std::int64_t count)
-    : x_(x), size_(size), eigen_(std::min(size, x.cols), count) {
+LocalPca::LocalPca(ConstMatrixView x, std::int64_t size, std::int64_t count, Simd simd)
+    : x_(x), size_(size), eigen_(std::min(size, x.cols), count), distances_(x, size, simd) {
     if (frame_side()) {
         mean_.resize(static_cast<std::size_t>(size));
     } else {
@@ -20,28 +21,26 @@ LocalPca::LocalPca(ConstMatrixView x, std::int64_t size, std::int64_t count)
     }
 }
 
-void LocalPca::compute(std::span<const std::int32_t> neighborhood, const Distance& distance) {
+void LocalPca::compute(std::span<const std::int32_t> neighborhood) {
     // X^T X and X X^T have the same nonzero eigenvalues: take the smaller one.
-    if (frame_side()) {
-        gram(neighborhood, distance);
-    } else {
-        center_frames(neighborhood);
-        covariance();
-    }
+    if (frame_side())
+        gram(neighborhood);
+    else
+        covariance(neighborhood);
     eigen_.solve();
 }
 
 /// The correlation matrix from distances, -1/2 J D J with J = I - e e^T / k: exact zeros for
 /// equal frames and no loss from large means.
-void LocalPca::gram(std::span<const std::int32_t> neighborhood, const Distance& distance) {
+void LocalPca::gram(std::span<const std::int32_t> neighborhood) {
+    const auto among = distances_.among(neighborhood);
     const std::int64_t k = size_;
     double* matrix = eigen_.matrix();
     std::fill(mean_.begin(), mean_.end(), 0.0);
     for (std::int64_t a = 0; a < k; ++a) {
         matrix[a * k + a] = 0;
         for (std::int64_t b = a + 1; b < k; ++b) {
-            const double d = distance(neighborhood[static_cast<std::size_t>(a)],
-                                      neighborhood[static_cast<std::size_t>(b)]);
+            const double d = among(a, b);
             matrix[a * k + b] = d;
             mean_[static_cast<std::size_t>(a)] += d;
             mean_[static_cast<std::size_t>(b)] += d;
@@ -61,24 +60,11 @@ void LocalPca::gram(std::span<const std::int32_t> neighborhood, const Distance& 
     }
 }
 
-void LocalPca::center_frames(std::span<const std::int32_t> neighborhood) {
-    const std::int64_t m = x_.cols;
-    // Centered about the middle frame first, so that a large common offset costs no digits.
-    const double* origin = x_.row(neighborhood[neighborhood.size() / 2]);
-    std::fill(mean_.begin(), mean_.end(), 0.0);
-    for (std::int64_t a = 0; a < size_; ++a) {
-        const double* frame = x_.row(neighborhood[static_cast<std::size_t>(a)]);
-        for (std::int64_t c = 0; c < m; ++c) {
-            centered_(a, c) = frame[c] - origin[c];
-            mean_[static_cast<std::size_t>(c)] += centered_(a, c);
-        }
-    }
-    for (std::int64_t a = 0; a < size_; ++a)
-        for (std::int64_t c = 0; c < m; ++c)
-            centered_(a, c) -= mean_[static_cast<std::size_t>(c)] / static_cast<double>(size_);
-}
-
-void LocalPca::covariance() {
+void LocalPca::covariance(std::span<const std::int32_t> neighborhood) {
+    write_differences(x_, neighborhood, x_.row(neighborhood[neighborhood.size() / 2]),
+                      centered_.data());
+    mean_of(centered_.view(), mean_.data());
+    subtract(mean_.data(), centered_.view());
     const auto m = static_cast<int>(x_.cols);
     cblas_dsyrk(CblasColMajor, CblasLower, CblasNoTrans, m, static_cast<int>(size_), 1.0,
                 centered_.data(), m, 0.0, eigen_.matrix(), m);

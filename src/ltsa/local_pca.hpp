@@ -3,22 +3,20 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <span>
 
 #include "linalg/eigen.hpp"
 #include "linalg/matrix.hpp"
+#include "ltsa/neighborhood_distances.hpp"
 
 namespace stltsa::ltsa {
 
 class LocalPca {
   public:
     /// For neighborhoods of `size` frames, `count` directions (at most min(size, features)).
-    LocalPca(ConstMatrixView x, std::int64_t size, std::int64_t count);
+    LocalPca(ConstMatrixView x, std::int64_t size, std::int64_t count, Simd simd);
 
-    /// Squared distance of two frames, the earlier one first.
-    using Distance = std::function<double(std::int64_t, std::int64_t)>;
-    void compute(std::span<const std::int32_t> neighborhood, const Distance& distance);
+    void compute(std::span<const std::int32_t> neighborhood);
 
     /// Eigenvalue l of the correlation matrix, descending from l = 0.
     double value(std::int64_t l) const { return eigen_.value(l); }
@@ -28,13 +26,13 @@ class LocalPca {
 
   private:
     bool frame_side() const { return size_ <= x_.cols; }
-    void center_frames(std::span<const std::int32_t> neighborhood);
-    void covariance();
-    void gram(std::span<const std::int32_t> neighborhood, const Distance& distance);
+    void covariance(std::span<const std::int32_t> neighborhood);
+    void gram(std::span<const std::int32_t> neighborhood);
 
     ConstMatrixView x_;
     std::int64_t size_;
     TopEigenpairs eigen_;
+    NeighborhoodDistances distances_;
     Matrix centered_; ///< size x features, only on the feature side
     AlignedVector<double> mean_;
 };

@@ -46,13 +46,8 @@ void drop_missing_directions(const Matrix& values, Tangents& tangents, const Mac
         });
 }
 
-/// By how much rounding may have turned a direction: a matrix of products is rounded relative to
-/// its largest eigenvalue, what LocalSvd finds is not.
-double rounding_of(double value, double largest) {
-    constexpr double epsilon = std::numeric_limits<double>::epsilon();
-    return value < least_share_by_products * largest ? epsilon : epsilon * largest / value;
-}
-
+/// By how much rounding may have turned the directions: a matrix of products is rounded relative to
+/// its largest eigenvalue.
 void set_rounding(const Matrix& values, Tangents& tangents, const Machine& machine) {
     const std::int64_t blocks = row_blocks(values.rows());
     Matrix squares(blocks, values.cols()), windows(blocks, values.cols());
@@ -61,7 +56,8 @@ void set_rounding(const Matrix& values, Tangents& tangents, const Machine& machi
         values.rows(), machine, [&](std::int64_t block, std::int64_t begin, std::int64_t rows) {
             for (std::int64_t i = begin; i < begin + rows; ++i)
                 for (std::int64_t l = 0; l < tangents.rank[static_cast<std::size_t>(i)]; ++l) {
-                    const double angle = rounding_of(values(i, l), values(i, 0));
+                    const double angle =
+                        std::numeric_limits<double>::epsilon() * values(i, 0) / values(i, l);
                     squares(block, l) += angle * angle;
                     windows(block, l) += 1;
                 }
@@ -109,11 +105,12 @@ Tangents find_in_blocks(ConstMatrixView x, const Neighborhoods& neighborhoods,
 
 Tangents local_tangents(ConstMatrixView x, const Neighborhoods& neighborhoods,
                         const Parameters& parameters, const Progress& progress) {
-    return find_in_blocks(
-        x, neighborhoods, parameters, progress, TangentTrack::block,
-        [&](TangentFinder& finder, std::int64_t first, std::int64_t last) {
-            finder.find(first, last, NeighborhoodDistances(x, neighborhoods.size, parameters.simd));
-        });
+    return find_in_blocks(x, neighborhoods, parameters, progress, frame_block(0),
+                          [&](TangentFinder& finder, std::int64_t first, std::int64_t last) {
+                              NeighborhoodDistances distances(x, neighborhoods.size,
+                                                              parameters.simd);
+                              finder.find(first, last, distances);
+                          });
 }
 
 Tangents temporal_tangents(ConstMatrixView x, std::span<const std::int64_t> lengths,
@@ -134,26 +131,23 @@ Tangents temporal_tangents(ConstMatrixView x, std::span<const std::int64_t> leng
             finder.find(first, last, distances);
         } else {
             windows.select(x, parameters.simd, first, last, neighborhoods);
-            finder.find(first, last, NeighborhoodDistances(x, neighborhoods.size, parameters.simd));
+            NeighborhoodDistances distances(x, neighborhoods.size, parameters.simd);
+            finder.find(first, last, distances);
         }
     };
-    constexpr std::int64_t track = TangentTrack::block;
-    const std::int64_t block = track * ((frame_block(window) + track - 1) / track);
-    return find_in_blocks(x, neighborhoods, parameters, progress, block, find);
+    return find_in_blocks(x, neighborhoods, parameters, progress, frame_block(window), find);
 }
 
 Matrix local_spectra(ConstMatrixView x, const Neighborhoods& neighborhoods, std::int64_t count,
                      std::int64_t stride, int threads, const Progress& progress) {
     const std::int64_t rows = (x.rows + stride - 1) / stride;
-    const std::int64_t block = frame_block(0);
+    constexpr std::int64_t block = 256;
     const std::int64_t blocks = (rows + block - 1) / block;
     Matrix spectra(rows, count);
     const auto work = [&](std::int64_t b) {
-        LocalPca pca(x, neighborhoods.size, count);
+        LocalPca pca(x, neighborhoods.size, count, widest_simd());
         for (std::int64_t r = b * block; r < std::min((b + 1) * block, rows); ++r) {
-            pca.compute(neighborhoods.of(r * stride), [&x](std::int64_t p, std::int64_t q) {
-                return squared_distance(x.row(p), x.row(q), x.cols);
-            });
+            pca.compute(neighborhoods.of(r * stride));
             for (std::int64_t l = 0; l < count; ++l)
                 spectra(r, l) = std::max(0.0, pca.value(l));
         }

@@ -13,10 +13,6 @@
 
 namespace stltsa::ltsa {
 
-/// Eigenvalues that are less, relative to the largest of their window, count as rounding noise and
-/// not as directions: deviations 3e-7 times as large, which 32-bit numbers nearly lose.
-inline constexpr double negligible_value = 1e-13;
-
 /// For each frame i: d vectors g_l of k entries, orthonormal and orthogonal to e, entry j belonging
 /// to the j-th neighbor. A direction that is not there (fewer than d in the window) is a zero
 /// vector, so that it ties the frames together instead of letting them go.

@@ -14,6 +14,9 @@ constexpr double clock_threshold = 0.98;
 constexpr double small_gap = 1.05;
 /// An estimated error beyond this is no longer invisible in a plot.
 constexpr double large_error = 1e-6;
+/// Beyond this angle, which a share of 2e-7 of a window's first eigenvalue makes, features with
+/// different units are likely: in recorded motion it stayed below 1e-10.
+constexpr double large_rounding = 1e-9;
 /// Frames whose order in time is compared with that in the coordinate.
 constexpr std::size_t most_ranked = 1 << 14;
 
@@ -63,6 +66,12 @@ std::vector<std::string> warnings_of(const Graph& graph, const Model& model) {
             "the eigenvalues on both sides of dimension {} differ by {:.2g} % only: another "
             "dimension is better defined",
             model.parameters.dimension, 100 * (gap - 1)));
+    const auto last = static_cast<std::size_t>(model.parameters.dimension - 1);
+    if (graph.tangents.rounding[last] > large_rounding)
+        warnings.push_back(format_text(
+            "direction {} of the windows is so small beside the first that rounding may turn it by "
+            "{:.1g} radians: if features have different units, scale them to similar ranges",
+            last + 1, graph.tangents.rounding[last]));
     if (error > large_error)
         warnings.push_back(
             format_text("the embedding may be off by {:.1g} radians: the eigenvalues "

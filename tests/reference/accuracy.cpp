@@ -2,9 +2,9 @@
 // How far the library's embedding is from the true one of the same frames and neighborhoods, and
 // beside it what other ways give.
 //
-//     accuracy smooth|uneven|roll|real temporal|spatial FRAMES NEIGHBORS DIMENSIONS [FOLDER]
+//     accuracy smooth|roll|real temporal|spatial FRAMES NEIGHBORS DIMENSIONS [FOLDER]
 //
-// smooth: sums of sinusoids; uneven: the same, one feature 10^4 times as large; roll: a swiss roll;
+// smooth: sums of sinusoids; roll: a swiss roll;
 // real: CMU clips from FOLDER (environment STLTSA_DATA goes before it). DIMENSIONS: a digit for
 // each, as 123. Exit status 77: the clips are not there.
 #include <algorithm>
@@ -51,18 +51,11 @@ Frames frames_of(const Arguments& a) {
     if (a.data == "roll")
         return swiss_roll(a.frames, 1);
     // At most 3 cycles a second at 120 frames a second: harder than any clip measured.
-    Frames x = smooth_curve(a.frames, 56, 3.0 / 120, 1);
-    if (a.data == "uneven")
-        for (std::size_t i = 0; i < x.rows; ++i)
-            x(i, 0) *= 1e4;
-    return x;
+    return smooth_curve(a.frames, 56, 3.0 / 120, 1);
 }
 
 Bounds bounds_of(const Arguments& a) {
-    if (a.data == "smooth")
-        return {1e-8, 1e-6};
-    // Eigenvalues of 1e-13 are what the rounding of B's entries is of their last digits.
-    return a.data == "uneven" ? Bounds{1e-11, 1e-8} : Bounds{1e-11, 1e-9};
+    return a.data == "smooth" ? Bounds{1e-8, 1e-6} : Bounds{1e-11, 1e-9};
 }
 
 double eigenvalue_error(const Spectrum<dd>& truth, const std::vector<double>& eigenvalues) {
@@ -175,7 +168,7 @@ bool compare_dimensions(const Arguments& arguments) {
 
 int main(int argc, char** argv) {
     if (argc < 6 || std::string(argv[5]).find_first_not_of("123456789") != std::string::npos) {
-        std::fprintf(stderr, "usage: accuracy smooth|uneven|roll|real temporal|spatial FRAMES "
+        std::fprintf(stderr, "usage: accuracy smooth|roll|real temporal|spatial FRAMES "
                              "NEIGHBORS DIMENSIONS [FOLDER]\n");
         return EXIT_FAILURE;
     }

@@ -182,6 +182,30 @@ static void a_statue_varies_in_no_direction(void** state) {
     free(x);
 }
 
+static int says_to_scale(const stltsa_model* model) {
+    int told = 0;
+    for (int64_t i = 0; i < stltsa_model_warning_count(model); ++i)
+        told += strstr(stltsa_model_warning(model, i), "scale them") != NULL;
+    return told;
+}
+
+/* Directions beside one that is ten thousand times as large are known to fewer digits. */
+static void features_of_uneven_size_are_to_be_scaled(void** state) {
+    (void)state;
+    double* x = new_motion(rows, cols, 66);
+    const struct fit even = fit_rows(x, rows);
+    assert_int_equal(says_to_scale(even.model), 0);
+    assert_below(model_real(even.model, STLTSA_MODEL_ERROR_ESTIMATE), 1e-9, "estimate");
+    for (int i = 0; i < rows; ++i)
+        x[i * cols] *= 1e4;
+    const struct fit uneven = fit_rows(x, rows);
+    assert_int_equal(says_to_scale(uneven.model), 1);
+    assert_true(model_real(uneven.model, STLTSA_MODEL_ERROR_ESTIMATE) > 1e-9);
+    free_fit(uneven);
+    free_fit(even);
+    free(x);
+}
+
 /* k + 1 distinct frames are enough, and one less is not, held or not. */
 static void as_many_distinct_frames_as_it_takes(void** state) {
     (void)state;
@@ -206,6 +230,7 @@ int main(void) {
         cmocka_unit_test(windows_on_a_line_are_counted),
         cmocka_unit_test(a_line_has_no_second_coordinate),
         cmocka_unit_test(a_statue_varies_in_no_direction),
+        cmocka_unit_test(features_of_uneven_size_are_to_be_scaled),
         cmocka_unit_test(as_many_distinct_frames_as_it_takes),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

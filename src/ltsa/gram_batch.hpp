@@ -3,19 +3,20 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "ltsa/eigen_batch.hpp"
 
 namespace stltsa::ltsa {
 
 /// Finds the leading eigenvectors of correlation matrices, which are the directions themselves.
-class TangentBatch {
+class GramBatch {
   public:
     /// Matrices of larger neighborhoods, one a lane, no longer fit into the cache.
     static constexpr std::int64_t largest_size = 128;
 
     /// For neighborhoods of `size` frames, `count` directions.
-    TangentBatch(std::int64_t size, std::int64_t count, Simd simd);
+    GramBatch(std::int64_t size, std::int64_t count, Simd simd);
 
     std::int64_t lanes() const { return eigen_.lanes(); }
     /// Takes the squared distance of frames a < b of a lane's neighborhood.
@@ -28,15 +29,14 @@ class TangentBatch {
     bool found(std::int64_t lane) const { return eigen_.found(lane); }
     /// Eigenvalue l of the correlation matrix, descending.
     double value(std::int64_t lane, std::int64_t l) const { return eigen_.value(lane, l); }
-    /// Its eigenvector: `size` entries.
-    void direction(std::int64_t lane, std::int64_t l, double* out) const;
+    /// Writes the eigenvectors of a lane, whatever its members: `count` rows of `size` entries.
+    void directions(std::int64_t lane, std::span<const std::int32_t> members, double* out) const;
 
   private:
     void fill_start();
 
-    std::int64_t size_;
+    std::int64_t size_, count_;
     EigenBatch eigen_;
-    AlignedVector<double> start_; ///< columns of the block, the same in every lane
 };
 
 } // namespace stltsa::ltsa

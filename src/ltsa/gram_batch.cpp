@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ltsa/tangent_batch.hpp"
+#include "ltsa/gram_batch.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,16 +19,12 @@ constexpr std::int64_t ritz_interval = 5;
 /// motion nearly are.
 struct CorrelationKernel {
     BlockIteration iteration;
-    const double* start;
 
     template <int W>
     STLTSA_INLINE void run() const {
         using P = Pack<W>;
         center<P>();
-        P* block = reinterpret_cast<P*>(iteration.block_data);
-        for (std::int64_t i = 0; i < iteration.rows * iteration.columns; ++i)
-            block[i] = P{} + start[i];
-        iteration.iterate(iteration.trace<P>());
+        iteration.iterate<P>();
     }
 
     /// -1/2 J D J with J = I - e e^T / k
@@ -64,29 +60,27 @@ struct CorrelationKernel {
 
 } // namespace
 
-TangentBatch::TangentBatch(std::int64_t size, std::int64_t count, Simd simd)
-    : size_(size), eigen_({size, count, count + guard_columns, false, ritz_interval}, simd) {
-    start_.resize(checked_size(eigen_.rows(), eigen_.columns()));
+GramBatch::GramBatch(std::int64_t size, std::int64_t count, Simd simd)
+    : size_(size), count_(count),
+      eigen_({size, count, count + guard_columns, false, ritz_interval}, simd) {
     fill_start();
 }
 
 /// Orthonormal polynomials of degree 1, 2, .. on 0 .. size-1; zeros where there are no more.
-void TangentBatch::fill_start() {
+void GramBatch::fill_start() {
     const double middle = 0.5 * static_cast<double>(size_ - 1);
-    const std::int64_t rows = eigen_.rows();
     const std::int64_t degrees = std::min(eigen_.columns(), size_ - 1);
     AlignedVector<double> before(static_cast<std::size_t>(size_),
                                  1 / std::sqrt(static_cast<double>(size_)));
     const double* lower = before.data();
     for (std::int64_t l = 0; l < degrees; ++l) {
-        double* column = start_.data() + l * rows;
+        double* column = eigen_.start(l);
         for (std::int64_t a = 0; a < size_; ++a)
             column[a] = lower[a] * (static_cast<double>(a) - middle) / (middle + 1);
         for (int pass = 0; pass < 2; ++pass) {
             axpy(-dot(before.data(), column, size_), before.data(), column, size_);
             for (std::int64_t b = 0; b < l; ++b)
-                axpy(-dot(start_.data() + b * rows, column, size_), start_.data() + b * rows,
-                     column, size_);
+                axpy(-dot(eigen_.start(b), column, size_), eigen_.start(b), column, size_);
         }
         const double norm = std::sqrt(dot(column, column, size_));
         for (std::int64_t a = 0; a < size_; ++a)
@@ -95,13 +89,14 @@ void TangentBatch::fill_start() {
     }
 }
 
-void TangentBatch::solve() {
-    run_simd(eigen_.simd(), CorrelationKernel{eigen_.iteration(), start_.data()});
+void GramBatch::solve() {
+    run_simd(eigen_.simd(), CorrelationKernel{eigen_.iteration()});
 }
 
-void TangentBatch::direction(std::int64_t lane, std::int64_t l, double* out) const {
-    for (std::int64_t a = 0; a < size_; ++a)
-        out[a] = eigen_.vector(lane, l, a);
+void GramBatch::directions(std::int64_t lane, std::span<const std::int32_t>, double* out) const {
+    for (std::int64_t l = 0; l < count_; ++l)
+        for (std::int64_t a = 0; a < size_; ++a)
+            *out++ = eigen_.vector(lane, l, a);
 }
 
 } // namespace stltsa::ltsa
