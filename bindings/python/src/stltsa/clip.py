@@ -12,7 +12,8 @@ import numpy as np
 import numpy.typing as npt
 
 from ._arrays import FloatArray, IntArray, as_matrix, columns, read_from, write_to
-from ._call import Call, check, json_text, owned
+from ._call import Call, check, owned
+from ._facts import Described
 from ._native import ffi, lib
 from ._text import c_path, names, string
 
@@ -24,13 +25,15 @@ if TYPE_CHECKING:
 _FORMATS = names("STLTSA_FORMAT_")
 
 
-class Clip:
+class Clip(Described):
     """A motion clip: poses over time, of a skeleton or of bare numbers.
 
     Made by :func:`read_clip`, :meth:`from_array`, :func:`stltsa.synthesize` and
     :meth:`stltsa.Model.poses`. A clip does not change; frames count from 0 in the source file, and
     lengths are in the file's own unit.
     """
+
+    _kind = "clip"
 
     def __init__(self, handle: Any, path: str | None = None, owner: object = None) -> None:
         self._handle = handle
@@ -181,10 +184,6 @@ class Clip:
             The file cannot be written.
         """
         check(lib.stltsa_clip_save(self._handle, c_path(path)))
-
-    def to_json(self) -> str:
-        """Return what is known about the clip as one JSON object (schema stltsa-clip/1)."""
-        return json_text(lib.stltsa_clip_json, self._handle)
 
     def __repr__(self) -> str:
         seconds = f", {self.duration:.2f} s at {self.fps:g} fps" if self.fps else ""

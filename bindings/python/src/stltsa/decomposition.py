@@ -9,7 +9,8 @@ import numpy as np
 
 from . import _html
 from ._arrays import FloatArray, IntArray, columns, write_to
-from ._call import Call, check, get_int, get_real, json_text, owned, texts
+from ._call import Call, check, get_int, get_real, owned, texts
+from ._facts import Described
 from ._native import ffi, lib
 from ._tables import table
 from ._text import string
@@ -80,7 +81,7 @@ def decompose(motion: Any, **options: Unpack[Options]) -> Decomposition:
     return Decomposition(owned("decomposition", out), clip)
 
 
-class Decomposition:
+class Decomposition(Described):
     """Units and cycles of a clip, and the curve that they were read from.
 
     Attributes
@@ -88,6 +89,8 @@ class Decomposition:
     clip : Clip
         What was cut.
     """
+
+    _kind = "decomposition"
 
     def __init__(self, handle: Any, clip: Clip) -> None:
         self._handle = handle
@@ -212,10 +215,6 @@ class Decomposition:
         return texts(
             lib.stltsa_decomposition_warning_count, lib.stltsa_decomposition_warning, self._handle
         )
-
-    def to_json(self) -> str:
-        """Return the result as one JSON object (schema stltsa-decomposition/1)."""
-        return json_text(lib.stltsa_decomposition_json, self._handle)
 
     def __repr__(self) -> str:
         units = ", ".join(f"{u.kind} {u.begin}..{u.end}" for u in self.unit_list)

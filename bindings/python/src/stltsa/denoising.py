@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ._arrays import FloatArray, IntArray, columns, write_to
-from ._call import Call, check, get_int, get_real, json_text, owned
+from ._call import Call, check, get_int, get_real, owned
 from ._clips import call_on_clips, refuse_groups
+from ._facts import Described
 from ._native import ffi, lib
 from .model import Model
 
@@ -65,7 +66,7 @@ def denoise(coords: Any, *, groups: Any = None, **options: Unpack[Options]) -> D
     return Denoising(owned("denoising", out), np.array(points, dtype=np.float64))
 
 
-class Denoising:
+class Denoising(Described):
     """Coordinates before and after cleaning, and the curve they were moved towards.
 
     Attributes
@@ -73,6 +74,8 @@ class Denoising:
     points : ndarray of shape (rows, columns)
         The coordinates as they were.
     """
+
+    _kind = "denoising"
 
     def __init__(self, handle: Any, points: FloatArray) -> None:
         self._handle = handle
@@ -127,10 +130,6 @@ class Denoising:
     def freedom(self) -> FloatArray:
         """Effective degrees of freedom of the curve of each column."""
         return self._reals(lib.STLTSA_DENOISING_FREEDOM)
-
-    def to_json(self) -> str:
-        """Return the result as one JSON object (schema stltsa-denoising/1)."""
-        return json_text(lib.stltsa_denoising_json, self._handle)
 
     def __repr__(self) -> str:
         rows, cols = self.points.shape

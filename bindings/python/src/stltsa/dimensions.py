@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ._call import Call, json_text, owned
+from ._call import Call, owned
 from ._clips import call_on_clips, refuse_groups
+from ._facts import Described
 from ._native import ffi, lib
 from ._text import string
 from .clip import Clip, opened
@@ -56,8 +57,10 @@ def dimension(motion: Any, *, groups: Any = None, **options: Unpack[Options]) ->
     return Dimension(owned("dimension", out))
 
 
-class Dimension:
+class Dimension(Described):
     """Two estimates of the intrinsic dimension; ``None`` stands for "cannot tell"."""
+
+    _kind = "dimension"
 
     def __init__(self, handle: Any) -> None:
         self._handle = handle
@@ -103,10 +106,6 @@ class Dimension:
     def local_variances(self) -> FloatArray:
         """Mean share of a neighborhood's variance along its principal directions."""
         return self._values(lib.stltsa_dimension_local_variances)
-
-    def to_json(self) -> str:
-        """Return the result as one JSON object (schema stltsa-dimension/1)."""
-        return json_text(lib.stltsa_dimension_json, self._handle)
 
     def __repr__(self) -> str:
         return f"<Dimension: local PCA {self.local_pca}, eigengap {self.eigengap}>"

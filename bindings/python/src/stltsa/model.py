@@ -17,8 +17,9 @@ from ._arrays import (
     read_from,
     write_to,
 )
-from ._call import Call, check, get_int, get_real, json_text, owned, texts
+from ._call import Call, check, get_int, get_real, owned, texts
 from ._clips import call_on_clips, frames_and_lengths, refuse_groups
+from ._facts import Described
 from ._native import ffi, lib
 from ._text import c_path, names
 from .clip import Clip, opened
@@ -106,8 +107,10 @@ def _as_hints(hints: Any, rows: int) -> IntArray | None:
     return None if hints is None else as_integers(hints, rows, "hints")
 
 
-class Model:
+class Model(Described):
     """A fitted model; made by :func:`fit`, :meth:`load` and unpickling. It does not change."""
+
+    _kind = "model"
 
     def __init__(self, handle: Any) -> None:
         self._handle = handle
@@ -353,10 +356,6 @@ class Model:
 
     def __reduce__(self) -> tuple[Any, tuple[bytes]]:
         return Model.from_bytes, (self.to_bytes(),)
-
-    def to_json(self) -> str:
-        """Return all that is known about the model as JSON (schema stltsa-model/1)."""
-        return json_text(lib.stltsa_model_json, self._handle)
 
     def __repr__(self) -> str:
         return (

@@ -5,7 +5,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from ._call import Call, check, json_text, owned, texts
+from ._call import Call, check, owned, texts
+from ._facts import Described
 from ._native import ffi, lib
 from ._tables import table
 from .clip import Clip
@@ -113,8 +114,10 @@ def _as_piece(values: Any) -> Piece:
     raise TypeError(f"a piece is a tuple (Clip, begin, end[, repeat]); it is {values!r}")
 
 
-class Synthesis:
+class Synthesis(Described):
     """A new clip and what is known about its seams."""
+
+    _kind = "synthesis"
 
     def __init__(self, handle: Any) -> None:
         self._handle = handle
@@ -143,10 +146,6 @@ class Synthesis:
     def warnings(self) -> tuple[str, ...]:
         """What a user should know about the result, in words."""
         return texts(lib.stltsa_synthesis_warning_count, lib.stltsa_synthesis_warning, self._handle)
-
-    def to_json(self) -> str:
-        """Return the result as one JSON object (schema stltsa-synthesis/1)."""
-        return json_text(lib.stltsa_synthesis_json, self._handle)
 
     def __repr__(self) -> str:
         return f"<Synthesis: {len(self.clip)} frames, {len(self.seam_list)} seams>"

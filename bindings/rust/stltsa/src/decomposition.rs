@@ -16,7 +16,7 @@ use crate::options::Options;
 /// [`Clip::decompose`] makes it.
 #[derive(Debug)]
 pub struct Decomposition {
-    handle: Owned<sys::stltsa_decomposition>,
+    pub(crate) handle: Owned<sys::stltsa_decomposition>,
     units: Vec<Interval>,
     cycles: Vec<Interval>,
     info: DecompositionInfo,

@@ -26,7 +26,7 @@ use crate::options::Options;
 /// ```
 #[derive(Debug)]
 pub struct Denoising {
-    handle: Owned<sys::stltsa_denoising>,
+    pub(crate) handle: Owned<sys::stltsa_denoising>,
     columns: Vec<DenoisedColumn>,
     rows: usize,
 }

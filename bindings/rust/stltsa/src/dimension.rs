@@ -26,7 +26,7 @@ use crate::options::Options;
 /// ```
 #[derive(Debug)]
 pub struct Dimension {
-    handle: Owned<sys::stltsa_dimension_result>,
+    pub(crate) handle: Owned<sys::stltsa_dimension_result>,
 }
 
 /// An estimate, or why there is none.

@@ -22,6 +22,7 @@
 //! * [`Dimension`]: how many coordinates a motion needs.
 //! * [`Denoising`]: the curve without its noise.
 //! * [`Synthesis`]: new motion from pieces of clips.
+//! * [`Facts`]: all else that a clip or a result says about itself, by key.
 //! * [`Options`]: what to do otherwise than by default, progress and cancelling.
 //!
 //! # Conventions
@@ -51,6 +52,7 @@ mod decomposition;
 mod denoising;
 mod dimension;
 mod error;
+mod facts;
 mod handle;
 mod kinds;
 mod mapping;
@@ -67,7 +69,8 @@ pub use decomposition::{Decomposition, DecompositionInfo, Interval};
 pub use denoising::{DenoisedColumn, Denoising};
 pub use dimension::{Dimension, Estimate};
 pub use error::{Error, ErrorKind, Result};
-pub use kinds::{Axis, Features, Format, Mode, Stage, UnitKind};
+pub use facts::Facts;
+pub use kinds::{Axis, Fact, Features, Format, Mode, Stage, UnitKind};
 pub use mapping::{Mapped, Poses, Unmapped};
 pub use model::{Model, ModelInfo};
 pub use options::{options_table, OptionInfo, Options};

@@ -60,7 +60,7 @@ impl<'a> Piece<'a> {
 pub struct Synthesis {
     /// It belongs to `handle`, which ends it.
     clip: ManuallyDrop<Clip>,
-    handle: Owned<sys::stltsa_synthesis>,
+    pub(crate) handle: Owned<sys::stltsa_synthesis>,
     seams: Vec<Seam>,
 }
 

@@ -4,7 +4,10 @@
 mod common;
 
 use common::{after, circle, scratch, value, walker};
-use stltsa::{Clip, Interval, Mode, Model, Options, Piece, Seam, Synthesis};
+use stltsa::{
+    Clip, Denoising, Dimension, ErrorKind, Fact, Interval, Mode, Model, Options, Piece, Seam,
+    Synthesis,
+};
 
 fn count(json: &str, key: &str) -> usize {
     value(json, key).parse().expect("a count")
@@ -77,6 +80,31 @@ fn of_a_decomposition() {
 }
 
 #[test]
+fn by_key() {
+    let clip = swings();
+    assert_eq!(clip.facts().reals(Fact::ClipFps), Ok(vec![60.0]));
+    assert_eq!(clip.facts().ints(Fact::ClipFrames), Ok(vec![831]));
+    assert_eq!(clip.facts().texts(Fact::Path), Ok(vec![String::new()]));
+    assert_eq!(clip.facts().ints(Fact::Neighbors), Ok(vec![]), "a clip has no neighbors");
+    let error = clip.facts().reals(Fact::ClipFrames).unwrap_err();
+    assert_eq!(error.kind(), ErrorKind::Argument);
+    assert!(error.message().contains("clip_frames"), "{error}");
+
+    let found = clip.decompose(&Options::new()).unwrap();
+    assert_eq!(found.facts().ints(Fact::Neighbors), Ok(vec![found.info().neighbors as i64]));
+    assert_eq!(found.facts().texts(Fact::Warning), Ok(found.warnings()));
+
+    let model = Model::fit(&circle(), &Options::new().neighbors(110)).unwrap();
+    assert_eq!(model.facts().reals(Fact::Residual), Ok(vec![model.info().residual]));
+    assert_eq!(model.facts().ints(Fact::ComponentRows), Ok(vec![300]));
+
+    let denoised = Denoising::of_model(&model, &Options::new()).unwrap();
+    assert_eq!(denoised.facts().reals(Fact::Gamma).unwrap().len(), model.info().dimension);
+    let dimension = Dimension::estimate(&circle(), &Options::new().neighbors(110)).unwrap();
+    assert_eq!(dimension.facts().reals(Fact::Eigenvalue), Ok(dimension.eigenvalues()));
+}
+
+#[test]
 #[ignore = "needs STLTSA_TEST_CLIP"]
 fn of_a_seam() {
     let clip = walker();
@@ -95,5 +123,6 @@ fn of_a_seam() {
     assert_eq!((posture, step), (real(json, "posture"), real(json, "step")));
     assert_eq!(acceleration, real(json, "acceleration"));
     assert_ne!(cut_end, cut_begin);
+    assert_eq!(made.facts().ints(Fact::PieceBegin).unwrap().len(), 2);
     made.clip().save(scratch("joined.bvh")).unwrap();
 }

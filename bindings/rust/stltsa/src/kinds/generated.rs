@@ -77,6 +77,146 @@ kinds! {
         /// One cycle of the cyclic unit.
         Cycle = STLTSA_UNIT_CYCLE,
     }
+    /// Facts by key, with their types; those with `[]` are lists.
+    Fact {
+        /// `text[]`: path of the clip as given; empty: from memory.
+        Path = STLTSA_INFO_PATH,
+        /// `int[]`: STLTSA_FORMAT_* of the clip.
+        Format = STLTSA_INFO_FORMAT,
+        /// `int[]`: frames of the clip.
+        ClipFrames = STLTSA_INFO_CLIP_FRAMES,
+        /// `real[]`: frames a second of the clip; 0: unknown.
+        ClipFps = STLTSA_INFO_CLIP_FPS,
+        /// `text[]`: what the reader of the clip assumed.
+        Note = STLTSA_INFO_NOTE,
+        /// `text[]`: names of the clip's channels; none if the file has no names.
+        Channel = STLTSA_INFO_CHANNEL,
+        /// `int`: STLTSA_FEATURES_* used.
+        Features = STLTSA_INFO_FEATURES,
+        /// `int`: columns of the features.
+        FeatureCount = STLTSA_INFO_FEATURE_COUNT,
+        /// `int`: axis that points up: 1, 2, 3 for x, y, z; 0: none was needed.
+        UpAxis = STLTSA_INFO_UP_AXIS,
+        /// `real`: sigma in seconds of the Gaussian on the features; 0: none.
+        Smoothing = STLTSA_INFO_SMOOTHING,
+        /// `int`: rows that the method worked on.
+        Rows = STLTSA_INFO_ROWS,
+        /// `int[]`: rows of each clip; of a denoising, of each spline.
+        Length = STLTSA_INFO_LENGTH,
+        /// `int[]`: row i of a clip is its source frame first_frame + i * frame_step.
+        FirstFrame = STLTSA_INFO_FIRST_FRAME,
+        /// `int`: see first_frame; 1 for matrices.
+        FrameStep = STLTSA_INFO_FRAME_STEP,
+        /// `real`: rows a second; 0: unknown.
+        Fps = STLTSA_INFO_FPS,
+        /// `int`: STLTSA_MODE_*.
+        Mode = STLTSA_INFO_MODE,
+        /// `int`: k used, in rows.
+        Neighbors = STLTSA_INFO_NEIGHBORS,
+        /// `int`: w used, in rows to each side.
+        Window = STLTSA_INFO_WINDOW,
+        /// `int`: tangent dimension d.
+        Dimension = STLTSA_INFO_DIMENSION,
+        /// `int`: 1: a row is among its own neighbors.
+        IncludeSelf = STLTSA_INFO_INCLUDE_SELF,
+        /// `int`: Recurrent: neighbors from outside the exclusion zone.
+        Links = STLTSA_INFO_LINKS,
+        /// `int`: Recurrent: half width of that zone in rows.
+        Exclusion = STLTSA_INFO_EXCLUSION,
+        /// `real`: period in seconds; 0: none.
+        Period = STLTSA_INFO_PERIOD,
+        /// `real`: 1 - D(T) of the period; 1: perfect, 0: no period.
+        LagQuality = STLTSA_INFO_LAG_QUALITY,
+        /// `real`: shortest period looked for, in seconds; 0: no search was made.
+        PeriodMin = STLTSA_INFO_PERIOD_MIN,
+        /// `real`: longest period looked for, in seconds; 0: no search was made.
+        PeriodMax = STLTSA_INFO_PERIOD_MAX,
+        /// `int`: rows collapsed because they repeat the one before.
+        Repeated = STLTSA_INFO_REPEATED,
+        /// `real`: absolute rank correlation of coordinate 1 with time, over at most 2^14 frames of
+        /// the largest component; 1: it only follows time.
+        TimeCorrelation = STLTSA_INFO_TIME_CORRELATION,
+        /// `real`: distance from the fitted frames, in units of the features, up to which a new
+        /// frame is like them; 0: the model cannot map.
+        Reach = STLTSA_INFO_REACH,
+        /// `int[]`: distinct rows of each component of the neighborhood graph.
+        ComponentRows = STLTSA_INFO_COMPONENT_ROWS,
+        /// `int[]`: windows of fewer than d directions in each component.
+        RankDeficient = STLTSA_INFO_RANK_DEFICIENT,
+        /// `int[]`: applications of the inverse operator by ARPACK, for each component.
+        Solves = STLTSA_INFO_SOLVES,
+        /// `real[]`: largest ||B u - lambda u|| / k of each component.
+        Residual = STLTSA_INFO_RESIDUAL,
+        /// `real[]`: estimate of the largest principal angle to the exact embedding, in radians,
+        /// for each component.
+        ErrorEstimate = STLTSA_INFO_ERROR_ESTIMATE,
+        /// `real[]`: lambda_{d+2} / lambda_{d+1} of each component; near 1: the curve is
+        /// ill-defined.
+        Gap = STLTSA_INFO_GAP,
+        /// `int`: 1-based column that was cut; 0: none.
+        Coordinate = STLTSA_INFO_COORDINATE,
+        /// `real`: how well that coordinate repeats once a period; 1: perfect.
+        Cyclicity = STLTSA_INFO_CYCLICITY,
+        /// `int`: index of the paper's cycle (first to third candidate); -1: none.
+        Representative = STLTSA_INFO_REPRESENTATIVE,
+        /// `int`: index of the cycle most like the others; -1: none.
+        Best = STLTSA_INFO_BEST,
+        /// `text`: why no cycle is claimed; empty if cycles are.
+        Reason = STLTSA_INFO_REASON,
+        /// `real[]`: eigenvalues, ascending, the zero one first: of B, and of B / k in a dimension.
+        Eigenvalue = STLTSA_INFO_EIGENVALUE,
+        /// `int`: intrinsic dimension by local PCA; 0: cannot tell.
+        LocalPca = STLTSA_INFO_LOCAL_PCA,
+        /// `int`: intrinsic dimension by the eigengap; 0: cannot tell.
+        Eigengap = STLTSA_INFO_EIGENGAP,
+        /// `text`: why local PCA cannot tell; empty if it can.
+        LocalPcaReason = STLTSA_INFO_LOCAL_PCA_REASON,
+        /// `text`: why the eigengap cannot tell; empty if it can.
+        EigengapReason = STLTSA_INFO_EIGENGAP_REASON,
+        /// `real`: share of local variance that local PCA must hold.
+        Variance = STLTSA_INFO_VARIANCE,
+        /// `real`: tau of section 2.3 as a fraction of k.
+        EigengapThreshold = STLTSA_INFO_EIGENGAP_THRESHOLD,
+        /// `real[]`: mean share of a neighborhood's variance along each of its principal
+        /// directions.
+        LocalVariance = STLTSA_INFO_LOCAL_VARIANCE,
+        /// `real[]`: threshold used in each column.
+        Gamma = STLTSA_INFO_GAMMA,
+        /// `real[]`: d_t: mean distance of the points beyond gamma in each column.
+        Shift = STLTSA_INFO_SHIFT,
+        /// `real[]`: robust standard deviation of the residuals of each column.
+        Noise = STLTSA_INFO_NOISE,
+        /// `real[]`: effective degrees of freedom of the curve of each column.
+        DegreesOfFreedom = STLTSA_INFO_DEGREES_OF_FREEDOM,
+        /// `int[]`: points that were moved in each column.
+        Moved = STLTSA_INFO_MOVED,
+        /// `real`: option gamma; -1: chosen for each column.
+        GammaOption = STLTSA_INFO_GAMMA_OPTION,
+        /// `real`: rows between the knots of the curve.
+        KnotRows = STLTSA_INFO_KNOT_ROWS,
+        /// `int`: 1: spikes do not pull at the curve.
+        Robust = STLTSA_INFO_ROBUST,
+        /// `real`: period_min of the model whose coordinates these are; 0: none.
+        FitPeriodMin = STLTSA_INFO_FIT_PERIOD_MIN,
+        /// `real`: period_max of that model; 0: none.
+        FitPeriodMax = STLTSA_INFO_FIT_PERIOD_MAX,
+        /// `real`: option crossfade; -1: chosen for each seam.
+        Crossfade = STLTSA_INFO_CROSSFADE,
+        /// `real`: option cut_range; -1: chosen for each seam.
+        CutRange = STLTSA_INFO_CUT_RANGE,
+        /// `real`: option posture_limit; 0: none.
+        PostureLimit = STLTSA_INFO_POSTURE_LIMIT,
+        /// `text[]`: path of the clip of each piece; empty: from memory.
+        PiecePath = STLTSA_INFO_PIECE_PATH,
+        /// `int[]`: first frame of each piece.
+        PieceBegin = STLTSA_INFO_PIECE_BEGIN,
+        /// `int[]`: frame after the last of each piece.
+        PieceEnd = STLTSA_INFO_PIECE_END,
+        /// `int[]`: how often each piece is played.
+        PieceRepeat = STLTSA_INFO_PIECE_REPEAT,
+        /// `text[]`: what a user should know about the result.
+        Warning = STLTSA_INFO_WARNING,
+    }
     /// Kinds of failure. Each function lists those that it can return.
     ErrorKind {
         /// NULL where not allowed, unknown key, value out of range.

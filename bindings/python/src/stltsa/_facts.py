@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What an object of the library says about itself: by name, and as JSON."""
+
+from __future__ import annotations
+
+from typing import Any, ClassVar, NamedTuple
+
+from ._call import check, json_text
+from ._native import ffi, lib
+from ._text import names, string
+
+_HANDLES = {name: bit for bit, name in names("STLTSA_HANDLE_").items()}
+_READERS: dict[int, tuple[Any, str, Any]] = {
+    lib.STLTSA_TYPE_INT: (lib.stltsa_info_int, "int64_t *", int),
+    lib.STLTSA_TYPE_REAL: (lib.stltsa_info_real, "double *", float),
+    lib.STLTSA_TYPE_TEXT: (lib.stltsa_info_text, "char const **", string),
+}
+
+
+class _Key(NamedTuple):
+    key: int
+    type: int
+    name: str
+    choices: dict[int, str]
+    is_list: bool
+    handles: int
+
+    @classmethod
+    def at(cls, index: int) -> _Key:
+        row = ffi.new("stltsa_info_key *", {"size": ffi.sizeof("stltsa_info_key")})
+        check(lib.stltsa_info_describe(index, row))
+        named = string(row.choices).split() if row.choices else []
+        choices = {int(value): name for name, value in (choice.split("=") for choice in named)}
+        return cls(row.key, row.type, string(row.name), choices, bool(row.is_list), row.handles)
+
+    def value(self, info: Any, index: int) -> Any:
+        read, place, as_python = _READERS[self.type]
+        out = ffi.new(place)
+        check(read(info, self.key, index, out))
+        value = as_python(out[0])
+        return self.choices.get(value, value)
+
+
+_KEYS = tuple(map(_Key.at, range(lib.stltsa_info_key_count())))
+
+
+class Described:
+    """An object of the library; `_kind` is the middle of ``stltsa_<kind>_info``."""
+
+    _kind: ClassVar[str]
+    _handle: Any
+
+    @property
+    def facts(self) -> dict[str, Any]:
+        """All that is known, by name, in the terms of the library.
+
+        ``stltsa.h`` says what each is (``STLTSA_INFO_*``). Lists are tuples; values that have names
+        have them: ``"positions"``. A fact that this object does not have is not in it.
+        """
+        info = getattr(lib, f"stltsa_{self._kind}_info")(self._handle)
+        result: dict[str, Any] = {}
+        for key in _KEYS:
+            if not key.handles & _HANDLES[self._kind]:
+                continue
+            count = lib.stltsa_info_count(info, key.key)
+            values = tuple(key.value(info, index) for index in range(count))
+            if key.is_list:
+                result[key.name] = values
+            elif values:
+                result[key.name] = values[0]
+        return result
+
+    def to_json(self) -> str:
+        """Return all that is known as one JSON object; its schema is ``stltsa-<kind>/1``."""
+        return json_text(getattr(lib, f"stltsa_{self._kind}_json"), self._handle)
