@@ -23,6 +23,8 @@
  *     stltsa_decomposition_free(units);
  *     stltsa_clip_free(clip);
  *
+ * The library runs on Linux, and is built by GCC or Clang.
+ *
  * Rules that hold for every function:
  *
  * Errors.     A function that can fail returns stltsa_status: STLTSA_OK (0) or a negative
@@ -60,14 +62,13 @@
 #define STLTSA_VERSION_MAJOR 0
 #define STLTSA_VERSION_MINOR 1
 #define STLTSA_VERSION_PATCH 0
+#define STLTSA_VERSION_NUMBER                                                                      \
+    (STLTSA_VERSION_MAJOR * 10000 + STLTSA_VERSION_MINOR * 100 + STLTSA_VERSION_PATCH)
 
-#if defined(_WIN32)
-#define STLTSA_API
-#elif defined(__GNUC__)
-#define STLTSA_API __attribute__((visibility("default")))
-#else
-#define STLTSA_API
+#if !defined(__linux__)
+#error "libstltsa runs on Linux only"
 #endif
+#define STLTSA_API __attribute__((visibility("default")))
 
 #ifdef __cplusplus
 #define STLTSA_NOEXCEPT noexcept
@@ -100,7 +101,7 @@ enum {
     STLTSA_E_NO_COMMON_POSTURE = -14 /* two pieces of motion have no posture at which to join */
 };
 
-/* "STLTSA_E_SHAPE" and so on; "STLTSA_E_UNKNOWN" for values this version does not know. */
+/* "STLTSA_E_SHAPE" and so on; "STLTSA_E_UNKNOWN" for values that this version does not know. */
 STLTSA_API const char *stltsa_status_name(stltsa_status status) STLTSA_NOEXCEPT;
 
 /* The text of the last failure on this thread; "" before any. Valid until this thread's next
@@ -109,6 +110,17 @@ STLTSA_API const char *stltsa_last_error(void) STLTSA_NOEXCEPT;
 
 /* "0.1.0". The version of the library that runs, not of this header. */
 STLTSA_API const char *stltsa_version(void) STLTSA_NOEXCEPT;
+
+/* The same as a number that compares: STLTSA_VERSION_NUMBER as it was when the library was built. */
+STLTSA_API int32_t stltsa_version_number(void) STLTSA_NOEXCEPT;
+
+/* Parts that a build of the library may be without. */
+enum {
+    STLTSA_HAS_CHOLMOD = 1, /* modes spatial and recurrent; without it: E_UNSUPPORTED */
+    STLTSA_HAS_OPENBLAS = 2 /* BLAS is OpenBLAS: a fit sets it to one thread, and then back */
+};
+/* 1: this build has the part; 0: it does not, or does not know the part. */
+STLTSA_API int32_t stltsa_has(int32_t part) STLTSA_NOEXCEPT;
 
 /* ---- Arrays ----------------------------------------------------------------------------- */
 
@@ -622,7 +634,8 @@ enum {
     STLTSA_UNIT_ACTION = 6,    /* moving, and no cycle is claimed there */
     STLTSA_UNIT_CYCLE = 7      /* one cycle of the cyclic unit */
 };
-/* "preparing", "initial", "cyclic", "final", "wind-up", "action", "cycle"; "" for others. */
+/* "preparing", "initial", "cyclic", "final", "wind-up", "action", "cycle"; "unknown" for
+ * others. */
 STLTSA_API const char *stltsa_unit_name(int32_t kind) STLTSA_NOEXCEPT;
 
 /* [begin, end) in source frames, rounded; in seconds with fractions of a frame kept. Frozen. */

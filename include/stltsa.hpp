@@ -180,6 +180,13 @@ std::vector<std::string> texts(Count count, Text text, const T* handle) {
 inline std::string version() {
     return stltsa_version();
 }
+inline std::int32_t version_number() noexcept {
+    return stltsa_version_number();
+}
+/// Whether this build has the part STLTSA_HAS_*.
+inline bool has(std::int32_t part) noexcept {
+    return stltsa_has(part) != 0;
+}
 inline std::string status_name(stltsa_status status) {
     return stltsa_status_name(status);
 }

@@ -189,7 +189,7 @@ const char* stltsa_unit_name(int32_t kind) noexcept {
     case STLTSA_UNIT_CYCLE:
         return "cycle";
     default:
-        return "";
+        return "unknown";
     }
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <array>
 #include <cstring>
 
@@ -61,8 +62,13 @@ thread_local std::array<char, 1024> last_error_text{};
 
 stltsa_status remember(Status status, const char* text) noexcept {
     auto& to = last_error_text;
-    std::strncpy(to.data(), text, to.size() - 1);
-    to.back() = '\0';
+    std::size_t size = std::min(std::strlen(text), to.size() - 1);
+    // A text that is too long ends before a character of UTF-8, not within one.
+    if (text[size] != '\0')
+        while (size > 0 && (static_cast<unsigned char>(text[size]) & 0xC0) == 0x80)
+            --size;
+    std::memcpy(to.data(), text, size);
+    to[size] = '\0';
     return static_cast<stltsa_status>(status);
 }
 
@@ -85,4 +91,23 @@ const char* stltsa_last_error(void) noexcept {
 const char* stltsa_version(void) noexcept {
     return STLTSA_TEXT(STLTSA_VERSION_MAJOR) "." STLTSA_TEXT(STLTSA_VERSION_MINOR) "." STLTSA_TEXT(
         STLTSA_VERSION_PATCH);
+}
+
+int32_t stltsa_version_number(void) noexcept {
+    return STLTSA_VERSION_NUMBER;
+}
+
+int32_t stltsa_has(int32_t part) noexcept {
+    switch (part) {
+#ifdef STLTSA_CHOLMOD
+    case STLTSA_HAS_CHOLMOD:
+        return 1;
+#endif
+#ifdef STLTSA_OPENBLAS
+    case STLTSA_HAS_OPENBLAS:
+        return 1;
+#endif
+    default:
+        return 0;
+    }
 }

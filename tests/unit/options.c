@@ -126,11 +126,47 @@ static void names(void** state) {
     assert_string_equal(stltsa_status_name(1), "STLTSA_E_UNKNOWN");
     assert_string_equal(stltsa_status_name(INT32_MIN), "STLTSA_E_UNKNOWN");
     assert_string_equal(stltsa_unit_name(STLTSA_UNIT_WIND_UP), "wind-up");
-    assert_string_equal(stltsa_unit_name(0), "");
+    assert_string_equal(stltsa_unit_name(0), "unknown");
     char version[32];
     snprintf(version, sizeof version, "%d.%d.%d", STLTSA_VERSION_MAJOR, STLTSA_VERSION_MINOR,
              STLTSA_VERSION_PATCH);
     assert_string_equal(stltsa_version(), version);
+    assert_int_equal(stltsa_version_number(), STLTSA_VERSION_NUMBER);
+    assert_int_equal(STLTSA_VERSION_NUMBER, 100);
+}
+
+static void a_build_says_what_it_has(void** state) {
+    (void)state;
+    const double circle[5][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {0.5, 0.5}};
+    const stltsa_in in = {circle, 5, 2, 0, 0, STLTSA_F64, 0};
+    stltsa_options* options = NULL;
+    stltsa_model* model = NULL;
+    must(stltsa_options_new(&options));
+    must(stltsa_options_set_int(options, STLTSA_OPT_MODE, STLTSA_MODE_SPATIAL));
+    must(stltsa_options_set_int(options, STLTSA_OPT_NEIGHBORS, 4));
+    const stltsa_status status = stltsa_fit(&in, NULL, 0, options, &model);
+    assert_int_equal(stltsa_has(STLTSA_HAS_CHOLMOD), status != STLTSA_E_UNSUPPORTED);
+    assert_in_range(stltsa_has(STLTSA_HAS_OPENBLAS), 0, 1);
+    assert_int_equal(stltsa_has(0), 0);
+    assert_int_equal(stltsa_has(12345), 0);
+    stltsa_model_free(model);
+    stltsa_options_free(options);
+}
+
+static void a_long_text_ends_before_a_character(void** state) {
+    (void)state;
+    char path[2002];
+    stltsa_clip* clip = NULL;
+    for (size_t ascii = 0; ascii < 2; ++ascii) {
+        memset(path, 'a', ascii);
+        for (size_t i = ascii; i + 1 < sizeof path; i += 2)
+            memcpy(path + i, "\xC3\xA9", 2); /* an e with an acute accent */
+        path[ascii + 2000] = '\0';
+        assert_int_not_equal(stltsa_clip_open(path, NULL, &clip), STLTSA_OK);
+        const size_t length = strlen(stltsa_last_error());
+        assert_in_range(length, 1022, 1023);
+        assert_int_equal((length - ascii) % 2, 0);
+    }
 }
 
 int main(void) {
@@ -140,6 +176,8 @@ int main(void) {
         cmocka_unit_test(ranges_types_and_keys_are_checked),
         cmocka_unit_test(a_shorter_description_is_not_written_past),
         cmocka_unit_test(names),
+        cmocka_unit_test(a_build_says_what_it_has),
+        cmocka_unit_test(a_long_text_ends_before_a_character),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -84,6 +84,9 @@ bool is_object(const std::string& json, const std::string& kind) {
 
 void names_and_versions_are_those_of_the_library(void**) {
     assert_string_equal(stltsa::version().c_str(), stltsa_version());
+    assert_int_equal(stltsa::version_number(), stltsa_version_number());
+    assert_int_equal(stltsa::has(STLTSA_HAS_CHOLMOD), stltsa_has(STLTSA_HAS_CHOLMOD));
+    assert_false(stltsa::has(0));
     assert_string_equal(stltsa::status_name(STLTSA_E_SHAPE).c_str(), "STLTSA_E_SHAPE");
     assert_string_equal(stltsa::unit_name(STLTSA_UNIT_WIND_UP).c_str(), "wind-up");
 }

@@ -3,6 +3,7 @@
 pub const STLTSA_VERSION_MAJOR: i32 = 0;
 pub const STLTSA_VERSION_MINOR: i32 = 1;
 pub const STLTSA_VERSION_PATCH: i32 = 0;
+pub const STLTSA_VERSION_NUMBER: i32 = 100;
 pub type stltsa_status = i32;
 pub const STLTSA_OK: i32 = 0;
 pub const STLTSA_E_ARGUMENT: i32 = -1;
@@ -27,6 +28,14 @@ extern "C" {
 }
 extern "C" {
     pub fn stltsa_version() -> *const ::std::os::raw::c_char;
+}
+extern "C" {
+    pub fn stltsa_version_number() -> i32;
+}
+pub const STLTSA_HAS_CHOLMOD: i32 = 1;
+pub const STLTSA_HAS_OPENBLAS: i32 = 2;
+extern "C" {
+    pub fn stltsa_has(part: i32) -> i32;
 }
 pub const STLTSA_F32: i32 = 1;
 pub const STLTSA_F64: i32 = 2;
