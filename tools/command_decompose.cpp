@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "commands.hpp"
+#include "json.hpp"
 #include "make_figure.hpp"
 #include "report.hpp"
 #include "session.hpp"
@@ -7,33 +8,23 @@
 namespace tool {
 namespace {
 
-/// The curve and the loop for those who want to plot themselves; NaN becomes null.
-Json samples_json(const stltsa::Decomposition& decomposition, const Json& samples) {
-    const auto count = samples["count"].get<std::int64_t>();
-    const auto first = samples["first_frame"].get<std::int64_t>();
-    const auto step = samples["frame_step"].get<std::int64_t>();
-    const stltsa::Matrix loop = decomposition.loop();
-    Json frames = Json::array();
-    Json points = Json::array();
-    for (std::int64_t i = 0; i < count; ++i) {
-        frames.push_back(first + i * step);
-        points.push_back({loop(i, 0), loop(i, 1)});
-    }
-    return {{"frames", frames}, {"values", decomposition.curve().values}, {"loop", points}};
+/// With the curve and the loop for those who want to plot themselves; NaN becomes null.
+std::string json_with_samples(const stltsa::Decomposition& found) {
+    return with_member(found.json(), "curve",
+                       JsonObject("frames", json_frames(found.info()), "values",
+                                  found.curve().values, "loop", json_rows(found.loop())));
 }
 
 } // namespace
 
 Exit run_decompose(const Arguments& arguments) {
     Session session(arguments);
-    const stltsa::Decomposition decomposition =
-        stltsa::decompose(session.open_input(), session.options());
-    Json object = parsed_json(decomposition.json());
+    const stltsa::Decomposition found = stltsa::decompose(session.open_input(), session.options());
     if (!arguments.plot.empty())
-        session.add_file(arguments.plot, decomposition_figure(session, object, decomposition));
-    if (arguments.curve)
-        object["curve"] = samples_json(decomposition, object["samples"]);
-    session.finish(object, decomposition_report(object, session.title(), session.colors()));
+        session.add_file(arguments.plot, decomposition_figure(session, found));
+    session.finish({[&] { return arguments.curve ? json_with_samples(found) : found.json(); },
+                    [&] { return decomposition_report(found, session.title()); },
+                    found.warnings()});
     return Exit::done;
 }
 

@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include "choices.hpp"
 #include "commands.hpp"
+#include "json.hpp"
 #include "make_figure.hpp"
 #include "option_flags.hpp"
 #include "report.hpp"
@@ -12,15 +14,10 @@
 namespace tool {
 namespace {
 
-/// Coordinates before, the result, and what the library says of it.
+/// Coordinates before, and the result.
 struct Cleaning {
     stltsa::Matrix points;
     stltsa::Denoising denoising;
-    Json object;
-
-    Cleaning(stltsa::Matrix before, stltsa::Denoising after)
-        : points(std::move(before)), denoising(std::move(after)),
-          object(parsed_json(denoising.json())) {}
 };
 
 Cleaning clean_model(const Session& session, const stltsa::Model& model) {
@@ -31,11 +28,10 @@ Cleaning clean_model(const Session& session, const stltsa::Model& model) {
 Cleaning clean_columns(Session& session, const stltsa::Clip& clip) {
     if (clip.joint_count() > 0)
         throw Failure(Exit::usage, "--coordinates goes with a CSV or NPY file; this is a motion");
-    const stltsa::Matrix points = clip.features();
+    stltsa::Matrix points = clip.features();
     session.set_fps(clip.fps());
-    Cleaning cleaning(points, stltsa::denoise(points, session.options()));
-    cleaning.object["clip"] = parsed_json(clip.json())["clip"];
-    return cleaning;
+    stltsa::Denoising denoising = stltsa::denoise(points, session.options());
+    return {std::move(points), std::move(denoising)};
 }
 
 /// Of what is not fitted here, options of a fit would change nothing.
@@ -68,41 +64,49 @@ Cleaning clean(Session& session) {
     return clean_model(session, stltsa::fit(clip, session.options()));
 }
 
-Json rows_of(const stltsa::Matrix& table) {
-    Json rows = Json::array();
-    for (std::int64_t r = 0; r < table.rows; ++r)
-        rows.push_back(table.row(r));
-    return rows;
+/// The clip that the coordinates were read from, of which the library does not know.
+Json clip_json(const stltsa::Clip& clip) {
+    const stltsa::Info info = clip.info();
+    const double duration = clip.fps() > 0 ? static_cast<double>(clip.frames()) / clip.fps() : 0;
+    return JsonObject("path", json_or_null(info.text(STLTSA_INFO_PATH)), "format",
+                      named(info, STLTSA_INFO_FORMAT), "frames", clip.frames(), "fps",
+                      json_or_null(clip.fps()), "duration_s", json_or_null(duration), "features",
+                      named(info, STLTSA_INFO_FEATURES), "dropped_start_frames",
+                      info.integer(STLTSA_INFO_FIRST_FRAME), "notes", info.texts(STLTSA_INFO_NOTE));
 }
 
-Json curve_json(const Cleaning& cleaning) {
-    const Json& samples = cleaning.object["samples"];
-    Json frames = Json::array();
-    for (std::int64_t i = 0; i < cleaning.points.rows; ++i)
-        frames.push_back(samples["first_frame"].get<std::int64_t>() +
-                         i * samples["frame_step"].get<std::int64_t>());
-    return {{"frames", frames},
-            {"points", rows_of(cleaning.points)},
-            {"fitted", rows_of(cleaning.denoising.curve())},
-            {"cleaned", rows_of(cleaning.denoising.cleaned())}};
+std::string denoising_json(const Session& session, const Cleaning& cleaning) {
+    const stltsa::Denoising& denoising = cleaning.denoising;
+    std::string object = denoising.json();
+    if (session.arguments().coordinates) {
+        const std::string no_clip = "\"clip\":null";
+        object.replace(object.find(no_clip), no_clip.size(),
+                       "\"clip\":" + clip_json(session.clip()).text());
+    }
+    if (!session.arguments().curve)
+        return object;
+    return with_member(object, "curve",
+                       JsonObject("frames", json_frames(denoising.info()), "points",
+                                  json_rows(cleaning.points), "fitted",
+                                  json_rows(denoising.curve()), "cleaned",
+                                  json_rows(denoising.cleaned())));
 }
 
 } // namespace
 
 Exit run_denoise(const Arguments& arguments) {
     Session session(arguments);
-    Cleaning cleaning = clean(session);
+    const Cleaning cleaning = clean(session);
+    const stltsa::Denoising& denoising = cleaning.denoising;
     if (!arguments.product.empty())
-        session.add_table(arguments.product, cleaning.denoising.cleaned());
+        session.add_table(arguments.product, denoising.cleaned());
     if (!arguments.curve_product.empty())
-        session.add_table(arguments.curve_product, cleaning.denoising.curve());
+        session.add_table(arguments.curve_product, denoising.curve());
     if (!arguments.plot.empty())
-        session.add_file(arguments.plot,
-                         denoising_figure(cleaning.object, cleaning.points, cleaning.denoising));
-    if (arguments.curve)
-        cleaning.object["curve"] = curve_json(cleaning);
-    session.finish(cleaning.object,
-                   denoising_report(cleaning.object, session.title(), session.colors()));
+        session.add_file(arguments.plot, denoising_figure(session, cleaning.points, denoising));
+    session.finish({[&] { return denoising_json(session, cleaning); },
+                    [&] { return denoising_report(denoising, session.title()); },
+                    denoising.info().texts(STLTSA_INFO_WARNING)});
     return Exit::done;
 }
 

@@ -7,11 +7,11 @@ namespace tool {
 
 Exit run_dimension(const Arguments& arguments) {
     Session session(arguments);
-    const Json object =
-        parsed_json(stltsa::dimension(session.open_input(), session.options()).json());
-    session.finish(object, dimension_report(object, session.title(), session.colors()));
-    const bool nothing =
-        object["local_pca"]["dimension"].is_null() && object["eigengap"]["dimension"].is_null();
+    const stltsa::Dimension found = stltsa::dimension(session.open_input(), session.options());
+    session.finish({[&] { return found.json(); },
+                    [&] { return dimension_report(found, session.title()); },
+                    {}});
+    const bool nothing = found.local_pca().dimension == 0 && found.eigengap().dimension == 0;
     return nothing ? Exit::untrustworthy : Exit::done;
 }
 

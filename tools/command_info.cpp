@@ -7,9 +7,9 @@ namespace tool {
 
 Exit run_info(const Arguments& arguments) {
     Session session(arguments);
-    session.open_input();
-    const Json clip = parsed_json(session.clip().json());
-    session.finish(clip, info_report(clip, session.title(), session.colors()));
+    const stltsa::Clip& clip = session.open_input();
+    session.finish(
+        {[&] { return clip.json(); }, [&] { return info_report(clip, session.title()); }, {}});
     return Exit::done;
 }
 

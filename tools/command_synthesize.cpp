@@ -18,10 +18,10 @@ Exit run_synthesize(const Arguments& arguments) {
         pieces.push_back(finder.find(text));
     const stltsa::Synthesis made = stltsa::synthesize(pieces, session.options());
     session.add_clip(arguments.product, made.clip());
-    const Json object = parsed_json(made.json());
     if (!arguments.plot.empty())
-        session.add_file(arguments.plot, synthesis_figure(object, arguments, made.clip()));
-    session.finish(object, synthesis_report(object, arguments.pieces, session.colors()));
+        session.add_file(arguments.plot, synthesis_figure(arguments, made));
+    session.finish({[&] { return made.json(); },
+                    [&] { return synthesis_report(made, arguments.pieces); }, made.warnings()});
     return Exit::done;
 }
 

@@ -60,19 +60,20 @@ Exit run_unmap(const Arguments& arguments) {
     session.set_fps(input.fps());
     const std::vector<std::int64_t> hints =
         arguments.follow ? followed(session, model, points) : std::vector<std::int64_t>();
-    stltsa::Mapped mapped;
+    Mapping mapping{arguments, model, {}, rate_of(input, model), {}};
     std::optional<stltsa::Clip> clip;
     if (poses_wanted(arguments.product)) {
         stltsa::Poses poses = model.unmap_clip(points, session.options(), hints);
-        mapped = {{}, std::move(poses.distance), std::move(poses.nearest)};
+        mapping.rows = {{}, std::move(poses.distance), std::move(poses.nearest)};
         clip = std::move(poses.clip);
         session.add_clip(arguments.product, *clip);
     } else {
-        mapped = model.unmap(points, session.options(), hints);
-        session.add_table(arguments.product, mapped.values, "feature");
+        mapping.rows = model.unmap(points, session.options(), hints);
+        session.add_table(arguments.product, mapping.rows.values, "feature");
     }
-    const Json object = mapping_json("unmap", arguments, model, mapped, rate_of(input, model));
-    session.finish(object, mapping_report(object, session.title(), session.colors()));
+    session.finish({[&] { return mapping_json(mapping); },
+                    [&] { return mapping_report(mapping, session.title()); },
+                    {}});
     return Exit::done;
 }
 

@@ -1,15 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// What the command adds to the library's JSON.
 #pragma once
 
 #include <string>
 
-#include <nlohmann/json.hpp>
+#include <stltsa.hpp>
+
+#include "capi/json_value.hpp"
 
 namespace tool {
 
-using Json = nlohmann::ordered_json;
+using Json = stltsa::capi::Json;
+using JsonObject = stltsa::capi::JsonObject;
 
-/// Compiled once: in every file that asks for an object it would be half of what that takes.
-Json parsed_json(const std::string& text);
+/// null for "", as the path of what was read from memory.
+Json json_or_null(const std::string& text);
+/// null for 0, as a rate that is unknown.
+Json json_or_null(double value);
+Json json_rows(const stltsa::Matrix& table);
+/// The frames of the working samples.
+Json json_frames(const stltsa::Info& samples);
+
+/// An object with one member more.
+std::string with_member(std::string object, const char* name, const Json& value);
 
 } // namespace tool

@@ -2,12 +2,12 @@
 #include "make_figure.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <filesystem>
 
 #include <fmt/format.h>
 
+#include "choices.hpp"
 #include "plot/denoise_figure.hpp"
 #include "plot/figure.hpp"
 #include "plot/seam_figure.hpp"
@@ -17,8 +17,8 @@
 namespace tool {
 namespace {
 
-/// The body, for clips with a skeleton; `up` is "x", "y" or "z".
-std::optional<plot::SideView> bodies_of(const stltsa::Clip& clip, const Json& up) {
+/// The body, for clips with a skeleton; `up`: 1, 2, 3 for x, y, z, 0 for none.
+std::optional<plot::SideView> bodies_of(const stltsa::Clip& clip, std::int64_t up) {
     if (clip.joint_count() == 0)
         return std::nullopt;
     plot::Bodies bodies;
@@ -26,64 +26,57 @@ std::optional<plot::SideView> bodies_of(const stltsa::Clip& clip, const Json& up
         bodies.joints.push_back({joint.name, joint.parent});
     bodies.positions = clip.positions();
     bodies.rotations = clip.rotations();
-    bodies.up = up.is_null() ? 1 : up.get<std::string>()[0] - 'x';
+    bodies.up = up > 0 ? static_cast<int>(up) - 1 : 1;
     return plot::SideView(std::move(bodies));
 }
 
-/// The file's name, from the JSON: there it is UTF-8, whatever the name's bytes are.
-std::string title_of(const Json& clip) {
-    if (clip["path"].is_null())
-        return "standard input";
-    return std::filesystem::path(clip["path"].get<std::string>()).filename().string();
-}
-
-plot::Figure figure_of(const Session& session, const Json& object) {
+plot::Figure figure_of(const Session& session, const stltsa::Info& info) {
     plot::Figure figure;
-    figure.title = title_of(object["clip"]);
+    figure.title = session.title();
     figure.frames = session.clip().frames();
     figure.fps = session.clip().fps();
-    figure.first = object["samples"]["first_frame"];
-    figure.step = object["samples"]["frame_step"];
-    figure.bodies = bodies_of(session.clip(), object["samples"]["up_axis"]);
+    figure.first = info.integer(STLTSA_INFO_FIRST_FRAME);
+    figure.step = info.integer(STLTSA_INFO_FRAME_STEP);
+    figure.bodies = bodies_of(session.clip(), info.integer(STLTSA_INFO_UP_AXIS));
     return figure;
 }
 
-std::vector<std::string> facts_of(const Json& object) {
-    return {neighbors_text(object), "samples: " + samples_text(object),
-            "features: " + features_text(object)};
+std::vector<std::string> facts_of(const stltsa::Info& info) {
+    return {neighbors_text(info), "samples: " + samples_text(info),
+            "features: " + features_text(info)};
 }
 
-std::string embedding_text(const Json& object) {
+std::string embedding_text(const stltsa::Info& info) {
     return fmt::format("period {:.3f} s, lag quality {:.2f}, cyclicity {:.2f}",
-                       object["period_s"].get<double>(), object["lag_quality"].get<double>(),
-                       object["embedding"]["cyclicity"].get<double>());
+                       info.real(STLTSA_INFO_PERIOD), info.real(STLTSA_INFO_LAG_QUALITY),
+                       info.real(STLTSA_INFO_CYCLICITY));
 }
 
 /// More would be a page too long for the eye.
 constexpr std::size_t most_strips = 6;
 
-std::string seam_heading(const Json& seam) {
-    return fmt::format("seam at frame {}, {:.3f} s", seam["frame"].dump(),
-                       seam["time_s"].get<double>());
+std::string seam_heading(const stltsa::Seam& seam, double fps) {
+    return fmt::format("seam at frame {}, {:.3f} s", seam.frame,
+                       static_cast<double>(seam.frame) / fps);
 }
 
-std::string seam_note(const Json& seam, const std::vector<std::string>& pieces) {
-    const auto name = [&](const char* which) {
-        return piece_name(pieces[seam[which].get<std::size_t>()]);
+std::string seam_note(const stltsa::Seam& seam, const std::vector<std::string>& pieces,
+                      double fps) {
+    const auto name = [&](std::int64_t piece) {
+        return piece_name(pieces[static_cast<std::size_t>(piece)]);
     };
     return fmt::format("{} until frame {}, {} from frame {} on; crossfade of {:.3f} s to each "
                        "side; posture {:.2f}, step {:.2f}, acceleration {:.2f}",
-                       name("piece"), seam["cut_end"].dump(),
-                       seam["piece"] == seam["next"] ? "again" : name("next"),
-                       seam["cut_begin"].dump(), seam["crossfade_s"].get<double>(),
-                       seam["posture"].get<double>(), seam["step"].get<double>(),
-                       seam["acceleration"].get<double>());
+                       name(seam.piece), seam.cut_end,
+                       seam.piece == seam.next ? "again" : name(seam.next), seam.cut_begin,
+                       static_cast<double>(seam.crossfade) / fps, seam.posture, seam.step,
+                       seam.acceleration);
 }
 
 /// The strip shows a tenth of a second from posture to posture, or more where a crossfade is long.
-plot::Strip strip_of(const Json& seam, const std::vector<std::string>& pieces, double fps) {
-    plot::Strip strip{seam_heading(seam), seam_note(seam, pieces), seam["frame"], 1,
-                      seam["crossfade"]};
+plot::Strip strip_of(const stltsa::Seam& seam, const std::vector<std::string>& pieces, double fps) {
+    plot::Strip strip{seam_heading(seam, fps), seam_note(seam, pieces, fps), seam.frame, 1,
+                      seam.crossfade};
     constexpr double apart_s = 0.1;
     constexpr std::int64_t postures_blended = 4; // to each side, at most
     strip.step = std::max<std::int64_t>(
@@ -91,17 +84,17 @@ plot::Strip strip_of(const Json& seam, const std::vector<std::string>& pieces, d
     return strip;
 }
 
-bool cut_alike(const Json& a, const Json& b) {
-    return std::ranges::all_of(std::array{"piece", "next", "cut_end", "cut_begin"},
-                               [&](const char* key) { return a[key] == b[key]; });
+bool cut_alike(const stltsa::Seam& a, const stltsa::Seam& b) {
+    return a.piece == b.piece && a.next == b.next && a.cut_end == b.cut_end &&
+           a.cut_begin == b.cut_begin;
 }
 
 /// The seams that are shown: of those that are cut alike, as a cycle's repetitions are, the first.
-std::vector<Json> different_seams(const Json& seams) {
-    std::vector<Json> different;
-    for (const Json& seam : seams)
+std::vector<stltsa::Seam> different_seams(const std::vector<stltsa::Seam>& seams) {
+    std::vector<stltsa::Seam> different;
+    for (const stltsa::Seam& seam : seams)
         if (std::ranges::none_of(different,
-                                 [&](const Json& shown) { return cut_alike(shown, seam); }))
+                                 [&](const stltsa::Seam& shown) { return cut_alike(shown, seam); }))
             different.push_back(seam);
     return different;
 }
@@ -114,31 +107,32 @@ plot::Strip whole_strip(std::int64_t frames) {
 
 } // namespace
 
-std::string decomposition_figure(const Session& session, const Json& object,
+std::string decomposition_figure(const Session& session,
                                  const stltsa::Decomposition& decomposition) {
-    plot::Figure figure = figure_of(session, object);
-    figure.summary = decomposition_summary(object);
-    figure.facts = facts_of(object);
-    if (!object["period_s"].is_null())
-        figure.facts.insert(figure.facts.begin(), embedding_text(object));
-    const Json& column = object["embedding"]["coordinate"];
-    figure.curve_name = column.is_null() ? "coordinate" : "coordinate " + column.dump();
+    const stltsa::Info info = decomposition.info();
+    plot::Figure figure = figure_of(session, info);
+    figure.summary = decomposition_summary(decomposition);
+    figure.facts = facts_of(info);
+    if (info.real(STLTSA_INFO_PERIOD) > 0)
+        figure.facts.insert(figure.facts.begin(), embedding_text(info));
+    const std::int64_t column = info.integer(STLTSA_INFO_COORDINATE);
+    figure.curve_name = column == 0 ? "coordinate" : fmt::format("coordinate {}", column);
     figure.curve = decomposition.curve().values;
     figure.loop_names = {"first coordinate of the loop", "second coordinate of the loop"};
     figure.loop = decomposition.loop();
     figure.units = decomposition.units();
     figure.cycles = decomposition.cycles();
-    figure.representative = decomposition.integer(STLTSA_DECOMPOSITION_REPRESENTATIVE);
+    figure.representative = info.integer(STLTSA_INFO_REPRESENTATIVE);
     return plot::figure_svg(figure);
 }
 
-std::string fit_figure(const Session& session, const Json& object, const stltsa::Model& model) {
+std::string fit_figure(const Session& session, const stltsa::Model& model) {
+    const stltsa::Info info = model.info();
     const stltsa::Matrix coords = model.coords();
-    plot::Figure figure = figure_of(session, object);
-    figure.summary = fmt::format("curve of {}, mode {}",
-                                 counted(static_cast<std::size_t>(coords.cols), "coordinate"),
-                                 object["parameters"]["mode"].get<std::string>());
-    figure.facts = facts_of(object);
+    plot::Figure figure = figure_of(session, info);
+    figure.summary = fmt::format("curve of {}, mode {}", counted(coords.cols, "coordinate"),
+                                 named(info, STLTSA_INFO_MODE));
+    figure.facts = facts_of(info);
     figure.curve_name = "coordinate 1";
     figure.pieces = model.components();
     for (std::int64_t i = 0; i < coords.rows; ++i)
@@ -153,43 +147,41 @@ std::string fit_figure(const Session& session, const Json& object, const stltsa:
     return plot::figure_svg(figure);
 }
 
-std::string denoising_figure(const Json& object, const stltsa::Matrix& points,
+std::string denoising_figure(const Session& session, const stltsa::Matrix& points,
                              const stltsa::Denoising& denoising) {
-    const Json& clip = object["clip"];
-    const Json& samples = object["samples"];
+    const stltsa::Info info = denoising.info();
     plot::DenoiseFigure figure;
-    figure.title = clip.is_null() ? "coordinates" : title_of(clip);
-    figure.summary = denoising_summary(object);
-    figure.facts = {"samples: " + samples_text(object), "knots: " + knots_text(object)};
-    figure.fps = samples["fps"].is_null() ? 0 : samples["fps"].get<double>();
-    figure.first = samples["first_frame"];
-    figure.step = samples["frame_step"];
-    figure.fps *= static_cast<double>(figure.step);
-    figure.lengths = samples["lengths"].get<std::vector<std::int64_t>>();
+    figure.title = session.title();
+    figure.summary = denoising_summary(info);
+    figure.facts = {"samples: " + samples_text(info), "knots: " + knots_text(info)};
+    figure.first = info.integer(STLTSA_INFO_FIRST_FRAME);
+    figure.step = info.integer(STLTSA_INFO_FRAME_STEP);
+    figure.fps = info.real(STLTSA_INFO_FPS) * static_cast<double>(figure.step);
+    figure.lengths = info.integers(STLTSA_INFO_LENGTH);
     figure.before = points;
     figure.after = denoising.cleaned();
     figure.curve = denoising.curve();
     figure.moves = denoising.moves();
-    for (const Json& column : object["columns"])
-        figure.gammas.push_back(column["gamma"]);
+    figure.gammas = info.reals(STLTSA_INFO_GAMMA);
     return plot::denoise_figure_svg(figure);
 }
 
-std::string synthesis_figure(const Json& object, const Arguments& arguments,
-                             const stltsa::Clip& clip) {
-    std::vector<Json> seams = different_seams(object["seams"]);
+std::string synthesis_figure(const Arguments& arguments, const stltsa::Synthesis& synthesis) {
+    const stltsa::Clip& clip = synthesis.clip();
+    std::vector<stltsa::Seam> seams = different_seams(synthesis.seams());
     const std::size_t left_out = seams.size() - std::min(seams.size(), most_strips);
     seams.resize(seams.size() - left_out);
     plot::SeamFigure figure{
         std::filesystem::path(arguments.product).filename().string(),
-        synthesis_summary(object),
+        synthesis_summary(synthesis),
         "Shaded: frames that are blended. Seams that are cut alike are shown once.",
-        *bodies_of(clip, object["parameters"]["up_axis"]),
+        *bodies_of(clip, synthesis.info().integer(STLTSA_INFO_UP_AXIS)),
         {}};
     if (left_out > 0)
-        figure.note += fmt::format(" Not shown: {}.", counted(left_out, "seam"));
-    for (const Json& seam : seams)
-        figure.strips.push_back(strip_of(seam, arguments.pieces, object["clip"]["fps"]));
+        figure.note +=
+            fmt::format(" Not shown: {}.", counted(static_cast<std::int64_t>(left_out), "seam"));
+    for (const stltsa::Seam& seam : seams)
+        figure.strips.push_back(strip_of(seam, arguments.pieces, clip.fps()));
     if (seams.empty()) {
         figure.strips.push_back(whole_strip(clip.frames()));
         figure.note.clear();

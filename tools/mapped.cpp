@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "json.hpp"
+
 namespace tool {
 namespace {
 
@@ -16,65 +18,58 @@ double quantile(const std::vector<double>& sorted, double share) {
     return sorted[static_cast<std::size_t>(std::lround(share * last))];
 }
 
-Json distances_json(const stltsa::Mapped& mapped) {
-    std::vector<double> sorted = mapped.distance;
-    std::ranges::sort(sorted);
-    return {{"median", quantile(sorted, 0.5)},
-            {"p90", quantile(sorted, 0.9)},
-            {"largest", sorted.back()}};
+Json path_json(const std::string& path) {
+    return path == "-" ? Json(nullptr) : Json(path);
 }
 
-/// Stretches of rows beyond the limit.
-Json beyond_json(const stltsa::Mapped& mapped) {
-    Json stretches = Json::array();
-    std::int64_t count = 0;
-    for (std::size_t r = 0; r < mapped.distance.size(); ++r) {
-        if (mapped.distance[r] <= limit)
-            continue;
-        ++count;
-        if (stretches.empty() || stretches.back()["end"] != r)
-            stretches.push_back({{"begin", r}, {"end", r + 1}});
-        else
-            stretches.back()["end"] = r + 1;
-    }
-    return {{"count", count},
-            {"share", static_cast<double>(count) / static_cast<double>(mapped.distance.size())},
-            {"stretches", stretches}};
+Json model_json(const Mapping& mapping) {
+    const stltsa::Model& model = mapping.model;
+    return JsonObject(
+        "path", path_json(mapping.arguments.model), "frames", model.integer(STLTSA_MODEL_FRAMES),
+        "dimension", model.integer(STLTSA_MODEL_DIMENSION), "features",
+        model.integer(STLTSA_MODEL_FEATURES), "support", model.real(STLTSA_MODEL_SUPPORT));
 }
 
-Json positive_or_null(double value) {
-    return value > 0 ? Json(value) : Json(nullptr);
+Json beyond_json(const Distances& distances, std::size_t rows) {
+    std::vector<Json> stretches;
+    for (const auto& [begin, end] : distances.stretches)
+        stretches.push_back(JsonObject("begin", begin, "end", end));
+    const double share = static_cast<double>(distances.beyond) / static_cast<double>(rows);
+    return JsonObject("count", distances.beyond, "share", share, "stretches", stretches);
 }
 
 } // namespace
 
-Json mapping_json(const char* direction, const Arguments& arguments, const stltsa::Model& model,
-                  const stltsa::Mapped& mapped, double fps) {
-    const auto path = [](const std::string& name) {
-        return name == "-" ? Json(nullptr) : Json(name);
-    };
-    return {{"format", "stltsa-mapping/1"},
-            {"library", stltsa::version()},
-            {"direction", direction},
-            {"model",
-             {{"path", path(arguments.model)},
-              {"frames", model.integer(STLTSA_MODEL_FRAMES)},
-              {"dimension", model.integer(STLTSA_MODEL_DIMENSION)},
-              {"features", model.integer(STLTSA_MODEL_FEATURES)},
-              {"support", model.real(STLTSA_MODEL_SUPPORT)}}},
-            {"input", path(arguments.input)},
-            {"rows", mapped.distance.size()},
-            {"fps", positive_or_null(fps)},
-            {"distance", distances_json(mapped)},
-            {"beyond", beyond_json(mapped)},
-            {"warnings", Json::array()}};
+Distances distances_of(const stltsa::Mapped& rows) {
+    std::vector<double> sorted = rows.distance;
+    std::ranges::sort(sorted);
+    Distances result{quantile(sorted, 0.5), quantile(sorted, 0.9), sorted.back(), 0, {}};
+    for (std::size_t i = 0; i < rows.distance.size(); ++i) {
+        if (rows.distance[i] <= limit)
+            continue;
+        const auto r = static_cast<std::int64_t>(i);
+        ++result.beyond;
+        if (result.stretches.empty() || result.stretches.back().second != r)
+            result.stretches.emplace_back(r, r);
+        ++result.stretches.back().second;
+    }
+    return result;
 }
 
-Json mapped_json(const stltsa::Mapped& mapped) {
-    Json rows = Json::array();
-    for (std::int64_t r = 0; r < mapped.values.rows; ++r)
-        rows.push_back(mapped.values.row(r));
-    return {{"coords", rows}, {"distance", mapped.distance}, {"nearest", mapped.nearest}};
+std::string mapping_json(const Mapping& mapping) {
+    const stltsa::Mapped& rows = mapping.rows;
+    const Distances distances = distances_of(rows);
+    JsonObject object(
+        "format", "stltsa-mapping/1", "library", stltsa::version(), "direction",
+        mapping.is_map() ? "map" : "unmap", "model", model_json(mapping), "input",
+        path_json(mapping.arguments.input), "rows", static_cast<std::int64_t>(rows.distance.size()),
+        "fps", json_or_null(mapping.fps), "distance",
+        JsonObject("median", distances.median, "p90", distances.p90, "largest", distances.largest),
+        "beyond", beyond_json(distances, rows.distance.size()), "warnings", mapping.warnings);
+    if (mapping.arguments.curve)
+        object.set("curve", JsonObject("coords", json_rows(rows.values), "distance", rows.distance,
+                                       "nearest", rows.nearest));
+    return object.text();
 }
 
 } // namespace tool

@@ -5,13 +5,13 @@
 #include <charconv>
 #include <cmath>
 #include <optional>
-#include <sstream>
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <fmt/format.h>
 
+#include "choices.hpp"
 #include "exit_status.hpp"
 #include "text.hpp"
 
@@ -48,20 +48,9 @@ bool counts_frames(std::int32_t key) {
     return key == STLTSA_OPT_NEIGHBORS || key == STLTSA_OPT_WINDOW || key == STLTSA_OPT_EXCLUSION;
 }
 
-/// "temporal=1 spatial=2" to pairs.
-std::vector<std::pair<std::string, std::int64_t>> choices_of(const OptionInfo& info) {
-    std::vector<std::pair<std::string, std::int64_t>> choices;
-    std::istringstream words(info.choices);
-    for (std::string word; words >> word;) {
-        const std::size_t equals = word.find('=');
-        choices.emplace_back(word.substr(0, equals), std::stoll(word.substr(equals + 1)));
-    }
-    return choices;
-}
-
 std::string choice_names(const OptionInfo& info) {
     std::string names;
-    for (const auto& [name, value] : choices_of(info))
+    for (const auto& [name, value] : choices_in(info.choices))
         names += (names.empty() ? "" : "|") + name;
     return names;
 }
@@ -77,7 +66,7 @@ std::string value_name(const OptionInfo& info) {
 /// The default where the text does not say it ("0: ...").
 std::string default_text(const OptionInfo& info) {
     if (info.choices != nullptr) {
-        for (const auto& [name, value] : choices_of(info))
+        for (const auto& [name, value] : choices_in(info.choices))
             if (static_cast<double>(value) == info.standard)
                 return fmt::format(" Default: {}.", name);
     } else if (is_switch(info)) {
@@ -115,7 +104,7 @@ std::optional<double> seconds_in(const OptionInfo& info, const std::string& type
 
 void set_whole(stltsa::Options& options, const OptionInfo& info, const std::string& typed) {
     if (info.choices != nullptr) {
-        for (const auto& [name, value] : choices_of(info))
+        for (const auto& [name, value] : choices_in(info.choices))
             if (name == typed)
                 return static_cast<void>(options.set(info.key, value));
         refuse(info, typed, choice_names(info));

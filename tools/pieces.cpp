@@ -56,10 +56,10 @@ std::optional<Range> range_in(std::string_view what) {
 }
 
 /// The 3 of "cycle3".
-std::optional<std::size_t> cycle_in(std::string_view what) {
+std::optional<std::int64_t> cycle_in(std::string_view what) {
     if (!what.starts_with("cycle"))
         return std::nullopt;
-    const auto number = number_in<std::size_t>(what.substr(5));
+    const auto number = number_in<std::int64_t>(what.substr(5));
     return number && *number > 0 ? number : std::nullopt;
 }
 
@@ -78,11 +78,22 @@ bool is_file(const std::string& path) {
     return std::filesystem::exists(path, ignored);
 }
 
-[[noreturn]] void missing(const PieceText& text, const Json& units) {
-    const std::string reason = units["reason"].is_null() ? "the clip has no such part"
-                                                         : units["reason"].get<std::string>();
-    throw Failure(Exit::untrustworthy, fmt::format("{}:{}: {} (stltsa decompose shows its units)",
-                                                   text.path, text.what, reason));
+[[noreturn]] void missing(const PieceText& text, const std::string& reason) {
+    throw Failure(Exit::untrustworthy,
+                  fmt::format("{}:{}: {} (stltsa decompose shows its units)", text.path, text.what,
+                              reason.empty() ? "the clip has no such part" : reason));
+}
+
+/// Which cycle is meant; nothing for a unit.
+std::optional<std::int64_t> cycle_meant(const std::string& what,
+                                        const stltsa::Decomposition& units) {
+    if (what == "best")
+        return units.integer(STLTSA_DECOMPOSITION_BEST);
+    if (what == "representative")
+        return units.integer(STLTSA_DECOMPOSITION_REPRESENTATIVE);
+    if (const auto number = cycle_in(what))
+        return *number - 1;
+    return std::nullopt;
 }
 
 } // namespace
@@ -111,33 +122,26 @@ PieceText parse_piece(const std::string& text) {
 PieceFinder::Source& PieceFinder::source(const std::string& path) {
     if (const auto found = sources_.find(path); found != sources_.end())
         return found->second;
-    return sources_.emplace(path, Source{session_.open_clip(path), nullptr}).first->second;
+    return sources_.emplace(path, Source{session_.open_clip(path), std::nullopt}).first->second;
 }
 
-const Json& PieceFinder::units(Source& source) {
+const stltsa::Decomposition& PieceFinder::units(Source& source) {
     if (!source.units)
-        source.units = std::make_unique<Json>(
-            parsed_json(stltsa::decompose(source.clip, session_.options()).json()));
+        source.units = stltsa::decompose(source.clip, session_.options());
     return *source.units;
 }
 
-const Json& PieceFinder::interval(Source& source, const PieceText& text) {
-    const Json& all = units(source);
-    if (text.what == "best" || text.what == "representative") {
-        const Json& chosen = all[text.what + "_cycle"];
-        if (chosen.is_null())
-            missing(text, all);
-        return chosen;
+stltsa::Interval PieceFinder::interval(Source& source, const PieceText& text) {
+    const stltsa::Decomposition& all = units(source);
+    if (const auto index = cycle_meant(text.what, all)) {
+        if (*index < 0 || *index >= all.cycle_count())
+            missing(text, all.reason());
+        return all.cycle(*index);
     }
-    if (const auto index = cycle_in(text.what)) {
-        if (*index > all["cycles"].size())
-            missing(text, all);
-        return all["cycles"][*index - 1];
-    }
-    for (const Json& unit : all["units"])
-        if (unit["kind"] == text.what)
+    for (const stltsa::Interval& unit : all.units())
+        if (stltsa::unit_name(unit.kind) == text.what)
             return unit;
-    missing(text, all);
+    missing(text, all.reason());
 }
 
 stltsa::Piece PieceFinder::find(const PieceText& text) {
@@ -151,9 +155,9 @@ stltsa::Piece PieceFinder::find(const PieceText& text) {
         piece.begin = frame(range->begin);
         piece.end = frame(range->end);
     } else {
-        const Json& part = interval(from, text);
-        piece.begin = part["begin"];
-        piece.end = part["end"];
+        const stltsa::Interval part = interval(from, text);
+        piece.begin = part.begin;
+        piece.end = part.end;
     }
     return piece;
 }

@@ -4,11 +4,10 @@
 
 #include <cstdint>
 #include <map>
-#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "json.hpp"
 #include "session.hpp"
 
 namespace tool {
@@ -33,11 +32,11 @@ class PieceFinder {
   private:
     struct Source {
         stltsa::Clip clip;
-        std::unique_ptr<const Json> units; ///< the decomposition; none until asked for
+        std::optional<stltsa::Decomposition> units; ///< none until asked for
     };
     Source& source(const std::string& path);
-    const Json& units(Source& source);
-    const Json& interval(Source& source, const PieceText& text);
+    const stltsa::Decomposition& units(Source& source);
+    stltsa::Interval interval(Source& source, const PieceText& text);
 
     const Session& session_;
     std::map<std::string, Source> sources_;

@@ -15,15 +15,17 @@ std::string seconds(double value) {
 }
 
 /// begin, "-", end in frames; the same in seconds; length.
-std::vector<std::string> interval_cells(const Json& interval) {
-    const double begin = interval["begin_s"];
-    const double end = interval["end_s"];
-    return {interval["begin"].dump(), "-", interval["end"].dump(),
-            seconds(begin),           "-", seconds(end),
-            seconds(end - begin)};
+std::vector<std::string> interval_cells(const stltsa::Interval& interval) {
+    return {std::to_string(interval.begin),
+            "-",
+            std::to_string(interval.end),
+            seconds(interval.begin_s),
+            "-",
+            seconds(interval.end_s),
+            seconds(interval.end_s - interval.begin_s)};
 }
 
-void add_row(Table& table, std::vector<std::string> start, const Json& interval,
+void add_row(Table& table, std::vector<std::string> start, const stltsa::Interval& interval,
              const std::string& remark) {
     for (std::string& cell : interval_cells(interval))
         start.push_back(std::move(cell));
@@ -38,79 +40,72 @@ Table interval_table(const std::string& name) {
     return table;
 }
 
-std::string units_table(const Json& units, bool colors) {
+std::string units_table(const std::vector<stltsa::Interval>& units) {
     Table table = interval_table("unit");
-    for (const Json& unit : units)
-        add_row(table, {unit["kind"]}, unit, "");
-    return table.text(true, colors);
+    for (const stltsa::Interval& unit : units)
+        add_row(table, {stltsa::unit_name(unit.kind)}, unit, "");
+    return table.text();
 }
 
-bool is_cycle(const Json& chosen, std::size_t index) {
-    return !chosen.is_null() && chosen["index"] == index;
-}
-
-std::string cycles_table(const Json& result, bool colors) {
-    const Json& cycles = result["cycles"];
-    if (cycles.empty())
+std::string cycles_table(const stltsa::Decomposition& result) {
+    if (result.cycle_count() == 0)
         return "";
+    const stltsa::Info info = result.info();
     Table table = interval_table("cycle");
-    for (std::size_t i = 0; i < cycles.size(); ++i) {
+    for (std::int64_t i = 0; i < result.cycle_count(); ++i) {
         std::string remark;
-        if (is_cycle(result["representative_cycle"], i))
+        if (info.integer(STLTSA_INFO_REPRESENTATIVE) == i)
             remark = "representative";
-        if (is_cycle(result["best_cycle"], i))
+        if (info.integer(STLTSA_INFO_BEST) == i)
             remark += remark.empty() ? "best" : ", best";
-        add_row(table, {std::to_string(i + 1)}, cycles[i], remark);
+        add_row(table, {std::to_string(i + 1)}, result.cycle(i), remark);
     }
-    return '\n' + table.text(true, colors);
+    return '\n' + table.text();
 }
 
-std::string dimension_text(const Json& dimension) {
-    const auto estimate = [](const Json& value) {
-        return value.is_null() ? std::string("cannot tell") : value.dump();
+std::string dimension_text(const stltsa::Info& info) {
+    const auto estimate = [&](std::int32_t key) {
+        const std::int64_t value = info.integer(key);
+        return value == 0 ? std::string("cannot tell") : std::to_string(value);
     };
-    return fmt::format("{} by local PCA, {} by the eigengap", estimate(dimension["local_pca"]),
-                       estimate(dimension["eigengap"]));
+    return fmt::format("{} by local PCA, {} by the eigengap", estimate(STLTSA_INFO_LOCAL_PCA),
+                       estimate(STLTSA_INFO_EIGENGAP));
 }
 
-Facts facts_of(const Json& result) {
-    const Json& embedding = result["embedding"];
+Facts facts_of(const stltsa::Info& info) {
     Facts facts;
-    if (!result["period_s"].is_null())
-        facts.add("period",
-                  fmt::format("{} s, lag quality {:.2f} (1: perfect)", seconds(result["period_s"]),
-                              result["lag_quality"].get<double>()));
-    if (!embedding["coordinate"].is_null())
-        facts.add("curve",
-                  fmt::format("coordinate {} of tangent dimension {}, cyclicity {:.2f} "
-                              "(1: perfect)",
-                              embedding["coordinate"].dump(), embedding["tangent_dimension"].dump(),
-                              embedding["cyclicity"].get<double>()));
-    facts.add("neighbors", neighbors_text(result));
-    facts.add("samples", samples_text(result));
-    facts.add("features", features_text(result));
-    if (!result["intrinsic_dimension"].is_null())
-        facts.add("dimension", dimension_text(result["intrinsic_dimension"]));
+    if (const double period = info.real(STLTSA_INFO_PERIOD); period > 0)
+        facts.add("period", fmt::format("{} s, lag quality {:.2f} (1: perfect)", seconds(period),
+                                        info.real(STLTSA_INFO_LAG_QUALITY)));
+    if (const std::int64_t coordinate = info.integer(STLTSA_INFO_COORDINATE); coordinate > 0)
+        facts.add("curve", fmt::format("coordinate {} of tangent dimension {}, cyclicity {:.2f} "
+                                       "(1: perfect)",
+                                       coordinate, info.integer(STLTSA_INFO_DIMENSION),
+                                       info.real(STLTSA_INFO_CYCLICITY)));
+    facts.add("neighbors", neighbors_text(info));
+    facts.add("samples", samples_text(info));
+    facts.add("features", features_text(info));
+    if (info.count(STLTSA_INFO_LOCAL_PCA) > 0)
+        facts.add("dimension", dimension_text(info));
     return facts;
 }
 
 } // namespace
 
-std::string decomposition_summary(const Json& result) {
-    const std::size_t cycles = result["cycles"].size();
-    if (cycles == 0 && !result["reason"].is_null())
-        return fmt::format("no cycle; {}", with_flags(result["reason"].get<std::string>()));
-    if (cycles == 0)
-        return "no cycle";
-    return fmt::format("{}, period {:.2f} s", counted(cycles, "cycle"),
-                       result["period_s"].get<double>());
+std::string decomposition_summary(const stltsa::Decomposition& result) {
+    if (result.cycle_count() > 0)
+        return fmt::format("{}, period {:.2f} s", counted(result.cycle_count(), "cycle"),
+                           result.info().real(STLTSA_INFO_PERIOD));
+    const std::string reason = with_flags(result.reason());
+    return reason.empty() ? "no cycle" : "no cycle; " + reason;
 }
 
-std::string decomposition_report(const Json& result, const std::string& title, bool colors) {
+std::string decomposition_report(const stltsa::Decomposition& result, const std::string& title) {
+    const stltsa::Info info = result.info();
     const std::string first = wrapped(title + ": " + decomposition_summary(result), 80);
-    return bold(first, colors) + "\n\n" + units_table(result["units"], colors) +
-           cycles_table(result, colors) + '\n' + facts_of(result).text() +
-           listed("note:", result["clip"]["notes"]) + listed("warning:", result["warnings"]);
+    return bold(first) + "\n\n" + units_table(result.units()) + cycles_table(result) + '\n' +
+           facts_of(info).text() + listed("note:", info.texts(STLTSA_INFO_NOTE)) +
+           listed("warning:", info.texts(STLTSA_INFO_WARNING));
 }
 
 } // namespace tool

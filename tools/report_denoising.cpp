@@ -9,20 +9,19 @@
 namespace tool {
 namespace {
 
-std::string columns_table(const Json& columns, bool colors) {
+std::string columns_table(const stltsa::Info& denoising) {
     using enum Align;
     Table table({right, right, right, right, right, right});
     table.add({"coordinate", "noise", "gamma", "shift", "moved", "freedom"});
-    const auto digits = [](const Json& value) {
-        return fmt::format("{:.4g}", value.get<double>());
+    const auto digits = [&](std::int32_t key, std::int64_t column) {
+        return fmt::format("{:.4g}", denoising.real(key, column));
     };
-    for (std::size_t c = 0; c < columns.size(); ++c) {
-        const Json& column = columns[c];
-        table.add({std::to_string(c + 1), digits(column["noise"]), digits(column["gamma"]),
-                   digits(column["shift"]), column["moved"].dump(),
-                   fmt::format("{:.1f}", column["freedom"].get<double>())});
-    }
-    return table.text(true, colors);
+    for (std::int64_t c = 0; c < denoising.count(STLTSA_INFO_GAMMA); ++c)
+        table.add({std::to_string(c + 1), digits(STLTSA_INFO_NOISE, c),
+                   digits(STLTSA_INFO_GAMMA, c), digits(STLTSA_INFO_SHIFT, c),
+                   std::to_string(denoising.integer(STLTSA_INFO_MOVED, c)),
+                   fmt::format("{:.1f}", denoising.real(STLTSA_INFO_DEGREES_OF_FREEDOM, c))});
+    return table.text();
 }
 
 constexpr const char* legend =
@@ -33,38 +32,39 @@ constexpr const char* legend =
 
 } // namespace
 
-std::string knots_text(const Json& denoising) {
-    const Json& parameters = denoising["parameters"];
-    std::string text = fmt::format("every {:.3g} samples", parameters["knot_rows"].get<double>());
-    if (!parameters["knot_s"].is_null())
-        text += fmt::format(" ({:.3f} s)", parameters["knot_s"].get<double>());
-    return text + (parameters["robust"].get<bool>() ? ", robust fit" : ", plain least squares");
+std::string knots_text(const stltsa::Info& denoising) {
+    const double knot_rows = denoising.real(STLTSA_INFO_KNOT_ROWS);
+    std::string text = fmt::format("every {:.3g} samples", knot_rows);
+    if (const double fps = denoising.real(STLTSA_INFO_FPS); fps > 0)
+        text += fmt::format(" ({:.3f} s)", knot_rows / fps);
+    return text +
+           (denoising.integer(STLTSA_INFO_ROBUST) != 0 ? ", robust fit" : ", plain least squares");
 }
 
-std::string denoising_summary(const Json& denoising) {
-    const Json& columns = denoising["columns"];
-    std::size_t moved = 0;
-    for (const Json& column : columns)
-        moved += column["moved"].get<std::size_t>();
-    const std::size_t points = columns.size() * denoising["samples"]["count"].get<std::size_t>();
+std::string denoising_summary(const stltsa::Info& denoising) {
+    std::int64_t moved = 0;
+    for (const std::int64_t of_column : denoising.integers(STLTSA_INFO_MOVED))
+        moved += of_column;
+    const std::int64_t points =
+        denoising.count(STLTSA_INFO_MOVED) * denoising.integer(STLTSA_INFO_ROWS);
     return fmt::format("{} of {} moved towards a smooth curve", moved, counted(points, "point"));
 }
 
-std::string denoising_report(const Json& result, const std::string& title, bool colors) {
+std::string denoising_report(const stltsa::Denoising& denoising, const std::string& title) {
+    const stltsa::Info info = denoising.info();
     Facts facts;
-    facts.add("samples", samples_text(result));
-    if (!result["fit"].is_null()) {
-        if (!result["clip"].is_null())
-            facts.add("features", features_text(result));
-        facts.add("neighbors",
-                  neighbors_text({{"parameters", result["fit"]}, {"samples", result["samples"]}}));
+    facts.add("samples", samples_text(info));
+    if (info.count(STLTSA_INFO_NEIGHBORS) > 0) {
+        if (info.count(STLTSA_INFO_FORMAT) > 0)
+            facts.add("features", features_text(info));
+        facts.add("neighbors", neighbors_text(info));
     }
-    if (!result["period_s"].is_null())
-        facts.add("period", fmt::format("{:.3f} s", result["period_s"].get<double>()));
-    facts.add("knots", knots_text(result));
-    return bold(wrapped(title + ": " + denoising_summary(result), 80), colors) + "\n\n" +
-           columns_table(result["columns"], colors) + dim(legend, colors) + '\n' + facts.text() +
-           listed("warning:", result["warnings"]);
+    if (const double period = info.real(STLTSA_INFO_PERIOD); period > 0)
+        facts.add("period", fmt::format("{:.3f} s", period));
+    facts.add("knots", knots_text(info));
+    return bold(wrapped(title + ": " + denoising_summary(info), 80)) + "\n\n" +
+           columns_table(info) + dim(legend) + '\n' + facts.text() +
+           listed("warning:", info.texts(STLTSA_INFO_WARNING));
 }
 
 } // namespace tool

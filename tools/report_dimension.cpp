@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -10,67 +11,70 @@
 namespace tool {
 namespace {
 
+using Estimate = stltsa::Dimension::Estimate;
+
 constexpr std::size_t most_rows = 10;
 constexpr std::size_t bar_width = 40;
 
-std::string estimate_text(const Json& estimate) {
-    return estimate["dimension"].is_null() ? "cannot tell" : estimate["dimension"].dump();
+std::string estimate_text(const Estimate& estimate) {
+    return estimate.dimension == 0 ? "cannot tell" : std::to_string(estimate.dimension);
 }
 
-std::string headline(const Json& result, const std::string& title) {
-    return fmt::format("{}: intrinsic dimension {} by local PCA, {} by the eigengap", title,
-                       estimate_text(result["local_pca"]), estimate_text(result["eigengap"]));
+std::string reason_text(const Estimate& estimate) {
+    return estimate.reason.empty() ? "" : fmt::format("  {}\n", estimate.reason);
+}
+
+/// The first ones, 0 in the place of what is not a number.
+std::vector<double> shown_values(std::vector<double> values) {
+    values.resize(std::min(values.size(), most_rows));
+    std::ranges::replace_if(
+        values, [](double value) { return !std::isfinite(value); }, 0.0);
+    return values;
 }
 
 /// Numbers with bars; an empty text for no numbers.
-std::string spectrum(const Json& values, const char* index, const char* name, double unit,
-                     bool colors) {
+std::string spectrum(const std::vector<double>& values, const char* index, const char* name,
+                     double unit) {
     using enum Align;
     Table table({right, right, left});
     table.add({index, name, ""});
-    for (std::size_t i = 0; i < std::min(values.size(), most_rows); ++i) {
-        const double value = values[i].is_null() ? 0 : values[i].get<double>();
-        table.add(
-            {std::to_string(i + 1), fmt::format("{:.4f}", value), bar(value / unit, bar_width)});
-    }
-    return values.empty() ? "" : table.text(true, colors);
+    for (std::size_t i = 0; i < values.size(); ++i)
+        table.add({std::to_string(i + 1), fmt::format("{:.4f}", values[i]),
+                   bar(values[i] / unit, bar_width)});
+    return values.empty() ? "" : table.text();
 }
 
-std::string reason_text(const Json& estimate) {
-    return estimate["reason"].is_null()
-               ? ""
-               : fmt::format("  {}\n", estimate["reason"].get<std::string>());
+std::string local_pca_text(const stltsa::Dimension& result) {
+    return fmt::format("\nLocal PCA: directions that hold {:g} % of a neighborhood's variance\n",
+                       100 * result.info().real(STLTSA_INFO_VARIANCE)) +
+           reason_text(result.local_pca()) +
+           spectrum(shown_values(result.local_variances()), "direction", "share", 1.0);
 }
 
-double largest(const Json& values) {
-    double most = 1e-300;
-    for (std::size_t i = 0; i < std::min(values.size(), most_rows); ++i)
-        if (values[i].is_number())
-            most = std::max(most, values[i].get<double>());
-    return most;
+std::string eigengap_text(const stltsa::Dimension& result) {
+    const stltsa::Info info = result.info();
+    const std::vector<double> values = shown_values(result.eigenvalues());
+    const double largest = values.empty() ? 0 : std::ranges::max(values);
+    return fmt::format("\nEigengap: eigenvalues up to the first gap above {:g}; the zero one\n"
+                       "counts, and as many as the tangent dimension that B was built with, {}, "
+                       "are\nsmall beside it by construction: the answer moves with that\n",
+                       info.real(STLTSA_INFO_EIGENGAP_THRESHOLD),
+                       info.integer(STLTSA_INFO_DIMENSION)) +
+           reason_text(result.eigengap()) +
+           spectrum(values, "eigenvalue", "of B / k", std::max(largest, 1e-300));
 }
 
 } // namespace
 
-std::string dimension_report(const Json& result, const std::string& title, bool colors) {
-    const Json& pca = result["local_pca"];
-    const Json& gap = result["eigengap"];
+std::string dimension_report(const stltsa::Dimension& result, const std::string& title) {
+    const stltsa::Info info = result.info();
     Facts facts;
-    facts.add("samples", samples_text(result));
-    facts.add("features", features_text(result));
-    facts.add("neighbors", neighbors_text(result));
-    std::string text = bold(headline(result, title), colors) + "\n\n" + facts.text();
-    text += fmt::format("\nLocal PCA: directions that hold {:g} % of a neighborhood's variance\n",
-                        100 * pca["variance"].get<double>());
-    text += reason_text(pca) + spectrum(pca["shares"], "direction", "share", 1.0, colors);
-    text +=
-        fmt::format("\nEigengap: eigenvalues up to the first gap above {:g}; the zero one\n"
-                    "counts, and as many as the tangent dimension that B was built with, {}, are\n"
-                    "small beside it by construction: the answer moves with that\n",
-                    gap["threshold"].get<double>(), result["parameters"]["dimension"].dump());
-    text += reason_text(gap) + spectrum(gap["eigenvalues"], "eigenvalue", "of B / k",
-                                        largest(gap["eigenvalues"]), colors);
-    return text;
+    facts.add("samples", samples_text(info));
+    facts.add("features", features_text(info));
+    facts.add("neighbors", neighbors_text(info));
+    return bold(fmt::format("{}: intrinsic dimension {} by local PCA, {} by the eigengap", title,
+                            estimate_text(result.local_pca()), estimate_text(result.eigengap()))) +
+           "\n\n" + facts.text() + local_pca_text(result) + eigengap_text(result);
 }
 
 } // namespace tool

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "choices.hpp"
 #include "report.hpp"
 #include "style.hpp"
 #include "table.hpp"
@@ -18,41 +19,40 @@ std::string upper(std::string text) {
     return text;
 }
 
-std::string sentence(const Json& facts, const std::string& title) {
-    const std::string frames = counted(facts["frames"].get<std::size_t>(), "frame");
-    const std::string format = upper(facts["format"]);
-    if (facts["fps"].is_null())
+std::string sentence(const stltsa::Clip& clip, const std::string& title) {
+    const std::string frames = counted(clip.frames(), "frame");
+    const std::string format = upper(named(clip.info(), STLTSA_INFO_FORMAT));
+    if (!(clip.fps() > 0))
         return fmt::format("{}: {} of {}, frame rate unknown", title, frames, format);
     return fmt::format("{}: {} of {} at {:.6g} a second, {:.3f} s", title, frames, format,
-                       facts["fps"].get<double>(), facts["duration_s"].get<double>());
+                       clip.fps(), static_cast<double>(clip.frames()) / clip.fps());
 }
 
-std::string joints_text(const Json& joints) {
+std::string joints_text(const std::vector<stltsa::Joint>& joints) {
     if (joints.empty())
         return "none: the columns are bare numbers";
-    const auto ends = std::ranges::count_if(
-        joints, [](const Json& joint) { return joint["end_site"].get<bool>(); });
-    return fmt::format("{} (with {})", joints.size(),
-                       counted(static_cast<std::size_t>(ends), "end site"));
+    return fmt::format(
+        "{} (with {})", joints.size(),
+        counted(std::ranges::count_if(joints, &stltsa::Joint::is_end_site), "end site"));
 }
 
 } // namespace
 
-std::string info_report(const Json& clip, const std::string& title, bool colors) {
-    const Json& facts = clip["clip"];
+std::string info_report(const stltsa::Clip& clip, const std::string& title) {
+    const stltsa::Info info = clip.info();
     Facts lines;
-    if (!facts["path"].is_null())
-        lines.add("path", facts["path"]);
-    lines.add("joints", joints_text(clip["joints"]));
-    lines.add("channels", clip["channels"]["count"].dump());
-    lines.add("features", fmt::format("{}, {}", facts["features"].get<std::string>(),
-                                      counted(clip["feature_count"].get<std::size_t>(), "column")));
-    if (!clip["up_axis"].is_null())
-        lines.add("up axis", clip["up_axis"]);
-    if (const auto tpose = facts["dropped_start_frames"].get<std::size_t>(); tpose > 0)
+    if (const std::string path = info.text(STLTSA_INFO_PATH); !path.empty())
+        lines.add("path", path);
+    lines.add("joints", joints_text(clip.joints()));
+    lines.add("channels", std::to_string(clip.channels()));
+    lines.add("features", fmt::format("{}, {}", named(info, STLTSA_INFO_FEATURES),
+                                      counted(clip.feature_count(), "column")));
+    if (info.integer(STLTSA_INFO_UP_AXIS) > 0)
+        lines.add("up axis", named(info, STLTSA_INFO_UP_AXIS));
+    if (const std::int64_t tpose = info.integer(STLTSA_INFO_FIRST_FRAME); tpose > 0)
         lines.add("T-pose", counted(tpose, "frame") + " at the start, which other commands drop");
-    return bold(sentence(facts, title), colors) + "\n\n" + lines.text() +
-           listed("note:", facts["notes"]);
+    return bold(sentence(clip, title)) + "\n\n" + lines.text() +
+           listed("note:", info.texts(STLTSA_INFO_NOTE));
 }
 
 } // namespace tool

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -11,33 +12,30 @@
 namespace tool {
 namespace {
 
-std::string sentence(const Json& mapping, const std::string& title) {
-    const Json& path = mapping["model"]["path"];
-    const std::string model = path.is_null() ? "standard input" : path.get<std::string>();
-    const std::string rows = counted(mapping["rows"].get<std::size_t>(),
-                                     mapping["direction"] == "map" ? "frame" : "point");
-    const auto beyond = mapping["beyond"]["count"].get<std::size_t>();
-    return fmt::format("{} on {}: {}, {} beyond what the model knows", title,
-                       std::filesystem::path(model).filename().string(), rows,
+std::string sentence(const Mapping& mapping, const std::string& title, std::int64_t beyond) {
+    const std::string& path = mapping.arguments.model;
+    const std::string model =
+        path == "-" ? "standard input" : std::filesystem::path(path).filename().string();
+    const auto rows = static_cast<std::int64_t>(mapping.rows.distance.size());
+    return fmt::format("{} on {}: {}, {} beyond what the model knows", title, model,
+                       counted(rows, mapping.is_map() ? "frame" : "point"),
                        beyond == 0 ? "none" : std::to_string(beyond));
 }
 
-std::string rows_text(const Json& mapping) {
-    const auto rows = mapping["rows"].get<std::size_t>();
-    const Json& fps = mapping["fps"];
-    if (fps.is_null())
+std::string rows_text(std::size_t rows, double fps) {
+    if (!(fps > 0))
         return fmt::format("{}, rate unknown", rows);
-    return fmt::format("{}, {:.6g} a second ({:.2f} s)", rows, fps.get<double>(),
-                       static_cast<double>(rows) / fps.get<double>());
+    return fmt::format("{}, {:.6g} a second ({:.2f} s)", rows, fps,
+                       static_cast<double>(rows) / fps);
 }
 
 /// "12-40, 77-78"; the first ones where there are many.
-std::string stretches_text(const Json& stretches) {
+std::string stretches_text(const Distances& distances) {
     constexpr std::size_t most = 12;
+    const auto& stretches = distances.stretches;
     std::string text;
     for (std::size_t i = 0; i < std::min(most, stretches.size()); ++i)
-        text += fmt::format("{}{}-{}", i == 0 ? "" : ", ", stretches[i]["begin"].dump(),
-                            stretches[i]["end"].dump());
+        text += fmt::format("{}{}-{}", i == 0 ? "" : ", ", stretches[i].first, stretches[i].second);
     if (stretches.size() > most)
         text += fmt::format(" and {} more (--json has all)", stretches.size() - most);
     return text;
@@ -48,23 +46,22 @@ constexpr const char* legend = "  distance: from what the model was fitted to, 1
 
 } // namespace
 
-std::string mapping_report(const Json& mapping, const std::string& title, bool colors) {
-    const Json& distance = mapping["distance"];
-    const Json& model = mapping["model"];
+std::string mapping_report(const Mapping& mapping, const std::string& title) {
+    const Distances distances = distances_of(mapping.rows);
+    const stltsa::Model& model = mapping.model;
     Facts facts;
     facts.add("model",
-              fmt::format("{}, {}, {}", counted(model["frames"].get<std::size_t>(), "sample"),
-                          counted(model["features"].get<std::size_t>(), "feature"),
-                          counted(model["dimension"].get<std::size_t>(), "coordinate")));
-    facts.add(mapping["direction"] == "map" ? "frames" : "points", rows_text(mapping));
-    facts.add("distance",
-              fmt::format("median {:.2f}, 90th percentile {:.2f}, largest {:.2f}",
-                          distance["median"].get<double>(), distance["p90"].get<double>(),
-                          distance["largest"].get<double>()));
-    if (mapping["beyond"]["count"] > 0)
-        facts.add("beyond", stretches_text(mapping["beyond"]["stretches"]));
-    return bold(wrapped(sentence(mapping, title), 80), colors) + "\n\n" + facts.text() +
-           dim(legend, colors) + listed("warning:", mapping["warnings"]);
+              fmt::format("{}, {}, {}", counted(model.integer(STLTSA_MODEL_FRAMES), "sample"),
+                          counted(model.integer(STLTSA_MODEL_FEATURES), "feature"),
+                          counted(model.integer(STLTSA_MODEL_DIMENSION), "coordinate")));
+    facts.add(mapping.is_map() ? "frames" : "points",
+              rows_text(mapping.rows.distance.size(), mapping.fps));
+    facts.add("distance", fmt::format("median {:.2f}, 90th percentile {:.2f}, largest {:.2f}",
+                                      distances.median, distances.p90, distances.largest));
+    if (distances.beyond > 0)
+        facts.add("beyond", stretches_text(distances));
+    return bold(wrapped(sentence(mapping, title, distances.beyond), 80)) + "\n\n" + facts.text() +
+           dim(legend) + listed("warning:", mapping.warnings);
 }
 
 } // namespace tool

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -10,38 +12,39 @@
 namespace tool {
 namespace {
 
-std::string sentence(const Json& model, const std::string& title) {
-    const std::size_t components = model["components"].size();
+std::string sentence(const stltsa::Info& model, const std::string& title) {
+    const std::int64_t components = model.count(STLTSA_INFO_COMPONENT_ROWS);
     return fmt::format("{}: a curve of {} through {}, {}", title,
-                       counted(model["parameters"]["dimension"].get<std::size_t>(), "coordinate"),
-                       counted(model["samples"]["count"].get<std::size_t>(), "sample"),
+                       counted(model.integer(STLTSA_INFO_DIMENSION), "coordinate"),
+                       counted(model.integer(STLTSA_INFO_ROWS), "sample"),
                        components == 1
                            ? "in one piece"
                            : fmt::format("in {} pieces that do not share coordinates", components));
 }
 
-std::string scientific(const Json& value) {
-    return value.is_null() ? "-" : fmt::format("{:.3g}", value.get<double>());
+std::string scientific(double value) {
+    return std::isfinite(value) ? fmt::format("{:.3g}", value) : "-";
 }
 
-std::string eigenvalues_text(const Json& values) {
-    std::vector<std::string> texts;
-    for (const Json& value : values)
-        texts.push_back(scientific(value));
-    return fmt::format("{}", fmt::join(texts, " "));
-}
-
-std::string components_table(const Json& components, bool colors) {
+std::string components_table(const stltsa::Model& model) {
     using enum Align;
+    const stltsa::Info info = model.info();
+    const stltsa::Matrix eigenvalues = model.eigenvalues();
     Table table({right, right, right, right, right, right, left});
     table.add({"piece", "samples", "residual", "error", "gap", "thin", "eigenvalues"});
-    for (std::size_t i = 0; i < components.size(); ++i) {
-        const Json& part = components[i];
-        table.add({std::to_string(i + 1), part["frames"].dump(), scientific(part["residual"]),
-                   scientific(part["error_estimate_rad"]), scientific(part["gap"]),
-                   part["rank_deficient_windows"].dump(), eigenvalues_text(part["eigenvalues"])});
+    for (std::int64_t i = 0; i < eigenvalues.rows; ++i) {
+        std::vector<std::string> values;
+        for (const double value : eigenvalues.row(i))
+            values.push_back(scientific(value));
+        table.add({std::to_string(i + 1),
+                   std::to_string(info.integer(STLTSA_INFO_COMPONENT_ROWS, i)),
+                   scientific(info.real(STLTSA_INFO_RESIDUAL, i)),
+                   scientific(info.real(STLTSA_INFO_ERROR_ESTIMATE, i)),
+                   scientific(info.real(STLTSA_INFO_GAP, i)),
+                   std::to_string(info.integer(STLTSA_INFO_RANK_DEFICIENT, i)),
+                   fmt::format("{}", fmt::join(values, " "))});
     }
-    return table.text(true, colors);
+    return table.text();
 }
 
 constexpr const char* legend =
@@ -51,21 +54,21 @@ constexpr const char* legend =
 
 } // namespace
 
-std::string model_report(const Json& model, const std::string& title, bool colors) {
+std::string model_report(const stltsa::Model& model, const std::string& title) {
+    const stltsa::Info info = model.info();
     Facts facts;
-    facts.add("samples", samples_text(model));
-    facts.add("features", features_text(model));
-    facts.add("neighbors", neighbors_text(model));
-    if (!model["period_s"].is_null())
-        facts.add("period",
-                  fmt::format("{:.3f} s, which k rests on", model["period_s"].get<double>()));
+    facts.add("samples", samples_text(info));
+    facts.add("features", features_text(info));
+    facts.add("neighbors", neighbors_text(info));
+    if (const double period = info.real(STLTSA_INFO_PERIOD); period > 0)
+        facts.add("period", fmt::format("{:.3f} s, which k rests on", period));
+    const double correlation = info.real(STLTSA_INFO_TIME_CORRELATION);
     facts.add("clock", fmt::format("{:.4f}: rank correlation of coordinate 1 with time",
-                                   model["clock"].is_null() ? 0.0 : model["clock"].get<double>()));
-    if (const auto repeated = model["repeated_frames"].get<std::size_t>(); repeated > 0)
+                                   std::isfinite(correlation) ? correlation : 0));
+    if (const std::int64_t repeated = info.integer(STLTSA_INFO_REPEATED); repeated > 0)
         facts.add("repeated", counted(repeated, "sample") + " like the one before");
-    return bold(sentence(model, title), colors) + "\n\n" + facts.text() + '\n' +
-           components_table(model["components"], colors) + dim(legend, colors) +
-           listed("warning:", model["warnings"]);
+    return bold(sentence(info, title)) + "\n\n" + facts.text() + '\n' + components_table(model) +
+           dim(legend) + listed("warning:", info.texts(STLTSA_INFO_WARNING));
 }
 
 } // namespace tool

@@ -1,57 +1,53 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include "choices.hpp"
 #include "report.hpp"
 #include "text.hpp"
 
 namespace tool {
 namespace {
 
-std::string in_seconds(std::int64_t samples, const Json& fps) {
-    if (fps.is_null())
-        return "";
-    return fmt::format(" ({:.2f} s)", static_cast<double>(samples) / fps.get<double>());
+std::string in_seconds(std::int64_t samples, double fps) {
+    return fps > 0 ? fmt::format(" ({:.2f} s)", static_cast<double>(samples) / fps) : "";
 }
 
 } // namespace
 
-std::string samples_text(const Json& result) {
-    const Json& samples = result["samples"];
-    std::string text = samples["count"].dump();
-    if (const auto step = samples["frame_step"].get<std::int64_t>(); step > 1)
+std::string samples_text(const stltsa::Info& result) {
+    std::string text = std::to_string(result.integer(STLTSA_INFO_ROWS));
+    if (const std::int64_t step = result.integer(STLTSA_INFO_FRAME_STEP); step > 1)
         text += fmt::format(", 1 frame in {}", step);
-    if (const auto first = samples["first_frame"].get<std::int64_t>(); first > 0)
+    if (const std::int64_t first = result.integer(STLTSA_INFO_FIRST_FRAME); first > 0)
         text += fmt::format(" from frame {} (T-pose dropped)", first);
-    if (!samples["fps"].is_null())
-        text += fmt::format(", {:.6g} a second", samples["fps"].get<double>());
+    if (const double fps = result.real(STLTSA_INFO_FPS); fps > 0)
+        text += fmt::format(", {:.6g} a second", fps);
     return text;
 }
 
-std::string neighbors_text(const Json& result) {
-    const Json& parameters = result["parameters"];
-    const Json& fps = result["samples"]["fps"];
-    const auto neighbors = parameters["neighbors"].get<std::int64_t>();
-    const auto window = parameters["window"].get<std::int64_t>();
-    const std::string mode = parameters["mode"];
+std::string neighbors_text(const stltsa::Info& result) {
+    const double fps = result.real(STLTSA_INFO_FPS);
+    const std::int64_t mode = result.integer(STLTSA_INFO_MODE);
+    const std::int64_t neighbors = result.integer(STLTSA_INFO_NEIGHBORS);
+    const std::int64_t window = result.integer(STLTSA_INFO_WINDOW);
     std::string text = fmt::format("k = {}{}", neighbors, in_seconds(neighbors, fps));
-    if (mode != "spatial")
+    if (mode != STLTSA_MODE_SPATIAL)
         text += fmt::format(", w = {}{}", window, in_seconds(window, fps));
-    if (!parameters["include_self"].get<bool>())
+    if (result.integer(STLTSA_INFO_INCLUDE_SELF) == 0)
         text += ", without the frame itself";
-    text += ", " + mode;
-    if (mode == "recurrent")
-        text += fmt::format(" with {} links outside {} samples", parameters["links"].dump(),
-                            parameters["exclusion"].dump());
+    text += ", " + named(result, STLTSA_INFO_MODE);
+    if (mode == STLTSA_MODE_RECURRENT)
+        text += fmt::format(" with {} links outside {} samples", result.integer(STLTSA_INFO_LINKS),
+                            result.integer(STLTSA_INFO_EXCLUSION));
     return text;
 }
 
-std::string features_text(const Json& result) {
-    const Json& samples = result["samples"];
-    std::string text = fmt::format("{}, {}", result["clip"]["features"].get<std::string>(),
-                                   counted(samples["feature_count"].get<std::size_t>(), "column"));
-    if (!samples["up_axis"].is_null())
-        text += fmt::format(", {} up", samples["up_axis"].get<std::string>());
-    if (const double smoothing = samples["smoothing_s"]; smoothing > 0)
+std::string features_text(const stltsa::Info& result) {
+    std::string text = fmt::format("{}, {}", named(result, STLTSA_INFO_FEATURES),
+                                   counted(result.integer(STLTSA_INFO_FEATURE_COUNT), "column"));
+    if (result.integer(STLTSA_INFO_UP_AXIS) > 0)
+        text += fmt::format(", {} up", named(result, STLTSA_INFO_UP_AXIS));
+    if (const double smoothing = result.real(STLTSA_INFO_SMOOTHING); smoothing > 0)
         text += fmt::format(", smoothed over {:g} s", smoothing);
     return text;
 }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "report.hpp"
 #include "style.hpp"
@@ -10,27 +9,27 @@
 namespace tool {
 namespace {
 
-std::string fixed(const Json& value, int digits) {
-    return fmt::format("{:.{}f}", value.get<double>(), digits);
-}
-
-std::string seams_table(const Json& synthesis, const std::vector<std::string>& pieces,
-                        bool colors) {
+std::string seams_table(const std::vector<stltsa::Seam>& seams, double fps,
+                        const std::vector<std::string>& pieces) {
     using enum Align;
-    const Json& seams = synthesis["seams"];
     if (seams.empty())
         return "";
     Table table({right, right, left, left, right, right, right, right, right, right});
     table.add({"frame", "seconds", "from", "to", "until", "on at", "crossfade", "posture", "step",
                "acceleration"});
-    for (const Json& seam : seams)
-        table.add({seam["frame"].dump(), fixed(seam["time_s"], 3),
-                   piece_name(pieces[seam["piece"].get<std::size_t>()]),
-                   piece_name(pieces[seam["next"].get<std::size_t>()]), seam["cut_end"].dump(),
-                   seam["cut_begin"].dump(), fixed(seam["crossfade_s"], 3),
-                   fixed(seam["posture"], 2), fixed(seam["step"], 2),
-                   fixed(seam["acceleration"], 2)});
-    return '\n' + table.text(true, colors);
+    const auto seconds = [&](std::int64_t frames) {
+        return fmt::format("{:.3f}", static_cast<double>(frames) / fps);
+    };
+    const auto name = [&](std::int64_t piece) {
+        return piece_name(pieces[static_cast<std::size_t>(piece)]);
+    };
+    const auto ratio = [](double value) { return fmt::format("{:.2f}", value); };
+    for (const stltsa::Seam& seam : seams)
+        table.add({std::to_string(seam.frame), seconds(seam.frame), name(seam.piece),
+                   name(seam.next), std::to_string(seam.cut_end), std::to_string(seam.cut_begin),
+                   seconds(seam.crossfade), ratio(seam.posture), ratio(seam.step),
+                   ratio(seam.acceleration)});
+    return '\n' + table.text();
 }
 
 constexpr const char* legend =
@@ -45,20 +44,20 @@ std::string piece_name(const std::string& piece) {
     return piece.substr(piece.find_last_of('/') + 1);
 }
 
-std::string synthesis_summary(const Json& synthesis) {
-    const Json& clip = synthesis["clip"];
-    return fmt::format("{}, {} s, from {} with {}",
-                       counted(clip["frames"].get<std::size_t>(), "frame"),
-                       fixed(clip["duration_s"], 2), counted(synthesis["pieces"].size(), "piece"),
-                       counted(synthesis["seams"].size(), "seam"));
+std::string synthesis_summary(const stltsa::Synthesis& synthesis) {
+    const stltsa::Clip& clip = synthesis.clip();
+    return fmt::format("{}, {:.2f} s, from {} with {}", counted(clip.frames(), "frame"),
+                       static_cast<double>(clip.frames()) / clip.fps(),
+                       counted(synthesis.info().count(STLTSA_INFO_PIECE_BEGIN), "piece"),
+                       counted(synthesis.seam_count(), "seam"));
 }
 
-std::string synthesis_report(const Json& synthesis, const std::vector<std::string>& pieces,
-                             bool colors) {
-    return bold(synthesis_summary(synthesis), colors) + '\n' +
-           seams_table(synthesis, pieces, colors) +
-           (synthesis["seams"].empty() ? "" : dim(legend, colors)) +
-           listed("warning:", synthesis["warnings"]);
+std::string synthesis_report(const stltsa::Synthesis& synthesis,
+                             const std::vector<std::string>& pieces) {
+    return bold(synthesis_summary(synthesis)) + '\n' +
+           seams_table(synthesis.seams(), synthesis.clip().fps(), pieces) +
+           (synthesis.seam_count() == 0 ? "" : dim(legend)) +
+           listed("warning:", synthesis.warnings());
 }
 
 } // namespace tool

@@ -141,10 +141,6 @@ std::string Session::title() const {
     return std::filesystem::path(arguments_.input).filename().string();
 }
 
-bool Session::colors() const {
-    return arguments_.output.empty() && colors_wanted(STDOUT_FILENO, !arguments_.no_color);
-}
-
 void Session::add_file(const std::string& path, std::string content) {
     files_.add(path, std::move(content));
 }
@@ -166,25 +162,26 @@ void Session::add_model(const std::string& path, const stltsa::Model& model) {
 }
 
 /// Warnings are part of the table; where it is not what the user sees, they go to stderr too.
-void Session::warn(const Json& object) const {
+void Session::warn(const std::vector<std::string>& warnings) const {
     const bool seen = !arguments_.json && arguments_.output.empty();
-    if (arguments_.quiet || seen || !object.contains("warnings"))
+    if (arguments_.quiet || seen)
         return;
-    for (const Json& warning : object["warnings"])
-        print_message("warning: " + with_flags(warning.get<std::string>()), Tone::warning,
-                      !arguments_.no_color);
+    for (const std::string& warning : warnings)
+        print_message("warning: " + with_flags(warning), Tone::warning, !arguments_.no_color);
 }
 
-void Session::finish(const Json& object, const std::string& table) {
+void Session::finish(const Answer& answer) {
+    const bool to_stdout = arguments_.output.empty();
+    const bool colors = to_stdout && colors_wanted(STDOUT_FILENO, !arguments_.no_color);
+    const std::string text = arguments_.json ? answer.json() + '\n' : shown(answer.table(), colors);
     stop_if_interrupted();
     bar_.clear();
-    const std::string text = arguments_.json ? object.dump() + "\n" : table;
-    if (arguments_.output.empty())
+    if (to_stdout)
         write_stdout(text);
     else
         files_.add(arguments_.output, text);
     files_.commit();
-    warn(object);
+    warn(answer.warnings);
 }
 
 } // namespace tool

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <stltsa.hpp>
 
 #include "arguments.hpp"
-#include "json.hpp"
 #include "output.hpp"
 #include "progress_bar.hpp"
 
@@ -37,8 +38,6 @@ class Session {
 
     /// What people call the clip: the file's name without its folder.
     std::string title() const;
-    /// Whether the table gets colors.
-    bool colors() const;
 
     void add_file(const std::string& path, std::string content);
     /// As NPY or CSV, as the suffix says; the columns of a CSV are headed y1, y2 and so on.
@@ -46,11 +45,17 @@ class Session {
     /// Its format is told by the suffix. The clip must live until finish(), as a model must.
     void add_clip(const std::string& path, const stltsa::Clip& clip);
     void add_model(const std::string& path, const stltsa::Model& model);
-    /// Writes the object as JSON or, without --json, `table`; then puts the files in their places.
-    void finish(const Json& object, const std::string& table);
+    /// What finish() writes; only one of the two is asked for.
+    struct Answer {
+        std::function<std::string()> json;
+        std::function<std::string()> table;
+        std::vector<std::string> warnings;
+    };
+    /// Writes the JSON or, without --json, the table; then puts the files in their places.
+    void finish(const Answer& answer);
 
   private:
-    void warn(const Json& object) const;
+    void warn(const std::vector<std::string>& warnings) const;
     /// Read once.
     const std::string& standard_input() const;
 

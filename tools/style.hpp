@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Colors on terminals, plain text everywhere else.
+// Colors on terminals, plain text everywhere else. Nothing from outside reaches a terminal but
+// through here.
 #pragma once
 
 #include <string>
@@ -11,8 +12,13 @@ namespace tool {
 /// (--no-color, or NO_COLOR set; no-color.org).
 bool colors_wanted(int descriptor, bool allowed);
 
-std::string bold(std::string_view text, bool colors);
-std::string dim(std::string_view text, bool colors);
+/// Text with marks that shown() knows.
+std::string bold(std::string_view text);
+std::string dim(std::string_view text);
+
+/// Marks become a terminal's codes, or nothing. Other control characters, which a file's name can
+/// have, and bytes that are not UTF-8 become '?'; lines stay lines.
+std::string shown(std::string_view text, bool colors);
 
 enum class Tone { error, warning };
 

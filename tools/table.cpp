@@ -39,7 +39,7 @@ std::string hanging(const std::string& start, const std::string& text) {
 
 } // namespace
 
-std::string Table::text(bool heading, bool colors) const {
+std::string Table::text() const {
     std::vector<std::size_t> widths(columns_.size(), 0);
     for (const auto& row : rows_)
         for (std::size_t c = 0; c < row.size(); ++c)
@@ -50,7 +50,7 @@ std::string Table::text(bool heading, bool colors) const {
         for (std::size_t c = 0; c < rows_[r].size(); ++c)
             line += "  " + padded(rows_[r][c], widths[c], columns_[c]);
         line = without_trailing_blanks(line);
-        result += (heading && r == 0 ? dim(line, colors) : line) + '\n';
+        result += (r == 0 ? dim(line) : line) + '\n';
     }
     return result;
 }
@@ -74,10 +74,10 @@ std::string bar(double share, std::size_t width) {
     return std::string(static_cast<std::size_t>(std::lround(full)), '#');
 }
 
-std::string listed(const std::string& name, const Json& texts) {
+std::string listed(const std::string& name, const std::vector<std::string>& texts) {
     std::string result;
-    for (const Json& text : texts)
-        result += hanging("  " + name + "  ", with_flags(text.get<std::string>()));
+    for (const std::string& text : texts)
+        result += hanging("  " + name + "  ", with_flags(text));
     return result.empty() ? result : '\n' + result;
 }
 

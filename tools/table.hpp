@@ -5,8 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "json.hpp"
-
 namespace tool {
 
 enum class Align { left, right };
@@ -15,8 +13,8 @@ class Table {
   public:
     explicit Table(std::vector<Align> columns) : columns_(std::move(columns)) {}
     void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
-    /// A line per row, indented; the first row is the heading where `heading`.
-    std::string text(bool heading, bool colors) const;
+    /// A line per row, indented; the first row is the heading.
+    std::string text() const;
 
   private:
     std::vector<Align> columns_;
@@ -36,7 +34,7 @@ class Facts {
 /// A bar of at most `width` characters for a share of 1.
 std::string bar(double share, std::size_t width);
 
-/// Lines "name: text" for each text of a JSON list; nothing for none.
-std::string listed(const std::string& name, const Json& texts);
+/// Lines "name: text" for each text; nothing for none.
+std::string listed(const std::string& name, const std::vector<std::string>& texts);
 
 } // namespace tool

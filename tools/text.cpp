@@ -47,7 +47,7 @@ std::size_t characters(std::string_view text) {
     return static_cast<std::size_t>(std::ranges::count_if(text, first_byte));
 }
 
-std::string counted(std::size_t count, std::string_view noun) {
+std::string counted(std::int64_t count, std::string_view noun) {
     return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -23,6 +24,6 @@ bool ends_in(std::string_view name, std::string_view suffix);
 std::size_t characters(std::string_view text);
 
 /// "1 cycle", "2 cycles".
-std::string counted(std::size_t count, std::string_view noun);
+std::string counted(std::int64_t count, std::string_view noun);
 
 } // namespace tool

@@ -5,12 +5,14 @@ import os
 import pty
 import re
 import select
+import shutil
 import signal
 import subprocess
 import time
+import unicodedata
 import unittest
 
-from common import STLTSA, CommandTest, default_signals, long_clip, plain_environment, walk
+from common import STLTSA, CommandTest, default_signals, long_clip, plain_environment, run, walk
 
 COLOR = re.compile(rb"\x1b\[\d")  # not the bar's \x1b[K, which wipes a line
 
@@ -99,6 +101,64 @@ class Colors(CommandTest):
         missing = ("info", self.folder / "missing.bvh")
         self.assertRegex(Terminal(*missing, on=("stderr",)).finish()[1], COLOR)
         self.assertNotRegex(Terminal(*missing, on=("stderr",), NO_COLOR="1").finish()[1], COLOR)
+
+
+class HostileNames(CommandTest):
+    """A file's name must not speak to the terminal: no control characters, in one byte or two, and
+    no bytes that are not UTF-8. Letters of any script stay."""
+
+    NAME = b"a\x1b]0;title\x07\x7f\xc2\x9b31m\xff\xc3\xa4"
+    SHOWN = "a?]0;title???31m?\u00e4"
+
+    def setUp(self):
+        super().setUp()
+        self.clip = os.path.join(os.fsencode(self.folder), self.NAME + b".bvh")
+        shutil.copy(walk(), self.clip)
+        self.missing = os.path.join(os.fsencode(self.folder), self.NAME)
+
+    def assert_clean(self, output):
+        text = output.decode()  # UTF-8, or an error
+        controls = [c for c in text if c != "\n" and unicodedata.category(c) == "Cc"]
+        self.assertEqual(controls, [], text)
+        self.assertIn(self.SHOWN, text)
+
+    def test_of_results(self):
+        model = self.folder / "walk.stltsa"
+        new = self.folder / "new.bvh"
+        self.done("fit", walk(), "-o", model)
+        for arguments in (
+            ["info", self.clip],
+            ["fit", self.clip],
+            ["dimension", self.clip],
+            ["decompose", self.clip],
+            ["denoise", self.clip],
+            ["map", model, self.clip],
+            ["synthesize", self.clip + b":cycle2*2", "-o", new],
+        ):
+            with self.subTest(arguments[0]):
+                self.assert_clean(self.done(*arguments))
+
+    def test_of_errors(self):
+        for arguments in (
+            ["info", self.missing],
+            ["decompose", self.missing],
+            ["info", walk(), self.missing],
+            [self.missing],
+            ["info", walk(), b"--" + self.NAME],
+            ["fit", walk(), "--neighbors", self.NAME],
+            ["fit", walk(), "-o", self.missing + b".txt"],
+            ["decompose", walk(), "-o", self.missing + b"/result.txt"],
+            ["synthesize", self.clip + b":nothing", "-o", "new.bvh"],
+        ):
+            with self.subTest(arguments):
+                result = run(*arguments)
+                self.assertNotEqual(result.returncode, 0)
+                self.assert_clean(result.stderr)
+
+    def test_colors_stay(self):
+        output = Terminal("info", self.clip).finish()[1]
+        self.assertRegex(output, COLOR)
+        self.assertNotIn(b"\x1b]0;", output)
 
 
 class Interrupt(CommandTest):

@@ -5,14 +5,31 @@
 
 #include <fmt/format.h>
 
+#include "base/utf8.hpp"
+
 namespace tool::plot {
 namespace {
 
-constexpr const char* replacement = "\xEF\xBF\xBD"; // U+FFFD in UTF-8
+constexpr std::string_view replacement = "\xEF\xBF\xBD"; // U+FFFD in UTF-8
 
 bool forbidden_in_xml(char c) {
     const auto code = static_cast<unsigned char>(c);
     return code < 0x20 && c != '\t' && c != '\n' && c != '\r';
+}
+
+std::string_view escape_of(char c) {
+    switch (c) {
+    case '&':
+        return "&amp;";
+    case '<':
+        return "&lt;";
+    case '>':
+        return "&gt;";
+    case '"':
+        return "&quot;";
+    default:
+        return forbidden_in_xml(c) ? replacement : "";
+    }
 }
 
 /// Points nearer than this to the one before cannot be told from it on paper.
@@ -30,19 +47,12 @@ std::string number(double value) {
 
 std::string escaped(std::string_view text) {
     std::string result;
-    for (const char c : text) {
-        if (c == '&')
-            result += "&amp;";
-        else if (c == '<')
-            result += "&lt;";
-        else if (c == '>')
-            result += "&gt;";
-        else if (c == '"')
-            result += "&quot;";
-        else if (forbidden_in_xml(c))
-            result += replacement;
-        else
-            result += c;
+    while (!text.empty()) {
+        const std::size_t length = stltsa::utf8_length(text, 0);
+        const std::string_view escape = length == 0 ? replacement : escape_of(text[0]);
+        const std::string_view character = text.substr(0, length == 0 ? 1 : length);
+        result += escape.empty() ? character : escape;
+        text.remove_prefix(character.size());
     }
     return result;
 }

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+namespace stltsa {
+
+/// Bytes of the well-formed UTF-8 sequence at `at` (RFC 3629, section 4); 0: there is none.
+std::size_t utf8_length(std::string_view text, std::size_t at);
+
+} // namespace stltsa

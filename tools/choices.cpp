@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "choices.hpp"
+
+#include <sstream>
+
+namespace tool {
+
+Choices choices_in(const std::string& text) {
+    Choices choices;
+    std::istringstream words(text);
+    for (std::string word; words >> word;) {
+        const std::size_t equals = word.find('=');
+        choices.emplace_back(word.substr(0, equals), std::stoll(word.substr(equals + 1)));
+    }
+    return choices;
+}
+
+std::string named(const stltsa::Info& info, std::int32_t key) {
+    for (const stltsa::InfoKey& row : stltsa::info_table())
+        if (row.key == key)
+            for (const auto& [name, value] : choices_in(row.choices))
+                if (value == info.integer(key))
+                    return name;
+    return std::to_string(info.integer(key));
+}
+
+} // namespace tool
