@@ -119,7 +119,8 @@ def test_groups_and_lists_are_the_same(circle):
     assert np.array_equal(one.coords, two.coords)
     assert np.array_equal(one.components, np.repeat([0, 1], 150))
     alone = stltsa.fit(circle[:150], neighbors=60)
-    assert np.array_equal(one.coords[:150], alone.coords)
+    # Windows share sums of products with those before them, also across clips: rounding differs.
+    assert np.allclose(one.coords[:150], alone.coords, rtol=0, atol=1e-9)
 
 
 def test_rows_of_a_group_stand_together():
