@@ -35,6 +35,17 @@ def test_version_is_the_library_s():
         assert f"version: '{stltsa.__version__}'" in build.read_text()
 
 
+def test_a_part_is_there_or_its_modes_are_unsupported(circle):
+    try:
+        stltsa.fit(circle, mode="spatial", neighbors=12)
+        fits = True
+    except stltsa.UnsupportedError:
+        fits = False
+    assert stltsa.has("cholmod") == fits
+    with pytest.raises(ValueError, match="cholmod"):
+        stltsa.has("cholmods")
+
+
 def test_keywords_are_the_table():
     table = {option.name for option in stltsa.options()}
     assert set(stltsa.Options.__annotations__) == table | {"progress"}

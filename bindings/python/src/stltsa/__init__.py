@@ -21,6 +21,7 @@ from typing import TYPE_CHECKING, Any
 from . import errors
 from ._native import lib as _lib
 from ._options import Option, Options, options
+from ._text import names as _names
 from ._text import string as _string
 from .clip import Clip, read_clip
 from .decomposition import Decomposition, Interval, decompose
@@ -33,6 +34,28 @@ from .synthesis import Piece, Seam, Synthesis, synthesize
 if TYPE_CHECKING:
     from . import markers, plot
     from .estimator import STLTSA
+
+_PARTS = {name: part for part, name in _names("STLTSA_HAS_").items()}
+
+
+def has(part: str) -> bool:
+    """Return whether this build of the library has a part that it may be without.
+
+    Parameters
+    ----------
+    part : str
+        For example ``"cholmod"``, which the modes spatial and recurrent need.
+
+    Examples
+    --------
+    >>> import stltsa
+    >>> stltsa.has("cholmod") in (True, False)
+    True
+    """
+    if part not in _PARTS:
+        raise ValueError(f"part is {part!r}, and must be one of: {', '.join(_PARTS)}")
+    return bool(_lib.stltsa_has(_PARTS[part]))
+
 
 __version__: str = _string(_lib.stltsa_version())
 
@@ -56,6 +79,7 @@ __all__ = [  # noqa: PLE0604
     "dimension",
     "errors",
     "fit",
+    "has",
     "markers",
     "options",
     "plot",

@@ -70,7 +70,7 @@ pub use denoising::{DenoisedColumn, Denoising};
 pub use dimension::{Dimension, Estimate};
 pub use error::{Error, ErrorKind, Result};
 pub use facts::Facts;
-pub use kinds::{Axis, Fact, Features, Format, Mode, Stage, UnitKind};
+pub use kinds::{Axis, Fact, Features, Format, Mode, Part, Stage, UnitKind};
 pub use mapping::{Mapped, Poses, Unmapped};
 pub use model::{Model, ModelInfo};
 pub use options::{options_table, OptionInfo, Options};
@@ -85,4 +85,15 @@ struct Readme;
 pub fn version() -> String {
     // SAFETY: a static text.
     unsafe { error::text(stltsa_sys::stltsa_version()) }
+}
+
+/// Whether this build of the library has a part.
+///
+/// ```
+/// let can_fit_recurrent = stltsa::has(stltsa::Part::Cholmod);
+/// # let _ = can_fit_recurrent;
+/// ```
+pub fn has(part: Part) -> bool {
+    // SAFETY: it takes any number.
+    unsafe { stltsa_sys::stltsa_has(part.raw()) != 0 }
 }

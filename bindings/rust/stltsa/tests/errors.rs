@@ -4,7 +4,7 @@
 mod common;
 
 use common::{circle, circle_model, circle_options};
-use stltsa::{Clip, Denoising, ErrorKind, Model, Options};
+use stltsa::{has, Clip, Denoising, ErrorKind, Mode, Model, Options, Part};
 
 #[test]
 fn the_words_are_the_librarys() {
@@ -74,4 +74,13 @@ fn each_thread_has_its_own_words() {
             scope.spawn(move || assert!((0..200).all(|i| fail(format!("absent-{t}-{i}.bvh")))));
         }
     });
+}
+
+/// The parts are what the fits that need them say.
+#[test]
+fn a_part_is_there_or_its_modes_are_unsupported() {
+    let spatial = Model::fit(&circle(), &circle_options().mode(Mode::Spatial));
+    let refused = matches!(&spatial, Err(error) if error.kind() == ErrorKind::Unsupported);
+    assert_eq!(has(Part::Cholmod), !refused, "{spatial:?}");
+    assert!(!has(Part::Other(12345)));
 }

@@ -1,6 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Made by scripts/generate-bindings: do not edit.
 kinds! {
+    /// Parts that a build of the library may be without.
+    Part {
+        /// Modes spatial and recurrent; without it: E_UNSUPPORTED.
+        Cholmod = STLTSA_HAS_CHOLMOD,
+        /// BLAS is OpenBLAS: a fit sets it to one thread, and then back.
+        Openblas = STLTSA_HAS_OPENBLAS,
+    }
     /// Which frames can be neighbors of a frame.
     Mode {
         /// The frames of the same clip within the window.
