@@ -3,9 +3,12 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "clip/replace_file.hpp"
 
 namespace tool {
 
@@ -17,25 +20,18 @@ void write_stdout(std::string_view text);
 /// directly, by commit().
 class OutputFiles {
   public:
-    OutputFiles() = default;
-    ~OutputFiles();
-    OutputFiles(const OutputFiles&) = delete;
-    OutputFiles& operator=(const OutputFiles&) = delete;
-
     void add(const std::string& path, std::string content);
     /// The same of a file that `write` makes under the name that it is given, whose suffix is that
     /// of `path`.
     using Write = std::function<void(const std::string& name)>;
-    void add_written(const std::string& path, Write write);
+    void add_written(const std::string& path, const Write& write);
     void commit();
 
   private:
     struct Staged {
-        std::string name;      ///< as it was given
-        std::string place;     ///< links followed where it is a file
-        std::string temporary; ///< empty: written directly
-        std::string content;   ///< of those only
-        Write write;           ///< of those whose content is not known
+        std::string name; ///< as it was given
+        std::optional<stltsa::clip::TemporaryFile> temporary;
+        std::function<void()> write; ///< of those without a temporary
     };
     std::vector<Staged> staged_;
 };

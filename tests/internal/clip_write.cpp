@@ -321,9 +321,13 @@ void a_file_is_replaced_whole(void**) {
     fs::create_symlink("a.txt", folder.path("link"));
     write_file(folder.path("link"), "new");
     assert_true(fs::is_symlink(folder.path("link")));
+    fs::create_symlink("new.txt", folder.path("link to nothing yet"));
+    write_file(folder.path("link to nothing yet"), "first");
+    assert_true(fs::is_symlink(folder.path("link to nothing yet")));
+    assert_true(content_of(folder.path("new.txt")) == "first");
     assert_true(content_of(path) == "new");
     assert_int_equal(fs::status(path).permissions(), fs::perms(0640));
-    assert_int_equal(std::distance(fs::directory_iterator(folder.path("")), {}), 2);
+    assert_int_equal(std::distance(fs::directory_iterator(folder.path("")), {}), 4);
 }
 
 void a_file_that_cannot_be_written_stays(void**) {
