@@ -5,19 +5,6 @@
 #include <exception>
 
 namespace stltsa {
-namespace {
-
-/// Looks for a while, which is quicker than to be woken, before it is slept for. Others that need
-/// the processor get it.
-template <class Condition>
-void look_for(const Condition& condition) {
-    constexpr int looks = 2000;
-    for (int i = 0; i < looks && !condition(); ++i)
-        std::this_thread::yield();
-}
-
-} // namespace
-
 ThreadPool::~ThreadPool() {
     {
         const std::lock_guard lock(mutex_);
@@ -31,21 +18,17 @@ ThreadPool::~ThreadPool() {
 void ThreadPool::run(std::int64_t helpers, const std::function<void()>& help,
                      const std::function<void()>& lead) {
     start(helpers);
-    const std::int64_t seats = std::min(helpers, static_cast<std::int64_t>(threads_.size()));
+    const std::int64_t places = std::min(helpers, static_cast<std::int64_t>(threads_.size()));
     {
         const std::lock_guard lock(mutex_);
         help_ = &help;
-        seats_ = seats;
+        places_ = places;
     }
-    for (std::int64_t i = 0; i < seats; ++i)
+    for (std::int64_t i = 0; i < places; ++i)
         wanted_.notify_one();
     lead();
-    {
-        const std::lock_guard lock(mutex_);
-        seats_ = 0;
-    }
-    look_for([this] { return working_ == 0; });
     std::unique_lock lock(mutex_);
+    places_ = 0;
     idle_.wait(lock, [this] { return working_ == 0; });
     help_ = nullptr;
 }
@@ -61,12 +44,11 @@ void ThreadPool::start(std::int64_t count) {
 
 void ThreadPool::work() {
     for (;;) {
-        look_for([this] { return seats_ > 0 || ended_; });
         std::unique_lock lock(mutex_);
-        wanted_.wait(lock, [this] { return seats_ > 0 || ended_; });
+        wanted_.wait(lock, [this] { return places_ > 0 || ended_; });
         if (ended_)
             return;
-        --seats_;
+        --places_;
         ++working_;
         lock.unlock();
         (*help_)();

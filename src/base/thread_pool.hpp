@@ -5,7 +5,6 @@
 // would wait for them for ever.
 #pragma once
 
-#include <atomic>
 #include <condition_variable>
 #include <cstdint>
 #include <functional>
@@ -38,10 +37,10 @@ class ThreadPool {
     std::vector<std::thread> threads_;
     std::mutex mutex_; ///< held to change what is below
     const std::function<void()>* help_ = nullptr;
-    std::atomic<std::int64_t> seats_{0}; ///< for threads that may still come
-    std::atomic<std::int64_t> working_{0};
-    std::atomic<bool> ended_{false};
-    std::condition_variable wanted_; ///< a seat, or the end
+    std::int64_t places_ = 0; ///< for threads that may still come
+    std::int64_t working_ = 0;
+    bool ended_ = false;
+    std::condition_variable wanted_; ///< a place, or the end
     std::condition_variable idle_;   ///< none is working
 };
 
