@@ -34,8 +34,10 @@
  *             installed, the environment is not read, the floating-point mode is not changed, and
  *             the process is never ended.
  * Ownership.  Handles are made by the library and belong to the caller, who ends them with the
- *             matching _free, which takes NULL. Inputs are read during the call only. A returned
- *             const char * belongs to the handle it came from and lives as long.
+ *             matching _free, which takes NULL. Inputs are read during the call only; if another
+ *             thread changes them meanwhile, the call may fail (E_NOT_FINITE), and what it
+ *             returns otherwise means nothing. A returned const char * belongs to the handle it
+ *             came from and lives as long.
  * Threads.    Any number of threads may use const handles at once, and different calls may run at
  *             once (ARPACK is not reentrant: the library lets one eigenproblem run at a time; it
  *             cannot know of other users of the same libarpack in the process). A handle that is
@@ -511,6 +513,7 @@ typedef struct stltsa_model stltsa_model;
  * lengths NULL: one clip. Temporal neighbors never cross clips. Every connected component of the
  * neighborhood graph is embedded on its own (columns centered, of unit norm); ask
  * STLTSA_MODEL_COMPONENTS before you compare coordinates across clips or cuts.
+ * Numbers may be as small as they like, but not beyond 1e100.
  * Options: neighbors, window, dimension, mode, include_self, links, exclusion, threads, fps (for
  * the automatic k), period_min, period_max, progress. Repeated frames are collapsed first and
  * get the coordinates of the one they repeat.

@@ -8,6 +8,7 @@
 #include "capi/guard.hpp"
 #include "capi/mapping.hpp"
 #include "capi/source.hpp"
+#include "ltsa/fit.hpp"
 #include "ltsa/frames.hpp"
 #include "ltsa/warnings.hpp"
 

@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
 #include <numeric>
+
+#include "ltsa/frames.hpp"
 
 namespace stltsa::ltsa {
 namespace {
@@ -59,14 +62,7 @@ class Arrangement {
         const auto in_time = [&] { std::nth_element(first, half, last); };
         in_time();
         const double of_time = variation();
-        const std::int64_t column = widest_column(std::span(first, last));
-        std::nth_element(first, half, last, [&](std::size_t a, std::size_t b) {
-            if (is_short(a) || is_short(b)) // it stays at the end: the others are whole leaves
-                return is_short(b) && !is_short(a);
-            const double at_a = row_of(a)[column];
-            const double at_b = row_of(b)[column];
-            return at_a < at_b || (at_a == at_b && a < b);
-        });
+        order_by_column(first, half, last);
         if (of_time < favor_for_time * variation())
             in_time();
     }
@@ -82,13 +78,37 @@ class Arrangement {
     }
 
   private:
-    std::vector<std::size_t>::iterator piece_at(std::int32_t place) {
+    using Piece = std::vector<std::size_t>::iterator;
+    struct Key {
+        bool is_short;
+        double value;
+        std::size_t piece;
+        auto operator<=>(const Key&) const = default;
+    };
+
+    Piece piece_at(std::int32_t place) {
         return pieces_.begin() + place / static_cast<std::int32_t>(length_);
     }
     bool is_short(std::size_t piece) const { return (piece + 1) * length_ > stretches_.size(); }
     const double* row_of(std::size_t piece) const {
         return x_.row(
             stretches_[std::min(piece * length_ + length_ / 2, stretches_.size() - 1)].row);
+    }
+
+    /// In order of the column in which they differ most, but the short one stays at the end: the
+    /// others are whole leaves.
+    void order_by_column(Piece first, Piece half, Piece last) {
+        const std::int64_t column = widest_column(std::span(first, last));
+        // Read once: whoever changes x meanwhile must not change the order while it is made.
+        std::vector<Key> keys;
+        for (auto piece = first; piece < last; ++piece) {
+            const double value = row_of(*piece)[column];
+            if (std::isnan(value))
+                fail_changed(static_cast<std::int64_t>(*piece * length_));
+            keys.push_back({is_short(*piece), value, *piece});
+        }
+        std::nth_element(keys.begin(), keys.begin() + (half - first), keys.end());
+        std::ranges::transform(keys, first, [](const Key& key) { return key.piece; });
     }
 
     /// The column in which these differ most.

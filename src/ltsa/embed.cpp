@@ -16,43 +16,6 @@ namespace stltsa::ltsa {
 
 namespace {
 
-void find_neighbors_and_tangents(const Parameters& parameters, const Progress& progress,
-                                 Graph& graph) {
-    const ConstMatrixView x = graph.frames.x;
-    const std::vector<std::int64_t>& lengths = graph.frames.lengths;
-    switch (parameters.mode) {
-    case Mode::temporal:
-        graph.tangents = temporal_tangents(x, lengths, parameters, progress, graph.neighborhoods);
-        return;
-    case Mode::spatial:
-        graph.neighborhoods = spatial_neighbors(x, parameters, progress);
-        break;
-    case Mode::recurrent:
-        graph.neighborhoods = recurrent_neighbors(x, lengths, parameters, progress);
-        break;
-    }
-    graph.tangents = local_tangents(x, graph.neighborhoods, parameters, progress);
-}
-
-} // namespace
-
-Graph build_graph(ConstMatrixView frames, std::span<const std::int64_t> lengths,
-                  const Parameters& parameters, const Progress& progress) {
-    Graph graph;
-    graph.parameters = parameters;
-    graph.frames = collapse_repeats(frames, lengths, parameters.threads);
-    check_parameters(parameters, graph.frames);
-    // Memory is taken for as much as the window holds.
-    Parameters within = parameters;
-    within.window = std::min(parameters.window, graph.frames.x.rows);
-    find_neighbors_and_tangents(within, progress, graph);
-    graph.components =
-        connected_components(graph.neighborhoods, {parameters.simd, parameters.threads});
-    return graph;
-}
-
-namespace {
-
 /// Of the entry of largest size, the first of equals.
 double sign_of(std::span<const double> values, const Machine& machine) {
     const auto largest_of = [](std::span<const double> some) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ltsa/model.hpp"
+#include "ltsa/fit.hpp"
 
 #include "linalg/blas_threads.hpp"
 #include "ltsa/embed.hpp"
@@ -25,8 +25,22 @@ std::int64_t first_cut(const Model& model) {
     return -1;
 }
 
+namespace {
+
+/// Windows of so few features have fewer directions everywhere: told before the work.
+void check_dimension(std::int64_t features, int dimension) {
+    if (dimension > features)
+        fail(Status::degenerate,
+             "{} coordinates were asked for and the frames have {} features; use a dimension of at "
+             "most {}",
+             dimension, features, features);
+}
+
+} // namespace
+
 Model fit(ConstMatrixView frames, std::span<const std::int64_t> lengths,
           const Parameters& parameters, const Progress& progress) {
+    check_dimension(frames.cols, parameters.dimension);
     const SingleThreadedBlas single;
     const Graph graph = build_graph(frames, lengths, parameters, progress);
     Model model = embed(graph, parameters.dimension,
@@ -37,6 +51,7 @@ Model fit(ConstMatrixView frames, std::span<const std::int64_t> lengths,
 
 std::vector<Model> fit_dimensions(ConstMatrixView frames, std::span<const std::int64_t> lengths,
                                   const Parameters& parameters, const Progress& progress) {
+    check_dimension(frames.cols, parameters.dimension);
     const SingleThreadedBlas single;
     const Graph graph = build_graph(frames, lengths, parameters, progress);
     std::vector<Model> models;

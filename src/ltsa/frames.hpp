@@ -21,7 +21,7 @@ void check_frames(ConstMatrixView frames, std::span<const std::int64_t> lengths,
 /// The frames without those that equal their predecessor in every feature. A window of held
 /// frames has no tangent, and a hold longer than the window would cut the clip in two.
 struct DistinctFrames {
-    Matrix storage; ///< used only where something repeats
+    Matrix storage; ///< used only if something repeats or is scaled
     ConstMatrixView x;
     std::vector<std::int64_t> lengths;
     UnsetVector<std::int32_t> row_of; ///< distinct row of each frame
@@ -30,6 +30,14 @@ struct DistinctFrames {
 
 DistinctFrames collapse_repeats(ConstMatrixView frames, std::span<const std::int64_t> lengths,
                                 int threads);
+
+/// Throws for a frame whose numbers are no longer those that check_frames() passed: another thread
+/// of the caller's may write into an array that is read in place.
+[[noreturn]] void fail_changed(std::int64_t frame);
+
+/// Scales frames that all lie so close together that squares of their distances would underflow, by
+/// a power of two, which is exact; the embedding does not depend on it.
+void scale_tiny(DistinctFrames& frames);
 
 /// Throws for parameters that do not fit each other or the distinct frames.
 void check_parameters(const Parameters& parameters, const DistinctFrames& frames);

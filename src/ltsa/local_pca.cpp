@@ -8,6 +8,7 @@
 
 #include "linalg/simd.hpp"
 #include "ltsa/centered.hpp"
+#include "ltsa/frames.hpp"
 
 namespace stltsa::ltsa {
 
@@ -27,6 +28,12 @@ void LocalPca::compute(std::span<const std::int32_t> neighborhood) {
         gram(neighborhood);
     else
         covariance(neighborhood);
+    const std::int64_t order = std::min(size_, x_.cols);
+    double trace = 0;
+    for (std::int64_t a = 0; a < order; ++a)
+        trace += eigen_.matrix()[a * (order + 1)];
+    if (!std::isfinite(trace)) // LAPACK must not see it
+        fail_changed(neighborhood.front());
     eigen_.solve();
 }
 

@@ -3,11 +3,9 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <string>
 #include <vector>
 
-#include "base/progress.hpp"
 #include "linalg/matrix.hpp"
 #include "ltsa/parameters.hpp"
 
@@ -38,16 +36,5 @@ struct Model {
 
 /// The first frame that is in another part than the frame before it in its clip; -1: none.
 std::int64_t first_cut(const Model& model);
-
-/// Fits STLTSA to `frames` (rows = frames of all clips one after another; lengths sum to rows).
-/// They passed check_frames(). Throws Error for frames that are too few, parameters out of range,
-/// no memory, cancelled.
-Model fit(ConstMatrixView frames, std::span<const std::int64_t> lengths,
-          const Parameters& parameters, const Progress& progress);
-
-/// The same for tangent dimensions 1 .. parameters.dimension, sharing neighbors and tangents;
-/// element d-1 of the result has dimension d.
-std::vector<Model> fit_dimensions(ConstMatrixView frames, std::span<const std::int64_t> lengths,
-                                  const Parameters& parameters, const Progress& progress);
 
 } // namespace stltsa::ltsa

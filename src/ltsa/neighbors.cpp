@@ -2,10 +2,12 @@
 #include "ltsa/neighbors.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "base/parallel.hpp"
 #include "ltsa/band_distances.hpp"
+#include "ltsa/frames.hpp"
 #include "ltsa/neighborhood_distances.hpp"
 
 namespace stltsa::ltsa {
@@ -13,7 +15,8 @@ namespace stltsa::ltsa {
 namespace {
 
 /// The nearest of the frames first, first + 1, ... at these distances, ties going to the earlier
-/// one: ascending, without sorting frames. So many are finite at least (check_parameters()).
+/// one: ascending, without sorting frames. There are as many (check_parameters()), and none of the
+/// distances is NaN.
 void select_in_order(std::span<const double> distances, std::int64_t first,
                      std::vector<double>& scratch, std::span<std::int32_t> out) {
     scratch.assign(distances.begin(), distances.end());
@@ -53,8 +56,11 @@ void WindowNeighbors::select(const Distance& distance, std::int64_t first, std::
             ++clip_end;
         const std::int64_t begin = std::max(*(clip_end - 1), i - window_);
         window.clear();
+        double sum = 0;
         for (std::int64_t j = begin; j < std::min(*clip_end, i + window_ + 1); ++j)
-            window.push_back(j != i || include_self_ ? distance(i, j) : never);
+            sum += window.emplace_back(j != i || include_self_ ? distance(i, j) : never);
+        if (std::isnan(sum))
+            fail_changed(i);
         select_in_order(window, begin, scratch, neighborhoods.of(i));
     }
 }

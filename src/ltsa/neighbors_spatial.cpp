@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "ltsa/frames.hpp"
 #include "ltsa/nearest_of_all.hpp"
 
 namespace stltsa::ltsa {
@@ -26,10 +27,15 @@ std::vector<RowRange> clip_of_frame(std::span<const std::int64_t> lengths) {
     return clips;
 }
 
-/// Puts the frames that were found behind those that a neighborhood has, and all in order of time.
-void complete(std::span<std::int32_t> neighborhood, const std::vector<Candidate>& found) {
+/// Puts the frames that were found for frame i into the last `count` places of its neighborhood,
+/// and all in order of time.
+void complete(Neighborhoods& neighborhoods, std::int64_t i, std::int64_t count,
+              const std::vector<Candidate>& found) {
+    if (static_cast<std::int64_t>(found.size()) < count) // to a NaN nothing is near
+        fail_changed(i);
+    const auto neighborhood = neighborhoods.of(i);
     std::transform(found.begin(), found.end(),
-                   neighborhood.end() - static_cast<std::ptrdiff_t>(found.size()),
+                   neighborhood.end() - static_cast<std::ptrdiff_t>(count),
                    [](const Candidate& candidate) { return candidate.frame; });
     std::sort(neighborhood.begin(), neighborhood.end());
 }
@@ -44,7 +50,7 @@ Neighborhoods spatial_neighbors(ConstMatrixView x, const Parameters& parameters,
         return parameters.include_self ? RowRange{0, 0} : RowRange{i, i + 1};
     };
     const auto store = [&](std::int64_t i, const std::vector<Candidate>& found) {
-        complete(neighborhoods.of(i), found);
+        complete(neighborhoods, i, parameters.neighbors, found);
     };
     find_nearest_of_all(x,
                         {parameters.neighbors, zone_of, store, parameters.threads, parameters.simd},
@@ -73,7 +79,7 @@ Neighborhoods recurrent_neighbors(ConstMatrixView x, std::span<const std::int64_
     const auto store = [&](std::int64_t i, const std::vector<Candidate>& found) {
         const auto temporal = near.of(i);
         std::copy(temporal.begin(), temporal.end(), neighborhoods.of(i).begin());
-        complete(neighborhoods.of(i), found);
+        complete(neighborhoods, i, parameters.links, found);
     };
     find_nearest_of_all(x, {parameters.links, zone_of, store, parameters.threads, parameters.simd},
                         reporting(progress));

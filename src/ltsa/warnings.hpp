@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "ltsa/embed.hpp"
+#include "ltsa/graph.hpp"
+#include "ltsa/model.hpp"
 
 namespace stltsa::ltsa {
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "ltsa/fit.hpp"
+
 namespace stltsa::motion {
 namespace {
 

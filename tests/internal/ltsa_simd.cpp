@@ -7,7 +7,7 @@
 #include <cstring>
 #include <filesystem>
 
-#include "ltsa/model.hpp"
+#include "ltsa/fit.hpp"
 #include "ltsa_testing.hpp"
 
 namespace {

@@ -244,6 +244,72 @@ static void cancelled_at_every_call(void** state) {
     stltsa_options_free(options);
 }
 
+struct writer {
+    double* x;
+    int64_t count;
+    int calls_left;
+};
+
+/* As another thread might: every number becomes NaN at one call. */
+static int32_t write_nan(void* user, int32_t stage, double fraction) {
+    struct writer* w = user;
+    (void)stage;
+    (void)fraction;
+    if (w->calls_left-- == 0)
+        for (int64_t i = 0; i < w->count; ++i)
+            w->x[i] = NAN;
+    return 0;
+}
+
+/* Frames that become NaN at the first call of a fit, the second, ... until one has fewer calls:
+ * each time they are noticed, or nobody reads them any more. */
+static void assert_survives_nan(int32_t mode, int64_t k) {
+    enum { many = 1300 };
+    double* x = new_motion(many, cols, 72);
+    double* changing = new_matrix(many, cols);
+    const stltsa_in in = packed_in(changing, many, cols);
+    stltsa_options* options = new_options(k, k, 2);
+    must(stltsa_options_set_int(options, STLTSA_OPT_MODE, mode));
+    struct writer w = {changing, many * cols, 0};
+    int noticed = 0;
+    for (int call = 0; w.calls_left <= 0; ++call) {
+        memcpy(changing, x, (size_t)(many * cols) * sizeof *x);
+        w.calls_left = call;
+        must(stltsa_options_set_progress(options, write_nan, &w));
+        stltsa_model* model = NULL;
+        const stltsa_status status = stltsa_fit(&in, NULL, 1, options, &model);
+        assert_true(status == STLTSA_OK || status == STLTSA_E_NOT_FINITE ||
+                    status == STLTSA_E_UNSUPPORTED); /* without CHOLMOD */
+        noticed += status == STLTSA_E_NOT_FINITE;
+        stltsa_model_free(model);
+    }
+    assert_true(noticed > 0);
+    stltsa_options_free(options);
+    free(changing);
+    free(x);
+}
+
+static void frames_that_become_nan_are_noticed(void** state) {
+    (void)state;
+    assert_survives_nan(STLTSA_MODE_TEMPORAL, 6);
+    assert_survives_nan(STLTSA_MODE_TEMPORAL, 12);
+    assert_survives_nan(STLTSA_MODE_SPATIAL, 6);
+    assert_survives_nan(STLTSA_MODE_SPATIAL, 12);
+    assert_survives_nan(STLTSA_MODE_RECURRENT, 12);
+}
+
+/* Told at once: such a fit would take far longer than this test may. */
+static void more_dimensions_than_features_are_refused(void** state) {
+    (void)state;
+    enum { many = 4000, narrow = 3 };
+    double* x = new_motion(many, narrow, 73);
+    const stltsa_in in = packed_in(x, many, narrow);
+    stltsa_options* options = new_options(1002, 1002, 1000);
+    assert_fails(&in, NULL, 1, options, STLTSA_E_DEGENERATE, "features");
+    stltsa_options_free(options);
+    free(x);
+}
+
 /* Neighbors of all frames are a stage of their own, unlike temporal ones; it can be cancelled. */
 static void neighbors_of_all_frames_are_a_stage(void** state) {
     const struct fixture* f = *state;
@@ -293,6 +359,8 @@ int main(void) {
         cmocka_unit_test(sizes_that_overflow),
         cmocka_unit_test(options_out_of_range),
         cmocka_unit_test(cancelled_at_every_call),
+        cmocka_unit_test(frames_that_become_nan_are_noticed),
+        cmocka_unit_test(more_dimensions_than_features_are_refused),
         cmocka_unit_test(neighbors_of_all_frames_are_a_stage),
         cmocka_unit_test(handles_survive_a_failure),
     };

@@ -29,6 +29,44 @@ static void rotation_and_shift_change_nothing(void** state) {
     free(x);
 }
 
+static stltsa_options* options_of_mode(int32_t mode) {
+    stltsa_options* options = new_options(12, 12, d);
+    must(stltsa_options_set_int(options, STLTSA_OPT_MODE, mode));
+    return options;
+}
+
+/* Squares of such distances underflow. */
+static void check_tiny_numbers(int32_t mode, const double* x) {
+    double* want = fit_coords_with(options_of_mode(mode), x, rows, cols);
+    for (int power = 528; power <= 960; power += 216) {
+        double* tiny = copy_of(x, rows * cols);
+        for (int i = 0; i < rows * cols; ++i)
+            tiny[i] = ldexp(tiny[i], -power);
+        double* got = fit_coords_with(options_of_mode(mode), tiny, rows, cols);
+        assert_below(largest_difference(want, got, rows * d), 1e-9, "change by scale");
+        free(got);
+        free(tiny);
+    }
+    free(want);
+}
+
+static void tiny_numbers_are_as_good_as_others(void** state) {
+    (void)state;
+    double* x = new_motion(rows, cols, 24);
+    check_tiny_numbers(STLTSA_MODE_TEMPORAL, x);
+    stltsa_options* options = options_of_mode(STLTSA_MODE_SPATIAL);
+    const stltsa_in in = packed_in(x, rows, cols);
+    stltsa_model* model = NULL;
+    const stltsa_status status = stltsa_fit(&in, NULL, 1, options, &model);
+    if (status != STLTSA_E_UNSUPPORTED) { /* with CHOLMOD */
+        check_tiny_numbers(STLTSA_MODE_SPATIAL, x);
+        check_tiny_numbers(STLTSA_MODE_RECURRENT, x);
+    }
+    stltsa_model_free(model);
+    stltsa_options_free(options);
+    free(x);
+}
+
 static void scale_changes_nothing(void** state) {
     (void)state;
     double* x = new_motion(rows, cols, 23);
@@ -329,6 +367,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(rotation_and_shift_change_nothing),
         cmocka_unit_test(scale_changes_nothing),
+        cmocka_unit_test(tiny_numbers_are_as_good_as_others),
         cmocka_unit_test(shift_that_rounds_nothing_changes_no_bit),
         cmocka_unit_test(order_of_channels_does_not_matter),
         cmocka_unit_test(time_backwards_reverses_the_curve),

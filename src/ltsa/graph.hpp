@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The part of a fit that does not depend on how many coordinates are wanted.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "base/progress.hpp"
+#include "ltsa/components.hpp"
+#include "ltsa/frames.hpp"
+#include "ltsa/neighbors.hpp"
+#include "ltsa/tangents.hpp"
+
+namespace stltsa::ltsa {
+
+/// Frames, neighborhoods, components and tangents of parameters.dimension dimensions.
+struct Graph {
+    DistinctFrames frames;
+    Neighborhoods neighborhoods;
+    Components components;
+    Tangents tangents;
+    Parameters parameters;
+};
+
+/// `frames` and `lengths` passed check_frames().
+Graph build_graph(ConstMatrixView frames, std::span<const std::int64_t> lengths,
+                  const Parameters& parameters, const Progress& progress);
+
+} // namespace stltsa::ltsa
