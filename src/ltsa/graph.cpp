@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "ltsa/local_tangents.hpp"
+
 namespace stltsa::ltsa {
 
 namespace {

@@ -4,6 +4,7 @@
 
 #include "linalg/panel.hpp"
 #include "ltsa/alignment.hpp"
+#include "ltsa/local_tangents.hpp"
 #include "ltsa_testing.hpp"
 
 namespace {

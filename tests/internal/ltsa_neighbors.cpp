@@ -7,8 +7,8 @@
 #include "linalg/blas_threads.hpp"
 #include "linalg/simd.hpp"
 #include "ltsa/components.hpp"
+#include "ltsa/local_tangents.hpp"
 #include "ltsa/neighbors.hpp"
-#include "ltsa/tangents.hpp"
 #include "ltsa_testing.hpp"
 
 namespace {

@@ -5,8 +5,8 @@
 #include "linalg/run_sums.hpp"
 #include "linalg/simd.hpp"
 #include "ltsa/components.hpp"
+#include "ltsa/local_tangents.hpp"
 #include "ltsa/spectrum.hpp"
-#include "ltsa/tangents.hpp"
 #include "ltsa_testing.hpp"
 
 namespace {

@@ -8,8 +8,8 @@
 #include "ltsa/covariance_batch.hpp"
 #include "ltsa/gram_batch.hpp"
 #include "ltsa/local_pca.hpp"
+#include "ltsa/local_tangents.hpp"
 #include "ltsa/neighborhood_distances.hpp"
-#include "ltsa/tangents.hpp"
 #include "ltsa_testing.hpp"
 
 namespace {

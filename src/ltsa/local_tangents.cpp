@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ltsa/tangents.hpp"
+#include "ltsa/local_tangents.hpp"
 
 #include <algorithm>
 #include <cmath>
