@@ -392,7 +392,29 @@ enum {
     STLTSA_INFO_PIECE_END = 105,        /* int[]  frame after the last of each piece */
     STLTSA_INFO_PIECE_REPEAT = 106,     /* int[]  how often each piece is played */
     /* Everything but clips. */
-    STLTSA_INFO_WARNING = 120           /* text[] what a user should know about the result */
+    STLTSA_INFO_WARNING = 120,          /* text[] what a user should know about the result */
+    STLTSA_INFO_WARNING_CODE = 121,     /* int[]  STLTSA_WARNING_* of each warning */
+    STLTSA_INFO_WARNING_BEGIN = 122,    /* real[] seconds in the clip at which each warning
+                                                  applies; NaN: it has no time */
+    STLTSA_INFO_WARNING_END = 123       /* real[] end of that time; the begin for a moment */
+};
+
+/* Kinds of warnings; new ones may be added. Those of a synthesis have the time of the seam. */
+enum {
+    STLTSA_WARNING_FOLLOWS_TIME = 1,    /* coordinate 1 only follows time */
+    STLTSA_WARNING_RANK_DEFICIENT = 2,  /* windows vary in fewer than d directions */
+    STLTSA_WARNING_SMALL_GAP = 3,       /* another dimension is better defined */
+    STLTSA_WARNING_UNSCALED = 4,        /* rounding may turn a direction: scale the features */
+    STLTSA_WARNING_INACCURATE = 5,      /* eigenvalues at the limit of double precision */
+    STLTSA_WARNING_DISCONNECTED = 6,    /* the neighborhood graph falls apart */
+    STLTSA_WARNING_JUMP = 7,            /* the pose jumps */
+    STLTSA_WARNING_SEPARATE_MOTION = 8, /* a motion in which no cycle was looked for */
+    STLTSA_WARNING_OFFSETS_DIFFER = 9,  /* clips joined have slightly different skeletons */
+    STLTSA_WARNING_RESAMPLED = 10,      /* a clip was resampled to the first one's frame rate */
+    STLTSA_WARNING_SEAM_POSTURE = 11,   /* postures at a seam are far apart */
+    STLTSA_WARNING_SEAM_SPEED = 12,     /* unusually fast near a seam */
+    STLTSA_WARNING_SEAM_ACCELERATION = 13, /* unusual acceleration near a seam */
+    STLTSA_WARNING_NOT_BLENDED = 14     /* no frames beyond the cuts of a seam to blend */
 };
 
 /* How many values a key has here; 0: none, or an unknown key. */

@@ -96,8 +96,10 @@ motion::DecomposeOptions search_options(const capi::OptionsReader& options,
     const double fps = source.clip.fps;
     search.first_s = static_cast<double>(source.samples.first) / fps;
     search.in_space = source.samples.features == clip::Features::raw;
-    if (jump > 0)
-        search.jump = format_text("frame {} ({:.2f} s)", jump, static_cast<double>(jump) / fps);
+    if (jump > 0) {
+        search.jump_s = static_cast<double>(jump) / fps;
+        search.jump = format_text("frame {} ({:.2f} s)", jump, search.jump_s);
+    }
     return search;
 }
 
@@ -270,7 +272,7 @@ const char* stltsa_decomposition_warning(const stltsa_decomposition* decompositi
                                          int64_t index) noexcept {
     if (index < 0 || index >= stltsa_decomposition_warning_count(decomposition))
         return "";
-    return decomposition->result.warnings[static_cast<std::size_t>(index)].c_str();
+    return decomposition->result.warnings[static_cast<std::size_t>(index)].text.c_str();
 }
 
 stltsa_status stltsa_decomposition_json(const stltsa_decomposition* decomposition,

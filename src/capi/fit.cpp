@@ -25,9 +25,15 @@ void warn_of_parts(const capi::SampleFacts& samples, ltsa::Model& model) {
     if (model.components.size() <= model.lengths.size())
         return;
     const std::int64_t row = ltsa::first_cut(model);
-    const std::string cut =
-        row < 0 ? "" : format_text("frame {}", samples.first + row * samples.step);
-    model.warnings.insert(model.warnings.begin(), ltsa::parts_warning(model, cut));
+    std::string cut;
+    double cut_s = no_time;
+    if (row >= 0) {
+        const std::int64_t frame = samples.first + row * samples.step;
+        cut = format_text("frame {}", frame);
+        if (samples.fps > 0)
+            cut_s = static_cast<double>(frame) / (samples.fps * static_cast<double>(samples.step));
+    }
+    model.warnings.insert(model.warnings.begin(), ltsa::parts_warning(model, cut, cut_s));
 }
 
 std::unique_ptr<stltsa_model> fit_samples(ConstMatrixView samples,
@@ -207,7 +213,7 @@ int64_t stltsa_model_warning_count(const stltsa_model* model) noexcept {
 const char* stltsa_model_warning(const stltsa_model* model, int64_t index) noexcept {
     if (index < 0 || index >= stltsa_model_warning_count(model))
         return "";
-    return model->model.warnings[static_cast<std::size_t>(index)].c_str();
+    return model->model.warnings[static_cast<std::size_t>(index)].text.c_str();
 }
 
 stltsa_status stltsa_model_json(const stltsa_model* model, char** json) noexcept {

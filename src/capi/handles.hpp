@@ -90,7 +90,7 @@ struct stltsa_denoising : stltsa_info {
     stltsa::capi::Source source;
     stltsa::capi::PeriodFacts period;            ///< that the knots rest on
     std::optional<stltsa::ltsa::Parameters> fit; ///< none: the coordinates were given
-    std::vector<std::string> warnings;           ///< of that fit
+    stltsa::Warnings warnings;                   ///< of that fit
 };
 
 struct stltsa_synthesis : stltsa_info {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "base/warning.hpp"
 #include "capi/guard.hpp"
 
 using namespace stltsa;
@@ -12,8 +13,26 @@ using capi::required;
 
 namespace {
 
+constexpr bool same(WarningCode code, int value) {
+    return static_cast<int>(code) == value;
+}
+static_assert(same(WarningCode::follows_time, STLTSA_WARNING_FOLLOWS_TIME) &&
+              same(WarningCode::rank_deficient, STLTSA_WARNING_RANK_DEFICIENT) &&
+              same(WarningCode::small_gap, STLTSA_WARNING_SMALL_GAP) &&
+              same(WarningCode::unscaled, STLTSA_WARNING_UNSCALED) &&
+              same(WarningCode::inaccurate, STLTSA_WARNING_INACCURATE) &&
+              same(WarningCode::disconnected, STLTSA_WARNING_DISCONNECTED) &&
+              same(WarningCode::jump, STLTSA_WARNING_JUMP) &&
+              same(WarningCode::separate_motion, STLTSA_WARNING_SEPARATE_MOTION) &&
+              same(WarningCode::offsets_differ, STLTSA_WARNING_OFFSETS_DIFFER) &&
+              same(WarningCode::resampled, STLTSA_WARNING_RESAMPLED) &&
+              same(WarningCode::seam_posture, STLTSA_WARNING_SEAM_POSTURE) &&
+              same(WarningCode::seam_speed, STLTSA_WARNING_SEAM_SPEED) &&
+              same(WarningCode::seam_acceleration, STLTSA_WARNING_SEAM_ACCELERATION) &&
+              same(WarningCode::not_blended, STLTSA_WARNING_NOT_BLENDED));
+
 const capi::InfoRow* row_of(const capi::InfoTable& table, int32_t key) {
-    for (const auto rows : {table.own, table.source, table.fit})
+    for (const auto rows : {table.own, table.source, table.fit, table.warnings})
         for (const capi::InfoRow& row : rows)
             if (row.key == key)
                 return &row;

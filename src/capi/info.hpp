@@ -39,6 +39,7 @@ struct InfoTable {
     std::span<const InfoRow> own;
     std::span<const InfoRow> source; ///< where its rows come from
     std::span<const InfoRow> fit;    ///< parameters
+    std::span<const InfoRow> warnings;
 };
 
 extern const InfoTable clip_table, model_table, dimension_table, decomposition_table,

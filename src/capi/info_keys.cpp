@@ -114,6 +114,10 @@ constexpr stltsa_info_key rows[] = {
     whole(STLTSA_INFO_PIECE_END, "piece_end", "Frame after the last of each piece."),
     whole(STLTSA_INFO_PIECE_REPEAT, "piece_repeat", "How often each piece is played."),
     text(STLTSA_INFO_WARNING, "warning", "What a user should know about the result."),
+    whole(STLTSA_INFO_WARNING_CODE, "warning_code", "STLTSA_WARNING_* of each warning."),
+    real(STLTSA_INFO_WARNING_BEGIN, "warning_begin",
+         "Seconds in the clip at which each warning applies; NaN: it has no time."),
+    real(STLTSA_INFO_WARNING_END, "warning_end", "End of that time; the begin for a moment."),
 };
 
 } // namespace

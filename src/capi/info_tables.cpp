@@ -84,6 +84,34 @@ constexpr InfoRow fit_rows[] = {
     of_fit<H>(STLTSA_INFO_EXCLUSION, [](const ltsa::Parameters& p) { return p.exclusion; }),
 };
 
+// ---- Warnings ----
+
+const Warnings& warnings_of(const stltsa_model& model) {
+    return model.model.warnings;
+}
+const Warnings& warnings_of(const stltsa_denoising& denoising) {
+    return denoising.warnings;
+}
+template <class Handle>
+const Warnings& warnings_of(const Handle& handle) {
+    return handle.result.warnings;
+}
+
+template <class H, class Get>
+constexpr InfoRow of_warning(std::int32_t key, Get get) {
+    return each<H>(
+        key, [](const H& h) -> const auto& { return warnings_of(h); }, get);
+}
+
+template <class H>
+constexpr InfoRow warning_rows[] = {
+    of_warning<H>(
+        STLTSA_INFO_WARNING, [](const Warning& w) -> const auto& { return w.text; }),
+    of_warning<H>(STLTSA_INFO_WARNING_CODE, [](const Warning& w) { return w.code; }),
+    of_warning<H>(STLTSA_INFO_WARNING_BEGIN, [](const Warning& w) { return w.begin_s; }),
+    of_warning<H>(STLTSA_INFO_WARNING_END, [](const Warning& w) { return w.end_s; }),
+};
+
 // ---- Clips ----
 
 using Clip = stltsa_clip;
@@ -131,8 +159,6 @@ constexpr InfoRow model_rows[] = {
     of_component(STLTSA_INFO_ERROR_ESTIMATE,
                  [](const ltsa::Component& c) { return c.error_estimate; }),
     of_component(STLTSA_INFO_GAP, [](const ltsa::Component& c) { return c.gap; }),
-    list<Model>(
-        STLTSA_INFO_WARNING, [](const Model& m) -> const auto& { return m.model.warnings; }),
 };
 
 // ---- Intrinsic dimension ----
@@ -187,9 +213,6 @@ constexpr InfoRow decomposition_rows[] = {
     maybe<Decomposition>(
         STLTSA_INFO_EIGENGAP, [](const Decomposition& d) { return dimension_of(d); },
         [](const ltsa::Dimension& found) { return found.eigengap; }),
-    list<Decomposition>(
-        STLTSA_INFO_WARNING,
-        [](const Decomposition& d) -> const auto& { return d.result.warnings; }),
 };
 
 // ---- Denoisings ----
@@ -218,8 +241,6 @@ constexpr InfoRow denoising_rows[] = {
                    [](const Denoising& d) { return d.source.period.shortest; }),
     one<Denoising>(STLTSA_INFO_FIT_PERIOD_MAX,
                    [](const Denoising& d) { return d.source.period.longest; }),
-    list<Denoising>(
-        STLTSA_INFO_WARNING, [](const Denoising& d) -> const auto& { return d.warnings; }),
 };
 
 // ---- Syntheses ----
@@ -243,22 +264,23 @@ constexpr InfoRow synthesis_rows[] = {
     of_piece(STLTSA_INFO_PIECE_BEGIN, [](const PieceFacts& p) { return p.begin; }),
     of_piece(STLTSA_INFO_PIECE_END, [](const PieceFacts& p) { return p.end; }),
     of_piece(STLTSA_INFO_PIECE_REPEAT, [](const PieceFacts& p) { return p.repeat; }),
-    list<Synthesis>(
-        STLTSA_INFO_WARNING, [](const Synthesis& s) -> const auto& { return s.result.warnings; }),
 };
 
 } // namespace
 
-constexpr InfoTable clip_table = {STLTSA_HANDLE_CLIP, clip_rows, {}, {}};
+constexpr InfoTable clip_table = {STLTSA_HANDLE_CLIP, clip_rows, {}, {}, {}};
 constexpr InfoTable model_table = {STLTSA_HANDLE_MODEL, model_rows, source_rows<Model>,
-                                   fit_rows<Model>};
-constexpr InfoTable dimension_table = {STLTSA_HANDLE_DIMENSION, dimension_rows,
-                                       source_rows<Dimension>, fit_rows<Dimension>};
+                                   fit_rows<Model>, warning_rows<Model>};
+constexpr InfoTable dimension_table = {
+    STLTSA_HANDLE_DIMENSION, dimension_rows, source_rows<Dimension>, fit_rows<Dimension>, {}};
 constexpr InfoTable decomposition_table = {STLTSA_HANDLE_DECOMPOSITION, decomposition_rows,
-                                           source_rows<Decomposition>, fit_rows<Decomposition>};
+                                           source_rows<Decomposition>, fit_rows<Decomposition>,
+                                           warning_rows<Decomposition>};
 constexpr InfoTable denoising_table = {STLTSA_HANDLE_DENOISING, denoising_rows,
-                                       source_rows<Denoising>, fit_rows<Denoising>};
-constexpr InfoTable synthesis_table = {STLTSA_HANDLE_SYNTHESIS, synthesis_rows, {}, {}};
+                                       source_rows<Denoising>, fit_rows<Denoising>,
+                                       warning_rows<Denoising>};
+constexpr InfoTable synthesis_table = {
+    STLTSA_HANDLE_SYNTHESIS, synthesis_rows, {}, {}, warning_rows<Synthesis>};
 
 } // namespace stltsa::capi
 

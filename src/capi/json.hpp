@@ -87,7 +87,7 @@ struct DenoisingFacts {
     motion::DenoiseOptions options;        ///< as used
     std::span<const std::int64_t> lengths; ///< rows that each spline goes through
     const motion::Denoised* denoised = nullptr;
-    std::span<const std::string> warnings; ///< of the fit
+    std::span<const Warning> warnings; ///< of the fit
 };
 
 std::string clip_json(const clip::Clip& clip);

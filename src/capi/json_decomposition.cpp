@@ -68,7 +68,7 @@ std::string decomposition_json(const DecompositionFacts& facts) {
     object.set("representative_cycle", chosen_cycle(facts.cycles, found.representative));
     object.set("best_cycle", chosen_cycle(facts.cycles, found.best));
     object.set("reason", json_string_or_null(found.reason));
-    object.set("warnings", found.warnings);
+    object.set("warnings", json_warnings(found.warnings));
     return object.text();
 }
 

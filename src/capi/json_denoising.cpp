@@ -35,7 +35,7 @@ std::string denoising_json(const DenoisingFacts& facts) {
     for (const motion::DenoisedColumn& column : facts.denoised->columns)
         columns.push_back(column_json(column));
     object.set("columns", columns);
-    object.set("warnings", std::vector(facts.warnings.begin(), facts.warnings.end()));
+    object.set("warnings", json_warnings(facts.warnings));
     return object.text();
 }
 

@@ -37,7 +37,7 @@ std::string model_json(const ModelFacts& facts) {
     object.set("clock", model.clock);
     object.set("repeated_frames", model.repeated_frames);
     object.set("components", components_json(model.components));
-    object.set("warnings", model.warnings);
+    object.set("warnings", json_warnings(model.warnings));
     return object.text();
 }
 

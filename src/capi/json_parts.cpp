@@ -99,6 +99,13 @@ JsonObject json_samples(const SampleFacts& samples) {
                       samples.smoothing);
 }
 
+Json json_warnings(std::span<const Warning> warnings) {
+    std::vector<Json> texts;
+    for (const Warning& warning : warnings)
+        texts.push_back(warning.text);
+    return texts;
+}
+
 Json json_parameters(const ltsa::Parameters& parameters, const PeriodFacts& period) {
     JsonObject object("mode", json_name(parameters.mode), "neighbors", parameters.neighbors,
                       "window", parameters.window, "dimension", parameters.dimension,

@@ -26,6 +26,8 @@ Json json_axis(clip::Axis axis);
 Json json_clip(const ClipFacts* clip, clip::Features features, std::int64_t dropped);
 Json json_clip(const ClipFacts* clip, const SampleFacts& samples);
 JsonObject json_samples(const SampleFacts& samples);
+/// The texts.
+Json json_warnings(std::span<const Warning> warnings);
 Json json_parameters(const ltsa::Parameters& parameters, const PeriodFacts& period);
 
 } // namespace stltsa::capi

@@ -48,7 +48,7 @@ std::string synthesis_json(const SynthesisFacts& facts) {
                           json_positive_or_null(facts.options.posture_limit), "up_axis",
                           json_axis(made.up)));
     object.set("seams", seams_json(made.seams, facts.clip->fps));
-    object.set("warnings", made.warnings);
+    object.set("warnings", json_warnings(made.warnings));
     return object.text();
 }
 

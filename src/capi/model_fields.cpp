@@ -64,6 +64,9 @@ void check_embedding(const ltsa::Model& model) {
                std::ranges::all_of(model.component_of,
                                    [&](std::int64_t c) { return c >= 0 && c < components; }),
            "components");
+    for (const Warning& warning : model.warnings)
+        expect(in_range(warning.code, WarningCode::follows_time, WarningCode::not_blended),
+               "warnings");
     for (const ltsa::Component& component : model.components)
         expect(static_cast<std::int64_t>(component.eigenvalues.size()) >=
                    model.parameters.dimension + 2,

@@ -28,7 +28,9 @@ void embedding_fields(Archive& archive, T& model) {
         each(c.frames, c.eigenvalues, c.residual, c.error_estimate, c.gap, c.rank_deficient_windows,
              c.solves);
     });
-    archive(model.repeated_frames, model.clock, model.warnings);
+    archive(model.repeated_frames, model.clock);
+    archive.list(model.warnings,
+                 [](auto& each, auto& w) { each(w.code, w.text, w.begin_s, w.end_s); });
 }
 
 template <class Archive, Is<Source> T>

@@ -100,7 +100,7 @@ int64_t stltsa_synthesis_warning_count(const stltsa_synthesis* synthesis) noexce
 const char* stltsa_synthesis_warning(const stltsa_synthesis* synthesis, int64_t index) noexcept {
     if (index < 0 || index >= stltsa_synthesis_warning_count(synthesis))
         return "";
-    return synthesis->result.warnings[static_cast<std::size_t>(index)].c_str();
+    return synthesis->result.warnings[static_cast<std::size_t>(index)].text.c_str();
 }
 
 stltsa_status stltsa_synthesis_json(const stltsa_synthesis* synthesis, char** json) noexcept {

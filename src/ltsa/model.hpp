@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/warning.hpp"
 #include "linalg/matrix.hpp"
 #include "ltsa/parameters.hpp"
 
@@ -31,7 +32,7 @@ struct Model {
     std::vector<Component> components;
     std::int64_t repeated_frames = 0; ///< frames equal to the one before, collapsed before the fit
     double clock = 0; ///< |correlation| of ranks of coordinate 1 with time; ~1: only a clock
-    std::vector<std::string> warnings;
+    Warnings warnings;
 };
 
 /// The first frame that is in another part than the frame before it in its clip; -1: none.

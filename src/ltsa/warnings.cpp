@@ -42,13 +42,17 @@ double clock_likeness(const Graph& graph, const Matrix& coords) {
     return std::abs(1 - 6 * squares / (n * (n * n - 1)));
 }
 
-std::vector<std::string> warnings_of(const Graph& graph, const Model& model) {
-    std::vector<std::string> warnings;
+Warnings warnings_of(const Graph& graph, const Model& model) {
+    Warnings warnings;
+    const auto warn = [&](WarningCode code, std::string text) {
+        warnings.push_back({code, std::move(text)});
+    };
     if (model.parameters.mode == Mode::temporal && model.clock > clock_threshold)
-        warnings.push_back(format_text(
-            "coordinate 1 is only a clock (rank correlation with time {:.3f}): within {} neighbors "
-            "the motion does not turn back; if it has cycles, use about 1.2 of them",
-            model.clock, model.parameters.neighbors));
+        warn(WarningCode::follows_time,
+             format_text("coordinate 1 is only a clock (rank correlation with time {:.3f}): within "
+                         "{} neighbors "
+                         "the motion does not turn back; if it has cycles, use about 1.2 of them",
+                         model.clock, model.parameters.neighbors));
     std::int64_t deficient = 0;
     double gap = INFINITY;
     double error = 0;
@@ -59,32 +63,38 @@ std::vector<std::string> warnings_of(const Graph& graph, const Model& model) {
         error = std::max(error, component.error_estimate);
     }
     if (deficient > 0)
-        warnings.push_back(format_text("{} of {} windows vary in fewer than {} directions",
-                                       deficient, graph.frames.x.rows, model.parameters.dimension));
+        warn(WarningCode::rank_deficient,
+             format_text("{} of {} windows vary in fewer than {} directions", deficient,
+                         graph.frames.x.rows, model.parameters.dimension));
     if (gap < small_gap)
-        warnings.push_back(format_text(
-            "the eigenvalues on both sides of dimension {} differ by {:.2g} % only: another "
-            "dimension is better defined",
-            model.parameters.dimension, 100 * (gap - 1)));
+        warn(WarningCode::small_gap,
+             format_text(
+                 "the eigenvalues on both sides of dimension {} differ by {:.2g} % only: another "
+                 "dimension is better defined",
+                 model.parameters.dimension, 100 * (gap - 1)));
     const auto last = static_cast<std::size_t>(model.parameters.dimension - 1);
     if (graph.tangents.rounding[last] > large_rounding)
-        warnings.push_back(format_text(
-            "direction {} of the windows is so small beside the first that rounding may turn it by "
-            "{:.1g} radians: if features have different units, scale them to similar ranges",
-            last + 1, graph.tangents.rounding[last]));
+        warn(WarningCode::unscaled,
+             format_text(
+                 "direction {} of the windows is so small beside the first that rounding may turn "
+                 "it by "
+                 "{:.1g} radians: if features have different units, scale them to similar ranges",
+                 last + 1, graph.tangents.rounding[last]));
     if (error > large_error)
-        warnings.push_back(
-            format_text("the embedding may be off by {:.1g} radians: the eigenvalues "
-                        "are at the limit of double precision",
-                        error));
+        warn(WarningCode::inaccurate,
+             format_text("the embedding may be off by {:.1g} radians: the eigenvalues "
+                         "are at the limit of double precision",
+                         error));
     return warnings;
 }
 
-std::string parts_warning(const Model& model, const std::string& cut) {
-    return format_text("the neighborhood graph falls apart into {} parts{}; each part has "
-                       "coordinates of its own (a cut in the clip? try recurrent, or more "
-                       "neighbors)",
-                       model.components.size(), cut.empty() ? "" : ", cut at " + cut);
+Warning parts_warning(const Model& model, const std::string& cut, double cut_s) {
+    return {WarningCode::disconnected,
+            format_text("the neighborhood graph falls apart into {} parts{}; each part has "
+                        "coordinates of its own (a cut in the clip? try recurrent, or more "
+                        "neighbors)",
+                        model.components.size(), cut.empty() ? "" : ", cut at " + cut),
+            cut_s, cut_s};
 }
 
 } // namespace stltsa::ltsa

@@ -15,9 +15,9 @@ namespace stltsa::ltsa {
 double clock_likeness(const Graph& graph, const Matrix& coords);
 
 /// All but that of the parts: only the caller knows what its frames are called.
-std::vector<std::string> warnings_of(const Graph& graph, const Model& model);
+Warnings warnings_of(const Graph& graph, const Model& model);
 
-/// `cut`: where first_cut(model) lies; empty: nowhere.
-std::string parts_warning(const Model& model, const std::string& cut);
+/// `cut`: where first_cut(model) lies; empty: nowhere. `cut_s`: when; no_time: unknown.
+Warning parts_warning(const Model& model, const std::string& cut, double cut_s);
 
 } // namespace stltsa::ltsa

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "ltsa/frames.hpp"
-#include "ltsa/warnings.hpp"
 #include "motion/coordinate.hpp"
 #include "motion/cycles.hpp"
 #include "motion/embedding.hpp"
@@ -34,8 +33,8 @@ void check(ConstMatrixView samples, double fps) {
 }
 
 /// The chosen fit, brought to all samples. `cut`: see cut_time.
-void show_embedding(const Embedding& embedding, const Coordinate& chosen, double cycle,
-                    const std::string& cut, Decomposition& result) {
+void show_embedding(const Embedding& embedding, const Coordinate& chosen, double cycle, double cut,
+                    Decomposition& result) {
     const std::int64_t samples = result.coords.rows();
     const ltsa::Model& model = embedding.models[chosen.model];
     result.parameters = model.parameters;
@@ -43,8 +42,8 @@ void show_embedding(const Embedding& embedding, const Coordinate& chosen, double
     result.coords = extended(model.coords, embedding.span, samples);
     result.curve = smooth(column_of(result.coords.view(), chosen.column), curve_smoothing * cycle);
     result.eigenvalues = model.components.front().eigenvalues;
-    if (!cut.empty())
-        result.warnings.push_back(ltsa::parts_warning(model, cut));
+    if (!std::isnan(cut))
+        result.warnings.push_back(parts_warning(model, cut));
     result.warnings.insert(result.warnings.end(), model.warnings.begin(), model.warnings.end());
 }
 
@@ -86,7 +85,7 @@ void cut(const Embedding& embedding, ConstMatrixView samples, const Activity& ac
         choose_coordinate(embedding.models, asked > 0 ? asked - 1 : 0,
                           asked > 0 ? asked : embedding.models.size(), level, period.samples);
     const auto& model = embedding.models[chosen.model];
-    const std::string cut = cut_time(embedding, model, fps, options.first_s);
+    const double cut = cut_time(embedding, model, fps, options.first_s);
     show_embedding(embedding, chosen, period.samples, cut, result);
     show_loop(embedding, choose_loop(embedding.models, level, period.samples), result);
     const auto run = longest_run(find_margins(result.curve, activity), period.samples);

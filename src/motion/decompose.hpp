@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/progress.hpp"
+#include "base/warning.hpp"
 #include "linalg/matrix.hpp"
 #include "ltsa/parameters.hpp"
 
@@ -43,8 +44,9 @@ struct DecomposeOptions {
     double shortest_period = 0.3; ///< seconds
     double longest_period = 6.0;  ///< seconds
     // For messages only.
-    double first_s = 0;    ///< time of the first sample
-    std::string jump;      ///< where the pose jumps; empty: nowhere
+    double first_s = 0; ///< time of the first sample
+    std::string jump;   ///< where the pose jumps; empty: nowhere
+    double jump_s = no_time;
     bool in_space = false; ///< the samples may hold the body's way through space
     int threads = 1;
 };
@@ -67,7 +69,7 @@ struct Decomposition {
     Matrix loop;                 ///< samples x 2, the two coordinates to show as a loop (Fig. 1)
     std::vector<double> curve;   ///< the smoothed coordinate that was cut, one per sample
     std::vector<double> eigenvalues;
-    std::vector<std::string> warnings;
+    Warnings warnings;
 };
 
 /// `samples`: frames x features at `fps` (> 0).

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "motion/remarks.hpp"
 
+#include <cmath>
+
+#include "ltsa/warnings.hpp"
 #include "motion/drift.hpp"
 #include "motion/period.hpp"
 
@@ -15,18 +18,21 @@ constexpr double much_drift = 0.5;
 
 } // namespace
 
-std::string cut_time(const Embedding& embedding, const ltsa::Model& model, double fps,
-                     double first_s) {
+double cut_time(const Embedding& embedding, const ltsa::Model& model, double fps, double first_s) {
     const std::int64_t cut = ltsa::first_cut(model);
-    if (cut < 0)
-        return {};
-    return format_text("{:.2f} s", first_s + static_cast<double>(embedding.span.first + cut) / fps);
+    return cut < 0 ? no_time : first_s + static_cast<double>(embedding.span.first + cut) / fps;
 }
 
-std::string fell_apart(const ltsa::Model& model, const std::string& cut) {
+Warning parts_warning(const ltsa::Model& model, double cut_s) {
+    return ltsa::parts_warning(model, std::isnan(cut_s) ? "" : format_text("{:.2f} s", cut_s),
+                               cut_s);
+}
+
+std::string fell_apart(const ltsa::Model& model, double cut_s) {
     return format_text("no continuous curve: the neighborhood graph falls apart into {} parts{} (a "
                        "cut in the clip?)",
-                       model.components.size(), cut.empty() ? "" : " at " + cut);
+                       model.components.size(),
+                       std::isnan(cut_s) ? "" : format_text(" at {:.2f} s", cut_s));
 }
 
 std::string no_period(const Activity& activity, double fps, const DecomposeOptions& options) {
@@ -50,12 +56,17 @@ void warn_of_motions(double fps, double first_s, Decomposition& result) {
             actions.push_back(unit);
     if (!cyclic && actions.size() < 2)
         return;
-    for (const Unit& unit : actions)
+    for (const Unit& unit : actions) {
+        const double begin = first_s + unit.begin / fps;
+        const double end = first_s + unit.end / fps;
         result.warnings.push_back(
-            format_text("the clip holds {} motion from {:.2f} s to {:.2f} s: cut the clip there to "
-                        "see whether it has cycles",
-                        cyclic ? "another" : "a separate", first_s + unit.begin / fps,
-                        first_s + unit.end / fps));
+            {WarningCode::separate_motion,
+             format_text(
+                 "the clip holds {} motion from {:.2f} s to {:.2f} s: cut the clip there to "
+                 "see whether it has cycles",
+                 cyclic ? "another" : "a separate", begin, end),
+             begin, end});
+    }
 }
 
 void tell_obstacles(ConstMatrixView samples, const DecomposeOptions& options,
@@ -74,7 +85,7 @@ void tell_obstacles(ConstMatrixView samples, const DecomposeOptions& options,
     if (text.empty())
         return;
     if (result.reason.empty())
-        result.warnings.push_back(text);
+        result.warnings.push_back({WarningCode::jump, text, options.jump_s, options.jump_s});
     else
         result.reason += "; " + text;
 }

@@ -10,12 +10,12 @@
 
 namespace stltsa::motion {
 
-/// When the model's curve falls apart; empty: it does not.
-std::string cut_time(const Embedding& embedding, const ltsa::Model& model, double fps,
-                     double first_s);
+/// When the model's curve falls apart, in seconds; no_time: it does not.
+double cut_time(const Embedding& embedding, const ltsa::Model& model, double fps, double first_s);
+Warning parts_warning(const ltsa::Model& model, double cut_s);
 
 /// Reasons for no cycles.
-std::string fell_apart(const ltsa::Model& model, const std::string& cut);
+std::string fell_apart(const ltsa::Model& model, double cut_s);
 std::string no_period(const Activity& activity, double fps, const DecomposeOptions& options);
 
 /// Says of motions that no cycle was looked for in them alone: those beside the cycles, or several

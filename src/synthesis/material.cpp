@@ -94,13 +94,17 @@ class Preparation {
                  body.skeleton().joints[body.root()].name);
         if (!differs.empty())
             material_.warnings.push_back(
-                format_text("the offsets of {} differ from the first clip's by less than 1 %, most "
-                            "at \"{}\": the first clip's are used",
-                            name, differs));
+                {WarningCode::offsets_differ,
+                 format_text(
+                     "the offsets of {} differ from the first clip's by less than 1 %, most "
+                     "at \"{}\": the first clip's are used",
+                     name, differs)});
         const bool same = same_rate(clip.fps, first_.fps);
         if (!same)
-            material_.warnings.push_back(format_text(
-                "{} was resampled from {} to {} frames a second", name, clip.fps, first_.fps));
+            material_.warnings.push_back(
+                {WarningCode::resampled,
+                 format_text("{} was resampled from {} to {} frames a second", name, clip.fps,
+                             first_.fps)});
         material_.tracks.push_back(
             make_track(body, same ? clip.values : resampled(clip, first_.fps), first_.fps, name));
     }

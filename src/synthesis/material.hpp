@@ -15,7 +15,7 @@ struct Material {
     clip::Axis up;
     std::vector<Track> tracks; ///< one per clip
     std::vector<Part> parts;   ///< one per piece
-    std::vector<std::string> warnings;
+    Warnings warnings;
 };
 
 /// Checks the pieces (at least one) and makes their tracks.

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/progress.hpp"
+#include "base/warning.hpp"
 #include "clip/clip.hpp"
 #include "clip/features.hpp"
 
@@ -46,7 +47,7 @@ struct Seam {
 struct Synthesis {
     clip::Clip clip;
     std::vector<Seam> seams;
-    std::vector<std::string> warnings;
+    Warnings warnings;
     clip::Axis up = clip::Axis::automatic; ///< the axis used
 };
 

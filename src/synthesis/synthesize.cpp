@@ -156,23 +156,29 @@ class Synthesizer {
         }
         const std::string also =
             next - i > 1 ? format_text(" (and {} more like it)", next - i - 1) : "";
-        const auto warn = [&](const std::string& text) {
-            result_.warnings.push_back(format_text("{}{}: {}", where(seam), also, text));
+        const auto warn = [&](WarningCode code, const std::string& text) {
+            const double time = static_cast<double>(seam.frame) / piece_track(seam.piece).fps;
+            result_.warnings.push_back(
+                {code, format_text("{}{}: {}", where(seam), also, text), time, time});
         };
         const double limit =
             options_.posture_limit > 0 ? options_.posture_limit : Options{}.posture_limit;
         if (seam.posture > limit / 2)
-            warn(format_text("the postures are {:.1f} times as far apart as those of repetitions",
+            warn(WarningCode::seam_posture,
+                 format_text("the postures are {:.1f} times as far apart as those of repetitions",
                              seam.posture));
         if (seam.step > visible_step)
-            warn(format_text("the body moves {:.1f} times as fast as it usually does at most",
+            warn(WarningCode::seam_speed,
+                 format_text("the body moves {:.1f} times as fast as it usually does at most",
                              seam.step));
         if (seam.acceleration > visible_acceleration)
             warn(
+                WarningCode::seam_acceleration,
                 format_text("the body is accelerated {:.1f} times as much as it usually is at most",
                             seam.acceleration));
         if (seam.crossfade == 0 && cuts_[i].wanted_crossfade > 0)
-            warn("nothing is blended, as the clips have no frames beyond the cuts");
+            warn(WarningCode::not_blended,
+                 "nothing is blended, as the clips have no frames beyond the cuts");
         return next;
     }
 

@@ -418,7 +418,7 @@ class Facts(unittest.TestCase):
         noted = self.opened(write_csv("noted.csv", [[i, 0.1 * i, (0.02 * i) ** 2]
                                                     for i in range(200)], "Frame,x,y\n"), fps=30.0)
         parted = self.handle("model", "fit_clip", self.opened(cut(), fps=30.0).pointer,
-                             self.options(neighbors=5, window=8))
+                             self.options(neighbors=5, window=8, smoothing=0.0))
         recurrent_ = self.handle("model", "fit_clip", clip.pointer, self.options(mode=3, links=3))
         of_notes = self.handle("model", "fit_clip", noted.pointer, none)
         units = self.handle("decomposition", "decompose", clip.pointer, self.options(mode=3))
@@ -463,6 +463,22 @@ class Facts(unittest.TestCase):
                     seen.add((example.kind, path))
         unseen = {(kind, path) for kind, facts in FACTS.items() for path in facts} - seen
         self.assertEqual(unseen, set())
+
+    def test_warnings_have_codes_and_times(self):
+        codes = {int(code): name for name, code in
+                 re.findall(r"STLTSA_WARNING_(\w+) = (\d+)", HEADER.read_text())}
+        parts = {}
+        for example in self.examples():
+            found = [example.list(f"warning{part}") for part in ("", "_code", "_begin", "_end")]
+            for text_, code, begin, end in zip(*found, strict=True):
+                self.assertIn(code, codes)
+                parts.setdefault(codes[code], (example, text_, begin, end))
+        # Cut at frame 60 of 30 a second; the fit at 5 neighbors, and what was denoised of it.
+        self.assertEqual(parts["DISCONNECTED"][2:], (2, 2))
+        self.assertIn("cut at frame 60", parts["DISCONNECTED"][1])
+        self.assertTrue(math.isnan(parts["SMALL_GAP"][2]))
+        seam = parts["SEAM_SPEED"]
+        self.assertEqual(seam[2:], (in_seconds("frame")(seam[0])[0],) * 2)
 
     def test_every_key_is_described(self):
         in_header = dict(re.findall(r"STLTSA_INFO_(\w+) = (\d+)", HEADER.read_text()))

@@ -137,9 +137,12 @@ void says_what_else_moves(void**) {
         ASSERT_NEAR(last->begin / 30, start, 0.2);
         ASSERT_NEAR(last->end / 30, Exercise{}.seconds() + shorter.moves_until(), 0.3);
         const auto said = stltsa::format_text("from {:.2f} s", 100 + last->begin / 30);
-        assert_true(std::any_of(d.warnings.begin(), d.warnings.end(), [&](const std::string& text) {
-            return text.find(said) != text.npos;
-        }));
+        assert_true(
+            std::any_of(d.warnings.begin(), d.warnings.end(), [&](const stltsa::Warning& w) {
+                return w.code == stltsa::WarningCode::separate_motion &&
+                       w.text.find(said) != w.text.npos && w.begin_s == 100 + last->begin / 30 &&
+                       w.end_s == 100 + last->end / 30;
+            }));
         assert_true(d.cycles.size() >= 4 || !d.reason.empty());
     }
 }

@@ -76,8 +76,12 @@ void says_where_the_curve_is_cut(void**) {
     options.neighbors = 10;
     options.first_s = 50;
     bool warned = false;
-    for (const std::string& warning : decomposed(cut, options).warnings)
-        warned = warned || holds(warning, "cut at 56.67 s");
+    for (const stltsa::Warning& warning : decomposed(cut, options).warnings)
+        if (warning.code == stltsa::WarningCode::disconnected) {
+            warned = holds(warning.text, "cut at 56.67 s");
+            ASSERT_NEAR(warning.begin_s, 56.67, 0.005);
+            ASSERT_NEAR(warning.end_s, 56.67, 0.005);
+        }
     assert_true(warned);
 }
 
@@ -85,11 +89,14 @@ void names_the_jump(void**) {
     DecomposeOptions options;
     options.in_space = true;
     options.jump = "frame 7";
+    options.jump_s = 107;
     const Decomposition none = decomposed(walk_in_space(6), options);
     assert_true(holds(none.reason, "jumps at frame 7") && !holds(none.reason, "drift"));
     const Decomposition cyclic = decomposed(Exercise{}.samples(30), options);
     assert_true(cyclic.reason.empty());
-    assert_true(holds(cyclic.warnings.back(), "jumps at frame 7"));
+    assert_true(cyclic.warnings.back().code == stltsa::WarningCode::jump);
+    assert_true(cyclic.warnings.back().begin_s == 107);
+    assert_true(holds(cyclic.warnings.back().text, "jumps at frame 7"));
 }
 
 void names_the_dimension_that_was_asked_for(void**) {

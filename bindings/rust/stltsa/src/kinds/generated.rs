@@ -223,6 +223,12 @@ kinds! {
         PieceRepeat = STLTSA_INFO_PIECE_REPEAT,
         /// `text[]`: what a user should know about the result.
         Warning = STLTSA_INFO_WARNING,
+        /// `int[]`: STLTSA_WARNING_* of each warning.
+        WarningCode = STLTSA_INFO_WARNING_CODE,
+        /// `real[]`: seconds in the clip at which each warning applies; NaN: it has no time.
+        WarningBegin = STLTSA_INFO_WARNING_BEGIN,
+        /// `real[]`: end of that time; the begin for a moment.
+        WarningEnd = STLTSA_INFO_WARNING_END,
     }
     /// Kinds of failure. Each function lists those that it can return.
     ErrorKind {
