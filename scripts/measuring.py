@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the measuring scripts share: the Python binding, files of clips, tables of limits."""
+"""Shared by the measuring scripts: the Python binding, clip files, tables with limits."""
 
 import importlib.util
 import os
@@ -11,13 +11,13 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 DATA = pathlib.Path(os.environ.get("STLTSA_DATA", ROOT / ".." / "shared" / "data"))
-# Names of both ankles in the skeletons that are measured, lower case.
+# Names of both ankles in the measured skeletons, lower case.
 ANKLES = (("leftankle", "rightankle"), ("lankle", "rankle"), ("lfoot", "rfoot"),
           ("leftfoot", "rightfoot"))
 
 
 def binding(build):
-    """The package stltsa of this tree, on the library of a build. Needs python3-cffi, python3-dev."""
+    """This tree's package stltsa on the library of a build. Needs python3-cffi and python3-dev."""
     library = pathlib.Path(build).resolve() / "src" / "capi" / "libstltsa.so.0"
     package, header = ROOT / "bindings" / "python", ROOT / "include" / "stltsa.h"
     with tempfile.TemporaryDirectory() as folder:
@@ -35,12 +35,12 @@ def binding(build):
 
 
 def pair(names, pairs):
-    """Indices of the first pair of which both names are there."""
+    """Indices of the first pair with both names present."""
     return next((names.index(a), names.index(b)) for a, b in pairs if a in names and b in names)
 
 
 class ClipFile:
-    """The text of a BVH or AMC file: what is before the frames, and the lines of each frame."""
+    """The text of a BVH or AMC file: the lines before the frames, and the lines of each frame."""
 
     def __init__(self, path):
         lines = [line for line in path.read_text().splitlines() if line.strip()]
@@ -68,7 +68,7 @@ def cut(source, target, begin, end, step=1):
 
 
 class Table:
-    """Rows of figures with their limits; counts those that fail."""
+    """Prints rows of figures with their limits and counts the failed ones."""
 
     def __init__(self, width=44):
         self.width = width
@@ -79,19 +79,19 @@ class Table:
         print(f"\n{text}")
 
     def figure(self, name, text, passed=None):
-        """passed None: a figure without a limit."""
+        """Prints one row; `passed` is None for a figure without a limit."""
         self.rows += passed is not None
         self.failed += passed is False
         verdict = {None: "    ", True: "pass", False: "FAIL"}[passed]
         print(f"{verdict}  {name:<{self.width}} {text}".rstrip(), flush=True)
 
     def row(self, name, checks, remark=""):
-        """checks: (text, passed) pairs; what failed is in brackets."""
+        """`checks` are pairs (text, passed); failed ones are printed in brackets."""
         texts = [text if ok else f"[{text}]" for text, ok in checks]
         self.figure(name, f"{'  '.join(texts)}  {remark}", bool(all(ok for _, ok in checks)))
 
     def end(self):
-        """Exit status, after the count of rows."""
+        """Prints the count of rows and returns the exit status."""
         print(f"\n{self.rows - self.failed} passed, {self.failed} failed")
         return 1 if self.failed else 0
 
