@@ -27,7 +27,8 @@ static stltsa_status fit(const stltsa_clip* clip, stltsa_model** model) {
     if (status == STLTSA_OK)
         status = stltsa_options_set_int(options, STLTSA_OPT_DIMENSION, dimension);
     if (status == STLTSA_OK)
-        status = stltsa_options_set_real(options, STLTSA_OPT_RATE, stltsa_clip_fps(clip) / 2);
+        status =
+            stltsa_options_set_real(options, STLTSA_OPT_SAMPLE_RATE, stltsa_clip_fps(clip) / 2);
     if (status == STLTSA_OK)
         status = stltsa_fit_clip(clip, options, model);
     stltsa_options_free(options);

@@ -34,10 +34,12 @@
  *             installed, the environment is not read, the floating-point mode is not changed, and
  *             the process is never ended.
  * Ownership.  Handles are made by the library and belong to the caller, who ends them with the
- *             matching _free, which takes NULL. Inputs are read during the call only; if another
- *             thread changes them meanwhile, the call may fail (E_NOT_FINITE), and what it
- *             returns otherwise means nothing. A returned const char * belongs to the handle it
- *             came from and lives as long.
+ *             matching _free, which takes NULL. Texts and bytes that a function puts into a
+ *             char ** or unsigned char ** belong to the caller, too, who ends them with
+ *             stltsa_free. Inputs are read during the call only; if another thread changes them
+ *             meanwhile, the call may fail (E_NOT_FINITE), and what it returns otherwise means
+ *             nothing. A returned const char * belongs to the handle it came from and lives as
+ *             long.
  * Threads.    Any number of threads may use const handles at once, and different calls may run at
  *             once (ARPACK is not reentrant: the library lets one eigenproblem run at a time; it
  *             cannot know of other users of the same libarpack in the process). A handle that is
@@ -124,6 +126,10 @@ enum {
 /* 1: this build has the part; 0: it does not, or does not know the part. */
 STLTSA_API int32_t stltsa_has(int32_t part) STLTSA_NOEXCEPT;
 
+/* Ends a text or bytes that a function put into a char ** or unsigned char ** of the caller, such
+ * as JSON; takes NULL. Handles have a _free of their own. */
+STLTSA_API void stltsa_free(void *memory) STLTSA_NOEXCEPT;
+
 /* ---- Arrays ----------------------------------------------------------------------------- */
 
 enum { STLTSA_F32 = 1, STLTSA_F64 = 2 }; /* dtype: IEEE float32, float64, native byte order */
@@ -167,7 +173,8 @@ enum {
     STLTSA_OPT_KEEP_START = 11,  /* int   1: do not drop a T-pose at the start */
     STLTSA_OPT_FPS = 12,         /* real  frames a second, over what the file says; 0: the file's.
                                       unmap_clip: points a second; 0: the model's rows */
-    STLTSA_OPT_RATE = 13,        /* real  clips: keep one frame in fps / rate, rounded; 0: all */
+    STLTSA_OPT_SAMPLE_RATE = 13, /* real  clips: keep one frame in fps / sample_rate, rounded; 0:
+                                      all */
     STLTSA_OPT_SMOOTHING = 14,   /* real  sigma in seconds of the Gaussian on the features; 0: none */
     STLTSA_OPT_PERIOD_MIN = 15,  /* real  shortest period looked for, seconds */
     STLTSA_OPT_PERIOD_MAX = 16,  /* real  longest period looked for, seconds */
@@ -183,12 +190,12 @@ enum {
                                       the only one there is */
     STLTSA_OPT_GAMMA = 25,       /* real  gamma of section 3.2, in units of the coordinate; -1: one
                                       robust standard deviation of the residuals */
-    STLTSA_OPT_KNOTS = 26,       /* real  denoise: seconds (rows where the rate is unknown) between
+    STLTSA_OPT_KNOT_SPACING = 26, /* real denoise: seconds (rows where the rate is unknown) between
                                       knots; 0: a tenth of the period, else 2 rows */
     STLTSA_OPT_ROBUST = 27,      /* int   denoise: 1: spikes do not pull at the curve */
     STLTSA_OPT_CROSSFADE = 28,   /* real  synthesize: seconds to each side of a seam; -1: a tenth of the
                                       cycle that is repeated, 0.15 s where clips join */
-    STLTSA_OPT_SEARCH = 29,      /* real  synthesize: seconds by which a cut may move to find a common
+    STLTSA_OPT_CUT_RANGE = 29,   /* real  synthesize: seconds by which a cut may move to find a common
                                       posture; -1: a tenth of the cycle that is repeated, half
                                       a cycle and at least 0.5 s where clips join */
     STLTSA_OPT_POSTURE_LIMIT = 30, /* real synthesize: largest distance of the postures at a seam, over
@@ -268,10 +275,10 @@ enum {
 
 /* `fraction` of the stage is done, 0 to 1. Nonzero cancels: the call returns E_CANCELLED. It runs
  * on the caller's thread and must not throw or long-jump through the library. */
-typedef int32_t (*stltsa_progress)(void *user, int32_t stage, double fraction);
+typedef int32_t (*stltsa_progress_fn)(void *user, int32_t stage, double fraction);
 
 STLTSA_API stltsa_status stltsa_options_set_progress(stltsa_options *options,
-                                                     stltsa_progress progress,
+                                                     stltsa_progress_fn progress,
                                                      void *user) STLTSA_NOEXCEPT;
 
 /* ---- Facts ------------------------------------------------------------------------------ */
@@ -513,9 +520,8 @@ STLTSA_API stltsa_status stltsa_clip_features(const stltsa_clip *clip,
                                               const stltsa_out *features) STLTSA_NOEXCEPT;
 
 /* One JSON object that says all of the above (schema: stltsa-clip/1); end it with
- * stltsa_string_free. */
+ * stltsa_free. */
 STLTSA_API stltsa_status stltsa_clip_json(const stltsa_clip *clip, char **json) STLTSA_NOEXCEPT;
-STLTSA_API void stltsa_string_free(char *text) STLTSA_NOEXCEPT;
 
 /* Writes a clip, whole or not at all. The format is told by the suffix: .bvh (any skeleton: its
  * hierarchy, channel order, units and frame time), .amc (only what was read from AMC; the ASF file
@@ -550,8 +556,8 @@ STLTSA_API stltsa_status stltsa_fit(const stltsa_in *frames, const int64_t *leng
                                     const stltsa_options *options,
                                     stltsa_model **model) STLTSA_NOEXCEPT;
 
-/* The same from a clip: its features, T-pose start dropped, smoothed and (option rate) decimated.
- * Row i of the model is source frame STLTSA_MODEL_FIRST_FRAME + i * STLTSA_MODEL_FRAME_STEP. */
+/* The same from a clip: its features, T-pose start dropped, smoothed and (option sample_rate)
+ * decimated. Row i of the model is source frame STLTSA_MODEL_FIRST_FRAME + i * STLTSA_MODEL_FRAME_STEP. */
 STLTSA_API stltsa_status stltsa_fit_clip(const stltsa_clip *clip, const stltsa_options *options,
                                          stltsa_model **model) STLTSA_NOEXCEPT;
 STLTSA_API void stltsa_model_free(stltsa_model *model) STLTSA_NOEXCEPT;
@@ -579,12 +585,12 @@ enum {
                                                of magnitude, radians */
     STLTSA_MODEL_GAP = 18,        /* real  smallest lambda_{d+2} / lambda_{d+1} of a component;
                                            near 1: the d-dimensional curve is ill-defined */
-    STLTSA_MODEL_CLOCK = 19,      /* real  |rank correlation| of coordinate 1 with time, over at
-                                           most 2^14 frames of the largest component: 1 means that
-                                           it tells the time and nothing else */
+    STLTSA_MODEL_TIME_CORRELATION = 19, /* real |rank correlation| of coordinate 1 with time, over
+                                           at most 2^14 frames of the largest component; 1: the
+                                           coordinate only follows time */
     STLTSA_MODEL_FPS = 20,        /* real  of the rows; 0: unknown */
     STLTSA_MODEL_PERIOD = 21,     /* real  seconds, that the automatic k rests on; 0: none */
-    STLTSA_MODEL_SUPPORT = 22     /* real  distance from the fitted frames, in units of the
+    STLTSA_MODEL_REACH = 22       /* real  distance from the fitted frames, in units of the
                                            features, up to which a new frame counts as one of
                                            their kind; see stltsa_map. 0: the model cannot map */
 };
@@ -603,8 +609,8 @@ STLTSA_API stltsa_status stltsa_model_eigenvalues(const stltsa_model *model,
 /* Component of each row, 0-based, numbered by first row; labels[rows]. */
 STLTSA_API stltsa_status stltsa_model_components(const stltsa_model *model, int64_t rows,
                                                  int64_t *labels) STLTSA_NOEXCEPT;
-/* What a user should know: only a clock, disconnected, rank-deficient windows, small gap, features
- * of very different sizes. */
+/* What a user should know: a coordinate that only follows time, a disconnected graph,
+ * rank-deficient windows, a small gap, features of very different sizes. */
 STLTSA_API int64_t stltsa_model_warning_count(const stltsa_model *model) STLTSA_NOEXCEPT;
 STLTSA_API const char *stltsa_model_warning(const stltsa_model *model,
                                             int64_t index) STLTSA_NOEXCEPT; /* "" past the end */
@@ -612,7 +618,7 @@ STLTSA_API stltsa_status stltsa_model_json(const stltsa_model *model, char **jso
 
 /* ---- Intrinsic dimension (section 2.3) --------------------------------------------------- */
 
-typedef struct stltsa_dimension_result stltsa_dimension_result;
+typedef struct stltsa_dimension stltsa_dimension;
 
 /* Two estimates of the dimension of the manifold: the paper's first eigengap above tau, and the
  * median number of local principal directions that hold `variance` of a neighborhood. B is built
@@ -620,30 +626,31 @@ typedef struct stltsa_dimension_result stltsa_dimension_result;
  * more than that dimension is small by construction, so it moves with what was put in: read it
  * beside local PCA. Inputs and errors as stltsa_fit; a disconnected or degenerate graph is an
  * answer ("cannot tell"), not an error. */
-STLTSA_API stltsa_status stltsa_dimension(const stltsa_in *frames, const int64_t *lengths,
-                                          int64_t clips, const stltsa_options *options,
-                                          stltsa_dimension_result **result) STLTSA_NOEXCEPT;
-STLTSA_API stltsa_status stltsa_dimension_clip(const stltsa_clip *clip,
-                                               const stltsa_options *options,
-                                               stltsa_dimension_result **result) STLTSA_NOEXCEPT;
-STLTSA_API void stltsa_dimension_free(stltsa_dimension_result *result) STLTSA_NOEXCEPT;
+STLTSA_API stltsa_status stltsa_estimate_dimension(const stltsa_in *frames,
+                                                   const int64_t *lengths, int64_t clips,
+                                                   const stltsa_options *options,
+                                                   stltsa_dimension **dimension) STLTSA_NOEXCEPT;
+STLTSA_API stltsa_status
+stltsa_estimate_dimension_clip(const stltsa_clip *clip, const stltsa_options *options,
+                               stltsa_dimension **dimension) STLTSA_NOEXCEPT;
+STLTSA_API void stltsa_dimension_free(stltsa_dimension *dimension) STLTSA_NOEXCEPT;
 STLTSA_API const stltsa_info *
-stltsa_dimension_info(const stltsa_dimension_result *result) STLTSA_NOEXCEPT;
+stltsa_dimension_info(const stltsa_dimension *dimension) STLTSA_NOEXCEPT;
 
 /* 0: cannot tell; the reason then is the text ("" otherwise). */
-STLTSA_API int64_t stltsa_dimension_eigengap(const stltsa_dimension_result *result,
+STLTSA_API int64_t stltsa_dimension_eigengap(const stltsa_dimension *dimension,
                                              const char **reason) STLTSA_NOEXCEPT;
-STLTSA_API int64_t stltsa_dimension_local_pca(const stltsa_dimension_result *result,
+STLTSA_API int64_t stltsa_dimension_local_pca(const stltsa_dimension *dimension,
                                               const char **reason) STLTSA_NOEXCEPT;
 /* Eigenvalues of B / k, ascending, the zero one first; mean share of a neighborhood's variance
  * along its principal direction 1, 2, ... Copies at most `capacity`; returns how many there are.
  */
-STLTSA_API int64_t stltsa_dimension_eigenvalues(const stltsa_dimension_result *result,
+STLTSA_API int64_t stltsa_dimension_eigenvalues(const stltsa_dimension *dimension,
                                                 double *values, int64_t capacity) STLTSA_NOEXCEPT;
-STLTSA_API int64_t stltsa_dimension_local_variances(const stltsa_dimension_result *result,
+STLTSA_API int64_t stltsa_dimension_local_variances(const stltsa_dimension *dimension,
                                                     double *values,
                                                     int64_t capacity) STLTSA_NOEXCEPT;
-STLTSA_API stltsa_status stltsa_dimension_json(const stltsa_dimension_result *result,
+STLTSA_API stltsa_status stltsa_dimension_json(const stltsa_dimension *dimension,
                                                char **json) STLTSA_NOEXCEPT;
 
 /* ---- Motion units and cycles (section 3.1) ----------------------------------------------- */
@@ -676,8 +683,8 @@ typedef struct stltsa_interval {
  * that are absent are left out; what moves apart from the one run of cycles, with standing
  * between, is an action, and a warning says when. A clip without trustworthy cycles gets activity
  * segments and a reason. That is an answer (STLTSA_OK), not an error.
- * Options: all of features, up axis, keep_start, rate, smoothing, period_*, neighbors, window,
- * dimension, mode, threads, progress. A clip of unknown fps: E_ARGUMENT (set option fps when
+ * Options: all of features, up axis, keep_start, sample_rate, smoothing, period_*, neighbors,
+ * window, dimension, mode, threads, progress. A clip of unknown fps: E_ARGUMENT (set option fps when
  * opening it). Other errors as stltsa_fit. */
 STLTSA_API stltsa_status stltsa_decompose(const stltsa_clip *clip, const stltsa_options *options,
                                           stltsa_decomposition **decomposition) STLTSA_NOEXCEPT;
@@ -734,7 +741,7 @@ stltsa_decomposition_warning_count(const stltsa_decomposition *decomposition) ST
 STLTSA_API const char *
 stltsa_decomposition_warning(const stltsa_decomposition *decomposition,
                              int64_t index) STLTSA_NOEXCEPT;
-/* The object of schema stltsa-decomposition/1; end it with stltsa_string_free. */
+/* The object of schema stltsa-decomposition/1; end it with stltsa_free. */
 STLTSA_API stltsa_status stltsa_decomposition_json(const stltsa_decomposition *decomposition,
                                                    char **json) STLTSA_NOEXCEPT;
 
@@ -753,7 +760,7 @@ STLTSA_API stltsa_status stltsa_decomposition_json(const stltsa_decomposition *d
  *           row of the frame before, plus a small STLTSA_OPT_HINT_WINDOW, so that time never runs
  *           back.
  * coords    rows x d
- * distance  NULL, or rows x 1: distance from the fitted frames over STLTSA_MODEL_SUPPORT. Beyond 1
+ * distance  NULL, or rows x 1: distance from the fitted frames over STLTSA_MODEL_REACH. Beyond 1
  *           the frame is unlike what was learned, and its coordinates mean little.
  * nearest   NULL, or the nearest model row of each row; its component (stltsa_model_components) is
  *           the one that the coordinates belong to
@@ -799,12 +806,11 @@ STLTSA_API stltsa_status stltsa_unmap_clip(const stltsa_model *model, const stlt
 
 /* A model as bytes: versioned, little-endian, checksummed, the same on every machine; what comes
  * back has the same bits. Parsing takes hostile bytes: E_FORMAT says what is wrong with them. End
- * the bytes with stltsa_bytes_free. */
+ * the bytes with stltsa_free. */
 STLTSA_API stltsa_status stltsa_model_serialize(const stltsa_model *model, unsigned char **bytes,
                                                 size_t *size) STLTSA_NOEXCEPT;
 STLTSA_API stltsa_status stltsa_model_parse(const void *bytes, size_t size,
                                             stltsa_model **model) STLTSA_NOEXCEPT;
-STLTSA_API void stltsa_bytes_free(unsigned char *bytes) STLTSA_NOEXCEPT;
 
 /* The same to and from a file, which is written whole or not at all. E_IO, E_FORMAT. */
 STLTSA_API stltsa_status stltsa_model_save(const stltsa_model *model,
@@ -819,8 +825,8 @@ typedef struct stltsa_denoising stltsa_denoising;
  * cubic spline over time, its smoothing chosen by generalized cross-validation; points farther than
  * gamma from it are moved towards it by their mean distance, as in equation (1), but never across
  * it. Several clips: as in stltsa_fit; each has a spline of its own. Look for extrema and margins on
- * the curve, never on the moved points. Options: gamma, knots, robust, fps, period_min, period_max,
- * progress. E_SHAPE, E_NOT_FINITE, E_TOO_FEW_FRAMES (fewer than 8 rows in a clip). */
+ * the curve, never on the moved points. Options: gamma, knot_spacing, robust, fps, period_min,
+ * period_max, progress. E_SHAPE, E_NOT_FINITE, E_TOO_FEW_FRAMES (fewer than 8 rows in a clip). */
 STLTSA_API stltsa_status stltsa_denoise(const stltsa_in *coords, const int64_t *lengths,
                                         int64_t clips, const stltsa_options *options,
                                         stltsa_denoising **denoising) STLTSA_NOEXCEPT;
@@ -839,7 +845,7 @@ enum {
     STLTSA_DENOISING_GAMMA = 4,   /* real  threshold used */
     STLTSA_DENOISING_SHIFT = 5,   /* real  d_t: mean distance of the points beyond gamma */
     STLTSA_DENOISING_NOISE = 6,   /* real  robust standard deviation of the residuals */
-    STLTSA_DENOISING_FREEDOM = 7  /* real  effective degrees of freedom of the curve */
+    STLTSA_DENOISING_DEGREES_OF_FREEDOM = 7 /* real  of the curve, effective */
 };
 /* Of one column, over all clips. */
 STLTSA_API stltsa_status stltsa_denoising_get_int(const stltsa_denoising *denoising, int32_t key,
@@ -870,13 +876,13 @@ typedef struct stltsa_piece {
 typedef struct stltsa_synthesis stltsa_synthesis;
 
 /* Joins pieces, in order, into one clip. Where a piece does not go on where the one before ended,
- * the cuts are moved (option search) to the pair of frames whose postures and velocities are most
+ * the cuts are moved (option cut_range) to the pair of frames whose postures and velocities are most
  * alike, and the two are crossfaded; the body goes on from where it stood, facing the way it faced, and
  * repetitions do not add up what is no turn of the body but the swing of its heading.
  * Pieces that follow each other in their clip are joined as they were, so the units of a clip give
  * the clip back; of what is left out between pieces of one clip, or played twice, at least half
  * stays so. All clips need one hierarchy; the first one gives hierarchy, channels, units and
- * frame rate, to which others are resampled. Options: crossfade, search, posture_limit, up axis,
+ * frame rate, to which others are resampled. Options: crossfade, cut_range, posture_limit, up axis,
  * progress. E_ARGUMENT, E_UNSUPPORTED (bare numbers, other hierarchies, no frame rate),
  * E_NO_COMMON_POSTURE (beyond posture_limit; the text says at which seam and by how much). */
 STLTSA_API stltsa_status stltsa_synthesize(const stltsa_piece *pieces, int64_t count,

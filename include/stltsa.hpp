@@ -141,7 +141,7 @@ Value got(Get get, Arguments... arguments) {
 
 template <class Write, class T>
 std::string json(Write write, const T* handle) {
-    const Handle<char, stltsa_string_free> text(got<char*>(write, handle));
+    const Handle<char, stltsa_free> text(got<char*>(write, handle));
     return text.get();
 }
 
@@ -414,7 +414,7 @@ class Model {
         unsigned char* bytes = nullptr;
         std::size_t size = 0;
         detail::check(stltsa_model_serialize(get(), &bytes, &size));
-        const detail::Handle<unsigned char, stltsa_bytes_free> owner(bytes);
+        const detail::Handle<unsigned char, stltsa_free> owner(bytes);
         const auto all = std::as_bytes(std::span(bytes, size));
         return {all.begin(), all.end()};
     }
@@ -525,13 +525,13 @@ inline Model fit(const Clip& clip, const Options& options = {}) {
 
 class Dimension {
   public:
-    using Pointer = stltsa_dimension_result*;
+    using Pointer = stltsa_dimension*;
     struct Estimate {
         std::int64_t dimension = 0; ///< 0: cannot tell
         std::string reason;         ///< why not
     };
 
-    explicit Dimension(stltsa_dimension_result* owned) : handle_(owned) {}
+    explicit Dimension(stltsa_dimension* owned) : handle_(owned) {}
 
     Estimate eigengap() const { return estimate(stltsa_dimension_eigengap); }
     Estimate local_pca() const { return estimate(stltsa_dimension_local_pca); }
@@ -540,7 +540,7 @@ class Dimension {
     Info info() const noexcept { return Info(stltsa_dimension_info(get())); }
     std::string json() const { return detail::json(stltsa_dimension_json, get()); }
 
-    const stltsa_dimension_result* get() const noexcept { return handle_.get(); }
+    const stltsa_dimension* get() const noexcept { return handle_.get(); }
 
   private:
     template <class Get>
@@ -557,15 +557,15 @@ class Dimension {
         return result;
     }
 
-    detail::Handle<stltsa_dimension_result, stltsa_dimension_free> handle_;
+    detail::Handle<stltsa_dimension, stltsa_dimension_free> handle_;
 };
 
-inline Dimension dimension(const MatrixView& frames, const Options& options = {},
-                           Lengths lengths = {}) {
-    return detail::made_of_rows<Dimension>(stltsa_dimension, frames, options, lengths);
+inline Dimension estimate_dimension(const MatrixView& frames, const Options& options = {},
+                                    Lengths lengths = {}) {
+    return detail::made_of_rows<Dimension>(stltsa_estimate_dimension, frames, options, lengths);
 }
-inline Dimension dimension(const Clip& clip, const Options& options = {}) {
-    return detail::made<Dimension>(stltsa_dimension_clip, clip.get(), options.get());
+inline Dimension estimate_dimension(const Clip& clip, const Options& options = {}) {
+    return detail::made<Dimension>(stltsa_estimate_dimension_clip, clip.get(), options.get());
 }
 
 class Decomposition {

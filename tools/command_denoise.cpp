@@ -37,7 +37,7 @@ Cleaning clean_columns(Session& session, const stltsa::Clip& clip) {
 /// Of what is not fitted here, options of a fit would change nothing.
 void refuse_fit_options(const Arguments& arguments, const char* what,
                         std::initializer_list<std::int32_t> more = {}) {
-    std::vector<std::int32_t> used = {STLTSA_OPT_GAMMA,      STLTSA_OPT_KNOTS,
+    std::vector<std::int32_t> used = {STLTSA_OPT_GAMMA,      STLTSA_OPT_KNOT_SPACING,
                                       STLTSA_OPT_ROBUST,     STLTSA_OPT_PERIOD_MIN,
                                       STLTSA_OPT_PERIOD_MAX, STLTSA_OPT_THREADS};
     used.insert(used.end(), more);

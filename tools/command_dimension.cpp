@@ -7,7 +7,8 @@ namespace tool {
 
 Exit run_dimension(const Arguments& arguments) {
     Session session(arguments);
-    const stltsa::Dimension found = stltsa::dimension(session.open_input(), session.options());
+    const stltsa::Dimension found =
+        stltsa::estimate_dimension(session.open_input(), session.options());
     session.finish({[&] { return found.json(); },
                     [&] { return dimension_report(found, session.title()); },
                     {}});

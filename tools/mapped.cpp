@@ -27,7 +27,7 @@ Json model_json(const Mapping& mapping) {
     return JsonObject(
         "path", path_json(mapping.arguments.model), "frames", model.integer(STLTSA_MODEL_FRAMES),
         "dimension", model.integer(STLTSA_MODEL_DIMENSION), "features",
-        model.integer(STLTSA_MODEL_FEATURES), "support", model.real(STLTSA_MODEL_SUPPORT));
+        model.integer(STLTSA_MODEL_FEATURES), "reach", model.real(STLTSA_MODEL_REACH));
 }
 
 Json beyond_json(const Distances& distances, std::size_t rows) {

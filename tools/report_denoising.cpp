@@ -12,7 +12,7 @@ namespace {
 std::string columns_table(const stltsa::Info& denoising) {
     using enum Align;
     Table table({right, right, right, right, right, right});
-    table.add({"coordinate", "noise", "gamma", "shift", "moved", "freedom"});
+    table.add({"coordinate", "noise", "gamma", "shift", "moved", "degrees of freedom"});
     const auto digits = [&](std::int32_t key, std::int64_t column) {
         return fmt::format("{:.4g}", denoising.real(key, column));
     };
@@ -27,8 +27,8 @@ std::string columns_table(const stltsa::Info& denoising) {
 constexpr const char* legend =
     "  noise: robust standard deviation of the points about the fitted curve; gamma:\n"
     "  distance from it beyond which a point is moved; shift: mean distance of these\n"
-    "  points, by which they are moved, the curve not being crossed; freedom:\n"
-    "  effective degrees of freedom of the curve\n";
+    "  points, by which they are moved, the curve not being crossed; degrees\n"
+    "  of freedom: the effective ones of the curve\n";
 
 } // namespace
 

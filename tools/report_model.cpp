@@ -63,8 +63,8 @@ std::string model_report(const stltsa::Model& model, const std::string& title) {
     if (const double period = info.real(STLTSA_INFO_PERIOD); period > 0)
         facts.add("period", fmt::format("{:.3f} s, which k rests on", period));
     const double correlation = info.real(STLTSA_INFO_TIME_CORRELATION);
-    facts.add("clock", fmt::format("{:.4f}: rank correlation of coordinate 1 with time",
-                                   std::isfinite(correlation) ? correlation : 0));
+    facts.add("time", fmt::format("{:.4f} rank correlation with coordinate 1",
+                                  std::isfinite(correlation) ? correlation : 0));
     if (const std::int64_t repeated = info.integer(STLTSA_INFO_REPEATED); repeated > 0)
         facts.add("repeated", counted(repeated, "sample") + " like the one before");
     return bold(sentence(info, title)) + "\n\n" + facts.text() + '\n' + components_table(model) +

@@ -41,7 +41,7 @@ std::string read_stdin() {
 
 /// Rate of the working samples: what lengths in seconds are counted in.
 double working_rate(const stltsa::Clip& clip, const stltsa::Options& options) {
-    const double rate = options.real(STLTSA_OPT_RATE);
+    const double rate = options.real(STLTSA_OPT_SAMPLE_RATE);
     return rate > 0 ? clip.fps() / std::max(1.0, std::round(clip.fps() / rate)) : clip.fps();
 }
 

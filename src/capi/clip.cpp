@@ -176,7 +176,3 @@ stltsa_status stltsa_clip_json(const stltsa_clip* clip, char** json) noexcept {
 stltsa_status stltsa_clip_save(const stltsa_clip* clip, const char* path) noexcept {
     return guard([&] { clip::write(required(clip, "clip").clip, &required(path, "path")); });
 }
-
-void stltsa_string_free(char* text) noexcept {
-    delete[] text;
-}

@@ -32,12 +32,13 @@ capi::PeriodFacts period_of(ConstMatrixView coords, const std::vector<std::int64
 
 motion::DenoiseOptions choose_options(const capi::OptionsReader& options,
                                       const capi::PeriodFacts& period, double fps) {
-    const double knots = options.real(STLTSA_OPT_KNOTS);
+    const double spacing = options.real(STLTSA_OPT_KNOT_SPACING);
     motion::DenoiseOptions chosen;
     chosen.gamma = options.real(STLTSA_OPT_GAMMA);
     chosen.robust = options.integer(STLTSA_OPT_ROBUST) != 0;
-    chosen.knot_step = knots > 0 ? knots * (fps > 0 ? fps : 1)
-                                 : motion::knot_step_for({period.period * fps, period.lag_quality});
+    chosen.knot_step = spacing > 0
+                           ? spacing * (fps > 0 ? fps : 1)
+                           : motion::knot_step_for({period.period * fps, period.lag_quality});
     return chosen;
 }
 
@@ -45,7 +46,7 @@ std::unique_ptr<stltsa_denoising> denoise(ConstMatrixView coords, std::vector<st
                                           const capi::OptionsReader& options, capi::Source source) {
     ltsa::check_frames(coords, lengths, "coords");
     auto denoising = std::make_unique<stltsa_denoising>();
-    if (!(options.real(STLTSA_OPT_KNOTS) > 0))
+    if (!(options.real(STLTSA_OPT_KNOT_SPACING) > 0))
         denoising->period = period_of(coords, lengths, options, source);
     denoising->options = choose_options(options, denoising->period, source.samples.fps);
     denoising->result = motion::denoise(coords, lengths, denoising->options, options.progress());
@@ -97,8 +98,8 @@ double real_of(const stltsa_denoising& denoising, int32_t key, std::int64_t colu
         return found.shift;
     case STLTSA_DENOISING_NOISE:
         return found.noise;
-    case STLTSA_DENOISING_FREEDOM:
-        return found.freedom;
+    case STLTSA_DENOISING_DEGREES_OF_FREEDOM:
+        return found.degrees_of_freedom;
     default:
         fail(Status::argument, "{} is no real key of a denoising", key);
     }

@@ -42,12 +42,12 @@ ltsa::Dimension estimate(ConstMatrixView samples, const std::vector<std::int64_t
     }
 }
 
-std::unique_ptr<stltsa_dimension_result> estimate_samples(ConstMatrixView samples,
-                                                          const std::vector<std::int64_t>& lengths,
-                                                          const capi::OptionsReader& options,
-                                                          capi::Source source) {
+std::unique_ptr<stltsa_dimension> estimate_samples(ConstMatrixView samples,
+                                                   const std::vector<std::int64_t>& lengths,
+                                                   const capi::OptionsReader& options,
+                                                   capi::Source source) {
     ltsa::check_frames(samples, lengths, "frames", options.threads());
-    auto result = std::make_unique<stltsa_dimension_result>();
+    auto result = std::make_unique<stltsa_dimension>();
     const auto parameters =
         capi::choose_parameters(samples, options, capi::eigengap_tangent_dimension, source);
     result->dimension = estimate(samples, lengths, parameters, options);
@@ -64,65 +64,67 @@ int64_t copy_values(const std::vector<double>& from, double* values, int64_t cap
 
 } // namespace
 
-stltsa_status stltsa_dimension(const stltsa_in* frames, const int64_t* lengths, int64_t clips,
-                               const stltsa_options* options,
-                               stltsa_dimension_result** result) noexcept {
+stltsa_status stltsa_estimate_dimension(const stltsa_in* frames, const int64_t* lengths,
+                                        int64_t clips, const stltsa_options* options,
+                                        stltsa_dimension** dimension) noexcept {
     return guard([&] {
-        required(result, "result") = nullptr;
+        required(dimension, "dimension") = nullptr;
         const capi::InputFrames input(frames, "frames");
         const capi::OptionsReader reader(options);
-        *result =
+        *dimension =
             estimate_samples(input.view(), capi::clip_lengths(lengths, clips, input.view().rows),
                              reader, capi::matrix_source(input.view(), reader))
                 .release();
     });
 }
 
-stltsa_status stltsa_dimension_clip(const stltsa_clip* clip, const stltsa_options* options,
-                                    stltsa_dimension_result** result) noexcept {
+stltsa_status stltsa_estimate_dimension_clip(const stltsa_clip* clip, const stltsa_options* options,
+                                             stltsa_dimension** dimension) noexcept {
     return guard([&] {
-        required(result, "result") = nullptr;
+        required(dimension, "dimension") = nullptr;
         const capi::OptionsReader reader(options);
         auto prepared = capi::prepare_clip(required(clip, "clip"), reader);
-        *result = estimate_samples(prepared.samples.view(), {prepared.samples.rows()}, reader,
-                                   std::move(prepared.source))
-                      .release();
+        *dimension = estimate_samples(prepared.samples.view(), {prepared.samples.rows()}, reader,
+                                      std::move(prepared.source))
+                         .release();
     });
 }
 
-void stltsa_dimension_free(stltsa_dimension_result* result) noexcept {
-    delete result;
+void stltsa_dimension_free(stltsa_dimension* dimension) noexcept {
+    delete dimension;
 }
 
-int64_t stltsa_dimension_eigengap(const stltsa_dimension_result* result,
-                                  const char** reason) noexcept {
+int64_t stltsa_dimension_eigengap(const stltsa_dimension* dimension, const char** reason) noexcept {
     if (reason != nullptr)
-        *reason = result == nullptr ? "" : result->dimension.eigengap_reason.c_str();
-    return result == nullptr ? 0 : result->dimension.eigengap;
+        *reason = dimension == nullptr ? "" : dimension->dimension.eigengap_reason.c_str();
+    return dimension == nullptr ? 0 : dimension->dimension.eigengap;
 }
 
-int64_t stltsa_dimension_local_pca(const stltsa_dimension_result* result,
+int64_t stltsa_dimension_local_pca(const stltsa_dimension* dimension,
                                    const char** reason) noexcept {
     if (reason != nullptr)
-        *reason = result == nullptr ? "" : result->dimension.local_pca_reason.c_str();
-    return result == nullptr ? 0 : result->dimension.local_pca;
+        *reason = dimension == nullptr ? "" : dimension->dimension.local_pca_reason.c_str();
+    return dimension == nullptr ? 0 : dimension->dimension.local_pca;
 }
 
-int64_t stltsa_dimension_eigenvalues(const stltsa_dimension_result* result, double* values,
+int64_t stltsa_dimension_eigenvalues(const stltsa_dimension* dimension, double* values,
                                      int64_t capacity) noexcept {
-    return result == nullptr ? 0 : copy_values(result->dimension.eigenvalues, values, capacity);
+    return dimension == nullptr ? 0
+                                : copy_values(dimension->dimension.eigenvalues, values, capacity);
 }
 
-int64_t stltsa_dimension_local_variances(const stltsa_dimension_result* result, double* values,
+int64_t stltsa_dimension_local_variances(const stltsa_dimension* dimension, double* values,
                                          int64_t capacity) noexcept {
-    return result == nullptr ? 0 : copy_values(result->dimension.local_variances, values, capacity);
+    return dimension == nullptr
+               ? 0
+               : copy_values(dimension->dimension.local_variances, values, capacity);
 }
 
-stltsa_status stltsa_dimension_json(const stltsa_dimension_result* result, char** json) noexcept {
+stltsa_status stltsa_dimension_json(const stltsa_dimension* dimension, char** json) noexcept {
     return guard([&] {
         required(json, "json") = nullptr;
-        const auto& source = required(result, "result").source;
+        const auto& source = required(dimension, "dimension").source;
         *json = capi::caller_string(capi::dimension_json(
-            {source.clip_or_null(), source.samples, source.period, &result->dimension}));
+            {source.clip_or_null(), source.samples, source.period, &dimension->dimension}));
     });
 }

@@ -115,15 +115,15 @@ double real_of(const stltsa_model& model, int32_t key) {
         return largest(model, &ltsa::Component::error_estimate);
     case STLTSA_MODEL_GAP:
         return smallest_gap(model);
-    case STLTSA_MODEL_CLOCK:
-        return model.model.clock;
+    case STLTSA_MODEL_TIME_CORRELATION:
+        return model.model.time_correlation;
     case STLTSA_MODEL_FPS:
         return model.source.samples.fps;
     case STLTSA_MODEL_PERIOD:
         return model.source.period.period;
-    case STLTSA_MODEL_SUPPORT:
+    case STLTSA_MODEL_REACH:
         if (const ltsa::Mapping* mapping = capi::mapping_of(model))
-            return mapping->support();
+            return mapping->reach();
         return 0;
     default:
         fail(Status::argument, "{} is no real key of a model", key);

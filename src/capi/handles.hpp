@@ -39,7 +39,7 @@ struct Kept {
     Matrix poses; ///< pose vectors, a row of the model each
 };
 
-/// A copy of a text that the caller frees with stltsa_string_free.
+/// A copy of a text that the caller frees with stltsa_free.
 char* caller_string(const std::string& text);
 
 } // namespace stltsa::capi
@@ -63,8 +63,8 @@ struct stltsa_model : stltsa_info {
     mutable std::optional<stltsa::ltsa::Mapping> mapping;
 };
 
-struct stltsa_dimension_result : stltsa_info {
-    stltsa_dimension_result() : stltsa_info{&stltsa::capi::dimension_table} {}
+struct stltsa_dimension : stltsa_info {
+    stltsa_dimension() : stltsa_info{&stltsa::capi::dimension_table} {}
 
     stltsa::ltsa::Dimension dimension;
     stltsa::capi::Source source;

@@ -57,7 +57,7 @@ constexpr InfoRow source_rows[] = {
 const ltsa::Parameters* fit_of(const stltsa_model& model) {
     return &model.model.parameters;
 }
-const ltsa::Parameters* fit_of(const stltsa_dimension_result& result) {
+const ltsa::Parameters* fit_of(const stltsa_dimension& result) {
     return &result.dimension.parameters;
 }
 const ltsa::Parameters* fit_of(const stltsa_decomposition& decomposition) {
@@ -145,11 +145,12 @@ constexpr InfoRow model_rows[] = {
     list<Model>(
         STLTSA_INFO_LENGTH, [](const Model& m) -> const auto& { return m.model.lengths; }),
     one<Model>(STLTSA_INFO_REPEATED, [](const Model& m) { return m.model.repeated_frames; }),
-    one<Model>(STLTSA_INFO_TIME_CORRELATION, [](const Model& m) { return m.model.clock; }),
+    one<Model>(STLTSA_INFO_TIME_CORRELATION,
+               [](const Model& m) { return m.model.time_correlation; }),
     one<Model>(STLTSA_INFO_REACH,
                [](const Model& m) {
                    const ltsa::Mapping* mapping = mapping_of(m);
-                   return mapping == nullptr ? 0 : mapping->support();
+                   return mapping == nullptr ? 0 : mapping->reach();
                }),
     of_component(STLTSA_INFO_COMPONENT_ROWS, [](const ltsa::Component& c) { return c.frames; }),
     of_component(STLTSA_INFO_RANK_DEFICIENT,
@@ -163,7 +164,7 @@ constexpr InfoRow model_rows[] = {
 
 // ---- Intrinsic dimension ----
 
-using Dimension = stltsa_dimension_result;
+using Dimension = stltsa_dimension;
 
 constexpr InfoRow dimension_rows[] = {
     one<Dimension>(STLTSA_INFO_LOCAL_PCA, [](const Dimension& d) { return d.dimension.local_pca; }),
@@ -232,7 +233,7 @@ constexpr InfoRow denoising_rows[] = {
     of_column(STLTSA_INFO_SHIFT, [](const motion::DenoisedColumn& c) { return c.shift; }),
     of_column(STLTSA_INFO_NOISE, [](const motion::DenoisedColumn& c) { return c.noise; }),
     of_column(STLTSA_INFO_DEGREES_OF_FREEDOM,
-              [](const motion::DenoisedColumn& c) { return c.freedom; }),
+              [](const motion::DenoisedColumn& c) { return c.degrees_of_freedom; }),
     of_column(STLTSA_INFO_MOVED, [](const motion::DenoisedColumn& c) { return c.moved; }),
     one<Denoising>(STLTSA_INFO_GAMMA_OPTION, [](const Denoising& d) { return d.options.gamma; }),
     one<Denoising>(STLTSA_INFO_KNOT_ROWS, [](const Denoising& d) { return d.options.knot_step; }),
@@ -292,8 +293,8 @@ const stltsa_info* stltsa_model_info(const stltsa_model* model) noexcept {
     return model;
 }
 
-const stltsa_info* stltsa_dimension_info(const stltsa_dimension_result* result) noexcept {
-    return result;
+const stltsa_info* stltsa_dimension_info(const stltsa_dimension* dimension) noexcept {
+    return dimension;
 }
 
 const stltsa_info* stltsa_decomposition_info(const stltsa_decomposition* decomposition) noexcept {

@@ -16,7 +16,7 @@ Json parameters_json(const DenoisingFacts& facts) {
 
 Json column_json(const motion::DenoisedColumn& column) {
     return JsonObject("gamma", column.gamma, "shift", column.shift, "noise", column.noise,
-                      "freedom", column.freedom, "moved", column.moved);
+                      "degrees_of_freedom", column.degrees_of_freedom, "moved", column.moved);
 }
 
 } // namespace

@@ -34,7 +34,7 @@ std::string model_json(const ModelFacts& facts) {
     object.set("samples", samples);
     object.set("parameters", json_parameters(model.parameters, facts.period));
     object.set("period_s", json_positive_or_null(facts.period.period));
-    object.set("clock", model.clock);
+    object.set("time_correlation", model.time_correlation);
     object.set("repeated_frames", model.repeated_frames);
     object.set("components", components_json(model.components));
     object.set("warnings", json_warnings(model.warnings));

@@ -43,7 +43,7 @@ std::string synthesis_json(const SynthesisFacts& facts) {
     object.set("clip", made_clip(*facts.clip));
     object.set("pieces", pieces_json(facts.pieces));
     object.set("parameters",
-               JsonObject("crossfade_s", chosen_or(facts.options.crossfade), "search_s",
+               JsonObject("crossfade_s", chosen_or(facts.options.crossfade), "cut_range_s",
                           chosen_or(facts.options.search), "posture_limit",
                           json_positive_or_null(facts.options.posture_limit), "up_axis",
                           json_axis(made.up)));

@@ -28,7 +28,7 @@ void embedding_fields(Archive& archive, T& model) {
         each(c.frames, c.eigenvalues, c.residual, c.error_estimate, c.gap, c.rank_deficient_windows,
              c.solves);
     });
-    archive(model.repeated_frames, model.clock);
+    archive(model.repeated_frames, model.time_correlation);
     archive.list(model.warnings,
                  [](auto& each, auto& w) { each(w.code, w.text, w.begin_s, w.end_s); });
 }

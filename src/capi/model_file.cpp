@@ -17,18 +17,14 @@ stltsa_status stltsa_model_serialize(const stltsa_model* model, unsigned char** 
         required(bytes, "bytes") = nullptr;
         required(size, "size") = 0;
         const std::uint64_t needed = capi::archive_size(required(model, "model"));
-        std::unique_ptr<unsigned char[]> made(new unsigned char[needed]);
-        unsigned char* end = made.get();
+        std::unique_ptr<char[]> made(new char[needed]);
+        char* end = made.get();
         capi::archive_model(*model, needed, [&end](std::string_view piece) {
             end = std::copy(piece.begin(), piece.end(), end);
         });
-        *bytes = made.release();
+        *bytes = reinterpret_cast<unsigned char*>(made.release());
         *size = needed;
     });
-}
-
-void stltsa_bytes_free(unsigned char* bytes) noexcept {
-    delete[] bytes;
 }
 
 stltsa_status stltsa_model_parse(const void* bytes, size_t size, stltsa_model** model) noexcept {

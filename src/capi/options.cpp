@@ -81,7 +81,7 @@ clip::PrepareOptions OptionsReader::prepare_options() const {
     clip::PrepareOptions prepare;
     prepare.features = static_cast<clip::Features>(integer(STLTSA_OPT_FEATURES));
     prepare.up = static_cast<clip::Axis>(integer(STLTSA_OPT_UP_AXIS));
-    prepare.rate = real(STLTSA_OPT_RATE);
+    prepare.rate = real(STLTSA_OPT_SAMPLE_RATE);
     prepare.smoothing = real(STLTSA_OPT_SMOOTHING);
     prepare.drop_tpose = integer(STLTSA_OPT_KEEP_START) == 0;
     return prepare;
@@ -170,7 +170,7 @@ stltsa_status stltsa_options_get_text(const stltsa_options* options, int32_t key
     return guard([&] { required(value, "value") = capi::OptionsReader(options).text(key); });
 }
 
-stltsa_status stltsa_options_set_progress(stltsa_options* options, stltsa_progress progress,
+stltsa_status stltsa_options_set_progress(stltsa_options* options, stltsa_progress_fn progress,
                                           void* user) noexcept {
     return guard([&] { required(options, "options").progress = Progress(progress, user); });
 }

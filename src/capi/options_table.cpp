@@ -58,7 +58,7 @@ constexpr stltsa_option_info rows[] = {
          "the "
          "model's.",
          0, 1e6, 0),
-    real(STLTSA_OPT_RATE, "rate",
+    real(STLTSA_OPT_SAMPLE_RATE, "sample_rate",
          "Decimate a clip to about this many frames a second: one frame in fps / rate, rounded, is "
          "kept; 0: keep all.",
          0, 1e6, 30),
@@ -92,7 +92,7 @@ constexpr stltsa_option_info rows[] = {
          "Distance from the curve beyond which a point is noisy, in units of the coordinate; -1: "
          "one robust standard deviation.",
          -1, 1e15, -1),
-    real(STLTSA_OPT_KNOTS, "knots",
+    real(STLTSA_OPT_KNOT_SPACING, "knot_spacing",
          "Seconds between the knots of the smooth curve, rows where the rate is unknown; 0: a "
          "tenth of the period, else 2 rows.",
          0, 1e6, 0),
@@ -102,7 +102,7 @@ constexpr stltsa_option_info rows[] = {
          "Seconds to each side of a seam that are blended; -1: a tenth of the cycle that is "
          "repeated, 0.15 where clips join.",
          -1, 60, -1),
-    real(STLTSA_OPT_SEARCH, "search",
+    real(STLTSA_OPT_CUT_RANGE, "cut_range",
          "Seconds by which a cut may move to find a common posture; -1: a tenth of the cycle "
          "that is repeated, half a cycle and at least 0.5 where clips join.",
          -1, 3600, -1),

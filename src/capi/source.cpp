@@ -38,7 +38,7 @@ ClipSamples prepare_clip(const stltsa_clip& clip, const OptionsReader& options) 
     if (prepared.step > 1 && prepared.samples.rows() < least_samples)
         fail(Status::too_few_frames,
              "of {} frames at {} a second one in {} is kept, which leaves {}; at least {} are "
-             "needed: check the frame rate, or set option rate to 0 to keep all",
+             "needed: check the frame rate, or set option sample_rate to 0 to keep all",
              clip.clip.values.rows(), clip.clip.fps, prepared.step, prepared.samples.rows(),
              least_samples);
     ClipSamples result;

@@ -111,3 +111,7 @@ int32_t stltsa_has(int32_t part) noexcept {
         return 0;
     }
 }
+
+void stltsa_free(void* memory) noexcept {
+    delete[] static_cast<char*>(memory); // all of it is made by new char[]
+}

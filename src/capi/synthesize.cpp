@@ -41,7 +41,7 @@ std::vector<capi::PieceFacts> facts_of(const std::vector<synthesis::Piece>& piec
 std::unique_ptr<stltsa_synthesis> synthesize(const std::vector<synthesis::Piece>& pieces,
                                              const capi::OptionsReader& options) {
     auto made = std::make_unique<stltsa_synthesis>();
-    made->options = {options.real(STLTSA_OPT_CROSSFADE), options.real(STLTSA_OPT_SEARCH),
+    made->options = {options.real(STLTSA_OPT_CROSSFADE), options.real(STLTSA_OPT_CUT_RANGE),
                      options.real(STLTSA_OPT_POSTURE_LIMIT), options.prepare_options().up};
     made->pieces = facts_of(pieces);
     made->result = synthesis::synthesize(pieces, made->options, options.progress());

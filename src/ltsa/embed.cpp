@@ -145,7 +145,7 @@ Model embed(const Graph& graph, int dimension, int eigenvalues, const Progress& 
             embed_component(graph, c, dimension, eigenvalues, progress, coords));
 
     set_frames(graph, coords, model);
-    model.clock = clock_likeness(graph, coords);
+    model.time_correlation = time_correlation(graph, coords);
     model.warnings = warnings_of(graph, model);
     return model;
 }

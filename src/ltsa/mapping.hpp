@@ -49,7 +49,7 @@ class Mapping {
     Mapping(ConstMatrixView frames, const Model& model, double period);
 
     /// The distance of frames that Placement::distance 1 is.
-    double support() const { return frames_.limits.front(); }
+    double reach() const { return frames_.limits.front(); }
 
     /// `hint`: row of the model near which the frame is looked for.
     Placement find_frame(const double* frame, std::int64_t hint, const MapParameters& p) const;

@@ -31,7 +31,8 @@ struct Model {
     UnsetVector<std::int64_t> component_of; ///< per frame, 0-based, numbered by first frame
     std::vector<Component> components;
     std::int64_t repeated_frames = 0; ///< frames equal to the one before, collapsed before the fit
-    double clock = 0; ///< |correlation| of ranks of coordinate 1 with time; ~1: only a clock
+    /// |Rank correlation| of coordinate 1 with time; near 1: the coordinate only follows time.
+    double time_correlation = 0;
     Warnings warnings;
 };
 

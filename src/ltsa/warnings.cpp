@@ -9,7 +9,7 @@ namespace stltsa::ltsa {
 namespace {
 
 /// Beyond this rank correlation with time a coordinate has no turning point worth the name.
-constexpr double clock_threshold = 0.98;
+constexpr double largest_time_correlation = 0.98;
 /// Below this ratio of eigenvalues the embedding may turn within its subspace's neighbor.
 constexpr double small_gap = 1.05;
 /// An estimated error beyond this is no longer invisible in a plot.
@@ -22,7 +22,7 @@ constexpr std::size_t most_ranked = 1 << 14;
 
 } // namespace
 
-double clock_likeness(const Graph& graph, const Matrix& coords) {
+double time_correlation(const Graph& graph, const Matrix& coords) {
     const auto& members =
         *std::max_element(graph.components.members.begin(), graph.components.members.end(),
                           [](const auto& a, const auto& b) { return a.size() < b.size(); });
@@ -47,12 +47,14 @@ Warnings warnings_of(const Graph& graph, const Model& model) {
     const auto warn = [&](WarningCode code, std::string text) {
         warnings.push_back({code, std::move(text)});
     };
-    if (model.parameters.mode == Mode::temporal && model.clock > clock_threshold)
-        warn(WarningCode::follows_time,
-             format_text("coordinate 1 is only a clock (rank correlation with time {:.3f}): within "
-                         "{} neighbors "
-                         "the motion does not turn back; if it has cycles, use about 1.2 of them",
-                         model.clock, model.parameters.neighbors));
+    if (model.parameters.mode == Mode::temporal &&
+        model.time_correlation > largest_time_correlation)
+        warn(
+            WarningCode::follows_time,
+            format_text("coordinate 1 only follows time (rank correlation {:.3f}): the motion does "
+                        "not turn back within {} neighbors; if it has cycles, use about 1.2 cycles "
+                        "of neighbors",
+                        model.time_correlation, model.parameters.neighbors));
     std::int64_t deficient = 0;
     double gap = INFINITY;
     double error = 0;

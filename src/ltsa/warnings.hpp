@@ -11,8 +11,8 @@
 namespace stltsa::ltsa {
 
 /// |Spearman's rank correlation| of the first coordinate of the largest component with time:
-/// 1 where the coordinate only tells the time. `coords`: distinct frames x d.
-double clock_likeness(const Graph& graph, const Matrix& coords);
+/// 1 if the coordinate only follows time. `coords`: distinct frames x d.
+double time_correlation(const Graph& graph, const Matrix& coords);
 
 /// All but that of the parts: only the caller knows what its frames are called.
 Warnings warnings_of(const Graph& graph, const Model& model);

@@ -10,7 +10,8 @@
 namespace stltsa::motion {
 
 /// Half of (autocorrelation at one period - at half a period), samples weighted by their activity
-/// level. 1: swings to and fro once per period; near 0: a clock; negative: twice per period.
+/// level. 1: swings to and fro once per period; near 0: only follows time; negative: twice per
+/// period.
 double cyclicity(std::span<const double> coordinate, std::span<const double> level, double period);
 
 struct Coordinate {

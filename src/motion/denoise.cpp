@@ -33,7 +33,7 @@ struct ScaledColumn {
     int exponent = 0;
     Values points;
     Values curve;
-    double freedom = 0;
+    double degrees_of_freedom = 0;
 
     double distance(std::size_t i) const { return std::abs(points[i] - curve[i]); }
 };
@@ -50,7 +50,7 @@ ScaledColumn fit_column(ConstMatrixView coords, std::int64_t c,
         const auto rows = static_cast<std::size_t>(length);
         const Spline spline = fit_spline(rest.first(rows), {options.knot_step, options.robust});
         column.curve.insert(column.curve.end(), spline.curve.begin(), spline.curve.end());
-        column.freedom += spline.freedom;
+        column.degrees_of_freedom += spline.degrees_of_freedom;
         rest = rest.subspan(rows);
     }
     return column;
@@ -113,7 +113,7 @@ DenoisedColumn denoise_column(ConstMatrixView coords, std::int64_t c, const Scal
     }
     return {options.gamma < 0 ? unscaled(noise.gamma, column.exponent) : options.gamma,
             unscaled(noise.shift, column.exponent), unscaled(noise.deviation, column.exponent),
-            column.freedom, noise.points};
+            column.degrees_of_freedom, noise.points};
 }
 
 } // namespace

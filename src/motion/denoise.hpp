@@ -20,11 +20,11 @@ struct DenoiseOptions {
 
 /// Of one column, over all clips.
 struct DenoisedColumn {
-    double gamma = 0;       ///< threshold used
-    double shift = 0;       ///< d_t: mean distance of the noisy points from the curve
-    double noise = 0;       ///< robust standard deviation of the points about the curve
-    double freedom = 0;     ///< effective degrees of freedom of the curve
-    std::int64_t moved = 0; ///< noisy points
+    double gamma = 0;              ///< threshold used
+    double shift = 0;              ///< d_t: mean distance of the noisy points from the curve
+    double noise = 0;              ///< robust standard deviation of the points about the curve
+    double degrees_of_freedom = 0; ///< effective degrees of freedom of the curve
+    std::int64_t moved = 0;        ///< noisy points
 };
 
 /// Matrices as the coordinates are.

@@ -182,7 +182,7 @@ std::optional<Period> refine_period(ConstMatrixView stretch, std::span<const dou
 }
 
 std::int64_t neighbors_for(const Period& period, double fps) {
-    // With fewer the coordinate is a clock, with many more it loses its swing.
+    // With fewer the coordinate only follows time, with many more it loses its swing.
     constexpr double cycles = 1.2;
     constexpr double seconds = 1.2;
     return std::llround(period.samples > 0 ? cycles * period.samples

@@ -89,7 +89,7 @@ class CrossValidation {
             const double residual = values_[i] - c.fit.curve[i];
             squares += weights_[i] * residual * residual;
         }
-        const double free = 1 - c.fit.freedom / count_;
+        const double free = 1 - c.fit.degrees_of_freedom / count_;
         if (free > 0)
             c.score = squares / count_ / (free * free);
         return c;
@@ -178,7 +178,7 @@ Spline fit_about_line(const Values& values, const SplineOptions& options) {
         best = best_candidate(CrossValidation(system, values, weights));
     }
     return {std::move(best.fit.curve), system.knot_step() * std::pow(10.0, best.power),
-            best.fit.freedom};
+            best.fit.degrees_of_freedom};
 }
 
 } // namespace

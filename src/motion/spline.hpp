@@ -13,9 +13,9 @@ struct SplineOptions {
 };
 
 struct Spline {
-    std::vector<double> curve; ///< a value per row
-    double lambda = 0;         ///< weight of the penalty; infinite: a straight line
-    double freedom = 0;        ///< effective degrees of freedom: 2 for a straight line
+    std::vector<double> curve;     ///< a value per row
+    double lambda = 0;             ///< weight of the penalty; infinite: a straight line
+    double degrees_of_freedom = 0; ///< effective degrees of freedom: 2 for a straight line
 };
 
 /// The penalized cubic spline (spline_system.hpp) whose lambda has the least score of generalized

@@ -103,7 +103,7 @@ std::vector<double> SplineSystem::curve(const std::vector<double>& coefficients)
 /// The trace of (B^T W B + lambda D^T D)^-1 B^T W B takes the inverse Z only within the band of the
 /// matrix: Z L = L^-T gives it column by column from the last one on (Takahashi, Fagan, Chen, 1973;
 /// Hutchinson, de Hoog, "Smoothing noisy data with spline functions", Numer. Math. 47, 1985).
-double SplineSystem::freedom(const Band& factor) const {
+double SplineSystem::degrees_of_freedom(const Band& factor) const {
     std::array<Column, bandwidth> later{}; // columns j + 1, j + 2, j + 3 of Z within the band
     double trace = 0;
     for (std::size_t j = static_cast<std::size_t>(coefficients()); j-- > 0;) {
@@ -128,7 +128,7 @@ SplineSystem::Fit SplineSystem::fit(double lambda) const {
     factor(matrix);
     std::vector<double> coefficients = right_;
     solve(matrix, coefficients);
-    return {curve(coefficients), freedom(matrix)};
+    return {curve(coefficients), degrees_of_freedom(matrix)};
 }
 
 } // namespace stltsa::motion

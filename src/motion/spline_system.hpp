@@ -25,8 +25,8 @@ class SplineSystem {
     void set_data(std::span<const double> values, std::span<const double> weights);
 
     struct Fit {
-        std::vector<double> curve; ///< f at each row
-        double freedom = 0;        ///< trace of the matrix that takes the values to the curve
+        std::vector<double> curve;     ///< f at each row
+        double degrees_of_freedom = 0; ///< trace of the matrix that takes the values to the curve
     };
     Fit fit(double lambda) const;
 
@@ -43,7 +43,7 @@ class SplineSystem {
     Basis basis(std::int64_t row) const;
     Band penalized(double lambda) const;
     std::vector<double> curve(const std::vector<double>& coefficients) const;
-    double freedom(const Band& factor) const;
+    double degrees_of_freedom(const Band& factor) const;
     static void factor(Band& matrix);
     static void solve(const Band& factor, std::vector<double>& x);
 

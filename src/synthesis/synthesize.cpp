@@ -89,7 +89,8 @@ class Synthesizer {
                 Status::no_common_posture,
                 "at {}, where pieces[{}] and pieces[{}] meet, the postures are {:.1f} times as far "
                 "apart as those of repetitions of one motion are, over the limit of {}: choose "
-                "pieces that meet in a posture, raise the option search or posture_limit, or put "
+                "pieces that meet in a posture, raise the option cut_range or posture_limit, or "
+                "put "
                 "a piece between them",
                 where(seam), seam.piece, seam.next, seam.posture, options_.posture_limit);
     }

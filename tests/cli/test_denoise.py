@@ -75,7 +75,7 @@ class Denoise(CommandTest):
         numpy.testing.assert_array_equal(curve, same_curve)
         knots = str(of_clip["parameters"]["knot_s"])
         of_coords, same_points, close_curve, _ = self.denoised(
-            coords, "--coordinates", "--fps", "30", "--knots", knots
+            coords, "--coordinates", "--fps", "30", "--knot-spacing", knots
         )
         numpy.testing.assert_array_equal(points, same_points)
         numpy.testing.assert_allclose(curve, close_curve, atol=1e-9)
@@ -153,7 +153,7 @@ class Denoise(CommandTest):
         self.assertIn(
             "--dimension", self.fails(2, "denoise", circle(), "--coordinates", "--dimension", "1")
         )
-        self.done("denoise", model, "--gamma", "0.1", "--knots", "0.2", "--no-robust")
+        self.done("denoise", model, "--gamma", "0.1", "--knot-spacing", "0.2", "--no-robust")
 
     def test_refusals(self):
         self.assertIn(".npy, .csv", self.fails(2, "denoise", walk(), "-o", "y.txt"))
@@ -171,7 +171,7 @@ class Denoise(CommandTest):
 
     def test_warnings_of_the_fit(self):
         result = run("denoise", walk(), "--neighbors", "5", "--dimension", "1", "--json")
-        self.assertIn(b"clock", result.stderr)
+        self.assertIn(b"follows time", result.stderr)
 
 
 if __name__ == "__main__":

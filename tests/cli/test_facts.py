@@ -115,7 +115,7 @@ class Handle:
         try:
             return json.loads(ctypes.string_at(out).decode())
         finally:
-            value("string_free", None, out)
+            value("free", None, out)
 
     def rows(self, function, item):
         for index in range(value(f"{self.kind}_{function}_count", c_int64, self.pointer)):
@@ -279,7 +279,7 @@ FACTS = {
         **LENGTHS,
         **below("parameters", {**FIT, **SEARCH}),
         **PERIOD,
-        "clock": lambda h: h["time_correlation"],
+        "time_correlation": lambda h: h["time_correlation"],
         "repeated_frames": lambda h: h["repeated"],
         "components.frames": lambda h: h.list("component_rows"),
         "components.eigenvalues": eigenvalues,
@@ -340,7 +340,7 @@ FACTS = {
         "columns.gamma": lambda h: h.list("gamma"),
         "columns.shift": lambda h: h.list("shift"),
         "columns.noise": lambda h: h.list("noise"),
-        "columns.freedom": lambda h: h.list("degrees_of_freedom"),
+        "columns.degrees_of_freedom": lambda h: h.list("degrees_of_freedom"),
         "columns.moved": lambda h: h.list("moved"),
         **WARNINGS,
     },
@@ -354,7 +354,7 @@ FACTS = {
         "pieces.end": lambda h: h.list("piece_end"),
         "pieces.repeat": lambda h: h.list("piece_repeat"),
         "parameters.crossfade_s": lambda h: chosen(h["crossfade"]),
-        "parameters.search_s": lambda h: chosen(h["cut_range"]),
+        "parameters.cut_range_s": lambda h: chosen(h["cut_range"]),
         "parameters.posture_limit": lambda h: positive(h["posture_limit"]),
         "parameters.up_axis": lambda h: h.choice("up_axis"),
         **{f"seams.{f}": seams(f) for f, _ in Seam._fields_[1:]},
@@ -429,9 +429,9 @@ class Facts(unittest.TestCase):
             clip, noted, parted, recurrent_, of_notes, units,
             self.handle("decomposition", "decompose", noted.pointer, none),
             self.handle("decomposition", "decompose", self.opened(circle(), fps=50.0).pointer, none),
-            self.handle("dimension", "dimension_clip", clip.pointer, none),
-            self.handle("dimension", "dimension_clip", noted.pointer, self.options(mode=3)),
-            self.handle("dimension", "dimension_clip", self.opened(still(), fps=30.0).pointer,
+            self.handle("dimension", "estimate_dimension_clip", clip.pointer, none),
+            self.handle("dimension", "estimate_dimension_clip", noted.pointer, self.options(mode=3)),
+            self.handle("dimension", "estimate_dimension_clip", self.opened(still(), fps=30.0).pointer,
                         none),
             self.handle("denoising", "denoise_model", parted.pointer, none),
             self.handle("denoising", "denoise_model", recurrent_.pointer,
@@ -439,7 +439,7 @@ class Facts(unittest.TestCase):
             self.handle("denoising", "denoise_model", of_notes.pointer, none),
             self.handle("synthesis", "synthesize", pieces, c_int64(2), none),
             self.handle("synthesis", "synthesize", byref(short), c_int64(1),
-                        self.options(crossfade=0.05, search=0.0, posture_limit=0.0)),
+                        self.options(crossfade=0.05, cut_range=0.0, posture_limit=0.0)),
         ]
 
     def test_every_leaf_of_a_schema_has_a_function(self):

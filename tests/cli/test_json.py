@@ -67,10 +67,10 @@ class Schemas(CommandTest):
         self.check("fit", circle(), "--mode", "spatial", "--neighbors", "10")
         self.check("fit", cut(), "--neighbors", "5", "--window", "8", status=4)
         self.check("dimension", walk(), "--variance", "0.9", "--eigengap", "0.2")
-        self.check("decompose", walk(), "--features", "euler", "--dimension", "2", "--rate", "0")
+        self.check("decompose", walk(), "--features", "euler", "--dimension", "2", "--sample-rate", "0")
         self.check("decompose", walk(), "--curve")
         self.check("decompose", drift(), "--fps", "30")
-        self.check("denoise", walk(), "--curve", "--gamma", "0.01", "--knots", "0.2", "--no-robust")
+        self.check("denoise", walk(), "--curve", "--gamma", "0.01", "--knot-spacing", "0.2", "--no-robust")
         self.check("denoise", circle(), "--coordinates")
         self.check("denoise", cut(), "--neighbors", "5", "--window", "8")
 
@@ -177,7 +177,7 @@ class Content(CommandTest):
         for rate in ("0", "20", "30", "45", "50", "120", "1000"):
             with self.subTest(rate=rate):
                 found = self.json(
-                    "fit", walk(), "--rate", rate, "--neighbors", "0.5s", "--window", "0.8s"
+                    "fit", walk(), "--sample-rate", rate, "--neighbors", "0.5s", "--window", "0.8s"
                 )
                 fps = found["samples"]["fps"]
                 self.assertEqual(found["parameters"]["neighbors"], round(0.5 * fps))
@@ -192,7 +192,7 @@ class Content(CommandTest):
         found = self.json(
             *("fit", walk(), "--mode", "recurrent", "--links", "3", "--exclusion", "99"),
             *("--dimension", "3", "--no-include-self", "--features", "rotations6d"),
-            *("--smoothing", "0", "--rate", "60", "--up-axis", "z"),
+            *("--smoothing", "0", "--sample-rate", "60", "--up-axis", "z"),
         )
         parameters = found["parameters"]
         self.assertEqual(parameters["mode"], "recurrent")

@@ -26,8 +26,8 @@ class Usage(CommandTest):
             (("fit", clip, "--neighbors", "infs"), "1.2s"),
             (("fit", clip, "--dimension", "2s"), "whole number"),
             (("fit", clip, "--mode", "1"), "temporal|spatial|recurrent"),
-            (("fit", clip, "--rate", "nan"), "rate"),
-            (("fit", clip, "--rate", "1,5"), "number"),
+            (("fit", clip, "--sample-rate", "nan"), "sample-rate"),
+            (("fit", clip, "--sample-rate", "1,5"), "number"),
             (("dimension", clip, "--variance", "2"), "from 0.01 to 1"),
             (("fit", clip, "--coords", "y.txt"), ".npy"),
             (("decompose", clip, "--curve"), "--json"),
@@ -52,8 +52,8 @@ class Usage(CommandTest):
         self.assertIn("set --fps", text)
         self.assertIn("set --features to", " ".join(
             self.done("decompose", drift(), "--fps", "30").decode().split()))
-        message = self.fails(2, "fit", clock, "--rate", "-1")
-        self.assertTrue(message.startswith("stltsa: --rate is -1; "), message)
+        message = self.fails(2, "fit", clock, "--sample-rate", "-1")
+        self.assertTrue(message.startswith("stltsa: --sample-rate is -1; "), message)
         self.assertIn("set --skeleton", self.fails(3, "info", self.amc_without_skeleton()))
 
     def amc_without_skeleton(self):

@@ -160,10 +160,10 @@ class Synthesize(CommandTest):
     def test_no_common_posture(self):
         out = self.folder / "x.bvh"
         message = self.fails(
-            4, "synthesize", f"{walk()}:0-150", f"{walk()}:330-400", "-o", out, "--search", "0",
+            4, "synthesize", f"{walk()}:0-150", f"{walk()}:330-400", "-o", out, "--cut-range", "0",
             "--posture-limit", "0.001"
         )
-        self.assertIn("raise --search or --posture-limit", " ".join(message.split()))
+        self.assertIn("raise --cut-range or --posture-limit", " ".join(message.split()))
         self.assert_empty(self.folder)
 
     def test_wrong_use(self):

@@ -67,7 +67,7 @@ void line_goes_on(void**) {
         const double beside[] = {at, 5 - 2 * at, 9};
         ASSERT_NEAR(coordinate(given, mapping.find_frame(beside, no_hint, {})), 2 * at, 1e-12);
     }
-    ASSERT_NEAR(mapping.support(), std::sqrt(5.0), 1e-12);
+    ASSERT_NEAR(mapping.reach(), std::sqrt(5.0), 1e-12);
 }
 
 void weights_fade_out_with_the_blend(void**) {
@@ -219,7 +219,7 @@ void support_is_the_step_where_cycles_are_equal(void**) {
         largest = std::max(largest, step_of(given, i));
     // Exact repetitions are no reason to expect nothing but them.
     for (const double period : {0.0, 20.0}) {
-        ASSERT_NEAR(given.mapping(period).support(), largest, 0.05 * largest);
+        ASSERT_NEAR(given.mapping(period).reach(), largest, 0.05 * largest);
     }
 }
 
@@ -232,8 +232,8 @@ void support_grows_with_what_repetitions_differ_by(void**) {
         Matrix y(1200, 1);
         return Given(std::move(x), std::move(y), {1200});
     }();
-    const double without = fine.mapping(0).support();
-    const double with = fine.mapping(200).support();
+    const double without = fine.mapping(0).reach();
+    const double with = fine.mapping(200).reach();
     assert_true(without < 0.1);
     ASSERT_NEAR(with, 0.5, 0.02); // from one repetition to the next
 }
@@ -248,7 +248,7 @@ void support_of_rows_without_order_is_their_spacing(void**) {
     }
     Matrix y = x;
     const Given given(std::move(x), std::move(y), {400}, Mode::spatial);
-    ASSERT_NEAR(given.mapping().support(), 1, 1e-12);
+    ASSERT_NEAR(given.mapping().reach(), 1, 1e-12);
 }
 
 } // namespace

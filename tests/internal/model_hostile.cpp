@@ -87,7 +87,7 @@ void seal(std::string& bytes) {
 void use(const stltsa_model& model) {
     char* json = nullptr;
     if (stltsa_model_json(&model, &json) == STLTSA_OK)
-        stltsa_string_free(json);
+        stltsa_free(json);
     std::int64_t features = 0;
     std::int64_t dimension = 0;
     stltsa_model_get_int(&model, STLTSA_MODEL_FEATURES, &features);

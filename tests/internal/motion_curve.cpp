@@ -107,8 +107,8 @@ void cyclicity_tells_once_per_cycle(void**) {
     ASSERT_NEAR(swing(1), 1, 0.01);
     ASSERT_NEAR(swing(2), 0, 0.02);
     assert_true(swing(0.5) < 0.2);
-    const auto clock = curve_of(200, [](double t) { return t; });
-    ASSERT_NEAR(cyclicity(clock, level, 40.5), 0, 0.01);
+    const auto line = curve_of(200, [](double t) { return t; });
+    ASSERT_NEAR(cyclicity(line, level, 40.5), 0, 0.01);
     assert_true(cyclicity(std::vector<double>(200, 1.0), level, 40.5) == 0);
     // Where nothing moves, nothing counts.
     auto drifting = curve_of(200, [](double t) { return std::sin(turn * t / 40.5); });

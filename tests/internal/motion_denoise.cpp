@@ -135,7 +135,7 @@ void clips_have_curves_of_their_own(void**) {
     const Spline alone = fit_spline(first, {4, true});
     for (std::int64_t i = 0; i < 100; ++i)
         ASSERT_NEAR(found.curve(i, 0), alone.curve[static_cast<std::size_t>(i)], 1e-9);
-    assert_true(found.columns[0].freedom > alone.freedom);
+    assert_true(found.columns[0].degrees_of_freedom > alone.degrees_of_freedom);
 }
 
 /// Standing, a stir, standing: what a sum of sines would ring at.

@@ -118,7 +118,7 @@ void same_as_the_dense_solution(void**) {
                             smoother(i, j) * values[static_cast<std::size_t>(j)];
                 }
                 ASSERT_NEAR(largest_difference(fit.curve, expected), 0, 1e-8);
-                ASSERT_NEAR(fit.freedom, trace, 1e-7);
+                ASSERT_NEAR(fit.degrees_of_freedom, trace, 1e-7);
             }
         }
     }
@@ -131,18 +131,19 @@ void knots_lie_on_both_ends(void**) {
     assert_int_equal(SplineSystem(10, 0.01).coefficients(), 12);
 }
 
-void freedom_goes_from_all_coefficients_to_a_line(void**) {
+void degrees_of_freedom_go_from_all_coefficients_to_a_line(void**) {
     const Values values = noisy_wave(200, 0.1);
     const Values weights(values.size(), 1.0);
     SplineSystem system(200, 5);
     system.set_data(values, weights);
     double before = static_cast<double>(system.coefficients()) + 1e-9;
     for (double lambda = 1e-6; lambda < 1e9; lambda *= 10) {
-        const double freedom = system.fit(lambda).freedom;
-        assert_true(freedom < before);
-        before = freedom;
+        const double degrees_of_freedom = system.fit(lambda).degrees_of_freedom;
+        assert_true(degrees_of_freedom < before);
+        before = degrees_of_freedom;
     }
-    ASSERT_NEAR(system.fit(1e-9).freedom, static_cast<double>(system.coefficients()), 1e-4);
+    ASSERT_NEAR(system.fit(1e-9).degrees_of_freedom, static_cast<double>(system.coefficients()),
+                1e-4);
     ASSERT_NEAR(before, 2, 1e-2);
 }
 
@@ -154,7 +155,7 @@ void lines_and_constants_are_reproduced(void**) {
                 line.push_back(1000.7 - 0.3 * static_cast<double>(i));
             const Spline of_line = fit_spline(line, {4, robust});
             ASSERT_NEAR(largest_difference(of_line.curve, line), 0, 1e-11);
-            ASSERT_NEAR(of_line.freedom, 2, 0);
+            ASSERT_NEAR(of_line.degrees_of_freedom, 2, 0);
             const Values level(rows, 0.1);
             assert_true(fit_spline(level, {4, robust}).curve == level);
         }
@@ -172,7 +173,7 @@ void pure_noise_becomes_nearly_a_line(void**) {
     const Values wave = noisy_wave(1000, 0);
     for (std::size_t i = 0; i < noise.size(); ++i)
         noise[i] -= wave[i];
-    assert_true(fit_spline(noise, {4, false}).freedom < 30);
+    assert_true(fit_spline(noise, {4, false}).degrees_of_freedom < 30);
 }
 
 /// The chosen lambda is about as good as the best there is, which is known here.
@@ -257,7 +258,7 @@ void always_finite(void**) {
                 const Spline spline = fit_spline(values, {step, robust});
                 for (const double value : spline.curve)
                     assert_true(std::isfinite(value));
-                assert_true(std::isfinite(spline.freedom));
+                assert_true(std::isfinite(spline.degrees_of_freedom));
             }
 }
 
@@ -275,7 +276,7 @@ int main() {
     const CMUnitTest tests[] = {
         cmocka_unit_test(same_as_the_dense_solution),
         cmocka_unit_test(knots_lie_on_both_ends),
-        cmocka_unit_test(freedom_goes_from_all_coefficients_to_a_line),
+        cmocka_unit_test(degrees_of_freedom_go_from_all_coefficients_to_a_line),
         cmocka_unit_test(lines_and_constants_are_reproduced),
         cmocka_unit_test(smooth_values_are_followed),
         cmocka_unit_test(pure_noise_becomes_nearly_a_line),

@@ -106,7 +106,7 @@ stltsa_status decompose(const std::string& input) {
         status = 1;
     if (status == STLTSA_OK)
         status = stltsa_decomposition_json(units, &json);
-    stltsa_string_free(json);
+    stltsa_free(json);
     stltsa_decomposition_free(units);
     stltsa_clip_free(clip);
     stltsa_options_free(options);
@@ -237,7 +237,7 @@ stltsa_status model_file(const std::string&) {
     ::unlink(path.c_str());
     stltsa_model_free(loaded);
     stltsa_model_free(parsed);
-    stltsa_bytes_free(bytes);
+    stltsa_free(bytes);
     return ::rmdir(folder.c_str()) == 0 ? status : 1;
 }
 
@@ -318,7 +318,7 @@ stltsa_status denoise(const std::string&) {
         status = stltsa_denoising_json(denoising, &json);
     else if (denoising != nullptr)
         status = 1;
-    stltsa_string_free(json);
+    stltsa_free(json);
     stltsa_denoising_free(denoising);
     stltsa_options_free(options);
     return status;
@@ -334,7 +334,7 @@ stltsa_status synthesize(const std::string&) {
         status = stltsa_synthesis_json(synthesis, &json);
     else if (synthesis != nullptr)
         status = 1;
-    stltsa_string_free(json);
+    stltsa_free(json);
     stltsa_synthesis_free(synthesis);
     return status;
 }

@@ -156,7 +156,7 @@ static void what_cannot_be_read_is_said(void** state) {
 static void null_handles_are_harmless(void** state) {
     (void)state;
     stltsa_clip_free(NULL);
-    stltsa_string_free(NULL);
+    stltsa_free(NULL);
     assert_int_equal(stltsa_clip_frames(NULL), 0);
     assert_int_equal(stltsa_clip_joints(NULL), 0);
     assert_true(stltsa_clip_fps(NULL) == 0);
@@ -171,7 +171,7 @@ static void json_escapes_what_a_file_may_hold(void** state) {
     char* json = NULL;
     must(stltsa_clip_json(clip, &json));
     assert_non_null(strstr(json, "\"names\":[\"a \\\\ b\",\"\xEF\xBF\xBD\"]"));
-    stltsa_string_free(json);
+    stltsa_free(json);
     stltsa_clip_free(clip);
 }
 

@@ -323,10 +323,10 @@ static void no_unit_is_empty(void** state) {
 static void dimension_of_the_walk(void** state) {
     (void)state;
     stltsa_clip* clip = opened();
-    stltsa_dimension_result* result = NULL;
+    stltsa_dimension* result = NULL;
     const char* reason = NULL;
     double shares[3];
-    must(stltsa_dimension_clip(clip, NULL, &result));
+    must(stltsa_estimate_dimension_clip(clip, NULL, &result));
     assert_in_range(stltsa_dimension_local_pca(result, &reason), 1, 5);
     assert_string_equal(reason, "");
     assert_true(stltsa_dimension_eigenvalues(result, NULL, 0) >= 4);
@@ -344,9 +344,9 @@ static void dimension_of_a_cut_clip_cannot_be_told(void** state) {
         x[i] += 1000;
     const stltsa_in in = packed_in(x, rows, cols);
     stltsa_options* options = new_options(12, 12, 2);
-    stltsa_dimension_result* result = NULL;
+    stltsa_dimension* result = NULL;
     const char* reason = NULL;
-    must(stltsa_dimension(&in, NULL, 0, options, &result));
+    must(stltsa_estimate_dimension(&in, NULL, 0, options, &result));
     assert_int_equal(stltsa_dimension_eigengap(result, &reason), 0);
     assert_non_null(strstr(reason, "2 parts"));
     stltsa_dimension_free(result);
@@ -367,8 +367,8 @@ static void dimension_of_a_helix_is_two(void** state) {
     }
     const stltsa_in in = packed_in(x, rows, cols);
     stltsa_options* options = new_options(12, 12, 2);
-    stltsa_dimension_result* result = NULL;
-    must(stltsa_dimension(&in, NULL, 0, options, &result));
+    stltsa_dimension* result = NULL;
+    must(stltsa_estimate_dimension(&in, NULL, 0, options, &result));
     assert_int_equal(stltsa_dimension_local_pca(result, NULL), 2);
     stltsa_dimension_free(result);
     stltsa_options_free(options);

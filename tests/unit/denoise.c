@@ -55,7 +55,7 @@ static void cleaned_is_points_and_moves(void** state) {
         const double gamma = real_of(d, STLTSA_DENOISING_GAMMA, c);
         assert_true(gamma == real_of(d, STLTSA_DENOISING_NOISE, c));
         assert_true(real_of(d, STLTSA_DENOISING_SHIFT, c) > gamma);
-        assert_true(real_of(d, STLTSA_DENOISING_FREEDOM, c) > 2);
+        assert_true(real_of(d, STLTSA_DENOISING_DEGREES_OF_FREEDOM, c) > 2);
         int64_t moved = 0;
         for (int64_t i = c; i < rows * cols; i += cols) {
             assert_int_equal(moves[i] != 0, fabs(y[i] - curve[i]) > gamma);
@@ -112,19 +112,19 @@ static void options_are_used(void** state) {
 
     /* Knots 2 s apart at 30 rows a second cannot swing with a cycle of 1.1 s. */
     must(stltsa_options_set_real(options, STLTSA_OPT_FPS, 30));
-    must(stltsa_options_set_real(options, STLTSA_OPT_KNOTS, 2));
+    must(stltsa_options_set_real(options, STLTSA_OPT_KNOT_SPACING, 2));
     d = denoised(y, options);
-    assert_true(real_of(d, STLTSA_DENOISING_FREEDOM, 0) < 6);
+    assert_true(real_of(d, STLTSA_DENOISING_DEGREES_OF_FREEDOM, 0) < 6);
     stltsa_denoising_free(d);
 
-    must(stltsa_options_set_real(options, STLTSA_OPT_KNOTS, 0));
+    must(stltsa_options_set_real(options, STLTSA_OPT_KNOT_SPACING, 0));
     d = denoised(y, options);
     char* json = NULL;
     must(stltsa_denoising_json(d, &json));
     const char* period = strstr(json, "\"period_s\":");
     assert_non_null(period);
     assert_below(fabs(strtod(period + 11, NULL) - 1.1), 0.05, "period");
-    stltsa_string_free(json);
+    stltsa_free(json);
     stltsa_denoising_free(d);
     stltsa_options_free(options);
     free(y);
@@ -191,7 +191,7 @@ static void models_are_cleaned_piece_by_piece(void** state) {
     char* json = NULL;
     must(stltsa_denoising_json(d, &json));
     assert_non_null(strstr(json, "\"lengths\":[70,50]"));
-    stltsa_string_free(json);
+    stltsa_free(json);
     double* coords = new_coords(model);
     double* cleaned = new_table(d, stltsa_denoising_cleaned, n, 1);
     double* moves = new_table(d, stltsa_denoising_moves, n, 1);

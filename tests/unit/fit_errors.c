@@ -158,7 +158,7 @@ static void null_is_refused(void** state) {
     stltsa_clip_free(NULL);
     stltsa_dimension_free(NULL);
     stltsa_decomposition_free(NULL);
-    stltsa_string_free(NULL);
+    stltsa_free(NULL);
 }
 
 static void shapes_that_are_none(void** state) {

@@ -54,7 +54,7 @@ static void circle_in_two_dimensions_is_itself(void** state) {
     free(circle);
 }
 
-/* One coordinate measures length along the circle, and says that it is only a clock. */
+/* One coordinate measures length along the circle, and says that it only follows time. */
 static void circle_in_one_dimension_is_arc_length(void** state) {
     (void)state;
     double* circle = new_circle(1);
@@ -67,7 +67,7 @@ static void circle_in_one_dimension_is_arc_length(void** state) {
     must(stltsa_fit(&in, NULL, 1, options, &model));
     double* coords = new_coords(model);
     assert_below(affine_misfit(coords, 1, length, frames, 1), 1e-3, "misfit of the length");
-    assert_below(1 - model_real(model, STLTSA_MODEL_CLOCK), 1e-12, "1 - clock");
+    assert_below(1 - model_real(model, STLTSA_MODEL_TIME_CORRELATION), 1e-12, "1 - correlation");
     assert_true(stltsa_model_warning_count(model) >= 1);
     free(coords);
     stltsa_model_free(model);

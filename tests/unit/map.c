@@ -197,7 +197,7 @@ static void frames_far_away_are_flagged(void** state) {
     (void)state;
     double* x = new_motion(rows, cols, 13);
     stltsa_model* model = fitted(x, rows, 25, 3);
-    const double support = model_real(model, STLTSA_MODEL_SUPPORT);
+    const double support = model_real(model, STLTSA_MODEL_REACH);
     assert_true(support > 0);
     double* between = new_between(x, rows, cols, 1, 0.5);
     double* mapped = new_matrix(rows, 3);

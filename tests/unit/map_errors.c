@@ -180,7 +180,7 @@ static void model_without_frames_cannot_map(void** state) {
     must(stltsa_options_set_int(f->options, STLTSA_OPT_KEEP_FRAMES, 0));
     const stltsa_in in = packed_in(f->x, rows, cols);
     must(stltsa_fit(&in, NULL, 1, f->options, &f->model));
-    assert_true(model_real(f->model, STLTSA_MODEL_SUPPORT) == 0);
+    assert_true(model_real(f->model, STLTSA_MODEL_REACH) == 0);
     assert_status(map(f, f->x, rows, cols, NULL), STLTSA_E_UNSUPPORTED, "keep_frames");
     assert_status(unmap(f, f->x, rows, 2, NULL), STLTSA_E_UNSUPPORTED, "keep_frames");
     assert_untouched(f);

@@ -27,7 +27,7 @@ static int set_up(void** state) {
 
 static int tear_down(void** state) {
     struct fixture* f = *state;
-    stltsa_bytes_free(f->bytes);
+    stltsa_free(f->bytes);
     stltsa_model_free(f->model);
     free(f->x);
     free(f);
@@ -40,8 +40,8 @@ static void assert_same_model(const stltsa_model* a, const stltsa_model* b) {
     must(stltsa_model_json(a, &text_a));
     must(stltsa_model_json(b, &text_b));
     assert_string_equal(text_a, text_b);
-    stltsa_string_free(text_a);
-    stltsa_string_free(text_b);
+    stltsa_free(text_a);
+    stltsa_free(text_b);
     const size_t count = (size_t)(model_int(a, STLTSA_MODEL_FRAMES) * d);
     double* coords_a = new_coords(a);
     double* coords_b = new_coords(b);
@@ -85,7 +85,7 @@ static void what_was_written_reads_back(void** state) {
     must(stltsa_model_serialize(again, &bytes, &size));
     assert_int_equal(size, f->size);
     assert_memory_equal(bytes, f->bytes, size);
-    stltsa_bytes_free(bytes);
+    stltsa_free(bytes);
     stltsa_model_free(again);
 }
 
@@ -96,9 +96,8 @@ static void maps_as_before(void** state) {
     double* before = new_round_trip(f->model, f->x);
     double* after = new_round_trip(again, f->x);
     assert_memory_equal(before, after, (size_t)(rows * (d + cols)) * sizeof *before);
-    assert_true(model_real(f->model, STLTSA_MODEL_SUPPORT) > 0);
-    assert_true(model_real(f->model, STLTSA_MODEL_SUPPORT) ==
-                model_real(again, STLTSA_MODEL_SUPPORT));
+    assert_true(model_real(f->model, STLTSA_MODEL_REACH) > 0);
+    assert_true(model_real(f->model, STLTSA_MODEL_REACH) == model_real(again, STLTSA_MODEL_REACH));
     free(before);
     free(after);
     stltsa_model_free(again);
@@ -140,7 +139,7 @@ static void long_files_hold_the_bytes(void** state) {
     must(stltsa_model_serialize(model, &bytes, &size));
     assert_true(size > sizeof(double) * many * (cols + d));
     assert_file_holds(model, bytes, size);
-    stltsa_bytes_free(bytes);
+    stltsa_free(bytes);
     stltsa_model_free(model);
     stltsa_options_free(options);
     free(x);
@@ -212,7 +211,7 @@ static void errors_say_what_is_wrong(void** state) {
     assert_non_null(strstr(stltsa_last_error(), "version 2"));
     assert_int_equal(stltsa_model_parse("HIERARCHY", 9, &model), STLTSA_E_FORMAT);
     assert_non_null(strstr(stltsa_last_error(), "no model"));
-    stltsa_bytes_free(NULL);
+    stltsa_free(NULL);
 }
 
 int main(void) {

@@ -76,7 +76,7 @@ static void ranges_types_and_keys_are_checked(void** state) {
             assert_non_null(strstr(stltsa_last_error(), info.name));
         }
     }
-    const int32_t chosen[] = {STLTSA_OPT_GAMMA, STLTSA_OPT_CROSSFADE, STLTSA_OPT_SEARCH};
+    const int32_t chosen[] = {STLTSA_OPT_GAMMA, STLTSA_OPT_CROSSFADE, STLTSA_OPT_CUT_RANGE};
     for (int c = 0; c < 3; ++c) { /* -1 is a word, not a number */
         must(stltsa_options_set_real(options, chosen[c], -1));
         assert_int_equal(stltsa_options_set_real(options, chosen[c], -0.5), STLTSA_E_ARGUMENT);

@@ -133,7 +133,7 @@ static void other_rates_are_resampled(void** state) {
 static void no_search_cuts_where_the_pieces_end(void** state) {
     (void)state;
     stltsa_clip* clip = new_figure(usual_figure);
-    stltsa_options* options = with(STLTSA_OPT_SEARCH, 0);
+    stltsa_options* options = with(STLTSA_OPT_CUT_RANGE, 0);
     must(stltsa_options_set_real(options, STLTSA_OPT_CROSSFADE, 0.05));
     must(stltsa_options_set_real(options, STLTSA_OPT_POSTURE_LIMIT, 0));
     const stltsa_piece pieces[] = {{clip, 20, 300, 1, 0}, {clip, 100, 400, 2, 0}};
@@ -151,7 +151,7 @@ static void no_search_cuts_where_the_pieces_end(void** state) {
 static void where_the_clip_ends_nothing_is_blended(void** state) {
     (void)state;
     stltsa_clip* clip = new_figure(usual_figure);
-    stltsa_options* options = with(STLTSA_OPT_SEARCH, 0);
+    stltsa_options* options = with(STLTSA_OPT_CUT_RANGE, 0);
     const stltsa_piece piece = {clip, 0, 480, 2, 0};
     stltsa_synthesis* s = made(&piece, 1, options);
     assert_int_equal(seam_of(s, 0).crossfade, 0);
@@ -177,7 +177,7 @@ static void short_pieces_keep_half_their_length(void** state) {
     (void)state;
     stltsa_clip* clip = new_figure(usual_figure);
     stltsa_options* options = with(STLTSA_OPT_POSTURE_LIMIT, 0);
-    must(stltsa_options_set_real(options, STLTSA_OPT_SEARCH, 3));
+    must(stltsa_options_set_real(options, STLTSA_OPT_CUT_RANGE, 3));
     must(stltsa_options_set_real(options, STLTSA_OPT_CROSSFADE, 3));
     const int64_t lengths[] = {1, 2, 3, 5, 8, 40};
     for (int l = 0; l < 6; ++l) {

@@ -156,7 +156,7 @@ static void wrong_questions(void** state) {
     assert_int_equal(stltsa_synthesis_json(s, NULL), STLTSA_E_ARGUMENT);
     must(stltsa_synthesis_json(s, &json));
     assert_non_null(strstr(json, "\"format\":\"stltsa-synthesis/1\""));
-    stltsa_string_free(json);
+    stltsa_free(json);
     stltsa_synthesis_free(NULL);
     stltsa_synthesis_free(s);
     stltsa_clip_free(clip);

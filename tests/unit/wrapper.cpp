@@ -296,7 +296,7 @@ void frames_are_mapped_and_come_back(void**) {
 
 void a_model_of_a_clip_maps_clips_and_gives_poses(void**) {
     Options options;
-    options.set(STLTSA_OPT_RATE, 0.0).set(STLTSA_OPT_DIMENSION, 2);
+    options.set(STLTSA_OPT_SAMPLE_RATE, 0.0).set(STLTSA_OPT_DIMENSION, 2);
     const Model model = stltsa::fit(walker(), options);
     const stltsa::Mapped mapped = model.map(walker());
     assert_int_equal(mapped.values.rows, walker().frames());
@@ -331,7 +331,7 @@ void a_model_is_the_same_from_bytes_and_from_a_file(void**) {
 
 void the_dimension_is_estimated_or_the_reason_given(void**) {
     const Matrix frames = helix(300);
-    const stltsa::Dimension found = stltsa::dimension(frames, narrow());
+    const stltsa::Dimension found = stltsa::estimate_dimension(frames, narrow());
     const char* reason = nullptr;
     assert_int_equal(found.local_pca().dimension, stltsa_dimension_local_pca(found.get(), &reason));
     assert_true(found.local_pca().dimension >= 1);
@@ -343,10 +343,10 @@ void the_dimension_is_estimated_or_the_reason_given(void**) {
     assert_true(is_object(found.json(), "dimension"));
 
     const std::array<std::int64_t, 2> lengths{150, 150};
-    const stltsa::Dimension apart = stltsa::dimension(frames, narrow(), lengths);
+    const stltsa::Dimension apart = stltsa::estimate_dimension(frames, narrow(), lengths);
     assert_int_equal(apart.eigengap().dimension, 0);
     assert_true(apart.eigengap().reason.size() > 0);
-    assert_true(stltsa::dimension(walker()).local_pca().dimension >= 1);
+    assert_true(stltsa::estimate_dimension(walker()).local_pca().dimension >= 1);
 }
 
 void a_clip_is_cut_into_units_and_cycles(void**) {
@@ -447,7 +447,7 @@ void facts_are_told_by_key(void**) {
     const stltsa::Model model = stltsa::fit(walker());
     assert_int_equal(model.info().integers(STLTSA_INFO_LENGTH).at(0), model.coords().rows);
     assert_int_equal(stltsa::denoise(model).info().reals(STLTSA_INFO_GAMMA).size(), 2);
-    assert_int_equal(stltsa::dimension(walker()).info().integer(STLTSA_INFO_DIMENSION), 2);
+    assert_int_equal(stltsa::estimate_dimension(walker()).info().integer(STLTSA_INFO_DIMENSION), 2);
     const std::array pieces{walker().piece(0, 50)};
     assert_int_equal(stltsa::synthesize(pieces).info().integer(STLTSA_INFO_PIECE_END), 50);
 

@@ -88,7 +88,7 @@ def test_denoise_and_synthesize(clip, model, result):
     assert done.points.shape == done.curve.shape == done.cleaned.shape == (211, 2)
     assert np.allclose(done.points + done.moves, done.cleaned)
     assert done.moved.tolist() == (done.moves != 0).sum(axis=0).tolist()
-    assert (done.gamma.shape, done.noise.shape, done.freedom.shape) == ((2,), (2,), (2,))
+    assert (done.gamma.shape, done.noise.shape, done.degrees_of_freedom.shape) == ((2,), (2,), (2,))
     alone = stltsa.denoise(model.coords, fps=model.fps)
     assert alone.curve.shape == (211, 2)
     assert json.loads(done.to_json())["format"] == "stltsa-denoising/1"

@@ -102,10 +102,10 @@ def test_json(model):
     assert "211 rows, 69 features -> 2" in repr(model)
 
 
-def test_clock_is_said(circle):
+def test_correlation_with_time_is_said(circle):
     model = stltsa.fit(circle, neighbors=5)
     assert any("time" in text for text in model.warnings)
-    assert model.clock > 0.9
+    assert model.time_correlation > 0.9
 
 
 def test_dimension(circle, clip):

@@ -16,7 +16,7 @@ import matplotlib.pyplot as plt
 import stltsa
 
 # Fig. 2 needs something to be cleaned: the file's angles, unsmoothed, at 60 frames a second.
-ROUGH = {"features": "euler", "smoothing": 0.0, "rate": 60.0, "dimension": 1}
+ROUGH = {"features": "euler", "smoothing": 0.0, "sample_rate": 60.0, "dimension": 1}
 
 
 def synthetic(folder, *settings):

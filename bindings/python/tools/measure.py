@@ -96,7 +96,7 @@ def reports(frames, settings):
     seen = []
     stltsa.fit(frames, **settings, progress=lambda *report: seen.append(report))
     watch, many = Watch(None), 20_000
-    report = ffi.cast("stltsa_progress", lib.on_progress)
+    report = ffi.cast("stltsa_progress_fn", lib.on_progress)
 
     def repeat():
         for _ in range(many):

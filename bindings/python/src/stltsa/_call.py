@@ -82,7 +82,7 @@ def json_text(function: Any, handle: Any) -> str:
     try:
         return string(out[0])
     finally:
-        lib.stltsa_string_free(out[0])
+        lib.stltsa_free(out[0])
 
 
 def get_int(function: Any, handle: Any, key: int, *more: int) -> int:

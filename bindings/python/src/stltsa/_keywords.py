@@ -28,7 +28,7 @@ class Keywords(TypedDict, total=False):
     up_axis: UpAxis
     keep_start: bool
     fps: float | Auto | None
-    rate: float
+    sample_rate: float
     smoothing: float
     period_min: float
     period_max: float
@@ -41,9 +41,9 @@ class Keywords(TypedDict, total=False):
     hint_window: int | Auto | None
     component: int | Auto | None
     gamma: float | Auto | None
-    knots: float | Auto | None
+    knot_spacing: float | Auto | None
     robust: bool
     crossfade: float | Auto | None
-    search: float | Auto | None
+    cut_range: float | Auto | None
     posture_limit: float
     memory_map: bool

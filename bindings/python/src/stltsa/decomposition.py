@@ -49,7 +49,7 @@ def decompose(motion: Any, **options: Unpack[Options]) -> Decomposition:
         An array needs the option `fps`, and so does a path where the file does not say it; a Clip
         has its own.
     **options
-        Used: `features`, `up_axis`, `keep_start`, `rate`, `smoothing`, `period_min`,
+        Used: `features`, `up_axis`, `keep_start`, `sample_rate`, `smoothing`, `period_min`,
         `period_max`, `neighbors`, `window`, `dimension`, `mode`, `threads`, `fps`, `progress`.
         See :func:`stltsa.options`.
 

@@ -32,7 +32,7 @@ def denoise(coords: Any, *, groups: Any = None, **options: Unpack[Options]) -> D
         A label for each row of an array that holds several clips; rows of one clip stand together.
     **options
         Used: `gamma` (distance from the curve beyond which a point is noisy, in units of the
-        coordinate), `knots`, `robust`, `fps`, `period_min`, `period_max`, `progress`.
+        coordinate), `knot_spacing`, `robust`, `fps`, `period_min`, `period_max`, `progress`.
 
     Returns
     -------
@@ -127,9 +127,9 @@ class Denoising(Described):
         return self._reals(lib.STLTSA_DENOISING_NOISE)
 
     @property
-    def freedom(self) -> FloatArray:
+    def degrees_of_freedom(self) -> FloatArray:
         """Effective degrees of freedom of the curve of each column."""
-        return self._reals(lib.STLTSA_DENOISING_FREEDOM)
+        return self._reals(lib.STLTSA_DENOISING_DEGREES_OF_FREEDOM)
 
     def __repr__(self) -> str:
         rows, cols = self.points.shape

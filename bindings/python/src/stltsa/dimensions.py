@@ -47,13 +47,13 @@ def dimension(motion: Any, *, groups: Any = None, **options: Unpack[Options]) ->
     2
     """
     motion = opened(motion, options)
-    out = ffi.new("stltsa_dimension_result **")
+    out = ffi.new("stltsa_dimension **")
     with Call(options) as call:
         if isinstance(motion, Clip):
             refuse_groups(groups, "a Clip is one clip")
-            call.check(lib.stltsa_dimension_clip(motion._handle, call.options, out))
+            call.check(lib.stltsa_estimate_dimension_clip(motion._handle, call.options, out))
         else:
-            call_on_clips(lib.stltsa_dimension, motion, groups, call, out)
+            call_on_clips(lib.stltsa_estimate_dimension, motion, groups, call, out)
     return Dimension(owned("dimension", out))
 
 

@@ -186,7 +186,8 @@ class STLTSA(Base):
         Warns
         -----
         QualityWarning
-            What the library has to say about the result: only a clock, disconnected, a small gap.
+            What the library has to say about the result: a coordinate that only follows time,
+            disconnected, a small gap.
         """
         self.model_ = self._fit_model(X, groups)
         self.embedding_ = self.model_.coords

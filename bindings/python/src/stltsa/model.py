@@ -60,15 +60,15 @@ def fit(motion: Any, *, groups: Any = None, **options: Unpack[Options]) -> Model
     ----------
     motion : Clip, path, array-like of shape (frames, features), or list of such arrays
         Rows are frames in order of time. Arrays are taken as they are; of a clip the features, a
-        T-pose at its start dropped, smoothed and thinned out to `rate`. A C-contiguous array of
-        float64 is not copied, any other once; a list is copied into one array.
+        T-pose at its start dropped, smoothed and thinned out to `sample_rate`. A C-contiguous array
+        of float64 is not copied, any other once; a list is copied into one array.
     groups : array-like of shape (frames,), optional
         A label for each row of an array that holds several clips; rows of one clip stand together.
     **options
         Used: `neighbors`, `window`, `dimension`, `mode`, `include_self`, `links`, `exclusion`,
         `threads`, `fps`, `period_min`, `period_max`, `keep_frames`, `progress`; for clips
-        `features`, `up_axis`, `keep_start`, `rate` and `smoothing` too. A Clip has its own `fps`.
-        See :func:`stltsa.options`.
+        `features`, `up_axis`, `keep_start`, `sample_rate` and `smoothing` too. A Clip has its own
+        `fps`. See :func:`stltsa.options`.
 
     Returns
     -------
@@ -171,9 +171,9 @@ class Model(Described):
         return self._real(lib.STLTSA_MODEL_PERIOD)
 
     @property
-    def clock(self) -> float:
+    def time_correlation(self) -> float:
         """Rank correlation of coordinate 1 with time, 0 to 1; 1: it tells the time and no more."""
-        return self._real(lib.STLTSA_MODEL_CLOCK)
+        return self._real(lib.STLTSA_MODEL_TIME_CORRELATION)
 
     @property
     def residual(self) -> float:
@@ -328,7 +328,7 @@ class Model(Described):
         try:
             return bytes(ffi.buffer(out[0], size[0]))
         finally:
-            lib.stltsa_bytes_free(out[0])
+            lib.stltsa_free(out[0])
 
     @classmethod
     def from_bytes(cls, data: bytes) -> Model:

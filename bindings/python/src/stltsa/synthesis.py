@@ -74,7 +74,7 @@ def synthesize(pieces: Iterable[Piece], **options: Unpack[Options]) -> Synthesis
     pieces : iterable of Piece, or of tuples (clip, begin, end) or (clip, begin, end, repeat)
         All clips need one hierarchy; the first gives frame rate and units.
     **options
-        Used: `crossfade`, `search` (both in seconds), `posture_limit`, `up_axis`, `progress`.
+        Used: `crossfade`, `cut_range` (both in seconds), `posture_limit`, `up_axis`, `progress`.
 
     Returns
     -------

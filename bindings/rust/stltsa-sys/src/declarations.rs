@@ -37,6 +37,9 @@ pub const STLTSA_HAS_OPENBLAS: i32 = 2;
 extern "C" {
     pub fn stltsa_has(part: i32) -> i32;
 }
+extern "C" {
+    pub fn stltsa_free(memory: *mut ::std::os::raw::c_void);
+}
 pub const STLTSA_F32: i32 = 1;
 pub const STLTSA_F64: i32 = 2;
 #[repr(C)]
@@ -272,7 +275,7 @@ pub const STLTSA_OPT_FEATURES: i32 = 9;
 pub const STLTSA_OPT_UP_AXIS: i32 = 10;
 pub const STLTSA_OPT_KEEP_START: i32 = 11;
 pub const STLTSA_OPT_FPS: i32 = 12;
-pub const STLTSA_OPT_RATE: i32 = 13;
+pub const STLTSA_OPT_SAMPLE_RATE: i32 = 13;
 pub const STLTSA_OPT_SMOOTHING: i32 = 14;
 pub const STLTSA_OPT_PERIOD_MIN: i32 = 15;
 pub const STLTSA_OPT_PERIOD_MAX: i32 = 16;
@@ -285,10 +288,10 @@ pub const STLTSA_OPT_MAP_BLEND: i32 = 22;
 pub const STLTSA_OPT_HINT_WINDOW: i32 = 23;
 pub const STLTSA_OPT_COMPONENT: i32 = 24;
 pub const STLTSA_OPT_GAMMA: i32 = 25;
-pub const STLTSA_OPT_KNOTS: i32 = 26;
+pub const STLTSA_OPT_KNOT_SPACING: i32 = 26;
 pub const STLTSA_OPT_ROBUST: i32 = 27;
 pub const STLTSA_OPT_CROSSFADE: i32 = 28;
-pub const STLTSA_OPT_SEARCH: i32 = 29;
+pub const STLTSA_OPT_CUT_RANGE: i32 = 29;
 pub const STLTSA_OPT_POSTURE_LIMIT: i32 = 30;
 pub const STLTSA_OPT_MEMORY_MAP: i32 = 31;
 pub const STLTSA_MODE_TEMPORAL: i32 = 1;
@@ -505,13 +508,13 @@ pub const STLTSA_STAGE_UNITS: i32 = 6;
 pub const STLTSA_STAGE_MAP: i32 = 7;
 pub const STLTSA_STAGE_DENOISE: i32 = 8;
 pub const STLTSA_STAGE_SYNTHESIS: i32 = 9;
-pub type stltsa_progress = ::std::option::Option<
+pub type stltsa_progress_fn = ::std::option::Option<
     unsafe extern "C" fn(user: *mut ::std::os::raw::c_void, stage: i32, fraction: f64) -> i32,
 >;
 extern "C" {
     pub fn stltsa_options_set_progress(
         options: *mut stltsa_options,
-        progress: stltsa_progress,
+        progress: stltsa_progress_fn,
         user: *mut ::std::os::raw::c_void,
     ) -> stltsa_status;
 }
@@ -859,9 +862,6 @@ extern "C" {
     ) -> stltsa_status;
 }
 extern "C" {
-    pub fn stltsa_string_free(text: *mut ::std::os::raw::c_char);
-}
-extern "C" {
     pub fn stltsa_clip_save(
         clip: *const stltsa_clip,
         path: *const ::std::os::raw::c_char,
@@ -912,10 +912,10 @@ pub const STLTSA_MODEL_FRAME_STEP: i32 = 15;
 pub const STLTSA_MODEL_RESIDUAL: i32 = 16;
 pub const STLTSA_MODEL_ERROR_ESTIMATE: i32 = 17;
 pub const STLTSA_MODEL_GAP: i32 = 18;
-pub const STLTSA_MODEL_CLOCK: i32 = 19;
+pub const STLTSA_MODEL_TIME_CORRELATION: i32 = 19;
 pub const STLTSA_MODEL_FPS: i32 = 20;
 pub const STLTSA_MODEL_PERIOD: i32 = 21;
-pub const STLTSA_MODEL_SUPPORT: i32 = 22;
+pub const STLTSA_MODEL_REACH: i32 = 22;
 extern "C" {
     pub fn stltsa_model_get_int(
         model: *const stltsa_model,
@@ -966,60 +966,60 @@ extern "C" {
 }
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
-pub struct stltsa_dimension_result {
+pub struct stltsa_dimension {
     _unused: [u8; 0],
 }
 extern "C" {
-    pub fn stltsa_dimension(
+    pub fn stltsa_estimate_dimension(
         frames: *const stltsa_in,
         lengths: *const i64,
         clips: i64,
         options: *const stltsa_options,
-        result: *mut *mut stltsa_dimension_result,
+        dimension: *mut *mut stltsa_dimension,
     ) -> stltsa_status;
 }
 extern "C" {
-    pub fn stltsa_dimension_clip(
+    pub fn stltsa_estimate_dimension_clip(
         clip: *const stltsa_clip,
         options: *const stltsa_options,
-        result: *mut *mut stltsa_dimension_result,
+        dimension: *mut *mut stltsa_dimension,
     ) -> stltsa_status;
 }
 extern "C" {
-    pub fn stltsa_dimension_free(result: *mut stltsa_dimension_result);
+    pub fn stltsa_dimension_free(dimension: *mut stltsa_dimension);
 }
 extern "C" {
-    pub fn stltsa_dimension_info(result: *const stltsa_dimension_result) -> *const stltsa_info;
+    pub fn stltsa_dimension_info(dimension: *const stltsa_dimension) -> *const stltsa_info;
 }
 extern "C" {
     pub fn stltsa_dimension_eigengap(
-        result: *const stltsa_dimension_result,
+        dimension: *const stltsa_dimension,
         reason: *mut *const ::std::os::raw::c_char,
     ) -> i64;
 }
 extern "C" {
     pub fn stltsa_dimension_local_pca(
-        result: *const stltsa_dimension_result,
+        dimension: *const stltsa_dimension,
         reason: *mut *const ::std::os::raw::c_char,
     ) -> i64;
 }
 extern "C" {
     pub fn stltsa_dimension_eigenvalues(
-        result: *const stltsa_dimension_result,
+        dimension: *const stltsa_dimension,
         values: *mut f64,
         capacity: i64,
     ) -> i64;
 }
 extern "C" {
     pub fn stltsa_dimension_local_variances(
-        result: *const stltsa_dimension_result,
+        dimension: *const stltsa_dimension,
         values: *mut f64,
         capacity: i64,
     ) -> i64;
 }
 extern "C" {
     pub fn stltsa_dimension_json(
-        result: *const stltsa_dimension_result,
+        dimension: *const stltsa_dimension,
         json: *mut *mut ::std::os::raw::c_char,
     ) -> stltsa_status;
 }
@@ -1286,9 +1286,6 @@ extern "C" {
     ) -> stltsa_status;
 }
 extern "C" {
-    pub fn stltsa_bytes_free(bytes: *mut ::std::os::raw::c_uchar);
-}
-extern "C" {
     pub fn stltsa_model_save(
         model: *const stltsa_model,
         path: *const ::std::os::raw::c_char,
@@ -1333,7 +1330,7 @@ pub const STLTSA_DENOISING_MOVED: i32 = 3;
 pub const STLTSA_DENOISING_GAMMA: i32 = 4;
 pub const STLTSA_DENOISING_SHIFT: i32 = 5;
 pub const STLTSA_DENOISING_NOISE: i32 = 6;
-pub const STLTSA_DENOISING_FREEDOM: i32 = 7;
+pub const STLTSA_DENOISING_DEGREES_OF_FREEDOM: i32 = 7;
 extern "C" {
     pub fn stltsa_denoising_get_int(
         denoising: *const stltsa_denoising,

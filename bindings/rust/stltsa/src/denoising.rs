@@ -44,12 +44,12 @@ pub struct DenoisedColumn {
     /// Robust standard deviation of the residuals.
     pub noise: f64,
     /// Effective degrees of freedom of the curve.
-    pub freedom: f64,
+    pub degrees_of_freedom: f64,
 }
 
 impl Denoising {
     /// Cleans coordinates, rows x columns of one clip, each column for itself: a penalized spline
-    /// over time, its smoothing chosen by generalized cross-validation. Options used: gamma, knots,
+    /// over time, its smoothing chosen by generalized cross-validation. Options used: gamma, knot_spacing,
     /// robust, fps, period_min, period_max, progress.
     ///
     /// # Errors
@@ -80,7 +80,7 @@ impl Denoising {
     }
 
     /// Cleans the coordinates of a model, component by component; rate and period are the model's.
-    /// Options used: gamma, knots, robust, progress.
+    /// Options used: gamma, knot_spacing, robust, progress.
     ///
     /// # Errors
     /// As [`Denoising::new`].
@@ -165,7 +165,7 @@ impl DenoisedColumn {
             gamma: real(sys::STLTSA_DENOISING_GAMMA)?,
             shift: real(sys::STLTSA_DENOISING_SHIFT)?,
             noise: real(sys::STLTSA_DENOISING_NOISE)?,
-            freedom: real(sys::STLTSA_DENOISING_FREEDOM)?,
+            degrees_of_freedom: real(sys::STLTSA_DENOISING_DEGREES_OF_FREEDOM)?,
         })
     }
 }

@@ -26,7 +26,7 @@ use crate::options::Options;
 /// ```
 #[derive(Debug)]
 pub struct Dimension {
-    pub(crate) handle: Owned<sys::stltsa_dimension_result>,
+    pub(crate) handle: Owned<sys::stltsa_dimension>,
 }
 
 /// An estimate, or why there is none.
@@ -39,10 +39,10 @@ pub enum Estimate {
 }
 
 type Count = unsafe extern "C" fn(
-    *const sys::stltsa_dimension_result,
+    *const sys::stltsa_dimension,
     *mut *const std::os::raw::c_char,
 ) -> i64;
-type Copy = unsafe extern "C" fn(*const sys::stltsa_dimension_result, *mut f64, i64) -> i64;
+type Copy = unsafe extern "C" fn(*const sys::stltsa_dimension, *mut f64, i64) -> i64;
 
 impl Dimension {
     /// Estimates the dimension of `frames` x features, one clip. A disconnected or degenerate graph
@@ -73,7 +73,7 @@ impl Dimension {
             let (clips, lengths) = (lengths.len() as i64, lengths.as_ptr());
             // SAFETY: arrays of the sizes they say, and a handle, live through the call.
             let make =
-                |out| unsafe { sys::stltsa_dimension(&frames, lengths, clips, options, out) };
+                |out| unsafe { sys::stltsa_estimate_dimension(&frames, lengths, clips, options, out) };
             Ok(Self { handle: Owned::make(make)? })
         })
     }
@@ -85,7 +85,7 @@ impl Dimension {
     pub fn estimate_clip(clip: &Clip, options: &Options) -> Result<Self> {
         options.call(|options| {
             // SAFETY: live handles.
-            let make = |out| unsafe { sys::stltsa_dimension_clip(clip.raw(), options, out) };
+            let make = |out| unsafe { sys::stltsa_estimate_dimension_clip(clip.raw(), options, out) };
             Ok(Self { handle: Owned::make(make)? })
         })
     }

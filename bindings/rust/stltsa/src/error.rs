@@ -71,7 +71,7 @@ pub(crate) fn owned_text(
     // SAFETY: the call succeeded, so `raw` is a string that this side has to free.
     unsafe {
         let copy = text(raw);
-        sys::stltsa_string_free(raw);
+        sys::stltsa_free(raw.cast());
         Ok(copy)
     }
 }

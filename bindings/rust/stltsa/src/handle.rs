@@ -28,7 +28,7 @@ handles! {
     stltsa_options: stltsa_options_free
     stltsa_clip: stltsa_clip_free
     stltsa_model: stltsa_model_free
-    stltsa_dimension_result: stltsa_dimension_free
+    stltsa_dimension: stltsa_dimension_free
     stltsa_decomposition: stltsa_decomposition_free
     stltsa_denoising: stltsa_denoising_free
     stltsa_synthesis: stltsa_synthesis_free

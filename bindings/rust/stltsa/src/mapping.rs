@@ -15,7 +15,7 @@ use crate::options::Options;
 pub struct Mapped {
     /// rows x d.
     pub coords: Matrix,
-    /// Distance of each row from the fitted frames over [`support`](crate::ModelInfo::support).
+    /// Distance of each row from the fitted frames over [`reach`](crate::ModelInfo::reach).
     /// Beyond 1 the frame is unlike what was learned, and its coordinates mean little.
     pub distance: Vec<f64>,
     /// Nearest model row of each row, whose component the coordinates belong to.

@@ -83,14 +83,14 @@ pub struct ModelInfo {
     /// Smallest lambda_{d+2} / lambda_{d+1} of a component; near 1 the curve is ill-defined.
     pub gap: f64,
     /// |Rank correlation| of coordinate 1 with time; 1: it tells the time and nothing else.
-    pub clock: f64,
+    pub time_correlation: f64,
     /// Rows a second; `None`: unknown.
     pub fps: Option<f64>,
     /// Period in seconds that an automatic k rests on.
     pub period: Option<f64>,
     /// Distance from the fitted frames, in units of the features, up to which a new frame counts as
     /// one of their kind. `None`: the model kept no frames and cannot map.
-    pub support: Option<f64>,
+    pub reach: Option<f64>,
 }
 
 impl Model {
@@ -132,7 +132,7 @@ impl Model {
     }
 
     /// Fits a model to a clip: its features, T-pose start dropped, smoothed and decimated. Options
-    /// used besides those of [`Model::fit`]: features, up_axis, keep_start, rate, smoothing.
+    /// used besides those of [`Model::fit`]: features, up_axis, keep_start, sample_rate, smoothing.
     ///
     /// # Errors
     /// As [`Model::fit`].
@@ -183,7 +183,7 @@ impl Model {
         unsafe {
             check(sys::stltsa_model_serialize(self.raw(), &mut data, &mut size))?;
             let bytes = std::slice::from_raw_parts(data, size).to_vec();
-            sys::stltsa_bytes_free(data);
+            sys::stltsa_free(data.cast());
             Ok(bytes)
         }
     }
@@ -228,7 +228,7 @@ impl Model {
         labels.into_iter().map(count).collect()
     }
 
-    /// What a user should know: only a clock, disconnected, rank-deficient windows, small gap.
+    /// What a user should know: a coordinate that only follows time, disconnected, rank-deficient windows, small gap.
     pub fn warnings(&self) -> Vec<String> {
         // SAFETY: a live handle, to which the texts belong until they are copied.
         unsafe {
@@ -283,10 +283,10 @@ impl ModelInfo {
             residual: real(sys::STLTSA_MODEL_RESIDUAL)?,
             error_estimate: real(sys::STLTSA_MODEL_ERROR_ESTIMATE)?,
             gap: real(sys::STLTSA_MODEL_GAP)?,
-            clock: real(sys::STLTSA_MODEL_CLOCK)?,
+            time_correlation: real(sys::STLTSA_MODEL_TIME_CORRELATION)?,
             fps: known(sys::STLTSA_MODEL_FPS)?,
             period: known(sys::STLTSA_MODEL_PERIOD)?,
-            support: known(sys::STLTSA_MODEL_SUPPORT)?,
+            reach: known(sys::STLTSA_MODEL_REACH)?,
         })
     }
 }

@@ -93,11 +93,11 @@ pub struct Seam {
 impl Synthesis {
     /// Joins pieces, in order, into one clip.
     ///
-    /// Where a piece does not go on where the one before ended, cuts are moved (option search) to
+    /// Where a piece does not go on where the one before ended, cuts are moved (option cut_range) to
     /// where postures and velocities are most alike, and the two are crossfaded; the body goes on
     /// from where it stood, facing the way it faced. Pieces that follow each other in their clip are
     /// joined as they were. All clips need one hierarchy; the first gives channels, units and frame
-    /// rate. Options used: crossfade, search, posture_limit, up_axis, progress.
+    /// rate. Options used: crossfade, cut_range, posture_limit, up_axis, progress.
     ///
     /// # Errors
     /// [`Argument`](crate::ErrorKind::Argument), [`Unsupported`](crate::ErrorKind::Unsupported)

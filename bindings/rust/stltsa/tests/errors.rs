@@ -40,7 +40,7 @@ fn each_kind_is_told_from_the_others() {
 #[test]
 fn a_model_without_frames_cannot_map() {
     let model = Model::fit(&circle(), &circle_options().keep_frames(false)).unwrap();
-    assert_eq!(model.info().support, None);
+    assert_eq!(model.info().reach, None);
     let error = model.map(&circle(), &Options::new()).unwrap_err();
     assert_eq!(error.kind(), ErrorKind::Unsupported);
     let poses = circle_model().unmap_clip(&[[0.0, 0.0]], &Options::new()).unwrap_err();

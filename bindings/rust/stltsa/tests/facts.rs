@@ -32,7 +32,7 @@ fn of_a_model() {
     assert_eq!(info.features, count(&json, "feature_count"));
     assert_eq!(info.repeated, 1);
     assert_eq!(info.components, model.eigenvalues().unwrap().rows());
-    assert_eq!(info.clock, real(&json, "clock"));
+    assert_eq!(info.time_correlation, real(&json, "time_correlation"));
     let component = after(&json, "components");
     assert_eq!(info.residual, real(component, "residual"));
     assert_eq!(info.error_estimate, real(component, "error_estimate_rad"));

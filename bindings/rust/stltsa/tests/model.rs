@@ -14,7 +14,7 @@ fn a_model_says_what_was_fitted() {
     assert_eq!((info.neighbors, info.mode, info.include_self), (120, Mode::Temporal, true));
     assert_eq!((info.first_frame, info.frame_step, info.components), (0, 1, 1));
     assert_eq!((info.fps, info.period), (None, None));
-    assert!(info.residual < 1e-9 && info.support.unwrap() > 0.0, "{info:?}");
+    assert!(info.residual < 1e-9 && info.reach.unwrap() > 0.0, "{info:?}");
     let eigenvalues = model.eigenvalues().unwrap();
     assert_eq!((eigenvalues.rows(), eigenvalues.cols()), (1, 4));
     assert!(eigenvalues.row(0).windows(2).all(|pair| pair[0] <= pair[1]));
@@ -23,10 +23,10 @@ fn a_model_says_what_was_fitted() {
 }
 
 #[test]
-fn a_clock_is_warned_of() {
-    let clock = Model::fit(&circle(), &Options::new().neighbors(12).dimension(1)).unwrap();
-    assert!(clock.info().clock > 0.99);
-    assert!(clock.warnings().iter().any(|text| text.contains("time")), "{:?}", clock.warnings());
+fn a_coordinate_that_only_follows_time_is_warned_of() {
+    let arc = Model::fit(&circle(), &Options::new().neighbors(12).dimension(1)).unwrap();
+    assert!(arc.info().time_correlation > 0.99);
+    assert!(arc.warnings().iter().any(|text| text.contains("time")), "{:?}", arc.warnings());
 }
 
 #[test]

@@ -84,8 +84,8 @@ impl Options {
     /// Decimate a clip to about this many frames a second: one frame in fps / rate, rounded, is
     /// kept; 0: keep all.
     #[must_use]
-    pub fn rate(self, value: f64) -> Self {
-        self.with(sys::STLTSA_OPT_RATE, Value::Real(value))
+    pub fn sample_rate(self, value: f64) -> Self {
+        self.with(sys::STLTSA_OPT_SAMPLE_RATE, Value::Real(value))
     }
 
     /// Sigma in seconds of the Gaussian that smooths the features; 0: none.
@@ -164,8 +164,8 @@ impl Options {
     /// Seconds between the knots of the smooth curve, rows where the rate is unknown; 0: a tenth of
     /// the period, else 2 rows.
     #[must_use]
-    pub fn knots(self, value: f64) -> Self {
-        self.with(sys::STLTSA_OPT_KNOTS, Value::Real(value))
+    pub fn knot_spacing(self, value: f64) -> Self {
+        self.with(sys::STLTSA_OPT_KNOT_SPACING, Value::Real(value))
     }
 
     /// Fit the smooth curve so that spikes do not pull at it.
@@ -184,8 +184,8 @@ impl Options {
     /// Seconds by which a cut may move to find a common posture; -1: a tenth of the cycle that is
     /// repeated, half a cycle and at least 0.5 where clips join.
     #[must_use]
-    pub fn search(self, value: f64) -> Self {
-        self.with(sys::STLTSA_OPT_SEARCH, Value::Real(value))
+    pub fn cut_range(self, value: f64) -> Self {
+        self.with(sys::STLTSA_OPT_CUT_RANGE, Value::Real(value))
     }
 
     /// Largest distance of the postures at a seam, over what is common between repetitions of one
