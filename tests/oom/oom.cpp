@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Memory that runs out at any point: every allocation of a whole piece of work is made to fail in
-// turn. Each time the answer must be STLTSA_E_NO_MEMORY with a text and no handle, nothing may
-// leak (the count of live allocations comes back), and the same work must succeed afterwards.
+// Tests memory exhaustion at every point: makes each allocation of a complete task fail in turn.
+// Each time the call must return STLTSA_E_NO_MEMORY with a text and no handle, must leak nothing
+// (the count of live allocations returns to its value), and the same task must then succeed.
 #include <atomic>
 #include <cmath>
 #include <cstddef>
@@ -89,7 +89,7 @@ std::string cyclic_csv() {
     return text;
 }
 
-/// Ends with the status of the first call that failed; every handle must then be NULL.
+/// Returns the status of the first failed call; every handle must then be NULL.
 stltsa_status decompose(const std::string& input) {
     stltsa_options* options = nullptr;
     stltsa_clip* clip = nullptr;
@@ -113,7 +113,7 @@ stltsa_status decompose(const std::string& input) {
     return status;
 }
 
-/// A clip written to files; nothing else may be left in their folder.
+/// Writes a clip to files; no other file may remain in their folder.
 stltsa_status save(const std::string&) {
     static const std::string bvh =
         "HIERARCHY\nROOT hip\n{\nOFFSET 0 0 0\nCHANNELS 3 Zrotation Xrotation Yrotation\n"
@@ -135,7 +135,7 @@ stltsa_status save(const std::string&) {
     return ::rmdir(folder.c_str()) == 0 ? status : 1;
 }
 
-/// A swing with two joints, 40 frames of 30 a second.
+/// A swing with two joints: 40 frames at 30 frames per second.
 std::string swinging_bvh() {
     std::string text =
         "HIERARCHY\nROOT hip\n{\nOFFSET 0 0 0\nCHANNELS 3 Zrotation Xrotation Yrotation\n"
@@ -168,7 +168,7 @@ stltsa_status fit_clip(const std::string&) {
     return status;
 }
 
-/// To the curve and back, to features and to poses.
+/// Maps to the curve and back, to features and to poses.
 stltsa_status map(const std::string&) {
     static const stltsa_model* model = [] {
         stltsa_model* made = nullptr;
@@ -184,7 +184,7 @@ stltsa_status map(const std::string&) {
     stltsa_clip* poses = nullptr;
     stltsa_status status =
         stltsa_map_clip(model, swinging(), nullptr, &coords_out, &distance_out, nearest);
-    coords[7][0] += 0.01; // off the rows, so that there is something to blend
+    coords[7][0] += 0.01; // away from the rows, so that rows are blended
     if (status == STLTSA_OK)
         status = stltsa_unmap(model, &points, nullptr, nullptr, &frames_out, nullptr, nullptr);
     if (status == STLTSA_OK)
@@ -201,7 +201,8 @@ stltsa_status map_swinging(const stltsa_model* model) {
     return stltsa_map_clip(model, swinging(), nullptr, &out, nullptr, nullptr);
 }
 
-/// A model to bytes, to a file and back, where what maps is made when first used; nothing else may
+/// Writes a model to memory and to a file and reads both back, with the parts for mapping built at
+/// first use; no other file may remain in the folder.
 /// be left in the folder.
 stltsa_status model_file(const std::string&) {
     static const stltsa_model* kept = [] {
@@ -241,7 +242,7 @@ stltsa_status model_file(const std::string&) {
     return ::rmdir(folder.c_str()) == 0 ? status : 1;
 }
 
-/// A model of numbers that stay in their file.
+/// Fits a model to numbers that stay in their file.
 stltsa_status fit_file(const std::string&) {
     static const std::string path =
         (std::filesystem::temp_directory_path() / ("stltsa-oom-" + std::to_string(::getpid())))
@@ -324,7 +325,7 @@ stltsa_status denoise(const std::string&) {
     return status;
 }
 
-/// A loop, and what is said of it.
+/// Makes a loop and reads its description.
 stltsa_status synthesize(const std::string&) {
     const stltsa_piece piece = {swinging(), 8, 23, 3, 0};
     stltsa_synthesis* synthesis = nullptr;
@@ -339,9 +340,9 @@ stltsa_status synthesize(const std::string&) {
     return status;
 }
 
-/// Fails allocation 0, 1, 2, ... until one run succeeds; false on any wrong answer.
+/// Fails allocation 0, 1, 2, ... until a run succeeds; returns false on any wrong result.
 bool survives(const Work& work, const std::string& input) {
-    if (work.run(input) != STLTSA_OK) { // also makes what the first use of a library keeps
+    if (work.run(input) != STLTSA_OK) { // also creates everything that libraries allocate once
         std::printf("%s fails with all memory: %s\n", work.name, stltsa_last_error());
         return false;
     }
@@ -357,8 +358,8 @@ bool survives(const Work& work, const std::string& input) {
             return false;
         }
         if (!used)
-            break; // the work needed fewer allocations than n
-        // A thread that could not start leaves its share to the others: no failure then.
+            break; // the task needed at most n allocations
+        // If a thread cannot start, the others do its share, and the call succeeds.
         if (status != STLTSA_OK && status != STLTSA_E_NO_MEMORY) {
             std::printf("%s: failing allocation %lld gives %s (%s)\n", work.name,
                         static_cast<long long>(n), stltsa_status_name(status), stltsa_last_error());

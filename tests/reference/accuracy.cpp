@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How far the library's embedding is from the true one of the same frames and neighborhoods, and
-// beside it what other ways give.
+// Measures the distance of the library's embedding from the exact one for the same frames and
+// neighborhoods, next to the results of other algorithms.
 //
 //     accuracy smooth|roll|real temporal|spatial FRAMES NEIGHBORS DIMENSIONS [FOLDER]
 //
-// smooth: sums of sinusoids; roll: a swiss roll;
-// real: CMU clips from FOLDER (environment STLTSA_DATA goes before it). DIMENSIONS: a digit for
-// each, as 123. Exit status 77: the clips are not there.
+// smooth: sums of sinusoids; roll: a swiss roll; real: CMU clips from FOLDER (the environment
+// variable STLTSA_DATA takes precedence). DIMENSIONS: one digit for each dimension, such as 123.
+// Exit status 77: the clips are missing.
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
@@ -27,10 +27,11 @@ using namespace reference;
 
 constexpr int skipped = 77;
 
-/// Rotations of neighborhoods larger than this take too long, and of those that are not banded.
+/// Rotations take too long for neighborhoods larger than this, and for neighborhoods without a
+/// band.
 constexpr std::size_t most_rotated = 40;
 
-/// The largest errors that pass. The angle's are the library's promise; eigenvalues are relative.
+/// Limits of the errors. The limit of the angle is the library's promise; eigenvalues are relative.
 struct Bounds {
     double angle;
     double eigenvalue;
@@ -50,7 +51,7 @@ Frames frames_of(const Arguments& a) {
         return real_chain(a.folder, a.frames);
     if (a.data == "roll")
         return swiss_roll(a.frames, 1);
-    // At most 3 cycles a second at 120 frames a second: harder than any clip measured.
+    // At most 3 cycles per second at 120 frames per second: harder than any measured clip.
     return smooth_curve(a.frames, 56, 3.0 / 120, 1);
 }
 
@@ -66,7 +67,7 @@ double eigenvalue_error(const Spectrum<dd>& truth, const std::vector<double>& ei
     return worst;
 }
 
-/// A problem that several ways solve.
+/// A problem for several algorithms.
 struct Problem {
     const Arguments& arguments;
     Frames frames;
@@ -95,7 +96,7 @@ void print_header() {
                 "plain", "B + 1e-9", "B + 1e-12");
 }
 
-/// An angle, or that there is none.
+/// Prints an angle, or a dash if there is none.
 void print_angle(double angle) {
     if (angle < 0)
         std::printf(" %9s", "-");
@@ -103,7 +104,7 @@ void print_angle(double angle) {
         std::printf(" %9.2e", angle);
 }
 
-/// Other ways beside the library's: their angles to the truth, -1 where there is none.
+/// Angles between the results of other algorithms and the exact embedding; -1 if there is none.
 struct OtherWays {
     double rotations = -1;
     double plain = -1;
@@ -128,7 +129,7 @@ OtherWays other_ways(const Problem& problem, const Spectrum<dd>& truth) {
     return ways;
 }
 
-/// One row of the table; true when it is within the bounds.
+/// Prints one row of the table; true if it is within the limits.
 bool compare(const Problem& problem, std::size_t d, const Bounds& bounds) {
     const Spectrum<dd> truth = embed(problem.neighbors, problem.tangents, d);
     const std::size_t k = problem.neighbors.cols;

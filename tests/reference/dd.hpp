@@ -30,13 +30,13 @@ inline dd two_sum(double a, double b) {
     return {sum, (a - (sum - part)) + (b - part)};
 }
 
-/// a + b exactly, where |a| >= |b| or a = 0 (Dekker).
+/// a + b exactly, if |a| >= |b| or a = 0 (Dekker).
 inline dd quick_two_sum(double a, double b) {
     const double sum = a + b;
     return {sum, b - (sum - a)};
 }
 
-/// a * b exactly, short of underflow.
+/// a * b exactly, unless it underflows.
 inline dd two_product(double a, double b) {
     const double product = a * b;
     return {product, std::fma(a, b, -product)};
@@ -62,7 +62,7 @@ inline dd operator*(dd a, dd b) {
     return quick_two_sum(product.hi, product.lo + (a.hi * b.lo + a.lo * b.hi));
 }
 
-/// Long division, two digits of 53 bits.
+/// Long division with two digits of 53 bits.
 inline dd operator/(dd a, dd b) {
     const double first = a.hi / b.hi;
     const double second = (a - b * first).hi / b.hi;
@@ -102,7 +102,7 @@ inline dd abs(dd a) {
     return a.hi < 0 ? -a : a;
 }
 
-/// One Newton step from the root in double doubles its 53 digits (Karp's form).
+/// One Newton step from the double root doubles its 53 digits (Karp's form).
 inline dd sqrt(dd a) {
     if (a.hi <= 0)
         return std::sqrt(a.hi); // 0, or the NaN of a negative number

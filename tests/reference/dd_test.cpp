@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Double-double arithmetic against binary128, and identities that hold exactly.
+// Compares double-double arithmetic with binary128, and checks exact identities.
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -21,7 +21,7 @@ void check(bool ok, const char* what, dd a, dd b) {
     std::fprintf(stderr, "FAILED %s: a = %a + %a, b = %a + %a\n", what, a.hi, a.lo, b.hi, b.lo);
 }
 
-/// A number of either sign whose size is spread over 2^-21 .. 2^20.
+/// A random number of either sign with a magnitude of 2^-21 .. 2^20.
 double number(Random& random) {
     const double mantissa = 0.5 + 0.5 * random.uniform();
     const int exponent = static_cast<int>(random.bits() % 41) - 20;
@@ -46,7 +46,7 @@ void exact_identities(dd a, dd b) {
     check(sum - dd(a.hi) == dd(b.hi), "two_sum is exact", a, b);
 }
 
-/// 1 + 2^-80 is lost in double and in long double, and must not be lost here.
+/// 1 + 2^-80 is not representable in double or long double, but must be here.
 void known_values() {
     const dd tiny = dd(0x1p-80);
     check((dd(1) + tiny) - dd(1) == tiny, "1 + 2^-80 - 1", dd(1), tiny);
@@ -63,13 +63,13 @@ quad exactly(dd a) {
     return static_cast<quad>(a.hi) + static_cast<quad>(a.lo);
 }
 
-/// High parts first: a sum may need more than 113 bits before its high parts cancel.
+/// High parts first: before they cancel, a sum may need more than 113 bits.
 quad exact_sum(dd a, dd b) {
     return (static_cast<quad>(a.hi) + static_cast<quad>(b.hi)) +
            (static_cast<quad>(a.lo) + static_cast<quad>(b.lo));
 }
 
-/// The proven bounds lie below 10 u^2, u = 2^-53; binary128 itself adds 2^-113.
+/// The proven bounds are below 10 u^2, u = 2^-53; binary128 itself adds 2^-113.
 void check_close(dd got, quad want, const char* what, dd a, dd b) {
     const quad error = reference::abs(exactly(got) - want);
     check(error <= reference::abs(want) * static_cast<quad>(10 * 0x1p-106), what, a, b);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The alignment matrix B in the differences z_c = x_{c+1} - x_c: with x = S z, B' = S^T B S has no
-// null vector, and the pseudo-inverse is B^+ = P S (B')^-1 S^T P (P centers).
+// null vector, and the pseudo-inverse is B^+ = P S (B')^-1 S^T P, where P centers.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace reference {
 
-/// A symmetric positive definite band matrix by its lower half; after factor(), L.
+/// The lower half of a symmetric positive definite band matrix; after factor(), its factor L.
 template <class T>
 class Band {
   public:
@@ -26,7 +26,7 @@ class Band {
     T& at(std::size_t row, std::size_t col) { return below_(col, row - col); }
     const T& at(std::size_t row, std::size_t col) const { return below_(col, row - col); }
 
-    /// Cholesky, right-looking, in place.
+    /// Right-looking Cholesky factorization, in place.
     void factor() {
         for (std::size_t c = 0; c < rows(); ++c) {
             if (!(at(c, c) > T(0)))
@@ -42,7 +42,7 @@ class Band {
         }
     }
 
-    /// z becomes (L L^T)^-1 z.
+    /// Replaces z by (L L^T)^-1 z.
     void solve(std::vector<T>& z) const {
         for (std::size_t c = 0; c < rows(); ++c) {
             z[c] /= at(c, c);
@@ -55,14 +55,14 @@ class Band {
     }
 
   private:
-    /// Entries of column c below the diagonal.
+    /// Number of entries of column c below the diagonal.
     std::size_t below(std::size_t c) const { return std::min(rows() - 1 - c, half_width()); }
 
     Table<T> below_;
 };
 
-/// Of a neighborhood p_0 < .. < p_{k-1}, for the differences c = p_0 .. p_{k-1} - 1:
-/// a(c) = #{j: p_j > c} and h_l(c) = sum of g_l(j) over p_j > c.
+/// For a neighborhood p_0 < .. < p_{k-1} and the differences c = p_0 .. p_{k-1} - 1: a(c) = #{j:
+/// p_j > c}, and h_l(c) is the sum of g_l(j) over p_j > c.
 template <class T>
 struct SuffixSums {
     std::size_t span;
@@ -100,7 +100,7 @@ void add_neighborhood(Band<T>& matrix, const SuffixSums<T>& sums, std::size_t fi
     }
 }
 
-/// Differences that the widest neighborhood spans.
+/// Number of differences spanned by the widest neighborhood.
 inline std::size_t widest_span(const Neighbors& neighbors) {
     std::size_t widest = 1;
     for (std::size_t i = 0; i < neighbors.rows; ++i)
@@ -120,7 +120,7 @@ Band<T> differenced_alignment(const Neighbors& neighbors, const Tangents<T>& tan
     return matrix;
 }
 
-/// x becomes B^+ x, for the factored B'.
+/// Replaces x by B^+ x, given the factored B'.
 template <class Factor, class T>
 void apply_pseudo_inverse(const Factor& factor, std::vector<T>& x) {
     const std::size_t n = x.size();

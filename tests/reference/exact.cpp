@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The exact embedding of frames from a file of doubles, written to another, for scripts/benchmark:
+// Reads frames from a file of doubles and writes their exact embedding to another file, for
+// scripts/benchmark:
 //
 //     exact FILE FRAMES FEATURES temporal|spatial NEIGHBORS DIMENSION COORDS
 //
-// temporal: the nearest of as many frames to each side, the frame itself among them. spatial: the
-// nearest of all frames but itself, which is what other programs do.
+// temporal: the nearest among as many frames to each side, including the frame itself. spatial: the
+// nearest among all other frames, as in other programs.
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -27,7 +28,7 @@ Frames read_frames(const std::string& path, std::size_t rows, std::size_t cols) 
     return frames;
 }
 
-/// A frame is the nearest to itself, so it is among its neighbors.
+/// A frame is its own nearest neighbor, so it is in the list.
 Neighbors without_self(const Neighbors& with_self) {
     Neighbors result(with_self.rows, with_self.cols - 1);
     for (std::size_t i = 0; i < result.rows; ++i) {

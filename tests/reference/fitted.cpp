@@ -44,7 +44,7 @@ stltsa_out packed(Table<double>& table) {
             0};
 }
 
-/// The same memory seen as its transpose.
+/// The transpose of a table, in the same memory.
 stltsa_out transposed(Table<double>& table) {
     return {table.values.data(),
             static_cast<std::int64_t>(table.cols),

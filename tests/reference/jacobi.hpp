@@ -23,7 +23,7 @@ struct SymmetricEigen {
 
 namespace detail {
 
-/// Rotates rows p and q so that entry (p, q) becomes zero; columns of a, rows of v.
+/// Rotates rows p and q (columns of a, rows of v) so that entry (p, q) becomes zero.
 template <class T>
 void rotate(Table<T>& a, Table<T>& v, std::size_t p, std::size_t q) {
     const T theta = (a(q, q) - a(p, p)) / (T(2) * a(p, q));
@@ -45,7 +45,7 @@ void rotate(Table<T>& a, Table<T>& v, std::size_t p, std::size_t q) {
     a(p, q) = a(q, p) = T(0);
 }
 
-/// One sweep over all pairs; false when every entry was already negligible.
+/// Runs one sweep over all pairs; returns false if every entry was already negligible.
 template <class T>
 bool sweep(Table<T>& a, Table<T>& v, T negligible) {
     bool rotated = false;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Local tangents: the d leading right singular vectors of each neighborhood's centered frames
-// (Zhang and Zha 2004; steps 2 and 3 of Table 1 in Li, Niu, Zhang, Hu 2012), by the eigenvectors of
-// the smaller of its two Gram matrices.
+// (Zhang and Zha 2004; steps 2 and 3 of Table 1 in Li, Niu, Zhang, Hu 2012), from the eigenvectors
+// of the smaller of its two Gram matrices.
 #pragma once
 
 #include <cstddef>
@@ -24,7 +24,7 @@ struct Tangents {
     T* of(std::size_t frame, std::size_t l) { return g.row(frame * dimension + l); }
 };
 
-/// Channels x neighbors, each channel without its mean.
+/// Channels x neighbors, each channel centered.
 template <class T>
 Table<T> centered(const Frames& x, const std::size_t* neighbors, std::size_t k) {
     Table<T> z(x.cols, k);

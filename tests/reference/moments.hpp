@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Second moments of the frames of a neighborhood, brought from one neighborhood to the next by the
-// frames that come and go.
+// Second moments of the frames of a neighborhood, updated from one neighborhood to the next by the
+// frames that enter and leave.
 #pragma once
 
 #include <algorithm>
@@ -14,8 +14,8 @@
 
 namespace reference {
 
-/// Neighborhoods until the moments are summed anew. In double-double rounding has no time to add
-/// up in these; elsewhere each is summed by itself.
+/// Neighborhoods between fresh sums of the moments. In double-double, rounding errors stay
+/// negligible over this many; other scalars sum each neighborhood from scratch.
 template <class T>
 inline constexpr std::size_t neighborhoods_of_a_sum = 1;
 template <>
@@ -26,7 +26,7 @@ class Moments {
   public:
     explicit Moments(const Frames& x) : x_(x), sum_(x.cols), squares_(x.cols, x.cols) {}
 
-    /// Moves to the k neighbors p of a frame.
+    /// Moves to the neighborhood with the k neighbors p.
     void move_to(const std::size_t* p, std::size_t k) {
         if (age_++ % neighborhoods_of_a_sum<T> == 0) {
             members_.clear();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Frames and their neighbors, found anew and plainly: the reference shares no code with the
+// Frames and their neighbors, found by plain sorting: the reference shares no code with the
 // library.
 #pragma once
 
@@ -22,7 +22,7 @@ inline double squared_distance(const Frames& x, std::size_t i, std::size_t j) {
     return sum;
 }
 
-/// The k nearest to frame i among begin .. end - 1, itself among them; ties go to the lower index.
+/// The k nearest to frame i among begin .. end - 1, including itself; ties go to the lower index.
 inline void nearest(const Frames& x, std::size_t i, std::size_t begin, std::size_t end,
                     Neighbors& result) {
     std::vector<std::pair<double, std::size_t>> candidates;
@@ -34,7 +34,7 @@ inline void nearest(const Frames& x, std::size_t i, std::size_t begin, std::size
     std::sort(result.row(i), result.row(i) + result.cols);
 }
 
-/// Among the frames i-w .. i+w that exist (Li, Niu, Zhang, Hu 2012, section 2.1).
+/// Neighbors among the existing frames of i-w .. i+w (Li, Niu, Zhang, Hu 2012, section 2.1).
 inline Neighbors temporal_neighbors(const Frames& x, std::size_t k, std::size_t w) {
     Neighbors result(x.rows, k);
     for (std::size_t i = 0; i < x.rows; ++i)
@@ -42,7 +42,7 @@ inline Neighbors temporal_neighbors(const Frames& x, std::size_t k, std::size_t 
     return result;
 }
 
-/// Among all frames: classical LTSA.
+/// Neighbors among all frames: classical LTSA.
 inline Neighbors spatial_neighbors(const Frames& x, std::size_t k) {
     Neighbors result(x.rows, k);
     for (std::size_t i = 0; i < x.rows; ++i)

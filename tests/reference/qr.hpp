@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Another way to the same embedding: B' = M'^T M' with the stacked local projectors M' = M S, and
-// the triangle R of M' = Q R by rotations (George and Heath, Linear Algebra Appl. 34, 1980), so
-// that B' is never formed.
+// A second algorithm for the same embedding: B' = M'^T M' with the stacked local projectors M' = M
+// S, and the triangle R of M' = Q R from rotations (George and Heath, Linear Algebra Appl. 34,
+// 1980), so that B' is never formed.
 #pragma once
 
 #include <algorithm>
@@ -14,14 +14,14 @@
 
 namespace reference {
 
-/// An upper triangular band matrix that rows are rotated into.
+/// An upper triangular band matrix into which rows are rotated.
 class Triangle {
   public:
     Triangle(std::size_t rows, std::size_t half_width) : r_(rows, half_width + 1) {}
 
     std::size_t rows() const { return r_.rows; }
 
-    /// `row` begins at column c; its entries are used up. It has room for half_width + 1 of them.
+    /// `row` begins at column c, has room for half_width + 1 entries, and is overwritten.
     void append(std::size_t c, std::vector<double>& row) {
         for (; c < rows(); ++c) {
             const bool empty = r_(c, 0) == 0;
@@ -30,7 +30,7 @@ class Triangle {
             else if (std::all_of(row.begin(), row.end(), [](double entry) { return entry == 0; }))
                 return;
             if (empty && r_(c, 0) != 0)
-                return; // all of it is there now
+                return; // the row is used up
             std::move(row.begin() + 1, row.end(), row.begin());
             row.back() = 0;
         }
@@ -49,7 +49,7 @@ class Triangle {
   private:
     std::size_t beyond(std::size_t c) const { return std::min(rows() - 1 - c, r_.cols - 1); }
 
-    /// The first entry of `row` becomes zero.
+    /// Makes the first entry of `row` zero.
     void rotate(double* upper, double* row) const {
         const double length = std::hypot(upper[0], row[0]);
         const double c = upper[0] / length;
@@ -65,8 +65,8 @@ class Triangle {
     Table<double> r_; ///< row c holds the entries of the columns c, c + 1, ...
 };
 
-/// R of the local projectors in differences: entry (j, c) of a neighborhood's is
-/// [p_j > c] - a(c) / k - sum_l g_l(j) h_l(c), with a and h as in add_neighborhood().
+/// R of the local projectors in differences: entry (j, c) of a neighborhood's projector is [p_j >
+/// c] - a(c) / k - sum_l g_l(j) h_l(c), with a and h as in add_neighborhood().
 inline Triangle triangle_of(const Neighbors& neighbors, const Tangents<double>& tangents,
                             std::size_t d) {
     const std::size_t k = neighbors.cols;

@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::size_t joint = 120; ///< frames of a cross-fade
 
-/// `next` after `chain`: over the last second of the one and the first of the other the weights
-/// move smoothly, so that neighborhoods connect across the joint.
+/// Appends `next` to `chain`: the weights move smoothly over the last second of one and the first
+/// second of the other, so that neighborhoods connect across the joint.
 void append(Frames& chain, const Frames& next) {
     const std::size_t begin = chain.rows - joint;
     for (std::size_t i = 0; i < joint; ++i) {

@@ -8,8 +8,8 @@
 namespace reference {
 namespace {
 
-/// Angle of the last step at which the iteration ends: above the rounding of one application of
-/// the inverse, about (condition of B') * (rounding unit).
+/// The iteration ends when a step turns the space by less than this angle. It is above the rounding
+/// error of one application of the inverse, about (condition of B') * (rounding unit).
 template <class T>
 double converged(std::size_t) {
     return 1e-25;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// STLTSA once more, plainly, in any precision: double-double is the truth the library is measured
-// against, double shows what plain arithmetic gives. All of it throws std::runtime_error for a
-// disconnected or rank-deficient problem.
+// A plain second implementation of STLTSA for any scalar type. In double-double it is the exact
+// result that the library is compared with; in double it shows the accuracy of plain arithmetic.
+// All functions throw std::runtime_error if the problem is disconnected or rank-deficient.
 #pragma once
 
 #include <cstddef>
@@ -12,21 +12,20 @@
 
 namespace reference {
 
-/// Of the first d dimensions; one call serves embeddings of 1 .. d.
+/// Tangents of the first d dimensions; one call serves embeddings of 1 .. d.
 template <class T>
 Tangents<T> local_tangents(const Frames& frames, const Neighbors& neighbors, std::size_t d);
 
-/// The embedding of dimension d, by Cholesky's factor of B'.
+/// The embedding of dimension d, from the Cholesky factor of B'.
 template <class T>
 Spectrum<T> embed(const Neighbors& neighbors, const Tangents<T>& tangents, std::size_t d);
 
-/// The same by an orthogonal triangularization, without B'.
+/// The same embedding from an orthogonal triangularization, without forming B'.
 Spectrum<double> embed_by_rotations(const Neighbors& neighbors, const Tangents<double>& tangents,
                                     std::size_t d);
 
-/// What is usual: B itself, assembled, plus a shift on its diagonal, factored by LAPACK, and
-/// ARPACK on its inverse; d x frames. Nothing where the factor does not exist or ARPACK does not
-/// converge.
+/// The usual algorithm: assembles B, adds a shift to its diagonal, factors it with LAPACK and runs
+/// ARPACK on the inverse; d x frames. Empty if the factorization fails or ARPACK does not converge.
 std::optional<Table<double>> embed_by_shift(const Neighbors& neighbors,
                                             const Tangents<double>& tangents, std::size_t d,
                                             double shift);

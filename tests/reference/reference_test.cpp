@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The reference itself against the definition: a dense alignment matrix B in binary128, tangents
+// Compares the reference with the definition: a dense alignment matrix B in binary128, tangents
 // from the covariance of the channels instead of the Gram matrix, all eigenpairs by Jacobi.
 #include <cstdio>
 #include <cstdlib>
@@ -19,7 +19,7 @@ void check(bool ok, const char* what, double value) {
     failures += ok ? 0 : 1;
 }
 
-/// Every neighbor is at least as near as every frame of the window that is not one.
+/// Every neighbor is at least as near as every other frame of the window.
 void neighbors_are_nearest(const Frames& x, const Neighbors& neighbors, std::size_t w) {
     std::size_t wrong = 0;
     for (std::size_t i = 0; i < x.rows; ++i) {
@@ -41,7 +41,7 @@ void neighbors_are_nearest(const Frames& x, const Neighbors& neighbors, std::siz
 
 using Dense = Table<quad>;
 
-/// g_l = Z^T u_l / sqrt(theta_l) for the eigenpairs (theta_l, u_l) of Z Z^T, the channels' side.
+/// g_l = Z^T u_l / sqrt(theta_l) for the eigenpairs (theta_l, u_l) of Z Z^T (channels x channels).
 Dense tangents_by_channels(const Frames& x, const std::size_t* p, std::size_t k, std::size_t d) {
     Dense z(x.cols, k);
     Dense covariance(x.cols, x.cols);
@@ -87,7 +87,7 @@ dd rounded(quad a) {
     return quick_two_sum(high, static_cast<double>(a - static_cast<quad>(high)));
 }
 
-/// In double; with so few frames a shift does little harm.
+/// Compares in double: with so few frames a shift does little harm.
 void check_other_ways(const Neighbors& neighbors, const Tangents<double>& local, std::size_t d,
                       const Table<dd>& truth) {
     const auto angle_to = [&truth](const Table<double>& coords) {
@@ -147,11 +147,11 @@ void angle_is_measured() {
 int main() {
     angle_is_measured();
 #ifdef REFERENCE_QUAD
-    // More channels than neighbors, and fewer: the two sides of the local step.
+    // More channels than neighbors, then fewer: covers both Gram matrices of the local step.
     against_definition(smooth_curve(48, 12, 0.1, 7), 8, 8, 3);
     against_definition(smooth_curve(48, 6, 0.1, 7), 8, 8, 3);
     against_definition(smooth_curve(50, 5, 0.05, 8), 7, 10, 2);
-    // Longer than the moments of a neighborhood are brought up to date without a fresh sum.
+    // Long enough to require a fresh sum of the moments.
     against_definition(smooth_curve(90, 6, 0.1, 9), 12, 12, 2);
 #else
     std::printf("no binary128 on this machine: the dense comparison is left out\n");

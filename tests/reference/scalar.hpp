@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The scalars that the templates of this folder run on: double, double-double, and IEEE binary128
-// where the compiler has it, as a second opinion.
+// Scalars for the templates of this folder: double, double-double and, as a second opinion, IEEE
+// binary128 if the compiler supports it.
 #pragma once
 
 #include <cfloat>
@@ -17,7 +17,7 @@ inline double sqrt(double a) {
     return std::sqrt(a);
 }
 
-/// An off-diagonal entry this small against the norm counts as zero.
+/// Off-diagonal entries below this share of the norm count as zero.
 template <class T>
 inline constexpr double negligible = 0;
 template <>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The usual way, which the library does not go: B plus a shift, factored.
+// The usual algorithm, which the library does not use: B plus a shift, factored.
 #include "reference.hpp"
 
 #include <arpack.h>
@@ -24,7 +24,7 @@ Band<double> alignment(const Neighbors& neighbors, const Tangents<double>& tange
     return matrix;
 }
 
-/// LAPACK's view of a band matrix.
+/// A band matrix in LAPACK's layout.
 struct LapackBand {
     Band<double>& band;
     lapack_int order = static_cast<lapack_int>(band.rows());
@@ -38,14 +38,14 @@ struct LapackBand {
     }
 };
 
-/// The eigenvectors of the d + 1 largest eigenvalues of the inverse, descending, without the first.
+/// Eigenvectors of the d + 1 largest eigenvalues of the inverse, descending, without the first one.
 std::optional<Table<double>> largest_but_one(LapackBand matrix, std::size_t d) {
     const a_int n = matrix.order;
     const auto wanted = static_cast<a_int>(d + 1);
     constexpr a_int vectors = 20;
     Table<double> basis(vectors, static_cast<std::size_t>(n));
     std::vector<double> residual(basis.cols, 0.0);
-    for (std::size_t i = 0; i < basis.cols; ++i) // rough, and the same on every run
+    for (std::size_t i = 0; i < basis.cols; ++i) // rough, and identical in every run
         residual[i] = static_cast<double>((i * i * 7 + i * 3) % 1009) / 1009 - 0.5;
     std::vector<double> work(3 * basis.cols);
     std::vector<double> small(vectors * (vectors + 8));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Bases of column spaces, kept as one vector per row: orthonormalization, the largest principal
+// Bases of column spaces, stored as one vector per row: orthonormalization, largest principal
 // angle, and block inverse iteration.
 #pragma once
 
@@ -17,7 +17,7 @@
 
 namespace reference {
 
-/// Takes the rows of `basis` (orthonormal) out of the vector x.
+/// Projects the rows of `basis` (orthonormal) out of the vector x.
 template <class T>
 void project_out(const Table<T>& basis, std::size_t rows, T* x) {
     for (std::size_t r = 0; r < rows; ++r) {
@@ -46,7 +46,7 @@ inline Table<dd> widened(const Table<double>& table) {
 }
 
 /// Sine of the largest principal angle between the row spaces of a and b, of equal dimension: the
-/// norm of what is left of b outside a. Exact for the smallest angles, unlike an arc cosine.
+/// norm of the part of b outside a. Accurate for the smallest angles, unlike an arc cosine.
 template <class T>
 T largest_angle(Table<T> a, Table<T> b) {
     orthonormalize(a);
@@ -61,7 +61,7 @@ T largest_angle(Table<T> a, Table<T> b) {
     return largest > T(0) ? sqrt(largest) : T(0);
 }
 
-/// rotation (rows x p) times x (p x n): new basis vectors from old ones.
+/// rotation (rows x p) times x (p x n): a linear combination of basis vectors.
 template <class T>
 Table<T> combine(const Table<T>& rotation, const Table<T>& x, std::size_t rows) {
     Table<T> result(rows, x.cols);
@@ -92,9 +92,10 @@ Table<T> cosines(std::size_t p, std::size_t n) {
     return x;
 }
 
-/// The d smallest nonzero eigenpairs of B by block inverse iteration on d + 5 vectors with a
-/// Rayleigh-Ritz step each, until the d-dimensional space turns by less than `tolerance`, or in
-/// double no less than it did: rounding keeps turning it.
+/// The d smallest nonzero eigenpairs of B by block inverse iteration on d + 5 vectors with one
+/// Rayleigh-Ritz step per iteration. Stops when the d-dimensional space turns by less than
+/// `tolerance`; in double also when the turn stops shrinking, because rounding keeps turning the
+/// space.
 template <class T, class Factor>
 Spectrum<T> smallest_eigenpairs(const Factor& factor, std::size_t d, double tolerance) {
     const std::size_t n = factor.rows() + 1;

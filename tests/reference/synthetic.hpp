@@ -25,10 +25,10 @@ class Random {
     std::uint64_t state_;
 };
 
-/// A smooth curve: every channel is a sum of four sinusoids of at most `fastest` cycles a frame.
+/// A smooth curve: every channel is a sum of four sinusoids of at most `fastest` cycles per frame.
 Frames smooth_curve(std::size_t frames, std::size_t channels, double fastest, std::uint64_t seed);
 
-/// Points all over a rolled sheet in three dimensions, in no order.
+/// Points on a rolled sheet in three dimensions, in random order.
 Frames swiss_roll(std::size_t points, std::uint64_t seed);
 
 } // namespace reference

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Loops over entries that do not depend on each other, which the compiler turns into vector code:
-// nearly all of the time is spent here.
+// Loops over independent entries, which the compiler vectorizes. Nearly all of the time is spent
+// here.
 #pragma once
 
 #include <cstddef>

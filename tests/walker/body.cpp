@@ -6,9 +6,9 @@
 namespace walker {
 namespace {
 
-constexpr double leg_adduction = 2; // of both legs, always: the feet are closer than the hips
-constexpr double arm_abduction = 6; // of the hanging arms
-constexpr double head_share = 0.3;  // of the turn of the chest, which neck and head each take back
+constexpr double leg_adduction = 2; // both legs, always: the feet are closer together than the hips
+constexpr double arm_abduction = 6; // hanging arms
+constexpr double head_share = 0.3;  // share of the chest's turn that neck and head each undo
 
 LegPose make_leg(const Body& body, const Sole& sole, const Moment& m, Side side,
                  const Rotation& upright, const Rotation& pelvis) {
@@ -19,8 +19,8 @@ LegPose make_leg(const Body& body, const Sole& sole, const Moment& m, Side side,
     leg.thigh =
         upright * about_z(-sign(side) * (leg_adduction + s * a.adduction)) * about_x(-s * a.thigh);
     leg.shank = leg.thigh * about_x(s * a.knee);
-    // Bending lifts the foot with the square of the amplitude, and so must the foot's pitch grow:
-    // else the toes would scrape in small steps.
+    // Bending lifts the foot with the square of the amplitude, so the foot's pitch must grow with
+    // the square too. Otherwise the toes would scrape the floor in small steps.
     leg.foot = about_y(m.foot_heading[side] + sign(side) * toe_out) * about_x(-s * s * a.foot);
     leg.toes = leg.foot * about_x(-s * s * a.toes);
     leg.ankle = pelvis * body[hip].offset + leg.thigh * body[hip + 1].offset +

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The walker's body, 18 joints of three rotations each, and its pose at one moment of a walk.
+// The walker's body, 18 joints with three rotations each, and its pose at one moment of a walk.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@ enum Side : std::size_t { left, right };
 constexpr Side other(Side side) {
     return side == left ? right : left;
 }
-/// Along x: 1 left, -1 right.
+/// Sign along x: 1 left, -1 right.
 constexpr double sign(Side side) {
     return side == left ? 1 : -1;
 }
@@ -23,9 +23,9 @@ enum Joint : std::size_t {
     spine,
     neck,
     head,
-    left_arm, ///< then forearm, hand
+    left_arm, ///< followed by the forearm and the hand
     right_arm = left_arm + 3,
-    left_thigh = right_arm + 3, ///< then shank, foot, toes
+    left_thigh = right_arm + 3, ///< followed by the shank, the foot and the toes
     right_thigh = left_thigh + 4,
     joint_count = right_thigh + 4
 };
@@ -40,14 +40,14 @@ struct JointInfo {
     const char* name;
     int parent;                     ///< -1: root
     Vector offset = {};             ///< from the parent, in the T-pose
-    std::optional<Vector> end = {}; ///< site, where no joint follows
+    std::optional<Vector> end = {}; ///< end site, if no joint follows
 };
 using Body = std::array<JointInfo, joint_count>;
 Body make_body(double height);
 
 constexpr double toe_out = 7; ///< degrees; see README.md
 
-/// Where a foot meets the floor, from the ankle in the foot's frame.
+/// Contact points of a foot, from the ankle in the foot's frame.
 struct Sole {
     Vector heel;
     Vector ball;            ///< the toe joint
@@ -55,22 +55,22 @@ struct Sole {
 };
 Sole make_sole(double height);
 
-/// What a pose depends on.
+/// The variables of a pose.
 struct Moment {
     std::array<double, 2> phase{};        ///< of each leg, cycles
     double amplitude = 0;                 ///< 0: standing, 1: normal walking
     double heading = 0;                   ///< degrees about y
-    std::array<double, 2> foot_heading{}; ///< the same for each foot
-    double lean = 0;                      ///< of all above the ankles, forward, degrees
+    std::array<double, 2> foot_heading{}; ///< degrees about y, for each foot
+    double lean = 0;                      ///< forward lean of everything above the ankles, degrees
 };
 
 struct LegPose {
-    Rotation thigh, shank, foot, toes; ///< against the world
+    Rotation thigh, shank, foot, toes; ///< in the world
     Vector ankle, heel, ball;          ///< from the root
 };
 
 struct Pose {
-    std::array<Rotation, joint_count> local; ///< against the parent
+    std::array<Rotation, joint_count> local; ///< relative to the parent
     std::array<LegPose, 2> legs;
 };
 Pose make_pose(const Body& body, const Sole& sole, const Moment& moment);

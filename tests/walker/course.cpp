@@ -11,22 +11,22 @@ namespace walker {
 namespace {
 
 constexpr double double_support = toe_off - 0.5; // cycles
-// The root hangs on the heel up to this phase, then on the ball; the foot is flat there.
+// The root pivots on the heel up to this phase, then on the ball; at this phase the foot is flat.
 constexpr double heel_until = 0.2;
-// How much longer than in steady walking the half steps from and to standing take: the most that
-// lets the phase start from rest and never run backward.
+// Duration of the half steps from and to standing, relative to steady walking: the largest value at
+// which the phase starts from rest and never runs backward.
 constexpr double stretch = 2.5;
-// Share of such a half step in which the amplitude rises, or falls: the leg is lifted before it is
-// carried forward.
+// Share of such a half step in which the amplitude rises or falls, so that the leg is lifted before
+// it moves forward.
 constexpr double lift_share = 0.6;
 
-/// From 0 to 1 with minimum jerk (Flash and Hogan, J. Neurosci. 5, 1985).
+/// A minimum-jerk curve from 0 to 1 (Flash and Hogan, J. Neurosci. 5, 1985).
 double minimum_jerk(double u) {
     const double v = std::clamp(u, 0.0, 1.0);
     return v * v * v * (10 + v * (-15 + 6 * v));
 }
 
-/// From 0 at rest to 1 at the slope `stretch`, without acceleration at both ends.
+/// Goes from 0 at rest to 1 at the slope `stretch`, without acceleration at both ends.
 double speed_up(double u) {
     return u * u * u * ((10 - 4 * stretch) + u * ((7 * stretch - 15) + u * (6 - 3 * stretch)));
 }
@@ -56,7 +56,7 @@ Course::Course(const Settings& s)
     set_footprints();
 }
 
-/// Phase of the standing leg at which both ankles are level along the heading.
+/// Phase of the standing leg when both ankles are level along the heading.
 double Course::find_passing() const {
     const auto left_is_ahead = [&](double phase) {
         const Pose p = make_pose(body_, sole_, {{phase, phase + 0.5}, settings_.stride, 0, {}, 0});
@@ -71,7 +71,7 @@ double Course::find_passing() const {
     return low;
 }
 
-/// From the first landing; the inverse of progress = tempo t + gain t^2 / 2.
+/// Time from the first landing; the inverse of progress = tempo t + gain t^2 / 2.
 double Course::seconds_to(double progress) const {
     return 2 * progress / (tempo_ + std::sqrt(tempo_ * tempo_ + 2 * tempo_gain_ * progress));
 }
@@ -112,13 +112,14 @@ double Course::heading(double progress) const {
     return settings_.turn * (progress + 0.5 - passing_);
 }
 
-/// A foot is set down as the body faces when it stands on it alone.
+/// The heading of the body when it stands on this foot alone.
 double Course::print_heading(int step) const {
     const double standstill = last_lift_ + passing_ + 0.5 - toe_off;
     return step < 0 ? 0 : heading(std::min(step / 2.0 + passing_, standstill));
 }
 
-/// Of its footprint; in the air it turns to the next. The first and the last swing are half ones.
+/// Heading of the footprint; in the air the foot turns towards the next one. The first and the last
+/// swing are half swings.
 double Course::foot_heading(double progress, Side side) const {
     const bool first = side == side_of(0);
     const double cycle = std::floor(progress + (first ? 0 : 0.5));
@@ -143,7 +144,7 @@ Moment Course::moment(const State& s) const {
     return m;
 }
 
-/// Each footprint lies where the new foot is in the middle of double support.
+/// Places each footprint under the new foot in the middle of double support.
 void Course::set_footprints() {
     const Vector ball_up{0, sole_.ball_height, 0};
     const LegPose start = pose(0.0).legs[side_of(-1)];
@@ -166,8 +167,8 @@ Pose Course::pose(double t) const {
     return pose(state(t));
 }
 
-/// The feet on the floor say where the root is; in double support the old one hands over to the
-/// new one.
+/// Derives the root from the feet on the floor; during double support the weight moves from the old
+/// foot to the new one.
 Vector Course::root(double t) const {
     const State s = state(t);
     const Pose p = pose(s);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The course of a walk in time: which phase of the gait is reached when, where the feet are set
-// down, and the path of the root that follows from them.
+// The timing of a walk: the phase of the gait at each moment, the footprints, and the resulting
+// path of the root.
 #pragma once
 
 #include <vector>
@@ -10,10 +10,10 @@
 
 namespace walker {
 
-/// Exact, in seconds.
+/// Exact times in seconds.
 struct Borders {
     double onset = 0;           ///< the first joint starts to move
-    std::vector<double> passes; ///< passings of the legs that begin and end the cycles
+    std::vector<double> passes; ///< times at which the legs pass each other; they bound the cycles
     double standstill = 0;      ///< the last joint stops
     double end = 0;
 };
@@ -27,13 +27,13 @@ class Course {
     Vector root(double seconds) const;
 
   private:
-    /// Progress counts cycles from the landing of the first step; steps land at its half integers.
+    /// Progress counts cycles from the landing of the first step; steps land at half integers.
     struct State {
         double progress = 0;
         double amplitude = 0;
         double lean = 0;
     };
-    /// Where a foot stands; as it does not move, all its points stay.
+    /// A foot on the floor; none of its points moves.
     struct Footprint {
         Vector heel;
         Vector ball;
@@ -58,13 +58,13 @@ class Course {
     Sole sole_;
     double passing_;    ///< phase of the standing leg at which the other one passes it
     double last_lift_;  ///< progress at which the foot that closes up leaves the floor
-    double tempo_;      ///< cycles a second at the first landing
-    double tempo_gain_; ///< cycles a second, each second
-    double last_tempo_; ///< at the last lift
-    double landing_s_;  ///< of the first step, seconds
+    double tempo_;      ///< cycles per second at the first landing
+    double tempo_gain_; ///< change of the tempo, cycles per second squared
+    double last_tempo_; ///< tempo at the last lift
+    double landing_s_;  ///< landing of the first step, seconds
     double last_lift_s_;
     Borders borders_;
-    std::vector<Footprint> prints_; ///< [step + 1]; step -1 stands before the first step
+    std::vector<Footprint> prints_; ///< [step + 1]; step -1 is the footprint before the first step
 };
 
 } // namespace walker

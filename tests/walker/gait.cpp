@@ -14,12 +14,12 @@ struct Key {
     double degrees;
 };
 
-/// Periodic cubic spline (period 1) through keys of ascending phase in [0, 1).
+/// Periodic cubic spline (period 1) through keys with ascending phases in [0, 1).
 class Curve {
   public:
     Curve(std::initializer_list<Key> keys) : keys_(keys), bend_(keys.size()) {
-        // Second derivatives: the system is diagonally dominant, every sweep at least halves the
-        // error.
+        // Solves for the second derivatives. The system is diagonally dominant, so every sweep at
+        // least halves the error.
         for (int sweep = 0; sweep < 60; ++sweep)
             for (std::size_t i = 0; i < keys_.size(); ++i) {
                 const std::size_t before = (i + keys_.size() - 1) % keys_.size();
@@ -53,7 +53,7 @@ class Curve {
     std::vector<double> bend_;
 };
 
-// Key points of one cycle; where they come from is in README.md.
+// Key points of one cycle; README.md lists their sources.
 const Curve thigh{{0.00, 23},  {0.06, 23},    {0.12, 21.5}, {0.31, -1.5},
                   {0.42, -12}, {0.50, -17.5}, {0.56, -17},  {0.62, -10.5},
                   {0.75, 16},  {0.86, 26.5},  {0.94, 24}};
@@ -62,12 +62,12 @@ const Curve knee{{0.00, 2.5}, {0.06, 11},   {0.14, 20},   {0.31, 6},  {0.40, 3.5
 const Curve foot{{0.00, 20.5},  {0.04, 7.5},   {0.09, 0},    {0.13, 0},     {0.20, 0},
                  {0.26, 0},     {0.32, 0},     {0.42, -5},   {0.50, -10.5}, {0.56, -29},
                  {0.62, -63.5}, {0.67, -67.5}, {0.84, -6.5}, {0.94, 17.5}};
-// While the heel rises, the foot's curve mirrored: the toes stay on the floor.
+// While the heel rises, this mirrors the foot's curve, so that the toes stay on the floor.
 const Curve toes{{0.00, 18}, {0.04, 8},  {0.09, 0},  {0.13, 0},    {0.20, 0},
                  {0.26, 0},  {0.32, 0},  {0.42, 5},  {0.50, 10.5}, {0.56, 29},
                  {0.62, 56}, {0.70, 40}, {0.81, 15}, {0.92, 16}};
 
-/// Cosine over the cycle (or half of it) with its peak at the given phase.
+/// A cosine over the cycle, or over half of it, with its peak at the given phase.
 double wave(double phase, double peak, double harmonic = 1) {
     return std::cos(2 * std::numbers::pi * harmonic * (phase - peak));
 }

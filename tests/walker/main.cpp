@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The command stltsa-walker: a synthetic walk as BVH, its borders as JSON beside it.
+// The command stltsa-walker: writes a synthetic walk as BVH and its borders as JSON.
 #include <cstdio>
 #include <exception>
 #include <filesystem>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// For the walker's own tests: its output as a reader of the file sees it.
+// For the walker's own tests: reads its output as another program would.
 #pragma once
 
 #include <algorithm>
@@ -31,7 +31,7 @@ struct Joints {
     std::array<Rotation, joint_count> turned;
 };
 
-/// Forward kinematics from the channels alone, as a reader of the file does it.
+/// Forward kinematics from the channels alone, as a reader of the file computes it.
 inline Joints joints(const Walk& walk, std::int64_t frame) {
     const Body body = make_body(walk.settings.height);
     const double* channel = row(walk, frame);
@@ -63,10 +63,10 @@ inline double distance(Vector a, Vector b) {
     return std::hypot(a.x - b.x, a.y - b.y, a.z - b.z);
 }
 
-/// How far the left ankle is ahead of the right one, along the heading.
+/// Distance of the left ankle ahead of the right one, along the heading.
 inline double ahead(const Joints& j) {
     const Vector apart = ankle(j, left) - ankle(j, right);
-    const Vector wide = j.at[left_thigh] - j.at[right_thigh]; // its turns cancel over a cycle
+    const Vector wide = j.at[left_thigh] - j.at[right_thigh]; // turns cancel over a cycle
     return (apart.z * wide.x - apart.x * wide.z) / std::hypot(wide.x, wide.z);
 }
 

@@ -35,7 +35,7 @@ inline Rotation identity() {
     return {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 }
 
-/// About one axis (0: x, 1: y, 2: z), by the right-hand rule.
+/// Rotation about one axis (0: x, 1: y, 2: z), by the right-hand rule.
 inline Rotation about(std::size_t axis, double degrees) {
     const double c = std::cos(degrees * radian);
     const double s = std::sin(degrees * radian);
@@ -77,8 +77,8 @@ inline Rotation inverse(const Rotation& r) {
         {{r[0][0], r[1][0], r[2][0]}, {r[0][1], r[1][1], r[2][1]}, {r[0][2], r[1][2], r[2][2]}}};
 }
 
-/// Angles a, b, c in degrees with r = R(order[0], a) R(order[1], b) R(order[2], c), the middle one
-/// within +-90; `order` is a permutation of "XYZ", as the channels of a BVH joint.
+/// Angles a, b, c in degrees with r = R(order[0], a) R(order[1], b) R(order[2], c), b within +-90;
+/// `order` is a permutation of "XYZ", like the channels of a BVH joint.
 inline std::array<double, 3> euler(const Rotation& r, std::string_view order) {
     const auto axis = [&](std::size_t n) { return static_cast<std::size_t>(order[n] - 'X'); };
     const std::size_t i = axis(0);

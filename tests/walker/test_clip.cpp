@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The walker's clip and its borders agree, and every setting does what it says.
+// The walker's clip agrees with its borders, and every setting has its documented effect.
 #include <csetjmp>
 #include <cstdarg>
 #include <cstddef>
@@ -74,7 +74,7 @@ void nothing_moves_while_standing(void**) {
         assert_true(same_row(walk, f, walk, 0));
     for (std::int64_t f = after.begin; f < after.end; ++f)
         assert_true(same_row(walk, f, walk, after.begin));
-    // The frame at the border is the first or last that stands.
+    // The frame at the border is the first or last frame of standing.
     assert_true(same_row(walk, before.end, walk, 0));
     assert_false(same_row(walk, before.end + 1, walk, 0));
     assert_false(same_row(walk, after.begin - 1, walk, after.begin));
@@ -143,7 +143,7 @@ void noise_is_white_and_as_large_as_asked(void**) {
             assert_true(squares == 0);
             continue;
         }
-        // Five standard errors of each.
+        // Five standard errors each.
         assert_true(std::fabs(sum / n) < 5 * 3 / std::sqrt(n));
         assert_true(std::fabs(std::sqrt(squares / n) - 3) < 5 * 3 / std::sqrt(2 * n));
         assert_true(std::fabs(lagged / squares) < 5 / std::sqrt(n));

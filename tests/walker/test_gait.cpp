@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The walker walks as people do, and its cycles are where it says.
+// The walker's gait is human, and its cycles match the reported borders.
 #include <csetjmp>
 #include <cstdarg>
 #include <cstddef>
@@ -17,11 +17,11 @@ namespace {
 using namespace walker;
 
 void cycles_repeat_exactly(void**) {
-    Settings s; // 132 frames a cycle
+    Settings s; // 132 frames per cycle
     const Walk walk = make_walk(s);
     const Interval& cyclic = unit(walk, "cyclic");
     const double stride = row(walk, cyclic.begin + 132)[2] - row(walk, cyclic.begin)[2];
-    assert_true(stride > 120 && stride < 160); // cm, of a walk
+    assert_true(stride > 120 && stride < 160); // cm, for a walk
     for (std::int64_t f = cyclic.begin; f + 132 < cyclic.end; ++f)
         for (std::size_t c = 0; c < channel_count; ++c) {
             const double step = row(walk, f + 132)[c] - row(walk, f)[c];
@@ -54,7 +54,7 @@ void right_first_is_the_mirror_image(void**) {
     }
 }
 
-/// The borders are where the legs pass each other: within 1 % of a cycle.
+/// The legs pass each other at the borders, within 1 % of a cycle.
 void legs_pass_at_the_borders(void**) {
     for (const double stride : {0.7, 1.0, 1.15})
         for (const double turn : {0.0, 30.0}) {
@@ -73,15 +73,15 @@ void legs_pass_at_the_borders(void**) {
         }
 }
 
-/// A foot may slip by millimeters while the other one hands the weight over to it or takes it back,
-/// and not at all between; nothing sinks into the floor.
+/// A foot may slip by millimeters while the other one takes over or gives back the weight, and not
+/// at all in between; no foot sinks into the floor.
 void feet_stay_on_the_floor(void**) {
     for (const double turn : {0.0, 30.0}) {
         Settings s;
         s.turn = turn;
         const Walk walk = make_walk(s);
         const Interval& cycle = walk.cycles[1];
-        const double landing = cycle.end_s - 0.294 * s.period; // of the left heel
+        const double landing = cycle.end_s - 0.294 * s.period; // landing of the left heel
         for (std::int64_t f = cycle.begin; f < cycle.begin + 264; ++f) {
             const Joints now = joints(walk, f);
             const Joints next = joints(walk, f + 1);
@@ -98,7 +98,7 @@ void feet_stay_on_the_floor(void**) {
     }
 }
 
-/// Largest second difference of a rotation channel, degrees a frame a frame.
+/// Largest second difference of a rotation channel, in degrees per frame squared.
 double jerkiest(const Walk& walk, const Interval& unit) {
     double largest = 0;
     for (std::int64_t f = std::max<std::int64_t>(unit.begin, 1); f < unit.end; ++f)
@@ -109,7 +109,7 @@ double jerkiest(const Walk& walk, const Interval& unit) {
     return largest;
 }
 
-/// The first and last step join the cycles without a jump of angle or speed.
+/// The first and last step join the cycles without a jump in angle or speed.
 void no_unit_joins_with_a_jump(void**) {
     for (const double ramp : {0.0, 0.3}) {
         Settings s;
@@ -122,7 +122,7 @@ void no_unit_joins_with_a_jump(void**) {
     }
 }
 
-/// Ranges of normal walking that the key points must not have left (README.md).
+/// The key points must stay within the ranges of normal walking (README.md).
 void joint_angles_are_those_of_walking(void**) {
     double ankle_up = -90;
     double ankle_down = 90;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A walk as text: the BVH file and the JSON of its borders.
+// Writes a walk as text: the BVH file and the JSON with its borders.
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 

@@ -35,8 +35,8 @@ void check(const Settings& s) {
     require(sorted == "XYZ", "order must be a permutation of XYZ");
 }
 
-/// Standard normal numbers that are the same everywhere: the standard library leaves the method of
-/// std::normal_distribution open (Box and Muller, Ann. Math. Statist. 29, 1958).
+/// Standard normal numbers that are the same on every platform: the standard leaves the algorithm
+/// of std::normal_distribution open (Box and Muller, Ann. Math. Statist. 29, 1958).
 class Normal {
   public:
     explicit Normal(std::uint64_t seed) : bits_(seed) {}
@@ -60,7 +60,7 @@ std::vector<double> frame_channels(const Course& course, double t, const std::st
     return row;
 }
 
-/// The first frame not before the moment; a rounding error does not make it the next one.
+/// The first frame at or after the moment, tolerating rounding errors.
 std::int64_t frame_at(double seconds, double fps) {
     return static_cast<std::int64_t>(std::ceil(seconds * fps - 1e-6));
 }
@@ -87,8 +87,8 @@ void set_borders(Walk& walk, const Borders& b) {
         walk.cycles.push_back(make_interval("cycle", b.passes[c], b.passes[c + 1], fps));
 }
 
-/// The start that converters of motion capture like to leave: all rotations zero, then a few
-/// frames on the way to the first real pose.
+/// The start that many motion capture converters leave: all rotations zero, then a few frames that
+/// lead to the first real pose.
 void add_t_pose(Walk& walk) {
     const std::int64_t n = std::min<std::int64_t>(walk.settings.t_pose_frames, walk.frames);
     for (std::int64_t f = 0; f < n; ++f)
