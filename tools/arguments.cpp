@@ -12,6 +12,7 @@
 #include <fmt/ranges.h>
 #include <stltsa.hpp>
 
+#include "choices.hpp"
 #include "exit_status.hpp"
 #include "option_flags.hpp"
 #include "text.hpp"
@@ -73,17 +74,19 @@ Examples:
   stltsa unmap walk.stltsa y.npy --fps 120 -o poses.bvh
   stltsa unmap walk.stltsa y.csv -o frames.csv --follow)";
 
-constexpr const char* about_synthesize =
-    R"(Joins pieces of clips into new motion.
-
-A piece is CLIP[:WHAT][*TIMES]. WHAT: frames (120-240), seconds (1.0s-2.0s), a
-unit (preparing, initial, cyclic, final, wind-up, action), best or
-representative (cycle), cycleN; the whole clip where it is left out.
+std::string about_synthesize() {
+    const std::string piece =
+        fmt::format("A piece is CLIP[:WHAT][*TIMES]. WHAT: frames (120-240), seconds (1.0s-2.0s), "
+                    "a unit ({}), best or representative (cycle), cycleN; the whole clip if it is "
+                    "left out.",
+                    fmt::join(unit_names(), ", "));
+    return "Joins pieces of clips into new motion.\n\n" + wrapped(piece, 78) + R"(
 
 Examples:
   stltsa synthesize 'walk.bvh:best*4' -o loop.bvh
   stltsa synthesize walk.bvh:initial 'walk.bvh:best*8' -o long.bvh
   stltsa synthesize walk.bvh run.bvh:cyclic -o joined.bvh --plot seams.svg)";
+}
 
 constexpr const char* about_dimension =
     R"(Estimates the intrinsic dimension: local PCA, and the eigengap.
@@ -191,7 +194,7 @@ class Parser {
                            "Add the curve and the loop, sample by sample, to\nthe JSON.");
         add_denoise();
         CLI::App& synthesize =
-            add(Command::synthesize, "synthesize", about_synthesize, {joining, cutting, reading});
+            add(Command::synthesize, "synthesize", about_synthesize(), {joining, cutting, reading});
         synthesize.add_option("pieces", to_.pieces, "Pieces, in the order of the new motion.")
             ->required();
         add_product(synthesize, "Write the new motion to a .bvh, .amc, .csv or\n.npy file.")
@@ -208,29 +211,43 @@ class Parser {
         } catch (const CLI::CallForVersion& version) {
             to_.answer = fmt::format("{}\n", version.what());
         } catch (const CLI::ParseError& error) {
-            const auto chosen = app_.get_subcommands();
+            const CLI::App* chosen =
+                app_.get_subcommands().empty() ? nullptr : app_.get_subcommands()[0];
             throw Failure(Exit::usage,
-                          fmt::format("{}\nTry 'stltsa {}--help'.", error.what(),
-                                      chosen.empty() ? "" : chosen[0]->get_name() + " "));
+                          fmt::format("{}{}\nTry 'stltsa {}--help'.", error.what(),
+                                      chosen == nullptr ? "" : option_hint(*chosen),
+                                      chosen == nullptr ? "" : chosen->get_name() + " "));
         }
     }
 
   private:
+    /// For the first flag that the command does not have, one that it has.
+    static std::string option_hint(const CLI::App& command) {
+        std::vector<std::string> flags;
+        for (const CLI::Option* option : command.get_options())
+            for (const std::string& name : option->get_lnames())
+                flags.push_back("--" + name);
+        for (const std::string& word : command.remaining())
+            if (word.starts_with("--"))
+                return hint(word.substr(0, word.find('=')), flags);
+        return "";
+    }
+
     /// The parser itself would only say that a command is missing.
     void check_command(int argc, const char* const* argv) const {
         const std::string first = argc > 1 ? argv[1] : "";
-        const auto named = [&](const CLI::App* command) { return command->get_name() == first; };
-        if (first.starts_with('-') || std::ranges::any_of(app_.get_subcommands({}), named))
+        std::vector<std::string> names;
+        for (const CLI::App* command : app_.get_subcommands({}))
+            names.push_back(command->get_name());
+        if (first.starts_with('-') || std::ranges::find(names, first) != names.end())
             return;
-        throw Failure(
-            Exit::usage,
-            fmt::format("{}: give info, fit, map, unmap, dimension, decompose,\n"
-                        "denoise or synthesize\n"
-                        "Try 'stltsa --help'.",
-                        argc > 1 ? "there is no command '" + first + "'" : "a command is missing"));
+        const std::string what =
+            argc > 1 ? "there is no command '" + first + "'" : "a command is missing";
+        throw Failure(Exit::usage, fmt::format("{}: give one of {}{}\nTry 'stltsa --help'.", what,
+                                               fmt::join(names, ", "), hint(first, names)));
     }
 
-    CLI::App& add(Command command, const char* name, const char* text,
+    CLI::App& add(Command command, const char* name, const std::string& text,
                   std::initializer_list<Keys> keys) {
         CLI::App& app = *app_.add_subcommand(name, text);
         app.add_flag("--json", to_.json, "Write one JSON object on one line.");

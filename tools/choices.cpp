@@ -15,6 +15,15 @@ Choices choices_in(const std::string& text) {
     return choices;
 }
 
+std::vector<std::string> unit_names() {
+    std::vector<std::string> names;
+    const std::string no_kind = stltsa::unit_name(0);
+    for (std::int32_t kind = 1; stltsa::unit_name(kind) != no_kind; ++kind)
+        if (kind != STLTSA_UNIT_CYCLE)
+            names.push_back(stltsa::unit_name(kind));
+    return names;
+}
+
 std::string named(const stltsa::Info& info, std::int32_t key) {
     for (const stltsa::InfoKey& row : stltsa::info_table())
         if (row.key == key)

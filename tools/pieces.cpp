@@ -11,13 +11,17 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "choices.hpp"
 #include "exit_status.hpp"
 
 namespace tool {
 namespace {
 
-constexpr std::string_view parts[] = {"preparing", "initial", "cyclic", "final",
-                                      "wind-up",   "action",  "best",   "representative"};
+std::vector<std::string> parts() {
+    std::vector<std::string> names = unit_names();
+    names.insert(names.end(), {"best", "representative"});
+    return names;
+}
 
 /// The whole text as a number that is not negative.
 template <class T>
@@ -64,13 +68,14 @@ std::optional<std::int64_t> cycle_in(std::string_view what) {
 }
 
 bool is_part(std::string_view what) {
-    return std::ranges::find(parts, what) != std::end(parts) || range_in(what) || cycle_in(what);
+    const std::vector<std::string> names = parts();
+    return std::ranges::find(names, what) != names.end() || range_in(what) || cycle_in(what);
 }
 
 [[noreturn]] void no_piece(const std::string& text, std::string_view why) {
     throw Failure(Exit::usage, fmt::format("'{}': {}; a piece is CLIP[:WHAT][*TIMES], WHAT being "
                                            "120-240, 1.0s-2.0s, cycle3, {}",
-                                           text, why, fmt::join(parts, ", ")));
+                                           text, why, fmt::join(parts(), ", ")));
 }
 
 bool is_file(const std::string& path) {

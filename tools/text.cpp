@@ -2,11 +2,40 @@
 #include "text.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 namespace tool {
+
+namespace {
+
+/// Letters to add, take away or change (Levenshtein).
+std::size_t edits(std::string_view from, std::string_view to) {
+    std::vector<std::size_t> row(to.size() + 1);
+    std::iota(row.begin(), row.end(), std::size_t{0});
+    for (const char c : from) {
+        std::size_t diagonal = row[0]++;
+        for (std::size_t i = 0; i < to.size(); ++i) {
+            const std::size_t changed = diagonal + (c == to[i] ? 0 : 1);
+            diagonal = row[i + 1];
+            row[i + 1] = std::min({changed, row[i] + 1, row[i + 1] + 1});
+        }
+    }
+    return row.back();
+}
+
+} // namespace
+
+std::string hint(std::string_view word, const std::vector<std::string>& names) {
+    const auto distance = [&](const std::string& name) { return edits(word, name); };
+    const auto nearest = std::ranges::min_element(names, {}, distance);
+    constexpr std::size_t slips = 2; // three changes make other words of short ones
+    if (nearest == names.end() || distance(*nearest) > slips)
+        return "";
+    return fmt::format("\nDid you mean {}?", *nearest);
+}
 
 std::vector<std::string> wrapped(std::string_view text,
                                  const std::function<bool(const std::string& line)>& fits) {

@@ -20,6 +20,9 @@ std::string wrapped(std::string_view text, std::size_t columns);
 /// Whether a name has this suffix, written in small letters; capitals in the name do not matter.
 bool ends_in(std::string_view name, std::string_view suffix);
 
+/// A line "Did you mean ...?" for the name that the word is a misspelling of; "" for none.
+std::string hint(std::string_view word, const std::vector<std::string>& names);
+
 /// Characters in UTF-8 text.
 std::size_t characters(std::string_view text);
 

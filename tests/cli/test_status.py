@@ -41,6 +41,19 @@ class Usage(CommandTest):
                 self.assertIn(hint, self.fails(2, *line, cwd=self.folder))
         self.assert_empty(self.folder)
 
+    def test_a_misspelled_flag_or_command_has_a_hint(self):
+        for arguments, hint in (
+            (("fit", walk(), "--neigbors", "36"), "Did you mean --neighbors?"),
+            (("fit", walk(), "--neigbors=36"), "Did you mean --neighbors?"),
+            (("fit", walk(), "--no-include-slf"), "Did you mean --no-include-self?"),
+            (("decompse", walk()), "Did you mean decompose?"),
+        ):
+            with self.subTest(arguments):
+                self.assertIn(hint, self.fails(2, *arguments))
+        for arguments in (("fit", walk(), "--bogus"), ("frobnicate",), ("fit", walk(), walk())):
+            with self.subTest(arguments):
+                self.assertNotIn("Did you mean", self.fails(2, *arguments))
+
     def test_rate_is_needed(self):
         self.assertIn("open it with --fps", self.fails(2, "decompose", circle()))
         self.assertIn("--fps", self.fails(2, "fit", circle(), "--neighbors", "1.2s"))
