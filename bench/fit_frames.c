@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /*
- * Fits two coordinates to frames from a file, for scripts/benchmark, twice: the first fit says how
- * much memory it needs at most, the second, which finds as much in the process, how long it takes,
- * in all and by stage. As one line of JSON; the coordinates go to a file of doubles.
+ * Fits two coordinates to frames from a file, twice, for scripts/benchmark. The first fit measures
+ * peak memory; the second one, which reuses that memory, measures time in total and by stage.
+ * Prints one line of JSON and writes the coordinates to a file of doubles.
  *
  *     fit_frames FILE FRAMES FEATURES temporal|spatial NEIGHBORS THREADS COORDS
  *
- * temporal: the nearest of as many frames to each side, the frame itself among them. spatial: the
- * nearest of all frames but itself, which is what other programs do.
+ * temporal: the nearest among as many frames to each side, including the frame itself. spatial: the
+ * nearest among all other frames, as in other programs.
  */
 #define _POSIX_C_SOURCE 199309L
 #include <string.h>
@@ -82,7 +82,7 @@ static void print_model(const stltsa_model* model) {
            (long long)components, estimate);
 }
 
-/* Memory that the first fit of this process needs beyond what there was. */
+/* Memory that the first fit of this process needs in addition to the memory in use before it. */
 static long long fit_memory(const stltsa_in* in, const stltsa_options* options) {
     const long long before = peak_memory();
     stltsa_model* model = NULL;
@@ -104,7 +104,7 @@ int main(int argc, char** argv) {
     const stltsa_in in = read_frames(argv[1], atoll(argv[2]), atoll(argv[3]));
     stltsa_options* options = options_of(argv + 4, &times);
     const long long memory = fit_memory(&in, options);
-    keep_memory(memory + memory / 4); /* pieces of it may not fit where others were */
+    keep_memory(memory + memory / 4); /* reserve for fragmentation */
     processor = seconds_of(CLOCK_PROCESS_CPUTIME_ID);
     seconds = seconds_of(CLOCK_MONOTONIC);
     times = start_stages(CLOCK_MONOTONIC);

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /*
- * Where the time of stltsa_fit goes, in microseconds of processor time a frame and in wall-clock
- * time: one row of the table of scripts/measure-speed. The frames are those of motion.h.
+ * Measures each stage of stltsa_fit in microseconds of processor time per frame, and the wall-clock
+ * time: one row of the table of scripts/measure-speed. The frames come from motion.h.
  *
  *     fit_times FRAMES NEIGHBORS THREADS REPEATS [MODE]
  *
- * MODE is that of the options, 1 (temporal) without it. The shortest of the repeats is printed.
+ * MODE is the value of the option mode; default: 1 (temporal). Prints the shortest of the repeats.
  */
 #define _POSIX_C_SOURCE 199309L
 #include <string.h>
@@ -13,7 +13,7 @@
 #include "motion.h"
 #include "timing.h"
 
-/* Before neighbors there is nothing to read, after the spectrum no units are looked for. */
+/* A fit of a matrix reads no file before the neighbors and finds no units after the spectrum. */
 enum { first_stage = STLTSA_STAGE_NEIGHBORS, last_stage = STLTSA_STAGE_SPECTRUM };
 
 int main(int argc, char** argv) {

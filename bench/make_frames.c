@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /*
- * Frames for scripts/benchmark, as bare doubles, one frame after another:
+ * Writes frames for scripts/benchmark as doubles, one frame after another:
  *
- *     make_frames FILE FRAMES                       of a made-up motion (motion.h)
+ *     make_frames FILE FRAMES                       synthetic motion (motion.h)
  *     make_frames FILE FRAMES SKELETON CLIP...      joint angles of clips, one after the other
  *
- * Clips are faded into each other over a second, so that no neighborhood falls apart at a joint.
- * They all have the one skeleton. Prints how many frames there are, of how many features.
+ * Clips are cross-faded over a second, so that neighborhoods stay connected at a joint. All clips
+ * have the same skeleton. Prints the numbers of frames and features.
  */
 #define _POSIX_C_SOURCE 199309L
 #include <string.h>
@@ -44,7 +44,7 @@ static struct frames read_clip(const char* path, const char* skeleton) {
     return read;
 }
 
-/* `next` after `chain`; takes both. */
+/* Appends `next` to `chain`; takes ownership of both. */
 static struct frames fade(struct frames chain, struct frames next) {
     const int64_t begin = chain.rows - overlap;
     const struct frames joined = {

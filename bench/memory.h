@@ -11,8 +11,8 @@
 #endif
 
 /*
- * The most that it has had at once, in bytes; 0 where it cannot be told (not Linux). What getrusage
- * says would be the caller's, if that had more before it started this program.
+ * Peak memory in bytes; 0 if it is unknown (not Linux). getrusage would report the peak of the
+ * parent process if that was larger before it started this program.
  */
 static inline long long peak_memory(void) {
     char line[256];
@@ -28,8 +28,8 @@ static inline long long peak_memory(void) {
 }
 
 /*
- * Takes so much, and keeps it for what is allocated from now on (glibc). A virtual machine lends
- * out what nobody uses: to get it back takes longer than the work that is to be measured.
+ * Reserves memory for later allocations (glibc). A virtual machine gives away unused memory, and
+ * getting it back takes longer than the measured work.
  */
 static inline void keep_memory(long long bytes) {
     volatile char* memory;

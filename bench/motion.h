@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /*
- * A made-up motion to measure with: 56 features that swing with a cycle of about a second, no two
- * cycles alike, at 120 frames a second. The same frames for the same call, and a shorter motion is
- * the beginning of a longer one.
+ * Synthetic motion for measurements: 56 features that swing with a cycle of about a second at 120
+ * frames per second; no two cycles are equal. Frames are the same in every run, and a shorter
+ * motion is the beginning of a longer one.
  */
 #ifndef MOTION_H
 #define MOTION_H
@@ -29,7 +29,7 @@ static inline void* allocate(size_t bytes) {
     return memory;
 }
 
-/* frames x motion_features; end it with free(). */
+/* frames x motion_features; release it with free(). */
 static inline double* make_motion(int64_t frames) {
     const double turn = 6.283185307179586;
     uint64_t state = 1;
@@ -38,7 +38,7 @@ static inline double* make_motion(int64_t frames) {
     int64_t i;
     int c;
     for (i = 0; i < frames; ++i) {
-        /* Both wander slowly about 1. */
+        /* Both drift slowly around 1. */
         speed += 0.003 * next_random(&state) - 0.002 * (speed - 1);
         size += 0.003 * next_random(&state) - 0.002 * (size - 1);
         phase += turn / 120 * speed;

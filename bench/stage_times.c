@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /*
- * Where the wall-clock time of one decomposition goes.
+ * Prints the wall-clock time of each stage of one decomposition.
  *
  *     stage_times CLIP [THREADS]
  */

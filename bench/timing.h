@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /*
- * Time by stage, as the progress callback sees it, which runs on the caller's thread: the time
- * between two calls belongs to the stage that the second one names.
- * _POSIX_C_SOURCE must be defined before the first header.
+ * Time by stage, from the calls of the progress callback, which run on the caller's thread: the
+ * time between two calls counts towards the stage of the second one. _POSIX_C_SOURCE must be
+ * defined before the first header.
  */
 #ifndef TIMING_H
 #define TIMING_H

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Cuts a clip into motion units and cycles: open, decompose, read the answer.
+/* Cuts a clip into motion units and cycles: opens it, decomposes it, prints the result.
  *
  *     cc decompose.c $(pkg-config --cflags --libs stltsa) -o decompose
  *     ./decompose walk.bvh
@@ -27,7 +27,7 @@ static void print_units(const stltsa_decomposition* decomposition) {
         if (stltsa_decomposition_cycle(decomposition, i, &interval) == STLTSA_OK)
             print_interval(&interval);
 
-    /* A clip without cycles is an answer, not an error; this is where it says why. */
+    /* A clip without cycles is not an error; the reason explains why there are none. */
     if (cycles == 0)
         printf("no cycle: %s\n", stltsa_decomposition_reason(decomposition));
     for (int64_t i = 0; i < stltsa_decomposition_warning_count(decomposition); ++i)
@@ -43,8 +43,8 @@ int main(int argc, char** argv) {
         return 2;
     }
 
-    /* NULL options are the defaults. Failed calls set their handle to NULL, and every _free takes
-     * NULL: so there is one way out, and nothing to keep track of. */
+    /* NULL options mean the defaults. A failed call sets its handle to NULL, and every _free
+     * accepts NULL, so one cleanup at the end is enough. */
     const int done = stltsa_clip_open(argv[1], NULL, &clip) == STLTSA_OK &&
                      stltsa_decompose(clip, NULL, &decomposition) == STLTSA_OK;
     if (done)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Cleans a noisy curve: coordinates in, a smooth curve and the moved points out.
+/* Removes noise from coordinates: prints the error of the smooth curve and of the moved points.
  *
  *     cc denoise.c $(pkg-config --cflags --libs stltsa) -lm -o denoise
  *     ./denoise
@@ -14,18 +14,18 @@ enum { ROWS = 300 };
 
 static const double fps = 30;
 
-/* One coordinate that swings once a second. */
+/* One coordinate that swings once per second. */
 static double clean(int row) {
     return sin(6.283185307179586 * row / fps);
 }
 
-/* The same with noise, and a spike in every fiftieth row. */
+/* The same coordinate with noise, and a spike in every fiftieth row. */
 static double noisy(int row) {
     const double noise = 2.0 * rand() / RAND_MAX - 1;
     return clean(row) + 0.2 * noise + (row % 50 == 25 ? 1.5 : 0);
 }
 
-/* Root mean square distance from what it was without noise. */
+/* Root mean square distance from the noiseless coordinate. */
 static double error(const double* values) {
     double sum = 0;
     for (int row = 0; row < ROWS; ++row)
@@ -33,7 +33,7 @@ static double error(const double* values) {
     return sqrt(sum / ROWS);
 }
 
-/* Prints what was found; STLTSA_OK or the status of the first call that failed. */
+/* Prints the result; returns STLTSA_OK or the status of the first call that failed. */
 static stltsa_status report(const stltsa_denoising* denoising, const double* points) {
     static double cleaned[ROWS], curve[ROWS];
     const stltsa_out cleaned_out = {cleaned, ROWS, 1, 0, 0, STLTSA_F64, 0};
@@ -66,7 +66,7 @@ int main(void) {
     for (int row = 0; row < ROWS; ++row)
         points[row] = noisy(row);
 
-    /* With the frame rate known, the period tells how fine a detail may be motion. */
+    /* If the frame rate is known, the period determines the finest detail of the curve. */
     status = stltsa_options_new(&options);
     if (status == STLTSA_OK)
         status = stltsa_options_set_real(options, STLTSA_OPT_FPS, fps);

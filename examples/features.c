@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* What is in a clip: its skeleton, where each joint goes, and the features that STLTSA works on.
+/* Describes a clip: its skeleton, the path of each joint, and the features that STLTSA uses.
  *
  *     cc features.c $(pkg-config --cflags --libs stltsa) -lm -o features
  *     ./features walk.bvh
@@ -28,7 +28,7 @@ static stltsa_status print_joints(const stltsa_clip* clip, const float* position
     const int64_t frames = stltsa_clip_frames(clip);
     const int64_t joints = stltsa_clip_joints(clip);
     for (int64_t j = 0; j < joints; ++j) {
-        const char* name = NULL; /* belongs to the clip */
+        const char* name = NULL; /* owned by the clip */
         int64_t parent = -1;
         int32_t is_end_site = 0;
         const stltsa_status status = stltsa_clip_joint(clip, j, &name, &parent, &is_end_site);
@@ -40,7 +40,7 @@ static stltsa_status print_joints(const stltsa_clip* clip, const float* position
     return STLTSA_OK;
 }
 
-/* The library fills arrays of the caller's; it converts to float32 where asked to. */
+/* The library fills the caller's arrays, and converts to float32 if asked. */
 static stltsa_status print_positions(const stltsa_clip* clip) {
     const int64_t frames = stltsa_clip_frames(clip);
     const int64_t columns = 3 * stltsa_clip_joints(clip);
@@ -83,7 +83,7 @@ int main(int argc, char** argv) {
         return 2;
     }
     stltsa_status status = stltsa_clip_open(argv[1], NULL, &clip);
-    if (status == STLTSA_OK && stltsa_clip_joints(clip) > 0) /* 0: a bare matrix, no skeleton */
+    if (status == STLTSA_OK && stltsa_clip_joints(clip) > 0) /* 0: a plain matrix, no skeleton */
         status = print_positions(clip);
     if (status == STLTSA_OK)
         status = print_features(clip);

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Your own numbers in, coordinates out: no clip file, just a matrix with a row per frame.
+/* Fits your own numbers: a matrix with one row per frame instead of a clip file.
  *
- * The frames here go round a circle three times that is bent into six dimensions; STLTSA finds
- * the two coordinates of the circle again. Shown on the way: options, progress, cancelling, errors.
+ * The frames follow a circle, bent into six dimensions, three times; STLTSA recovers the two
+ * coordinates of the circle. Also shows options, progress, cancelling and errors.
  *
  *     cc fit.c $(pkg-config --cflags --libs stltsa) -lm -o fit && ./fit
  */
@@ -32,7 +32,7 @@ static void on_interrupt(int signal_number) {
     interrupted = 1;
 }
 
-/* Called on this thread as the work goes on. Nonzero ends it: the call returns E_CANCELLED. */
+/* Called on this thread during the fit. A nonzero result cancels it with E_CANCELLED. */
 static int32_t on_progress(void* user, int32_t stage, double fraction) {
     int* calls_left = user; /* negative: no limit */
     (void)stage;
@@ -44,7 +44,7 @@ static int32_t on_progress(void* user, int32_t stage, double fraction) {
 
 static stltsa_status set_options(stltsa_options* options, int* calls_left) {
     stltsa_status status = stltsa_options_set_int(options, STLTSA_OPT_DIMENSION, 2);
-    if (status == STLTSA_OK) /* 1.2 periods: fewer and the first coordinate only tells the time */
+    if (status == STLTSA_OK) /* 1.2 periods: with fewer, the first coordinate only follows time */
         status = stltsa_options_set_int(options, STLTSA_OPT_NEIGHBORS, PERIOD * 6 / 5);
     if (status == STLTSA_OK)
         status = stltsa_options_set_progress(options, on_progress, calls_left);
@@ -87,14 +87,14 @@ int main(void) {
     if (status == STLTSA_OK)
         status = set_options(options, &calls_left);
     if (status == STLTSA_OK)
-        status = stltsa_fit(&in, NULL, 1, options, &model); /* lengths NULL: it is one clip */
+        status = stltsa_fit(&in, NULL, 1, options, &model); /* lengths NULL: one clip */
     if (status == STLTSA_OK)
         status = print_coordinates(model);
     if (status != STLTSA_OK)
         fprintf(stderr, "%s: %s\n", stltsa_status_name(status), stltsa_last_error());
     stltsa_model_free(model);
 
-    /* The same again, cancelled at the second report: no model, and nothing is lost. */
+    /* The same fit, cancelled at the second report: no model, no leak. */
     calls_left = 2;
     if (status == STLTSA_OK && stltsa_fit(&in, NULL, 1, options, &model) == STLTSA_E_CANCELLED &&
         model == NULL)

@@ -1,14 +1,13 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* A recording that is larger than you want to load: an NPY file is mapped into memory and fitted in
- * place. The library reads packed rows of float64 where they lie, copies none of them, and keeps
- * none with STLTSA_OPT_KEEP_FRAMES 0; what it needs beside is a few hundred bytes a frame for short
- * windows.
+/* Fits a recording that is too large to load: maps an NPY file into memory and fits it in place.
+ * The library reads packed rows of float64 without copying them, and with STLTSA_OPT_KEEP_FRAMES 0
+ * keeps none of them. In addition it needs a few hundred bytes per frame for short windows.
  *
  *     cc long_npy.c $(pkg-config --cflags --libs stltsa) -o long_npy
  *     ./long_npy walk.bvh walk.npy
  *
- * writes the numbers of a clip to walk.npy first; without the clip it takes the file as it is. Mind
- * that a file which another program cuts short while it is mapped ends this one (SIGBUS).
+ * writes the numbers of a clip to walk.npy first; without the clip it uses the existing file. If
+ * another program truncates the file while it is mapped, this program ends with SIGBUS.
  */
 #define _POSIX_C_SOURCE 200809L
 #include <fcntl.h>
@@ -40,14 +39,14 @@ static struct mapping map_file(const char* path) {
     return file;
 }
 
-/* The frames of an NPY file as numpy.save() writes a matrix of float64; 0: it is something else. */
+/* Finds the frames of a float64 matrix from numpy.save(); 0: the file holds something else. */
 static int frames_of(const struct mapping* file, stltsa_in* frames) {
     const unsigned char* bytes = file->data;
     char header[256] = {0};
     size_t length;
     long long rows, cols;
     const char* shape;
-    char end; /* of the shape: after two numbers, unless there are more dimensions */
+    char end; /* closes the shape after two numbers, unless there are more dimensions */
 
     if (file->size < 10 || memcmp(bytes, "\x93NUMPY\x01", 7) != 0)
         return 0;

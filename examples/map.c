@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* There and back: learns a curve from every second frame of a clip, places the frames between on
- * it, which were never learned, makes poses of those points again and saves them as a clip.
+/* Maps both ways: fits a curve to every second frame of a clip, maps the frames between them, which
+ * the fit has not seen, onto it, turns the coordinates back into poses, and saves these as a clip.
  *
  *     cc map.c $(pkg-config --cflags --libs stltsa) -o map
  *     ./map walk.bvh poses.bvh
@@ -20,7 +20,7 @@ static stltsa_out output(double* data, int64_t rows, int64_t cols) {
     return out;
 }
 
-/* With three coordinates, from every second frame. */
+/* Fits three coordinates to every second frame. */
 static stltsa_status fit(const stltsa_clip* clip, stltsa_model** model) {
     stltsa_options* options = NULL;
     stltsa_status status = stltsa_options_new(&options);
@@ -35,8 +35,7 @@ static stltsa_status fit(const stltsa_clip* clip, stltsa_model** model) {
     return status;
 }
 
-/* Moves the coordinates of the frames between those that were fitted to the front; returns how many
- * they are. */
+/* Moves the coordinates of frames between the fitted ones to the front; returns their number. */
 static int64_t keep_between(const stltsa_model* model, double* coords, const double* distance,
                             int64_t frames) {
     int64_t first = 0, step = 1, kept = 0, unlike = 0;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Makes a longer motion of a clip: its way into the motion, its best cycle five times, its way out.
+/* Makes a longer motion from a clip: its beginning, its best cycle five times, and its end.
  *
  *     cc synthesize.c $(pkg-config --cflags --libs stltsa) -o synthesize
  *     ./synthesize walk.bvh long.bvh
@@ -9,7 +9,7 @@
 
 #include <stltsa.h>
 
-/* The frames of the best cycle; false, and why, where the clip has none. */
+/* Finds the frames of the best cycle; if there is none, prints the reason and returns false. */
 static int find_cycle(const stltsa_clip* clip, stltsa_interval* cycle) {
     stltsa_decomposition* decomposition = NULL;
     int64_t best = -1;
@@ -24,8 +24,8 @@ static int find_cycle(const stltsa_clip* clip, stltsa_interval* cycle) {
     return found;
 }
 
-/* The frames before the cycle, the cycle five times, the frames after it; returns how many pieces
- * these are. */
+/* Pieces: the frames before the cycle, the cycle five times, the frames after it. Returns their
+ * number. */
 static int64_t make_pieces(const stltsa_clip* clip, stltsa_interval cycle, stltsa_piece pieces[3]) {
     const int64_t end = stltsa_clip_frames(clip);
     const stltsa_piece before = {clip, 0, cycle.begin, 1, 0};
@@ -40,7 +40,7 @@ static int64_t make_pieces(const stltsa_clip* clip, stltsa_interval cycle, stlts
     return count;
 }
 
-/* Where the new motion was joined, and whether that can be seen. */
+/* Prints the frame of each seam and measures of its visibility. */
 static void print_seams(const stltsa_synthesis* synthesis) {
     for (int64_t i = 0; i < stltsa_synthesis_seam_count(synthesis); ++i) {
         stltsa_seam seam = {sizeof seam, 0, 0, 0, 0, 0, 0, 0, 0, 0};
@@ -66,8 +66,8 @@ int main(int argc, char** argv) {
     if (stltsa_clip_open(argv[1], NULL, &clip) != STLTSA_OK)
         fprintf(stderr, "%s\n", stltsa_last_error());
     else if (find_cycle(clip, &cycle)) {
-        /* Pieces that follow each other in their clip need no seam: there are four, where the cycle
-         * follows itself. The new clip belongs to the synthesis. */
+        /* Pieces that are consecutive in their clip need no seam, so there are four, between the
+         * repeated cycles. The synthesis owns the new clip. */
         const int64_t count = make_pieces(clip, cycle, pieces);
         done = stltsa_synthesize(pieces, count, NULL, &synthesis) == STLTSA_OK &&
                stltsa_clip_save(stltsa_synthesis_clip(synthesis), argv[2]) == STLTSA_OK;

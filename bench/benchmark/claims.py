@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What is claimed, what was measured of it, and whether that holds."""
+"""Claims with their measurements and whether they hold."""
 
-# Sine of the angle between embeddings that are called the same.
+# Largest sine of the angle between embeddings that count as the same.
 SAME = 1e-8
 
 
 def _claim(text, value, limit, *, at_least=False, fits=(), spread=None, unit=""):
-    """What is claimed of the library's `fits` does not hold where one was given up."""
+    """One claim; it does not hold if one of the library's `fits` was given up."""
     given_up = any("failed" in fit for fit in fits)
     holds = not given_up and (value >= limit if at_least else value <= limit)
     return {"claim": text + (", given up" if given_up else ""), "value": value, "limit": limit,
@@ -18,8 +18,8 @@ def _spread(above, below):
 
 
 def _faster(text, ours, theirs, limit):
-    """How many times as fast; the spread pairs the least of the one with the most of the other."""
-    # A fit that ran out of time took at least that long, one that ended with an error says nothing.
+    """Claim of a speed-up; its range is from least over most to most over least time."""
+    # A fit that ran out of time took at least that long; a fit that failed proves nothing.
     if "failed" in theirs and not theirs["failed"].startswith("not done"):
         return []
     bound = "at least " if "failed" in theirs else ""
@@ -37,8 +37,8 @@ def _found(rows, **wanted):
 def _peers(result):
     fits = result["comparison"]
     claims = []
-    # Where the graph of so few neighbors is in pieces, tapkee takes more by itself, and
-    # scikit-learn ends with an error.
+    # If the graph of so few neighbors is disconnected, tapkee takes more neighbors automatically,
+    # and scikit-learn fails.
     for name, text in (("tapkee_few", "temporal, k = 12, against tapkee asked for k = 12"),
                        ("sklearn", "temporal, k = 12, against scikit-learn, k = 24")):
         if name in fits:

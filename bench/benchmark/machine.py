@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the figures were measured on and with."""
+"""The machine and the versions used for the measurements."""
 
 import importlib.metadata
 import os
@@ -17,14 +17,14 @@ def _first(path, pattern, otherwise):
 
 
 def describe():
-    """Say, 2 cores of AMD EPYC, Debian GNU/Linux 12 (bookworm)."""
+    """For example: 2 cores of AMD EPYC, Debian GNU/Linux 12 (bookworm)."""
     processor = _first("/proc/cpuinfo", r"^model name\s*:\s*(.*)$", platform.machine())
     system = _first("/etc/os-release", r"^PRETTY_NAME=(.*)$", platform.system())
     return f"{os.cpu_count()} cores of {processor}, {system}"
 
 
 def peers():
-    """The other libraries that are there, and their versions."""
+    """The other installed libraries and their versions."""
     found = {}
     for name in ("tapkee", "scikit-learn"):
         try:

@@ -7,11 +7,11 @@ import textwrap
 
 import texts
 
-QUIET = 0.95  # share of a processor that a fit gets on an idle machine
+QUIET = 0.95  # least share of a processor that a fit gets on an idle machine
 
 
 def between_markers(text, name, content):
-    """`text` with what stands between the two markers of that name replaced."""
+    """`text` with the part between the two markers of that name replaced."""
     pattern = rf"(<!-- benchmark: {name} -->\n).*?(<!-- end -->)"
     replaced, count = re.subn(pattern, lambda found: f"{found[1]}\n{content}\n\n{found[2]}", text,
                               flags=re.DOTALL)

@@ -3,9 +3,9 @@
 
     peer.py tapkee|scikit-learn FILE FRAMES FEATURES NEIGHBORS CHECK COORDS
 
-It fits twice, as bench/fit_frames.c does: the first fit says how much memory it needs, the second
-how long it takes. CHECK 0 keeps tapkee from looking whether the neighborhood graph is connected. A
-library that ends with an exception is an answer, too: the time until then, and the reason.
+It fits twice, like bench/fit_frames.c: the first fit measures memory, the second one time. CHECK 0
+turns off tapkee's check that the neighborhood graph is connected. If a library raises an exception,
+the result is the time until then and the reason.
 """
 
 import ctypes
@@ -19,7 +19,7 @@ import numpy as np
 
 
 def peak_memory():
-    """In bytes, as bench/memory.h has it; 0 where it cannot be told."""
+    """Peak memory in bytes, as in bench/memory.h; 0 if it is unknown."""
     try:
         found = re.search(r"VmHWM:\s*(\d+)", Path("/proc/self/status").read_text())
     except OSError:
@@ -28,7 +28,7 @@ def peak_memory():
 
 
 def keep_memory(size):
-    """As bench/memory.h has it."""
+    """Reserves memory, as in bench/memory.h."""
     mallopt = getattr(ctypes.CDLL(None), "mallopt", None)
     if mallopt:
         mallopt(-4, 0)  # M_MMAP_MAX
@@ -56,7 +56,7 @@ def sklearn_fit(x, neighbors, _):
 
 
 def timed(fit):
-    """What is to be said of the time, and the coordinates."""
+    """Returns the time, with a failure if there was one, and the coordinates."""
     result, coords = {}, None
     processor, begin = time.process_time(), time.perf_counter()
     try:

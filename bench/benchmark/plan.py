@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What scripts/benchmark measures: the tasks, in the order in which they are run."""
+"""The tasks that scripts/benchmark measures, in the order in which they run."""
 
 import json
 
@@ -7,19 +7,19 @@ import numpy as np
 from tasks import DIMENSION, Frames, Task, summary
 
 COMPARED = 9000  # frames of the comparison with others
-EXACT = 1000  # frames for which the exact embedding among all frames is quickly there
-PERIOD_K = 12  # temporal neighbors; among all frames so few leave the graph of real clips in pieces
+EXACT = 1000  # frames for which the exact embedding among all frames is quick to compute
+PERIOD_K = 12  # temporal neighbors; among all frames so few leave real clips disconnected
 ALL_K = 24  # neighbors among all frames: the graph is connected
 PEER_SIZES = (1000, 3000, 10_000, 30_000)
 SIZES = (1000, 10_000, 100_000)
 MILLION = 1_000_000
 NEIGHBORS = (12, 24, 48, 140)
-CLIPS = ("13_29.amc", "13_30.amc", "86_01.amc")  # of one skeleton, 86.asf
+CLIPS = ("13_29.amc", "13_30.amc", "86_01.amc")  # with one skeleton, 86.asf
 
 
 def make_frames(laboratory, data, frames):
-    """So many of the made-up motion, and real frames where there are any, else made-up ones in
-    their place."""
+    """The given number of synthetic frames, and real frames if there are any, otherwise synthetic
+    ones instead."""
 
     def made(kind, name, *arguments):
         path = laboratory.folder / name
@@ -36,7 +36,7 @@ def make_frames(laboratory, data, frames):
 
 
 def compared(frames):
-    """The comparison with others, by what each task is called below."""
+    """The tasks of the comparison with other libraries, by name."""
     n = COMPARED
     return {
         "temporal": Task("stltsa", frames, n, PERIOD_K, "temporal"),
@@ -60,8 +60,8 @@ def measure_comparison(laboratory, frames, peers, rounds):
 
 
 def measure_growth(laboratory, motion, peers, sizes, rounds):
-    """With n, on made-up frames. The library's own sizes take turns, as claims compare them, and
-    many of them: a claim on two threads is about less than the machine's noise."""
+    """Growth with n, on synthetic frames. The library's own sizes alternate, because claims compare
+    them, and run often, because the gain from two threads is smaller than the machine's noise."""
     print("\nGrowth with the frames (made up):", flush=True)
     rows = []
 
@@ -80,7 +80,7 @@ def measure_growth(laboratory, motion, peers, sizes, rounds):
 
 
 def measure_neighbors(laboratory, motion, rounds):
-    """With k = w."""
+    """Growth with k = w."""
     print("\nGrowth with the neighbors (made-up frames):", flush=True)
     tasks = [Task("stltsa", motion, SIZES[-1], k, "temporal", threads)
              for k in NEIGHBORS for threads in (1, 2)]
@@ -89,13 +89,13 @@ def measure_neighbors(laboratory, motion, rounds):
 
 
 def largest_angle(a, b):
-    """Sine of the largest principal angle between two column spaces, the constant removed."""
+    """Sine of the largest principal angle between two column spaces without the constant."""
     a, b = (np.linalg.qr(x - x.mean(axis=0))[0] for x in (a, b))
     return float(np.linalg.norm(b - a @ (a.T @ b), 2))
 
 
 def measure_angles(laboratory, frames, peers):
-    """How far embeddings are from each other, and from the exact ones of tests/reference."""
+    """Angles between embeddings, and between them and the exact ones of tests/reference."""
     print("\nAngles between embeddings:", flush=True)
 
     def coords(path):

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The figure: time against frames, with the peers."""
+"""The figure: time against frames, for this library and the others."""
 
 import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
-# Okabe and Ito's colors, which the color-blind can tell apart; markers differ as well.
+# Okabe and Ito's colors, which color-blind readers can tell apart; markers differ as well.
 ORANGE, GREEN, BLUE, RED, GRAY = "#E69F00", "#009E73", "#0072B2", "#D55E00", "#555555"
 STYLE = {
     "font.size": 11, "font.family": "sans-serif", "axes.spines.top": False,
@@ -15,7 +15,7 @@ STYLE = {
     "grid.linewidth": 0.8, "axes.axisbelow": True, "svg.fonttype": "path",
     "svg.hashsalt": "libstltsa", "figure.facecolor": "white", "savefig.facecolor": "white",
 }
-# program, mode, threads: label at the first point, color, marker, line, where the last time goes
+# program, mode, threads: label at the first point, color, marker, line, position of the last time
 LINES = {
     ("scikit-learn", "spatial", 1): ("scikit-learn", RED, "s", "-", (-8, 11)),
     ("tapkee", "spatial", 1): ("tapkee", ORANGE, "^", "-", (10, 5)),
@@ -26,7 +26,7 @@ LINES = {
 
 
 def readable(seconds):
-    """Say, 5 ms or 1.3 s."""
+    """For example: 5 ms, 1.3 s."""
     size, unit = (1, "s") if seconds >= 0.9995 else (1e-3, "ms")
     value = seconds / size
     return f"{value:.0f} {unit}" if value >= 10 else f"{value:.2g} {unit}"
@@ -37,7 +37,7 @@ def spaced(number):
 
 
 def draw_line(axes, rows, label, color, marker, line, end):
-    """One program's times, and how the first fit that took too long was given up."""
+    """Draws one program's times, and marks the first fit that was given up."""
     done = [row for row in rows if "failed" not in row]
     if not done:
         return
@@ -80,7 +80,7 @@ def time_figure(result):
 
 
 def save_figure(result, folder):
-    """Returns the SVG file; a PNG file is beside it."""
+    """Writes an SVG file and a PNG file next to it; returns the SVG file."""
     path = folder / "benchmark-time.svg"
     with plt.rc_context(STYLE):
         figure = time_figure(result)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What is measured: a fit by one program, the second in a process of its own."""
+"""Measures tasks: one fit by one program, the second fit of a separate process."""
 
 import dataclasses
 import json
@@ -12,13 +12,13 @@ from pathlib import Path
 
 DIMENSION = 2
 
-# A fit is repeated until this many seconds are spent on it, or this often.
+# A fit is repeated for this many seconds, or this many times.
 ENOUGH_SECONDS, ENOUGH_RUNS = 1.0, 5
 
 
 @dataclasses.dataclass(frozen=True)
 class Frames:
-    """Frames in a file of doubles; a task may take the first of them only."""
+    """Frames in a file of doubles; a task may use only the first of them."""
 
     kind: str  # "real" or "made up"
     path: str
@@ -34,7 +34,7 @@ class Task:
     k: int
     mode: str = "spatial"  # or "temporal"
     threads: int = 1
-    check: bool = True  # tapkee: see whether the neighborhood graph is in one piece
+    check: bool = True  # tapkee: check that the neighborhood graph is connected
 
     @property
     def name(self):
@@ -44,16 +44,16 @@ class Task:
 
 
 class Laboratory:
-    """Runs tasks, and keeps what they said."""
+    """Runs tasks and keeps their results."""
 
     def __init__(self, build, folder, limit):
         self.build = build
         self.folder = folder
         self.limit = limit  # seconds for one fit
-        self.runs = {}  # task: list of what its processes said
+        self.runs = {}  # task: list of the results of its processes
 
     def program(self, *words):
-        """The JSON that a program of the build folder prints."""
+        """The JSON output of a program of the build folder."""
         command = [self.build / words[0], *words[1:]]
         result = subprocess.run([str(word) for word in command], check=True,
                                 capture_output=True, text=True)
@@ -90,7 +90,7 @@ class Laboratory:
         return said | ({"note": done.stderr.strip()} if done.stderr.strip() else {})
 
     def measure(self, tasks, rounds=1):
-        """Round by round, so that a disturbance of the machine does not hit one program alone."""
+        """Runs round by round, so that a disturbance of the machine affects all programs."""
         for turn in range(rounds):
             for task in tasks:
                 runs = self.runs.setdefault(task, [])
@@ -111,9 +111,9 @@ def described(runs):
 
 
 def summary(task, runs):
-    """A task and its runs as JSON has them."""
+    """A task and its runs, for the JSON."""
     times = [run["seconds"] for run in runs]
-    # Stages are of the run in the middle, so that they add up.
+    # Stages are those of the median run, so that they add up.
     middle = sorted(runs, key=lambda run: run["seconds"])[(len(runs) - 1) // 2]
     result = {"program": task.program, "frames": task.frames.kind, "n": task.n, "k": task.k,
               "mode": task.mode, "threads": task.threads, "check": task.check,

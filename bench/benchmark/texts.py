@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Tables of a result, as rows of cells: the command prints them, and the docs hold them."""
+"""Tables of a result as rows of cells, for the terminal and the docs."""
 
 import re
 
@@ -26,20 +26,20 @@ def memory(row):
 
 
 def in_pieces(row):
-    """The neighbors that tapkee takes where the graph of those it was asked for is in pieces."""
+    """The larger number of neighbors that tapkee takes if the graph is disconnected."""
     found = re.search(r"not connected.*neighbors (\d+)", row.get("note", ""))
     return found and found[1]
 
 
 def outcome(row, pieces):
-    """What else must be said of a fit; `pieces`: the graph of 12 neighbors is known to be so."""
+    """Note on a fit; `pieces`: the graph of 12 neighbors is known to be disconnected."""
     if "failed" in row:
         quoted = re.search(r"Error message: '([^']*)'", row["failed"])
         return "then fails: " + (quoted[1] if quoted else row["failed"])
     if in_pieces(row):
-        return f"the graph is in pieces: takes k = {in_pieces(row)}"
+        return f"disconnected graph: takes k = {in_pieces(row)}"
     if not row["check"] and pieces:
-        return "embeds a graph in pieces"
+        return "embeds a disconnected graph"
     return ""
 
 
@@ -57,7 +57,7 @@ def comparison(result):
 
 
 def summary(result):
-    """Sentences for the README: the same task as scikit-learn's and tapkee's, and our own."""
+    """Sentences for the README: the task shared with the others, and a temporal fit."""
     fits = result["comparison"]
     ours, own = fits["all"], fits["temporal"]
     angle = {row["program"]: row["angle"] for row in result["angles"] if row["to"] == "stltsa"}
@@ -108,7 +108,7 @@ def growth(result):
 
 
 def stages(result):
-    """Time of each stage of a fit on one thread, by the number of neighbors."""
+    """Time of each stage of a fit on one thread, by number of neighbors."""
     yield ["k = w", "stage", "µs per frame"]
     for fit in result["neighbors"]:
         if fit["threads"] == 1 and "failed" not in fit:
@@ -117,7 +117,7 @@ def stages(result):
 
 
 def plain(rows):
-    """Columns under each other; all but those of words to the right."""
+    """Aligns the columns."""
     rows = [list(row) for row in rows]
     widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
     for row in rows:

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Compiled, never run: the header is the first and only include, and comes twice. */
+/* Compiled but never run: includes only the header, twice. */
 #include <stltsa.h>
 
 #include <stltsa.h>
 
-/* Frozen layouts (64-bit). A negative size does not compile, in any C or C++. */
+/* Frozen layouts (64-bit). A negative array size fails to compile in every C and C++. */
 #define HOLDS(name, condition) typedef char name[(condition) ? 1 : -1]
 HOLDS(size_of_in, sizeof(void*) != 8 || sizeof(stltsa_in) == 48);
 HOLDS(size_of_out, sizeof(void*) != 8 || sizeof(stltsa_out) == 48);

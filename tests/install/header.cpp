@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Compiled, never run: the C++ header is the first and only include, and comes twice.
+// Compiled but never run: includes only the C++ header, twice.
 #include <stltsa.hpp>
 
 #include <stltsa.hpp>
