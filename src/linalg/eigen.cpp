@@ -65,13 +65,22 @@ void symmetric_eigen(Matrix& matrix, std::vector<double>& values) {
     if (order == 0)
         return;
     // A symmetric matrix is its own transpose, so LAPACK's columns are our rows.
-    const lapack_int info =
-        LAPACKE_dsyevd(LAPACK_COL_MAJOR, 'V', 'L', order, matrix.data(), order, values.data());
-    if (info == LAPACK_WORK_MEMORY_ERROR)
-        throw std::bad_alloc();
-    if (info != 0)
-        fail(Status::internal, "LAPACK dsyevd failed on a matrix of order {} (info {})", order,
-             info);
+    const auto solve = [&](double* work, lapack_int work_size, lapack_int* integer_work,
+                           lapack_int integer_work_size) {
+        const lapack_int info =
+            LAPACKE_dsyevd_work(LAPACK_COL_MAJOR, 'V', 'L', order, matrix.data(), order,
+                                values.data(), work, work_size, integer_work, integer_work_size);
+        if (info != 0)
+            fail(Status::internal, "LAPACK dsyevd failed on a matrix of order {} (info {})", order,
+                 info);
+    };
+    double work_size = 0;
+    lapack_int integer_work_size = 0;
+    solve(&work_size, -1, &integer_work_size, -1);
+    AlignedVector<double> work(static_cast<std::size_t>(work_size));
+    std::vector<lapack_int> integer_work(static_cast<std::size_t>(integer_work_size));
+    solve(work.data(), static_cast<lapack_int>(work.size()), integer_work.data(),
+          integer_work_size);
 }
 
 } // namespace stltsa
