@@ -274,7 +274,9 @@ enum {
 };
 
 /* `fraction` of the stage is done, 0 to 1. Nonzero cancels: the call returns E_CANCELLED. It runs
- * on the caller's thread and must not throw or long-jump through the library. */
+ * on the caller's thread and must not throw or long-jump through the library. In the stage SPECTRUM
+ * it must not fit, decompose or estimate a dimension, which returns E_ARGUMENT, nor wait for a
+ * thread that does, which never ends: ARPACK works on one problem at a time. */
 typedef int32_t (*stltsa_progress_fn)(void *user, int32_t stage, double fraction);
 
 STLTSA_API stltsa_status stltsa_options_set_progress(stltsa_options *options,
@@ -582,7 +584,7 @@ enum {
     STLTSA_MODEL_RESIDUAL = 16,   /* real  max ||B u - lambda u|| / k over the coordinates */
     STLTSA_MODEL_ERROR_ESTIMATE = 17, /* real largest principal angle to the exact embedding of
                                                these neighborhoods and their directions, its order
-                                               of magnitude, radians */
+                                               of magnitude, radians; pi/2: unknown */
     STLTSA_MODEL_GAP = 18,        /* real  smallest lambda_{d+2} / lambda_{d+1} of a component;
                                            near 1: the d-dimensional curve is ill-defined */
     STLTSA_MODEL_TIME_CORRELATION = 19, /* real |rank correlation| of coordinate 1 with time, over

@@ -2,15 +2,14 @@
 #include "linalg/arpack.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <chrono>
 #include <mutex>
 #include <utility>
+#include <vector>
 
 #include <arpack.h>
-#include <cblas.h>
 
 #include "linalg/eigen.hpp"
-#include "linalg/panel.hpp"
 #include "linalg/simd.hpp"
 
 static_assert(sizeof(a_int) == sizeof(std::int32_t), "ARPACK with 32-bit integers is needed");
@@ -18,9 +17,30 @@ static_assert(sizeof(a_int) == sizeof(std::int32_t), "ARPACK with 32-bit integer
 namespace stltsa {
 namespace {
 
+std::timed_mutex arpack_mutex;
+thread_local bool arpack_is_ours = false;
+
 /// ARPACK keeps state between its reverse-communication calls (Fortran SAVE), so one eigenproblem
-/// runs at a time.
-std::mutex arpack_mutex;
+/// runs at a time: a thread waits for its turn, and polls meanwhile. One that has it already would
+/// wait forever.
+class ArpackTurn {
+  public:
+    explicit ArpackTurn(const std::function<void()>& poll) {
+        if (arpack_is_ours)
+            fail(Status::argument,
+                 "a progress callback that is called in stage spectrum must not fit or decompose: "
+                 "do that before or after the call that reports, or in another stage");
+        while (!arpack_mutex.try_lock_for(std::chrono::milliseconds(50)))
+            poll();
+        arpack_is_ours = true;
+    }
+    ~ArpackTurn() {
+        arpack_is_ours = false;
+        arpack_mutex.unlock();
+    }
+    ArpackTurn(const ArpackTurn&) = delete;
+    ArpackTurn& operator=(const ArpackTurn&) = delete;
+};
 
 /// A run that needs more restarts than this is repeated with twice as many Lanczos vectors: where
 /// eigenvalues lie close, a few vectors may circle for ever. The last run has all the time.
@@ -39,33 +59,15 @@ std::int64_t least_vectors(std::int64_t count) {
     return 2 * count + 5;
 }
 
-/// The `count` largest pairs that an operator has in the span of a basis, from its inner products
-/// with that basis.
-Eigenpairs ritz_pairs(Matrix projected, Matrix basis, std::int64_t count) {
-    const std::int64_t order = projected.rows();
-    Eigenpairs pairs{std::move(basis), Matrix(order, count), {}, {}, 0};
-    pairs.errors.resize(static_cast<std::size_t>(count));
-    symmetric_eigen(projected, pairs.values); // ascending, one per row
-    std::reverse(pairs.values.begin(), pairs.values.end());
-    for (std::int64_t j = 0; j < count; ++j)
-        for (std::int64_t m = 0; m < order; ++m)
-            pairs.coefficients(m, j) = projected(order - 1 - j, m);
-    return pairs;
-}
-
 /// One run of dsaupd's reverse communication.
 class Lanczos {
   public:
-    Lanczos(std::int64_t order, std::int64_t count, std::int64_t vectors, a_int most_restarts,
-            const Machine& machine)
+    Lanczos(std::int64_t order, std::int64_t count, std::int64_t vectors, a_int most_restarts)
         : order_(static_cast<a_int>(order)), count_(static_cast<a_int>(count)),
           subspace_(static_cast<a_int>(vectors)),
           small_work_(checked_size(subspace_, subspace_ + 8)),
           basis_(Matrix::unset(subspace_, order_)), work_(Matrix::unset(3, order_)),
           residual_(Matrix::unset(1, order_)) {
-        // ARPACK, which has one thread, would be the first to touch this memory.
-        for (Matrix* memory : {&basis_, &work_, &residual_})
-            clear({memory->data(), memory->cols(), memory->rows(), memory->rows()}, machine);
         parameters_[0] = 1; // exact shifts
         parameters_[2] = most_restarts;
         parameters_[3] = 1; // block size
@@ -98,25 +100,22 @@ class Lanczos {
     }
     std::int64_t converged() const { return parameters_[4]; }
 
-    /// The Ritz pairs of the basis as it is; once only. dseupd would write the vectors out, on one
-    /// thread and in several passes.
+    /// The pairs that were found; once only.
     Eigenpairs extract() {
-        // Documented: the off-diagonal of the projected matrix from its second entry on, then the
-        // diagonal.
-        const double* off_diagonal = small_work_.data() + pointers_[4] - 1;
-        const double* diagonal = off_diagonal + subspace_;
-        Matrix projected(subspace_, subspace_);
-        for (a_int i = 0; i < subspace_; ++i) {
-            projected(i, i) = diagonal[i];
-            if (i > 0)
-                projected(i, i - 1) = projected(i - 1, i) = off_diagonal[i];
-        }
-        Eigenpairs pairs = ritz_pairs(std::move(projected), std::move(basis_), count_);
-        // What an application leaves outside of the basis belongs to its last vector.
-        const double left = cblas_dnrm2(order_, residual_.data(), 1);
-        for (std::int64_t j = 0; j < count_; ++j)
-            pairs.errors[static_cast<std::size_t>(j)] =
-                left * std::abs(pairs.coefficients(subspace_ - 1, j));
+        Eigenpairs pairs{Matrix::unset(count_, order_), {}, 0};
+        pairs.values.resize(static_cast<std::size_t>(count_));
+        std::vector<a_int> select(static_cast<std::size_t>(subspace_));
+        a_int info = 0;
+        // The vectors take the place of the basis.
+        dseupd_c(1, "A", select.data(), pairs.values.data(), basis_.data(), order_, 0, "I", order_,
+                 "LA", count_, tolerance, residual_.data(), subspace_, basis_.data(), order_,
+                 parameters_, pointers_, work_.data(), small_work_.data(), small_work_size(),
+                 &info);
+        if (info != 0)
+            fail(Status::internal, "ARPACK dseupd failed (info {})", info);
+        std::ranges::reverse(pairs.values); // dseupd has them ascending
+        for (a_int j = 0; j < count_; ++j)
+            std::copy_n(basis_.row(count_ - 1 - j), order_, pairs.vectors.row(j));
         return pairs;
     }
 
@@ -144,23 +143,23 @@ Eigenpairs dense_eigenpairs(const Operator& apply, std::int64_t order, std::int6
     for (std::int64_t i = 0; i < order; ++i)
         for (std::int64_t j = 0; j < i; ++j)
             matrix(i, j) = matrix(j, i) = 0.5 * (matrix(i, j) + matrix(j, i));
-    Matrix basis(order, order);
-    for (std::int64_t i = 0; i < order; ++i)
-        basis(i, i) = 1;
-    Eigenpairs pairs = ritz_pairs(std::move(matrix), std::move(basis), count);
-    pairs.applications = order;
+    Eigenpairs pairs{Matrix(count, order), {}, order};
+    symmetric_eigen(matrix, pairs.values); // ascending, one per row
+    std::ranges::reverse(pairs.values);
+    pairs.values.resize(static_cast<std::size_t>(count));
+    for (std::int64_t j = 0; j < count; ++j)
+        std::copy_n(matrix.row(order - 1 - j), order, pairs.vectors.row(j));
     return pairs;
 }
 
 Eigenpairs krylov_eigenpairs(const Operator& apply, std::int64_t order, const Start& start,
-                             std::int64_t count, const Machine& machine,
-                             const std::function<void()>& poll) {
-    const std::lock_guard lock(arpack_mutex);
+                             std::int64_t count, const std::function<void()>& poll) {
+    const ArpackTurn turn(poll);
     std::int64_t applications = 0;
     for (std::int64_t vectors = least_vectors(count);; vectors *= 2) {
         const bool last = vectors >= std::min(most_vectors, order);
-        Lanczos lanczos(order, count, std::min(vectors, order), last ? many_restarts : few_restarts,
-                        machine);
+        Lanczos lanczos(order, count, std::min(vectors, order),
+                        last ? many_restarts : few_restarts);
         if (lanczos.iterate(apply, start, poll, applications)) {
             Eigenpairs pairs = lanczos.extract();
             pairs.applications = applications;
@@ -179,76 +178,46 @@ Eigenpairs krylov_eigenpairs(const Operator& apply, std::int64_t order, const St
 /// for on its own.
 constexpr double least_share = 1e-4;
 
-/// The pairs that are known well.
+/// How many of these pairs are known well.
 std::int64_t known_pairs(const Eigenpairs& pairs) {
-    std::int64_t known = 1;
-    while (known < pairs.coefficients.cols() &&
-           pairs.values[static_cast<std::size_t>(known)] >= least_share * pairs.values[0])
-        ++known;
-    return known;
+    const auto known = std::ranges::find_if(
+        pairs.values, [&](double value) { return value < least_share * pairs.values[0]; });
+    return std::max<std::int64_t>(1, known - pairs.values.begin());
 }
 
-/// The vectors of the first pairs, one per row.
-Matrix vectors_of(const Eigenpairs& pairs, std::int64_t count) {
-    Matrix vectors(count, pairs.basis.cols());
-    for (std::int64_t j = 0; j < count; ++j)
-        for (std::int64_t m = 0; m < pairs.basis.rows(); ++m)
-            axpy(pairs.coefficients(m, j), pairs.basis.row(m), vectors.row(j), vectors.cols());
-    return vectors;
-}
-
-/// Takes what it has of these orthonormal rows off x.
-void take_off(const Matrix& rows, std::span<double> x) {
-    for (std::int64_t j = 0; j < rows.rows(); ++j)
-        axpy(-dot(rows.row(j), x.data(), rows.cols()), rows.row(j), x.data(), rows.cols());
-}
-
-/// The first `known` of these pairs, and after them those that were found beside them.
-Eigenpairs joined(const Eigenpairs& pairs, std::int64_t known, Matrix vectors,
-                  const Eigenpairs& others) {
-    const std::int64_t more = others.coefficients.cols();
-    Eigenpairs all{Matrix::unset(known + others.basis.rows(), vectors.cols()),
-                   Matrix(known + others.basis.rows(), known + more), pairs.values, pairs.errors,
-                   pairs.applications + others.applications};
-    std::copy_n(vectors.data(), known * vectors.cols(), all.basis.data());
-    std::copy_n(others.basis.data(), others.basis.rows() * vectors.cols(), all.basis.row(known));
-    for (std::int64_t j = 0; j < known; ++j)
-        all.coefficients(j, j) = 1;
-    for (std::int64_t m = 0; m < others.basis.rows(); ++m)
-        std::copy_n(others.coefficients.row(m), more, all.coefficients.row(known + m) + known);
-    all.values.resize(static_cast<std::size_t>(known));
-    all.errors.resize(static_cast<std::size_t>(known));
-    all.values.insert(all.values.end(), others.values.begin(), others.values.end());
-    all.errors.insert(all.errors.end(), others.errors.begin(), others.errors.end());
-    return all;
+/// Subtracts the components along these orthonormal rows from x.
+void project_out(ConstMatrixView rows, std::span<double> x) {
+    for (std::int64_t j = 0; j < rows.rows; ++j)
+        axpy(-dot(rows.row(j), x.data(), rows.cols), rows.row(j), x.data(), rows.cols);
 }
 
 } // namespace
 
 Eigenpairs largest_eigenpairs(const Operator& apply, std::int64_t order, const Start& start,
-                              std::int64_t count, const Machine& machine,
-                              const std::function<void()>& poll) {
+                              std::int64_t count, const std::function<void()>& poll) {
     Eigenpairs pairs = order <= std::max(dense_order, 2 * count + 8)
                            ? dense_eigenpairs(apply, order, count)
-                           : krylov_eigenpairs(apply, order, start, count, machine, poll);
+                           : krylov_eigenpairs(apply, order, start, count, poll);
     const std::int64_t known = known_pairs(pairs);
     if (known == count)
         return pairs;
-    Matrix vectors = vectors_of(pairs, known);
+    const ConstMatrixView found = std::as_const(pairs.vectors).view().block(0, known);
     AlignedVector<double> rest(static_cast<std::size_t>(order));
     const Operator beside = [&](std::span<const double> x, std::span<double> y) {
         std::ranges::copy(x, rest.begin());
-        take_off(vectors, rest);
+        project_out(found, rest);
         apply(rest, y);
-        take_off(vectors, y);
+        project_out(found, y);
     };
     const Start start_beside = [&](std::span<double> x) {
         start(x);
-        take_off(vectors, x);
+        project_out(found, x);
     };
-    const Eigenpairs others =
-        largest_eigenpairs(beside, order, start_beside, count - known, machine, poll);
-    return joined(pairs, known, std::move(vectors), others);
+    const Eigenpairs others = largest_eigenpairs(beside, order, start_beside, count - known, poll);
+    std::ranges::copy(others.values, pairs.values.begin() + known);
+    std::copy_n(others.vectors.data(), others.vectors.rows() * order, pairs.vectors.row(known));
+    pairs.applications += others.applications;
+    return pairs;
 }
 
 } // namespace stltsa

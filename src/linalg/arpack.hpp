@@ -7,18 +7,13 @@
 #include <span>
 #include <vector>
 
-#include "linalg/machine.hpp"
 #include "linalg/matrix.hpp"
 
 namespace stltsa {
 
-/// Vector j is the sum of coefficients(m, j) times row m of the basis: it takes a pass over memory
-/// to write it out, which is the caller's to share among threads.
 struct Eigenpairs {
-    Matrix basis;               ///< orthonormal rows
-    Matrix coefficients;        ///< a column for each pair that was asked for
-    std::vector<double> values; ///< descending; those beyond the pairs are rough, from below
-    std::vector<double> errors; ///< the residual of each pair, but for rounding
+    Matrix vectors;             ///< orthonormal rows
+    std::vector<double> values; ///< descending
     std::int64_t applications = 0;
 };
 
@@ -32,10 +27,10 @@ using Start = std::function<void(std::span<double> x)>;
 /// 1e-7 of their eigenvalue, also where this is many powers of ten below the largest (but not below
 /// 1e-10, where ARPACK's tolerance ends). `start` writes ARPACK's start vector, which decides, with
 /// the operator, every bit of the result; it must not be an eigenvector. `poll` is called between
-/// applications and may throw. Small orders are solved densely, by LAPACK. Needs count < order.
-/// Throws Status::not_converged.
+/// applications, and while another thread has ARPACK, and may throw. Small orders are solved
+/// densely, by LAPACK. Needs count < order. Throws Status::not_converged, and Status::argument if
+/// called from `apply` or `poll` of a call that is under way.
 Eigenpairs largest_eigenpairs(const Operator& apply, std::int64_t order, const Start& start,
-                              std::int64_t count, const Machine& machine,
-                              const std::function<void()>& poll);
+                              std::int64_t count, const std::function<void()>& poll);
 
 } // namespace stltsa

@@ -14,33 +14,20 @@ namespace stltsa {
 
 /// What the loops over packs are compiled for: the least that the build asks for (SSE2 on x86-64,
 /// NEON on arm64), and what only some machines have.
-enum class Simd : std::int32_t { baseline, avx2, avx512 };
-
-/// Whether this machine can run it.
-inline bool simd_available(Simd simd) {
-#ifdef __x86_64__
-    switch (simd) {
-    case Simd::baseline:
-        return true;
-    case Simd::avx2:
-        return __builtin_cpu_supports("avx2") != 0;
-    case Simd::avx512:
-        return __builtin_cpu_supports("avx512f") != 0;
-    }
-#endif
-    return simd == Simd::baseline;
-}
+enum class Simd : std::int32_t { baseline, avx2 };
 
 /// The widest that this machine can run.
 inline Simd widest_simd() {
-    return simd_available(Simd::avx512) ? Simd::avx512
-           : simd_available(Simd::avx2) ? Simd::avx2
-                                        : Simd::baseline;
+#ifdef __x86_64__
+    if (__builtin_cpu_supports("avx2") != 0)
+        return Simd::avx2;
+#endif
+    return Simd::baseline;
 }
 
 /// Doubles in a pack.
 constexpr int simd_width(Simd simd) {
-    return simd == Simd::avx512 ? 8 : simd == Simd::avx2 ? 4 : 2;
+    return simd == Simd::avx2 ? 4 : 2;
 }
 
 namespace detail {
@@ -58,10 +45,6 @@ void run_baseline(const Kernel& kernel) {
 template <class Kernel>
 [[gnu::target("avx2")]] void run_avx2(const Kernel& kernel) {
     kernel.template run<4>();
-}
-template <class Kernel>
-[[gnu::target("avx512f")]] void run_avx512(const Kernel& kernel) {
-    kernel.template run<8>();
 }
 #endif
 
@@ -88,8 +71,6 @@ STLTSA_INLINE void store(P pack, double* to) {
 template <class Kernel>
 void run_simd([[maybe_unused]] Simd simd, const Kernel& kernel) {
 #ifdef __x86_64__
-    if (simd == Simd::avx512)
-        return detail::run_avx512(kernel);
     if (simd == Simd::avx2)
         return detail::run_avx2(kernel);
 #endif

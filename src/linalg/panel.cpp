@@ -40,23 +40,6 @@ struct ColumnProduct {
     }
 };
 
-/// panel := rows^T * factor, from row `first` of the panel on
-struct RowCombination {
-    ConstMatrixView rows, factor;
-    std::int64_t first;
-    MatrixView panel;
-
-    template <class P>
-    STLTSA_INLINE void columns(std::int64_t c) const {
-        for (std::int64_t m = 0; m < rows.rows; ++m) {
-            const double* entries = rows.row(m) + first;
-            const P share = pack_at<P>(factor.row(m) + c);
-            for (std::int64_t i = 0; i < panel.rows; ++i)
-                pack_at<P>(panel.row(i) + c) += entries[i] * share;
-        }
-    }
-};
-
 /// out := right - left * factor
 struct Rest {
     ConstMatrixView left, factor, right;
@@ -97,6 +80,24 @@ struct Subtraction {
         const P value = pack_at<P>(what + c);
         for (std::int64_t row = 0; row < rows.rows; ++row)
             pack_at<P>(rows.row(row) + c) -= value;
+    }
+};
+
+/// sums(r) := start + sign * the sum of rows(0) - shift, .. rows(r) - shift
+struct RunningSums {
+    ConstMatrixView rows;
+    double sign;
+    const double *shift, *start;
+    MatrixView sums;
+
+    template <class P>
+    STLTSA_INLINE void columns(std::int64_t c) const {
+        P sum{};
+        const P less = pack_at<P>(shift + c), before = pack_at<P>(start + c);
+        for (std::int64_t row = 0; row < rows.rows; ++row) {
+            sum += sign * (pack_at<P>(rows.row(row) + c) - less);
+            pack_at<P>(sums.row(row) + c) = before + sum;
+        }
     }
 };
 
@@ -159,23 +160,28 @@ RestProducts rest_products(ConstMatrixView left, const Matrix& factor, ConstMatr
     return products;
 }
 
-void combine_rows(ConstMatrixView rows, const Matrix& factor, MatrixView panel,
-                  const Machine& machine) {
-    Matrix padded(factor.rows(), panel.cols);
-    for (std::int64_t m = 0; m < factor.rows(); ++m)
-        std::copy_n(factor.row(m), factor.cols(), padded.row(m));
-    clear(panel, machine);
-    for_row_blocks(panel.rows, machine, [&](std::int64_t, std::int64_t first, std::int64_t count) {
-        run_columns(panel.cols, machine.simd,
-                    RowCombination{rows, padded.view(), first, panel.block(first, count)});
+Matrix rows_of(ConstMatrixView panel, std::int64_t count, const Machine& machine) {
+    Matrix rows = Matrix::unset(count, panel.rows);
+    for_row_blocks(panel.rows, machine, [&](std::int64_t, std::int64_t first, std::int64_t block) {
+        for (std::int64_t j = 0; j < count; ++j)
+            for (std::int64_t i = first; i < first + block; ++i)
+                rows(j, i) = panel(i, j);
+    });
+    return rows;
+}
+
+void set_columns(const Matrix& rows, MatrixView panel, const Machine& machine) {
+    for_row_blocks(panel.rows, machine, [&](std::int64_t, std::int64_t first, std::int64_t block) {
+        for (std::int64_t i = first; i < first + block; ++i)
+            for (std::int64_t j = 0; j < panel.cols; ++j)
+                panel(i, j) = j < rows.rows() ? rows(j, i) : 0;
     });
 }
 
 void multiply_columns(MatrixView panel, const Matrix& factor, const Machine& machine) {
-    const Simd simd = panel_simd(panel.cols, machine.simd);
     for_row_blocks(panel.rows, machine, [&](std::int64_t, std::int64_t first, std::int64_t rows) {
         AlignedVector<double> row(static_cast<std::size_t>(panel.cols));
-        run_simd(simd, ColumnProduct{panel.block(first, rows), factor.view(), row.data()});
+        run_simd(machine.simd, ColumnProduct{panel.block(first, rows), factor.view(), row.data()});
     });
 }
 
@@ -207,6 +213,27 @@ void subtract_row(MatrixView panel, const Matrix& row, const Machine& machine) {
 
 void center(MatrixView panel, const Machine& machine) {
     subtract_row(panel, column_means(panel, machine), machine);
+}
+
+void running_sums(ConstMatrixView panel, double sign, const Matrix& shift, MatrixView sums,
+                  const Machine& machine) {
+    Matrix starts = block_sums(panel, machine); // made sums of the blocks before each
+    Matrix sum(1, panel.cols);
+    for (std::int64_t block = 0; block < starts.rows(); ++block) {
+        const std::int64_t rows = std::min(row_block, panel.rows - block * row_block);
+        for (std::int64_t c = 0; c < panel.cols; ++c) {
+            const double of_block =
+                sign * (starts(block, c) - static_cast<double>(rows) * shift(0, c));
+            starts(block, c) = sum(0, c);
+            sum(0, c) += of_block;
+        }
+    }
+    for_row_blocks(panel.rows, machine,
+                   [&](std::int64_t block, std::int64_t first, std::int64_t rows) {
+                       run_columns(panel.cols, machine.simd,
+                                   RunningSums{panel.block(first, rows), sign, shift.data(),
+                                               starts.row(block), sums.block(first, rows)});
+                   });
 }
 
 } // namespace stltsa

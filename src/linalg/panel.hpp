@@ -11,21 +11,10 @@
 
 namespace stltsa {
 
-/// Columns that a panel of `count` vectors has.
-constexpr std::int64_t panel_width(std::int64_t count, Simd simd) {
-    std::int64_t width = simd_width(simd);
-    while (width / 2 >= std::max<std::int64_t>(count, simd_width(Simd::baseline)))
-        width /= 2;
-    return (count + width - 1) / width * width;
-}
-
-/// What a panel of so many columns is worked on with: packs no wider than it.
-constexpr Simd panel_simd(std::int64_t cols, Simd simd) {
-    if (simd == Simd::avx512 && cols < simd_width(simd))
-        simd = Simd::avx2;
-    if (simd == Simd::avx2 && cols < simd_width(simd))
-        simd = Simd::baseline;
-    return simd;
+/// Columns that a panel of `count` vectors has: a whole number of the widest packs.
+constexpr std::int64_t panel_width(std::int64_t count) {
+    constexpr std::int64_t pack = simd_width(Simd::avx2);
+    return (count + pack - 1) / pack * pack;
 }
 
 namespace detail {
@@ -51,7 +40,7 @@ struct ColumnWise {
 /// column of a single vector; columns() is STLTSA_INLINE.
 template <class Kernel>
 void run_columns(std::int64_t cols, Simd simd, const Kernel& kernel) {
-    run_simd(panel_simd(cols, simd), detail::ColumnWise<Kernel>{kernel, cols});
+    run_simd(simd, detail::ColumnWise<Kernel>{kernel, cols});
 }
 
 /// The pack at an entry of a panel.
@@ -77,9 +66,11 @@ struct RestProducts {
 RestProducts rest_products(ConstMatrixView left, const Matrix& factor, ConstMatrixView right,
                            const Machine& machine);
 
-/// panel := rows^T * factor; columns beyond the factor's are zero.
-void combine_rows(ConstMatrixView rows, const Matrix& factor, MatrixView panel,
-                  const Machine& machine);
+/// The first columns, one per row.
+Matrix rows_of(ConstMatrixView panel, std::int64_t count, const Machine& machine);
+
+/// The other way round; columns beyond the rows are zero.
+void set_columns(const Matrix& rows, MatrixView panel, const Machine& machine);
 
 /// panel := panel * factor
 void multiply_columns(MatrixView panel, const Matrix& factor, const Machine& machine);
@@ -90,6 +81,10 @@ void subtract_scaled(ConstMatrixView source, const Matrix& factors, MatrixView t
 
 /// The mean of each column: one row.
 Matrix column_means(ConstMatrixView panel, const Machine& machine);
+
+/// sums(r) := sign * the sum of panel(0) - shift, .. panel(r) - shift
+void running_sums(ConstMatrixView panel, double sign, const Matrix& shift, MatrixView sums,
+                  const Machine& machine);
 
 /// Subtracts a row from each row.
 void subtract_row(MatrixView panel, const Matrix& row, const Machine& machine);

@@ -9,7 +9,6 @@
 #include <cstdint>
 #include <memory>
 
-#include "linalg/aggregation.hpp"
 #include "linalg/machine.hpp"
 #include "linalg/matrix.hpp"
 #include "ltsa/patches.hpp"
@@ -28,20 +27,11 @@ class Alignment {
     const Machine& machine() const { return machine_; }
 
     /// The right-hand side that values x at the frames, less their mean, become in the unknowns.
-    void restrict_to(ConstMatrixView x, MatrixView unknowns) const {
-        restrict_to({frames(), 1}, x, unknowns);
-    }
+    virtual void restrict_to(ConstMatrixView x, MatrixView unknowns) const = 0;
     /// Values at the frames, of zero mean, from unknowns.
-    void prolong(ConstMatrixView unknowns, MatrixView x) const {
-        prolong(unknowns, {frames(), 1}, x);
-    }
-    /// The same where the values at the frames are Q x.
-    virtual void restrict_to(const Aggregation& runs, ConstMatrixView x,
-                             MatrixView unknowns) const = 0;
-    /// Q^T of the values at the frames.
-    virtual void prolong(ConstMatrixView unknowns, const Aggregation& runs, MatrixView x) const = 0;
-    /// Solves with the factor, in place.
-    virtual void solve(MatrixView unknowns) const = 0;
+    virtual void prolong(ConstMatrixView unknowns, MatrixView x) const = 0;
+    /// Solves with the factor, in place, for the first `count` columns.
+    void solve(MatrixView unknowns, std::int64_t count) const;
 
     /// out := B' in, and x^T B x for the x of the first `count` of the unknowns `in`, a panel:
     /// count rows. Through the patches, never through the rounded matrix: what refinement rests on.
@@ -52,11 +42,14 @@ class Alignment {
     const Patches& patches() const { return *patches_; }
 
   protected:
+    /// The same for right-hand sides that are rows.
+    virtual void solve_rows(MatrixView rows) const = 0;
+
     const Patches* patches_;
     Machine machine_;
 };
 
-/// For temporal neighborhoods: unknowns z_c = x_{c+1} - x_c, banded, envelope Cholesky.
+/// For temporal neighborhoods: unknowns z_c = x_{c+1} - x_c, banded, LAPACK.
 std::unique_ptr<Alignment> difference_alignment(const Patches& patches, const Machine& machine);
 
 /// For neighborhoods that are not banded: the last frame grounded, CHOLMOD.

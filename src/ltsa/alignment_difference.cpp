@@ -6,8 +6,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "linalg/run_sums.hpp"
-#include "ltsa/difference_terms.hpp"
+#include "ltsa/difference_assembly.hpp"
 #include "ltsa/patch_passes.hpp"
 
 namespace stltsa::ltsa {
@@ -64,72 +63,36 @@ struct RunningSums {
     }
 };
 
-/// B' of a narrow band: a few entries to a column.
-class NarrowBand {
-  public:
-    NarrowBand(const Patches& patches, const Envelope& envelope, const Machine& machine)
-        : machine_(machine), matrix_(envelope, machine) {
-        assemble(patches, machine, matrix_);
-    }
-    std::int64_t order() const { return matrix_.order(); }
-    double& diagonal(std::int64_t c) { return matrix_.entry(c, c); }
-    bool factor(double smallest) { return cholesky(matrix_, smallest, machine_); }
-    void solve(MatrixView unknowns) const { cholesky_solve(matrix_, unknowns, machine_); }
-
-  private:
-    Machine machine_;
-    EnvelopeMatrix matrix_;
-};
-
-/// B' of a wide band, where BLAS is quicker.
-class WideBand {
-  public:
-    WideBand(const Patches& patches, const Envelope& envelope, const Machine& machine)
-        : matrix_(envelope) {
-        assemble(patches, machine, matrix_);
-    }
-    std::int64_t order() const { return matrix_.order(); }
-    double& diagonal(std::int64_t c) { return matrix_.diagonal(c); }
-    bool factor(double smallest) { return cholesky(matrix_, smallest); }
-    void solve(MatrixView unknowns) const { cholesky_solve(matrix_, unknowns); }
-
-  private:
-    BlockEnvelopeMatrix matrix_;
-};
-
-template <class Band>
-void shift_diagonal(Band& band, double share) {
+void shift_diagonal(BandMatrix& b, double share) {
     double largest = 0;
-    for (std::int64_t c = 0; c < band.order(); ++c)
-        largest = std::max(largest, band.diagonal(c));
-    for (std::int64_t c = 0; c < band.order(); ++c)
-        band.diagonal(c) += share * largest;
+    for (std::int64_t c = 0; c < b.order(); ++c)
+        largest = std::max(largest, *b.column(c));
+    for (std::int64_t c = 0; c < b.order(); ++c)
+        *b.column(c) += share * largest;
 }
 
-template <class Band>
 class DifferenceAlignment final : public PassingAlignment<RunningSums> {
   public:
-    DifferenceAlignment(const Patches& patches, const Envelope& envelope, const Machine& machine)
-        : PassingAlignment(patches, machine),
-          factor_(std::make_unique<Band>(patches, envelope, machine)) {
-        if (factor_->factor(smallest_pivot))
+    DifferenceAlignment(const Patches& patches, const Machine& machine)
+        : PassingAlignment(patches, machine), b_(patches.frames() - 1, reach_of(patches)) {
+        assemble(patches, machine.threads, b_);
+        if (b_.factor(smallest_pivot))
             return;
-        factor_.reset(); // before the next one takes as much memory
-        factor_ = std::make_unique<Band>(patches, envelope, machine);
-        shift_diagonal(*factor_, flat_shift);
-        if (!factor_->factor(0))
+        assemble(patches, machine.threads, b_);
+        shift_diagonal(b_, flat_shift);
+        if (!b_.factor(0))
             fail(Status::degenerate, "the frames do not vary in {} directions",
                  patches.dimension());
     }
 
-    void restrict_to(const Aggregation& runs, ConstMatrixView x,
-                     MatrixView unknowns) const override {
-        centered_suffix_sums(runs, x, unknowns, machine_);
+    void restrict_to(ConstMatrixView x, MatrixView unknowns) const override {
+        running_sums(x.block(0, unknowns.rows), -1, column_means(x, machine_), unknowns, machine_);
     }
-    void prolong(ConstMatrixView unknowns, const Aggregation& runs, MatrixView x) const override {
-        centered_prefix_sums(unknowns, runs, x, machine_);
+    void prolong(ConstMatrixView unknowns, MatrixView x) const override {
+        std::fill_n(x.row(0), x.cols, 0.0);
+        running_sums(unknowns, 1, Matrix(1, x.cols), x.block(1, unknowns.rows), machine_);
+        center(x, machine_);
     }
-    void solve(MatrixView unknowns) const override { factor_->solve(unknowns); }
     void at_frames(ConstMatrixView right, MatrixView x) const override {
         for (std::int64_t c = 0; c < x.cols; ++c) {
             x(0, c) = -right(0, c);
@@ -144,26 +107,15 @@ class DifferenceAlignment final : public PassingAlignment<RunningSums> {
     }
 
   private:
-    std::unique_ptr<Band> factor_;
+    void solve_rows(MatrixView rows) const override { b_.solve(rows, machine_); }
+
+    BandMatrix b_;
 };
-
-/// Entries of a column, in the mean, from which on a band is wide.
-constexpr std::int64_t wide = 64;
-
-std::int64_t entries_of(const Envelope& envelope) {
-    std::int64_t entries = 0;
-    for (std::size_t c = 0; c < envelope.size(); ++c)
-        entries += envelope[c] - static_cast<std::int64_t>(c) + 1;
-    return entries;
-}
 
 } // namespace
 
 std::unique_ptr<Alignment> difference_alignment(const Patches& patches, const Machine& machine) {
-    const Envelope envelope = envelope_of(patches, machine);
-    if (entries_of(envelope) < wide * static_cast<std::int64_t>(envelope.size()))
-        return std::make_unique<DifferenceAlignment<NarrowBand>>(patches, envelope, machine);
-    return std::make_unique<DifferenceAlignment<WideBand>>(patches, envelope, machine);
+    return std::make_unique<DifferenceAlignment>(patches, machine);
 }
 
 } // namespace stltsa::ltsa

@@ -137,9 +137,7 @@ class GroundedAlignment final : public PassingAlignment<GroundedValues> {
     GroundedAlignment(const Patches& patches, const Machine& machine)
         : PassingAlignment(patches, machine), factor_(assemble(patches)) {}
 
-    void restrict_to(const Aggregation& runs, ConstMatrixView x,
-                     MatrixView unknowns) const override {
-        check_single(runs);
+    void restrict_to(ConstMatrixView x, MatrixView unknowns) const override {
         std::copy_n(x.data, unknowns.rows * unknowns.cols, unknowns.data);
         subtract_row(unknowns, column_means(x, machine_), machine_);
     }
@@ -151,29 +149,14 @@ class GroundedAlignment final : public PassingAlignment<GroundedValues> {
             for (std::int64_t c = 0; c < x.cols; ++c)
                 ground[c] -= right(i, c);
     }
-    void prolong(ConstMatrixView unknowns, const Aggregation& runs, MatrixView x) const override {
-        check_single(runs);
+    void prolong(ConstMatrixView unknowns, MatrixView x) const override {
         std::copy_n(unknowns.data, unknowns.rows * unknowns.cols, x.data);
         std::fill_n(x.row(x.rows - 1), x.cols, 0.0);
         center(x, machine_);
     }
-    void solve(MatrixView unknowns) const override {
-        Matrix columns(unknowns.cols, unknowns.rows); // one per row
-        for (std::int64_t r = 0; r < unknowns.rows; ++r)
-            for (std::int64_t c = 0; c < unknowns.cols; ++c)
-                columns(c, r) = unknowns(r, c);
-        factor_.solve(columns.view());
-        for (std::int64_t r = 0; r < unknowns.rows; ++r)
-            for (std::int64_t c = 0; c < unknowns.cols; ++c)
-                unknowns(r, c) = columns(c, r);
-    }
 
   private:
-    /// Frames that are adjacent in memory are not near each other here.
-    static void check_single(const Aggregation& runs) {
-        if (runs.runs() != runs.rows())
-            fail(Status::internal, "runs of frames where frames are in no order");
-    }
+    void solve_rows(MatrixView rows) const override { factor_.solve(rows); }
 
     SparseCholesky factor_;
 };

@@ -14,11 +14,9 @@
 namespace stltsa::ltsa {
 
 /// Rows and columns of a product that are computed together: eight sums fit into the registers of
-/// every machine, sixteen where there are 32 registers of 512 bits.
+/// every machine.
 inline constexpr std::int64_t product_rows = 4;
 inline constexpr std::int64_t product_columns = 2;
-template <class P>
-inline constexpr std::int64_t wide_product_columns = sizeof(P) == 64 ? 4 : product_columns;
 
 /// Iterations before a lane is given up.
 inline constexpr std::int64_t most_iterations = 60;
@@ -94,28 +92,24 @@ struct BlockIteration {
     /// underflow.
     template <class P>
     STLTSA_INLINE void multiply(P scale) const {
-        for (std::int64_t a = 0; a < rows; a += product_rows) {
-            std::int64_t l = 0;
-            for (; l + wide_product_columns<P> <= columns; l += wide_product_columns<P>)
-                multiply_tile<P, wide_product_columns<P>>(scale, a, l);
-            for (; l < columns; l += product_columns)
-                multiply_tile<P, product_columns>(scale, a, l);
-        }
+        for (std::int64_t a = 0; a < rows; a += product_rows)
+            for (std::int64_t l = 0; l < columns; l += product_columns)
+                multiply_tile(scale, a, l);
     }
 
-    template <class P, std::int64_t width>
+    template <class P>
     STLTSA_INLINE void multiply_tile(P scale, std::int64_t a, std::int64_t l) const {
         const P* matrix = reinterpret_cast<const P*>(matrix_data) + a * rows;
         const P* block = reinterpret_cast<const P*>(block_data) + l * rows;
         P* product = reinterpret_cast<P*>(product_data) + l * rows + a;
-        P sum[width][product_rows] = {};
+        P sum[product_columns][product_rows] = {};
         for (std::int64_t b = 0; b < size; ++b)
             for (std::int64_t i = 0; i < product_rows; ++i) {
                 const P entry = matrix[i * rows + b];
-                for (std::int64_t j = 0; j < width; ++j)
+                for (std::int64_t j = 0; j < product_columns; ++j)
                     sum[j][i] += entry * block[j * rows + b];
             }
-        for (std::int64_t j = 0; j < width; ++j)
+        for (std::int64_t j = 0; j < product_columns; ++j)
             for (std::int64_t i = 0; i < product_rows; ++i)
                 product[j * rows + i] = sum[j][i] * scale;
     }

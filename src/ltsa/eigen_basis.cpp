@@ -108,7 +108,7 @@ void rayleigh_ritz(const Alignment& alignment, EigenBasis& basis) {
 
 void correct(const Alignment& alignment, EigenBasis& basis) {
     make_residual(alignment, basis);
-    alignment.solve(basis.product.view());
+    alignment.solve(basis.product.view(), basis.count);
     subtract_scaled(basis.product.view(),
                     padded(std::vector<double>(basis.values.size(), 1.0), basis.product.cols()),
                     basis.unknowns.view(), alignment.machine());

@@ -15,10 +15,9 @@ namespace stltsa::ltsa {
 /// computed with them, made once: fresh memory costs as much as the work on it.
 struct EigenBasis {
     EigenBasis(const Alignment& alignment, std::int64_t vectors)
-        : count(vectors), unknowns(panel(alignment.unknowns(), alignment)),
-          x(panel(alignment.frames(), alignment)), before(panel(alignment.frames(), alignment)),
-          product(panel(alignment.unknowns(), alignment)),
-          right(panel(alignment.unknowns(), alignment)) {}
+        : count(vectors), unknowns(panel(alignment.unknowns())), x(panel(alignment.frames())),
+          before(panel(alignment.frames())), product(panel(alignment.unknowns())),
+          right(panel(alignment.unknowns())) {}
 
     std::int64_t count;
     Matrix unknowns, x;
@@ -28,9 +27,7 @@ struct EigenBasis {
     std::vector<double> values; ///< ascending, once the vectors are the best in their span
 
   private:
-    Matrix panel(std::int64_t rows, const Alignment& alignment) const {
-        return Matrix::unset(rows, panel_width(count, alignment.machine().simd));
-    }
+    Matrix panel(std::int64_t rows) const { return Matrix::unset(rows, panel_width(count)); }
 };
 
 /// The factor that makes the columns of basis.x orthonormal. It would lose as many digits as they

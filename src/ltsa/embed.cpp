@@ -48,7 +48,13 @@ void set_coords(const Matrix& vectors, std::span<const std::int32_t> members,
 /// What the tangents may be off by, which no correction sees, and what the eigenvectors may be: in
 /// differences the first correction undoes what rounding did to B' and its factor. Grounded, the
 /// factor is so much less exact that its own correction would say nothing.
-double error_estimate(const Spectrum& spectrum, bool banded, double rounding_of_tangents) {
+double error_estimate(const Spectrum& spectrum, std::size_t dimension, bool banded,
+                      double rounding_of_tangents) {
+    // Tangents off by this angle make eigenvalues of its square: if the first unwanted one is no
+    // larger, nothing tells the wanted eigenvectors from others.
+    if (spectrum.values.size() > dimension &&
+        spectrum.values[dimension] < rounding_of_tangents * rounding_of_tangents)
+        return unknown_error;
     return std::max(banded ? spectrum.first_change : spectrum.last_change,
                     std::numeric_limits<double>::epsilon()) +
            rounding_of_tangents;
@@ -71,14 +77,6 @@ Component summarize(const Patches& patches, const Spectrum& spectrum, int dimens
     component.rank_deficient_windows = patches.rank_deficient();
     component.solves = spectrum.solves;
     return component;
-}
-
-/// ARPACK's own work is done by one thread: of many frames it gets shorter vectors, in which two
-/// numbers stand for a run. Runs of three or four frames would save less than they cost.
-std::int64_t run_length(std::int64_t frames) {
-    constexpr std::int64_t many = 1 << 18;
-    constexpr std::int64_t longest = 1 << 17;
-    return frames <= many ? 1 : (2 * frames + longest - 1) / longest;
 }
 
 /// Fills the rows of `coords` (distinct frames x dimension) that belong to a component.
@@ -105,11 +103,12 @@ Component embed_component(const Graph& graph, std::int64_t index, int dimension,
     progress.report(Stage::alignment, 1.0);
     const Spectrum spectrum = smallest_eigenpairs(
         *alignment, std::min<std::int64_t>(eigenvalues - 1, patches.frames() - 1), dimension,
-        banded ? run_length(patches.frames()) : 1, progress);
+        progress);
     set_coords(spectrum.vectors, members, machine, coords);
     Component component = summarize(patches, spectrum, dimension, eigenvalues);
-    component.error_estimate = error_estimate(
-        spectrum, banded, graph.tangents.rounding[static_cast<std::size_t>(dimension - 1)]);
+    component.error_estimate =
+        error_estimate(spectrum, static_cast<std::size_t>(dimension), banded,
+                       graph.tangents.rounding[static_cast<std::size_t>(dimension - 1)]);
     return component;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,9 @@
 #include "ltsa/parameters.hpp"
 
 namespace stltsa::ltsa {
+
+/// The error estimate of an embedding about whose error nothing is known: a right angle.
+inline constexpr double unknown_error = 0.5 * std::numbers::pi;
 
 /// One connected part of the neighborhood graph; each is embedded on its own.
 struct Component {

@@ -5,6 +5,16 @@
 
 namespace stltsa::ltsa {
 
+void Alignment::solve(MatrixView unknowns, std::int64_t count) const {
+    if (unknowns.cols == 1) {
+        solve_rows({unknowns.data, 1, unknowns.rows, unknowns.rows});
+        return;
+    }
+    Matrix rows = rows_of(unknowns, count, machine_);
+    solve_rows(rows.view());
+    set_columns(rows, unknowns, machine_);
+}
+
 namespace {
 
 /// A whole number of hulls.

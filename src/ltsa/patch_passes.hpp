@@ -143,7 +143,7 @@ class PassingAlignment : public Alignment {
             parallel_blocks((blocks_.count() + 1 - parity) / 2, threads(), [&](std::int64_t half) {
                 const std::int64_t b = 2 * half + parity;
                 AlignedVector<double> workspace(checked_size(patches_->size(), 2 * in.cols));
-                run_simd(panel_simd(in.cols, machine_.simd),
+                run_simd(machine_.simd,
                          ProductPass<Access>{*patches_, blocks_.begin(b), blocks_.end(b), in, out,
                                              forms.view().block(b * count, count),
                                              workspace.data()});

@@ -20,12 +20,9 @@ struct Spectrum {
     std::int64_t solves = 0;
 };
 
-/// The `count` smallest eigenpairs beside the constant one (count < frames / run_length), the first
-/// `dimension` of them corrected and certified. ARPACK looks among vectors that are straight over
-/// runs of `run_length` frames; where frames are in order of time the wanted ones nearly
-/// are, and after a solve what is missed of them is of the order of the square of what is not.
-/// Where noise, or a correction, says that there is more, ARPACK begins again without runs.
+/// The `count` smallest eigenpairs beside the constant one (count < frames), the first `dimension`
+/// of them corrected and certified.
 Spectrum smallest_eigenpairs(const Alignment& alignment, std::int64_t count, std::int64_t dimension,
-                             std::int64_t run_length, const Progress& progress);
+                             const Progress& progress);
 
 } // namespace stltsa::ltsa

@@ -82,7 +82,11 @@ Warnings warnings_of(const Graph& graph, const Model& model) {
                  "it by "
                  "{:.1g} radians: if features have different units, scale them to similar ranges",
                  last + 1, graph.tangents.rounding[last]));
-    if (error > large_error)
+    if (error >= unknown_error)
+        warn(WarningCode::inaccurate,
+             "the error of the embedding is unknown: its eigenvalues are rounding noise; if "
+             "features differ much in size, scale them");
+    else if (error > large_error)
         warn(WarningCode::inaccurate,
              format_text("the embedding may be off by {:.1g} radians: the eigenvalues "
                          "are at the limit of double precision",

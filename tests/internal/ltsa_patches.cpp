@@ -4,7 +4,6 @@
 #include <set>
 
 #include "ltsa/column_blocks.hpp"
-#include "ltsa/difference_terms.hpp"
 #include "ltsa/patch_passes.hpp"
 #include "ltsa_testing.hpp"
 
@@ -88,21 +87,6 @@ void every_column_has_the_patches_that_touch_it(void**) {
     }
 }
 
-/// The definition: the last difference of the patches that have this one or an earlier one.
-void envelopes_reach_as_far_as_patches(void**) {
-    const Fixture fixture(scattered(10000));
-    const Patches patches = fixture.patches();
-    std::vector<std::int64_t> expected(static_cast<std::size_t>(patches.frames() - 1));
-    for (std::int64_t p = 0; p < patches.count(); ++p) {
-        auto& last = expected[static_cast<std::size_t>(patches.of(p).front())];
-        last = std::max<std::int64_t>(last, patches.of(p).back() - 1);
-    }
-    std::int64_t last = 0;
-    for (std::size_t c = 0; c < expected.size(); ++c)
-        expected[c] = last = std::max({last, expected[c], static_cast<std::int64_t>(c)});
-    assert_true(envelope_of(patches, fixture.machine) == expected);
-}
-
 /// Frames of the blocks of each parity, whether any is in two of them.
 bool blocks_are_apart(const Patches& patches, const PatchBlocks& blocks) {
     std::vector<std::int64_t> block_of[2];
@@ -154,7 +138,6 @@ int main() {
         cmocka_unit_test(hulls_are_those_of_their_patches),
         cmocka_unit_test(patches_of_fewer_directions_are_counted),
         cmocka_unit_test(every_column_has_the_patches_that_touch_it),
-        cmocka_unit_test(envelopes_reach_as_far_as_patches),
         cmocka_unit_test(blocks_of_one_parity_share_no_frame),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);

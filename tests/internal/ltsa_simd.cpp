@@ -139,7 +139,7 @@ std::vector<const char*> other_machines() {
 #ifdef __aarch64__
     return {"CORTEXA53", "NEOVERSEN1"};
 #else
-    return {"Nehalem", simd_available(Simd::avx2) ? "Haswell" : "Nehalem"};
+    return {"Nehalem", stltsa::widest_simd() == Simd::avx2 ? "Haswell" : "Nehalem"};
 #endif
 }
 

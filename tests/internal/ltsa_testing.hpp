@@ -48,12 +48,10 @@ inline Matrix lattice(std::int64_t rows, std::int64_t cols, std::uint64_t seed) 
 inline const std::vector<Simd>& machine_codes() {
     static const std::vector<Simd> codes = [] {
         std::vector<Simd> available = {Simd::baseline};
-        for (const Simd simd : {Simd::avx2, Simd::avx512})
-            if (simd_available(simd))
-                available.push_back(simd);
-            else
-                print_message("SKIPPED: %s is not on this machine\n",
-                              simd == Simd::avx2 ? "AVX2" : "AVX-512");
+        if (stltsa::widest_simd() == Simd::avx2)
+            available.push_back(Simd::avx2);
+        else
+            print_message("SKIPPED: AVX2 is not on this machine\n");
         return available;
     }();
     return codes;

@@ -310,6 +310,44 @@ static void more_dimensions_than_features_are_refused(void** state) {
     free(x);
 }
 
+struct nested {
+    stltsa_in in;
+    const stltsa_options* options; /* of the fit within */
+    stltsa_status status;
+    int is_tried;
+    char text[256];
+};
+
+static int32_t fit_within_spectrum(void* user, int32_t stage, double fraction) {
+    struct nested* n = user;
+    stltsa_model* model = NULL;
+    (void)fraction;
+    if (stage != STLTSA_STAGE_SPECTRUM || n->is_tried)
+        return 0;
+    n->is_tried = 1;
+    n->status = stltsa_fit(&n->in, NULL, 1, n->options, &model);
+    snprintf(n->text, sizeof n->text, "%s", stltsa_last_error());
+    stltsa_model_free(model);
+    return 0;
+}
+
+/* ARPACK runs one problem at a time: a fit that would wait for the one that it is called from is
+ * refused; both work afterwards. */
+static void a_fit_within_a_spectrum_is_refused(void** state) {
+    const struct fixture* f = *state;
+    struct nested n = {.in = packed_in(f->x, rows, cols), .options = f->options};
+    stltsa_options* options = new_options(12, 12, 2);
+    must(stltsa_options_set_progress(options, fit_within_spectrum, &n));
+    stltsa_model* model = NULL;
+    must(stltsa_fit(&n.in, NULL, 1, options, &model));
+    stltsa_model_free(model);
+    assert_int_equal(n.status, STLTSA_E_ARGUMENT);
+    assert_non_null(strstr(n.text, "progress callback"));
+    must(stltsa_fit(&n.in, NULL, 1, f->options, &model));
+    stltsa_model_free(model);
+    stltsa_options_free(options);
+}
+
 /* Neighbors of all frames are a stage of their own, unlike temporal ones; it can be cancelled. */
 static void neighbors_of_all_frames_are_a_stage(void** state) {
     const struct fixture* f = *state;
@@ -361,6 +399,7 @@ int main(void) {
         cmocka_unit_test(cancelled_at_every_call),
         cmocka_unit_test(frames_that_become_nan_are_noticed),
         cmocka_unit_test(more_dimensions_than_features_are_refused),
+        cmocka_unit_test(a_fit_within_a_spectrum_is_refused),
         cmocka_unit_test(neighbors_of_all_frames_are_a_stage),
         cmocka_unit_test(handles_survive_a_failure),
     };
