@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A synthetic walk for all tests; its generator is built with the library.
 
-The environment says where programs are: STLTSA_WALKER, the generator, and STLTSA_COMMAND, the
-command `stltsa`. Real clips are looked for where STLTSA_DATA points, else beside the repository.
+The environment gives the programs: STLTSA_WALKER, the generator, and STLTSA_COMMAND, the command
+`stltsa`. Real clips are read from STLTSA_DATA, by default next to the repository.
 """
 
 import os
@@ -31,7 +31,7 @@ def command():
 
 @pytest.fixture(scope="session")
 def walker(tmp_path_factory):
-    """Path of a walk whose units and cycles are known."""
+    """Path of a walk with known units and cycles."""
     path = tmp_path_factory.mktemp("clips") / "walker.bvh"
     generator = program("STLTSA_WALKER", "tests/walker/stltsa-walker")
     subprocess.run([generator, "--output", path], check=True)
@@ -55,7 +55,7 @@ def model(clip):
 
 @pytest.fixture(scope="session")
 def circle():
-    """Three rounds of a circle in five dimensions, 300 frames, with a little noise."""
+    """Three turns of a circle in five dimensions, 300 frames, with a little noise."""
     t = np.linspace(0, 6 * np.pi, 300)
     random = np.random.default_rng(7)
     plane = np.column_stack([np.cos(t), np.sin(t)])

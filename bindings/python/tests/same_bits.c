@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Writes the coordinates of a clip's model, as doubles, to stdout: what C gets. */
+/* Writes the coordinates of a clip's model, computed in C, to stdout as doubles. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <stltsa.h>

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""NumPy is all that is needed: everything else is kept from being imported here."""
+"""The package needs only NumPy: here nothing else can be imported."""
 
 import subprocess
 import sys

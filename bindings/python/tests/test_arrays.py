@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Arrays of every kind reach the library as the numbers they hold."""
+"""Arrays of every kind reach the library with the right numbers."""
 
 import numpy as np
 import pytest
@@ -44,7 +44,7 @@ def test_float32_is_read_as_it_is(circle):
 def test_integers(circle):
     whole = np.round(circle * 1000).astype(np.int32)
     assert np.array_equal(stltsa.fit(whole, **K).coords, stltsa.fit(whole * 1.0, **K).coords)
-    assert as_matrix(np.asfortranarray(whole)).flags.c_contiguous  # or the library copies again
+    assert as_matrix(np.asfortranarray(whole)).flags.c_contiguous  # else the library copies again
 
 
 @pytest.mark.parametrize("layout", ["fortran", "every other", "turned around", "transposed"])
@@ -119,7 +119,7 @@ def test_groups_and_lists_are_the_same(circle):
     assert np.array_equal(one.coords, two.coords)
     assert np.array_equal(one.components, np.repeat([0, 1], 150))
     alone = stltsa.fit(circle[:150], neighbors=60)
-    # Windows share sums of products with those before them, also across clips: rounding differs.
+    # Windows share sums of products with earlier ones, even across clips, so rounding differs.
     assert np.allclose(one.coords[:150], alone.coords, rtol=0, atol=1e-9)
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Failures are exceptions of a fitting class, with the library's text."""
+"""Failures are exceptions of the right class, with the library's text."""
 
 import pickle
 
@@ -24,7 +24,7 @@ def test_file_that_is_something_else(tmp_path):
 
 
 def test_path_with_a_zero_in_it(circle, tmp_path):
-    """C would end it there, and write or read another file."""
+    """C would end the path there, and read or write another file."""
     path = str(tmp_path / "model") + "\0.stltsa"
     model = stltsa.fit(circle)
     for call in (model.save, stltsa.Model.load, stltsa.read_clip):

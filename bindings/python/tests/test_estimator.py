@@ -16,12 +16,12 @@ from sklearn.pipeline import make_pipeline
 from sklearn.preprocessing import StandardScaler
 from sklearn.utils.estimator_checks import parametrize_with_checks
 
-# Checks that cannot hold, each with its reason. Those that shuffle rows or give only some of them
-# hold, although the order of rows is time: they do so when mapping, which takes row by row.
+# Checks that cannot hold, each with its reason. Checks that shuffle rows, or pass some of them, do
+# hold although the order of rows is time, because mapping works row by row.
 EXPECTED_FAILURES: dict[str, str] = {}
 
 
-# The checks fit clouds of random points, about which there is much to warn of.
+# The checks fit random points, which give many warnings.
 @pytest.mark.filterwarnings("ignore::stltsa.QualityWarning")
 @pytest.mark.filterwarnings("ignore:Can't check dok sparse matrix:UserWarning")
 @parametrize_with_checks(

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Facts by name are what the properties and the JSON say."""
+"""Facts by name agree with the properties and the JSON."""
 
 import json
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""C3D, TRC and MOT; gaps are refused or filled, and said."""
+"""C3D, TRC and MOT: gaps are refused, or filled with a warning."""
 
 import numpy as np
 import pytest

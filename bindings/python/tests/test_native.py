@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The binding holds what the header declares, and names what the library names."""
+"""The binding has the header's declarations and the library's names."""
 
 import pathlib
 import re

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The figures say what the results say; how they look is for eyes (scripts/make-figures)."""
+"""The figures agree with the results; scripts/make-figures is for a visual check."""
 
 import itertools
 

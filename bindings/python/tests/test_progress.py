@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Progress is reported, and whatever is raised meanwhile stops the call."""
+"""Progress is reported, and any exception raised meanwhile stops the call."""
 
 import contextlib
 import gc
@@ -17,7 +17,7 @@ import stltsa
 
 @pytest.fixture(scope="module")
 def long_motion():
-    """Frames that take a second or more to fit."""
+    """Frames that take at least a second to fit."""
     t = np.arange(40000) / 100
     return np.column_stack([np.sin(f * t + f) for f in range(1, 40)])
 
@@ -48,7 +48,7 @@ def test_what_the_callback_returns_is_no_matter(circle):
 
 
 class Told:
-    """A callback that a weak reference can watch."""
+    """A callback that supports weak references."""
 
     def __init__(self, error=None):
         self.error = error
@@ -60,7 +60,7 @@ class Told:
 
 @pytest.fixture
 def no_collector():
-    """Only what nobody refers to goes: a cycle would stay."""
+    """Only unreferenced objects are freed: a reference cycle would stay."""
     gc.collect()
     gc.disable()
     yield
@@ -96,7 +96,8 @@ def test_calls_may_nest(circle):
 
 @pytest.fixture
 def heeded_interrupts():
-    """Python heeds Ctrl-C unless it was started to ignore it, as shells start jobs with "&"."""
+    """Python handles Ctrl-C unless it was started with it ignored, as shells start jobs with
+    "&"."""
     before = signal.signal(signal.SIGINT, signal.default_int_handler)
     yield
     signal.signal(signal.SIGINT, before)
@@ -114,7 +115,7 @@ def test_ctrl_c(long_motion):
 
 
 def test_other_threads_run_meanwhile(long_motion):
-    """A thread counts while another fits; it could not if the fit held the interpreter's lock."""
+    """A thread counts while another one fits, so the fit does not hold the interpreter's lock."""
     done, counts = threading.Event(), []
 
     def count():

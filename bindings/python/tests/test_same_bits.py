@@ -38,7 +38,7 @@ def test_c(path, c_program):
 
 
 def test_command_tells_the_same(path, command):
-    """The JSON of every kind of result, to the last digit."""
+    """The JSON of every kind of result is the same, to the last digit."""
     clip = stltsa.read_clip(path)
     results = {
         "info": clip,

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Puts the library's source where a source distribution has a symbolic link to this repository.
+"""Replaces the symbolic link to this repository by its source in a source distribution.
 
-Meson runs this when it makes a source distribution, so that it builds by itself.
+Meson runs this when it makes a source distribution, so that the distribution builds on its own.
 """
 
 import os

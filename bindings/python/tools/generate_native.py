@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Writes the C source of stltsa._native: what stltsa.h declares, for cffi in API mode.
+"""Writes the C source of stltsa._native: the declarations of stltsa.h, for cffi in API mode.
 
 Usage: generate_native.py stltsa.h OUTPUT.c
 
-The declarations are the header's own, with what only a compiler reads taken out; so the two cannot
-differ, and the compiler checks each of them again when it compiles OUTPUT.c.
+The declarations are the header's own, without the parts that only a compiler reads, so they cannot
+differ from it; the compiler checks each of them again when it compiles OUTPUT.c.
 """
 
 import pathlib
@@ -20,7 +20,7 @@ extern "Python" int32_t on_progress(void *user, int32_t stage, double fraction);
 
 
 def declarations(header: str) -> str:
-    """Return what the header declares, without comments, preprocessor and decoration."""
+    """Return the header's declarations, without comments, preprocessor lines and decoration."""
     text = re.sub(r"/\*.*?\*/", "", header, flags=re.DOTALL)
     text = re.sub(r"^[ \t]*#(?:.*\\\n)*.*$", "", text, flags=re.MULTILINE)
     text = re.sub(r'extern "C" \{(.*)\}', r"\1", text, flags=re.DOTALL)

@@ -15,7 +15,7 @@ import matplotlib.pyplot as plt
 
 import stltsa
 
-# Fig. 2 needs something to be cleaned: the file's angles, unsmoothed, at 60 frames a second.
+# Fig. 2 needs noise: the file's angles, unsmoothed, at 60 frames per second.
 ROUGH = {"features": "euler", "smoothing": 0.0, "sample_rate": 60.0, "dimension": 1}
 
 
@@ -32,7 +32,7 @@ def save(axes, path):
 
 
 def draw(clip, rough, prefix):
-    """Write the three figures of a clip; `rough` is the clip that is cleaned."""
+    """Write the three figures of a clip; `rough` is the clip to denoise."""
     result = stltsa.decompose(clip)
     print(result)
     save(stltsa.plot.loop(result), f"{prefix}-loop.png")

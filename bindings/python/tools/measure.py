@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Measures what the binding costs over C; scripts/measure-python runs it.
+"""Measures the overhead of the binding over C; scripts/measure-python runs it.
 
-Time: processor time of the thread, the least of several runs. The whole calls, C and Python taking
-turns, are shown; on a busy machine they differ by more than what is looked for. So what the binding
-adds is measured by itself: the time outside stltsa_fit, and the progress callbacks inside, which
-are what makes Ctrl-C work. "C" is stltsa_fit with everything prepared beforehand and no callback.
+Time: processor time of the thread, the least of several runs. C and Python calls alternate; on a
+busy machine their difference is larger than the overhead. The overhead is therefore measured
+directly: the time outside stltsa_fit, and the time of the progress callbacks inside, which Ctrl-C
+relies on. "C" is stltsa_fit with all arguments prepared and no callback.
 
-Memory: how far the peak of resident memory rises during the call, in a fresh process each.
+Memory: rise of the peak resident memory during the call, in a fresh process each.
 """
 
 import pathlib
@@ -25,11 +25,11 @@ from stltsa._progress import Watch
 FRAMES = 100_000
 ROUNDS = 5
 MOST_TIME = 0.02
-MOST_MEMORY = 0.02  # of the frames
+MOST_MEMORY = 0.02  # relative to the frames
 
 
 def motion(columns):
-    """Return frames x columns of a periodic motion with noise."""
+    """Return a periodic motion with noise (frames x columns)."""
     t = np.arange(FRAMES)[:, None] / 120
     random = np.random.default_rng(1)
     frames = np.sin(2 * np.pi * t + random.uniform(0, 6, columns))
@@ -64,7 +64,7 @@ def seconds(call):
 
 
 class Stopwatch:
-    """Stands in for the extension's library and times the calls of stltsa_fit."""
+    """Replaces the extension's library and times the calls of stltsa_fit."""
 
     def __init__(self):
         self.inside = 0.0
@@ -80,7 +80,7 @@ class Stopwatch:
 
 
 def outside(call):
-    """Return the time that a call spends outside stltsa_fit."""
+    """Return the time of a call outside stltsa_fit."""
     watch = stltsa.model.lib = Stopwatch()
     try:
         return seconds(call) - watch.inside
@@ -89,9 +89,9 @@ def outside(call):
 
 
 def reports(frames, settings):
-    """Return how often a fit reports its progress, and the time that one report takes.
+    """Return the number of progress reports of a fit, and the time of one report.
 
-    Measured from Python and back, so with one call more than the library makes.
+    Measured from Python and back, which is one call more than the library makes.
     """
     seen = []
     stltsa.fit(frames, **settings, progress=lambda *report: seen.append(report))
@@ -147,7 +147,7 @@ def peak():
 
 
 def rise(way):
-    """Print by how much a call raises the peak, in sizes of the frames."""
+    """Print the rise of the peak during a call, relative to the size of the frames."""
     settings = {"neighbors": 8, "window": 8, "dimension": 2, "threads": 1, "keep_frames": 0}
     frames = motion(300)
     if way == "converted":
@@ -160,7 +160,7 @@ def rise(way):
         "STLTSA.fit": lambda: estimator.fit(frames),
         "converted": lambda: stltsa.fit(frames, **settings),
     }
-    pathlib.Path("/proc/self/clear_refs").write_text("5")  # the peak starts anew
+    pathlib.Path("/proc/self/clear_refs").write_text("5")  # resets the peak
     before = peak()
     calls[way]()
     print((peak() - before) / frames.nbytes)

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs a notebook from its first cell to its last, in the current directory.
+"""Runs all cells of a notebook in order, in the current directory.
 
-Usage: run_notebook.py NOTEBOOK [OUTPUT] (OUTPUT: where it is written with its results)
+Usage: run_notebook.py NOTEBOOK [OUTPUT] (OUTPUT: file for the notebook with its results)
 """
 
 import pathlib

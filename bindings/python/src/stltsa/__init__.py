@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Motion clips as low-dimensional curves, motion units and cycles.
 
-The short way::
+In short::
 
     import stltsa
 
@@ -39,7 +39,7 @@ _PARTS = {name: part for part, name in _names("STLTSA_HAS_").items()}
 
 
 def has(part: str) -> bool:
-    """Return whether this build of the library has a part that it may be without.
+    """Return whether this build of the library has an optional part.
 
     Parameters
     ----------
@@ -88,7 +88,7 @@ __all__ = [  # noqa: PLE0604
     *(name for name in errors.__all__ if name != "error_for"),
 ]
 
-# What draws in a large package is loaded when it is first asked for.
+# Loads the modules that import a large package when they are first used.
 _LAZY = {"STLTSA": "estimator", "markers": "", "plot": ""}
 
 

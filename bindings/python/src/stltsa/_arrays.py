@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""NumPy arrays as the library's ``stltsa_in`` and ``stltsa_out``: seen in place, not copied.
+"""NumPy arrays as the library's ``stltsa_in`` and ``stltsa_out``, without a copy.
 
-The library itself works on C-contiguous float64, and makes that of any other array it is shown.
+The library works on C-contiguous float64, and converts any other array itself.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ _DTYPES = {np.dtype(np.float32): lib.STLTSA_F32, np.dtype(np.float64): lib.STLTS
 def as_matrix(values: Any, what: str = "X") -> npt.NDArray[Any]:
     """Return `values` as a 2-D array that the library can read.
 
-    float32 and float64 of any strides stay where they are; other numbers become float64.
+    float32 and float64 with any strides are not copied; other numbers become float64.
     """
     array = np.asarray(unmasked(values))
     if np.iscomplexobj(array):
@@ -43,14 +43,14 @@ def as_matrix(values: Any, what: str = "X") -> npt.NDArray[Any]:
 
 
 def unmasked(values: Any) -> Any:
-    """Return a masked array with NaN where it is masked: the library says where those are."""
+    """Return a masked array with NaN for masked values; the library reports their position."""
     if np.ma.is_masked(values):
         return values.astype(np.result_type(values.dtype, np.float64)).filled(np.nan)
     return values
 
 
 def _as_float64(array: npt.NDArray[Any], what: str) -> FloatArray:
-    """Convert numbers; texts and dates are none, though NumPy would make numbers of them."""
+    """Convert numbers; refuse texts and dates, which NumPy would convert to numbers."""
     if array.dtype.kind not in "biufO":
         raise ValueError(f"{what} must hold numbers; it holds {array.dtype}")
     try:
@@ -68,12 +68,12 @@ def _fill(struct: Any, array: npt.NDArray[Any]) -> Any:
 
 
 def read_from(array: npt.NDArray[Any]) -> Any:
-    """Return a ``stltsa_in *`` of an array, which the caller keeps alive during the call."""
+    """Return a ``stltsa_in *`` of an array; the caller keeps the array alive during the call."""
     return _fill(ffi.new("stltsa_in *"), array)
 
 
 def write_to(array: FloatArray) -> Any:
-    """Return a ``stltsa_out *`` of an array, which the caller keeps alive during the call."""
+    """Return a ``stltsa_out *`` of an array; the caller keeps the array alive during the call."""
     return _fill(ffi.new("stltsa_out *"), array)
 
 
@@ -83,7 +83,7 @@ def columns(rows: int, cols: int) -> FloatArray:
 
 
 def int64_pointer(array: IntArray | None) -> Any:
-    """Return an ``int64_t *`` of an array, NULL for none; the caller keeps the array alive."""
+    """Return an ``int64_t *`` of an array, NULL without one; the caller keeps it alive."""
     if array is None:
         return ffi.NULL
     return ffi.cast("int64_t *", array.__array_interface__["data"][0])

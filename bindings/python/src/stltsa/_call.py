@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""One call of the library: its options, its progress, its failure as an exception."""
+"""One call of the library: options, progress, and failure as an exception."""
 
 from __future__ import annotations
 
@@ -17,16 +17,16 @@ if TYPE_CHECKING:
 
 
 def check(status: int) -> None:
-    """Raise what a status stands for, with the library's text."""
+    """Raise the exception for a status, with the library's text."""
     if status != lib.STLTSA_OK:
         name = string(lib.stltsa_status_name(status))
         raise errors.error_for(status, name, string(lib.stltsa_last_error()))
 
 
 class Call:
-    """Options and progress of one call; to be used in a ``with`` statement.
+    """Options and progress of one call; use it in a ``with`` statement.
 
-    The progress callback is set even if nobody wants to see it: it is what makes Ctrl-C work.
+    The progress callback is always set, because Ctrl-C relies on it.
     """
 
     def __init__(self, options: Mapping[str, Any]) -> None:
@@ -36,7 +36,7 @@ class Call:
         check(lib.stltsa_options_new(out))
         self.options = ffi.gc(out[0], lib.stltsa_options_free)
         check(set_options(self.options, rest))
-        self._watch = Watch(progress)  # after what may fail: a bar that is open has to be closed
+        self._watch = Watch(progress)  # last, because an open bar must be closed if something fails
         check(lib.stltsa_options_set_progress(self.options, lib.on_progress, self._watch.handle))
 
     def __enter__(self) -> Call:
@@ -51,7 +51,7 @@ class Call:
         self._watch.close()
 
     def check(self, status: int) -> None:
-        """Raise what the progress callback raised, else what the status stands for."""
+        """Raise the exception of the progress callback, or else the exception for the status."""
         raised, self._watch.raised = self._watch.raised, None
         if raised is None:
             check(status)
@@ -59,24 +59,24 @@ class Call:
         try:
             raise raised
         finally:
-            del raised  # its traceback holds this frame, and with it the caller's arrays
+            del raised  # its traceback holds this frame, and so the caller's arrays
 
 
 def owned(kind: str, pointer: Any) -> Any:
-    """Return a handle that is freed when nobody refers to it any more.
+    """Return a handle that is freed when it is no longer referenced.
 
     Parameters
     ----------
     kind : str
-        What the handle is: the middle of ``stltsa_<kind>_free``.
+        Type of the handle: the middle of ``stltsa_<kind>_free``.
     pointer : cffi pointer
-        Where the library put it.
+        Location of the handle.
     """
     return ffi.gc(pointer[0], getattr(lib, f"stltsa_{kind}_free"))
 
 
 def json_text(function: Any, handle: Any) -> str:
-    """Return what one of the library's ``_json`` functions writes."""
+    """Return the output of one of the library's ``_json`` functions."""
     out = ffi.new("char **")
     check(function(handle, out))
     try:
@@ -86,14 +86,14 @@ def json_text(function: Any, handle: Any) -> str:
 
 
 def get_int(function: Any, handle: Any, key: int, *more: int) -> int:
-    """Read one integer by its key."""
+    """Read one integer fact by its key."""
     value = ffi.new("int64_t *")
     check(function(handle, key, *more, value))
     return int(value[0])
 
 
 def get_real(function: Any, handle: Any, key: int, *more: int) -> float:
-    """Read one real number by its key."""
+    """Read one real fact by its key."""
     value = ffi.new("double *")
     check(function(handle, key, *more, value))
     return float(value[0])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Several clips in one matrix, which is how the library takes them."""
+"""Several clips in one matrix, as the library expects them."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 def is_sequence_of_clips(values: Any) -> bool:
-    """Tell a list of matrices, one for each clip, from a matrix written as a list."""
+    """Distinguish a list of matrices, one per clip, from a matrix written as a list."""
     return (
         isinstance(values, list | tuple)
         and len(values) > 0
@@ -27,7 +27,7 @@ def is_sequence_of_clips(values: Any) -> bool:
 
 
 def stack_clips(clips: Sequence[Any], groups: Any) -> tuple[npt.NDArray[Any], IntArray]:
-    """Return the frames of several clips one after another, and how many each has."""
+    """Return the frames of several clips one after another, and the number of frames of each."""
     refuse_groups(groups, "a list has a clip in each array")
     matrices = [as_matrix(c, f"X[{i}]") for i, c in enumerate(clips)]
     _check_names(clips)
@@ -39,22 +39,22 @@ def stack_clips(clips: Sequence[Any], groups: Any) -> tuple[npt.NDArray[Any], In
 
 
 def _check_names(clips: Sequence[Any]) -> None:
-    """Refuse DataFrames whose columns differ: numbers would come under the names of others."""
+    """Refuse DataFrames with different columns, whose numbers would get the names of others."""
     names = {tuple(clip.columns) for clip in clips if hasattr(clip, "columns")}
     if len(names) > 1:
         raise ValueError("the clips have different columns, or the same ones in another order")
 
 
 def refuse_groups(groups: Any, why: str) -> None:
-    """Refuse labels of rows where they would be ignored."""
+    """Refuse row labels that would be ignored."""
     if groups is not None:
         raise ValueError(f"groups= is for one array of all rows: {why}")
 
 
 def group_lengths(groups: Any, rows: int) -> IntArray:
-    """Return how many rows each clip has, from a label for each row.
+    """Return the number of rows of each clip, from a label for each row.
 
-    The rows of one clip stand together; a label that comes back later is an error.
+    The rows of one clip must be contiguous; a label that reappears later is an error.
     """
     labels = np.asarray(groups)
     if labels.shape != (rows,):
@@ -72,7 +72,7 @@ def group_lengths(groups: Any, rows: int) -> IntArray:
 
 
 def frames_and_lengths(motion: Any, groups: Any = None) -> tuple[npt.NDArray[Any], IntArray | None]:
-    """Return all frames, and how many each clip has where there are several."""
+    """Return all frames, and the number of frames of each clip if there are several."""
     if is_sequence_of_clips(motion):
         return stack_clips(motion, groups)
     frames = as_matrix(motion)
@@ -80,7 +80,7 @@ def frames_and_lengths(motion: Any, groups: Any = None) -> tuple[npt.NDArray[Any
 
 
 def call_on_clips(function: Any, motion: Any, groups: Any, call: Call, out: Any) -> Any:
-    """Call a function of the library that takes several clips; return the matrix that it read."""
+    """Call a library function that takes several clips; return the matrix that it read."""
     frames, lengths = frames_and_lengths(motion, groups)
     count = 0 if lengths is None else len(lengths)
     call.check(function(read_from(frames), int64_pointer(lengths), count, call.options, out))

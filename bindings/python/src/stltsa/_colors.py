@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Colors that color-blind readers can tell apart too.
+"""Colors that color-blind readers can distinguish.
 
-From the palette of Okabe and Ito, "Color Universal Design" (2008); the command `stltsa` has the
-same. A kind of unit has the color of its place among the kinds.
+From the palette of Okabe and Ito, "Color Universal Design" (2008), as in the command `stltsa`. The
+position of a unit kind among the kinds determines its color.
 """
 
 from ._native import lib

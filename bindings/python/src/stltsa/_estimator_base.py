@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What an estimator needs of scikit-learn: its own base classes where it is installed.
+"""Base classes of the estimator: scikit-learn's own if it is installed.
 
-Without it the few methods below stand in, so that the estimator fits and maps all the same.
+Otherwise the few methods below replace them, so that the estimator can still fit and map.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from ._arrays import as_matrix, unmasked
 
 
 class OwnBase:
-    """Parameters, their representation, and checks of arrays; as scikit-learn has them."""
+    """Parameters, their representation, and checks of arrays, as in scikit-learn."""
 
     def get_params(self, deep: bool = True) -> dict[str, Any]:  # noqa: ARG002
         """Return the parameters of the constructor.
@@ -24,7 +24,7 @@ class OwnBase:
         Parameters
         ----------
         deep : bool
-            Without a meaning here: no parameter is an estimator.
+            Has no effect: no parameter is an estimator.
         """
         names = list(inspect.signature(type(self).__init__).parameters)[1:]
         return {name: getattr(self, name) for name in names}
@@ -39,7 +39,7 @@ class OwnBase:
         return self
 
     def set_output(self, *, transform: str | None = None) -> Any:  # noqa: ARG002
-        """Choose the container of what `transform` returns; needs scikit-learn."""
+        """Choose the container for the output of `transform`; needs scikit-learn."""
         raise ImportError("set_output needs scikit-learn")
 
     def get_feature_names_out(self, input_features: Any = None) -> npt.NDArray[Any]:  # noqa: ARG002
@@ -68,14 +68,14 @@ class OwnBase:
 
 
 def _of_sklearn() -> type:
-    """Return a base class that has its methods from scikit-learn."""
+    """Return a base class with the methods of scikit-learn."""
     from sklearn import base
     from sklearn.utils import validation
 
     mixins: Any = (base.ClassNamePrefixFeaturesOutMixin, base.TransformerMixin)
 
     class SklearnBase(*mixins, base.BaseEstimator):  # type: ignore[misc]
-        """scikit-learn's methods; NaN is left to the library, whose text says where it is."""
+        """scikit-learn's methods; NaN is left to the library, whose text gives its position."""
 
         def _check_fitted(self) -> None:
             validation.check_is_fitted(self)
@@ -84,7 +84,7 @@ def _of_sklearn() -> type:
             checks: dict[str, Any] = {"reset": reset, "dtype": [np.float64, np.float32]}
             if reset:
                 checks["ensure_min_samples"] = 2
-            X = unmasked(X)  # scikit-learn would read what is under the mask
+            X = unmasked(X)  # scikit-learn would read the masked values
             if hasattr(validation, "validate_data"):  # since 1.6
                 checked = validation.validate_data(self, X, ensure_all_finite=False, **checks)
             else:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What an object of the library says about itself: by name, and as JSON."""
+"""Facts about an object of the library, by name and as JSON."""
 
 from __future__ import annotations
 
@@ -52,10 +52,10 @@ class Described:
 
     @property
     def facts(self) -> dict[str, Any]:
-        """All that is known, by name, in the terms of the library.
+        """All facts about the object, by name, in the library's terms.
 
-        ``stltsa.h`` says what each is (``STLTSA_INFO_*``). Lists are tuples; values that have names
-        have them: ``"positions"``. A fact that this object does not have is not in it.
+        ``stltsa.h`` describes each (``STLTSA_INFO_*``). Lists are tuples; enum values are given by
+        name, such as ``"positions"``. Facts that the object does not have are absent.
         """
         info = getattr(lib, f"stltsa_{self._kind}_info")(self._handle)
         result: dict[str, Any] = {}
@@ -71,5 +71,5 @@ class Described:
         return result
 
     def to_json(self) -> str:
-        """Return all that is known as one JSON object; its schema is ``stltsa-<kind>/1``."""
+        """Return all facts as one JSON object; its schema is ``stltsa-<kind>/1``."""
         return json_text(getattr(lib, f"stltsa_{self._kind}_json"), self._handle)

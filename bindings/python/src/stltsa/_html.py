@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What notebooks show of results."""
+"""HTML for results in notebooks."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ def _paragraphs(texts: Iterable[str]) -> str:
 
 
 def decomposition(result: Decomposition) -> str:
-    """Return a timeline of the units, their table, and what is to be said about them."""
+    """Return a timeline of the units, their table, and the reason and warnings."""
     head = "".join(f"<th>{h}</th>" for h in ("unit", "begin", "end", "from s", "to s"))
     rows = "".join(map(_row, result.unit_list))
     facts = f"{len(result.cycle_list)} cycles"

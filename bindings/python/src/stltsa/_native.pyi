@@ -1,4 +1,4 @@
-# The extension that cffi makes from stltsa.h; what is in it is described there.
+# The extension that cffi builds from stltsa.h, which describes its contents.
 from typing import Any
 
 ffi: Any

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The library's options as keywords; their table is the library's own (`options`)."""
+"""The library's options as keywords; the library has the table itself (`options`)."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ if TYPE_CHECKING:
 
 
 class Options(Keywords, total=False):
-    """Keywords that the functions of this package take.
+    """Keywords of the functions of this package.
 
-    ``None`` and ``"auto"`` stand for the library's choice. What each means, its range and its
-    default: :func:`stltsa.options`. Those that a function has no use for are ignored, except that
-    `progress` is known to all.
+    ``None`` and ``"auto"`` let the library choose. :func:`stltsa.options` gives meaning, range and
+    default of each. Functions ignore options that they do not use, except that all of them use
+    `progress`.
     """
 
     progress: Progress
@@ -92,7 +92,7 @@ def _set(handle: Any, option: Option, value: Any) -> int:
         value = _number_of_choice(option, value)
     try:
         if option.type == "int":
-            # What is too large for C is out of range there, too.
+            # Values too large for C are out of range, too.
             whole = min(max(operator.index(value), -(2**63)), 2**63 - 1)
             return int(lib.stltsa_options_set_int(handle, option.key, whole))
         return int(lib.stltsa_options_set_real(handle, option.key, float(value)))

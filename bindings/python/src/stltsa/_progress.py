@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What is said while the library works, and how a call is stopped.
+"""Progress reports during a call, and cancelling.
 
-The library calls back a few times a second at least. Python looks for Ctrl-C whenever its code
-runs, so the callback is where a long call notices it: whatever is raised there, KeyboardInterrupt
-or an exception of the user's own, cancels the call and comes out of it.
+The library calls back at least a few times per second. Python checks for Ctrl-C when its own code
+runs, so a long call notices it in the callback: any exception raised there, KeyboardInterrupt or
+the user's own, cancels the call and propagates from it.
 """
 
 from __future__ import annotations
@@ -21,13 +21,13 @@ _STAGES = names("STLTSA_STAGE_")
 
 
 class Reporter(Protocol):
-    """Takes stages and fractions of them, and is closed at the end."""
+    """Receives stages and fractions of them; closed at the end."""
 
     def report(self, stage: str, fraction: float) -> None:
-        """Say that `fraction` of `stage` is done."""
+        """Report that `fraction` of `stage` is done."""
 
     def close(self) -> None:
-        """Leave nothing behind."""
+        """Clean up."""
 
 
 class _Silent:
@@ -47,7 +47,7 @@ class _Function(_Silent):
 
 
 class _Bar(_Silent):
-    """A bar of tqdm that starts anew with each stage and goes when the work is done."""
+    """A tqdm bar that restarts with each stage and disappears at the end."""
 
     def __init__(self, tqdm: Callable[..., Any]) -> None:
         self._bar = tqdm(total=1.0, leave=False, bar_format="{desc} {percentage:3.0f}%|{bar}|")
@@ -65,7 +65,7 @@ class _Bar(_Silent):
 
 
 def reporter(progress: Progress) -> Reporter:
-    """Return what the keyword `progress` asks for; no bar where tqdm is not installed."""
+    """Return the reporter for the keyword `progress`; no bar if tqdm is not installed."""
     if callable(progress):
         return _Function(progress)
     if progress:
@@ -78,7 +78,7 @@ def reporter(progress: Progress) -> Reporter:
 
 
 class Watch:
-    """Stands between one call and its reporter, and keeps what the latter raised."""
+    """Connects one call with its reporter, and keeps the reporter's exception."""
 
     def __init__(self, progress: Progress) -> None:
         self.reporter = reporter(progress)
@@ -86,7 +86,7 @@ class Watch:
         self.handle: Any = ffi.new_handle(self)
 
     def close(self) -> None:
-        """End the reports; the handle refers back to here, and would keep what they hold alive."""
+        """End the reports; the handle refers to this object and would keep its contents alive."""
         self.reporter.close()
         self.handle = ffi.NULL
 
@@ -98,6 +98,6 @@ def _keep(_kind: object, value: BaseException, traceback: Any) -> None:
 
 @ffi.def_extern(error=1, onerror=_keep)  # type: ignore[untyped-decorator]
 def on_progress(user: Any, stage: int, fraction: float) -> int:
-    """Pass on what the library reports, on the thread that made the call."""
+    """Pass on the library's report, on the thread of the call."""
     ffi.from_handle(user).reporter.report(_STAGES.get(stage, "working"), fraction)
     return 0

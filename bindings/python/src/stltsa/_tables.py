@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Tables of results: pandas where it is installed, else NumPy's record arrays."""
+"""Tables of results: pandas DataFrames if pandas is installed, else NumPy record arrays."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ if TYPE_CHECKING:
 
 
 def table(rows: Sequence[NamedTuple], kind: type[NamedTuple]) -> Any:
-    """Return a DataFrame with a column for each field of `kind`, or a record array without pandas.
+    """Return a DataFrame with a column per field of `kind`, or a record array without pandas.
 
-    ``table["begin"]`` and ``table.begin`` read a column of either.
+    ``table["begin"]`` and ``table.begin`` read a column of both.
     """
     fields = {name: [getattr(row, name) for row in rows] for name in kind._fields}
     try:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Texts out of the library, and paths into it."""
+"""Texts from the library, and paths for it."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from ._native import ffi, lib
 
 
 def string(text: Any) -> str:
-    """Return a text that belongs to the library."""
+    """Return a text that the library owns."""
     return str(ffi.string(text).decode("utf-8", "replace"))
 
 
@@ -20,7 +20,7 @@ def names(prefix: str) -> dict[int, str]:
 
 
 def c_path(path: str | os.PathLike[str]) -> bytes:
-    """Return a path as C takes it; one with a zero in it would end there, and name another file."""
+    """Return a path for C; refuse one with a zero byte, which would name another file."""
     name = os.fsencode(path)
     if b"\0" in name:
         raise ValueError(f"{path!r} is not a path: there is a zero in it")

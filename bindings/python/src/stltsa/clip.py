@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Clips of motion: read, looked at, written."""
+"""Clips of motion: reading, properties, writing."""
 
 from __future__ import annotations
 
@@ -26,35 +26,35 @@ _FORMATS = names("STLTSA_FORMAT_")
 
 
 class Clip(Described):
-    """A motion clip: poses over time, of a skeleton or of bare numbers.
+    """A motion clip: poses over time, of a skeleton or as plain numbers.
 
     Made by :func:`read_clip`, :meth:`from_array`, :func:`stltsa.synthesize` and
-    :meth:`stltsa.Model.poses`. A clip does not change; frames count from 0 in the source file, and
-    lengths are in the file's own unit.
+    :meth:`stltsa.Model.poses`. A clip does not change. Frames are counted from 0 in the source
+    file; lengths are in the file's unit.
     """
 
     _kind = "clip"
 
     def __init__(self, handle: Any, path: str | None = None, owner: object = None) -> None:
         self._handle = handle
-        self._owner = owner  # what the handle lives in, where that is not the clip itself
+        self._owner = owner  # owner of the handle, if that is not the clip itself
         self.path = path
 
     @classmethod
     def from_array(cls, frames: npt.ArrayLike, fps: float) -> Clip:
-        """Return a clip of bare numbers, which are copied.
+        """Return a clip of plain numbers, which are copied.
 
         Parameters
         ----------
         frames : array-like of shape (frames, channels)
-            Finite numbers, a row per frame.
+            Finite numbers, one row per frame.
         fps : float
-            Frames a second, above 0.
+            Frames per second, above 0.
 
         Raises
         ------
         stltsa.NotFiniteError
-            A NaN or an infinity is among them.
+            The numbers contain a NaN or an infinity.
 
         Examples
         --------
@@ -73,12 +73,12 @@ class Clip(Described):
 
     @property
     def fps(self) -> float:
-        """Frames a second; 0 where it is unknown."""
+        """Frames per second; 0 if unknown."""
         return float(lib.stltsa_clip_fps(self._handle))
 
     @property
     def duration(self) -> float:
-        """Seconds; NaN where the frame rate is unknown."""
+        """Seconds; NaN if the frame rate is unknown."""
         return len(self) / self.fps if self.fps else float("nan")
 
     @property
@@ -139,7 +139,7 @@ class Clip(Described):
     def rotations(self) -> FloatArray:
         """Local rotations of all joints as quaternions w x y z; (frames, joints, 4).
 
-        Their sign is continuous over time. Read-only, computed once.
+        Their signs are continuous over time. Read-only, computed once.
 
         Raises
         ------
@@ -149,15 +149,15 @@ class Clip(Described):
         return self._per_joint(lib.stltsa_clip_rotations, 4)
 
     def features(self, kind: str = "auto", *, up_axis: str = "auto") -> FloatArray:
-        """Return what poses are compared by; shape (frames, features), unsmoothed.
+        """Return the features of all poses; shape (frames, features), unsmoothed.
 
         Parameters
         ----------
         kind : {"auto", "positions", "rotations6d", "euler", "raw"}
-            ``"positions"``: of the joints, without the root's position and yaw; ``"rotations6d"``:
+            ``"positions"``: joint positions without the root's position and yaw; ``"rotations6d"``:
             two columns of each rotation matrix; ``"euler"``: the angles below the root in radians,
-            as in the paper; ``"raw"``: the file's numbers. ``"auto"``: positions where there is a
-            skeleton, else raw.
+            as in the paper; ``"raw"``: the file's numbers. ``"auto"``: positions if there is a
+            skeleton, otherwise raw.
         up_axis : {"auto", "x", "y", "z"}
             The axis that points up.
         """
@@ -169,17 +169,17 @@ class Clip(Described):
         return result
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the clip, whole or not at all; the suffix tells the format.
+        """Write the clip, completely or not at all; the suffix determines the format.
 
-        ``.bvh``: any skeleton; ``.amc``: what was read from AMC; ``.csv`` and ``.npy``: the numbers
-        of any clip. Numbers read back to the same bits.
+        ``.bvh``: any skeleton; ``.amc``: clips read from AMC; ``.csv`` and ``.npy``: the numbers of
+        any clip. Numbers read back to the same bits.
 
         Raises
         ------
         stltsa.ArgumentError
-            Another suffix.
+            The suffix is none of these.
         stltsa.UnsupportedError
-            The clip has no skeleton, or no frame rate where the format needs one.
+            The clip has no skeleton, or no frame rate although the format needs one.
         stltsa.FileError
             The file cannot be written.
         """
@@ -195,19 +195,19 @@ class Clip(Described):
 def read_clip(
     path: str | os.PathLike[str], *, gaps: str = "refuse", **options: Unpack[Options]
 ) -> Clip:
-    """Read a clip from a file: BVH, ASF/AMC, CSV, NPY; C3D, TRC and MOT where extras are installed.
+    """Read a clip from a file: BVH, ASF/AMC, CSV, NPY; with extras also C3D, TRC and MOT.
 
     Parameters
     ----------
     path : path
-        The suffix tells the format, else the content. Beside an AMC file its ASF file is looked for
-        by subject number; the option `skeleton` names another.
+        The suffix determines the format, or else the content. The ASF file of an AMC file is found
+        in its folder by subject number; the option `skeleton` names another one.
     gaps : {"refuse", "fill"}
-        What to do about markers that are missing for some frames in C3D, TRC and MOT files:
-        nothing but say where they are, as an exception, or fill them in linearly and say so, as a
-        :class:`stltsa.QualityWarning`. See :mod:`stltsa.markers`.
+        How to treat gaps of markers in C3D, TRC and MOT files: raise an exception that gives their
+        positions, or fill them linearly with a :class:`stltsa.QualityWarning`. See
+        :mod:`stltsa.markers`.
     **options
-        Used: `fps` (over what the file says), `skeleton`, `memory_map` (the numbers of an NPY file
+        Used: `fps` (overrides the file), `skeleton`, `memory_map` (the numbers of an NPY file
         stay in it: do not overwrite it while the clip, or a model of it, is in use), `progress`.
 
     Returns
@@ -219,9 +219,9 @@ def read_clip(
     stltsa.FileError
         The file cannot be read.
     stltsa.FormatError
-        It is not what its format says; the text has the line and what to do.
+        The content does not match the format; the text gives the line and what to do.
     stltsa.NotFiniteError
-        A NaN or an infinity is in it.
+        The file contains a NaN or an infinity.
 
     Examples
     --------
@@ -241,7 +241,7 @@ def read_clip(
 
 
 def opened(motion: Any, options: Options) -> Any:
-    """Return the clip that a path names, and anything else as it is."""
+    """Return the clip at a path, and anything else unchanged."""
     if not isinstance(motion, str | os.PathLike):
         return motion
     used: Any = {k: v for k, v in options.items() if k in ("fps", "skeleton", "memory_map")}
@@ -249,7 +249,7 @@ def opened(motion: Any, options: Options) -> Any:
 
 
 def _check_rate(clip: Clip, fps: Any) -> None:
-    """Refuse another rate than the clip's, which would be ignored."""
+    """Refuse a rate other than the clip's, which would be ignored."""
     if fps and fps not in ("auto", clip.fps):
         raise ValueError(
             f"fps is {fps!r}, but a Clip has its own, {clip.fps:g} (0: unknown): give fps= to "
@@ -258,7 +258,7 @@ def _check_rate(clip: Clip, fps: Any) -> None:
 
 
 def as_clip(motion: Any, options: Any) -> Clip:
-    """Return a clip, made from an array where it is none; `fps` then is taken from the options."""
+    """Return a clip; make one from an array, with `fps` from the options."""
     motion = opened(motion, options)
     if isinstance(motion, Clip):
         _check_rate(motion, options.pop("fps", None))

@@ -25,8 +25,8 @@ if TYPE_CHECKING:
 class Interval(NamedTuple):
     """A unit or a cycle: ``[begin, end)`` in source frames, and in seconds.
 
-    Seconds keep fractions of a frame. `kind` is the library's name of a unit, such as
-    ``"preparing"``, ``"cyclic"`` or ``"action"``, or ``"cycle"``.
+    Seconds keep fractions of a frame. `kind` is ``"cycle"`` or the library's name of a unit, such
+    as ``"preparing"``, ``"cyclic"`` or ``"action"``.
     """
 
     kind: str
@@ -39,15 +39,15 @@ class Interval(NamedTuple):
 def decompose(motion: Any, **options: Unpack[Options]) -> Decomposition:
     """Cut a clip into motion units and cycles.
 
-    The period is found first, and the neighborhoods follow from it: there is nothing to tune.
-    A clip without trustworthy cycles is cut into activity and rest, and the result says why
-    (:attr:`Decomposition.reason`): an answer, not an error.
+    The library finds the period first and derives the neighborhoods from it, so nothing needs
+    tuning. A clip without trustworthy cycles is not an error: it is cut into activity and rest, and
+    :attr:`Decomposition.reason` explains why.
 
     Parameters
     ----------
     motion : Clip, path, or array-like of shape (frames, channels)
-        An array needs the option `fps`, and so does a path where the file does not say it; a Clip
-        has its own.
+        An array needs the option `fps`, and so does a path if the file has no rate; a Clip has its
+        own.
     **options
         Used: `features`, `up_axis`, `keep_start`, `sample_rate`, `smoothing`, `period_min`,
         `period_max`, `neighbors`, `window`, `dimension`, `mode`, `threads`, `fps`, `progress`.
@@ -60,9 +60,9 @@ def decompose(motion: Any, **options: Unpack[Options]) -> Decomposition:
     Raises
     ------
     stltsa.ArgumentError
-        The Clip's frame rate is unknown, or an option does not fit.
+        The Clip's frame rate is unknown, or an option is invalid.
     stltsa.TooFewFramesError
-        The clip is too short. (One in which nothing moves is no error: it is standing.)
+        The clip is too short. (A clip without movement is not an error: it is standing.)
 
     Examples
     --------
@@ -82,12 +82,12 @@ def decompose(motion: Any, **options: Unpack[Options]) -> Decomposition:
 
 
 class Decomposition(Described):
-    """Units and cycles of a clip, and the curve that they were read from.
+    """Units and cycles of a clip, and the curve from which they were cut.
 
     Attributes
     ----------
     clip : Clip
-        What was cut.
+        The decomposed clip.
     """
 
     _kind = "decomposition"
@@ -112,17 +112,17 @@ class Decomposition(Described):
 
     @property
     def unit_list(self) -> tuple[Interval, ...]:
-        """The units in order of time; they cover the clip without gap or overlap."""
+        """The units in temporal order; they cover the clip without gap or overlap."""
         return self._intervals(lib.stltsa_decomposition_unit_count, lib.stltsa_decomposition_unit)
 
     @property
     def cycle_list(self) -> tuple[Interval, ...]:
-        """The cycles in order of time, back to back."""
+        """The cycles in temporal order, back to back."""
         return self._intervals(lib.stltsa_decomposition_cycle_count, lib.stltsa_decomposition_cycle)
 
     @property
     def units(self) -> Any:
-        """The units as a table: a DataFrame with pandas, a NumPy record array without.
+        """The units as a table: a DataFrame with pandas, otherwise a NumPy record array.
 
         Columns: kind; begin, end in source frames, half-open; begin_s, end_s in seconds.
         """
@@ -130,7 +130,7 @@ class Decomposition(Described):
 
     @property
     def cycles(self) -> Any:
-        """The cycles as a table, of the same columns as :attr:`units`."""
+        """The cycles as a table with the same columns as :attr:`units`."""
         return table(self.cycle_list, Interval)
 
     def _cycle(self, key: int) -> Interval | None:
@@ -139,12 +139,12 @@ class Decomposition(Described):
 
     @property
     def representative_cycle(self) -> Interval | None:
-        """The cycle that the paper's rule picks: from the first margin to the third."""
+        """The cycle chosen by the paper's rule: from the first margin to the third."""
         return self._cycle(lib.STLTSA_DECOMPOSITION_REPRESENTATIVE)
 
     @property
     def best_cycle(self) -> Interval | None:
-        """The cycle most like the others."""
+        """The cycle that is most similar to the others."""
         return self._cycle(lib.STLTSA_DECOMPOSITION_BEST)
 
     @property
@@ -161,7 +161,7 @@ class Decomposition(Described):
 
     @property
     def curve(self) -> FloatArray:
-        """The smoothed coordinate that was cut; shape (samples,)."""
+        """The smoothed coordinate from which units and cycles were cut; shape (samples,)."""
         return self._columns(lib.stltsa_decomposition_curve, 1)[:, 0]
 
     @property
@@ -171,47 +171,47 @@ class Decomposition(Described):
 
     @property
     def period(self) -> float:
-        """Seconds; 0 where no period was found."""
+        """Period in seconds; 0 if none was found."""
         return self._real(lib.STLTSA_DECOMPOSITION_PERIOD)
 
     @property
     def cyclicity(self) -> float:
-        """Of the coordinate that was cut; 1 is a perfect oscillation."""
+        """How well that coordinate repeats once per period; 1 is a perfect oscillation."""
         return self._real(lib.STLTSA_DECOMPOSITION_CYCLICITY)
 
     @property
     def lag_quality(self) -> float:
-        """How alike the clip is to itself one period later; 1 is perfect."""
+        """Similarity of the clip to itself one period later; 1 is perfect."""
         return self._real(lib.STLTSA_DECOMPOSITION_LAG_QUALITY)
 
     @property
     def fps(self) -> float:
-        """Samples of the curve a second."""
+        """Samples of the curve per second."""
         return self._real(lib.STLTSA_DECOMPOSITION_FPS)
 
     @property
     def neighbors(self) -> int:
-        """Neighbors that were used (k), in samples."""
+        """Neighbors (k), in samples."""
         return self._int(lib.STLTSA_DECOMPOSITION_NEIGHBORS)
 
     @property
     def window(self) -> int:
-        """Window that was used (w), in samples."""
+        """Window (w), in samples."""
         return self._int(lib.STLTSA_DECOMPOSITION_WINDOW)
 
     @property
     def dimension(self) -> int:
-        """Tangent dimension that was used."""
+        """Tangent dimension."""
         return self._int(lib.STLTSA_DECOMPOSITION_DIMENSION)
 
     @property
     def reason(self) -> str:
-        """Why no cycle is claimed, in words with the numbers; empty where there are cycles."""
+        """Why there are no cycles, with the numbers; empty if there are cycles."""
         return string(lib.stltsa_decomposition_reason(self._handle))
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """What a user should know about the result, in words."""
+        """Warnings about the result."""
         return texts(
             lib.stltsa_decomposition_warning_count, lib.stltsa_decomposition_warning, self._handle
         )

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Cleaning of coordinates (the paper, section 3.2)."""
+"""Denoising of coordinates (the paper, section 3.2)."""
 
 from __future__ import annotations
 
@@ -26,10 +26,10 @@ def denoise(coords: Any, *, groups: Any = None, **options: Unpack[Options]) -> D
     Parameters
     ----------
     coords : Model, array-like of shape (rows, columns), or list of such arrays
-        Rows in order of time. Each column is cleaned for itself; clips, and the components of a
-        model, have a curve each.
+        Rows in temporal order. Each column is cleaned separately; each clip, and each component of
+        a model, has its own curve.
     groups : array-like of shape (rows,), optional
-        A label for each row of an array that holds several clips; rows of one clip stand together.
+        A label for each row of an array with several clips; the rows of a clip are contiguous.
     **options
         Used: `gamma` (distance from the curve beyond which a point is noisy, in units of the
         coordinate), `knot_spacing`, `robust`, `fps`, `period_min`, `period_max`, `progress`.
@@ -43,7 +43,7 @@ def denoise(coords: Any, *, groups: Any = None, **options: Unpack[Options]) -> D
     stltsa.TooFewFramesError
         A clip has fewer than 8 rows.
     stltsa.NotFiniteError
-        A NaN or an infinity is among the coordinates.
+        The coordinates contain a NaN or an infinity.
 
     Examples
     --------
@@ -67,12 +67,12 @@ def denoise(coords: Any, *, groups: Any = None, **options: Unpack[Options]) -> D
 
 
 class Denoising(Described):
-    """Coordinates before and after cleaning, and the curve they were moved towards.
+    """Coordinates before and after cleaning, and the fitted curve.
 
     Attributes
     ----------
     points : ndarray of shape (rows, columns)
-        The coordinates as they were.
+        The original coordinates.
     """
 
     _kind = "denoising"
@@ -92,7 +92,7 @@ class Denoising(Described):
 
     @property
     def curve(self) -> FloatArray:
-        """The fitted curve; shape (rows, columns). Look for extrema and margins on it."""
+        """The fitted curve; shape (rows, columns). Use it to find extrema and margins."""
         return self._matrix(lib.stltsa_denoising_curve)
 
     @property
@@ -102,23 +102,23 @@ class Denoising(Described):
 
     @property
     def moves(self) -> FloatArray:
-        """By how much each point was moved, 0 where it was not; shape (rows, columns)."""
+        """Displacement of each point, 0 if it was not moved; shape (rows, columns)."""
         return self._matrix(lib.stltsa_denoising_moves)
 
     @property
     def moved(self) -> IntArray:
-        """How many points of each column were moved."""
+        """Number of moved points in each column."""
         get, key = lib.stltsa_denoising_get_int, lib.STLTSA_DENOISING_MOVED
         return np.array([get_int(get, self._handle, key, c) for c in range(self.points.shape[1])])
 
     @property
     def gamma(self) -> FloatArray:
-        """Distance from the curve beyond which a point counts as noisy, for each column."""
+        """Distance from the curve beyond which a point is noisy, for each column."""
         return self._reals(lib.STLTSA_DENOISING_GAMMA)
 
     @property
     def shift(self) -> FloatArray:
-        """Mean distance of those points, by which they are moved at most (d_t of the paper)."""
+        """Mean distance of the noisy points, the most by which they move (d_t of the paper)."""
         return self._reals(lib.STLTSA_DENOISING_SHIFT)
 
     @property

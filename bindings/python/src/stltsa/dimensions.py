@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""How many dimensions a motion has (the paper, section 2.3)."""
+"""The intrinsic dimension of a motion (the paper, section 2.3)."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 
 def dimension(motion: Any, *, groups: Any = None, **options: Unpack[Options]) -> Dimension:
-    """Estimate the intrinsic dimension of a motion, in two ways.
+    """Estimate the intrinsic dimension of a motion by two methods.
 
     Parameters
     ----------
@@ -31,7 +31,7 @@ def dimension(motion: Any, *, groups: Any = None, **options: Unpack[Options]) ->
     groups : array-like of shape (frames,), optional
         As in :func:`fit`.
     **options
-        Those of :func:`fit`, `eigengap` and `variance`.
+        The options of :func:`fit`, and `eigengap` and `variance`.
 
     Returns
     -------
@@ -58,7 +58,7 @@ def dimension(motion: Any, *, groups: Any = None, **options: Unpack[Options]) ->
 
 
 class Dimension(Described):
-    """Two estimates of the intrinsic dimension; ``None`` stands for "cannot tell"."""
+    """Two estimates of the intrinsic dimension; ``None`` means that there is no estimate."""
 
     _kind = "dimension"
 
@@ -74,19 +74,20 @@ class Dimension(Described):
     def eigengap(self) -> int | None:
         """The first gap between eigenvalues above the threshold, the paper's estimate.
 
-        It counts the eigenvalue zero, and one eigenvalue more than the tangent dimension is small
-        by construction, so it moves with what was put in: read it beside :attr:`local_pca`.
+        It counts the eigenvalue zero. By construction one more eigenvalue than the tangent
+        dimension is small, so the estimate depends on the option `dimension`: compare it with
+        :attr:`local_pca`.
         """
         return self._estimate(lib.stltsa_dimension_eigengap)[0]
 
     @property
     def local_pca(self) -> int | None:
-        """Principal directions that hold the share `variance` of a neighborhood, the median."""
+        """Median number of principal directions that explain the share `variance`."""
         return self._estimate(lib.stltsa_dimension_local_pca)[0]
 
     @property
     def reasons(self) -> tuple[str, ...]:
-        """Why an estimate cannot tell, in words."""
+        """Why there is no estimate."""
         functions = lib.stltsa_dimension_eigengap, lib.stltsa_dimension_local_pca
         return tuple(r for _, r in map(self._estimate, functions) if r)
 
@@ -99,7 +100,7 @@ class Dimension(Described):
 
     @property
     def eigenvalues(self) -> FloatArray:
-        """Eigenvalues of the alignment matrix over k, ascending, the zero one first."""
+        """Eigenvalues of the alignment matrix over k, ascending, starting with zero."""
         return self._values(lib.stltsa_dimension_eigenvalues)
 
     @property

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What goes wrong, as exceptions; the text of each is the library's own.
+"""Failures as exceptions, with the library's texts.
 
-There is one class for each status of the C interface. Each is a :class:`StltsaError` and the
-built-in exception that a Python user would expect, so ``except ValueError`` works too.
+There is one class for each status of the C interface. Each derives from :class:`StltsaError` and
+from the matching built-in exception, so ``except ValueError`` works too.
 """
 
 from __future__ import annotations
@@ -49,23 +49,23 @@ class StltsaError(Exception):
 
 
 class ArgumentError(StltsaError, ValueError):
-    """An unknown option, a value out of its range, neighbors that do not fit together."""
+    """An unknown option, a value out of range, or inconsistent neighbors."""
 
 
 class ShapeError(StltsaError, ValueError):
-    """Rows or columns of an array do not fit."""
+    """The rows or columns of an array do not match."""
 
 
 class NotFiniteError(StltsaError, ValueError):
-    """A NaN or an infinity among the frames; the text says where."""
+    """A NaN or an infinity among the frames; the text gives its position."""
 
 
 class TooFewFramesError(StltsaError, ValueError):
-    """Fewer (distinct) frames than the neighbors ask for."""
+    """There are fewer (distinct) frames than the neighbors require."""
 
 
 class OutOfMemoryError(StltsaError, MemoryError):
-    """Memory did not suffice."""
+    """Out of memory."""
 
 
 class FileError(StltsaError, OSError):
@@ -73,27 +73,27 @@ class FileError(StltsaError, OSError):
 
 
 class FormatError(StltsaError, ValueError):
-    """A file is not what its format says; the text has the line."""
+    """The content of a file does not match its format; the text gives the line."""
 
 
 class DisconnectedError(StltsaError, ValueError):
-    """The neighborhood graph falls apart where one was needed."""
+    """The neighborhood graph is disconnected, but a connected one is required."""
 
 
 class DegenerateError(StltsaError, ValueError):
-    """The frames do not vary, or not in enough directions."""
+    """The frames do not vary, or vary in too few directions."""
 
 
 class NotConvergedError(StltsaError, RuntimeError):
-    """The eigensolver gave up."""
+    """The eigensolver did not converge."""
 
 
 class CancelledError(StltsaError, RuntimeError):
-    """The call was asked to stop."""
+    """The progress callback cancelled the call."""
 
 
 class UnsupportedError(StltsaError, NotImplementedError):
-    """Not in this build of the library, or not for this clip."""
+    """Not available in this build of the library, or not for this clip."""
 
 
 class InternalError(StltsaError, RuntimeError):
@@ -101,11 +101,11 @@ class InternalError(StltsaError, RuntimeError):
 
 
 class NoCommonPostureError(StltsaError, ValueError):
-    """Two pieces of motion have no posture at which they could be joined."""
+    """Two pieces of motion have no common posture at which to join."""
 
 
 class QualityWarning(UserWarning):
-    """What a user should know about a result, as the library words it."""
+    """A warning of the library about a result."""
 
 
 _CLASSES: dict[str, type[StltsaError]] = {
@@ -127,5 +127,5 @@ _CLASSES: dict[str, type[StltsaError]] = {
 
 
 def error_for(status: int, name: str, text: str) -> StltsaError:
-    """Return the exception for a status; one that this version does not know is an error too."""
+    """Return the exception for a status; an unknown status is an error too."""
     return _CLASSES.get(name, StltsaError)(text, status, name)

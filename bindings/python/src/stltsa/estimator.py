@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 @contextmanager
 def _in_the_words_of_sklearn() -> Iterator[None]:
-    """Say "NaN or infinity" where scikit-learn's users look for it, before the library's text."""
+    """Put "NaN or infinity", which scikit-learn's users look for, before the library's text."""
     try:
         yield
     except NotFiniteError as error:
@@ -33,60 +33,59 @@ def _in_the_words_of_sklearn() -> Iterator[None]:
 class STLTSA(Base):
     """Spatio-temporal local tangent space alignment: motion as a low-dimensional curve.
 
-    Unlike in other transformers of scikit-learn the order of rows matters: it is time.
+    Unlike in other scikit-learn transformers, the order of rows matters: it is time.
 
     Parameters
     ----------
     n_neighbors : int or "auto", default="auto"
-        Neighbors of each frame, itself included. ``"auto"``: 1.2 periods where `fps` is given and
-        a period is found, else 1.2 seconds, or 12 where `fps` is not given. With few neighbors
-        against a cycle the first coordinate tells the time and nothing else.
+        Neighbors of each frame, including itself. ``"auto"``: 1.2 periods if `fps` is given and a
+        period is found, otherwise 1.2 seconds, or 12 if `fps` is not given. If there are few
+        neighbors relative to a cycle, the first coordinate only follows time.
     n_components : int, default=2
-        Coordinates.
+        Number of coordinates.
     neighbors : {"temporal", "recurrent", "spatial"}, default="temporal"
-        Where neighbors are looked for: within the window; within the window and, as links, among
-        the frames outside the exclusion zone, which ties one cycle to the next; among all frames.
+        Candidates for neighbors: frames within the window; frames within the window and, as links,
+        frames outside the exclusion zone, which connect one cycle to the next; all frames.
     window : int or "auto", default="auto"
-        Frames to each side that temporal neighbors come from; ``"auto"``: as many as `n_neighbors`.
+        Frames to each side that can be temporal neighbors; ``"auto"``: as `n_neighbors`.
     include_self : bool, default=True
-        Whether a frame counts among its own neighbors, as in Zhang and Zha; scikit-learn's
-        LocallyLinearEmbedding leaves it out.
+        Count a frame among its own neighbors, as in Zhang and Zha; scikit-learn's
+        LocallyLinearEmbedding does not.
     links : int, default=4
-        For ``"recurrent"``: neighbors from outside the exclusion zone.
+        For ``"recurrent"``: number of neighbors from outside the exclusion zone.
     exclusion : int or "auto", default="auto"
-        For ``"recurrent"``: frames to each side that are no links; ``"auto"``: as `window`.
+        For ``"recurrent"``: frames to each side that cannot be links; ``"auto"``: as `window`.
     fps : float, optional
-        Frames a second, for ``n_neighbors="auto"``; a :class:`stltsa.Clip` knows its own.
+        Frames per second, for ``n_neighbors="auto"``; a :class:`stltsa.Clip` has its own.
     map_neighbors : int or "auto", default="auto"
-        Rows that a local map rests on in `transform` and `inverse_transform`.
+        Rows for each local map in `transform` and `inverse_transform`.
     map_blend : int, default=3
-        Local maps that are blended there.
+        Number of local maps to blend there.
     n_jobs : int, optional
-        Threads: None is one, -1 every core. The result has the same bits for any number.
+        Number of threads: None is one, -1 all cores. The result has the same bits for any number.
     progress : bool or callable, default=False
-        True: a bar, where tqdm is installed. A function is called with the stage and the fraction
-        of it that is done; what it raises cancels the fit.
+        True shows a bar if tqdm is installed. A function is called with the stage and the finished
+        fraction of it; an exception that it raises cancels the fit.
 
     Attributes
     ----------
     embedding_ : ndarray of shape (n_samples, n_components)
-        The curve. Columns are centered and of norm 1 in each connected component; the sign is such
-        that the entry of largest size is positive.
+        The curve. Columns are centered and of norm 1 in each connected component; the sign makes
+        the entry with the largest magnitude positive.
     eigenvalues_ : ndarray of shape (n_components + 2,)
-        Smallest eigenvalues of the alignment matrix, ascending, the zero one first. Of several
-        connected components those of the first; all are in ``model_.eigenvalues``.
+        Smallest eigenvalues of the alignment matrix, ascending, starting with zero. With several
+        connected components, those of the first; ``model_.eigenvalues`` has all.
     model_ : Model
-        All else that is known; maps with distances and hints, saves.
+        The fitted model, which also maps with distances and hints, and can be saved.
     n_features_in_ : int
-        Columns that were fitted.
+        Number of fitted columns.
     n_neighbors_, window_ : int
-        Those that were used.
+        The values used.
 
     Notes
     -----
-    Several clips are several components, and each is embedded on its own: compare coordinates
-    across them only with ``neighbors="recurrent"`` or ``"spatial"``, and if ``model_.n_components``
-    then is 1.
+    Each clip is a separate component with its own embedding: compare coordinates of different clips
+    only with ``neighbors="recurrent"`` or ``"spatial"``, and only if ``model_.n_components`` is 1.
 
     H. Li, J. Niu, L. Zhang, B. Hu: "Spatio-temporal LTSA and Its Application to Motion
     Decomposition". ICONIP 2012.
@@ -166,13 +165,12 @@ class STLTSA(Base):
         Parameters
         ----------
         X : array-like of shape (n_samples, n_features), list of such arrays, or Clip
-            Rows are frames in order of time; a list has a clip in each array. A C-contiguous array
-            of float64 is not copied, any other once (a list is copied into one array).
+            Rows are frames in temporal order; a list has one array per clip. A C-contiguous float64
+            array is not copied; others are copied once (a list is copied into one array).
         y : ignored
-            Here because scikit-learn's conventions ask for it.
+            For scikit-learn's conventions.
         groups : array-like of shape (n_samples,), optional
-            A label for each row of an array that holds several clips; the rows of one clip stand
-            together.
+            A label for each row of an array with several clips; the rows of a clip are contiguous.
 
         Returns
         -------
@@ -181,13 +179,13 @@ class STLTSA(Base):
         Raises
         ------
         ValueError
-            The frames or the parameters do not fit; the text says what to do.
+            The frames or the parameters are invalid; the text says what to do.
 
         Warns
         -----
         QualityWarning
-            What the library has to say about the result: a coordinate that only follows time,
-            disconnected, a small gap.
+            Warnings of the library about the result: a coordinate that only follows time, a
+            disconnected graph, a small gap.
         """
         self.model_ = self._fit_model(X, groups)
         self.embedding_ = self.model_.coords
@@ -204,11 +202,11 @@ class STLTSA(Base):
             model = fit(self._motion(X, reset=True), groups=groups, **self._fit_options())
         if isinstance(X, Clip):
             self.n_features_in_ = model.n_features
-            vars(self).pop("feature_names_in_", None)  # of an array that was fitted before
+            vars(self).pop("feature_names_in_", None)  # from an array fitted before
         return model
 
     def _motion(self, X: Any, *, reset: bool) -> Any:
-        """Return a Clip as it is, and arrays when they have passed scikit-learn's checks."""
+        """Return a Clip unchanged, and arrays after scikit-learn's checks."""
         if isinstance(X, Clip):
             return X
         if is_sequence_of_clips(X):
@@ -220,27 +218,28 @@ class STLTSA(Base):
         return self.fit(X, groups=groups).embedding_
 
     def transform(self, X: Any) -> FloatArray:
-        """Place frames on the curve; rows that were fitted get their own coordinates, to the bit.
+        """Map frames onto the curve; fitted rows get their own coordinates, to the bit.
 
-        Of equal rows that come back after others all get the first's; ``model_.map(X, hints=...)``
-        tells them apart.
+        Equal rows that occur more than once all get the coordinates of the first; ``model_.map(X,
+        hints=...)`` distinguishes them.
 
         Parameters
         ----------
         X : array-like of shape (n_samples, n_features), list of such arrays, or Clip
-            Of a clip every frame is mapped.
+            Of a clip, every frame is mapped.
 
         Returns
         -------
         ndarray of shape (n_samples, n_components)
-            Coordinates. How far each row is from what was learned: ``model_.map(X).distance``.
+            Coordinates. ``model_.map(X).distance`` gives the distance of each row from the fitted
+            ones.
         """
         self._check_fitted()
         with _in_the_words_of_sklearn():
             return self.model_.map(self._motion(X, reset=False), **self._map_options()).values
 
     def inverse_transform(self, X: Any) -> FloatArray:
-        """Return the frames that points of the curve stand for.
+        """Map coordinates back to frames.
 
         Parameters
         ----------
@@ -250,7 +249,7 @@ class STLTSA(Base):
         Returns
         -------
         ndarray of shape (n_samples, n_features_in_)
-            Frames. As a clip with a skeleton: ``model_.poses(X)``.
+            Frames. ``model_.poses(X)`` returns a clip with a skeleton.
         """
         self._check_fitted()
         return self.model_.unmap(X, **self._map_options()).values

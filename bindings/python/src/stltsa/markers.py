@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Files of markers and of joint coordinates: C3D, and OpenSim's TRC, MOT and STO.
+"""Files of markers and joint coordinates: C3D, and OpenSim's TRC, MOT and STO.
 
-The library reads none of these; ezc3d reads C3D (``pip install stltsa[c3d]``), pandas the others
-(``pip install stltsa[trc]``). Gaps are never handed on silently: see :meth:`Markers.to_clip`.
+The library does not read these formats: ezc3d reads C3D (``pip install stltsa[c3d]``), pandas the
+others (``pip install stltsa[trc]``). Gaps are never ignored: see :meth:`Markers.to_clip`.
 """
 
 from __future__ import annotations
@@ -44,13 +44,13 @@ class Markers:
     Attributes
     ----------
     names : tuple of str
-        Of the markers, or of the joint coordinates.
+        Names of the markers or joint coordinates.
     values : ndarray of shape (frames, names, 3) or (frames, names, 1)
         Positions in the file's unit of length, or joint coordinates in the file's unit of angle.
     fps : float
-        Frames a second.
+        Frames per second.
     path : str
-        Where they were read from.
+        The file that they were read from.
     """
 
     names: tuple[str, ...]
@@ -60,7 +60,7 @@ class Markers:
 
     @property
     def gaps(self) -> tuple[Gap, ...]:
-        """Where a marker is missing, marker by marker."""
+        """The gaps, marker by marker."""
         missing = zip(self.names, ~self._there.T, strict=True)
         return tuple(gap for name, gone in missing for gap in _runs(name, gone))
 
@@ -69,19 +69,19 @@ class Markers:
         return np.asarray(np.isfinite(self.values).all(axis=2))
 
     def to_clip(self, *, gaps: str = "refuse", fps: Any = None, center: bool = True) -> Clip:
-        """Return a clip of these numbers, for the library to work on.
+        """Return a clip of these numbers.
 
         Parameters
         ----------
         gaps : {"refuse", "fill"}
-            ``"refuse"``: a gap is an error, which says where it is. ``"fill"``: gaps are filled in
-            linearly, at the ends with the nearest value; markers that are never there are left out;
-            a warning says what was done.
+            ``"refuse"``: a gap is an error, whose text gives its position. ``"fill"``: fills gaps
+            linearly, and with the nearest value at the ends; leaves out markers that are always
+            missing; warns what it did.
         fps : float, optional
-            Frames a second, over what the file says.
+            Frames per second; overrides the file.
         center : bool, default=True
-            Take the mean of all markers out of each frame, so that where the body is does not hide
-            what it does. Joint coordinates are left as they are.
+            Subtract the mean of all markers from each frame, so that the path of the body does not
+            hide its movement. Joint coordinates are not changed.
 
         Raises
         ------
@@ -154,7 +154,7 @@ def _extra(name: str, extra: str) -> Any:
 
 
 def _read_c3d(path: Path) -> Markers:
-    file = _extra("ezc3d", "c3d").c3d(str(path))  # which makes NaN of points that are not valid
+    file = _extra("ezc3d", "c3d").c3d(str(path))  # sets invalid points to NaN
     point = file["parameters"]["POINT"]
     points = np.asarray(file["data"]["points"], dtype=np.float64)[:_AXES]
     names = tuple(str(name) for name in point["LABELS"]["value"][: points.shape[1]])
@@ -211,14 +211,14 @@ def read_markers(path: str | os.PathLike[str]) -> Markers:
     Parameters
     ----------
     path : path
-        The suffix tells the format.
+        The suffix determines the format.
 
     Raises
     ------
     ImportError
-        The extra that reads this format is not installed.
+        The extra for this format is not installed.
     stltsa.FormatError
-        The file is not what its suffix says.
+        The content of the file does not match its suffix.
     """
     readers = {".c3d": _read_c3d, ".trc": _read_trc, ".mot": _read_mot, ".sto": _read_mot}
     reader = readers.get(Path(path).suffix.lower())

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Models: the curve of a motion, and the way from poses to it and back."""
+"""Models: the curve of a motion, and the mapping between poses and curve."""
 
 from __future__ import annotations
 
@@ -35,15 +35,15 @@ _MODES = names("STLTSA_MODE_")
 
 
 class Mapped(NamedTuple):
-    """Where frames lie on the curve, or which frames points of the curve stand for.
+    """Frames mapped onto the curve, or coordinates mapped back to frames.
 
     Attributes
     ----------
     values : ndarray of shape (rows, columns)
         Coordinates (:meth:`Model.map`) or frames (:meth:`Model.unmap`).
     distance : ndarray of shape (rows,)
-        From what was learned, relative to what is common there: beyond 1 the row is unlike it, and
-        its values mean little.
+        Distance from the fitted rows, relative to their typical distance: beyond 1 the row is
+        unlike them and its values are unreliable.
     nearest : ndarray of shape (rows,)
         The nearest row of the model.
     """
@@ -59,11 +59,11 @@ def fit(motion: Any, *, groups: Any = None, **options: Unpack[Options]) -> Model
     Parameters
     ----------
     motion : Clip, path, array-like of shape (frames, features), or list of such arrays
-        Rows are frames in order of time. Arrays are taken as they are; of a clip the features, a
-        T-pose at its start dropped, smoothed and thinned out to `sample_rate`. A C-contiguous array
-        of float64 is not copied, any other once; a list is copied into one array.
+        Rows are frames in temporal order. Arrays are used unchanged; a clip gives its features,
+        without a T-pose at the start, smoothed and decimated to `sample_rate`. A C-contiguous
+        float64 array is not copied; others are copied once; a list is copied into one array.
     groups : array-like of shape (frames,), optional
-        A label for each row of an array that holds several clips; rows of one clip stand together.
+        A label for each row of an array with several clips; the rows of a clip are contiguous.
     **options
         Used: `neighbors`, `window`, `dimension`, `mode`, `include_self`, `links`, `exclusion`,
         `threads`, `fps`, `period_min`, `period_max`, `keep_frames`, `progress`; for clips
@@ -77,7 +77,7 @@ def fit(motion: Any, *, groups: Any = None, **options: Unpack[Options]) -> Model
     Raises
     ------
     stltsa.ArgumentError, stltsa.ShapeError, stltsa.NotFiniteError, stltsa.TooFewFramesError
-        The frames or the options do not fit; the text says what to do.
+        The frames or the options are invalid; the text says what to do.
     stltsa.DegenerateError
         The frames do not vary.
     stltsa.UnsupportedError
@@ -126,22 +126,22 @@ class Model(Described):
 
     @property
     def n_features(self) -> int:
-        """Columns that were fitted."""
+        """Number of fitted columns."""
         return self._int(lib.STLTSA_MODEL_FEATURES)
 
     @property
     def dimension(self) -> int:
-        """Columns of the coordinates (d)."""
+        """Number of coordinates (d)."""
         return self._int(lib.STLTSA_MODEL_DIMENSION)
 
     @property
     def neighbors(self) -> int:
-        """Neighbors of each frame that were used (k)."""
+        """Neighbors of each frame (k)."""
         return self._int(lib.STLTSA_MODEL_NEIGHBORS)
 
     @property
     def window(self) -> int:
-        """Frames to each side that were used (w)."""
+        """Window: frames to each side (w)."""
         return self._int(lib.STLTSA_MODEL_WINDOW)
 
     @property
@@ -151,7 +151,7 @@ class Model(Described):
 
     @property
     def n_components(self) -> int:
-        """Connected components of the neighborhood graph; each has coordinates of its own."""
+        """Number of components of the neighborhood graph; each has its own coordinates."""
         return self._int(lib.STLTSA_MODEL_COMPONENTS)
 
     @property
@@ -162,17 +162,17 @@ class Model(Described):
 
     @property
     def fps(self) -> float:
-        """Rows a second; 0 where it is unknown."""
+        """Rows per second; 0 if unknown."""
         return self._real(lib.STLTSA_MODEL_FPS)
 
     @property
     def period(self) -> float:
-        """Seconds, that the automatic number of neighbors rests on; 0: none was found."""
+        """Period in seconds that determines the automatic number of neighbors; 0: none found."""
         return self._real(lib.STLTSA_MODEL_PERIOD)
 
     @property
     def time_correlation(self) -> float:
-        """Rank correlation of coordinate 1 with time, 0 to 1; 1: it tells the time and no more."""
+        """Rank correlation of coordinate 1 with time, 0 to 1; at 1 it only follows time."""
         return self._real(lib.STLTSA_MODEL_TIME_CORRELATION)
 
     @property
@@ -196,7 +196,7 @@ class Model(Described):
     def eigenvalues(self) -> FloatArray:
         """Smallest eigenvalues of the alignment matrix, ascending; shape (components, d + 2).
 
-        The first is the zero one; NaN where a component is too small to have as many.
+        The first is zero; NaN if a component is too small to have as many.
         """
         result = columns(self.n_components, self.dimension + 2)
         check(lib.stltsa_model_eigenvalues(self._handle, write_to(result)))
@@ -211,27 +211,27 @@ class Model(Described):
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """What a user should know about the result, in words."""
+        """Warnings about the result."""
         return texts(lib.stltsa_model_warning_count, lib.stltsa_model_warning, self._handle)
 
     def map(self, motion: Any, *, hints: Any = None, **options: Unpack[Options]) -> Mapped:
-        """Place frames on the curve (the paper, section 2.4).
+        """Map frames onto the curve (the paper, section 2.4).
 
         Parameters
         ----------
         motion : Clip, path, array-like of shape (rows, features), or list of such arrays
-            A clip goes through what the model's clip went through, every frame of it. A frame that
-            was fitted gets its own coordinates, to the bit; of equal frames that come back after
-            others the first's, unless a hint says which one is meant.
+            A clip is prepared like the model's clip, and every frame is mapped. A fitted frame gets
+            its own coordinates, to the bit. If equal frames occur more than once, they get the
+            coordinates of the first, unless a hint selects another.
         hints : array-like of int of shape (rows,), optional
-            The row of the model near which each frame is looked for, -1: everywhere. Not for clips.
+            The row of the model near which to look for each frame; -1: everywhere. Not for clips.
         **options
             Used: `map_neighbors`, `map_blend`, `hint_window`, `threads`, `progress`.
 
         Returns
         -------
         Mapped
-            Coordinates of shape (rows, d), their distance from what was learned, the nearest rows.
+            Coordinates of shape (rows, d), their distance from the fitted rows, the nearest rows.
         """
         motion = opened(motion, options)
         if isinstance(motion, Clip):
@@ -252,7 +252,7 @@ class Model(Described):
     def _mapped(
         self, function: Any, what: tuple[Any, ...], shape: tuple[int, int], options: Any
     ) -> Mapped:
-        """Call a mapping, which writes a matrix of a shape and two numbers for each row of it."""
+        """Call a mapping, which writes a matrix of a given shape and two numbers for each row."""
         values, distance = columns(*shape), columns(shape[0], 1)
         nearest = np.empty(shape[0], dtype=np.int64)
         places = (write_to(values), write_to(distance), int64_pointer(nearest))
@@ -261,27 +261,27 @@ class Model(Described):
         return Mapped(values, distance[:, 0], nearest)
 
     def unmap(self, coords: Any, *, hints: Any = None, **options: Unpack[Options]) -> Mapped:
-        """Return the frames that points of the curve stand for (the paper, section 2.4).
+        """Map coordinates back to frames (the paper, section 2.4).
 
         Parameters
         ----------
         coords : array-like of shape (rows, d)
-            Points on the curve or near it. One coordinate alone cannot tell the swing to from the
-            swing fro: give hints, or fit more.
+            Points on the curve or near it. One coordinate alone cannot distinguish the forward from
+            the backward swing: pass hints, or fit more dimensions.
         hints : array-like of int of shape (rows,), optional
-            The row of the model near which each point is looked for, -1: everywhere.
+            The row of the model near which to look for each point; -1: everywhere.
         **options
             Used: `map_neighbors`, `map_blend`, `hint_window`, `component`, `threads`, `progress`.
 
         Returns
         -------
         Mapped
-            Frames of shape (rows, features), in the units that were fitted.
+            Frames of shape (rows, features), in the units of the fitted frames.
 
         Raises
         ------
         stltsa.DisconnectedError
-            The model has several components, and the option `component` does not say which.
+            The model has several components, and the option `component` is missing.
         """
         points = as_matrix(coords, "coords")
         wanted = _as_hints(hints, len(points))
@@ -293,16 +293,16 @@ class Model(Described):
         )
 
     def poses(self, coords: Any, *, hints: Any = None, **options: Unpack[Options]) -> Clip:
-        """Return the poses that points of the curve stand for, as a clip with the skeleton.
+        """Map coordinates back to poses: a clip with the model's skeleton.
 
-        Parameters and errors are those of :meth:`unmap`; besides, the option `fps` is used: how
-        many points there are a second. For the coordinates that :meth:`map` gave of a clip that is
-        the clip's; left out, it is that of the model's rows, which `fit` may have decimated.
+        Parameters and errors are those of :meth:`unmap`, and the option `fps` is the number of
+        points per second. For coordinates that :meth:`map` returned for a clip, pass the rate of
+        that clip; the default is the rate of the model's rows, which `fit` may have decimated.
 
         Raises
         ------
         stltsa.UnsupportedError
-            The model was fitted to bare numbers.
+            The model was fitted to plain numbers.
         """
         points = as_matrix(coords, "coords")
         wanted = _as_hints(hints, len(points))
@@ -332,7 +332,7 @@ class Model(Described):
 
     @classmethod
     def from_bytes(cls, data: bytes) -> Model:
-        """Return the model that :meth:`to_bytes` wrote, with the same bits.
+        """Return the model from the bytes of :meth:`to_bytes`, with the same bits.
 
         Raises
         ------
@@ -344,12 +344,12 @@ class Model(Described):
         return cls(owned("model", out))
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the model to a file, whole or not at all; the command `stltsa` reads it too."""
+        """Write the model to a file, completely or not at all; the command `stltsa` can read it."""
         check(lib.stltsa_model_save(self._handle, c_path(path)))
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> Model:
-        """Read a model that :meth:`save` or ``stltsa fit -o`` wrote."""
+        """Read a model written by :meth:`save` or ``stltsa fit -o``."""
         out = ffi.new("stltsa_model **")
         check(lib.stltsa_model_load(c_path(path), out))
         return cls(owned("model", out))

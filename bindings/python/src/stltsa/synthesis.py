@@ -43,13 +43,14 @@ class Piece(NamedTuple):
 
 
 class Seam(NamedTuple):
-    """Where one piece gives way to another, or to its own repetition.
+    """A join of two pieces, or of a piece and its own repetition.
 
-    `frame` is the first of the new clip that is the later piece's; `piece` and `next` are the
-    pieces that meet; the earlier one ends before `cut_end`, the later begins at `cut_begin`;
-    `crossfade` frames to each side are blended. `posture`: distance of the postures over what is
-    common between repetitions of one motion; 1 is as alike as those. `step` and `acceleration`:
-    largest near the seam over the 95th percentile of the pieces'; up to 1 nothing is to be seen.
+    `frame` is the first frame of the new clip from the later piece; `piece` and `next` are the two
+    pieces; the earlier one ends before `cut_end`, the later one begins at `cut_begin`; `crossfade`
+    frames to each side are blended. `posture`: distance of the postures relative to the typical
+    distance between repetitions of one motion; at 1 they are equally similar. `step` and
+    `acceleration`: largest values near the seam over the pieces' 95th percentiles; up to 1 the seam
+    is invisible.
     """
 
     frame: int
@@ -66,13 +67,13 @@ class Seam(NamedTuple):
 def synthesize(pieces: Iterable[Piece], **options: Unpack[Options]) -> Synthesis:
     """Join pieces of clips, in order, into a new clip.
 
-    Cuts are moved to a common posture and crossfaded; the body goes on from where it stood, facing
-    the way it faced. The units of a clip, in order, give the clip back.
+    Cuts move to a common posture and are crossfaded; the body continues from its position and
+    heading. Joining the units of a clip in order restores the clip.
 
     Parameters
     ----------
     pieces : iterable of Piece, or of tuples (clip, begin, end) or (clip, begin, end, repeat)
-        All clips need one hierarchy; the first gives frame rate and units.
+        All clips need the same hierarchy; the first one gives frame rate and units.
     **options
         Used: `crossfade`, `cut_range` (both in seconds), `posture_limit`, `up_axis`, `progress`.
 
@@ -85,7 +86,7 @@ def synthesize(pieces: Iterable[Piece], **options: Unpack[Options]) -> Synthesis
     stltsa.NoCommonPostureError
         Two pieces have no common posture; the text says at which seam and by how much.
     stltsa.UnsupportedError
-        Bare numbers, different hierarchies, or no frame rate.
+        A clip has plain numbers, a different hierarchy, or no frame rate.
 
     Examples
     --------
@@ -108,14 +109,14 @@ def synthesize(pieces: Iterable[Piece], **options: Unpack[Options]) -> Synthesis
 
 
 def _as_piece(values: Any) -> Piece:
-    """Return what was given as a piece, of a Clip."""
+    """Return the argument as a piece of a Clip."""
     if isinstance(values, tuple | list) and values and isinstance(values[0], Clip):
         return Piece(*values)
     raise TypeError(f"a piece is a tuple (Clip, begin, end[, repeat]); it is {values!r}")
 
 
 class Synthesis(Described):
-    """A new clip and what is known about its seams."""
+    """A new clip and measures of its seams."""
 
     _kind = "synthesis"
 
@@ -129,7 +130,7 @@ class Synthesis(Described):
 
     @property
     def seam_list(self) -> tuple[Seam, ...]:
-        """The seams in order of time."""
+        """The seams in temporal order."""
         result = []
         for index in range(lib.stltsa_synthesis_seam_count(self._handle)):
             raw = ffi.new("stltsa_seam *", {"size": ffi.sizeof("stltsa_seam")})
@@ -139,12 +140,12 @@ class Synthesis(Described):
 
     @property
     def seams(self) -> Any:
-        """The seams as a table: a DataFrame with pandas, a NumPy record array without."""
+        """The seams as a table: a DataFrame with pandas, otherwise a NumPy record array."""
         return table(self.seam_list, Seam)
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """What a user should know about the result, in words."""
+        """Warnings about the result."""
         return texts(lib.stltsa_synthesis_warning_count, lib.stltsa_synthesis_warning, self._handle)
 
     def __repr__(self) -> str:

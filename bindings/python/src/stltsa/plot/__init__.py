@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The paper's figures, from one call each; needs Matplotlib.
+"""The paper's figures, each from one call; needs Matplotlib.
 
 :func:`loop`
     Fig. 1: the motion as a loop in two coordinates, with frame numbers.
@@ -8,8 +8,8 @@
 :func:`units`
     Fig. 3: the coordinate over time, cut into units and cycles, with postures.
 
-Each draws into `ax`, or into a new figure that is readable in a column of a paper (88 mm wide). The
-colors can be told apart by color-blind readers, and none carries what is not said in words too.
+Each function draws into `ax`, or into a new figure that is legible in a column of a paper (88 mm
+wide). Color-blind readers can distinguish the colors, and no information is in colors alone.
 
 Examples
 --------

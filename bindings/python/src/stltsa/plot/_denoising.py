@@ -22,13 +22,13 @@ def denoising(
     Parameters
     ----------
     result : Denoising
-        What :func:`stltsa.denoise` returned.
+        Result of :func:`stltsa.denoise`.
     column : int, default=0
-        Which coordinate.
+        Index of the coordinate.
     fps : float, optional
-        Rows a second; the axis of time then is in seconds, else in rows.
+        Rows per second: the time axis is in seconds, otherwise in rows.
     ax : sequence of two matplotlib Axes, optional
-        Where to draw; a new figure by default.
+        Axes to draw into; a new figure by default.
 
     Returns
     -------

@@ -14,13 +14,13 @@ if TYPE_CHECKING:
     from .._arrays import FloatArray
     from ..decomposition import Decomposition
 
-# Of the larger side of the loop: how far a number is from its point, and what room it takes.
+# As shares of the loop's larger side: the distance of a number from its point, and its size.
 _AWAY = 0.05
 _ROOM = np.array([0.1, 0.05])
 
 
 def _numbered(loop: FloatArray, count: int) -> list[int]:
-    """Choose samples, evenly in time, whose numbers do not cover each other."""
+    """Choose samples, evenly spaced in time, whose numbers do not overlap."""
     size = np.ptp(loop, axis=0).max() or 1.0
     chosen: list[int] = []
     taken: list[FloatArray] = []
@@ -33,7 +33,7 @@ def _numbered(loop: FloatArray, count: int) -> list[int]:
 
 
 def _outward(loop: FloatArray, i: int) -> FloatArray:
-    """Return the direction away from the inside of the loop, square to its way."""
+    """Return the direction away from the inside of the loop, perpendicular to the curve."""
     before, after = loop[max(i - 2, 0)], loop[min(i + 2, len(loop) - 1)]
     way = after - before
     across = np.array([way[1], -way[0]])
@@ -45,7 +45,7 @@ def _outward(loop: FloatArray, i: int) -> FloatArray:
 
 
 def _side(along: float, low: str, high: str) -> str:
-    """Say on which side of its anchor a text begins, when it is to lie in a direction."""
+    """Return the alignment of a text that lies in a direction from its anchor."""
     return high if along > 0.4 else low if along < -0.4 else "center"
 
 
@@ -55,12 +55,11 @@ def loop(result: Decomposition, *, ax: Any = None, numbers: int = 24) -> Any:
     Parameters
     ----------
     result : Decomposition
-        What :func:`stltsa.decompose` returned.
+        Result of :func:`stltsa.decompose`.
     ax : matplotlib Axes, optional
-        Where to draw; a new figure by default.
+        Axes to draw into; a new figure by default.
     numbers : int, default=24
-        Samples that get the number of their frame, at most; those that would cover another's are
-        left out.
+        Largest number of samples with a frame number; numbers that would overlap are left out.
 
     Returns
     -------

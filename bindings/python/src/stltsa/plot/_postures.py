@@ -14,14 +14,14 @@ if TYPE_CHECKING:
 
 
 class SideView:
-    """Postures in the plane in which the body moves most, the way its toes point to the right.
+    """Postures in the plane of largest movement, toes pointing right.
 
     Root position and yaw are removed as in the library's features `positions`.
 
     Attributes
     ----------
     bones : list of (int, int)
-        Joints that are joined.
+        Pairs of joints to connect.
     far : ndarray of bool
         Which bones are on the far side of the body.
     """
@@ -41,7 +41,7 @@ class SideView:
         self._points /= max(float(np.ptp(self._points[:, :, 1])), 1e-12)
 
     def _forward(self, flat: FloatArray, height: FloatArray) -> FloatArray:
-        """Return the direction of largest movement, its sign such that toes are in front."""
+        """Return the direction of largest movement, with the toes in front."""
         moving = (flat - flat.mean(axis=0)).reshape(-1, 2)
         direction = np.linalg.eigh(moving.T @ moving)[1][:, -1]
         low, mean = height.mean(axis=0), flat.mean(axis=0)

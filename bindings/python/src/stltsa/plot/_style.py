@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the figures have in common."""
+"""Style shared by the figures."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ STYLE: dict[Any, Any] = {
 
 @contextmanager
 def axes_to_draw_in(given: Any, height: float, count: int = 1) -> Iterator[Any]:
-    """Give the axes that the caller named, or new ones of our style and column width."""
+    """Return the caller's axes, or new ones in our style and column width."""
     import matplotlib.pyplot as plt
 
     if given is not None:
@@ -50,7 +50,7 @@ def axes_to_draw_in(given: Any, height: float, count: int = 1) -> Iterator[Any]:
 
 
 def unit_slices(result: Decomposition) -> list[tuple[Interval, slice]]:
-    """Return the samples of each unit and, so that lines meet, one of the next."""
+    """Return the samples of each unit plus the first of the next, so that lines meet."""
     frames = result.frames
     found = []
     for unit in result.unit_list:

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from ..decomposition import Decomposition
 
 _POSTURE = 29.0  # points: the height of a stick figure
-_ROOM = 0.46  # share of the axes' height that the curve has, between the two rows of postures
+_ROOM = 0.46  # share of the axes' height for the curve, between the two rows of postures
 
 
 def _draw_curve(axes: Any, result: Decomposition, time: FloatArray) -> None:
@@ -114,12 +114,12 @@ def units(result: Decomposition, *, ax: Any = None, postures: int | None = None)
     Parameters
     ----------
     result : Decomposition
-        What :func:`stltsa.decompose` returned.
+        Result of :func:`stltsa.decompose`.
     ax : matplotlib Axes, optional
-        Where to draw; a new figure by default.
+        Axes to draw into; a new figure by default.
     postures : int, optional
-        Stick figures, evenly in time, with the numbers of their frames; by default 11 where the
-        clip has a skeleton, else none.
+        Number of stick figures, evenly spaced in time, with their frame numbers; by default 11 if
+        the clip has a skeleton, otherwise none.
 
     Returns
     -------
