@@ -198,13 +198,8 @@ enum {
     STLTSA_OPT_CUT_RANGE = 29,   /* real  synthesize: seconds by which a cut may move to find a common
                                       posture; -1: a tenth of the cycle that is repeated, half
                                       a cycle and at least 0.5 s where clips join */
-    STLTSA_OPT_POSTURE_LIMIT = 30, /* real synthesize: largest distance of the postures at a seam, over
+    STLTSA_OPT_POSTURE_LIMIT = 30  /* real synthesize: largest distance of the postures at a seam, over
                                       what is common between a motion's own repetitions; 0: none */
-    STLTSA_OPT_MEMORY_MAP = 31   /* int   clip_open: 1: map the file into memory. The numbers of an NPY
-                                      file (float64, C order) then stay in the file. While the
-                                      clip, or a model that keeps its frames, lives, whoever writes
-                                      into the file changes them, and whoever cuts it short ends
-                                      the process (SIGBUS) */
 };
 
 enum {

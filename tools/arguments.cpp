@@ -132,7 +132,7 @@ class HelpFormat : public CLI::Formatter {
 };
 
 using Keys = std::vector<std::int32_t>;
-const Keys reading = {STLTSA_OPT_FPS, STLTSA_OPT_SKELETON, STLTSA_OPT_MEMORY_MAP};
+const Keys reading = {STLTSA_OPT_FPS, STLTSA_OPT_SKELETON};
 const Keys timing = {STLTSA_OPT_FPS};
 const Keys preparing = {STLTSA_OPT_FEATURES,  STLTSA_OPT_UP_AXIS,     STLTSA_OPT_KEEP_START,
                         STLTSA_OPT_SMOOTHING, STLTSA_OPT_SAMPLE_RATE, STLTSA_OPT_THREADS};

@@ -15,7 +15,7 @@
 
 #include "base/error.hpp"
 #include "base/sink.hpp"
-#include "linalg/shared_matrix.hpp"
+#include "linalg/matrix.hpp"
 
 namespace stltsa::capi {
 
@@ -83,7 +83,6 @@ class ArchiveWriter {
             put(packed.data[i]);
     }
     void put(const Matrix& matrix) { put(matrix.view()); }
-    void put(const SharedMatrix& matrix) { put(matrix.view()); }
 
     void append(std::string_view bytes) {
         constexpr std::size_t enough = 1 << 16;
@@ -175,11 +174,6 @@ class ArchiveReader {
         matrix = Matrix::unset(rows, cols);
         for (std::int64_t i = 0; i < rows * cols; ++i)
             get(matrix.data()[i]);
-    }
-    void get(SharedMatrix& shared) {
-        Matrix matrix;
-        get(matrix);
-        shared = std::move(matrix);
     }
 
     std::string_view rest_;

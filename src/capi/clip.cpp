@@ -31,7 +31,7 @@ const clip::Skeleton& skeleton_of(const stltsa_clip& clip) {
     return *clip.clip.skeleton;
 }
 
-SharedMatrix clip_features(const stltsa_clip& clip, const stltsa_options* options) {
+Matrix clip_features(const stltsa_clip& clip, const stltsa_options* options) {
     const auto prepare = capi::OptionsReader(options).prepare_options();
     return clip::features(clip.clip, prepare.features, prepare.up);
 }
@@ -70,8 +70,8 @@ stltsa_status stltsa_clip_parse(const void* bytes, size_t size, int32_t format,
         const std::string_view all(text, size);
         const capi::OptionsReader reader(options);
         reader.progress().report(Stage::read, 0);
-        auto made = std::make_unique<stltsa_clip>(stltsa_clip{
-            clip::parse({all, nullptr}, format_of(format, all), "memory", reader.read_options())});
+        auto made = std::make_unique<stltsa_clip>(
+            stltsa_clip{clip::parse(all, format_of(format, all), "memory", reader.read_options())});
         made->clip.path.clear();
         reader.progress().report(Stage::read, 1);
         *clip = made.release();

@@ -70,7 +70,7 @@ class SourceFrames {
     const capi::ClipFacts& clip_;
 };
 
-void estimate_dimension(const SharedMatrix& samples, const capi::OptionsReader& options,
+void estimate_dimension(const Matrix& samples, const capi::OptionsReader& options,
                         stltsa_decomposition& made) {
     ltsa::Parameters parameters = made.result.parameters;
     const auto asked = static_cast<int>(options.integer(STLTSA_OPT_DIMENSION));

@@ -157,7 +157,7 @@ stltsa_status stltsa_fit_clip(const stltsa_clip* clip, const stltsa_options* opt
         if (reader.integer(STLTSA_OPT_KEEP_FRAMES) != 0) {
             made->kept.drop_tpose = reader.integer(STLTSA_OPT_KEEP_START) == 0;
             capi::keep_poses(*made, clip->clip);
-            made->kept.frames = prepared.samples;
+            made->kept.frames = std::move(prepared.samples);
         }
         *model = made.release();
     });

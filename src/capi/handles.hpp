@@ -32,7 +32,7 @@ struct Source {
 
 /// What a model keeps of its source so that it can map.
 struct Kept {
-    SharedMatrix frames;    ///< as they were fitted, a row of the model each; empty: cannot map
+    Matrix frames;          ///< as they were fitted, a row of the model each; empty: cannot map
     bool drop_tpose = true; ///< of clips that are mapped, as it was of the one that was fitted
     bool has_poses = false; ///< fitted to a clip with a skeleton: the next two are there
     clip::PoseCode code;

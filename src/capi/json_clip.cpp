@@ -38,7 +38,7 @@ std::int64_t default_first_frame(const clip::Clip& clip) {
 
 std::string clip_json(const clip::Clip& clip) {
     const clip::Axis up = default_up(clip);
-    const SharedMatrix features = clip::features(clip, clip::Features::automatic, up);
+    const Matrix features = clip::features(clip, clip::Features::automatic, up);
     const ClipFacts facts = clip_facts(clip);
     const std::int64_t tpose = clip.skeleton ? clip::tpose_frames(features.view()) : 0;
 

@@ -161,7 +161,7 @@ Placed unmap_rows(const stltsa_model& model, ConstMatrixView coords, const Hints
 void put_pose_features(const stltsa_model& model, const ltsa::Placement& place, double* out) {
     Matrix vector(1, model.kept.poses.cols());
     place.apply(model.kept.poses.view(), vector.row(0));
-    const SharedMatrix features = capi::features_of_pose(model, vector.view());
+    const Matrix features = capi::features_of_pose(model, vector.view());
     std::copy_n(features.row(0), features.cols(), out);
 }
 

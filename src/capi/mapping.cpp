@@ -29,7 +29,7 @@ void keep_poses(stltsa_model& model, const clip::Clip& clip) {
     model.kept.has_poses = true;
 }
 
-SharedMatrix features_of_pose(const stltsa_model& model, ConstMatrixView vector) {
+Matrix features_of_pose(const stltsa_model& model, ConstMatrixView vector) {
     const SampleFacts& samples = model.source.samples;
     const clip::Clip pose = clip::decode_poses(model.kept.code, vector, samples.fps);
     return clip::pose_features(model.kept.code, pose, samples.features);

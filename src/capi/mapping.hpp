@@ -13,6 +13,6 @@ const ltsa::Mapping* mapping_of(const stltsa_model& model);
 void keep_poses(stltsa_model& model, const clip::Clip& clip);
 
 /// A row of features: those of one pose vector, of the kind that the model was fitted to.
-SharedMatrix features_of_pose(const stltsa_model& model, ConstMatrixView vector);
+Matrix features_of_pose(const stltsa_model& model, ConstMatrixView vector);
 
 } // namespace stltsa::capi

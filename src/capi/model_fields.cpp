@@ -142,7 +142,7 @@ void check_kept(const stltsa_model& model) {
     expect(model.source.from_clip && kept.frames.rows() == rows && kept.poses.rows() == rows &&
                kept.poses.cols() == kept.code.size() && finite(kept.poses.view()),
            "poses");
-    const SharedMatrix features = features_of_pose(model, kept.poses.view().block(0, 1));
+    const Matrix features = features_of_pose(model, kept.poses.view().block(0, 1));
     expect(features.cols() == model.model.features, "features");
 }
 

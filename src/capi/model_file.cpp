@@ -4,7 +4,7 @@
 
 #include "capi/guard.hpp"
 #include "capi/model_archive.hpp"
-#include "clip/formats.hpp"
+#include "clip/read_file.hpp"
 #include "clip/write.hpp"
 
 using namespace stltsa;
@@ -49,9 +49,9 @@ stltsa_status stltsa_model_load(const char* path, stltsa_model** model) noexcept
     return guard([&] {
         required(model, "model") = nullptr;
         const std::string name = &required(path, "path");
-        const clip::FileBytes file = clip::read_file(name, {});
+        const std::string bytes = clip::read_file(name, {});
         try {
-            *model = capi::restore_model(file.bytes).release();
+            *model = capi::restore_model(bytes).release();
         } catch (const Error& error) {
             fail(error.status(), "{}: {}", name, error.what());
         }

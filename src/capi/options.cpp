@@ -72,7 +72,6 @@ clip::ReadOptions OptionsReader::read_options() const {
     clip::ReadOptions read;
     read.fps = real(STLTSA_OPT_FPS);
     read.skeleton = text(STLTSA_OPT_SKELETON);
-    read.memory_map = integer(STLTSA_OPT_MEMORY_MAP) != 0;
     read.progress = progress();
     return read;
 }

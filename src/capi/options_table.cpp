@@ -110,10 +110,6 @@ constexpr stltsa_option_info rows[] = {
          "Largest distance of the postures at a seam, over what is common between repetitions of "
          "one motion; 0: none.",
          0, 1e6, 3),
-    whole(STLTSA_OPT_MEMORY_MAP, "memory_map",
-          "Map the clip's file into memory instead of reading it: the numbers of an NPY file "
-          "(float64, C order) stay in the file, which must not be cut short meanwhile.",
-          0, 1, 0),
 };
 
 } // namespace

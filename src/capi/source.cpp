@@ -52,7 +52,7 @@ ClipSamples prepare_clip(const stltsa_clip& clip, const OptionsReader& options) 
                              prepared.samples.cols(),
                              prepared.up,
                              clip.clip.fps > 0 ? prepare.smoothing : 0};
-    result.samples = prepared.samples;
+    result.samples = std::move(prepared.samples);
     result.jump = prepared.jump;
     return result;
 }

@@ -14,7 +14,7 @@ Source matrix_source(ConstMatrixView frames, const OptionsReader& options);
 
 /// A clip's working samples and where they come from.
 struct ClipSamples {
-    SharedMatrix samples;
+    Matrix samples;
     Source source;
     std::int64_t jump = 0; ///< see clip::Prepared
 };

@@ -6,6 +6,7 @@
 #include "clip/asf.hpp"
 #include "clip/formats.hpp"
 #include "clip/number.hpp"
+#include "clip/read_file.hpp"
 #include "clip/text_cursor.hpp"
 
 namespace stltsa::clip {
@@ -163,7 +164,7 @@ class AmcReader {
 
 Clip parse_amc(std::string_view bytes, const std::string& name, const ReadOptions& options) {
     const std::string& skeleton_path = options.skeleton;
-    AsfFile asf = parse_asf(read_file(skeleton_path, options.progress).bytes, skeleton_path);
+    AsfFile asf = parse_asf(read_file(skeleton_path, options.progress), skeleton_path);
     if (channel_count(asf.skeleton) == 0)
         fail(Status::format, "{}: nothing in this skeleton can move", skeleton_path);
     TextCursor in(bytes, name);

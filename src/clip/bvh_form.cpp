@@ -55,7 +55,7 @@ void convert_rotations(Clip& clip) {
 void convert_positions(Clip& clip) {
     Skeleton& skeleton = *clip.skeleton;
     const double sign = skeleton.translations_add ? 1 : -1;
-    Matrix& values = clip.values.edit();
+    Matrix& values = clip.values;
     for (std::int64_t i = 0; i < values.rows(); ++i) {
         double* value = values.row(i);
         for (const Joint& joint : skeleton.joints)
@@ -69,7 +69,7 @@ void convert_positions(Clip& clip) {
 }
 
 /// 1: the joint's positions lie nearer to zero than to its OFFSET; -1: farther; 0: neither.
-int vote(const Joint& joint, const SharedMatrix& values, std::int64_t column) {
+int vote(const Joint& joint, const Matrix& values, std::int64_t column) {
     double from_zero = 0;
     double from_offset = 0;
     for (const Channel channel : joint.channels) {

@@ -10,8 +10,7 @@
 #include <vector>
 
 #include "base/progress.hpp"
-#include "clip/file_bytes.hpp"
-#include "linalg/shared_matrix.hpp"
+#include "linalg/matrix.hpp"
 
 namespace stltsa::clip {
 
@@ -52,7 +51,7 @@ struct Clip {
     double frame_time = 0; ///< seconds as the file says them (.0083333 for 120); 0: 1 / fps
     std::optional<Skeleton> skeleton;
     /// frames x channels as in the file (degrees for rotations); the matrix itself for CSV and NPY.
-    SharedMatrix values;
+    Matrix values;
     std::vector<std::string> channel_names; ///< one per column of values; may be empty for matrices
     std::vector<std::string> notes; ///< what the reader assumed, e.g. "no frame rate in AMC: 120"
 
@@ -60,10 +59,9 @@ struct Clip {
 };
 
 struct ReadOptions {
-    double fps = 0;          ///< 0: the file's own; else overrides it
-    std::string skeleton;    ///< ASF path for AMC; empty: looked for beside the file
-    bool memory_map = false; ///< map_file() instead of read_file()
-    Progress progress;       ///< asked after a signal while a file is read
+    double fps = 0;       ///< 0: the file's own; else overrides it
+    std::string skeleton; ///< ASF path for AMC; empty: looked for beside the file
+    Progress progress;    ///< asked after a signal while a file is read
 };
 
 /// Reads a file, its format told by suffix, else by content. Throws Error (io, format, ...), the
@@ -71,7 +69,7 @@ struct ReadOptions {
 Clip read(const std::string& path, const ReadOptions& options);
 
 /// Parses a file's bytes. For AMC options.skeleton must name the ASF file.
-Clip parse(const FileBytes& file, Format format, const std::string& name,
+Clip parse(std::string_view bytes, Format format, const std::string& name,
            const ReadOptions& options);
 
 /// Tells the format from the bytes (NPY magic, HIERARCHY, AMC keywords, else CSV).

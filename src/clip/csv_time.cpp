@@ -52,7 +52,7 @@ bool counts_frames(std::string_view name, std::int64_t column) {
 struct Steps {
     double least, median, most, mean;
 
-    Steps(const SharedMatrix& values, std::int64_t column) {
+    Steps(const Matrix& values, std::int64_t column) {
         std::vector<double> steps;
         for (std::int64_t i = 0; i + 1 < values.rows(); ++i)
             steps.push_back(values(i + 1, column) - values(i, column));
@@ -71,7 +71,7 @@ struct Steps {
 };
 
 void remove_column(Clip& clip, std::int64_t column) {
-    const SharedMatrix& from = clip.values;
+    const Matrix& from = clip.values;
     Matrix to(from.rows(), from.cols() - 1);
     for (std::int64_t i = 0; i < from.rows(); ++i) {
         const double* row = from.row(i);

@@ -89,7 +89,7 @@ Matrix euler(const Clip& clip, std::size_t root) {
 }
 
 /// Numbers near the largest double can overflow on the way through the skeleton.
-void check_finite(const SharedMatrix& matrix) {
+void check_finite(const Matrix& matrix) {
     for (std::int64_t i = 0; i < matrix.rows(); ++i)
         if (!std::all_of(matrix.row(i), matrix.row(i) + matrix.cols(),
                          [](double value) { return std::isfinite(value); }))
@@ -140,7 +140,7 @@ Features feature_kind(const Clip& clip, Features requested) {
     return requested;
 }
 
-SharedMatrix body_features(const Clip& clip, Features kind, Heading heading) {
+Matrix body_features(const Clip& clip, Features kind, Heading heading) {
     switch (kind) {
     case Features::positions:
         return body_positions(clip, heading);
@@ -153,9 +153,9 @@ SharedMatrix body_features(const Clip& clip, Features kind, Heading heading) {
     }
 }
 
-SharedMatrix features(const Clip& clip, Features requested, Axis up) {
+Matrix features(const Clip& clip, Features requested, Axis up) {
     const Features kind = feature_kind(clip, requested);
-    SharedMatrix result =
+    Matrix result =
         kind == Features::raw
             ? clip.values
             : body_features(clip, kind, Heading(clip, body_root(clip), up_axis(clip, up)));

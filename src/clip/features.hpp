@@ -36,7 +36,7 @@ Axis up_axis(const Clip& clip, Axis requested);
 Features feature_kind(const Clip& clip, Features requested);
 
 /// Features of every frame of the file, in source rate, nothing smoothed or dropped.
-SharedMatrix features(const Clip& clip, Features kind, Axis up);
+Matrix features(const Clip& clip, Features kind, Axis up);
 
 struct PrepareOptions {
     Features features = Features::automatic;
@@ -48,7 +48,7 @@ struct PrepareOptions {
 
 /// Working samples of a clip: sample i is source frame first + i * step.
 struct Prepared {
-    SharedMatrix samples;
+    Matrix samples;
     double fps = 0;         ///< of the samples
     std::int64_t first = 0; ///< = number of T-pose frames dropped at the start
     std::int64_t step = 1;

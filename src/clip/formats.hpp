@@ -17,12 +17,11 @@ constexpr double amc_fps = 120;
 std::string find_skeleton(const std::string& amc_path);
 
 // Each gets the file's bytes and the name to use in messages. They set all of Clip but path and
-// format; fps is the file's own, 0 where it has none. The rows of an NPY file stay where they lie,
-// where they can.
+// format; fps is the file's own, 0 where it has none.
 Clip parse_bvh(std::string_view bytes, const std::string& name);
 Clip parse_amc(std::string_view bytes, const std::string& name, const ReadOptions& options);
 Clip parse_csv(std::string_view bytes, const std::string& name, const ReadOptions& options);
-Clip parse_npy(const FileBytes& file, const std::string& name);
+Clip parse_npy(std::string_view bytes, const std::string& name);
 
 /// "rx" and so on.
 std::string_view channel_name(Channel channel);

@@ -32,7 +32,7 @@ bool is_inverted(const Clip& clip, std::size_t root, int up) {
     return sum < threshold * static_cast<double>(clip.frames());
 }
 
-bool rests(const SharedMatrix& values, std::int64_t column) {
+bool rests(const Matrix& values, std::int64_t column) {
     for (std::int64_t frame = 1; frame < values.rows(); ++frame)
         if (values(frame, column) != values(0, column))
             return false;

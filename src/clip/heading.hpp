@@ -36,6 +36,6 @@ class Heading {
 };
 
 /// Features of a clip whose body root and heading are known; not Features::automatic.
-SharedMatrix body_features(const Clip& clip, Features kind, Heading heading);
+Matrix body_features(const Clip& clip, Features kind, Heading heading);
 
 } // namespace stltsa::clip

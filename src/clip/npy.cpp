@@ -59,12 +59,6 @@ double item(const NpyHeader& header, const char* data, std::int64_t index) {
                                  : load<double, std::uint64_t>(from, swap);
 }
 
-/// Rows that need no change to be used.
-bool usable_in_place(const NpyHeader& header, const char* data) {
-    return header.item_size == sizeof(double) && !header.fortran_order && !is_swapped(header) &&
-           reinterpret_cast<std::uintptr_t>(data) % alignof(double) == 0;
-}
-
 Matrix converted(const NpyHeader& header, const char* data, Shape shape) {
     Matrix values = Matrix::unset(shape.rows, shape.cols);
     for (std::int64_t i = 0; i < shape.rows; ++i)
@@ -74,7 +68,7 @@ Matrix converted(const NpyHeader& header, const char* data, Shape shape) {
     return values;
 }
 
-void check_finite(const SharedMatrix& values, const std::string& name) {
+void check_finite(const Matrix& values, const std::string& name) {
     for (std::int64_t i = 0; i < values.rows(); ++i)
         for (std::int64_t c = 0; c < values.cols(); ++c)
             if (!std::isfinite(values(i, c)))
@@ -84,17 +78,12 @@ void check_finite(const SharedMatrix& values, const std::string& name) {
 
 } // namespace
 
-Clip parse_npy(const FileBytes& file, const std::string& name) {
-    const NpyHeader header = read_npy_header(file.bytes, name);
-    const std::string_view data = file.bytes.substr(header.data_begin);
+Clip parse_npy(std::string_view bytes, const std::string& name) {
+    const NpyHeader header = read_npy_header(bytes, name);
+    const std::string_view data = bytes.substr(header.data_begin);
     const Shape shape = checked_shape(header, data.size(), name);
     Clip clip;
-    if (file.owner && usable_in_place(header, data.data()))
-        clip.values = {
-            {reinterpret_cast<const double*>(data.data()), shape.rows, shape.cols, shape.cols},
-            file.owner};
-    else
-        clip.values = converted(header, data.data(), shape);
+    clip.values = converted(header, data.data(), shape);
     check_finite(clip.values, name);
     return clip;
 }

@@ -218,7 +218,7 @@ Clip decode_poses(const PoseCode& code, ConstMatrixView vectors, double fps) {
     return clip;
 }
 
-SharedMatrix pose_features(const PoseCode& code, const Clip& poses, Features kind) {
+Matrix pose_features(const PoseCode& code, const Clip& poses, Features kind) {
     return body_features(poses, feature_kind(poses, kind), Heading(code.root));
 }
 

@@ -46,6 +46,6 @@ Clip decode_poses(const PoseCode& code, ConstMatrixView vectors, double fps);
 
 /// Features of decoded poses, column by column those of the clip that was encoded. (features()
 /// would look for the body root among these frames, and few frames may not show it.)
-SharedMatrix pose_features(const PoseCode& code, const Clip& poses, Features kind);
+Matrix pose_features(const PoseCode& code, const Clip& poses, Features kind);
 
 } // namespace stltsa::clip

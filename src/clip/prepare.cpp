@@ -9,8 +9,12 @@
 namespace stltsa::clip {
 namespace {
 
-std::int64_t dropped_frames(const Clip& clip, const SharedMatrix& features, bool drop_tpose) {
+std::int64_t dropped_frames(const Clip& clip, const Matrix& features, bool drop_tpose) {
     return drop_tpose && clip.skeleton ? tpose_frames(features.view()) : 0;
+}
+
+ConstMatrixView from_row(const Matrix& matrix, std::int64_t first) {
+    return matrix.view().block(first, matrix.rows() - first);
 }
 
 } // namespace
@@ -21,10 +25,10 @@ Prepared prepare(const Clip& clip, const PrepareOptions& options) {
     Prepared prepared;
     prepared.features = feature_kind(clip, options.features);
     prepared.up = clip.skeleton ? up_axis(clip, options.up) : Axis::automatic;
-    const SharedMatrix all = features(clip, prepared.features, prepared.up);
+    Matrix all = features(clip, prepared.features, prepared.up);
     prepared.first = dropped_frames(clip, all, options.drop_tpose);
-    const SharedMatrix kept = all.from_row(prepared.first);
-    if (const std::int64_t jump = find_jump(kept.view()); jump > 0)
+    const ConstMatrixView kept = from_row(all, prepared.first);
+    if (const std::int64_t jump = find_jump(kept); jump > 0)
         prepared.jump = prepared.first + jump;
     // Without a frame rate seconds mean nothing: neither decimated nor smoothed.
     if (clip.fps > 0 && options.rate > 0)
@@ -32,16 +36,18 @@ Prepared prepare(const Clip& clip, const PrepareOptions& options) {
             std::clamp(std::round(clip.fps / options.rate), 1.0, static_cast<double>(all.rows())));
     prepared.fps = clip.fps / static_cast<double>(prepared.step);
     const double sigma = options.smoothing * clip.fps;
-    const bool as_they_are = sigma == 0 && prepared.step == 1;
-    prepared.samples = as_they_are ? kept : gaussian_smoothed(kept.view(), sigma, prepared.step);
+    if (sigma > 0 || prepared.step > 1)
+        prepared.samples = gaussian_smoothed(kept, sigma, prepared.step);
+    else
+        prepared.samples = prepared.first == 0 ? std::move(all) : copied(kept);
     return prepared;
 }
 
 Matrix smoothed_features(const Clip& clip, Features kind, Axis up, double smoothing,
                          bool drop_tpose) {
-    const SharedMatrix all = features(clip, kind, up);
+    const Matrix all = features(clip, kind, up);
     const std::int64_t first = dropped_frames(clip, all, drop_tpose);
-    const Matrix smoothed = gaussian_smoothed(all.from_row(first).view(), smoothing * clip.fps);
+    const Matrix smoothed = gaussian_smoothed(from_row(all, first), smoothing * clip.fps);
     Matrix result = copied(all.view());
     std::copy_n(smoothed.data(), smoothed.rows() * smoothed.cols(), result.row(first));
     return result;

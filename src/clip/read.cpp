@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <filesystem>
-#include <functional>
 
 #include "clip/formats.hpp"
+#include "clip/read_file.hpp"
 #include "clip/text_cursor.hpp"
 
 namespace stltsa::clip {
@@ -55,9 +55,8 @@ void set_amc_rate(Clip& clip, const ReadOptions& options) {
         amc_fps));
 }
 
-Clip parse_format(const FileBytes& file, Format format, const std::string& name,
+Clip parse_format(std::string_view bytes, Format format, const std::string& name,
                   const ReadOptions& options) {
-    const std::string_view bytes = file.bytes;
     switch (format) {
     case Format::bvh:
         return parse_bvh(bytes, name);
@@ -72,17 +71,11 @@ Clip parse_format(const FileBytes& file, Format format, const std::string& name,
     case Format::csv:
         return parse_csv(bytes, name, options);
     case Format::npy:
-        return parse_npy(file, name);
+        return parse_npy(bytes, name);
     case Format::matrix:
         break;
     }
     fail(Status::argument, "format {} cannot be parsed", static_cast<int>(format));
-}
-
-bool lies_in(const SharedMatrix& values, std::string_view bytes) {
-    const auto* first = reinterpret_cast<const char*>(values.data());
-    return std::less_equal<>()(bytes.data(), first) &&
-           std::less<>()(first, bytes.data() + bytes.size());
 }
 
 } // namespace
@@ -96,12 +89,12 @@ Format sniff(std::string_view bytes) {
     return word.starts_with(':') ? Format::amc : Format::csv;
 }
 
-Clip parse(const FileBytes& file, Format format, const std::string& name,
+Clip parse(std::string_view bytes, Format format, const std::string& name,
            const ReadOptions& options) {
     const std::string shown = name.empty() ? "clip" : name;
     if (format != Format::npy)
-        check_is_text(file.bytes, shown);
-    Clip clip = parse_format(file, format, shown, options);
+        check_is_text(bytes, shown);
+    Clip clip = parse_format(bytes, format, shown, options);
     clip.path = name;
     clip.format = format;
     if (format != Format::amc && !options.skeleton.empty())
@@ -114,10 +107,9 @@ Clip parse(const FileBytes& file, Format format, const std::string& name,
 }
 
 Clip read(const std::string& path, const ReadOptions& options) {
-    const FileBytes file =
-        options.memory_map ? map_file(path, options.progress) : read_file(path, options.progress);
+    const std::string bytes = read_file(path, options.progress);
     const auto known = format_of_suffix(path);
-    const Format format = known ? *known : sniff(file.bytes);
+    const Format format = known ? *known : sniff(bytes);
     if (equals_ignoring_case(std::filesystem::path(path).extension().string(), ".asf"))
         fail(Status::format, "{}: an ASF file is a skeleton without motion: open an AMC file",
              path);
@@ -125,10 +117,7 @@ Clip read(const std::string& path, const ReadOptions& options) {
     const bool search = format == Format::amc && options.skeleton.empty();
     if (search)
         with_skeleton.skeleton = find_skeleton(path);
-    Clip clip = parse(file, format, path, with_skeleton);
-    if (options.memory_map && format == Format::npy && !lies_in(clip.values, file.bytes))
-        clip.notes.push_back("the file's numbers are not this machine's float64 in C order: "
-                             "converted, so that they are in memory and not in the file");
+    Clip clip = parse(bytes, format, path, with_skeleton);
     if (search)
         clip.notes.push_back("skeleton found beside the clip: " + with_skeleton.skeleton);
     return clip;

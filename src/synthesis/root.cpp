@@ -33,7 +33,7 @@ std::int64_t Body::root_channels() const {
     return static_cast<std::int64_t>(above_.size() + skeleton_.joints[root_].channels.size());
 }
 
-bool Body::turns_above_root(const SharedMatrix& values) const {
+bool Body::turns_above_root(const Matrix& values) const {
     std::int64_t column = 0;
     for (std::size_t j = 0; j < root_; ++j)
         for (const clip::Channel channel : skeleton_.joints[j].channels) {

@@ -47,7 +47,7 @@ class Body {
     /// Number of channels up to and including the root's: those that write() sets.
     std::int64_t root_channels() const;
     /// Whether a joint above the root turns in these frames.
-    bool turns_above_root(const SharedMatrix& values) const;
+    bool turns_above_root(const Matrix& values) const;
     int up() const { return up_; }
     /// Heading at the first frame of the body's own clip.
     clip::Heading heading() const { return heading_; }

@@ -77,7 +77,7 @@ Matrix velocities(ConstMatrixView postures, double fps) {
 
 } // namespace
 
-Track make_track(const Body& body, const SharedMatrix& values, double fps, std::string name) {
+Track make_track(const Body& body, const Matrix& values, double fps, std::string name) {
     Track track;
     track.name = std::move(name);
     track.values = values;

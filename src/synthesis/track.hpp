@@ -11,8 +11,8 @@
 namespace stltsa::synthesis {
 
 struct Track {
-    std::string name;    ///< the clip's name, for messages
-    SharedMatrix values; ///< channels, at the frame rate of the new clip
+    std::string name; ///< the clip's name, for messages
+    Matrix values;    ///< channels, at the frame rate of the new clip
     double fps = 0;
     std::int64_t first = 0; ///< frames of a T-pose at the start
     std::vector<RootState> roots;
@@ -27,7 +27,7 @@ struct Track {
     }
 };
 
-Track make_track(const Body& body, const SharedMatrix& values, double fps, std::string name);
+Track make_track(const Body& body, const Matrix& values, double fps, std::string name);
 
 /// Motion in the plane from the previous frame to this one; at the ends of the clip, the nearest
 /// step that exists.

@@ -182,16 +182,6 @@ class Coordinates(CommandTest):
             numpy.testing.assert_allclose(array.sum(axis=0), 0, atol=1e-9)
             numpy.testing.assert_allclose((array**2).sum(axis=0), 1, rtol=1e-9)
 
-    def test_a_mapped_file_gives_the_same_model(self):
-        numpy.save(self.folder / "x.npy", numpy.random.default_rng(3).random((500, 30)))
-        models = [self.folder / "read.stltsa", self.folder / "mapped.stltsa"]
-        for model, options in zip(models, ([], ["--memory-map"])):
-            self.done("fit", self.folder / "x.npy", "-o", model, *options)
-        self.assertEqual(*(model.read_bytes() for model in models))
-        mapped = self.folder / "y.csv"
-        self.done("map", models[1], self.folder / "x.npy", "--memory-map", "-o", mapped)
-        self.assertEqual(len(mapped.read_text().splitlines()), 501)
-
     def test_the_command_reads_what_it_writes(self):
         for name in ("y.npy", "y.csv"):
             path = self.folder / name

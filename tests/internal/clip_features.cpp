@@ -13,7 +13,6 @@ namespace {
 using namespace clip_testing;
 using namespace stltsa::clip;
 using stltsa::Matrix;
-using stltsa::SharedMatrix;
 
 /// A body whose root turns and leans, with a head above and feet below it, arms to the sides.
 /// `up` is the axis it stands along.
@@ -50,8 +49,7 @@ Clip swinging(std::size_t up, std::int64_t frames = 50) {
     clip.values = Matrix(frames, 21);
     for (std::int64_t i = 0; i < frames; ++i)
         for (std::int64_t c = 0; c < 21; ++c)
-            clip.values.edit()(i, c) =
-                10 * std::sin(0.1 * static_cast<double>(i * (c % 5 + 1) + c));
+            clip.values(i, c) = 10 * std::sin(0.1 * static_cast<double>(i * (c % 5 + 1) + c));
     return clip;
 }
 
@@ -67,7 +65,7 @@ Clip moved(Clip clip, std::size_t up, double radians) {
     const Quaternion turn = axis_rotation(static_cast<int>(up), radians);
     Pose pose;
     for (std::int64_t i = 0; i < clip.frames(); ++i) {
-        double* row = clip.values.edit().row(i);
+        double* row = clip.values.row(i);
         pose.place(*clip.skeleton, row);
         const Vec3 at = rotate(turn, pose.position[0]) + Vec3{100, 20, -30};
         const auto angles = zxy_angles(turn * pose.world[0]);
@@ -94,17 +92,17 @@ void do_not_see_place_and_heading(void**) {
 
 void see_lean(void**) {
     Clip clip = swinging(1);
-    const SharedMatrix upright = features(clip, Features::positions, Axis::y);
+    const Matrix upright = features(clip, Features::positions, Axis::y);
     for (std::int64_t i = 0; i < clip.frames(); ++i)
-        clip.values.edit()(i, 4) += 30; // about x: pitch
-    const SharedMatrix leaning = features(clip, Features::positions, Axis::y);
+        clip.values(i, 4) += 30; // about x: pitch
+    const Matrix leaning = features(clip, Features::positions, Axis::y);
     assert_true(std::abs(leaning(0, 5) - upright(0, 5)) > 3); // the head, forward
 }
 
 void positions_are_those_of_the_world_but_for_heading(void**) {
     const Clip clip = swinging(1);
     const Matrix world = positions(clip);
-    const SharedMatrix body = features(clip, Features::positions, Axis::y);
+    const Matrix body = features(clip, Features::positions, Axis::y);
     assert_int_equal(body.cols(), 18);
     for (std::int64_t i = 0; i < clip.frames(); ++i)
         for (std::int64_t j = 0; j < 6; ++j) {
@@ -119,7 +117,7 @@ void positions_are_those_of_the_world_but_for_heading(void**) {
 
 void rotations6d_are_columns_of_rotations(void**) {
     const Clip clip = swinging(1);
-    const SharedMatrix columns = features(clip, Features::rotations6d, Axis::y);
+    const Matrix columns = features(clip, Features::rotations6d, Axis::y);
     assert_int_equal(columns.cols(), 36);
     Pose pose;
     pose.place(*clip.skeleton, clip.values.row(7));
@@ -136,8 +134,8 @@ void euler_is_unwrapped_radians_below_the_root(void**) {
     Clip clip = swinging(1);
     for (std::int64_t i = 0; i < clip.frames(); ++i)
         for (std::int64_t c = 6; c < 21; ++c)
-            clip.values.edit()(i, c) = std::remainder(20.0 * static_cast<double>(i + c), 360);
-    const SharedMatrix angles = features(clip, Features::euler, Axis::automatic);
+            clip.values(i, c) = std::remainder(20.0 * static_cast<double>(i + c), 360);
+    const Matrix angles = features(clip, Features::euler, Axis::automatic);
     assert_int_equal(angles.cols(), 15);
     for (std::int64_t i = 1; i < angles.rows(); ++i)
         for (std::int64_t c = 0; c < angles.cols(); ++c)
@@ -158,8 +156,8 @@ void heading_goes_on_through_upside_down(void**) {
     Clip clip = swinging(1, 73);
     clip.values = Matrix(73, 21);
     for (std::int64_t i = 0; i < 73; ++i)
-        clip.values.edit()(i, 4) = static_cast<double>(i) * 10;
-    const SharedMatrix body = features(clip, Features::positions, Axis::y);
+        clip.values(i, 4) = static_cast<double>(i) * 10;
+    const Matrix body = features(clip, Features::positions, Axis::y);
     for (std::int64_t i = 0; i < 73; ++i) {
         const double angle = static_cast<double>(i) * 10 * std::numbers::pi / 180;
         ASSERT_NEAR(body(i, 4), 8 * std::cos(angle), 1e-9);
@@ -170,9 +168,9 @@ void heading_goes_on_through_upside_down(void**) {
 void heading_holds_where_it_is_undefined(void**) {
     Clip clip = swinging(1, 2);
     clip.values = Matrix(2, 21);
-    clip.values.edit()(0, 5) = 40;  // yaw alone, then
-    clip.values.edit()(1, 3) = 180; // upside down
-    const SharedMatrix body = features(clip, Features::positions, Axis::y);
+    clip.values(0, 5) = 40;  // yaw alone, then
+    clip.values(1, 3) = 180; // upside down
+    const Matrix body = features(clip, Features::positions, Axis::y);
     const Vec3& offset = clip.skeleton->joints[2].offset;
     const Vec3 expected =
         rotate(axis_rotation(1, to_radians(-40)), {-offset[0], -offset[1], offset[2]});
@@ -183,7 +181,7 @@ void heading_holds_where_it_is_undefined(void**) {
 void heading_of_a_root_whose_axes_are_upside_down(void**) {
     // The same motion on a rig whose root axes are turned by half a turn.
     Clip clip = swinging(1);
-    const SharedMatrix expected = features(clip, Features::positions, Axis::y);
+    const Matrix expected = features(clip, Features::positions, Axis::y);
     for (Joint& joint : clip.skeleton->joints)
         joint.offset = {joint.offset[0], -joint.offset[1], -joint.offset[2]};
     const Quaternion flip{0, 1, 0, 0};
@@ -192,10 +190,9 @@ void heading_of_a_root_whose_axes_are_upside_down(void**) {
         pose.place(*clip.skeleton, clip.values.row(i));
         const auto angles = zxy_angles(pose.world[0] * flip);
         for (std::size_t c = 0; c < 3; ++c)
-            clip.values.edit()(i, static_cast<std::int64_t>(3 + c)) =
-                angles[c] * 180 / std::numbers::pi;
+            clip.values(i, static_cast<std::int64_t>(3 + c)) = angles[c] * 180 / std::numbers::pi;
     }
-    const SharedMatrix turned = features(clip, Features::positions, Axis::y);
+    const Matrix turned = features(clip, Features::positions, Axis::y);
     // Up to one constant turn about y, which the choice of axes leaves open.
     for (std::int64_t i = 0; i < clip.frames(); ++i) {
         ASSERT_NEAR(turned(i, 4), expected(i, 4), 1e-11);
@@ -216,9 +213,9 @@ void resting_joints_above_the_body_are_passed_over(void**) {
     joints.insert(joints.begin(), reference);
     below.values = Matrix(clip.frames(), 23);
     for (std::int64_t i = 0; i < clip.frames(); ++i) {
-        below.values.edit()(i, 0) = 7;
-        below.values.edit()(i, 1) = 33; // degrees, constant
-        std::copy(clip.values.row(i), clip.values.row(i) + 21, below.values.edit().row(i) + 2);
+        below.values(i, 0) = 7;
+        below.values(i, 1) = 33; // degrees, constant
+        std::copy(clip.values.row(i), clip.values.row(i) + 21, below.values.row(i) + 2);
     }
     for (const Features kind : {Features::positions, Features::rotations6d, Features::euler})
         check_same(features(below, kind, Axis::y), features(clip, kind, Axis::y), 1e-11);
@@ -235,10 +232,10 @@ void joints_that_only_move_along_are_passed_over(void**) {
                   {"Reference", -1, {}, {Channel::tx, Channel::tz, Channel::ry}, {}, false});
     below.values = Matrix(clip.frames(), 24);
     for (std::int64_t i = 0; i < clip.frames(); ++i) {
-        below.values.edit()(i, 0) = 3 * static_cast<double>(i);
-        below.values.edit()(i, 1) = 5 - static_cast<double>(i);
-        below.values.edit()(i, 2) = 33;
-        std::copy(clip.values.row(i), clip.values.row(i) + 21, below.values.edit().row(i) + 3);
+        below.values(i, 0) = 3 * static_cast<double>(i);
+        below.values(i, 1) = 5 - static_cast<double>(i);
+        below.values(i, 2) = 33;
+        std::copy(clip.values.row(i), clip.values.row(i) + 21, below.values.row(i) + 3);
     }
     for (const Features kind : {Features::positions, Features::rotations6d, Features::euler})
         check_same(features(below, kind, Axis::y), features(clip, kind, Axis::y), 1e-9);
@@ -247,7 +244,7 @@ void joints_that_only_move_along_are_passed_over(void**) {
 void a_resting_root_of_several_limbs_stays_the_root(void**) {
     Clip clip = swinging(1);
     for (std::int64_t i = 0; i < clip.frames(); ++i)
-        std::fill_n(clip.values.edit().row(i), 6, 12.5);
+        std::fill_n(clip.values.row(i), 6, 12.5);
     assert_int_equal(features(clip, Features::positions, Axis::y).cols(), 18);
 }
 
@@ -280,7 +277,7 @@ void up_follows_the_motion_not_the_rest_pose(void**) {
     Clip clip = swinging(1);
     for (std::int64_t i = 0; i < clip.frames(); ++i)
         for (std::int64_t c = 3; c < 6; ++c)
-            clip.values.edit()(i, c) = c == 4 ? 90 : 0;
+            clip.values(i, c) = c == 4 ? 90 : 0;
     assert_true(up_axis(clip, Axis::automatic) == Axis::z);
     clip.format = Format::amc; // y by convention
     assert_true(up_axis(clip, Axis::automatic) == Axis::y);
@@ -290,7 +287,7 @@ void numbers_too_large_for_a_pose(void**) {
     Clip clip = swinging(1);
     clip.skeleton->joints[1].offset[1] = 1e308;
     clip.skeleton->joints[2].offset[1] = -1e308;
-    clip.values.edit()(3, 1) = 1.7e308;
+    clip.values(3, 1) = 1.7e308;
     ASSERT_FAILS(Status::not_finite, "frame 3", positions(clip));
     ASSERT_FAILS(Status::not_finite, "frame", features(clip, Features::positions, Axis::y));
 }

@@ -16,7 +16,6 @@ namespace {
 using namespace clip_testing;
 using namespace stltsa::clip;
 using stltsa::Matrix;
-using stltsa::SharedMatrix;
 
 constexpr int frames = 60;
 
@@ -56,7 +55,7 @@ Clip moving_amc(double degrees) {
         degrees);
 }
 
-double body_size(const SharedMatrix& positions) {
+double body_size(const Matrix& positions) {
     double largest = 0;
     for (std::int64_t i = 0; i < positions.rows(); ++i)
         for (std::int64_t c = 0; c < positions.cols(); ++c)
@@ -67,7 +66,7 @@ double body_size(const SharedMatrix& positions) {
 void check_round_trip(const Clip& clip, Axis up) {
     const CodedPoses coded = encode_poses(clip, up);
     const Clip decoded = decode_poses(coded.code, coded.vectors.view(), clip.fps);
-    const SharedMatrix wanted = features(clip, Features::positions, up);
+    const Matrix wanted = features(clip, Features::positions, up);
     check_same(features(decoded, Features::positions, up), wanted, 1e-9 * body_size(wanted));
     check_same(features(decoded, Features::rotations6d, up),
                features(clip, Features::rotations6d, up), 1e-9);
@@ -109,7 +108,7 @@ void joints_that_move_come_back(void**) {
     clip.skeleton->translations_add = true;
     check_round_trip(clip, Axis::y);
     for (std::int64_t i = 0; i < clip.frames(); ++i)
-        clip.values.edit()(i, 9) = 7;
+        clip.values(i, 9) = 7;
     assert_int_equal(encode_poses(clip, Axis::y).code.moves.size(), 1);
     check_round_trip(clip, Axis::y);
 }
@@ -147,9 +146,8 @@ Clip elsewhere(const Clip& clip, Axis up) {
         place[(axis + 1) % 3] += 30 - t;
         place[(axis + 2) % 3] += 2 * t;
         const Joint& root = clip.skeleton->joints[0];
-        put_position(root, clip.skeleton->translations_add, place, result.values.edit().row(i));
-        put_rotation(root, clip.skeleton->fixed_axes, turn * pose.world[0],
-                     result.values.edit().row(i));
+        put_position(root, clip.skeleton->translations_add, place, result.values.row(i));
+        put_rotation(root, clip.skeleton->fixed_axes, turn * pose.world[0], result.values.row(i));
     }
     return result;
 }
@@ -167,11 +165,11 @@ void vectors_are_continuous(void**) {
     const Matrix smooth = encode_poses(clip, Axis::y).vectors;
     for (std::int64_t i = 0; i < clip.frames(); ++i)
         for (std::int64_t c = 3; c < clip.values.cols(); ++c)
-            clip.values.edit()(i, c) = std::remainder(clip.values(i, c), 360);
+            clip.values(i, c) = std::remainder(clip.values(i, c), 360);
     check_same(encode_poses(clip, Axis::y).vectors, smooth, 1e-10);
     // A whole turn and a half of one joint: the logarithm goes on beyond half a turn.
     for (std::int64_t i = 0; i < clip.frames(); ++i)
-        clip.values.edit()(i, 9) = 9 * static_cast<double>(i);
+        clip.values(i, 9) = 9 * static_cast<double>(i);
     const CodedPoses coded = encode_poses(clip, Axis::y);
     const std::int64_t arm = coded.code.size() - 3;
     for (std::int64_t i = 1; i < clip.frames(); ++i)
@@ -195,11 +193,11 @@ void a_frame_alone_is_decoded_as_among_others(void**) {
          {moving_bvh("ZXY", 100), moving_amc(100), moving_below_resting_joints()})
         for (const Features kind : {Features::positions, Features::rotations6d}) {
             const CodedPoses coded = encode_poses(clip, Axis::y);
-            const SharedMatrix all = features(clip, kind, Axis::y);
+            const Matrix all = features(clip, kind, Axis::y);
             for (std::int64_t i = 0; i < frames; i += 7) {
                 const Clip one =
                     decode_poses(coded.code, coded.vectors.view().block(i, 1), clip.fps);
-                const SharedMatrix alone = pose_features(coded.code, one, kind);
+                const Matrix alone = pose_features(coded.code, one, kind);
                 assert_int_equal(alone.cols(), all.cols());
                 for (std::int64_t c = 0; c < all.cols(); ++c)
                     ASSERT_NEAR(alone(0, c), all(i, c), 1e-10);
@@ -210,7 +208,7 @@ void a_frame_alone_is_decoded_as_among_others(void**) {
 void angles_do_not_jump(void**) {
     Clip clip = moving_bvh("ZXY", 80);
     for (std::int64_t i = 0; i < clip.frames(); ++i)
-        clip.values.edit()(i, 9) = 9 * static_cast<double>(i); // beyond a whole turn
+        clip.values(i, 9) = 9 * static_cast<double>(i); // beyond a whole turn
     const CodedPoses coded = encode_poses(clip, Axis::y);
     const Clip decoded = decode_poses(coded.code, coded.vectors.view(), clip.fps);
     for (std::int64_t i = 1; i < frames; ++i) {

@@ -15,7 +15,6 @@ namespace {
 using namespace clip_testing;
 using namespace stltsa::clip;
 using stltsa::Matrix;
-using stltsa::SharedMatrix;
 
 std::string folder() {
     const char* given = std::getenv("STLTSA_DATA");
@@ -81,7 +80,7 @@ void bones_keep_their_lengths(void**) {
 }
 
 /// Lowest and highest point of a frame.
-std::pair<double, double> heights(const SharedMatrix& at, std::int64_t frame) {
+std::pair<double, double> heights(const Matrix& at, std::int64_t frame) {
     double least = at(frame, 1), most = least;
     for (std::int64_t c = 4; c < at.cols(); c += 3) {
         least = std::min(least, at(frame, c));
@@ -109,14 +108,14 @@ void the_skeleton_of_another_is_found_or_asked_for(void**) {
     assert_int_equal(read_clip("13_30.amc", "86.asf").frames(), 2465);
 }
 
-double largest(const SharedMatrix& matrix) {
+double largest(const Matrix& matrix) {
     double result = 0;
     for (std::int64_t i = 0; i < matrix.rows() * matrix.cols(); ++i)
         result = std::max(result, std::abs(matrix.data()[i]));
     return result;
 }
 
-double largest_difference(const SharedMatrix& a, const SharedMatrix& b) {
+double largest_difference(const Matrix& a, const Matrix& b) {
     assert_int_equal(a.rows(), b.rows());
     assert_int_equal(a.cols(), b.cols());
     double result = 0;
@@ -162,7 +161,7 @@ void poses_come_back_from_their_vectors(void**) {
         const Clip clip = read_clip(expected.name);
         const CodedPoses coded = encode_poses(clip, Axis::automatic);
         const Clip decoded = decode_poses(coded.code, coded.vectors.view(), clip.fps);
-        const SharedMatrix wanted = features(clip, Features::positions, Axis::y);
+        const Matrix wanted = features(clip, Features::positions, Axis::y);
         const double difference =
             largest_difference(features(decoded, Features::positions, Axis::y), wanted) /
             largest(wanted);

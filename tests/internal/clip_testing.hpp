@@ -49,7 +49,7 @@ inline void check_fails(Status status, std::string_view part, const std::functio
 
 inline Clip parse(std::string_view text, Format format,
                   const stltsa::clip::ReadOptions& options = {}) {
-    return stltsa::clip::parse({text, nullptr}, format, "test", options);
+    return stltsa::clip::parse(text, format, "test", options);
 }
 
 /// `text` with the first `from` replaced; it must be there.
@@ -110,8 +110,7 @@ class Random {
     std::uint64_t state_ = 0x9E3779B97F4A7C15;
 };
 
-inline void check_same(const stltsa::SharedMatrix& a, const stltsa::SharedMatrix& b,
-                       double tolerance) {
+inline void check_same(const stltsa::Matrix& a, const stltsa::Matrix& b, double tolerance) {
     assert_int_equal(a.rows(), b.rows());
     assert_int_equal(a.cols(), b.cols());
     for (std::int64_t i = 0; i < a.rows(); ++i)

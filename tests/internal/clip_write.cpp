@@ -16,6 +16,7 @@
 #include "clip/features.hpp"
 #include "clip/formats.hpp"
 #include "clip/number.hpp"
+#include "clip/read_file.hpp"
 #include "clip/write.hpp"
 
 namespace {
@@ -23,10 +24,9 @@ namespace {
 using namespace clip_testing;
 using namespace stltsa::clip;
 using stltsa::Matrix;
-using stltsa::SharedMatrix;
 namespace fs = std::filesystem;
 
-void check_same_bits(const SharedMatrix& a, const SharedMatrix& b) {
+void check_same_bits(const Matrix& a, const Matrix& b) {
     assert_int_equal(a.rows(), b.rows());
     assert_int_equal(a.cols(), b.cols());
     assert_memory_equal(a.data(), b.data(),
@@ -125,7 +125,7 @@ void bvh_comes_back(void**) {
         check_same(through_file(clip, "a.bvh"), clip);
         for (std::int64_t c = 0; c < clip.values.cols(); ++c)
             for (std::int64_t i = 0; i < clip.frames(); ++i)
-                clip.values.edit()(i, c) = numbers[static_cast<std::size_t>(7 * i + c) % 17];
+                clip.values(i, c) = numbers[static_cast<std::size_t>(7 * i + c) % 17];
         check_same(through_file(clip, "a.BVH"), clip);
     }
 }
@@ -200,7 +200,7 @@ void positions_that_would_be_misread_are_converted(void**) {
         clip.skeleton->translations_add = add;
         for (std::int64_t i = 0; i < clip.frames(); ++i)
             for (std::int64_t c = 9; c < 12; ++c)
-                clip.values.edit()(i, c) = add ? 4 : 0.5; // looks like the other meaning
+                clip.values(i, c) = add ? 4 : 0.5; // looks like the other meaning
         assert_true(positions_add_to_offsets(clip) != add);
         const Clip again = through_file(clip, "a.bvh");
         assert_true(again.skeleton->translations_add != add);
@@ -262,7 +262,7 @@ void angles_do_not_jump_where_amc_becomes_bvh(void**) {
     Clip clip = SmallAmc().clip; // the axis of the thigh is turned by 20 degrees about z
     clip.values = Matrix(80, clip.values.cols());
     for (std::int64_t i = 0; i < clip.frames(); ++i)
-        clip.values.edit()(i, 6) = 10 * static_cast<double>(i);
+        clip.values(i, 6) = 10 * static_cast<double>(i);
     const Clip bvh = through_file(clip, "a.bvh");
     for (std::int64_t i = 1; i < bvh.frames(); ++i)
         for (std::int64_t c = 6; c < 9; ++c)
@@ -311,7 +311,7 @@ void what_a_format_cannot_hold_is_refused(void**) {
 }
 
 std::string content_of(const std::string& path) {
-    return std::string(read_file(path, {}).bytes);
+    return read_file(path, {});
 }
 
 void a_file_is_replaced_whole(void**) {

@@ -87,7 +87,7 @@ void repetitions_are_as_far_apart_as_the_noise(void**) {
     for (const double noise : {0.5, 2.0, 8.0}) { // degrees of the arm
         Clip noisy = clip;
         for (std::int64_t i = 0; i < clip.frames(); ++i)
-            noisy.values.edit()(i, 11) += noise * random.next();
+            noisy.values(i, 11) += noise * random.next();
         const double found = repetition_distance(track_of(noisy), 60, 180, 1, 0.1);
         assert_true(found > before);
         before = found;
@@ -105,7 +105,7 @@ void repetitions_are_as_far_apart_as_the_noise(void**) {
 void repetitions_are_other_cycles(void**) {
     Clip clip = walking({});
     for (std::int64_t i = 0; i < clip.frames(); ++i)
-        clip.values.edit()(i, 11) -= 10 * static_cast<double>(i) / clip.fps;
+        clip.values(i, 11) -= 10 * static_cast<double>(i) / clip.fps;
     const double found = repetition_distance(track_of(clip), 60, 180, 1, 0);
     const double expected =
         2 * std::sin(5 * std::numbers::pi / 180) * std::sqrt(30.0 * 30 + 38.0 * 38 + 3.0 * 3);
@@ -120,7 +120,7 @@ void a_shallow_valley_is_no_period(void**) {
     clip_testing::Random random;
     for (std::int64_t i = 0; i < clip.frames(); ++i)
         for (const std::int64_t c : {9, 10, 11})
-            clip.values.edit()(i, c) += 60 * random.next();
+            clip.values(i, c) += 60 * random.next();
     assert_true(period_near(track_of(clip), 200, 300) == 0);
 }
 

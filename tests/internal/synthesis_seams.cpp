@@ -104,7 +104,7 @@ void a_crossfade_has_room_where_it_can(void**) {
     walk.arms = 10;
     Clip rising = walking(walk);
     for (std::int64_t i = 0; i < rising.frames(); ++i)
-        rising.values.edit()(i, 11) -= 0.01 * static_cast<double>(i);
+        rising.values(i, 11) -= 0.01 * static_cast<double>(i);
     const Track raised = track_of(rising);
     const Join join = join_of(hanging, 40, 218, raised, 2, 200);
     assert_int_equal(find_cut(join, {20, 0, 0.1}, {}).begin, 0);
@@ -172,7 +172,7 @@ void without_a_choice_cuts_stay_where_they_are(void**) {
 void a_t_pose_is_not_mixed_in(void**) {
     Clip clip = walking({});
     for (std::int64_t c = root_channels; c < channels; ++c)
-        clip.values.edit()(0, c) = c == 11 ? -90 : 0;
+        clip.values(0, c) = c == 11 ? -90 : 0;
     const Track track = track_of(clip);
     assert_true(track.first >= 1 && track.first <= 3);
     const Join join = join_of(track, 60, 180, track, 0, 200);
@@ -183,7 +183,7 @@ void a_t_pose_is_not_mixed_in(void**) {
     // Not even where the T-pose is what is most alike.
     Clip posing = clip;
     for (std::int64_t i = 0; i < clip.frames(); ++i)
-        std::copy_n(clip.values.row(0), channels, posing.values.edit().row(i));
+        std::copy_n(clip.values.row(0), channels, posing.values.row(i));
     const Track earlier = track_of(posing);
     const Join alike = join_of(earlier, 60, 180, track, 0, 200);
     assert_true(find_cut(alike, {25, 0, 0}, {}).begin >= track.first);
@@ -242,7 +242,7 @@ void postures_have_no_unit(void**) {
                 joint.offset = stltsa::clip::operator*(0.01, joint.offset);
             for (std::int64_t i = 0; i < scaled->frames(); ++i)
                 for (std::int64_t c = 0; c < 3; ++c)
-                    scaled->values.edit()(i, c) *= 0.01;
+                    scaled->values(i, c) *= 0.01;
         }
     }
     assert_true(before > 1);

@@ -23,9 +23,9 @@ Clip heading_for(const Heading& heading) {
     for (std::int64_t i = 0; i < clip.frames(); ++i) {
         const double t = static_cast<double>(i) / walk.fps;
         const double way = heading(t);
-        clip.values.edit()(i, 0) = x;
-        clip.values.edit()(i, 2) = z;
-        clip.values.edit()(i, 3) = way + 5 * std::sin(2 * std::numbers::pi * t);
+        clip.values(i, 0) = x;
+        clip.values(i, 2) = z;
+        clip.values(i, 3) = way + 5 * std::sin(2 * std::numbers::pi * t);
         x += std::sin(way * degree) * walk.speed / walk.fps;
         z += std::cos(way * degree) * walk.speed / walk.fps;
     }

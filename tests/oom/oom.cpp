@@ -242,24 +242,19 @@ stltsa_status model_file(const std::string&) {
     return ::rmdir(folder.c_str()) == 0 ? status : 1;
 }
 
-/// Fits a model to numbers that stay in their file.
+/// Fits a model to the numbers of a file.
 stltsa_status fit_file(const std::string&) {
     static const std::string path =
         (std::filesystem::temp_directory_path() / ("stltsa-oom-" + std::to_string(::getpid())))
             .string() +
         ".npy";
-    stltsa_options* options = nullptr;
     stltsa_clip* clip = nullptr;
     stltsa_model* model = nullptr;
     stltsa_status status = stltsa_clip_save(swinging(), path.c_str());
     if (status == STLTSA_OK)
-        status = stltsa_options_new(&options);
+        status = stltsa_clip_open(path.c_str(), nullptr, &clip);
     if (status == STLTSA_OK)
-        status = stltsa_options_set_int(options, STLTSA_OPT_MEMORY_MAP, 1);
-    if (status == STLTSA_OK)
-        status = stltsa_clip_open(path.c_str(), options, &clip);
-    if (status == STLTSA_OK)
-        status = stltsa_fit_clip(clip, options, &model);
+        status = stltsa_fit_clip(clip, nullptr, &model);
     else if (clip != nullptr)
         status = 1;
     if (status != STLTSA_OK && model != nullptr)
@@ -267,7 +262,6 @@ stltsa_status fit_file(const std::string&) {
     ::unlink(path.c_str());
     stltsa_model_free(model);
     stltsa_clip_free(clip);
-    stltsa_options_free(options);
     return status;
 }
 

@@ -46,4 +46,3 @@ class Keywords(TypedDict, total=False):
     crossfade: float | Auto | None
     cut_range: float | Auto | None
     posture_limit: float
-    memory_map: bool

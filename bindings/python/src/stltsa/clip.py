@@ -207,8 +207,7 @@ def read_clip(
         positions, or fill them linearly with a :class:`stltsa.QualityWarning`. See
         :mod:`stltsa.markers`.
     **options
-        Used: `fps` (overrides the file), `skeleton`, `memory_map` (the numbers of an NPY file
-        stay in it: do not overwrite it while the clip, or a model of it, is in use), `progress`.
+        Used: `fps` (overrides the file), `skeleton`, `progress`.
 
     Returns
     -------
@@ -244,7 +243,7 @@ def opened(motion: Any, options: Options) -> Any:
     """Return the clip at a path, and anything else unchanged."""
     if not isinstance(motion, str | os.PathLike):
         return motion
-    used: Any = {k: v for k, v in options.items() if k in ("fps", "skeleton", "memory_map")}
+    used: Any = {k: v for k, v in options.items() if k in ("fps", "skeleton")}
     return read_clip(motion, **used)
 
 

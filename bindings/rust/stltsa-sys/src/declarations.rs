@@ -293,7 +293,6 @@ pub const STLTSA_OPT_ROBUST: i32 = 27;
 pub const STLTSA_OPT_CROSSFADE: i32 = 28;
 pub const STLTSA_OPT_CUT_RANGE: i32 = 29;
 pub const STLTSA_OPT_POSTURE_LIMIT: i32 = 30;
-pub const STLTSA_OPT_MEMORY_MAP: i32 = 31;
 pub const STLTSA_MODE_TEMPORAL: i32 = 1;
 pub const STLTSA_MODE_SPATIAL: i32 = 2;
 pub const STLTSA_MODE_RECURRENT: i32 = 3;

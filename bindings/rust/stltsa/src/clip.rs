@@ -47,7 +47,7 @@ impl Clip {
         Self::open_with(path, &Options::new())
     }
 
-    /// The same with options. Used: fps, skeleton, memory_map, progress.
+    /// The same with options. Used: fps, skeleton, progress.
     ///
     /// # Errors
     /// As [`Clip::open`]; [`Argument`](crate::ErrorKind::Argument),

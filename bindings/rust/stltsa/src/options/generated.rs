@@ -194,11 +194,4 @@ impl Options {
     pub fn posture_limit(self, value: f64) -> Self {
         self.with(sys::STLTSA_OPT_POSTURE_LIMIT, Value::Real(value))
     }
-
-    /// Map the clip's file into memory instead of reading it: the numbers of an NPY file (float64,
-    /// C order) stay in the file, which must not be cut short meanwhile.
-    #[must_use]
-    pub fn memory_map(self, value: bool) -> Self {
-        self.with(sys::STLTSA_OPT_MEMORY_MAP, Value::Int(value.into()))
-    }
 }
