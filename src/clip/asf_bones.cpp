@@ -63,7 +63,7 @@ class SectionReader {
 
     void root(const std::string& word, std::string_view line) {
         if (word == "order")
-            sections_.root.dof = channels(line);
+            sections_.root.dof = channels("root", line);
         else if (word == "axis")
             sections_.root.axis.order = axis_order(next_word(line, separators));
         else if (word == "position")
@@ -81,7 +81,7 @@ class SectionReader {
         else if (word == "end")
             end_bone();
         else if (word == "name")
-            bone().name = to_lower(next_word(line, separators));
+            bone().name = bone_name(next_word(line, separators));
         else if (word == "direction")
             bone().direction = vector(word, line);
         else if (word == "length")
@@ -115,7 +115,7 @@ class SectionReader {
     }
 
     void bone_dof(std::string_view line) {
-        bone().dof = channels(line);
+        bone().dof = channels(bone().name, line);
         for (const Channel channel : bone().dof)
             if (!is_rotation(channel))
                 in_.fail(Status::unsupported,
@@ -123,11 +123,21 @@ class SectionReader {
                          quoted(bone().name), channel_name(channel));
     }
 
-    std::vector<Channel> channels(std::string_view line) {
+    std::string bone_name(std::string_view word) const {
+        in_.check_name(word);
+        return to_lower(word);
+    }
+
+    std::vector<Channel> channels(std::string_view bone, std::string_view line) {
         std::vector<Channel> result;
         for (std::string_view word = next_word(line, separators); !word.empty();
-             word = next_word(line, separators))
-            result.push_back(channel(to_lower(word)));
+             word = next_word(line, separators)) {
+            const Channel next = channel(to_lower(word));
+            if (!may_follow(next, result))
+                in_.fail(Status::format, "bone {} has {} too many: {}", quoted(bone), quoted(word),
+                         channel_limit);
+            result.push_back(next);
+        }
         return result;
     }
 
@@ -167,6 +177,7 @@ class SectionReader {
     void links(const std::string& parent, std::string_view line) {
         if (parent == "begin" || parent == "end")
             return;
+        in_.check_name(parent);
         for (std::string_view word = next_word(line, separators); !word.empty();
              word = next_word(line, separators))
             sections_.links.push_back({parent, to_lower(word), in_.line_number()});

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "clip/formats.hpp"
 #include "clip/number.hpp"
 
 namespace stltsa::clip {
@@ -101,6 +102,7 @@ class HierarchyReader {
         const std::int64_t line = in_.line_number();
         Joint joint;
         joint.name = in_.rest_of_line('{');
+        in_.check_name(joint.name);
         if (in_.word() != "{")
             in_.fail(Status::format, "'{{' is missing after {} of line {}", quoted(joint.name),
                      line);
@@ -136,7 +138,11 @@ class HierarchyReader {
                 in_.fail(Status::format,
                          "{} is not a channel; {} of Xposition ... Zrotation are expected here",
                          quoted(word), *count);
-            joint().channels.push_back(*channel);
+            std::vector<Channel>& channels = joint().channels;
+            if (!may_follow(*channel, channels))
+                in_.fail(Status::format, "joint {} has {} too many: {}", quoted(joint().name),
+                         quoted(word), channel_limit);
+            channels.push_back(*channel);
         }
     }
 

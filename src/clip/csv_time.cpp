@@ -40,11 +40,11 @@ double time_unit(std::string_view name) {
     return 0;
 }
 
-bool counts_frames(std::string_view name, std::int64_t column) {
+bool counts_frames(std::string_view name, bool is_first) {
     constexpr std::string_view words[] = {"frame",      "frames", "frameno", "framenumber",
                                           "frameindex", "index",  "sample"};
     const std::string letters = letters_of(name);
-    return (column == 0 && trim(name).empty()) ||
+    return (is_first && trim(name).empty()) ||
            std::find(std::begin(words), std::end(words), letters) != std::end(words);
 }
 
@@ -70,17 +70,20 @@ struct Steps {
     bool count() const { return least == 1 && most == 1; }
 };
 
-void remove_column(Clip& clip, std::int64_t column) {
-    const Matrix& from = clip.values;
-    Matrix to(from.rows(), from.cols() - 1);
-    for (std::int64_t i = 0; i < from.rows(); ++i) {
-        const double* row = from.row(i);
-        std::copy(row + column + 1, row + from.cols(), std::copy(row, row + column, to.row(i)));
-    }
-    clip.values = std::move(to);
-    clip.channel_names.erase(clip.channel_names.begin() + column);
+/// Keeps these columns only.
+void keep_columns(Clip& clip, const std::vector<std::int64_t>& columns) {
+    const Matrix from = std::move(clip.values);
+    const std::vector<std::string> names = std::move(clip.channel_names);
+    clip.values = Matrix::unset(from.rows(), std::ssize(columns));
+    clip.channel_names.clear();
+    for (const std::int64_t column : columns)
+        clip.channel_names.push_back(names[static_cast<std::size_t>(column)]);
+    for (std::int64_t i = 0; i < from.rows(); ++i)
+        std::transform(columns.begin(), columns.end(), clip.values.row(i),
+                       [row = from.row(i)](std::int64_t column) { return row[column]; });
 }
 
+/// True if the column counts frames, and so is no channel.
 bool take_count(Clip& clip, std::int64_t column) {
     const std::string title = quoted(clip.channel_names[static_cast<std::size_t>(column)]);
     const Steps steps(clip.values, column);
@@ -88,12 +91,10 @@ bool take_count(Clip& clip, std::int64_t column) {
     clip.notes.push_back(
         counts ? format_text("column {} counts frames: not a channel", title)
                : format_text("column {} does not count frames: kept as a channel", title));
-    if (counts)
-        remove_column(clip, column);
     return counts;
 }
 
-/// True when the column was time and is gone.
+/// True if the column is time, and so is no channel.
 bool take_time(Clip& clip, std::int64_t column, double unit, const std::string& name,
                const ReadOptions& options) {
     const std::string title = quoted(clip.channel_names[static_cast<std::size_t>(column)]);
@@ -120,7 +121,6 @@ bool take_time(Clip& clip, std::int64_t column, double unit, const std::string& 
              name, title, steps.least, steps.most);
     clip.fps = rate;
     clip.notes.push_back(format_text("column {} is time, not a channel", title));
-    remove_column(clip, column);
     return true;
 }
 
@@ -138,15 +138,20 @@ void extract_time(Clip& clip, const std::string& name, const ReadOptions& option
         return;
     if (clip.channel_names.empty())
         return note_silent_time(clip);
-    for (std::int64_t column = 0; column < clip.values.cols();) {
-        const std::string title = clip.channel_names[static_cast<std::size_t>(column)];
+    std::vector<std::int64_t> kept;
+    for (std::int64_t column = 0; column < clip.values.cols(); ++column) {
+        const std::string& title = clip.channel_names[static_cast<std::size_t>(column)];
         const double unit = time_unit(title);
-        const bool taken = unit > 0 ? take_time(clip, column, unit, name, options)
-                                    : counts_frames(title, column) && take_count(clip, column);
-        column += taken ? 0 : 1;
+        const bool taken = unit > 0
+                               ? take_time(clip, column, unit, name, options)
+                               : counts_frames(title, kept.empty()) && take_count(clip, column);
+        if (!taken)
+            kept.push_back(column);
     }
-    if (clip.values.cols() == 0)
+    if (kept.empty())
         fail(Status::format, "{}: no channel is left besides time", name);
+    if (std::ssize(kept) < clip.values.cols())
+        keep_columns(clip, kept);
 }
 
 } // namespace stltsa::clip

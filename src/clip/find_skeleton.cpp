@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <cerrno>
 #include <filesystem>
+#include <memory>
+#include <new>
+
+#include <dirent.h>
+#include <sys/stat.h>
 
 #include "clip/formats.hpp"
 #include "clip/text_cursor.hpp"
@@ -10,16 +16,27 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// All ASF files of a folder, in a fixed order.
-std::vector<fs::path> asf_files(const fs::path& folder) {
-    std::vector<fs::path> files;
-    std::error_code error; // a folder that cannot be listed has none
-    for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
-         entry.increment(error))
-        if (equals_ignoring_case(entry->path().extension().string(), ".asf"))
-            files.push_back(entry->path());
-    std::sort(files.begin(), files.end());
-    return files;
+bool is_regular_file(const std::string& path) {
+    struct stat status {};
+    return ::stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode);
+}
+
+/// The names of all ASF files of a folder, in a fixed order; to open a pipe of such a name would
+/// wait for its writer. Not by std::filesystem: its iterator ends the process when it finds no
+/// memory.
+std::vector<std::string> asf_files(const std::string& folder) {
+    const std::unique_ptr<DIR, int (*)(DIR*)> listed(::opendir(folder.c_str()), &::closedir);
+    if (!listed && errno == ENOMEM)
+        throw std::bad_alloc();
+    std::vector<std::string> names; // a folder that cannot be listed has none
+    while (const dirent* entry = listed ? ::readdir(listed.get()) : nullptr) {
+        const std::string name = entry->d_name;
+        if (equals_ignoring_case(fs::path(name).extension().string(), ".asf") &&
+            is_regular_file(folder + '/' + name))
+            names.push_back(name);
+    }
+    std::sort(names.begin(), names.end());
+    return names;
 }
 
 } // namespace
@@ -27,14 +44,14 @@ std::vector<fs::path> asf_files(const fs::path& folder) {
 std::string find_skeleton(const std::string& amc_path) {
     const fs::path amc(amc_path);
     const fs::path folder = amc.has_parent_path() ? amc.parent_path() : fs::path(".");
-    const std::vector<fs::path> files = asf_files(folder);
+    const std::vector<std::string> files = asf_files(folder.string());
     const std::string stem = amc.stem().string();
     for (const std::string& wanted : {stem, stem.substr(0, stem.find('_'))})
-        for (const fs::path& file : files)
-            if (equals_ignoring_case(file.stem().string(), wanted))
-                return (amc.parent_path() / file.filename()).string();
+        for (const std::string& file : files)
+            if (equals_ignoring_case(fs::path(file).stem().string(), wanted))
+                return (amc.parent_path() / file).string();
     if (files.size() == 1)
-        return (amc.parent_path() / files[0].filename()).string();
+        return (amc.parent_path() / files[0]).string();
     fail(Status::io,
          "{}: an AMC file needs its skeleton, and {}.asf is not beside it ({} other ASF files "
          "are): set option skeleton to the path of the ASF file",

@@ -33,6 +33,11 @@ inline int channel_axis(Channel channel) {
     return static_cast<int>(channel) % 3;
 }
 
+/// Whether a joint may have one more channel. A rotation may come again, as in Z X Z; without a
+/// limit memory would grow with the square of a hostile file.
+bool may_follow(Channel next, const std::vector<Channel>& channels);
+constexpr std::string_view channel_limit = "a joint has at most 6 channels, each position once";
+
 /// "hip.rz" for every column of a skeleton's values.
 std::vector<std::string> channel_names(const Skeleton& skeleton);
 std::int64_t channel_count(const Skeleton& skeleton);

@@ -112,6 +112,8 @@ class DictReader {
         expect('(');
         while (!take(')')) {
             const std::size_t end = rest_.find_first_of(",)");
+            if (end == rest_.npos)
+                malformed();
             const auto size = parse_integer(trim(rest_.substr(0, end)));
             if (!size || *size < 0 || header_.shape.size() == most_dimensions)
                 malformed();

@@ -16,7 +16,8 @@ namespace stltsa::clip {
 namespace {
 
 [[noreturn]] void cannot(const char* what, const std::string& path, int error) {
-    fail(Status::io, "{}: cannot {}: {}", path, what, std::generic_category().message(error));
+    fail(error == ENOMEM ? Status::no_memory : Status::io, "{}: cannot {}: {}", path, what,
+         std::generic_category().message(error));
 }
 
 using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;

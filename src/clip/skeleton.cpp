@@ -10,6 +10,13 @@ std::string_view channel_name(Channel channel) {
     return names[static_cast<std::size_t>(channel)];
 }
 
+bool may_follow(Channel next, const std::vector<Channel>& channels) {
+    constexpr std::size_t most = 6;
+    return channels.size() < most &&
+           (is_rotation(next) ||
+            std::find(channels.begin(), channels.end(), next) == channels.end());
+}
+
 std::vector<std::string> channel_names(const Skeleton& skeleton) {
     std::vector<std::string> names;
     for (const Joint& joint : skeleton.joints)

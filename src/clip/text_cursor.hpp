@@ -42,6 +42,15 @@ class TextCursor {
     std::size_t bytes_left() const { return text_.size() - position_; }
     const std::string& name() const { return name_; }
 
+    /// Refuses a name of a joint that is longer than any is: names are repeated for each channel
+    /// and each child, so that memory would grow with the square of a hostile file.
+    void check_name(std::string_view name) const {
+        constexpr std::size_t most = 256;
+        if (name.size() > most)
+            fail(Status::format, "the name {} has {} bytes; at most {} are read", quoted(name),
+                 name.size(), most);
+    }
+
     /// Throws an Error with "name:line: " before the text.
     template <class... Args>
     [[noreturn]] void fail(Status status, fmt::format_string<Args...> text, Args&&... args) const {

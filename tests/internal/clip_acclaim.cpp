@@ -2,6 +2,8 @@
 // ASF skeletons and AMC motion.
 #include "clip_testing.hpp"
 
+#include <sys/stat.h>
+
 #include <cmath>
 
 #include "clip/features.hpp"
@@ -177,6 +179,10 @@ std::string skeleton_name(const TemporaryFolder& folder, std::string_view amc) {
 void finds_the_skeleton_beside_the_clip(void**) {
     const TemporaryFolder folder;
     folder.write("7.ASF", small_asf);
+    // What is no regular file is none: to open a pipe would wait for its writer.
+    assert_int_equal(mkfifo(folder.path("9.asf").c_str(), 0600), 0);
+    std::filesystem::create_directory(folder.path("8.asf"));
+    std::filesystem::create_symlink("nowhere", folder.path("6.asf"));
     assert_true(skeleton_name(folder, "9_01.amc").ends_with("7.ASF")); // the only one
     folder.write("35.asf", small_asf);
     assert_true(skeleton_name(folder, "35_01.amc").ends_with("/35.asf"));
@@ -249,6 +255,14 @@ void malformed_asf(void**) {
                 "a.asf:21: 'XYQ' is not an order of axes", __LINE__);
     refuses_asf("dof rx ry rz", "dof rx ty", Status::unsupported,
                 "a.asf:22: bone 'thigh' moves along ty", __LINE__);
+    refuses_asf("dof rx ry rz", "dof rx ry rz rx ry rz rx", Status::format,
+                "a.asf:22: bone 'thigh' has 'rx' too many", __LINE__);
+    refuses_asf("TX TY TZ", "TX TY TX", Status::format, "a.asf:11: bone 'root' has 'TX' too many",
+                __LINE__);
+    refuses_asf("name shank", "name " + std::string(257, 'a'), Status::format, "a.asf:29: the name",
+                __LINE__);
+    refuses_asf("thigh shank", std::string(257, 'a') + " shank", Status::format,
+                "257 bytes; at most 256", __LINE__);
     refuses_asf("dof rx ry rz", "dof rx l", Status::unsupported,
                 "a.asf:22: bones of changing length", __LINE__);
     refuses_asf("name shank", "name thigh", Status::format, "a.asf:27: a second bone of the name",

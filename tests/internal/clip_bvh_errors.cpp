@@ -31,6 +31,17 @@ void in_the_hierarchy(void**) {
     REFUSES("CHANNELS 1 Xrotation", "CHANNELS 1 Xscale", format, "test:18: 'Xscale' is not");
     REFUSES("CHANNELS 1 Xrotation", "CHANNELS 1 Wrotation", format, "test:18: 'Wrotation' is not");
     REFUSES("CHANNELS 1 Xrotation", "CHANNELS 99999999999999999999 Xrotation", format, "test:18:");
+    REFUSES("CHANNELS 1 Xrotation", "CHANNELS 2 Xposition xPosition", format,
+            "test:18: joint 'Arm' has 'xPosition' too many: a joint has at most 6 channels");
+    std::string seven = "CHANNELS 7";
+    for (const char* axis : {"X", "Y", "Z", "X", "Y", "Z", "X"})
+        seven += std::string(" ") + axis + "rotation";
+    REFUSES("CHANNELS 1 Xrotation", seven, format, "test:18: joint 'Arm' has 'Xrotation' too many");
+    REFUSES("CHANNELS 1 Xrotation", "CHANNELS 1 Xposition CHANNELS 1 Xposition", format,
+            "test:18: joint 'Arm' has 'Xposition' too many");
+    REFUSES("JOINT Arm", "JOINT " + std::string(257, 'a'), format, "257 bytes; at most 256");
+    REFUSES("End Site", "End Site " + std::string(300, 'a'), format, "300 bytes; at most 256");
+    parse(replaced(small_bvh, "JOINT Arm", "JOINT " + std::string(256, 'a')), Format::bvh);
     REFUSES("End Site", "End Sit", format, "test:10: 'End' must be followed by 'Site'");
     REFUSES("      OFFSET 0.0 -4.0 0.0\n", "OFFSET 0 -4 0\nJOINT Toe\n{\nOFFSET 0 0 0\n}\n", format,
             "test:14: an End Site holds nothing but its OFFSET");

@@ -120,6 +120,8 @@ void uneven_time_is_refused_unless_told(void**) {
 void counts_of_frames_are_no_channel(void**) {
     CHECK_VALUES(csv("frame,x\n10,7\n11,8\n"), {{7}, {8}});
     CHECK_VALUES(csv(",x\n0,7\n1,8\n"), {{7}, {8}}); // as pandas writes its index
+    CHECK_VALUES(csv("frame,x,time,frame,y\n1,7,.1,1,3\n2,8,.2,2,4\n"), {{7, 3}, {8, 4}});
+    CHECK_VALUES(csv("frame,,x\n1,0,7\n2,1,8\n"), {{7}, {8}});
     CHECK_VALUES(csv("x,\"\",y\n1,7,3\n2,8,4\n"), {{1, 7, 3}, {2, 8, 4}});
     const Clip kept = csv("frame,x\n10,7\n12,8\n");
     CHECK_VALUES(kept, {{10, 7}, {12, 8}});

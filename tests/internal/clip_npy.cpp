@@ -139,6 +139,7 @@ void broken_headers(void**) {
          {"", "{", "{}", "nonsense", "{'descr': '<f8'}",
           "{'descr': '<f8', 'fortran_order': 1, 'shape': (2,)}",
           "{'descr': '<f8', 'fortran_order': False, 'shape': (2,", "{'descr: '<f8'",
+          "{'descr': '<f8', 'fortran_order': False, 'shape': (2",
           "{'descr': '<f8', 'fortran_order': False, 'shape': 2}", "{'x': '<f8'}",
           "{'descr': '<f8', 'fortran_order': False, 'shape': (2, 3)} more"})
         REFUSES(header(text) + numbers("<f8", six), format, "not a dict");
