@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the tests of the command share: running it, and clips to run it on."""
+"""Shared by the tests of the command: running it, and clips."""
 
 import functools
 import json
@@ -24,18 +24,18 @@ CLIPS = pathlib.Path(_folder.name)
 
 
 def plain_environment(**changes):
-    """The caller's environment without what turns colors on or off."""
+    """The caller's environment without variables that turn colors on or off."""
     environment = {k: v for k, v in os.environ.items() if k not in ("NO_COLOR", "TERM")}
     return {**environment, **changes}
 
 
 def default_signals():
-    """Scripts' background jobs ignore SIGINT, and what they start inherits that."""
+    """Background jobs of scripts ignore SIGINT, and child processes inherit that."""
     signal.signal(signal.SIGINT, signal.SIG_DFL)
 
 
 def run(*arguments, **settings):
-    """Runs the command; output as bytes."""
+    """Runs the command; returns output as bytes."""
     settings.setdefault("stdin", subprocess.DEVNULL)
     if "input" in settings:
         del settings["stdin"]
@@ -51,7 +51,7 @@ def run(*arguments, **settings):
 
 
 class CommandTest(unittest.TestCase):
-    """Adds checks of a run, and a folder of its own to each test."""
+    """Adds checks of a run, and a separate folder for each test."""
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory(prefix="stltsa-cli-")
@@ -59,7 +59,7 @@ class CommandTest(unittest.TestCase):
         self.folder = pathlib.Path(folder.name)
 
     def done(self, *arguments, **settings):
-        """Standard output of a run that must end well."""
+        """Standard output of a run that must succeed."""
         result = run(*arguments, **settings)
         self.assertEqual(result.returncode, 0, result.stderr.decode(errors="replace"))
         return result.stdout
@@ -68,7 +68,7 @@ class CommandTest(unittest.TestCase):
         return json.loads(self.done(*arguments, "--json", **settings))
 
     def fails(self, status, *arguments, **settings):
-        """Message of a run that must fail so, saying why and writing no result."""
+        """Message of a run that must fail with this status and write no result."""
         result = run(*arguments, **settings)
         message = result.stderr.decode(errors="replace")
         self.assertEqual(result.returncode, status, message)
@@ -86,7 +86,7 @@ class CommandTest(unittest.TestCase):
 
 @functools.cache
 def walk(fps=120):
-    """A synthetic walk: stands, three cycles, stands."""
+    """A synthetic walk: standing, three cycles, standing."""
     path = CLIPS / f"walk{fps}.bvh"
     subprocess.run(
         [WALKER, "-o", path, "--borders", CLIPS / f"walk{fps}.json", "--fps", str(fps)], check=True
@@ -103,7 +103,7 @@ def write_csv(name, rows, heading=""):
 
 @functools.cache
 def circle():
-    """Bare numbers, three turns of a noisy loop; no frame rate in the file."""
+    """Plain numbers, three turns of a noisy loop; no frame rate in the file."""
     noise = random.Random(1)
     turns = [2 * math.pi * i / 60 for i in range(180)]
     return write_csv(
@@ -117,14 +117,14 @@ def circle():
 
 @functools.cache
 def crowd():
-    """Many turns of one loop, so that round frame numbers lie on one another."""
+    """Many turns of one loop, so that round frame numbers coincide."""
     turns = [2 * math.pi * i / 50 for i in range(1500)]
     return write_csv("crowd.csv", [[math.cos(t), math.sin(t), math.sin(2 * t)] for t in turns])
 
 
 @functools.cache
 def drift():
-    """Moves on and never comes back: no cycle."""
+    """Moves on without repeating: no cycle."""
     return write_csv("drift.csv", [[0.1 * i, (0.02 * i) ** 2, 1.0] for i in range(200)])
 
 
@@ -136,7 +136,7 @@ def still():
 
 @functools.cache
 def cut():
-    """Two takes far apart in space: with few neighbors, two pieces."""
+    """Two takes far apart in space: with few neighbors, two components."""
     return write_csv(
         "cut.csv",
         [[math.cos(0.1 * i) + (1000 if i >= 60 else 0), math.sin(0.1 * i)] for i in range(120)],

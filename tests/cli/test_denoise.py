@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""denoise: of clips, models and bare coordinates; what it writes, says and draws."""
+"""denoise of clips, models and plain coordinates: output, messages and figures."""
 
 import subprocess
 import unittest
@@ -25,7 +25,7 @@ def table(path):
 
 class Denoise(CommandTest):
     def denoised(self, *arguments):
-        """(JSON, points, curve, cleaned) of a run."""
+        """Returns (JSON, points, curve, cleaned) of a run."""
         found = self.json("denoise", *arguments, "--curve")
         curve = found.pop("curve")
         return found, *(numpy.array(curve[name]) for name in ("points", "fitted", "cleaned"))
@@ -91,7 +91,7 @@ class Denoise(CommandTest):
         self.assertEqual(unknown["parameters"]["knot_rows"], 2)
 
     def test_the_period_is_the_fits(self):
-        """Not one that was looked for again, in the coordinates."""
+        """The period is the model's, not one found again in the coordinates."""
         self.assertEqual(
             self.json("denoise", walk())["period_s"], self.json("fit", walk())["period_s"]
         )
@@ -114,7 +114,7 @@ class Denoise(CommandTest):
 
         moved = found["columns"][0]["moved"]
         kept = found["samples"]["count"] - moved
-        # Before and after; marks that would lie on one another are drawn once.
+        # Before and after; overlapping marks are drawn once.
         self.assertLessEqual(len(circles("moved")), 2 * moved)
         self.assertGreater(len(circles("moved")), 1.8 * moved)
         self.assertLessEqual(len(circles("point")), 2 * kept)

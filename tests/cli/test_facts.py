@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every fact of the library's JSON has a function that says the same.
+"""Every fact of the library's JSON has a function that agrees with it.
 
-The schemas drive it: a key that is new in a schema fails until a function is named for it here.
-Calls go through ctypes; keys are found by name in the table that the library describes.
+The schemas drive the test: a new key in a schema fails until a function for it is named here. Calls
+go through ctypes; keys are found by name in the library's table.
 """
 
 import ctypes
@@ -104,7 +104,7 @@ class Handle:
         return found
 
     def choice(self, name):
-        """The name of an enumerated value; None for the value 0 of "none"."""
+        """The name of an enumerated value; None if the value 0 means "none"."""
         names = dict(pair.split("=")[::-1] for pair in KEYS[name].choices.decode().split())
         found = names[str(self[name])]
         return None if found == "none" else found
@@ -141,7 +141,7 @@ def text(found):
     return found or None
 
 
-# ---- For each leaf of a schema the functions that say the same; lists in the JSON's order. ----
+# ---- For each leaf of a schema, the functions that return it; lists in the JSON's order. ----
 
 CLIP = {
     "path": lambda h: text(h["path"]),
@@ -378,7 +378,7 @@ def leaves(schema, path=""):
 
 
 def values(node, keys):
-    """The leaf values at a path; None: there is null on the way."""
+    """The leaf values at a path; None if there is null on the way."""
     if isinstance(node, list):
         found = [values(item, keys) for item in node]
         return [v for each in found for v in (each if isinstance(each, list) else [each])]
@@ -388,7 +388,7 @@ def values(node, keys):
 
 
 class Missing:
-    """Stands for what is below a null."""
+    """Stands for everything below a null."""
 
 
 class Facts(unittest.TestCase):
@@ -414,7 +414,7 @@ class Facts(unittest.TestCase):
     def examples(self):
         clip = self.opened(walk())
         none = self.options()
-        # Moves on and never comes back; the reader says that the first column is no channel.
+        # Moves on without repeating; the reader notes that the first column is not a channel.
         noted = self.opened(write_csv("noted.csv", [[i, 0.1 * i, (0.02 * i) ** 2]
                                                     for i in range(200)], "Frame,x,y\n"), fps=30.0)
         parted = self.handle("model", "fit_clip", self.opened(cut(), fps=30.0).pointer,
@@ -473,7 +473,7 @@ class Facts(unittest.TestCase):
             for text_, code, begin, end in zip(*found, strict=True):
                 self.assertIn(code, codes)
                 parts.setdefault(codes[code], (example, text_, begin, end))
-        # Cut at frame 60 of 30 a second; the fit at 5 neighbors, and what was denoised of it.
+        # Cut at frame 60 of 30 per second; a fit with 5 neighbors, and its denoising.
         self.assertEqual(parts["DISCONNECTED"][2:], (2, 2))
         self.assertIn("cut at frame 60", parts["DISCONNECTED"][1])
         self.assertTrue(math.isnan(parts["SMALL_GAP"][2]))

@@ -83,14 +83,14 @@ class Figure(CommandTest):
         self.assertIn(path.name, self.texts(self.figure("decompose", path)))
 
     def test_seams(self):
-        """A strip for each way of cutting, its postures across the seam, in order."""
+        """One strip per kind of cut, with its postures across the seam, in order."""
         pieces = (f"{walk()}:best*4", f"{walk()}:120-500")
         made = self.folder / "made.bvh"
         options = ("--posture-limit", "0")
         seams = self.json("synthesize", *pieces, "-o", made, *options)["seams"]
         self.assertEqual(len(seams), 4)
         root = self.figure("synthesize", *pieces, "-o", made, *options)
-        self.assertEqual(len(self.of_class(root, "seam")), 2)  # three are alike
+        self.assertEqual(len(self.of_class(root, "seam")), 2)  # three are similar
         self.assertEqual(len(self.of_class(root, "crossfade")), 2)
         frames = [int(p.get("data-frame")) for p in self.of_class(root, "posture")]
         self.assertEqual(len(frames), 26)
@@ -130,7 +130,7 @@ class Figure(CommandTest):
                 self.assertTrue(apart, (boxes[i], (other_x, other_y)))
 
     def test_numbers_stand_out(self):
-        """Each is written twice at its place, first wider and in white."""
+        """Each is written twice at the same place, first wider and in white."""
         root = self.figure("decompose", walk())
         texts = list(root.iter(SVG + "text"))
         for name in ("number", "posture-number"):

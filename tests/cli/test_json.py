@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""JSON: its schemas, and what its numbers say."""
+"""JSON: schemas, and numbers."""
 
 import copy
 import json
@@ -75,7 +75,7 @@ class Schemas(CommandTest):
         self.check("denoise", cut(), "--neighbors", "5", "--window", "8")
 
     def test_refuse_what_they_do_not_know(self):
-        """Of strict schemas: every object, changed by one unknown member, is refused."""
+        """Schemas are strict: an unknown member in any object is refused."""
 
         def objects(value, path=()):
             if isinstance(value, dict):
@@ -102,7 +102,7 @@ class Schemas(CommandTest):
                     self.assertFalse(validator(kind).is_valid(changed))
 
     def one_of_each(self):
-        """An object of every schema that there is."""
+        """One object for every schema."""
         model = self.folder / "walk.stltsa"
         self.done("fit", walk(), "-o", model)
         found = [self.check(command, walk()) for command in KINDS]

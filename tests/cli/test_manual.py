@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The manual page says what the command does."""
+"""The manual page agrees with the command."""
 
 import re
 import unittest
@@ -23,7 +23,7 @@ class Manual(CommandTest):
         self.assertEqual(documented, set(FLAG.findall(self.help)))
 
     def test_options_are_of_the_commands_named(self):
-        """By the section's title, or in the entry's own text; "Not of" takes away."""
+        """Commands are named by the section's title or in the entry; "Not of" excludes one."""
         takes = {}
         for command in COMMANDS:
             lines = self.done(command, "--help").decode().splitlines()

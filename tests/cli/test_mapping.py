@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""fit -o, map and unmap: there and back."""
+"""fit -o, map and unmap: both ways."""
 
 import json
 import math
@@ -34,7 +34,7 @@ class Mapping(CommandTest):
         found = self.json("map", model, walk(), "-o", self.folder / "map.npy")
         self.check_schema(found)
         fitted, mapped = self.coords("fit.npy"), self.coords("map.npy")
-        step = 4  # 120 frames a second, 30 samples
+        step = 4  # 120 frames per second, 30 samples
         numpy.testing.assert_array_equal(mapped[::step][: len(fitted)], fitted)
         self.assertEqual(found["rows"], len(mapped))
         self.assertLess(found["beyond"]["share"], 0.05)
@@ -68,7 +68,7 @@ class Mapping(CommandTest):
         self.assertLess(error.max(), 0.2)  # poses are smoothed once more
 
     def test_poses_take_as_long_as_the_points(self):
-        """A clip's points are at its rate, not at that of the model's samples."""
+        """The points of a clip have its rate, not that of the model's samples."""
         model = self.model(walk(), "--dimension", "3")
         points, poses = self.folder / "y.npy", self.folder / "poses.bvh"
         mapped = self.json("map", model, walk(), "-o", points)
@@ -80,7 +80,7 @@ class Mapping(CommandTest):
         made, source = self.json("info", poses)["clip"], self.json("info", walk())["clip"]
         self.assertEqual((made["frames"], made["fps"]), (source["frames"], 120))
         for product, flags, rate in (
-            ("poses.bvh", (), 30),  # the rate of the samples, as the file does not say
+            ("poses.bvh", (), 30),  # the rate of the samples, because the file has none
             ("x.csv", (), 30),
             ("x.csv", ("--fps", "120"), 120),
         ):
@@ -123,7 +123,8 @@ class Mapping(CommandTest):
         self.assertLess(numpy.abs(self.coords("x.csv") - numbers).max(), 0.1)
 
     def test_one_coordinate_needs_to_follow(self):
-        """To and fro look the same in one coordinate; going on from the last row tells them."""
+        """Forward and backward swings look the same in one coordinate; following the last row
+        helps."""
         model = self.model(
             circle(), "--fps", "30", "--dimension", "1", "--coords", self.folder / "y.npy"
         )

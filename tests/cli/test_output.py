@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Where results go, and that they arrive whole or not at all."""
+"""Results go to the right place, completely or not at all."""
 
 import json
 import os
@@ -178,7 +178,7 @@ class Coordinates(CommandTest):
             self.assertEqual(heading, ",".join(f"y{i + 1}" for i in range(dimension)))
             text = numpy.loadtxt(csv, delimiter=",", skiprows=1, ndmin=2)
             numpy.testing.assert_array_equal(array, text)
-            # What any coordinates are: centered, of unit norm, so no other array of that shape.
+            # Properties of all coordinates: centered, of unit norm.
             numpy.testing.assert_allclose(array.sum(axis=0), 0, atol=1e-9)
             numpy.testing.assert_allclose((array**2).sum(axis=0), 1, rtol=1e-9)
 

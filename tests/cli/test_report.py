@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Tables for people say what the JSON says."""
+"""Tables agree with the JSON."""
 
 import re
 import unittest

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""synthesize: pieces as people write them, and the clips that come out."""
+"""synthesize: the syntax of pieces, and the new clips."""
 
 import json
 import math
@@ -57,7 +57,7 @@ def swings(frames):
 
 class Synthesize(CommandTest):
     def made(self, *pieces):
-        """The object about a new clip, and the clip's own."""
+        """The JSON about a new clip, and that of the clip itself."""
         path = self.folder / "made.bvh"
         found = self.json("synthesize", *pieces, "-o", path)
         schema = json.loads((SCHEMAS / "stltsa-synthesis-1.schema.json").read_text())
@@ -80,7 +80,7 @@ class Synthesize(CommandTest):
         self.assertEqual([float(x) for x in made[5:]], [float(x) for x in source[5:]])
 
     def test_the_hierarchy_is_the_sources(self):
-        """Joints, offsets, order of channels and frame time as in the file, digit for digit."""
+        """Joints, offsets, channel order and frame time are as in the file, digit for digit."""
         source = self.folder / "source.bvh"
         text = walk().read_text()
         frame_time = next(line for line in text.splitlines() if line.startswith("Frame Time"))
@@ -142,7 +142,7 @@ class Synthesize(CommandTest):
         self.assertIn("best*2", text)
 
     def test_what_cannot_be_written_is_told_first(self):
-        """Before any result; fails() looks that nothing was printed."""
+        """Fails before any result; fails() checks that nothing was printed."""
         message = self.fails(1, "synthesize", f"{walk()}:0-100", "-o", self.folder / "o.amc")
         self.assertIn("AMC", message)
         self.assert_empty(self.folder)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a terminal sees: progress, colors, Ctrl-C."""
+"""Terminal output: progress, colors, Ctrl-C."""
 
 import os
 import pty
@@ -14,11 +14,11 @@ import unittest
 
 from common import STLTSA, CommandTest, default_signals, long_clip, plain_environment, run, walk
 
-COLOR = re.compile(rb"\x1b\[\d")  # not the bar's \x1b[K, which wipes a line
+COLOR = re.compile(rb"\x1b\[\d")  # not the bar's \x1b[K, which clears a line
 
 
 class Terminal:
-    """The command with a pseudo-terminal as its standard output, error or both."""
+    """The command with a pseudo-terminal as standard output, standard error or both."""
 
     def __init__(self, *arguments, on=("stdout", "stderr"), **environment):
         try:
@@ -39,12 +39,12 @@ class Terminal:
         self.seen = b""
 
     def read(self, seconds):
-        """More of what the terminal shows; False at the end."""
+        """Reads more of the terminal's output; False at the end."""
         if not select.select([self.master], [], [], seconds)[0]:
             return True
         try:
             block = os.read(self.master, 65536)
-        except OSError:  # Linux tells so that the other side is closed
+        except OSError:  # Linux reports a closed other side this way
             block = b""
         self.seen += block
         return bool(block)
@@ -56,7 +56,7 @@ class Terminal:
         return text in self.seen
 
     def finish(self):
-        """Exit status, what the terminal showed, and what the pipe got."""
+        """Returns exit status, terminal output, and pipe output."""
         while self.read(60):
             pass
         os.close(self.master)
@@ -104,8 +104,8 @@ class Colors(CommandTest):
 
 
 class HostileNames(CommandTest):
-    """A file's name must not speak to the terminal: no control characters, in one byte or two, and
-    no bytes that are not UTF-8. Letters of any script stay."""
+    """File names must not control the terminal: no control characters of one or two bytes, and no
+    bytes that are not UTF-8. Letters of any script stay."""
 
     NAME = b"a\x1b]0;title\x07\x7f\xc2\x9b31m\xff\xc3\xa4"
     SHOWN = "a?]0;title???31m?\u00e4"
@@ -188,7 +188,7 @@ class Interrupt(CommandTest):
         ) as process:
             process.stdin.write(b"1,2,3\n" * 50000)  # more than a pipe holds: it is reading
             process.stdin.flush()
-            time.sleep(0.5)  # it waits for more
+            time.sleep(0.5)  # the command waits for more
             process.send_signal(signal.SIGINT)
             self.assertEqual(process.wait(60), 130)
             self.assertEqual(process.stdout.read(), b"")

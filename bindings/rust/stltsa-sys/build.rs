@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-//! Asks pkg-config where libstltsa is, and tells Cargo what to link.
+//! Finds libstltsa with pkg-config and tells Cargo what to link.
 
 use std::env;
 
 fn main() {
     println!("cargo:rerun-if-changed=build.rs");
     println!("cargo:rerun-if-env-changed=DOCS_RS");
-    // The documentation is built where there is no libstltsa; nothing is linked for it.
+    // Documentation builds have no libstltsa and link nothing.
     if env::var_os("DOCS_RS").is_some() {
         return;
     }
     let mut config = pkg_config::Config::new();
     config.atleast_version("0.1.0");
-    // Without this, the crate pkg-config looks at STLTSA_STATIC and PKG_CONFIG_ALL_STATIC.
+    // Otherwise the crate pkg-config reads STLTSA_STATIC and PKG_CONFIG_ALL_STATIC itself.
     if env::var_os("CARGO_FEATURE_STATIC").is_some() {
         config.statik(true);
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-//! Motion units and cycles of a clip as a table.
+//! Prints the motion units and cycles of a clip as a table.
 //!
 //!     cargo run --example decompose -- walk.bvh
 
@@ -15,7 +15,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let found = Clip::open(path)?.decompose(&Options::new())?;
 
     found.units().iter().chain(found.cycles()).for_each(print);
-    // A clip without cycles is an answer, not an error; this is where it says why.
+    // A clip without cycles is not an error; the reason explains why there are none.
     if let Some(reason) = found.reason() {
         println!("no cycle: {reason}");
     }

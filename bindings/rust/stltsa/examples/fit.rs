@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-//! Your own numbers in, coordinates out: no clip file, just a row for each frame. The frames here go
-//! round a circle three times that is bent into six dimensions. Shown on the way: options, progress,
-//! cancelling.
+//! Fits your own numbers: one row per frame instead of a clip file. The frames follow a circle,
+//! bent into six dimensions, three times. Also shows options, progress and cancelling.
 //!
 //!     cargo run --example fit
 
@@ -18,7 +17,7 @@ fn frame(t: usize) -> [f64; 6] {
 
 fn main() -> Result<(), stltsa::Error> {
     let frames: Vec<[f64; 6]> = (0..3 * PERIOD).map(frame).collect();
-    // 1.2 periods: with fewer the first coordinate only tells the time.
+    // 1.2 periods: with fewer, the first coordinate only follows time.
     let options = Options::new().dimension(2).neighbors(PERIOD * 6 / 5);
     let model = Model::fit(&frames, &options)?;
 
@@ -28,7 +27,7 @@ fn main() -> Result<(), stltsa::Error> {
         println!("frame {t:3}  {:8.5}  {:8.5}", coords[(t, 0)], coords[(t, 1)]);
     }
 
-    // The same again, cancelled at the second report.
+    // The same fit, cancelled at the second report.
     let mut reports = 0;
     let impatient = options.progress(move |_stage, _fraction| {
         reports += 1;

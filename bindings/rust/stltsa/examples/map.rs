@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-//! Learns the curve of one clip, places the frames of another on it, and makes poses of the points.
+//! Fits the curve of one clip, maps the frames of another onto it, and turns the result into poses.
 //!
 //!     cargo run --example map -- walk.bvh other.bvh poses.bvh
 
@@ -13,17 +13,17 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     };
     let defaults = Options::new();
 
-    // Three coordinates tell a swing to from the swing fro, which one cannot.
+    // Three coordinates distinguish the forward from the backward swing; one cannot.
     let model = Model::fit_clip(&Clip::open(learned)?, &Options::new().dimension(3))?;
     println!("{} frames learned, {} neighbors", model.info().frames, model.info().neighbors);
 
-    // Distances above 1: frames unlike anything that was learned.
+    // Frames with a distance above 1 are unlike the fitted ones.
     let clip = Clip::open(other)?;
     let mapped = model.map_clip(&clip, &defaults)?;
     let unlike = mapped.distance.iter().filter(|distance| **distance > 1.0).count();
     println!("{} frames mapped, {unlike} of them unlike what was learned", mapped.coords.rows());
 
-    // A point for each frame of the clip; the model has fewer rows a second.
+    // One point for each frame of the clip; the model has fewer rows per second.
     let timing = Options::new().fps(clip.fps().unwrap_or_default());
     let made = model.unmap_clip(&mapped.coords, &timing)?;
     made.clip.save(poses)?;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-//! Arrays in and out: [`View`] borrows the caller's, [`Matrix`] owns a result.
+//! Arrays in and out: [`View`] borrows the caller's array, [`Matrix`] owns a result.
 
 use std::marker::PhantomData;
 use std::mem::size_of;
@@ -22,16 +22,16 @@ mod sealed {
     }
 }
 
-/// Numbers that the library reads: `f32` and `f64`.
+/// Types of numbers that the library reads: `f32` and `f64`.
 pub trait Element: sealed::Sealed + Copy {}
 impl Element for f32 {}
 impl Element for f64 {}
 
-/// A borrowed array of `f32` or `f64`, rows x columns: a frame is a row.
+/// A borrowed array of `f32` or `f64`, rows x columns, one frame per row.
 ///
-/// Functions take anything that is `Into<View>`: `&Matrix`, slices and vectors of arrays
-/// (`&[[f64; 6]]`), and with the feature `ndarray` its two-dimensional arrays and views. Packed `f64`
-/// is used where it lies; anything else is copied once.
+/// Functions take anything that is `Into<View>`: `&Matrix`, slices and vectors of arrays (`&[[f64;
+/// 6]]`), and with the feature `ndarray` its two-dimensional arrays and views. Packed `f64` is used
+/// in place; anything else is copied once.
 ///
 /// ```
 /// use stltsa::View;
@@ -40,7 +40,7 @@ impl Element for f64 {}
 /// let view = View::new(&numbers, 3, 2)?;
 /// assert_eq!((view.rows(), view.cols()), (3, 2));
 ///
-/// // The same numbers last row first, and only the second column.
+/// The same numbers, last row first, only the second column.
 /// let reversed = View::strided(&numbers, 5, (3, 1), (-2, 1))?;
 /// assert_eq!((reversed.rows(), reversed.cols()), (3, 1));
 /// # Ok::<(), stltsa::Error>(())
@@ -61,7 +61,7 @@ unsafe impl Send for View<'_> {}
 unsafe impl Sync for View<'_> {}
 
 impl<'a> View<'a> {
-    /// `data` row after row.
+    /// `data`, row by row.
     ///
     /// # Errors
     /// [`ErrorKind::Shape`] unless `data` has `rows * cols` entries.
@@ -80,7 +80,7 @@ impl<'a> View<'a> {
     /// be negative, or 0 to repeat.
     ///
     /// # Errors
-    /// [`ErrorKind::Shape`] where an entry would lie outside `data`.
+    /// [`ErrorKind::Shape`] if an entry would lie outside `data`.
     pub fn strided<T: Element>(
         data: &'a [T],
         start: usize,
@@ -100,16 +100,16 @@ impl<'a> View<'a> {
             ));
         }
         let first = if is_empty { data } else { &data[start..] };
-        // SAFETY: every entry lies inside `data`, as was just checked.
+        // SAFETY: checked above: every entry lies inside `data`.
         Ok(unsafe { Self::from_raw_parts(first.as_ptr(), shape, strides) })
     }
 
-    /// Number of rows: frames.
+    /// Number of rows (frames).
     pub fn rows(&self) -> usize {
         self.rows
     }
 
-    /// Number of columns: features or coordinates.
+    /// Number of columns (features or coordinates).
     pub fn cols(&self) -> usize {
         self.cols
     }
@@ -121,14 +121,14 @@ impl<'a> View<'a> {
     }
 
     /// # Safety
-    /// All entries can be read while 'a lasts; strides count entries.
+    /// All entries are readable for 'a; strides count entries.
     pub(crate) unsafe fn from_raw_parts<T: Element>(
         data: *const T,
         (rows, cols): (usize, usize),
         strides: (isize, isize),
     ) -> Self {
         let entry = size_of::<T>();
-        // A stride along which nothing lies may be anything, and need not fit when in bytes.
+        // A stride along a dimension of one entry is arbitrary and may not fit when in bytes.
         let is_empty = rows == 0 || cols == 0;
         let bytes = |count: usize, stride: isize| match count {
             _ if is_empty => entry as isize,
@@ -145,9 +145,9 @@ impl<'a> View<'a> {
         }
     }
 
-    /// As C takes it.
+    /// The C descriptor.
     pub(crate) fn raw(&self) -> Result<sys::stltsa_in> {
-        // Both strides 0 mean "packed" there.
+        // In C, both strides 0 mean "packed".
         if self.strides == (0, 0) {
             return Err(Error::new(
                 ErrorKind::Shape,
@@ -166,7 +166,7 @@ impl<'a> View<'a> {
     }
 }
 
-/// Whether the corners of the array, and so all of it, are entries of a slice of `length`.
+/// Whether the corners of the array, and therefore all entries, lie in a slice of `length`.
 fn reaches_only_inside(
     length: usize,
     start: usize,
@@ -207,7 +207,7 @@ impl<'a> From<&'a Matrix> for View<'a> {
     }
 }
 
-/// An array of `f64`, row after row, that a function gave back.
+/// An array of `f64`, row by row, returned by a function.
 ///
 /// ```
 /// use stltsa::Matrix;
@@ -226,7 +226,7 @@ pub struct Matrix {
 }
 
 impl Matrix {
-    /// `data` row after row.
+    /// `data`, row by row.
     ///
     /// # Errors
     /// [`ErrorKind::Shape`] unless `data` has `rows * cols` entries.
@@ -235,7 +235,7 @@ impl Matrix {
         Ok(Self { data, rows, cols })
     }
 
-    /// Number of rows: frames, samples or points.
+    /// Number of rows (frames, samples or points).
     pub fn rows(&self) -> usize {
         self.rows
     }
@@ -245,24 +245,24 @@ impl Matrix {
         self.cols
     }
 
-    /// Row `index`; panics where there is none.
+    /// Row `index`; panics if there is none.
     pub fn row(&self, index: usize) -> &[f64] {
         assert!(index < self.rows, "row {index} of {}", self.rows);
         &self.data[index * self.cols..(index + 1) * self.cols]
     }
 
-    /// The entries of column `index`; panics where there is none.
+    /// The entries of column `index`; panics if there is none.
     pub fn column(&self, index: usize) -> impl Iterator<Item = f64> + '_ {
         assert!(index < self.cols, "column {index} of {}", self.cols);
         self.data[index.min(self.data.len())..].iter().step_by(self.cols).copied()
     }
 
-    /// All entries, row after row.
+    /// All entries, row by row.
     pub fn as_slice(&self) -> &[f64] {
         &self.data
     }
 
-    /// All entries, row after row, without a copy.
+    /// All entries, row by row, without a copy.
     pub fn into_vec(self) -> Vec<f64> {
         self.data
     }
@@ -285,7 +285,7 @@ impl Matrix {
         Ok(Self { data: vec![0.0; entries], rows, cols })
     }
 
-    /// As C takes it to write to.
+    /// The C descriptor to write to.
     pub(crate) fn raw_out(&mut self) -> Result<sys::stltsa_out> {
         Ok(sys::stltsa_out {
             data: self.data.as_mut_ptr().cast(),
@@ -302,7 +302,7 @@ impl Matrix {
 impl Index<(usize, usize)> for Matrix {
     type Output = f64;
 
-    /// Entry (row, column); panics where there is none.
+    /// Entry (row, column); panics if there is none.
     fn index(&self, (row, column): (usize, usize)) -> &f64 {
         &self.row(row)[column]
     }

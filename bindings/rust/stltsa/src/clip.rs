@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-//! [`Clip`]: frames of one motion, with a skeleton or without.
+//! [`Clip`]: frames of one motion, with or without a skeleton.
 
 use std::path::Path;
 
@@ -12,9 +12,9 @@ use crate::handle::Owned;
 use crate::kinds::Format;
 use crate::options::Options;
 
-/// A motion-capture clip: BVH, ASF/AMC, bare numbers, or new motion that the library made.
+/// A motion-capture clip: BVH, ASF/AMC, plain numbers, or new motion made by the library.
 ///
-/// Frames count from 0 in the source file. Lengths are in the file's own unit.
+/// Frames are counted from 0 in the source file. Lengths are in the file's unit.
 #[derive(Debug)]
 pub struct Clip {
     pub(crate) handle: Owned<sys::stltsa_clip>,
@@ -23,16 +23,16 @@ pub struct Clip {
 /// A joint or end site of a clip's skeleton.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Joint {
-    /// The file's name for it.
+    /// Name in the file.
     pub name: String,
     /// Index of its parent; `None` for the root.
     pub parent: Option<usize>,
-    /// Whether it ends a limb, and so has no rotation of its own.
+    /// Whether it ends a limb and so has no rotation.
     pub is_end_site: bool,
 }
 
 impl Clip {
-    /// Reads a clip; the format is told by the suffix, else by the content.
+    /// Reads a clip; the suffix determines the format, or else the content.
     ///
     /// ```no_run
     /// let clip = stltsa::Clip::open("walk.bvh")?;
@@ -61,8 +61,8 @@ impl Clip {
         })
     }
 
-    /// Reads a clip from memory; `format` `None`: told by the content. Options used: fps, skeleton,
-    /// progress.
+    /// Reads a clip from memory; `format` `None`: determined by the content. Options used: fps,
+    /// skeleton, progress.
     ///
     /// # Errors
     /// As [`Clip::open_with`].
@@ -76,7 +76,7 @@ impl Clip {
         })
     }
 
-    /// A clip of bare features, rows = frames, `fps` (above 0) of them a second; copied.
+    /// A clip of plain features: one row per frame, `fps` (above 0) frames per second; copied.
     ///
     /// # Errors
     /// [`Shape`](crate::ErrorKind::Shape), [`NotFinite`](crate::ErrorKind::NotFinite),
@@ -94,35 +94,35 @@ impl Clip {
         unsafe { sys::stltsa_clip_frames(self.raw()) as usize }
     }
 
-    /// Frames a second; `None`: unknown.
+    /// Frames per second; `None` if unknown.
     pub fn fps(&self) -> Option<f64> {
         // SAFETY: a live handle.
         let fps = unsafe { sys::stltsa_clip_fps(self.raw()) };
         (fps > 0.0).then_some(fps)
     }
 
-    /// What the clip was read from.
+    /// Source format of the clip.
     pub fn format(&self) -> Format {
         // SAFETY: a live handle.
         Format::from_raw(unsafe { sys::stltsa_clip_format(self.raw()) })
     }
 
-    /// Number of the file's numbers in a frame.
+    /// Number of values per frame in the file.
     pub fn channels(&self) -> usize {
         // SAFETY: a live handle.
         unsafe { sys::stltsa_clip_channels(self.raw()) as usize }
     }
 
-    /// Number of joints and end sites; 0 for bare numbers.
+    /// Number of joints and end sites; 0 for plain numbers.
     pub fn joint_count(&self) -> usize {
         // SAFETY: a live handle.
         unsafe { sys::stltsa_clip_joints(self.raw()) as usize }
     }
 
-    /// Joints and end sites in file order, parents first; empty for bare numbers.
+    /// Joints and end sites in file order, parents first; empty for plain numbers.
     ///
     /// # Errors
-    /// None that a clip gives cause for.
+    /// None for a valid clip.
     pub fn joints(&self) -> Result<Vec<Joint>> {
         (0..self.joint_count()).map(|index| self.joint(index)).collect()
     }
@@ -143,7 +143,8 @@ impl Clip {
         }
     }
 
-    /// World positions by forward kinematics: frames x (3 * joints), x y z of joint 0, joint 1, ...
+    /// World positions from forward kinematics: frames x (3 * joints), x y z of joint 0, joint 1,
+    /// ...
     ///
     /// # Errors
     /// [`Unsupported`](crate::ErrorKind::Unsupported) without a skeleton.
@@ -154,7 +155,8 @@ impl Clip {
         })
     }
 
-    /// Local rotations as quaternions: frames x (4 * joints), w x y z, of continuous sign over time.
+    /// Local rotations as quaternions: frames x (4 * joints), w x y z, with signs continuous over
+    /// time.
     ///
     /// # Errors
     /// [`Unsupported`](crate::ErrorKind::Unsupported) without a skeleton.
@@ -168,9 +170,8 @@ impl Clip {
     /// Features of every frame, unsmoothed: frames x features. Options used: features, up_axis.
     ///
     /// # Errors
-    /// [`Argument`](crate::ErrorKind::Argument),
-    /// [`Unsupported`](crate::ErrorKind::Unsupported) where the features need a skeleton and there
-    /// is none.
+    /// [`Argument`](crate::ErrorKind::Argument), [`Unsupported`](crate::ErrorKind::Unsupported) if
+    /// the features need a skeleton and there is none.
     pub fn features(&self, options: &Options) -> Result<Matrix> {
         options.call(|options| {
             let mut features = 0;
@@ -183,7 +184,7 @@ impl Clip {
         })
     }
 
-    /// One JSON object that says what is in the clip (schema: stltsa-clip/1).
+    /// One JSON object that describes the clip (schema: stltsa-clip/1).
     ///
     /// # Errors
     /// [`NoMemory`](crate::ErrorKind::NoMemory).
@@ -192,14 +193,14 @@ impl Clip {
         owned_text(|out| unsafe { sys::stltsa_clip_json(self.raw(), out) })
     }
 
-    /// Writes the clip, whole or not at all. The format is told by the suffix: `.bvh` (any skeleton),
-    /// `.amc` (what was read from AMC; the ASF file stays as it is), `.csv`, `.npy` (the numbers of
-    /// any clip). Numbers read back to the same bits.
+    /// Writes the clip, completely or not at all. The suffix determines the format: `.bvh` (any
+    /// skeleton), `.amc` (clips read from AMC; the ASF file does not change), `.csv`, `.npy` (the
+    /// numbers of any clip). Numbers read back to the same bits.
     ///
     /// # Errors
-    /// [`Argument`](crate::ErrorKind::Argument) (another suffix),
-    /// [`Unsupported`](crate::ErrorKind::Unsupported) (no skeleton, or none of that kind, or no frame
-    /// rate where the format needs one), [`Io`](crate::ErrorKind::Io).
+    /// [`Argument`](crate::ErrorKind::Argument) (other suffix),
+    /// [`Unsupported`](crate::ErrorKind::Unsupported) (no skeleton, an unsuitable one, or no frame
+    /// rate although the format needs one), [`Io`](crate::ErrorKind::Io).
     pub fn save(&self, path: impl AsRef<Path>) -> Result<()> {
         let path = c_path(path.as_ref())?;
         // SAFETY: a live handle, and a string that lives through the call.
@@ -216,7 +217,7 @@ impl Clip {
     /// ```
     /// use stltsa::{Clip, Options, UnitKind};
     ///
-    /// // Two seconds of standing, eight of a swing to and fro with a period of one second, standing.
+    /// Two seconds of standing, eight of swinging with a period of one second, then standing.
     /// let swing = |t: f64| match t {
     ///     t if (2.0..10.0).contains(&t) => (std::f64::consts::TAU * t).sin(),
     ///     _ => 0.0,

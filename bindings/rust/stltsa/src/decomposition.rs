@@ -12,8 +12,8 @@ use crate::handle::Owned;
 use crate::kinds::{Features, UnitKind};
 use crate::options::Options;
 
-/// Motion units and cycles of a clip, and the curve that they were cut from.
-/// [`Clip::decompose`] makes it.
+/// Motion units and cycles of a clip, and the curve from which they were cut. Made by
+/// [`Clip::decompose`].
 #[derive(Debug)]
 pub struct Decomposition {
     pub(crate) handle: Owned<sys::stltsa_decomposition>,
@@ -25,7 +25,7 @@ pub struct Decomposition {
 /// A unit or a cycle: half-open, in frames of the source and in seconds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Interval {
-    /// What it is.
+    /// Kind of unit.
     pub kind: UnitKind,
     /// First frame, rounded.
     pub begin: usize,
@@ -54,7 +54,7 @@ impl Interval {
     }
 }
 
-/// What a decomposition rests on.
+/// Parameters and quality of a decomposition.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct DecompositionInfo {
@@ -64,23 +64,23 @@ pub struct DecompositionInfo {
     pub first_frame: usize,
     /// See `first_frame`.
     pub frame_step: usize,
-    /// k that was used, in samples.
+    /// k, in samples.
     pub neighbors: usize,
-    /// w that was used, in samples.
+    /// w, in samples.
     pub window: usize,
-    /// Tangent dimension that was used.
+    /// Tangent dimension.
     pub dimension: usize,
-    /// Column that was cut, counted from 1; `None`: none.
+    /// Column from which units were cut, counted from 1; `None`: none.
     pub coordinate: Option<usize>,
-    /// Features that were used.
+    /// Features of the fit.
     pub features: Features,
-    /// Seconds; `None`: there is none.
+    /// Period in seconds; `None` if there is none.
     pub period: Option<f64>,
-    /// Of the coordinate that was cut; 1: perfect.
+    /// How well that coordinate repeats once per period; 1: perfect.
     pub cyclicity: f64,
-    /// Of the period; 1: perfect.
+    /// How well the clip repeats after one period; 1: perfect.
     pub lag_quality: f64,
-    /// Working samples a second.
+    /// Working samples per second.
     pub fps: f64,
 }
 
@@ -98,12 +98,12 @@ impl Decomposition {
         })
     }
 
-    /// Units in order of time; they cover the clip without gap or overlap.
+    /// Units in temporal order; they cover the clip without gap or overlap.
     pub fn units(&self) -> &[Interval] {
         &self.units
     }
 
-    /// Cycles in order of time, back to back.
+    /// Cycles in temporal order, back to back.
     pub fn cycles(&self) -> &[Interval] {
         &self.cycles
     }
@@ -113,17 +113,17 @@ impl Decomposition {
         self.cycle_of(sys::STLTSA_DECOMPOSITION_REPRESENTATIVE)
     }
 
-    /// The cycle most like the others.
+    /// The cycle that is most similar to the others.
     pub fn best(&self) -> Option<&Interval> {
         self.cycle_of(sys::STLTSA_DECOMPOSITION_BEST)
     }
 
-    /// What the decomposition rests on.
+    /// Parameters and quality of the decomposition.
     pub fn info(&self) -> &DecompositionInfo {
         &self.info
     }
 
-    /// The smoothed coordinate that was cut, sample by sample.
+    /// The smoothed coordinate from which units were cut, sample by sample.
     ///
     /// # Errors
     /// [`NoMemory`](crate::ErrorKind::NoMemory).
@@ -146,14 +146,14 @@ impl Decomposition {
         })
     }
 
-    /// Why no cycle is claimed, in words with the numbers; `None` where cycles are.
+    /// Why there are no cycles, with the numbers; `None` if there are cycles.
     pub fn reason(&self) -> Option<String> {
         // SAFETY: a live handle, to which the text belongs until it is copied.
         let reason = unsafe { text(sys::stltsa_decomposition_reason(self.raw())) };
         Some(reason).filter(|reason| !reason.is_empty())
     }
 
-    /// What a user should know.
+    /// Warnings about the result.
     pub fn warnings(&self) -> Vec<String> {
         // SAFETY: a live handle, to which the texts belong until they are copied.
         unsafe {

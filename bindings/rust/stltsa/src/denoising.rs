@@ -9,9 +9,9 @@ use crate::handle::Owned;
 use crate::model::{c_lengths, Model};
 use crate::options::Options;
 
-/// Cleaned coordinates: a smooth curve through them, and the points after equation (1).
+/// Cleaned coordinates: a smooth curve, and the points after equation (1).
 ///
-/// Look for extrema and margins on the curve, never on the moved points.
+/// Find extrema and margins on the curve, never on the moved points.
 ///
 /// ```
 /// use stltsa::{Denoising, Options};
@@ -31,13 +31,13 @@ pub struct Denoising {
     rows: usize,
 }
 
-/// What is known of one column, over all clips.
+/// Result for one column, over all clips.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct DenoisedColumn {
-    /// Points that were moved.
+    /// Number of moved points.
     pub moved: usize,
-    /// Threshold that was used, in units of the coordinate.
+    /// Threshold, in units of the coordinate.
     pub gamma: f64,
     /// Mean distance of the points beyond gamma from the curve (d_t).
     pub shift: f64,
@@ -48,9 +48,9 @@ pub struct DenoisedColumn {
 }
 
 impl Denoising {
-    /// Cleans coordinates, rows x columns of one clip, each column for itself: a penalized spline
-    /// over time, its smoothing chosen by generalized cross-validation. Options used: gamma, knot_spacing,
-    /// robust, fps, period_min, period_max, progress.
+    /// Cleans coordinates, rows x columns of one clip, each column separately: a penalized spline
+    /// over time with smoothing chosen by generalized cross-validation. Options used: gamma,
+    /// knot_spacing, robust, fps, period_min, period_max, progress.
     ///
     /// # Errors
     /// [`Shape`](crate::ErrorKind::Shape), [`NotFinite`](crate::ErrorKind::NotFinite),
@@ -61,8 +61,8 @@ impl Denoising {
         Self::new_several(coords, &[coords.rows()], options)
     }
 
-    /// The same for several clips, one after another in `coords`; `lengths` are their rows. Each has
-    /// a spline of its own.
+    /// The same for several clips, one after another in `coords`, with their numbers of rows in
+    /// `lengths`. Each clip has its own spline.
     ///
     /// # Errors
     /// As [`Denoising::new`]; [`Shape`](crate::ErrorKind::Shape) unless `lengths` sum to the rows.
@@ -79,7 +79,7 @@ impl Denoising {
         })
     }
 
-    /// Cleans the coordinates of a model, component by component; rate and period are the model's.
+    /// Cleans the coordinates of a model, component by component, with the model's rate and period.
     /// Options used: gamma, knot_spacing, robust, progress.
     ///
     /// # Errors
@@ -91,7 +91,7 @@ impl Denoising {
         })
     }
 
-    /// What is known of each column.
+    /// Results by column.
     pub fn columns(&self) -> &[DenoisedColumn] {
         &self.columns
     }
@@ -113,7 +113,7 @@ impl Denoising {
         self.filled(|out| unsafe { sys::stltsa_denoising_cleaned(self.raw(), out) })
     }
 
-    /// By how much each point was moved, rows x columns; 0: it was not.
+    /// Displacement of each point, rows x columns; 0 if it was not moved.
     ///
     /// # Errors
     /// [`NoMemory`](crate::ErrorKind::NoMemory).

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-//! [`Dimension`]: how many coordinates a motion needs.
+//! [`Dimension`]: the intrinsic dimension of a motion.
 
 use stltsa_sys as sys;
 
@@ -15,7 +15,7 @@ use crate::options::Options;
 /// ```
 /// use stltsa::{Dimension, Estimate, Options};
 ///
-/// // A circle that is bent into three dimensions is a curve.
+/// A circle, bent into three dimensions, is a curve.
 /// let frames: Vec<[f64; 3]> = (0..300)
 ///     .map(|t| std::f64::consts::TAU * t as f64 / 100.0)
 ///     .map(|a| [a.cos(), a.sin(), 0.3 * (2.0 * a).sin()])
@@ -29,24 +29,22 @@ pub struct Dimension {
     pub(crate) handle: Owned<sys::stltsa_dimension>,
 }
 
-/// An estimate, or why there is none.
+/// An estimate, or the reason why there is none.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Estimate {
     /// Number of coordinates.
     Dimension(usize),
-    /// It cannot be told, for this reason.
+    /// There is no estimate, for this reason.
     CannotTell(String),
 }
 
-type Count = unsafe extern "C" fn(
-    *const sys::stltsa_dimension,
-    *mut *const std::os::raw::c_char,
-) -> i64;
+type Count =
+    unsafe extern "C" fn(*const sys::stltsa_dimension, *mut *const std::os::raw::c_char) -> i64;
 type Copy = unsafe extern "C" fn(*const sys::stltsa_dimension, *mut f64, i64) -> i64;
 
 impl Dimension {
     /// Estimates the dimension of `frames` x features, one clip. A disconnected or degenerate graph
-    /// is an answer ([`Estimate::CannotTell`]), not an error.
+    /// gives [`Estimate::CannotTell`], not an error.
     ///
     /// The alignment matrix is built with tangent dimension `dimension` (0: 2). Options used:
     /// neighbors, window, dimension, mode, include_self, links, exclusion, eigengap, variance,
@@ -59,7 +57,8 @@ impl Dimension {
         Self::estimate_several(frames, &[frames.rows()], options)
     }
 
-    /// The same for several clips, one after another in `frames`; `lengths` are their frames.
+    /// The same for several clips, one after another in `frames`, with their frame counts in
+    /// `lengths`.
     ///
     /// # Errors
     /// As [`Model::fit_several`](crate::Model::fit_several).
@@ -72,38 +71,40 @@ impl Dimension {
         options.call(|options| {
             let (clips, lengths) = (lengths.len() as i64, lengths.as_ptr());
             // SAFETY: arrays of the sizes they say, and a handle, live through the call.
-            let make =
-                |out| unsafe { sys::stltsa_estimate_dimension(&frames, lengths, clips, options, out) };
+            let make = |out| unsafe {
+                sys::stltsa_estimate_dimension(&frames, lengths, clips, options, out)
+            };
             Ok(Self { handle: Owned::make(make)? })
         })
     }
 
-    /// The same for a clip, prepared as by [`Model::fit_clip`](crate::Model::fit_clip).
+    /// The same for a clip, prepared as in [`Model::fit_clip`](crate::Model::fit_clip).
     ///
     /// # Errors
     /// As [`Model::fit`](crate::Model::fit).
     pub fn estimate_clip(clip: &Clip, options: &Options) -> Result<Self> {
         options.call(|options| {
             // SAFETY: live handles.
-            let make = |out| unsafe { sys::stltsa_estimate_dimension_clip(clip.raw(), options, out) };
+            let make =
+                |out| unsafe { sys::stltsa_estimate_dimension_clip(clip.raw(), options, out) };
             Ok(Self { handle: Owned::make(make)? })
         })
     }
 
-    /// The paper's: the first gap of the eigenvalues above tau. It counts the eigenvalue zero, and
-    /// one eigenvalue more than the tangent dimension is small by construction, so it moves with
-    /// what was put in: read it beside [`Dimension::local_pca`].
+    /// The paper's estimate: the first gap of the eigenvalues above tau. It counts the eigenvalue
+    /// zero. By construction one more eigenvalue than the tangent dimension is small, so the
+    /// estimate depends on the option `dimension`: compare it with [`Dimension::local_pca`].
     pub fn eigengap(&self) -> Estimate {
         self.estimated(sys::stltsa_dimension_eigengap)
     }
 
-    /// The median number of local principal directions that hold the share `variance` of a
+    /// The median number of local principal directions that explain the share `variance` of a
     /// neighborhood.
     pub fn local_pca(&self) -> Estimate {
         self.estimated(sys::stltsa_dimension_local_pca)
     }
 
-    /// Eigenvalues of B / k, ascending, the zero one first.
+    /// Eigenvalues of B / k, ascending, starting with zero.
     pub fn eigenvalues(&self) -> Vec<f64> {
         self.numbers(sys::stltsa_dimension_eigenvalues)
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-//! What can go wrong.
+//! Errors.
 
 use std::ffi::{CStr, CString};
 use std::fmt;
@@ -12,7 +12,7 @@ pub use crate::kinds::ErrorKind;
 /// `Result` with this crate's [`Error`].
 pub type Result<T> = std::result::Result<T, Error>;
 
-/// A failure: its kind, and the library's own words on what was wrong, where, and what to do.
+/// A failure: its kind, and the library's text: what is wrong, where, and what to do.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Error {
     kind: ErrorKind,
@@ -24,12 +24,12 @@ impl Error {
         Self { kind, message: message.into() }
     }
 
-    /// What kind of failure this is, for a program to act on.
+    /// Kind of failure, for programs.
     pub fn kind(&self) -> ErrorKind {
         self.kind
     }
 
-    /// The words, for people: what was wrong, where, and what to do.
+    /// Text for people: what is wrong, where, and what to do.
     pub fn message(&self) -> &str {
         &self.message
     }
@@ -43,7 +43,7 @@ impl fmt::Display for Error {
 
 impl std::error::Error for Error {}
 
-/// `Err` with the text of this thread's last failure, unless `status` is the one of success.
+/// `Err` with the text of this thread's last failure, unless `status` means success.
 pub(crate) fn check(status: sys::stltsa_status) -> Result<()> {
     if status == sys::STLTSA_OK {
         return Ok(());
@@ -53,16 +53,16 @@ pub(crate) fn check(status: sys::stltsa_status) -> Result<()> {
     Err(Error::new(ErrorKind::from_raw(status), message))
 }
 
-/// A copy of a text of the library. What is not UTF-8 (names out of files) is replaced.
+/// A copy of a text of the library. Bytes that are not UTF-8 (names from files) are replaced.
 ///
 /// # Safety
-/// `raw` is a string that ends with a zero.
+/// `raw` is a string that ends with a zero byte.
 pub(crate) unsafe fn text(raw: *const std::os::raw::c_char) -> String {
     // SAFETY: as the caller promises.
     unsafe { CStr::from_ptr(raw) }.to_string_lossy().into_owned()
 }
 
-/// A text that the library allocated, such as JSON.
+/// A text allocated by the library, such as JSON.
 pub(crate) fn owned_text(
     make: impl FnOnce(*mut *mut std::os::raw::c_char) -> sys::stltsa_status,
 ) -> Result<String> {
@@ -76,7 +76,7 @@ pub(crate) fn owned_text(
     }
 }
 
-/// The path as C takes it.
+/// The path for C.
 pub(crate) fn c_path(path: &Path) -> Result<CString> {
     #[cfg(unix)]
     let bytes = Some(std::os::unix::ffi::OsStrExt::as_bytes(path.as_os_str()));
@@ -87,19 +87,19 @@ pub(crate) fn c_path(path: &Path) -> Result<CString> {
     })
 }
 
-/// A number of the library as a count of things.
+/// A count returned by the library.
 pub(crate) fn count(value: i64) -> Result<usize> {
     usize::try_from(value)
         .map_err(|_| Error::new(ErrorKind::Internal, format!("{value} is not a count")))
 }
 
-/// A count as C takes it.
+/// A count for C.
 pub(crate) fn c_count(value: usize) -> Result<i64> {
     i64::try_from(value)
         .map_err(|_| Error::new(ErrorKind::Shape, format!("{value} is too large a count")))
 }
 
-/// A number that a call writes.
+/// A number written by a call.
 pub(crate) fn got<T: Default>(get: impl FnOnce(&mut T) -> sys::stltsa_status) -> Result<T> {
     let mut value = T::default();
     check(get(&mut value))?;
@@ -109,7 +109,7 @@ pub(crate) fn got<T: Default>(get: impl FnOnce(&mut T) -> sys::stltsa_status) ->
 /// Copies of `count` texts of the library.
 ///
 /// # Safety
-/// `get` gives strings that end with a zero and live until they are copied.
+/// `get` returns strings that end with a zero byte and live until they are copied.
 pub(crate) unsafe fn texts(
     count: i64,
     get: impl Fn(i64) -> *const std::os::raw::c_char,

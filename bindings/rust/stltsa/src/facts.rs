@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-//! [`Facts`]: what an object says about itself, by key.
+//! [`Facts`]: facts about an object by key.
 
 use std::marker::PhantomData;
 
@@ -9,8 +9,7 @@ use crate::error::{got, text, Result};
 use crate::kinds::Fact;
 use crate::{Clip, Decomposition, Denoising, Dimension, Model, Synthesis};
 
-/// What an object says about itself, by key: all facts of its JSON that are not in arrays,
-/// intervals or seams.
+/// Facts about an object by key: all facts of its JSON outside arrays, intervals and seams.
 ///
 /// ```
 /// use stltsa::{Clip, Fact};
@@ -31,10 +30,10 @@ unsafe impl Send for Facts<'_> {}
 unsafe impl Sync for Facts<'_> {}
 
 impl Facts<'_> {
-    /// The integers of a key: none if the object does not have that fact, one if it is no list.
+    /// The integers of a key: empty if the object does not have that fact, one unless it is a list.
     ///
     /// # Errors
-    /// [`Argument`](crate::ErrorKind::Argument): the key is of another type.
+    /// [`Argument`](crate::ErrorKind::Argument): the key has another type.
     pub fn ints(&self, key: Fact) -> Result<Vec<i64>> {
         // SAFETY: the info lives as long as the object.
         self.values(key, |key, index| {

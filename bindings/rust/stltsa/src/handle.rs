@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-//! Ownership of what the library allocates.
+//! Ownership of objects that the library allocates.
 
 use std::fmt;
 use std::ptr::NonNull;
@@ -8,7 +8,7 @@ use stltsa_sys as sys;
 
 use crate::error::{check, Result};
 
-/// A type that only the library knows, with the function that ends it.
+/// An opaque type of the library, with the function that frees it.
 pub(crate) trait Handle {
     /// # Safety
     /// `raw` comes from the library and is not used again.
@@ -34,11 +34,11 @@ handles! {
     stltsa_synthesis: stltsa_synthesis_free
 }
 
-/// A handle that this side has to free, and does.
+/// A handle that this crate owns and frees.
 pub(crate) struct Owned<T: Handle>(NonNull<T>);
 
 impl<T: Handle> Owned<T> {
-    /// Hands `make` the place for the new handle.
+    /// Lets `make` write the new handle.
     pub fn make(make: impl FnOnce(*mut *mut T) -> sys::stltsa_status) -> Result<Self> {
         let mut raw = std::ptr::null_mut();
         check(make(&mut raw))?;
@@ -46,7 +46,7 @@ impl<T: Handle> Owned<T> {
     }
 
     /// # Safety
-    /// `raw` is not NULL and is freed by nobody else while the result lives.
+    /// `raw` is not NULL, and nothing else frees it while the result lives.
     pub unsafe fn from_raw(raw: *const T) -> Self {
         // SAFETY: not NULL, says the caller.
         Self(unsafe { NonNull::new_unchecked(raw as *mut T) })

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-//! The library's enumerations. A value that is newer than this crate is `Other`.
+//! The library's enumerations. Values that this crate does not know are `Other`.
 
 use std::fmt;
 
@@ -12,12 +12,12 @@ macro_rules! kinds {
         #[non_exhaustive]
         pub enum $name {
             $($(#[$what])* $variant,)*
-            /// A value that this version of the crate does not know.
+            /// A value unknown to this version of the crate.
             Other(i32),
         }
 
         impl $name {
-            #[allow(dead_code)] // some are only asked for, some only answered
+            #[allow(dead_code)] // some are only arguments, some only results
             pub(crate) fn from_raw(value: i32) -> Self {
                 match value {
                     $(stltsa_sys::$value => Self::$variant,)*

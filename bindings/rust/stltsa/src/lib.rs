@@ -18,31 +18,31 @@
 //! * [`Clip`]: reads and writes clips, forward kinematics, features.
 //! * [`Clip::decompose`]: motion units and cycles ([`Decomposition`]).
 //! * [`Model`]: the curve itself, from clips or from your own matrix; [maps](Model::map) new frames
-//!   to it and [points of it back](Model::unmap_clip) to poses; saved to files.
-//! * [`Dimension`]: how many coordinates a motion needs.
-//! * [`Denoising`]: the curve without its noise.
+//!   onto it and [coordinates back](Model::unmap_clip) to poses; can be saved to files.
+//! * [`Dimension`]: the intrinsic dimension of a motion.
+//! * [`Denoising`]: a curve without its noise.
 //! * [`Synthesis`]: new motion from pieces of clips.
-//! * [`Facts`]: all else that a clip or a result says about itself, by key.
-//! * [`Options`]: what to do otherwise than by default, progress and cancelling.
+//! * [`Facts`]: all other facts about a clip or a result, by key.
+//! * [`Options`]: deviations from the defaults, progress and cancelling.
 //!
 //! # Conventions
 //!
-//! Frames are rows and count from 0 in the source file. Intervals are half-open. Lengths are in the
-//! file's own unit, seconds are frame / fps, rotations are quaternions w x y z. Arrays go in as
-//! [`View`], which any slice of arrays converts to (`f32`, `f64`, any strides, with the feature
-//! `ndarray` its arrays), and come out as [`Matrix`].
+//! Frames are rows and are counted from 0 in the source file. Intervals are half-open. Lengths are
+//! in the file's unit, seconds are frame / fps, rotations are quaternions w x y z. Arguments are
+//! [`View`]s, made from slices of arrays (`f32`, `f64`, any strides) or, with the feature
+//! `ndarray`, from its arrays; results are [`Matrix`].
 //!
 //! Same input, options and build give the same bits on every run, for any number of threads.
 //!
-//! All types are `Send` and `Sync`: what a call made does not change afterwards, and any number of
-//! threads may ask it at once. While a fit runs, OpenBLAS is set to one thread for the whole process.
+//! All types are `Send` and `Sync`: results do not change, and any number of threads may read them
+//! at once. While a fit runs, OpenBLAS is set to one thread for the whole process.
 //!
-//! Errors are [`Error`], with the library's own words. The library prints nothing and never ends the
-//! process; a panic in a progress closure passes through it unharmed.
+//! Errors are [`Error`], with the library's text. The library prints nothing and never ends the
+//! process; a panic in a progress closure continues in the caller.
 //!
 //! # Features
 //!
-//! * `ndarray`: arrays of the crate ndarray (0.15 to 0.17) in and out.
+//! * `ndarray`: arguments and results as arrays of the crate ndarray (0.15 to 0.17).
 //! * `static`: links `libstltsa.a`; see the crate `stltsa-sys`.
 #![warn(missing_docs, unsafe_op_in_unsafe_fn)]
 
@@ -76,18 +76,18 @@ pub use model::{Model, ModelInfo};
 pub use options::{options_table, OptionInfo, Options};
 pub use synthesis::{Piece, Seam, Synthesis};
 
-/// The README's programs are tested with the documentation's.
+/// Tests the README's programs together with the documentation.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;
 
-/// The version of the library that runs, such as "0.1.0".
+/// The version of the library at run time, such as "0.1.0".
 pub fn version() -> String {
     // SAFETY: a static text.
     unsafe { error::text(stltsa_sys::stltsa_version()) }
 }
 
-/// Whether this build of the library has a part.
+/// Whether this build of the library has an optional part.
 ///
 /// ```
 /// let can_fit_recurrent = stltsa::has(stltsa::Part::Cholmod);

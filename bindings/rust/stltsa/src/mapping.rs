@@ -10,34 +10,34 @@ use crate::handle::Owned;
 use crate::model::Model;
 use crate::options::Options;
 
-/// New frames on the curve.
+/// New frames mapped onto the curve.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mapped {
     /// rows x d.
     pub coords: Matrix,
-    /// Distance of each row from the fitted frames over [`reach`](crate::ModelInfo::reach).
-    /// Beyond 1 the frame is unlike what was learned, and its coordinates mean little.
+    /// Distance of each row from the fitted frames over [`reach`](crate::ModelInfo::reach). Beyond
+    /// 1 the frame is unlike the fitted ones and its coordinates are unreliable.
     pub distance: Vec<f64>,
-    /// Nearest model row of each row, whose component the coordinates belong to.
+    /// Nearest model row of each row, whose component gives the coordinates.
     pub nearest: Vec<usize>,
 }
 
-/// Frames of points of the curve.
+/// Frames mapped back from coordinates.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Unmapped {
     /// rows x features of the model.
     pub frames: Matrix,
-    /// Distance of each point from the curve, over what is common between neighboring rows of the
-    /// model. Beyond 1 the frame is a guess.
+    /// Distance of each point from the curve, relative to the typical distance between neighboring
+    /// rows of the model. Beyond 1 the frame is a guess.
     pub distance: Vec<f64>,
     /// Nearest model row of each point.
     pub nearest: Vec<usize>,
 }
 
-/// Poses of points of the curve.
+/// Poses mapped back from coordinates.
 #[derive(Debug)]
 pub struct Poses {
-    /// A pose for each point, with the skeleton that was fitted; at the rate of the option fps, else
+    /// One pose for each point, with the model's skeleton, at the rate of the option fps, or else
     /// of the model's rows.
     pub clip: Clip,
     /// As in [`Unmapped`].
@@ -46,7 +46,7 @@ pub struct Poses {
     pub nearest: Vec<usize>,
 }
 
-/// What every mapping says of each row.
+/// Per-row results of every mapping.
 struct Place {
     distance: Matrix,
     nearest: Vec<i64>,
@@ -63,7 +63,7 @@ impl Place {
     }
 }
 
-/// Rows near which to look, as C takes them: a number for each row, -1 for everywhere.
+/// Hints as C expects them: a row number for each row, -1 for everywhere.
 fn c_hints(hints: Option<&[Option<usize>]>, rows: usize) -> Result<Option<Vec<i64>>> {
     let of_row = |hint: &Option<usize>| hint.map_or(Ok(-1), c_count);
     match hints {
@@ -81,9 +81,9 @@ fn pointer(hints: &Option<Vec<i64>>) -> *const i64 {
 }
 
 impl Model {
-    /// Places new frames, rows x features of the model, on the curve. A frame that was fitted gets
-    /// its own coordinates, to the bit; of equal frames that come back after others the first's,
-    /// unless a hint says which is meant ([`Model::map_near`]). Options used: map_neighbors,
+    /// Maps new frames, rows x features of the model, onto the curve. A fitted frame gets its own
+    /// coordinates, to the bit. If equal frames occur more than once, they get the coordinates of
+    /// the first, unless a hint selects another ([`Model::map_near`]). Options used: map_neighbors,
     /// map_blend, threads, progress.
     ///
     /// # Errors
@@ -94,12 +94,12 @@ impl Model {
         self.map_rows(frames.into(), None, options)
     }
 
-    /// The same, each row being looked for near a model row (within option hint_window of the same
-    /// clip), `None`: everywhere. For a stream: the nearest row of the frame before, plus a small
-    /// hint_window, so that time never runs back.
+    /// The same, searching for each row near a model row (within option hint_window of the same
+    /// clip), or everywhere for `None`. For a stream, pass the nearest row of the previous frame
+    /// and a small hint_window, so that time never runs back.
     ///
     /// # Errors
-    /// As [`Model::map`]; [`Shape`](ErrorKind::Shape) unless there is a hint for each row.
+    /// As [`Model::map`]; [`Shape`](ErrorKind::Shape) unless there is one hint per row.
     pub fn map_near<'a>(
         &self,
         frames: impl Into<View<'a>>,
@@ -123,11 +123,12 @@ impl Model {
         })
     }
 
-    /// Places every frame of a clip on the curve; features, up axis and smoothing are the model's.
-    /// The model was fitted to a clip. Options used: map_neighbors, map_blend, threads, progress.
+    /// Maps every frame of a clip onto the curve of a model that was fitted to a clip, with the
+    /// model's features, up axis and smoothing. Options used: map_neighbors, map_blend, threads,
+    /// progress.
     ///
     /// # Errors
-    /// As [`Model::map`]; [`Shape`](ErrorKind::Shape) where the two have other features.
+    /// As [`Model::map`]; [`Shape`](ErrorKind::Shape) if the features differ.
     pub fn map_clip(&self, clip: &Clip, options: &Options) -> Result<Mapped> {
         self.mapped(clip.frames(), options, |options, coords, distance, nearest| {
             // SAFETY: live handles, and arrays of as many rows as the clip has frames.
@@ -158,24 +159,24 @@ impl Model {
         Ok(Mapped { coords, distance, nearest })
     }
 
-    /// The way back: frames from points of the curve, rows x d.
+    /// Maps coordinates, rows x d, back to frames.
     ///
-    /// One coordinate alone cannot tell a swing to from the swing fro: give hints
-    /// ([`Model::unmap_near`]), or fit more. For a model of a clip with a skeleton, frames are the
-    /// features of the poses of [`Model::unmap_clip`]. Options used: map_neighbors, map_blend,
-    /// component, threads, progress.
+    /// One coordinate cannot distinguish the forward from the backward swing: pass hints
+    /// ([`Model::unmap_near`]), or fit more dimensions. For a model of a clip with a skeleton,
+    /// frames are the features of the poses of [`Model::unmap_clip`]. Options used: map_neighbors,
+    /// map_blend, component, threads, progress.
     ///
     /// # Errors
     /// As [`Model::map`]; [`Disconnected`](ErrorKind::Disconnected): the model has several
-    /// components, and the option component does not say which.
+    /// components, and the option component is missing.
     pub fn unmap<'a>(&self, coords: impl Into<View<'a>>, options: &Options) -> Result<Unmapped> {
         self.unmap_rows(coords.into(), None, options)
     }
 
-    /// The same, each point being looked for near a model row; hints as in [`Model::map_near`].
+    /// The same, searching for each point near a model row; hints as in [`Model::map_near`].
     ///
     /// # Errors
-    /// As [`Model::unmap`]; [`Shape`](ErrorKind::Shape) unless there is a hint for each row.
+    /// As [`Model::unmap`]; [`Shape`](ErrorKind::Shape) unless there is one hint per row.
     pub fn unmap_near<'a>(
         &self,
         coords: impl Into<View<'a>>,
@@ -207,20 +208,21 @@ impl Model {
         Ok(Unmapped { frames, distance, nearest })
     }
 
-    /// Poses from points of the curve, rows x d: rotations of all joints, height and tilt; the body
-    /// stays over the origin and faces one way. Options used: as [`Model::unmap`], and fps, points
-    /// a second: of what [`Model::map_clip`] gave, the clip's; else that of the model's rows.
+    /// Maps coordinates, rows x d, back to poses: rotations of all joints, height and tilt; the
+    /// body stays over the origin with a fixed heading. Options used: as [`Model::unmap`], and fps,
+    /// the number of points per second: for the result of [`Model::map_clip`] the clip's rate;
+    /// default: that of the model's rows.
     ///
     /// # Errors
-    /// As [`Model::unmap`]; [`Unsupported`](ErrorKind::Unsupported) for a model of bare numbers.
+    /// As [`Model::unmap`]; [`Unsupported`](ErrorKind::Unsupported) for a model of plain numbers.
     pub fn unmap_clip<'a>(&self, coords: impl Into<View<'a>>, options: &Options) -> Result<Poses> {
         self.unmap_poses(coords.into(), None, options)
     }
 
-    /// The same, each point being looked for near a model row; hints as in [`Model::map_near`].
+    /// The same, searching for each point near a model row; hints as in [`Model::map_near`].
     ///
     /// # Errors
-    /// As [`Model::unmap_clip`]; [`Shape`](ErrorKind::Shape) unless there is a hint for each row.
+    /// As [`Model::unmap_clip`]; [`Shape`](ErrorKind::Shape) unless there is one hint per row.
     pub fn unmap_clip_near<'a>(
         &self,
         coords: impl Into<View<'a>>,

@@ -14,12 +14,12 @@ use crate::handle::Owned;
 use crate::kinds::Mode;
 use crate::options::Options;
 
-/// A fitted curve (spatio-temporal LTSA): coordinates for every frame, and how good they are.
+/// A fitted curve (spatio-temporal LTSA): coordinates of every frame, and their quality.
 ///
 /// ```
 /// use stltsa::{Model, Options};
 ///
-/// // Three rounds of a circle that is bent into four dimensions.
+/// Three turns of a circle, bent into four dimensions.
 /// let frames: Vec<[f64; 4]> = (0..300)
 ///     .map(|t| std::f64::consts::TAU * t as f64 / 100.0)
 ///     .map(|a| [a.cos(), a.sin(), 0.3 * (2.0 * a).sin(), 0.2 * a.cos() * a.cos()])
@@ -30,7 +30,7 @@ use crate::options::Options;
 /// assert_eq!((coords.rows(), coords.cols()), (300, 2));
 /// assert!(model.info().residual < 1e-9);
 ///
-/// // A frame that was fitted has its own coordinates, to the bit.
+/// A fitted frame gets its own coordinates, to the bit.
 /// let mapped = model.map(&frames[..10], &Options::new())?;
 /// assert_eq!(mapped.coords.row(3), coords.row(3));
 /// # Ok::<(), stltsa::Error>(())
@@ -41,21 +41,21 @@ pub struct Model {
     info: ModelInfo,
 }
 
-/// What was fitted, with which parameters, and how well. Frames are rows of the model.
+/// Data, parameters and quality of a fit. Frames are rows of the model.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct ModelInfo {
     /// Rows of the coordinates.
     pub frames: usize,
-    /// Columns that were fitted.
+    /// Number of fitted columns.
     pub features: usize,
     /// Number of coordinates, d.
     pub dimension: usize,
-    /// k that was used.
+    /// k of the fit.
     pub neighbors: usize,
-    /// w that was used.
+    /// w of the fit.
     pub window: usize,
-    /// Where neighbors were looked for.
+    /// Candidates for neighbors.
     pub mode: Mode,
     /// Whether a frame was among its own neighbors.
     pub include_self: bool,
@@ -63,11 +63,12 @@ pub struct ModelInfo {
     pub links: usize,
     /// Half width of that zone (mode recurrent).
     pub exclusion: usize,
-    /// Connected components of the neighborhood graph; coordinates of different ones do not compare.
+    /// Connected components of the neighborhood graph; coordinates of different ones are not
+    /// comparable.
     pub components: usize,
-    /// Frames that were collapsed because they repeat the one before.
+    /// Number of frames that were dropped because they repeat the previous one.
     pub repeated: usize,
-    /// Windows of fewer than d directions.
+    /// Number of windows with fewer than d directions.
     pub rank_deficient: usize,
     /// Applications of the inverse operator by the eigensolver.
     pub solves: usize,
@@ -82,19 +83,19 @@ pub struct ModelInfo {
     pub error_estimate: f64,
     /// Smallest lambda_{d+2} / lambda_{d+1} of a component; near 1 the curve is ill-defined.
     pub gap: f64,
-    /// |Rank correlation| of coordinate 1 with time; 1: it tells the time and nothing else.
+    /// |Rank correlation| of coordinate 1 with time; at 1 it only follows time.
     pub time_correlation: f64,
-    /// Rows a second; `None`: unknown.
+    /// Rows per second; `None` if unknown.
     pub fps: Option<f64>,
-    /// Period in seconds that an automatic k rests on.
+    /// Period in seconds from which an automatic k is derived.
     pub period: Option<f64>,
     /// Distance from the fitted frames, in units of the features, up to which a new frame counts as
-    /// one of their kind. `None`: the model kept no frames and cannot map.
+    /// similar. `None`: the model kept no frames and cannot map.
     pub reach: Option<f64>,
 }
 
 impl Model {
-    /// Fits a model to `frames` x features, one clip: finite, at least k + 1 distinct frames.
+    /// Fits a model to `frames` x features, one clip: finite, with at least k + 1 distinct frames.
     ///
     /// Options used: neighbors, window, dimension, mode, include_self, links, exclusion, threads,
     /// fps (for the automatic k), period_min, period_max, keep_frames, progress.
@@ -111,8 +112,8 @@ impl Model {
         Self::fit_several(frames, &[frames.rows()], options)
     }
 
-    /// The same for several clips, one after another in `frames`; `lengths` are their frames.
-    /// Temporal neighbors never cross clips, so look at the components.
+    /// The same for several clips, one after another in `frames`, with their frame counts in
+    /// `lengths`. Temporal neighbors never cross clips, so check the components.
     ///
     /// # Errors
     /// As [`Model::fit`]; [`Shape`](ErrorKind::Shape) unless `lengths` sum to the rows.
@@ -131,8 +132,9 @@ impl Model {
         })
     }
 
-    /// Fits a model to a clip: its features, T-pose start dropped, smoothed and decimated. Options
-    /// used besides those of [`Model::fit`]: features, up_axis, keep_start, sample_rate, smoothing.
+    /// Fits a model to a clip: its features without a T-pose at the start, smoothed and decimated.
+    /// Options used besides those of [`Model::fit`]: features, up_axis, keep_start, sample_rate,
+    /// smoothing.
     ///
     /// # Errors
     /// As [`Model::fit`].
@@ -143,7 +145,7 @@ impl Model {
         })
     }
 
-    /// Reads a model that [`Model::save`] wrote; it gives the same bits as the one that was saved.
+    /// Reads a model written by [`Model::save`]; it gives the same bits as the saved one.
     ///
     /// # Errors
     /// [`Io`](ErrorKind::Io), [`Format`](ErrorKind::Format).
@@ -153,7 +155,7 @@ impl Model {
         Self::made(|out| unsafe { sys::stltsa_model_load(path.as_ptr(), out) })
     }
 
-    /// Writes the model to a file, whole or not at all.
+    /// Writes the model to a file, completely or not at all.
     ///
     /// # Errors
     /// [`Io`](ErrorKind::Io).
@@ -163,10 +165,10 @@ impl Model {
         check(unsafe { sys::stltsa_model_save(self.raw(), path.as_ptr()) })
     }
 
-    /// The model out of the bytes of [`Model::serialize`]; they may be anybody's.
+    /// Reads a model from the bytes of [`Model::serialize`]; untrusted bytes are safe.
     ///
     /// # Errors
-    /// [`Format`](ErrorKind::Format) says what is wrong with them.
+    /// [`Format`](ErrorKind::Format) describes the problem.
     pub fn parse(bytes: &[u8]) -> Result<Self> {
         let (data, size) = (bytes.as_ptr().cast(), bytes.len());
         // SAFETY: `size` bytes from `data` live through the call.
@@ -188,7 +190,7 @@ impl Model {
         }
     }
 
-    /// What was fitted, with which parameters, and how well.
+    /// Data, parameters and quality of the fit.
     pub fn info(&self) -> &ModelInfo {
         &self.info
     }
@@ -204,7 +206,7 @@ impl Model {
         })
     }
 
-    /// components x (d + 2): lambda_1 = 0, lambda_2, ... of each, ascending; NaN where a component is
+    /// components x (d + 2): lambda_1 = 0, lambda_2, ... of each, ascending; NaN if a component is
     /// too small to have as many.
     ///
     /// # Errors
@@ -228,7 +230,8 @@ impl Model {
         labels.into_iter().map(count).collect()
     }
 
-    /// What a user should know: a coordinate that only follows time, disconnected, rank-deficient windows, small gap.
+    /// Warnings: a coordinate that only follows time, disconnected graph, rank-deficient windows,
+    /// small gap.
     pub fn warnings(&self) -> Vec<String> {
         // SAFETY: a live handle, to which the texts belong until they are copied.
         unsafe {
@@ -291,7 +294,7 @@ impl ModelInfo {
     }
 }
 
-/// The lengths of clips as C takes them.
+/// The lengths of clips for C.
 pub(crate) fn c_lengths(lengths: &[usize]) -> Result<Vec<i64>> {
     if lengths.is_empty() {
         return Err(Error::new(ErrorKind::Shape, "lengths is empty: give the clips' frames"));

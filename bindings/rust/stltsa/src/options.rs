@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-//! [`Options`]: what a call is to do otherwise than by default.
+//! [`Options`]: deviations from a call's defaults.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -24,11 +24,11 @@ enum Value {
     Path(PathBuf),
 }
 
-/// Options of a call; those that are not set have the library's defaults, which suit most clips.
+/// Options of a call; unset options have the library's defaults, which suit most clips.
 ///
-/// Values are checked by the call that gets them: what is out of range is
-/// [`ErrorKind::Argument`](crate::ErrorKind::Argument) there, with the range in the text. Options
-/// that a call does not use are left alone. [`options_table`] lists all with ranges and defaults.
+/// The call checks the values: a value out of range is
+/// [`ErrorKind::Argument`](crate::ErrorKind::Argument), with the range in the text. A call ignores
+/// options that it does not use. [`options_table`] lists all with ranges and defaults.
 ///
 /// ```
 /// use stltsa::{Mode, Options};
@@ -48,12 +48,11 @@ impl Options {
         Self::default()
     }
 
-    /// Calls `report` as the work goes on, with the stage and the fraction of it that is done, from 0
-    /// to 1; `Break` cancels, and the call ends with
-    /// [`ErrorKind::Cancelled`](crate::ErrorKind::Cancelled).
+    /// Calls `report` during the work, with the stage and the finished fraction of it, from 0 to 1;
+    /// `Break` cancels, and the call returns [`ErrorKind::Cancelled`](crate::ErrorKind::Cancelled).
     ///
-    /// It runs on the thread of the call. A panic in it cancels too, and goes on from the call.
-    /// Clones of these options share it; while it runs, reports of other calls are left out.
+    /// It runs on the thread of the call. A panic in it also cancels, and continues from the call.
+    /// Clones of these options share it; while it runs, reports of other calls are dropped.
     ///
     /// ```
     /// use std::ops::ControlFlow;
@@ -83,7 +82,7 @@ impl Options {
         self
     }
 
-    /// Runs `body`, one call of the library, with these options as C takes them.
+    /// Runs `body`, one call of the library, with these options in C's form.
     pub(crate) fn call<T>(
         &self,
         body: impl FnOnce(*const sys::stltsa_options) -> Result<T>,
@@ -127,7 +126,7 @@ impl fmt::Debug for Options {
     }
 }
 
-/// What is too large for C is out of range there, too.
+/// Values too large for C are out of range, too.
 fn int(value: usize) -> Value {
     Value::Int(i64::try_from(value).unwrap_or(i64::MAX))
 }
@@ -137,11 +136,11 @@ fn int(value: usize) -> Value {
 #[non_exhaustive]
 pub struct OptionInfo {
     key: i32,
-    /// As the command `stltsa` has it, `--name`; the method of [`Options`] has `_` for `-`.
+    /// Name as in the command `stltsa`, `--name`; the method of [`Options`] has `_` for `-`.
     pub name: String,
     /// One sentence.
     pub text: String,
-    /// `temporal=1 spatial=2` where values have names.
+    /// Named values, for example `temporal=1 spatial=2`.
     pub choices: Option<String>,
     /// Smallest and largest number; `None` for texts.
     pub range: Option<RangeInclusive<f64>>,
@@ -149,7 +148,7 @@ pub struct OptionInfo {
     pub standard: f64,
 }
 
-/// Every option of the library that runs, in the order of its keys.
+/// Every option of the library at run time, in the order of its keys.
 ///
 /// ```
 /// let table = stltsa::options_table();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-//! The progress closure, called from C: what it answers goes back, and a panic waits until C is
-//! left.
+//! The progress closure, called from C: passes its answer back, and holds a panic until C has
+//! returned.
 
 use std::any::Any;
 use std::ops::ControlFlow;
@@ -17,7 +17,7 @@ use crate::kinds::Stage;
 /// Shared by the clones of an [`Options`](crate::Options).
 pub(crate) type Callback = Arc<Mutex<dyn FnMut(Stage, f64) -> ControlFlow<()> + Send>>;
 
-/// One call of the library, as its reports see it.
+/// One call of the library, as seen by its reports.
 struct Watch<'a> {
     callback: &'a Callback,
     panic: Option<Box<dyn Any + Send>>,
@@ -27,7 +27,8 @@ impl Watch<'_> {
     fn report(&mut self, stage: Stage, fraction: f64) -> ControlFlow<()> {
         let mut callback = match self.callback.try_lock() {
             Ok(callback) => callback,
-            // It runs on another thread, or further up on this one: the next report will do.
+            // The callback is running on another thread, or further up this one: wait for the next
+            // report.
             Err(_) => return ControlFlow::Continue(()),
         };
         match catch_unwind(AssertUnwindSafe(|| callback(stage, fraction))) {
@@ -40,15 +41,15 @@ impl Watch<'_> {
     }
 }
 
-/// What the library calls.
+/// The callback for the library.
 unsafe extern "C" fn report(user: *mut c_void, stage: i32, fraction: f64) -> i32 {
     // SAFETY: `watched` gives the address of its `Watch`, and the library calls on its thread.
     let watch = unsafe { &mut *user.cast::<Watch<'_>>() };
     i32::from(watch.report(Stage::from_raw(stage), fraction).is_break())
 }
 
-/// Runs `body`, one call of the library with `options`, while `callback` is told of it. A panic of
-/// the closure goes on from here.
+/// Runs `body`, one call of the library with `options`, and reports it to `callback`. A panic of
+/// the closure continues from here.
 pub(crate) fn watched<T>(
     options: &mut Owned<sys::stltsa_options>,
     callback: &Callback,

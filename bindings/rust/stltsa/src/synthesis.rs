@@ -42,7 +42,7 @@ impl<'a> Piece<'a> {
     }
 }
 
-/// Pieces joined into one clip, and how well each joint holds.
+/// Pieces joined into one clip, and measures of each seam.
 ///
 /// ```no_run
 /// use stltsa::{Clip, Options, Piece, Synthesis};
@@ -58,52 +58,52 @@ impl<'a> Piece<'a> {
 /// ```
 #[derive(Debug)]
 pub struct Synthesis {
-    /// It belongs to `handle`, which ends it.
+    /// Owned by `handle`, which frees it.
     clip: ManuallyDrop<Clip>,
     pub(crate) handle: Owned<sys::stltsa_synthesis>,
     seams: Vec<Seam>,
 }
 
-/// A place where one piece gives way to another, or to its own repetition.
+/// A join of two pieces, or of a piece and its own repetition.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Seam {
-    /// First frame of the new clip that is the later piece's.
+    /// First frame of the new clip from the later piece.
     pub frame: usize,
     /// Index of the earlier piece.
     pub piece: usize,
     /// Index of the later piece.
     pub next: usize,
-    /// The earlier piece ends before this frame of its clip (resampled, where it was).
+    /// The earlier piece ends before this frame of its clip (after resampling).
     pub cut_end: usize,
-    /// The later piece begins at this frame of its clip (resampled, where it was).
+    /// The later piece begins at this frame of its clip (after resampling).
     pub cut_begin: usize,
-    /// Frames to each side that are blended; 0: joined as it was.
+    /// Frames to blend on each side; 0: joined without blending.
     pub crossfade: usize,
-    /// Distance of postures and velocities at the cuts over what is common between repetitions of
-    /// the same motion; 1: as alike as those.
+    /// Distance of postures and velocities at the cuts, relative to the typical distance between
+    /// repetitions of the same motion; at 1 they are equally similar.
     pub posture: f64,
-    /// Largest step of the pose near the seam over the 95th percentile of the pieces'; 1 and below is
-    /// not to be seen.
+    /// Largest step of the pose near the seam over the 95th percentile of the pieces'; up to 1 the
+    /// seam is invisible.
     pub step: f64,
-    /// The same of second differences.
+    /// The same for second differences.
     pub acceleration: f64,
 }
 
 impl Synthesis {
     /// Joins pieces, in order, into one clip.
     ///
-    /// Where a piece does not go on where the one before ended, cuts are moved (option cut_range) to
-    /// where postures and velocities are most alike, and the two are crossfaded; the body goes on
-    /// from where it stood, facing the way it faced. Pieces that follow each other in their clip are
-    /// joined as they were. All clips need one hierarchy; the first gives channels, units and frame
-    /// rate. Options used: crossfade, cut_range, posture_limit, up_axis, progress.
+    /// If a piece does not continue the previous one, the cuts move (option cut_range) to the most
+    /// similar postures and velocities, and the two are crossfaded; the body continues from its
+    /// position and heading. Pieces that are consecutive in their clip are joined unchanged. All
+    /// clips need the same hierarchy; the first one gives channels, units and frame rate. Options
+    /// used: crossfade, cut_range, posture_limit, up_axis, progress.
     ///
     /// # Errors
     /// [`Argument`](crate::ErrorKind::Argument), [`Unsupported`](crate::ErrorKind::Unsupported)
-    /// (bare numbers, other hierarchies, no frame rate),
-    /// [`NoCommonPosture`](crate::ErrorKind::NoCommonPosture) (beyond posture_limit; the text says at
-    /// which seam and by how much), [`Cancelled`](crate::ErrorKind::Cancelled).
+    /// (plain numbers, different hierarchies, no frame rate),
+    /// [`NoCommonPosture`](crate::ErrorKind::NoCommonPosture) (above posture_limit; the text says
+    /// at which seam and by how much), [`Cancelled`](crate::ErrorKind::Cancelled).
     pub fn new(pieces: &[Piece<'_>], options: &Options) -> Result<Self> {
         let raw = pieces.iter().map(Piece::raw).collect::<Result<Vec<_>>>()?;
         options.call(|options| {
@@ -124,12 +124,12 @@ impl Synthesis {
         &self.clip
     }
 
-    /// The seams, in order of time.
+    /// The seams in temporal order.
     pub fn seams(&self) -> &[Seam] {
         &self.seams
     }
 
-    /// What a user should know.
+    /// Warnings about the result.
     pub fn warnings(&self) -> Vec<String> {
         // SAFETY: a live handle, to which the texts belong until they are copied.
         unsafe {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-//! The feature `ndarray`: its arrays go in as they lie, and results become its arrays.
+//! The feature `ndarray`: reads its arrays in place, and converts results to its arrays.
 
 use ndarray::{Array2, ArrayBase, ArrayView2, Data, Ix2};
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-//! Arrays go in as they lie, whatever their strides; what does not fit is refused before C sees it.
+//! Arrays with any strides are read in place; wrong shapes are refused before C sees them.
 
 use stltsa::{Clip, ErrorKind, Features, Matrix, Options, View};
 
-/// The numbers of a view as the library reads them.
+/// The numbers of a view, as the library reads them.
 fn read<'a>(view: impl Into<View<'a>>) -> Matrix {
     let clip = Clip::from_matrix(view, 30.0).expect("the view is read");
     clip.features(&Options::new().features(Features::Raw)).expect("it has features")
@@ -61,7 +61,7 @@ fn what_reaches_outside_is_refused() {
     }
 }
 
-/// Both strides 0 mean "packed" to C, which would read past the end.
+/// In C, both strides 0 mean "packed" and would read past the end.
 #[test]
 fn one_number_for_all_is_refused() {
     let view = View::strided(&NUMBERS, 0, (1000, 1000), (0, 0)).unwrap();

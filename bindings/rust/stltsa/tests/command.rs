@@ -21,7 +21,7 @@ fn text(path: &Path) -> &str {
     path.to_str().expect("UTF-8")
 }
 
-/// What follows `"key":[` up to the `]` that ends it.
+/// The text after `"key":[` up to the matching `]`.
 fn list<'a>(json: &'a str, key: &str) -> &'a str {
     let inside = after(json, key).strip_prefix('[').expect("a list");
     let mut depth = 1;
@@ -32,13 +32,13 @@ fn list<'a>(json: &'a str, key: &str) -> &'a str {
     &inside[..inside.find(ends).expect("the list ends")]
 }
 
-/// Every number of a list, those of lists in it too.
+/// Every number of a list, including nested lists.
 fn numbers(json: &str, key: &str) -> Vec<f64> {
     let words = list(json, key).split(|c| "[],".contains(c));
     words.filter(|word| !word.is_empty()).map(|word| word.parse().expect("a number")).collect()
 }
 
-/// The intervals of a list as the command writes them.
+/// The intervals of a list in the command's format.
 fn intervals(json: &str, key: &str) -> Vec<(Option<String>, usize, usize, u64, u64)> {
     let of_object = |object: &str| {
         let value = |name: &str| {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-//! Errors carry their kind and the library's words, of the thread that failed.
+//! Errors have their kind and the library's text, from the thread of the failure.
 
 mod common;
 
@@ -76,7 +76,7 @@ fn each_thread_has_its_own_words() {
     });
 }
 
-/// The parts are what the fits that need them say.
+/// `has` agrees with the fits that need each part.
 #[test]
 fn a_part_is_there_or_its_modes_are_unsupported() {
     let spatial = Model::fit(&circle(), &circle_options().mode(Mode::Spatial));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-//! What a result says in fields is what its JSON says; the numbers are told apart by their values.
+//! The fields of a result agree with its JSON; distinct values reveal a mix-up.
 
 mod common;
 
@@ -42,7 +42,7 @@ fn of_a_model() {
     assert_eq!(info.fps, Some(50.0));
 }
 
-/// Ten swings of which the first two are larger, between standing; nine frames of it are cut off.
+/// Ten swings, the first two of them larger, between standing; nine frames are cut off.
 fn swings() -> Clip {
     let swing = |t: f64| match t {
         t if !(2.0..12.0).contains(&t) => 0.0,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-//! Models: fitted, kept, mapped both ways; and what is made of their coordinates.
+//! Models: fitting, saving, mapping both ways, and uses of their coordinates.
 
 mod common;
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-//! The methods of `Options` set the options of their names, and the library checks the values.
+//! Each method of `Options` sets the option of its name, and the library checks the values.
 
 mod common;
 
 use common::circle;
 use stltsa::{options_table, Axis, ErrorKind, Features, Mode, Model, Options};
 
-/// An option of each type: its name, and options with it set.
+/// One option of each type: its name, and options with it set.
 fn one_each() -> [(&'static str, Options); 6] {
     [
         ("neighbors", Options::new().neighbors(40)),

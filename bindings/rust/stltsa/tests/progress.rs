@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-//! The progress closure is told of the work, can cancel it, and may panic.
+//! The progress closure receives reports, can cancel a call, and may panic.
 
 mod common;
 
@@ -44,8 +44,8 @@ fn it_cancels_at_every_report() {
     let reports = Reports::default();
     let whole = Model::fit(&circle(), &recording(&reports)).unwrap();
     let count = reports.lock().unwrap().len();
-    // On a busy machine a fit takes longer and reports more often, so a later one may end before it
-    // is asked to stop; whenever it is asked, it stops.
+    // On a busy machine a fit takes longer and reports more often, so a later fit may end before it
+    // is cancelled; once it is cancelled, it stops.
     for last in 1..=count {
         let told = Arc::new(AtomicUsize::new(0));
         let counter = Arc::clone(&told);
@@ -78,10 +78,10 @@ fn its_panic_goes_on_from_the_call_and_leaves_the_options_usable() {
     assert!(panic.downcast_ref::<String>().unwrap().contains("enough"));
     assert_eq!(reports.load(Relaxed), 2); // it ended there
     assert!(fit().is_ok());
-    assert!(reports.load(Relaxed) > 10); // and is told of the next call
+    assert!(reports.load(Relaxed) > 10); // and receives reports of the next call
 }
 
-/// The closure asks for other work with the very options that it belongs to.
+/// The closure makes another call with the options that it belongs to.
 #[test]
 fn it_may_call_the_library() {
     let shared: Arc<Mutex<Option<Options>>> = Arc::default();

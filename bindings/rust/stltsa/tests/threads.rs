@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-//! What a call made may go to other threads, and be asked by several at once.
+//! Results can move to other threads, and several threads can read them at once.
 
 mod common;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-//! A clip with a skeleton, through everything that asks for one.
+//! A clip with a skeleton, in every function that needs one.
 
 mod common;
 
@@ -102,7 +102,7 @@ fn the_best_cycle_goes_round_and_round() {
     let best = *clip.decompose(&Options::new()).unwrap().best().unwrap();
     let pieces = [Piece::new(&clip, best.frames()).repeat(4)];
     let synthesis = Synthesis::new(&pieces, &Options::new()).unwrap();
-    drop(clip); // the new clip is no part of it
+    drop(clip); // the new clip does not depend on it
     assert_eq!(synthesis.seams().len(), 3);
     for seam in synthesis.seams() {
         assert_eq!((seam.piece, seam.next), (0, 0));

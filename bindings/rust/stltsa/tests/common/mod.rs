@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-//! What several tests use; each uses some of it.
+//! Helpers shared by several tests; each uses some of them.
 #![allow(dead_code)]
 
 use std::path::PathBuf;
 
 use stltsa::{Clip, Matrix, Model, Options};
 
-/// Frames in a round of [`circle`].
+/// Frames per turn of [`circle`].
 pub const PERIOD: usize = 100;
 
-/// Three rounds of a circle that is bent into four dimensions and drifts, so that no frame is twice.
+/// Three turns of a circle, bent into four dimensions and drifting, so that no frame repeats.
 pub fn circle() -> Vec<[f64; 4]> {
     let bent = |t: usize| {
         let a = std::f64::consts::TAU * t as f64 / PERIOD as f64;
@@ -48,7 +48,7 @@ pub fn scratch(name: &str) -> PathBuf {
     PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name)
 }
 
-/// What follows the first `"key":` of a JSON text.
+/// The text after the first `"key":` of a JSON text.
 pub fn after<'a>(json: &'a str, key: &str) -> &'a str {
     let name = format!("\"{key}\":");
     &json[json.find(&name).unwrap_or_else(|| panic!("no {key} in {json}")) + name.len()..]
