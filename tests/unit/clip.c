@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Clips through the C API: what is read, and what comes out of it. */
+/* Clips through the C API: reading, and their contents. */
 #include "support.h"
 
 /* A thigh and a shank of lengths 4 and 3 that hang from the hip. Frame 1 turns the thigh by 90
- * degrees about z, so that what hung along -y points along +x. */
+ * degrees about z, from -y to +x. */
 static const char leg[] =
     "HIERARCHY\n"
     "ROOT hip\n{\n OFFSET 0 0 0\n"
@@ -66,7 +66,7 @@ static void features_leave_out_place_and_heading(void** state) {
     (void)state;
     char moved[sizeof leg + 64];
     strcpy(moved, leg);
-    /* The second frame: elsewhere, and turned about y only. */
+    /* The second frame: moved, and turned only about y. */
     strcpy(strstr(moved, "1 2 3 90"), "-7 2 40 0 0 77 0 0 0\n");
     stltsa_clip* clip = parsed(moved, 0);
     stltsa_options* options = NULL;
@@ -112,7 +112,7 @@ static void a_matrix_becomes_a_clip_of_its_own(void** state) {
     const stltsa_in in = packed_in(x, 2, 2);
     stltsa_clip* clip = NULL;
     must(stltsa_clip_from_matrix(&in, 50, &clip));
-    x[0] = 99; /* copied, so not seen */
+    x[0] = 99; /* copied, so no effect */
     double y[4];
     const stltsa_out out = packed_out(y, 2, 2);
     must(stltsa_clip_features(clip, NULL, &out));

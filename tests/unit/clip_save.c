@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Clips to files through the C API: what is written, and what is said where that cannot be. */
+/* Writing clips through the C API: files, and messages if that is impossible. */
 #define _XOPEN_SOURCE 700 /* mkdtemp, symlink */
 #include "support.h"
 
@@ -24,7 +24,7 @@ static int make_folder(void** state) {
 
 static int remove_folder(void** state) {
     (void)state;
-    return rmdir(folder); /* fails where a test, or the library, leaves a file */
+    return rmdir(folder); /* fails if a test, or the library, leaves a file */
 }
 
 static const char* in_folder(const char* name) {

@@ -2,7 +2,7 @@
 /* Units and cycles through the C API, on the synthetic walker, whose borders are known exactly. */
 #include "support.h"
 
-/* Of the walker's defaults, see tests/walker/README.md. */
+/* The walker's default settings, see tests/walker/README.md. */
 static const double true_period = 1.1;
 static const double true_ends[] = {1.0, 1.8928494573520722, 5.1928494573520725, 6.027};
 static const char* walker_path;
@@ -170,7 +170,7 @@ static void noise_has_no_cycle_but_a_reason(void** state) {
     free(x);
 }
 
-/* Frames along a line: eigenvalues that hardly differ, on which a small Krylov space never ends. */
+/* Frames along a line: the eigenvalues hardly differ, so a small Krylov space never converges. */
 static void one_blow_along_a_line(void** state) {
     (void)state;
     enum { rows = 400 };
@@ -268,7 +268,7 @@ static void wrong_arguments(void** state) {
     stltsa_clip_free(clip);
 }
 
-/* Options that leave nothing to work on: the text says which. */
+/* Options that leave nothing to decompose: the text says which. */
 static void options_that_leave_nothing(void** state) {
     (void)state;
     stltsa_clip* clip = opened();
@@ -291,7 +291,7 @@ static void options_that_leave_nothing(void** state) {
     stltsa_clip_free(clip);
 }
 
-/* At few frames a second a rest may be shorter than a frame. */
+/* At a low frame rate a rest may be shorter than a frame. */
 static void no_unit_is_empty(void** state) {
     (void)state;
     enum { rows = 60 };
@@ -357,7 +357,7 @@ static void dimension_of_a_cut_clip_cannot_be_told(void** state) {
 
 static void dimension_of_a_helix_is_two(void** state) {
     (void)state;
-    /* Half a turn within a neighborhood: bent in one plane, far less along the axis. */
+    /* Half a turn within a neighborhood: bent in one plane, and small along the axis. */
     enum { rows = 300, cols = 3 };
     double* x = new_matrix(rows, cols);
     for (int i = 0; i < rows; ++i) {

@@ -4,7 +4,7 @@
 
 enum { rows = 150, cols = 2 };
 
-/* Two noisy swings, one cycle in 33 rows. */
+/* Two noisy swings, one cycle per 33 rows. */
 static double* new_noisy(void) {
     double* y = new_matrix(rows, cols);
     uint64_t seed = 5;
@@ -71,7 +71,7 @@ static void cleaned_is_points_and_moves(void** state) {
     stltsa_denoising_free(d);
 }
 
-/* Double the points and their noise: the same curve, twice as large, to the bit. */
+/* Twice the points and noise give twice the curve, to the bit. */
 static void scale_and_repetition_change_no_bit(void** state) {
     (void)state;
     double* y = new_noisy();
@@ -110,7 +110,7 @@ static void options_are_used(void** state) {
     free(cleaned);
     stltsa_denoising_free(d);
 
-    /* Knots 2 s apart at 30 rows a second cannot swing with a cycle of 1.1 s. */
+    /* Knots 2 s apart at 30 rows per second cannot follow a cycle of 1.1 s. */
     must(stltsa_options_set_real(options, STLTSA_OPT_FPS, 30));
     must(stltsa_options_set_real(options, STLTSA_OPT_KNOT_SPACING, 2));
     d = denoised(y, options);
@@ -174,7 +174,7 @@ static void clips_are_apart(void** state) {
     stltsa_denoising_free(d);
 }
 
-/* Of a model: its coordinates, and pieces where it fell apart. */
+/* A model: its coordinates, with a piece for each component. */
 static void models_are_cleaned_piece_by_piece(void** state) {
     (void)state;
     const int64_t n = 120;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Clips that real recordings contain and that break a careless LTSA: held frames, cuts, stretches
- * with fewer directions than coordinates. */
+/* Features of real recordings that break a careless LTSA: held frames, cuts, stretches with fewer
+ * directions than coordinates. */
 #include "support.h"
 
 enum { rows = 200, cols = 8, d = 2, k = 12, w = 12 };
@@ -75,7 +75,7 @@ static void holds_longer_than_the_window_collapse(void** state) {
     assert_holds_collapse(times);
 }
 
-/* The same pose twice, but not in a row, is two frames. */
+/* The same pose twice, but not in succession, is two frames. */
 static void a_pose_that_comes_back_is_not_a_repeat(void** state) {
     (void)state;
     double* x = new_motion(rows, cols, 62);
@@ -89,7 +89,7 @@ static void a_pose_that_comes_back_is_not_a_repeat(void** state) {
     free(x);
 }
 
-/* A jump that no neighborhood spans: each side is embedded as if it were alone. */
+/* A jump that no neighborhood spans: each side is embedded separately. */
 static void a_hard_cut_gives_two_components(void** state) {
     (void)state;
     enum { cut = 80 };
@@ -189,7 +189,7 @@ static int says_to_scale(const stltsa_model* model) {
     return told;
 }
 
-/* Directions beside one that is ten thousand times as large are known to fewer digits. */
+/* Directions next to one that is ten thousand times as large have fewer correct digits. */
 static void features_of_uneven_size_are_to_be_scaled(void** state) {
     (void)state;
     double* x = new_motion(rows, cols, 66);
@@ -206,7 +206,7 @@ static void features_of_uneven_size_are_to_be_scaled(void** state) {
     free(x);
 }
 
-/* k + 1 distinct frames are enough, and one less is not, held or not. */
+/* k + 1 distinct frames are enough, k are not, with or without held frames. */
 static void as_many_distinct_frames_as_it_takes(void** state) {
     (void)state;
     double* x = new_motion(rows, cols, 65);

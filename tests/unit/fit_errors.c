@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Bad input is found before any work, named in words, and leaves nothing half done. */
+/* Bad input is found before any work, described in the text, and leaves nothing half done. */
 #include "support.h"
 
 enum { rows = 100, cols = 6 };
@@ -55,7 +55,7 @@ static void nan_is_named_with_frame_and_channel(void** state) {
     }
 }
 
-/* However many threads look for it. */
+/* Regardless of the number of threads. */
 static void the_first_nan_of_a_long_matrix_is_named(void** state) {
     enum { many = 300000 };
     const struct fixture* f = *state;
@@ -100,7 +100,7 @@ static void assert_parameters_fail(const double* x, int64_t k, int64_t w, int64_
     stltsa_options_free(options);
 }
 
-/* d + 2 <= k <= w + 1, and both ends of that are allowed. */
+/* d + 2 <= k <= w + 1, both ends included. */
 static void neighbors_fit_window_and_dimension(void** state) {
     const struct fixture* f = *state;
     assert_parameters_fail(f->x, 12, 10, 2);
@@ -175,7 +175,7 @@ static void shapes_that_are_none(void** state) {
     assert_fails(&in, NULL, 1, f->options, STLTSA_E_ARGUMENT, NULL);
 }
 
-/* Refused from the numbers alone: nothing of these arrays may be read. */
+/* Refused because of the sizes alone: these arrays must not be read. */
 static void sizes_that_overflow(void** state) {
     const struct fixture* f = *state;
     const int64_t huge[][2] = {
@@ -216,7 +216,7 @@ static int32_t count_down(void* user, int32_t stage, double fraction) {
     return c->calls_left-- == 0;
 }
 
-/* Cancelled at its first call, its second, ... until a fit passes: each time cleanly. */
+/* Cancelled at the first call, the second, ... until a fit finishes: each time without a leak. */
 static void cancelled_at_every_call(void** state) {
     const struct fixture* f = *state;
     const stltsa_in in = packed_in(f->x, rows, cols);
@@ -250,7 +250,7 @@ struct writer {
     int calls_left;
 };
 
-/* As another thread might: every number becomes NaN at one call. */
+/* Simulates another thread: every number becomes NaN at one call. */
 static int32_t write_nan(void* user, int32_t stage, double fraction) {
     struct writer* w = user;
     (void)stage;
@@ -261,8 +261,8 @@ static int32_t write_nan(void* user, int32_t stage, double fraction) {
     return 0;
 }
 
-/* Frames that become NaN at the first call of a fit, the second, ... until one has fewer calls:
- * each time they are noticed, or nobody reads them any more. */
+/* Frames become NaN at the first call of a fit, the second, ... until a fit has fewer calls. Each
+ * time the fit notices, or no longer reads them. */
 static void assert_survives_nan(int32_t mode, int64_t k) {
     enum { many = 1300 };
     double* x = new_motion(many, cols, 72);
@@ -298,7 +298,7 @@ static void frames_that_become_nan_are_noticed(void** state) {
     assert_survives_nan(STLTSA_MODE_RECURRENT, 12);
 }
 
-/* Told at once: such a fit would take far longer than this test may. */
+/* Refused at once: such a fit would take far longer than this test may. */
 static void more_dimensions_than_features_are_refused(void** state) {
     (void)state;
     enum { many = 4000, narrow = 3 };
@@ -331,8 +331,8 @@ static int32_t fit_within_spectrum(void* user, int32_t stage, double fraction) {
     return 0;
 }
 
-/* ARPACK runs one problem at a time: a fit that would wait for the one that it is called from is
- * refused; both work afterwards. */
+/* ARPACK runs one problem at a time. A fit that would wait for the fit that called it is refused;
+ * both work afterwards. */
 static void a_fit_within_a_spectrum_is_refused(void** state) {
     const struct fixture* f = *state;
     struct nested n = {.in = packed_in(f->x, rows, cols), .options = f->options};
@@ -348,7 +348,8 @@ static void a_fit_within_a_spectrum_is_refused(void** state) {
     stltsa_options_free(options);
 }
 
-/* Neighbors of all frames are a stage of their own, unlike temporal ones; it can be cancelled. */
+/* Unlike temporal neighbors, neighbors among all frames are a separate stage, which can be
+   cancelled. */
 static void neighbors_of_all_frames_are_a_stage(void** state) {
     const struct fixture* f = *state;
     const stltsa_in in = packed_in(f->x, rows, cols);
@@ -367,7 +368,7 @@ static void neighbors_of_all_frames_are_a_stage(void** state) {
     stltsa_options_free(options);
 }
 
-/* After a failure the same handles give the same answer as before it. */
+/* After a failure the same handles give the same result as before. */
 static void handles_survive_a_failure(void** state) {
     const struct fixture* f = *state;
     double* want = fit_coords(f->x, rows, cols, 2);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* What must not change the coordinates: how the frames lie in space and in memory, how many
- * threads work, what else runs. */
+/* Coordinates do not depend on the position of the frames in space and memory, on the number of
+ * threads, or on other work of the process. */
 #define _POSIX_C_SOURCE 200809L
 #include <dirent.h>
 #include <sys/wait.h>
@@ -78,7 +78,7 @@ static void scale_changes_nothing(void** state) {
             scaled[i] *= scales[s];
         double* got = fit_coords(scaled, rows, cols, d);
         assert_below(largest_difference(want, got, rows * d), 1e-9, "change by scale");
-        if (s < 2) /* a power of two rounds nothing */
+        if (s < 2) /* scaling by a power of two is exact */
             assert_same_bits(want, got, rows * d);
         free(got);
         free(scaled);
@@ -118,7 +118,7 @@ static void order_of_channels_does_not_matter(void** state) {
     free(x);
 }
 
-/* Without the boundary: time backwards is the same curve, backwards. */
+/* Except at the boundary: reversed time gives the reversed curve. */
 static void time_backwards_reverses_the_curve(void** state) {
     (void)state;
     double* x = new_motion(rows, cols, 26);
@@ -165,7 +165,7 @@ static int count_threads(void) {
     return count;
 }
 
-/* The kernel may list one for a moment after it was joined. */
+/* The kernel may list a thread for a moment after it was joined. */
 static void assert_no_more_threads_than(int count) {
     const struct timespec moment = {0, 10000000};
     for (int looks = 0; looks < 200 && count_threads() > count; ++looks)
@@ -185,12 +185,12 @@ static stltsa_status fit_in_mode(const double* x, int64_t mode, int64_t threads)
     return status;
 }
 
-/* Those of the libraries below included: what is forked off afterwards would wait for them. */
+/* Includes threads of the libraries below: a forked process would wait for them. */
 static void threads_end_with_the_call(void** state) {
     (void)state;
     static const int64_t modes[] = {STLTSA_MODE_TEMPORAL, STLTSA_MODE_SPATIAL,
                                     STLTSA_MODE_RECURRENT};
-    const int before = count_threads(); /* OpenBLAS's own among them, which it ends for a fork */
+    const int before = count_threads(); /* includes OpenBLAS's own, which it ends at a fork */
     double* x = new_motion(rows, cols, 28);
     for (int m = 0; m < 3; ++m) {
         const stltsa_status status = fit_in_mode(x, modes[m], 3);
@@ -216,7 +216,7 @@ static int fit_in_a_thread(void* argument) {
     return 0;
 }
 
-/* ARPACK keeps state between calls: fits at the same time must not see each other's. */
+/* ARPACK keeps state between calls: simultaneous fits must not share it. */
 static void fits_at_the_same_time_change_no_bit(void** state) {
     (void)state;
     enum { count = 6 };
@@ -258,12 +258,12 @@ static double* fit_array(const stltsa_in* in) {
     return coords;
 }
 
-/* Lays frame i, channel c at byte `origin + i * row + c * col` and fits that. */
+/* Puts frame i, channel c at byte `origin + i * row + c * col` and fits that. */
 static void assert_layout_changes_no_bit(const double* x, const double* want, int64_t size,
                                          int64_t origin, int64_t row, int64_t col) {
     unsigned char* memory = malloc((size_t)size);
     assert_non_null(memory);
-    memset(memory, 0xff, (size_t)size); /* NaN: whatever is not ours */
+    memset(memory, 0xff, (size_t)size); /* NaN everywhere outside the matrix */
     for (int i = 0; i < rows; ++i)
         for (int c = 0; c < cols; ++c)
             memcpy(memory + origin + i * row + c * col, x + i * cols + c, sizeof *x);
@@ -313,7 +313,7 @@ static void float32_is_the_same_numbers(void** state) {
     free(x);
 }
 
-/* Clips of 600, 250 and 300 frames in two orders: each comes out as if it were alone. */
+/* Clips of 600, 250 and 300 frames in two orders: each has the same result as alone. */
 static void order_of_clips_only_permutes(void** state) {
     (void)state;
     enum { clips = 3, total = 1150 };
@@ -351,7 +351,7 @@ static void order_of_clips_only_permutes(void** state) {
     stltsa_options_free(options);
 }
 
-/* Nor does it take memory for what it does not hold. */
+/* Nor does it need memory for the gaps. */
 static void window_beyond_the_clip_is_the_clip(void** state) {
     (void)state;
     double* x = new_motion(rows, cols, 9);

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Embeddings whose answer is known: a flat sheet, a circle, a curved sheet. */
+/* Embeddings with a known result: a flat sheet, a circle, a curved sheet. */
 #include "support.h"
 
 enum { frames = 400, channels = 20 };
 
-/* A path that wanders over a plane: forward, while it swings to both sides. */
+/* A path over a plane: forward, while it swings to both sides. */
 static double* new_path(void) {
     double* path = new_matrix(frames, 2);
     uint64_t seed = 3;
@@ -16,7 +16,7 @@ static double* new_path(void) {
 }
 
 /* A plane in 20 dimensions is its own tangent everywhere, so LTSA returns the path on it up to an
- * affine map, and nothing but rounding stands between the two. */
+ * affine map, exact to rounding. */
 static void flat_sheet_is_recovered(void** state) {
     (void)state;
     double* path = new_path();
@@ -54,7 +54,7 @@ static void circle_in_two_dimensions_is_itself(void** state) {
     free(circle);
 }
 
-/* One coordinate measures length along the circle, and says that it only follows time. */
+/* One coordinate measures length along the circle, and a warning says that it only follows time. */
 static void circle_in_one_dimension_is_arc_length(void** state) {
     (void)state;
     double* circle = new_circle(1);
@@ -76,8 +76,8 @@ static void circle_in_one_dimension_is_arc_length(void** state) {
     free(circle);
 }
 
-/* A sheet rolled up as a cylinder, again with a path on it in time order: two coordinates unroll
- * it, though the plane of no window is that of another. */
+/* A sheet rolled up as a cylinder, again with a path in time order: two coordinates unroll it,
+ * although every window has a different plane. */
 static void rolled_sheet_is_unrolled(void** state) {
     (void)state;
     const double radius = 6;

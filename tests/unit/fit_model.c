@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* What holds for every fit: the form of the coordinates, and that the model's answers agree. */
+/* Properties of every fit: the form of the coordinates, and consistent facts of the model. */
 #include "support.h"
 
 enum { rows = 500, cols = 9, d = 3 };
@@ -57,7 +57,7 @@ static void assert_largest_are_positive(const double* coords, int64_t count) {
     }
 }
 
-/* Wherever it is in a long clip, too, of which frames are looked through in several blocks. */
+/* Anywhere in a long clip, too, whose frames are searched in several blocks. */
 static void entry_of_largest_size_is_positive(void** state) {
     const struct fixture* f = *state;
     assert_largest_are_positive(f->coords, rows);

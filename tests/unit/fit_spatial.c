@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The modes whose neighbors are not all temporal: spatial (classical LTSA) and recurrent. */
+/* The modes with neighbors that are not temporal: spatial (classical LTSA) and recurrent. */
 #include "support.h"
 
 static stltsa_options* new_mode_options(int64_t k, int64_t d, int64_t mode) {
@@ -16,7 +16,7 @@ static stltsa_model* fit_mode(const double* x, int64_t rows, int64_t cols,
     return model;
 }
 
-/* Points all over a rolled sheet, in no order; `sheet` gets their place on it. */
+/* Points on a rolled sheet in random order; `sheet` receives their place on it. */
 static double* new_swiss_roll(int64_t rows, double* sheet) {
     double* x = new_matrix(rows, 3);
     uint64_t seed = 81;
@@ -49,7 +49,7 @@ static void swiss_roll_is_unrolled(void** state) {
     free(sheet);
 }
 
-/* Without time in the neighborhoods, the order of the frames is only their names. */
+/* Without time in the neighborhoods, the order of the frames does not matter. */
 static void order_of_frames_only_permutes(void** state) {
     (void)state;
     enum { rows = 600, cols = 3, d = 2 };
@@ -98,7 +98,7 @@ static void number_of_threads_changes_no_bit(void** state) {
     free(x);
 }
 
-/* Five turns of a circle with a slow drift: links join the turns, and one turn lies on the next. */
+/* Five turns of a circle with a slow drift: links connect the turns, so that they coincide. */
 static void links_close_the_loop(void** state) {
     (void)state;
     enum { rows = 500, period = 100, cols = 3, d = 2 };
@@ -125,7 +125,7 @@ static void links_close_the_loop(void** state) {
     free(x);
 }
 
-/* The same motion twice as two clips: components of their own in time, one with links. */
+/* The same motion as two clips: two components in time, one with links. */
 static void links_join_clips(void** state) {
     (void)state;
     enum { rows = 400, half = 200, cols = 6, d = 2 };
@@ -146,7 +146,7 @@ static void links_join_clips(void** state) {
     free(x);
 }
 
-/* A library built without CHOLMOD says so, and there is nothing to test. */
+/* A library without CHOLMOD says so, and the test is skipped. */
 static int mode_is_there(void) {
     double* x = new_motion(60, 4, 85);
     stltsa_options* options = new_mode_options(12, 2, STLTSA_MODE_SPATIAL);

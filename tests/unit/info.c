@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Facts by key: what is there, what is refused. */
+/* Facts by key: available ones, and refused calls. */
 #include "support.h"
 
 static const double frames[8][2] = {{0, 0}, {1, 1}, {2, 0}, {3, 1}, {4, 0}, {5, 1}, {6, 0}, {7, 1}};

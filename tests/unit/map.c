@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Mapping of frames and points of matrices, both ways: exact where the answer is known, continuous,
- * the same however it is asked for. */
+/* Mapping of frames and points of matrices, both ways: exact if the result is known, continuous,
+ * and independent of the form of the call. */
 #include "support.h"
 
 enum { rows = 400, cols = 20 };
@@ -14,7 +14,7 @@ static stltsa_model* fitted(const double* x, int64_t count, int64_t k, int64_t d
     return model;
 }
 
-/* coords and distance are the caller's, of `count` rows. */
+/* The caller provides coords and distance, with `count` rows. */
 static void map(const stltsa_model* model, const double* x, int64_t count, const int64_t* hints,
                 const stltsa_options* options, double* coords, double* distance, int64_t* nearest) {
     const stltsa_in in = packed_in(x, count, cols);
@@ -31,7 +31,7 @@ static void unmap(const stltsa_model* model, const double* y, int64_t count, con
     must(stltsa_unmap(model, &in, hints, options, &out, distance == NULL ? NULL : &far, nearest));
 }
 
-/* Row i is (1 - t) of row i and t of row i + gap. */
+/* Row i is (1 - t) of row i plus t of row i + gap. */
 static double* new_between(const double* x, int64_t count, int64_t width, int64_t gap, double t) {
     double* between = new_matrix(count - gap, width);
     for (int64_t i = 0; i < (count - gap) * width; ++i)
@@ -81,8 +81,8 @@ static double* new_plane_points(void) {
     return x;
 }
 
-/* On a plane the coordinates are an affine image of the points, so what lies between two rows has
- * the coordinates between theirs. */
+/* On a plane the coordinates are an affine image of the points, so a point between two rows has the
+ * coordinates between theirs. */
 static void plane_is_mapped_exactly(void** state) {
     (void)state;
     double* x = new_plane_points();
@@ -96,7 +96,8 @@ static void plane_is_mapped_exactly(void** state) {
     assert_below(largest_difference(mapped, expected, 2 * count), 1e-9, "error on the plane");
     double* back = new_matrix(count, cols);
     unmap(model, mapped, count, NULL, NULL, back, NULL, NULL);
-    /* Rows are 0.3 apart; the ridge of the way back holds on to the nearest ones by a little. */
+    /* Rows are 0.3 apart; regularization on the way back pulls slightly towards the nearest ones.
+     */
     assert_below(largest_difference(back, between, count * cols), 0.05, "error of the way back");
     free(back);
     free(mapped);
@@ -107,7 +108,7 @@ static void plane_is_mapped_exactly(void** state) {
     free(x);
 }
 
-/* Points at `turns` (0 to 1) of a spiral in space; returns the length up to there. */
+/* Point at `turns` (0 to 1) of a spiral in space; returns the length up to there. */
 static double spiral(double turn, double* point) {
     const double a = 3 + 4 * pi * turn; /* r = angle, from 3 on */
     point[0] = a * cos(a);
@@ -130,7 +131,7 @@ static double* new_spiral(double shift, double* lengths) {
     return x;
 }
 
-/* One coordinate measures length along a rolled-up curve, also between the rows. */
+/* One coordinate measures length along a rolled-up curve, also between rows. */
 static void spiral_is_mapped_to_its_length(void** state) {
     (void)state;
     double lengths[rows], held_lengths[rows];
@@ -140,8 +141,8 @@ static void spiral_is_mapped_to_its_length(void** state) {
     double* coords = new_coords(model);
     double* mapped = new_matrix(rows, 1);
     map(model, held, rows - 1, NULL, NULL, mapped, NULL, NULL);
-    /* Both ends of the curve give the scale. What the coordinate of the rows themselves is off by
-     * (it is an eigenvector, not a ruler) is no fault of the mapping. */
+    /* Both ends of the curve give the scale. The error of the rows' own coordinate (an eigenvector,
+     * not an exact length) is not the mapping's. */
     const double all = lengths[rows - 1] - lengths[0];
     const double slope = (coords[rows - 1] - coords[0]) / all;
     double worst = 0, worst_beside = 0;
@@ -160,7 +161,7 @@ static void spiral_is_mapped_to_its_length(void** state) {
     free(x);
 }
 
-/* Largest step of the coordinates on a way through the frames, cut into so many pieces. */
+/* Largest step of the coordinates on a path through the frames, divided into steps. */
 static double largest_step(const stltsa_model* model, const double* x, int64_t pieces) {
     const int64_t stops[] = {10, 11, 200, 100, 101, 103, 350};
     const int64_t legs = (int64_t)(sizeof stops / sizeof *stops) - 1;
@@ -181,7 +182,7 @@ static double largest_step(const stltsa_model* model, const double* x, int64_t p
     return largest;
 }
 
-/* Through frames, and through where one frame gives way to another in the blend. */
+/* Through frames, and through points where one frame replaces another in the blend. */
 static void map_is_continuous(void** state) {
     (void)state;
     double* x = new_motion(rows, cols, 12);
@@ -205,7 +206,7 @@ static void frames_far_away_are_flagged(void** state) {
     map(model, between, rows - 1, NULL, NULL, mapped, distance, NULL);
     for (int64_t i = 0; i < rows - 1; ++i)
         assert_below(distance[i], 1, "distance between two rows");
-    /* Off by a vector, so as far as it is long, or nearer to another row. */
+    /* Displaced by a vector: at most its length away, or closer to another row. */
     double* off = copy_of(x, rows * cols);
     for (int64_t i = 0; i < rows; ++i)
         off[i * cols] += 3 * support;
@@ -235,7 +236,7 @@ static void frames_far_away_are_flagged(void** state) {
     free(x);
 }
 
-/* Frames and points near the fitted ones, what became of them, and how far they were. */
+/* Frames and points near the fitted ones, their mapping, and their distances. */
 struct asked {
     double x[rows * cols], y[3 * rows], distance[rows], back_distance[rows];
     int64_t nearest[rows], back_nearest[rows];
@@ -291,7 +292,7 @@ static void strides_and_float32(void** state) {
         between[i] = (double)narrow[i];
     }
     map(model, between, count, NULL, NULL, expected, NULL, NULL);
-    /* In: from the last row back. Out: columns apart, as floats. */
+    /* Input: from the last row backwards. Output: separate columns of floats. */
     const int64_t row = (int64_t)sizeof(float) * cols;
     const stltsa_in in = {
         narrow + (count - 1) * cols, count, cols, -row, sizeof(float), STLTSA_F32, 0};
@@ -310,7 +311,7 @@ static void strides_and_float32(void** state) {
     free(x);
 }
 
-/* A swing to and fro: one coordinate, and two poses to each of its values. */
+/* A swing: one coordinate, and two poses for each of its values. */
 static void hints_tell_to_from_fro(void** state) {
     (void)state;
     double* x = new_matrix(rows, cols);
@@ -328,7 +329,7 @@ static void hints_tell_to_from_fro(void** state) {
     for (int64_t i = 0; i < rows; ++i)
         hints[i] = i;
     unmap(model, middle, rows - 1, hints, options, back, NULL, nearest);
-    /* Away from the ends of the clip, where the coordinate fades. */
+    /* Away from the ends of the clip, where the coordinate flattens. */
     const int64_t edge = 40;
     const int64_t inner = rows - 1 - 2 * edge;
     assert_below(largest_difference(back + edge * cols, expected + edge * cols, inner * cols), 0.4,
@@ -337,13 +338,13 @@ static void hints_tell_to_from_fro(void** state) {
         assert_true(llabs(nearest[i] - hints[i]) <= 2);
     unmap(model, middle, rows - 1, NULL, NULL, back, NULL, NULL);
     assert_true(largest_difference(back + edge * cols, expected + edge * cols, inner * cols) > 1);
-    /* A hint of -1 is none. */
+    /* A hint of -1 means none. */
     double* again = new_matrix(rows, cols);
     for (int64_t i = 0; i < rows; ++i)
         hints[i] = -1;
     unmap(model, middle, rows - 1, hints, NULL, again, NULL, NULL);
     assert_same_bits(again, back, (rows - 1) * cols);
-    /* Without the option a fifth of the neighbors. */
+    /* By default a fifth of the neighbors. */
     hints[0] = 100;
     unmap(model, middle + 200, 1, hints, NULL, back, NULL, nearest);
     assert_true(llabs(nearest[0] - 100) <= 48 / 5);
@@ -357,7 +358,7 @@ static void hints_tell_to_from_fro(void** state) {
     free(x);
 }
 
-/* The window of a hint does not reach into the next clip, and one row wide it decides alone. */
+/* The window of a hint does not extend into the next clip; a window of one row decides alone. */
 static void hints_stay_in_their_window(void** state) {
     (void)state;
     double* x = new_motion(rows, cols, 16);
@@ -382,7 +383,7 @@ static void hints_stay_in_their_window(void** state) {
     free(x);
 }
 
-/* Each row is given three times; a hint counts poses, not their repetitions. */
+/* Each row occurs three times; a hint counts poses, not repetitions. */
 static void repeated_rows_are_one(void** state) {
     (void)state;
     double* once = new_motion(rows, cols, 17);
@@ -419,7 +420,7 @@ static void repeated_rows_are_one(void** state) {
     free(once);
 }
 
-/* Local maps on one row, on fewer than there are coordinates, and on more than there are rows. */
+/* Local maps with one row, with fewer rows than coordinates, and with more rows than exist. */
 static void any_number_of_neighbors_and_maps(void** state) {
     (void)state;
     double* x = new_motion(rows, cols, 18);
@@ -435,7 +436,7 @@ static void any_number_of_neighbors_and_maps(void** state) {
         map(model, x + 77 * cols, 1, NULL, options, y, NULL, NULL);
         assert_same_bits(y, coords + 3 * 77, 3);
         map(model, between + 77 * cols, 3, NULL, options, y, NULL, NULL);
-        /* A blend of everything is a mean of everything. */
+        /* A blend of everything is its mean. */
         const double loose = numbers[n][1] == 1000 ? 10 : 1;
         assert_below(largest_difference(y, coords + 3 * 77, 9), 0.02 * loose,
                      "from the row beside");

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Mapping of clips: a walk to its curve and back to poses of the same body. */
+/* Mapping of clips: a walk to its curve, and back to poses of the same body. */
 #include "support.h"
 
 static const char* walker_path;
@@ -10,7 +10,7 @@ static stltsa_clip* opened(void) {
     return clip;
 }
 
-/* Of three coordinates, at the default rate of 30 of the clip's 120 frames a second. */
+/* A model with three coordinates, at the default rate of 30 of the clip's 120 frames per second. */
 static stltsa_model* fitted(const stltsa_clip* clip, int64_t features) {
     stltsa_options* options = NULL;
     must(stltsa_options_new(&options));
@@ -52,7 +52,7 @@ static void assert_maps_to_itself(const stltsa_clip* clip, int64_t features) {
     assert_true(step > 1);
     for (int64_t i = 0; i < model_int(model, STLTSA_MODEL_FRAMES); ++i)
         assert_same_bits(mapped + 3 * (first + i * step), coords + 3 * i, 3);
-    /* Frames between are of the same walk. */
+    /* The frames between are of the same walk. */
     for (int64_t i = first; i < frames; ++i)
         assert_below(distance[i], 1, "distance of a frame of the fitted clip");
     free(coords);
@@ -71,7 +71,7 @@ static void fitted_clip_gets_its_own_coordinates(void** state) {
     stltsa_clip_free(clip);
 }
 
-/* Also where rows are equal, but for their coordinates: standing before and after. */
+/* Also if rows are equal, except for their coordinates: standing before and after. */
 static void equal_frames_keep_their_own_coordinates(void** state) {
     (void)state;
     enum { frames = 300, cols = 4 };
@@ -122,7 +122,7 @@ static double bone(const double* positions, int64_t joint, int64_t parent) {
                 (a[2] - b[2]) * (a[2] - b[2]));
 }
 
-/* Points all over the curve, and off it. */
+/* Points on the whole curve, and off it. */
 static double* new_points(const stltsa_model* model, int64_t* count) {
     const int64_t rows = model_int(model, STLTSA_MODEL_FRAMES);
     double* points = new_coords(model);
@@ -167,7 +167,7 @@ static void bones_keep_their_lengths(void** state) {
     stltsa_clip_free(clip);
 }
 
-/* A point becomes a frame, so poses have the rate of the points; not told, that of the rows. */
+/* Each point becomes a frame, so poses have the rate of the points; by default that of the rows. */
 static void poses_have_the_rate_of_the_points(void** state) {
     (void)state;
     stltsa_clip* clip = opened();
@@ -191,7 +191,7 @@ static void poses_have_the_rate_of_the_points(void** state) {
     stltsa_clip_free(clip);
 }
 
-/* The poses of the rows' own coordinates are those of the fitted frames. */
+/* The coordinates of the rows give the poses of the fitted frames. */
 static void poses_of_the_rows_come_back(void** state) {
     (void)state;
     stltsa_clip* clip = opened();
@@ -209,7 +209,7 @@ static void poses_of_the_rows_come_back(void** state) {
     const int64_t first = model_int(model, STLTSA_MODEL_FIRST_FRAME);
     const int64_t step = model_int(model, STLTSA_MODEL_FRAME_STEP);
     for (int64_t i = 0; i < rows; ++i)
-        for (int64_t j = 1; j < joints; ++j) { /* the root has lost its yaw */
+        for (int64_t j = 1; j < joints; ++j) { /* the root has no yaw */
             const double* a = source + 4 * ((first + i * step) * joints + j);
             const double* b = made + 4 * (i * joints + j);
             const double cosine = a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
@@ -240,7 +240,7 @@ static void frames_are_features_of_the_poses(const stltsa_clip* clip, int64_t fe
     must(stltsa_options_set_int(options, STLTSA_OPT_FEATURES, features));
     must(stltsa_clip_features(poses, options, &expected_out));
     assert_below(largest_difference(frames, expected, count * width), 1e-9, "features");
-    /* A row does not depend on the others. */
+    /* Rows are independent. */
     double* one = new_matrix(1, width);
     const stltsa_in one_in = packed_in(points + 3 * 33, 1, 3);
     const stltsa_out one_out = packed_out(one, 1, width);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Mapping: bad input is found before any work and leaves the arrays as they were; models of several
- * components, models that kept nothing. */
+/* Mapping: bad input is found before any work and leaves the arrays unchanged; models with several
+ * components, models without frames. */
 #include "support.h"
 
 enum { rows = 200, cols = 6, untouched = -77 };
@@ -138,7 +138,7 @@ static void no_rows_are_no_error(void** state) {
     assert_untouched(f);
 }
 
-/* What is too large to be measured is refused; below that distances are finite. */
+/* Numbers too large for finite distances are refused; smaller ones have finite distances. */
 static void huge_numbers(void** state) {
     struct fixture* f = *state;
     double x[cols] = {0}, y[2] = {0};
@@ -155,7 +155,7 @@ static void huge_numbers(void** state) {
     assert_true(isfinite(f->distance[0]) && f->distance[0] > 1e90);
 }
 
-/* Rows that lie on one another could hold but one. */
+/* Overlapping rows have room for only one. */
 static void outputs_must_not_overlap(void** state) {
     struct fixture* f = *state;
     const stltsa_in in = packed_in(f->x, rows, cols);
@@ -168,7 +168,7 @@ static void outputs_must_not_overlap(void** state) {
                       "overlap");
     }
     assert_untouched(f);
-    stltsa_out one = packed_out(f->y, 1, 2); /* of a single row its stride says nothing */
+    stltsa_out one = packed_out(f->y, 1, 2); /* the stride of a single row is ignored */
     one.col_stride = 8;
     const stltsa_in first = packed_in(f->x, 1, cols);
     must(stltsa_map(f->model, &first, NULL, NULL, &one, NULL, NULL));
@@ -199,7 +199,7 @@ static void components_do_not_mix(void** state) {
     assert_status(unmap(f, coords, 1, 2, NULL), STLTSA_E_ARGUMENT, "component");
     assert_untouched(f);
 
-    must(map(f, f->x, rows, cols, NULL)); /* the option is not for this way */
+    must(map(f, f->x, rows, cols, NULL)); /* mapping ignores this option */
     assert_same_bits(f->y, coords, 2 * rows);
     for (int component = 0; component < 2; ++component) {
         must(stltsa_options_set_int(f->options, STLTSA_OPT_COMPONENT, component));

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* A model that was written and read is the same one; bytes that are no model are refused. */
+/* A model is the same after writing and reading; bytes that are not a model are refused. */
 #include "support.h"
 
 enum { rows = 90, cols = 7, d = 2 };
@@ -50,7 +50,7 @@ static void assert_same_model(const stltsa_model* a, const stltsa_model* b) {
     free(coords_b);
 }
 
-/* Maps the fitted frames, moved a little, and back. */
+/* Maps the fitted frames, slightly moved, and back. */
 static double* new_round_trip(const stltsa_model* model, const double* x) {
     double* moved = copy_of(x, rows * cols);
     for (int i = 0; i < rows * cols; ++i)
@@ -105,7 +105,7 @@ static void maps_as_before(void** state) {
 
 static void assert_file_holds(const stltsa_model* model, const unsigned char* expected,
                               size_t size) {
-    const char* path = "unit-model-file.stltsa"; /* in the folder that the test runs in */
+    const char* path = "unit-model-file.stltsa"; /* in the folder of the test run */
     must(stltsa_model_save(model, path));
     stltsa_model* again = NULL;
     must(stltsa_model_load(path, &again));
@@ -155,7 +155,7 @@ static void assert_no_model(const unsigned char* bytes, size_t size) {
 static void every_cut_is_noticed(void** state) {
     const struct fixture* f = *state;
     for (size_t size = 0; size < f->size; ++size) {
-        /* A copy of that size, so that the sanitizers see a read beyond it. */
+        /* A copy of the exact size, so that the sanitizers see any read beyond it. */
         unsigned char* cut = malloc(size + (size == 0));
         memcpy(cut, f->bytes, size);
         assert_no_model(cut, size);

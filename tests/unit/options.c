@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Options, status names and the library's word about itself. */
+/* Options, status names and the library's version. */
 #include "support.h"
 
 static stltsa_option_info describe(int64_t index) {
@@ -77,7 +77,7 @@ static void ranges_types_and_keys_are_checked(void** state) {
         }
     }
     const int32_t chosen[] = {STLTSA_OPT_GAMMA, STLTSA_OPT_CROSSFADE, STLTSA_OPT_CUT_RANGE};
-    for (int c = 0; c < 3; ++c) { /* -1 is a word, not a number */
+    for (int c = 0; c < 3; ++c) { /* -1 is a name here, not a number */
         must(stltsa_options_set_real(options, chosen[c], -1));
         assert_int_equal(stltsa_options_set_real(options, chosen[c], -0.5), STLTSA_E_ARGUMENT);
         assert_non_null(strstr(stltsa_last_error(), "-1, or from 0"));

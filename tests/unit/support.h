@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Helpers of the tests of the public API: frames to fit, fits that must succeed, comparisons. */
+/* Helpers for the tests of the public API: frames to fit, fits that must succeed, comparisons. */
 #ifndef STLTSA_TESTS_UNIT_SUPPORT_H
 #define STLTSA_TESTS_UNIT_SUPPORT_H
 
@@ -18,7 +18,7 @@
 
 static const double pi = 3.14159265358979323846;
 
-/* A rows x cols matrix of doubles, packed rows; ends with free(). */
+/* A rows x cols matrix of doubles, packed rows; release it with free(). */
 static inline double* new_matrix(int64_t rows, int64_t cols) {
     double* values = calloc((size_t)(rows * cols), sizeof *values);
     assert_non_null(values);
@@ -31,7 +31,7 @@ static inline double* copy_of(const double* values, int64_t count) {
     return copy;
 }
 
-/* In [0, 1); splitmix64. */
+/* Uniform in [0, 1); splitmix64. */
 static inline double uniform(uint64_t* state) {
     uint64_t z = (*state += UINT64_C(0x9e3779b97f4a7c15));
     z = (z ^ (z >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);
@@ -39,7 +39,7 @@ static inline double uniform(uint64_t* state) {
     return (double)((z ^ (z >> 31)) >> 11) * 0x1p-53;
 }
 
-/* A smooth motion that never stands still: three sinusoids in every channel. */
+/* A smooth motion that never stops: three sinusoids in every channel. */
 static inline double* new_motion(int64_t rows, int64_t cols, uint64_t seed) {
     double* x = new_matrix(rows, cols);
     for (int64_t c = 0; c < cols; ++c)
@@ -53,7 +53,7 @@ static inline double* new_motion(int64_t rows, int64_t cols, uint64_t seed) {
     return x;
 }
 
-/* An orthonormal set of `rows` vectors of length `cols`, random. */
+/* A random orthonormal set of `rows` vectors of length `cols`. */
 static inline double* new_directions(int64_t rows, int64_t cols, uint64_t seed) {
     double* q = new_matrix(rows, cols);
     for (int64_t r = 0; r < rows; ++r) {
@@ -135,7 +135,7 @@ static inline double* new_coords(const stltsa_model* model) {
     return coords;
 }
 
-/* Coordinates of a fit of one packed clip; ends the options. */
+/* Coordinates of a fit of one packed clip; frees the options. */
 static inline double* fit_coords_with(stltsa_options* options, const double* x, int64_t rows,
                                       int64_t cols) {
     const stltsa_in in = packed_in(x, rows, cols);
@@ -152,8 +152,8 @@ static inline double* fit_coords(const double* x, int64_t rows, int64_t cols, in
     return fit_coords_with(new_options(12, 12, d), x, rows, cols);
 }
 
-/* How far `target` (rows x cols) is from an affine image of `coords`, whose d columns are centered
- * and orthonormal: the norm of what is left of the centered target, relative. */
+/* Relative distance of `target` (rows x cols) from an affine image of `coords`, whose d columns are
+ * centered and orthonormal: the norm of the residual of the centered target. */
 static inline double affine_misfit(const double* coords, int64_t d, const double* target,
                                    int64_t rows, int64_t cols) {
     double all = 0;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* New motion from pieces that follow each other and from clips that are joined. */
+/* New motion from consecutive pieces and from joined clips. */
 #include "walking.h"
 
-/* ---- Pieces that follow each other ---- */
+/* ---- Consecutive pieces ---- */
 
 static void units_give_the_clip_back(void** state) {
     (void)state;
@@ -47,7 +47,7 @@ static void one_piece_is_its_frames(void** state) {
     stltsa_clip_free(clip);
 }
 
-/* ---- Clips joined ---- */
+/* ---- Joined clips ---- */
 
 static void walks_on_from_where_it_stood(void** state) {
     (void)state;
@@ -66,7 +66,7 @@ static void walks_on_from_where_it_stood(void** state) {
     assert_below(largest_difference(x, y, frames * joints * 3), 1e-7, "where the later clip was");
     assert_below(largest_step(x, frames, joints, 0), 1.1 * largest_step(source, 480, joints, 0),
                  "step");
-    /* It walks along z all the time: as far as the frames that it is made of. */
+    /* It walks along z all the time, for the length of its frames. */
     const stltsa_seam seam = seam_of(a, 0);
     const double way = (double)(seam.cut_end + 400 - seam.cut_begin) / 120 * 120;
     assert_below(fabs(x[(frames - 1) * joints * 3 + 2] - way), 8, "way");
@@ -80,8 +80,8 @@ static void walks_on_from_where_it_stood(void** state) {
     stltsa_clip_free(far);
 }
 
-/* A walk that begins is no fault of the seam, in whatever order: the livelier piece is the measure.
- */
+/* The beginning of a walk is not a fault of the seam, in any order: the livelier piece sets the
+   scale. */
 static void seams_are_measured_by_the_livelier_piece(void** state) {
     (void)state;
     struct figure standing = usual_figure;
@@ -157,14 +157,14 @@ static void where_the_clip_ends_nothing_is_blended(void** state) {
     assert_int_equal(seam_of(s, 0).crossfade, 0);
     assert_true(has_warning(s, "blended"));
     assert_int_equal(stltsa_clip_frames(stltsa_synthesis_clip(s)), 960);
-    /* Four whole cycles: the step across the seam is one like the others. */
+    /* Four whole cycles: the step across the seam is like the others. */
     double* x = new_positions(stltsa_synthesis_clip(s));
     const int64_t joints = stltsa_clip_joints(clip);
     const double step = distance(x + 480 * joints * 3, x + 479 * joints * 3, floor_plane);
     assert_below(fabs(step - 1.3), 0.2, "step");
     free(x);
     stltsa_synthesis_free(s);
-    /* No crossfade wanted, none missed. */
+    /* No crossfade requested, no warning. */
     must(stltsa_options_set_real(options, STLTSA_OPT_CROSSFADE, 0));
     s = made(&piece, 1, options);
     assert_false(has_warning(s, "blended"));
@@ -223,7 +223,7 @@ static void progress_can_cancel(void** state) {
     stltsa_clip_free(clip);
 }
 
-/* ---- Sameness ---- */
+/* ---- Determinism ---- */
 
 static void the_same_bits_every_time(void** state) {
     (void)state;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* New motion that cannot be made, and wrong use. */
+/* Motion that cannot be made, and wrong usage. */
 #include "walking.h"
 
-/* ---- Clips that do not go together ---- */
+/* ---- Incompatible clips ---- */
 
 static void refuses(const stltsa_clip* first, struct figure other, stltsa_status status,
                     const char* word) {
@@ -58,7 +58,7 @@ static void no_common_posture_is_refused(void** state) {
     stltsa_clip *raised = new_figure(other), *hanging;
     other.arms = 0;
     hanging = new_figure(other);
-    /* Two bodies that stand still: there is nothing to measure a difference by. */
+    /* Two bodies that stand still: there is no scale for a difference. */
     const stltsa_piece pieces[] = {{raised, 0, 300, 1, 0}, {hanging, 0, 300, 1, 0}};
     stltsa_synthesis* s = NULL;
     assert_int_equal(stltsa_synthesize(pieces, 2, NULL, &s), STLTSA_E_NO_COMMON_POSTURE);
@@ -79,7 +79,7 @@ static void no_common_posture_is_refused(void** state) {
     stltsa_clip_free(clip);
 }
 
-/* ---- Wrong use ---- */
+/* ---- Wrong usage ---- */
 
 static void wrong(const stltsa_piece* pieces, int64_t count, stltsa_status status,
                   const char* word) {
@@ -140,7 +140,7 @@ static void wrong_questions(void** state) {
     assert_int_equal(stltsa_synthesis_seam(s, -1, &seam), STLTSA_E_ARGUMENT);
     seam.size = 0;
     assert_int_equal(stltsa_synthesis_seam(s, 0, &seam), STLTSA_E_ARGUMENT);
-    /* A caller of an older library: the fields it knows and no byte more. */
+    /* A caller built for an older library: only the fields that it knows. */
     seam.size = offsetof(stltsa_seam, posture);
     seam.posture = -7;
     must(stltsa_synthesis_seam(s, 0, &seam));

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* New motion from one cycle again and again. */
+/* New motion from a repeated cycle. */
 #include "walking.h"
 
 static void a_cycle_four_times(void** state) {
@@ -21,7 +21,7 @@ static void a_cycle_four_times(void** state) {
         assert_true(seam.cut_end == first.cut_end && seam.cut_begin == first.cut_begin);
         assert_true((double)llabs(seam.cut_end - cycle.end) <= 0.1 * (double)length + 1);
         assert_int_equal(seam.crossfade, llround(0.1 * (double)length));
-        /* The walker's cycles are the same, up to the frames that fall between frames. */
+        /* The walker's cycles are equal, except that frames fall between frames. */
         assert_below(seam.posture, 1.5, "posture");
         assert_below(seam.step, 1.1, "step");
         assert_below(seam.acceleration, 1.2, "acceleration");
@@ -56,7 +56,7 @@ static void every_joint_goes_on_and_bones_stay_rigid(void** state) {
                      length),
                 1e-9, "length of a bone");
     }
-    /* Each repetition goes as far as the source does. */
+    /* Each repetition travels as far as the source. */
     const double* source = a + cycle.begin * joints * 3;
     const double way = distance(source, a + cycle.end * joints * 3, floor_plane);
     assert_below(fabs(distance(b, b + (frames - 1) * joints * 3, floor_plane) / (4 * way) - 1),
@@ -81,7 +81,8 @@ static void a_loop_goes_on_from_and_into_its_neighbors(void** state) {
     assert_true(first.piece == 1 && first.next == 1 && last.piece == 1 && last.next == 1);
     const int64_t frames = stltsa_clip_frames(stltsa_synthesis_clip(s));
     double *a = new_channels(clip), *b = new_channels(stltsa_synthesis_clip(s));
-    /* Up to the first crossfade to the bit, and after the last in all but the root. */
+    /* Up to the first crossfade to the bit; after the last one in all channels except the root's.
+     */
     assert_same_bits(a, b, (first.frame - first.crossfade) * channels);
     const int64_t tail = frames - last.frame - last.crossfade;
     for (int64_t i = 1; i <= tail; ++i)
@@ -113,7 +114,7 @@ static void half_a_cycle_too_much_is_refused(void** state) {
     stltsa_clip_free(clip);
 }
 
-/* Every seam of a loop is cut alike: what is said of one is said of all. */
+/* Every seam of a loop has the same cuts, so facts about one hold for all. */
 static void warnings_are_given_once(void** state) {
     (void)state;
     stltsa_clip* clip = opened();

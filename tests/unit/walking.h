@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Helpers of the tests of new motion: the synthetic walker, whose cycles are alike, and a figure
- * that walks wherever it is told to. */
+/* Helpers for the tests of new motion: the synthetic walker, whose cycles are equal, and a figure
+ * that walks along a given path. */
 #ifndef STLTSA_TESTS_UNIT_WALKING_H
 #define STLTSA_TESTS_UNIT_WALKING_H
 
@@ -92,17 +92,17 @@ static inline double largest_step(const double* positions, int64_t frames, int64
     return largest;
 }
 
-/* ---- A figure that walks ---- */
+/* ---- A walking figure ---- */
 
 struct figure {
     double fps;
     int frames;
-    double turn, x, z; /* degrees about the up axis, and where it starts */
+    double turn, x, z; /* degrees about the up axis, and start position */
     double arms;       /* degrees by which both arms are raised */
     double arm_length;
     const char* head;  /* name of a joint */
     const char* order; /* channels of the head */
-    double still;      /* 1: nothing moves */
+    double still;      /* 1: no movement */
 };
 
 static const struct figure usual_figure = {
@@ -162,7 +162,7 @@ static inline stltsa_clip* new_figure(struct figure f) {
     return clip;
 }
 
-/* Runs the tests on the walker that the command line names. */
+/* Runs the tests on the walker named on the command line. */
 #define run_on_walker(tests, argc, argv)                                                           \
     ((argc) == 2 ? (walker_path = (argv)[1], cmocka_run_group_tests(tests, NULL, NULL))            \
                  : (print_error("usage: %s WALK.BVH\n", (argv)[0]), 2))

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// stltsa.hpp: each of its functions, held against what the C functions say or against what is
-// known.
+// stltsa.hpp: compares each of its functions with the C functions or with known results.
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -23,7 +22,7 @@ using stltsa::Options;
 
 std::string walker_path; // set by main()
 
-/// The status of the Error that a call throws; STLTSA_OK: none was thrown.
+/// The status of the Error thrown by a call; STLTSA_OK if none was thrown.
 template <class Call>
 stltsa_status status_of(Call call) {
     try {
@@ -58,7 +57,7 @@ Options narrow() {
     return options;
 }
 
-/// A file in the directory where the tests run; removed at the end.
+/// A file in the directory of the test run; removed at the end.
 class File {
   public:
     explicit File(const char* name) : name_(name) {}
@@ -112,7 +111,7 @@ void a_matrix_is_read_by_rows_and_columns(void**) {
     assert_int_equal(Matrix().values.size(), 0);
 }
 
-/// The same numbers four ways: owned, as float64 and float32, and as columns with strides.
+/// The same numbers in four forms: owned, as float64 and float32, and as columns with strides.
 void views_of_the_same_numbers_are_the_same_clip(void**) {
     const Matrix rows = helix(50);
     const std::vector<float> small(rows.values.begin(), rows.values.end());
@@ -189,7 +188,7 @@ void what_a_progress_callback_throws_comes_out_of_the_call(void**) {
         caught = std::string(mine.what()) == "mine";
     }
     assert_true(caught);
-    // It comes out once: the next failure is the library's own.
+    // It is thrown once: the next failure is the library's own.
     assert_int_equal(status_of([] { Clip::open("absent.bvh"); }), STLTSA_E_IO);
 }
 
@@ -245,7 +244,7 @@ void handles_move_and_are_not_copied(void**) {
     static_assert(!std::is_copy_constructible_v<Options>);
     Clip clip = Clip::from_matrix(helix(10), 30);
     const Clip moved = std::move(clip);
-    assert_null(clip.get()); // NOLINT: that is what is asked
+    assert_null(clip.get()); // NOLINT: the test is about this use
     assert_int_equal(moved.frames(), 10);
 }
 
@@ -269,7 +268,7 @@ void a_model_has_facts_coordinates_and_components(void**) {
     assert_int_equal(two.components()[119], 0);
     assert_int_equal(two.components()[120], 1);
 
-    // One coordinate of a helix only tells the time.
+    // One coordinate of a helix only follows time.
     const Model one = stltsa::fit(frames, narrow().set(STLTSA_OPT_DIMENSION, 1));
     assert_int_equal(one.warnings().size(), 1);
     assert_string_equal(one.warnings()[0].c_str(), stltsa_model_warning(one.get(), 0));
@@ -300,7 +299,7 @@ void a_model_of_a_clip_maps_clips_and_gives_poses(void**) {
     const Model model = stltsa::fit(walker(), options);
     const stltsa::Mapped mapped = model.map(walker());
     assert_int_equal(mapped.values.rows, walker().frames());
-    constexpr int walking = 300; // a row that no other one is like
+    constexpr int walking = 300; // a row unlike all others
     const auto first = static_cast<std::size_t>(model.integer(STLTSA_MODEL_FIRST_FRAME));
     assert_true(mapped.values.row(static_cast<std::int64_t>(first + walking))[0] ==
                 model.coords().row(walking)[0]);
