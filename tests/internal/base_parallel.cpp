@@ -19,7 +19,7 @@ using stltsa::SharedThreads;
 
 std::atomic<int> threads_seen;
 
-/// Counts the threads that come here.
+/// Counts the threads that enter.
 void see_thread() {
     thread_local bool seen = false;
     if (!seen)
@@ -27,7 +27,7 @@ void see_thread() {
     seen = true;
 }
 
-/// Every block is run once.
+/// Every block runs once.
 void check_loop(std::int64_t blocks, int threads) {
     std::vector<std::atomic<int>> runs(static_cast<std::size_t>(blocks));
     parallel_blocks(blocks, threads, [&](std::int64_t block) {
@@ -50,7 +50,7 @@ void every_block_runs_once(void**) {
     check_loops();
 }
 
-/// Two blocks that wait for each other are at work at once.
+/// Two blocks that wait for each other run at the same time.
 void check_two_at_once() {
     std::atomic<int> here{0};
     parallel_blocks(2, 2, [&](std::int64_t) {
@@ -130,7 +130,7 @@ void loops_within_loops(void**) {
     parallel_blocks(
         8, 2, [&](std::int64_t) { parallel_blocks(10, 2, inner); },
         [&](std::int64_t) {
-            assert_null(SharedThreads::idle()); // it is at work
+            assert_null(SharedThreads::idle()); // it is busy
             check_loop(10, 2);
         });
     assert_int_equal(count, 80);

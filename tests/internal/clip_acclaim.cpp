@@ -13,7 +13,7 @@ namespace {
 using namespace clip_testing;
 using namespace stltsa::clip;
 
-/// Reads AMC text with ASF text from files side by side.
+/// Reads AMC text with ASF text, from files in the same folder.
 Clip acclaim(const std::string& amc, const std::string& asf, double fps = 0) {
     const TemporaryFolder folder;
     folder.write("a.asf", asf);
@@ -72,7 +72,7 @@ void at_rest_bones_point_as_the_skeleton_says(void**) {
 }
 
 void turns_about_the_axes_of_the_bone(void**) {
-    // The shank's axis is turned by 90 degrees about y: its own x is the world's -z. About that,
+    // The shank's axis is turned by 90 degrees about y: its x is the world's -z. About that axis,
     // -y turns by 90 degrees into -x.
     const Clip clip = acclaim("1\nroot 0 0 0 0 0 0\nthigh 0 0 0\nshank 90\n", small_asf);
     check_point(point(positions(clip), 0, 3), {6 - 5, -8, 0});
@@ -117,10 +117,10 @@ void radians_become_degrees(void**) {
                                      "shank 1.5707963267948966");
     const Clip clip = acclaim(amc, small_asf);
     ASSERT_NEAR(clip.values(0, 9), 90, 1e-12);
-    assert_true(clip.values(0, 0) == 1); // lengths stay
+    assert_true(clip.values(0, 0) == 1); // lengths do not change
     const std::string asf = replaced(replaced(small_asf, "angle deg", "angle rad"), "axis 0 90 0",
                                      "axis 0 1.5707963267948966 0");
-    const Clip both = acclaim(replaced(amc, ":radians\n", ""), asf); // the ASF's unit holds
+    const Clip both = acclaim(replaced(amc, ":radians\n", ""), asf); // the ASF's unit applies
     ASSERT_NEAR(both.values(0, 9), 90, 1e-12);
     ASSERT_NEAR(both.skeleton->joints[2].axis.y, std::sqrt(0.5), 1e-12);
 }
@@ -193,11 +193,11 @@ void finds_the_skeleton_beside_the_clip(void**) {
     ReadOptions options;
     options.skeleton = folder.path("7.ASF");
     const Clip clip = stltsa::clip::read(folder.path("9_01.amc"), options);
-    assert_int_equal(clip.notes.size(), 1); // only the frame rate: nothing was looked for
+    assert_int_equal(clip.notes.size(), 1); // only the frame rate: there was no search
     ASSERT_FAILS(Status::argument, "set option skeleton", parse(small_amc, Format::amc));
     options.skeleton = folder.path("none.asf");
     ASSERT_FAILS(Status::io, "none.asf: cannot open", parse(small_amc, Format::amc, options));
-    // Not even opened where nothing asks for it, but told.
+    // Not even opened unless something needs it, but noted.
     const Clip bare = parse("1,2\n3,4\n", Format::csv, options);
     assert_true(bare.notes.back().starts_with("option skeleton is not used"));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From rotations to the angles of a joint's channels: forward kinematics gives them back.
+// Converts rotations to the angles of a joint's channels: forward kinematics restores them.
 #include "clip_testing.hpp"
 
 #include <algorithm>
@@ -31,7 +31,7 @@ double apart(const Quaternion& a, const Quaternion& b) {
     return 2 * std::atan2(norm({rest.x, rest.y, rest.z}), std::abs(rest.w));
 }
 
-/// A joint that turns in this order ("XYZ"), with position channels between if `mixed`.
+/// A joint that turns in this order ("XYZ"), with position channels in between if `mixed`.
 Joint joint_of(const std::string& order, bool mixed = false) {
     Joint joint;
     for (const char axis : order) {
@@ -112,7 +112,7 @@ void values_that_mean_the_rotation_stay(void**) {
     Random random;
     for (std::size_t length = 0; length <= 3; ++length)
         for (const Kind& kind : kinds(orders(length)))
-            for (const double step : {0.0, 90.0}) { // multiples of 90: gimbal lock among them
+            for (const double step : {0.0, 90.0}) { // multiples of 90 include gimbal lock
                 Row row = random_row(random, kind.joint, 400);
                 for (double& value : row)
                     value = step == 0 ? value : step * std::round(value / step);
@@ -147,8 +147,8 @@ void near_values_are_found_again(void**) {
             }
 }
 
-/// The middle angle goes through gimbal lock (90 and -90 for different axes, 0 and 180 for first =
-/// last) by steps of 5 degrees, while the others move too.
+/// The middle angle passes through gimbal lock (90 and -90 for three different axes, 0 and 180 if
+/// the first is also the last) in steps of 5 degrees, while the others move too.
 void nothing_jumps_on_the_way_through_gimbal_lock(void**) {
     for (const Kind& kind : kinds(orders(3)))
         for (const double shift : {0.0, 1e-9, 1e-5, 0.01, 2.5}) {
@@ -167,7 +167,7 @@ void nothing_jumps_on_the_way_through_gimbal_lock(void**) {
                 const Quaternion wanted = rotation_of(kind.joint, kind.fixed_axes, at(i));
                 put_rotation(kind.joint, kind.fixed_axes, wanted, row.data());
                 ASSERT_NEAR(apart(rotation_of(kind.joint, kind.fixed_axes, row), wanted), 0, 1e-12);
-                // At the lock the first angle is that of the step before.
+                // At gimbal lock the first angle keeps its previous value.
                 for (std::size_t t = 1; t <= 3; ++t)
                     ASSERT_NEAR(row[t * stride - 1], at(i)[t * stride - 1], 1.5);
                 before = row;
@@ -196,7 +196,7 @@ void in_gimbal_lock_the_first_angle_stays(void**) {
     }
 }
 
-/// Joints of one and two freedoms get the nearest rotation: no small change brings them nearer.
+/// Joints with one or two axes get the nearest rotation: no small change comes nearer.
 void the_nearest_rotation_that_a_joint_can_make(void**) {
     Random random;
     for (std::size_t length = 1; length <= 2; ++length)
@@ -218,11 +218,11 @@ void the_nearest_rotation_that_a_joint_can_make(void**) {
 }
 
 void a_half_turn_across_the_freedoms_leaves_the_values(void**) {
-    // No turn about x is nearer than another to a half turn about y.
+    // All turns about x are equally far from a half turn about y.
     Row row{12.5};
     put_rotation(joint_of("X"), false, {0, 0, 1, 0}, row.data());
     ASSERT_NEAR(row[0], 12.5, 1e-12);
-    // Of x and y turned in this order only the sum or the difference is bound.
+    // If x and y turn in this order, only their sum or difference is determined.
     Row two{12.5, 3};
     put_rotation(joint_of("XY"), false, {std::sqrt(0.5), 0, 0, std::sqrt(0.5)}, two.data());
     ASSERT_NEAR(two[0], 12.5, 1e-12);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// BVH files as they come from different programs.
+// BVH files of different programs.
 #include "clip_testing.hpp"
 
 #include "clip/features.hpp"
@@ -13,7 +13,7 @@ Clip bvh(std::string_view text) {
     return parse(text, Format::bvh);
 }
 
-/// The clip must be what small_bvh is.
+/// The clip must equal small_bvh.
 void check_same(const std::string& text) {
     const Clip expected = bvh(small_bvh);
     Clip clip;
@@ -69,7 +69,7 @@ void reads_line_ends_of_every_system(void**) {
     check_same(replaced(replaced(small_bvh, "ROOT Hips\n", "ROOT Hips\r\n"), "}\n", "}\r\n"));
     check_same(every(small_bvh, "\n", "\n\n  \n"));
     check_same(small_bvh.substr(0, small_bvh.size() - 1)); // no newline at the end
-    check_same(small_bvh + "\n\n \t\n\x1A");               // Ctrl-Z of old systems
+    check_same(small_bvh + "\n\n \t\n\x1A");               // Ctrl-Z, as on old systems
 }
 
 void reads_blanks_of_every_kind(void**) {
@@ -147,7 +147,7 @@ void reads_channels_in_any_order_and_number(void**) {
     assert_true(clip.fps == 100);
 }
 
-/// small_bvh whose arm moves, with these positions in its first frame and nearly these in others.
+/// small_bvh with a moving arm: these positions in its first frame, similar ones in the others.
 Clip moving_arm(double x, double y, double z) {
     std::string text =
         replaced(small_bvh, "CHANNELS 1 Xrotation", "CHANNELS 3 Xposition Yposition Zposition");
@@ -174,7 +174,7 @@ struct Traveler {
     Vec3 limb{10, 0, 0};          ///< their OFFSET
     Vec3 hips{0, 90, -450};       ///< OFFSET of the hips
     const char* root_turns = "0"; ///< rotation of the root in the second frame
-    bool prop = false;            ///< one more joint, that travels on its own
+    bool prop = false;            ///< one more joint, which travels separately
 
     std::string text() const;
     std::string row(double way) const;
@@ -208,7 +208,7 @@ std::string Traveler::text() const {
     return text + "}\n}\nMOTION\nFrames: 3\nFrame Time: 0.01\n" + row(0) + row(200) + row(450);
 }
 
-/// Whether positions are taken as they are meant, and so where they place the body.
+/// Whether positions have the right meaning, and the body the right place.
 void check_meaning(const Traveler& traveler) {
     const Clip clip = bvh(traveler.text());
     assert_true(clip.skeleton->translations_add == traveler.add);
@@ -224,11 +224,11 @@ void hips_that_travel_below_a_static_root_have_no_vote(void**) {
     check_meaning({.add = true});
     check_meaning({.add = false, .limbs = 1});
     check_meaning({.add = true, .limbs = 1});
-    check_meaning({.add = false, .limbs = 0}); // nothing else has positions: they replace
+    check_meaning({.add = false, .limbs = 0}); // no other joint has positions: they replace
 }
 
 void one_joint_that_travels_has_one_vote(void**) {
-    check_meaning({.add = false, .root_turns = "1"}); // the root is the body's, the hips vote
+    check_meaning({.add = false, .root_turns = "1"}); // the root carries the body, the hips vote
     check_meaning({.add = true, .root_turns = "1"});
     check_meaning({.add = false, .prop = true});
     check_meaning({.add = true, .prop = true});
@@ -237,7 +237,7 @@ void one_joint_that_travels_has_one_vote(void**) {
 void joints_without_an_offset_have_no_vote(void**) {
     check_meaning({.add = false, .limb = {0, 0, 0}});
     const Clip clip = bvh(every(Traveler{.add = true}.text(), "OFFSET 10 0 0", "OFFSET 0 0 0"));
-    assert_false(clip.skeleton->translations_add); // nothing tells: as in most files
+    assert_false(clip.skeleton->translations_add); // no evidence: the default, as in most files
 }
 
 void a_single_joint_replaces(void**) {

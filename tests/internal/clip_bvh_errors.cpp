@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Malformed BVH files: the status, and a text that names the line.
+// Malformed BVH files: the status, and a text with the line.
 #include "clip_testing.hpp"
 
 namespace {
@@ -90,7 +90,7 @@ void where_the_data_end_early(void**) {
             "test:30: the file ends early: Frames: 5 of 10 channels, but the numbers are enough "
             "for 3 frames");
     REFUSES(" 61 71\n", " 61", format, "are enough for 2 frames and 9 more");
-    // Nothing of this size may be asked for.
+    // Must not allocate anything of this size.
     REFUSES("Frames: 3", "Frames: 1000000000000", format, "are enough for 3 frames");
     REFUSES("Frames: 3", "Frames: 9223372036854775807", format, "are enough for 3 frames");
     refuses(small_bvh.substr(0, small_bvh.find("1 2 3 0")), Status::format,

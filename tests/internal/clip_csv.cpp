@@ -69,7 +69,7 @@ void numbered_columns_are_a_header(void**) {
         assert_false(clip.notes.empty());
     }
     CHECK_VALUES(csv(",0\n0,.5\n1,.25\n"), {{.5}, {.25}});
-    // Numbers that are data: a circle, whole numbers, another beginning.
+    // Numbers that are data: a circle, integers, a different start.
     CHECK_VALUES(csv("0,1\n.5,.7\n"), {{0, 1}, {.5, .7}});
     CHECK_VALUES(csv("0,1,2\n3,4,5\n"), {{0, 1, 2}, {3, 4, 5}});
     CHECK_VALUES(csv("0,1,3\n.5,4,5\n"), {{0, 1, 3}, {.5, 4, 5}});
@@ -77,7 +77,7 @@ void numbered_columns_are_a_header(void**) {
 }
 
 void time_at_no_rate_is_no_time(void**) {
-    // Seconds in fact milliseconds; a torque; 1e10 s a frame.
+    // Seconds that are milliseconds; a torque; 1e10 s per frame.
     for (const char* text : {"time,x\n0,7\n10,8\n20,9\n", "t,x\n0,7\n5.5,8\n9,9\n",
                              "x,time\n7,0\n8,1e10\n9,2e10\n", "time,x\n0,7\n1e-9,8\n2e-9,9\n"}) {
         const Clip clip = csv(text);
@@ -112,14 +112,14 @@ void uneven_time_is_refused_unless_told(void**) {
     const char* text = "time,x\n0,7\n0.01,8\n0.02,9\n0.04,9\n";
     ASSERT_FAILS(Status::format, "the steps of column 'time' range from 0.01", csv(text));
     CHECK_VALUES(csv(text, 100), {{7}, {8}, {9}, {9}});
-    const Clip kept = csv("t,x\n3,7\n1,8\n2,9\n"); // a torque, say
+    const Clip kept = csv("t,x\n3,7\n1,8\n2,9\n"); // for example a torque
     CHECK_VALUES(kept, {{3, 7}, {1, 8}, {2, 9}});
     assert_int_equal(kept.notes.size(), 1);
 }
 
 void counts_of_frames_are_no_channel(void**) {
     CHECK_VALUES(csv("frame,x\n10,7\n11,8\n"), {{7}, {8}});
-    CHECK_VALUES(csv(",x\n0,7\n1,8\n"), {{7}, {8}}); // as pandas writes its index
+    CHECK_VALUES(csv(",x\n0,7\n1,8\n"), {{7}, {8}}); // pandas writes its index this way
     CHECK_VALUES(csv("frame,x,time,frame,y\n1,7,.1,1,3\n2,8,.2,2,4\n"), {{7, 3}, {8, 4}});
     CHECK_VALUES(csv("frame,,x\n1,0,7\n2,1,8\n"), {{7}, {8}});
     CHECK_VALUES(csv("x,\"\",y\n1,7,3\n2,8,4\n"), {{1, 7, 3}, {2, 8, 4}});

@@ -14,8 +14,8 @@ using namespace clip_testing;
 using namespace stltsa::clip;
 using stltsa::Matrix;
 
-/// A body whose root turns and leans, with a head above and feet below it, arms to the sides.
-/// `up` is the axis it stands along.
+/// A body whose root turns and leans, with a head above it, feet below it and arms at its sides. It
+/// stands along the axis `up`.
 Skeleton body(std::size_t up) {
     const std::size_t side = (up + 1) % 3, front = (up + 2) % 3;
     Skeleton skeleton;
@@ -60,7 +60,7 @@ std::array<double, 3> zxy_angles(const Quaternion& q) {
             std::atan2(-x[2], z[2])};
 }
 
-/// The clip moved to another place and turned about the up axis.
+/// The clip, moved and turned about the up axis.
 Clip moved(Clip clip, std::size_t up, double radians) {
     const Quaternion turn = axis_rotation(static_cast<int>(up), radians);
     Pose pose;
@@ -106,7 +106,7 @@ void positions_are_those_of_the_world_but_for_heading(void**) {
     assert_int_equal(body.cols(), 18);
     for (std::int64_t i = 0; i < clip.frames(); ++i)
         for (std::int64_t j = 0; j < 6; ++j) {
-            // Height and distance from the vertical through the root survive.
+            // Height and distance from the vertical through the root do not change.
             ASSERT_NEAR(body(i, 3 * j + 1), world(i, 3 * j + 1) - world(i, 1), 1e-12);
             ASSERT_NEAR(
                 std::hypot(body(i, 3 * j), body(i, 3 * j + 2)),
@@ -152,7 +152,8 @@ void raw_is_the_file(void**) {
 }
 
 void heading_goes_on_through_upside_down(void**) {
-    // A somersault: pitch through whole turns. The yaw is undefined at 180 degrees, and 0 else.
+    // A somersault: pitch through whole turns. The yaw is undefined at 180 degrees, and 0
+    // elsewhere.
     Clip clip = swinging(1, 73);
     clip.values = Matrix(73, 21);
     for (std::int64_t i = 0; i < 73; ++i)
@@ -179,7 +180,7 @@ void heading_holds_where_it_is_undefined(void**) {
 }
 
 void heading_of_a_root_whose_axes_are_upside_down(void**) {
-    // The same motion on a rig whose root axes are turned by half a turn.
+    // The same motion on a rig whose root axes differ by half a turn.
     Clip clip = swinging(1);
     const Matrix expected = features(clip, Features::positions, Axis::y);
     for (Joint& joint : clip.skeleton->joints)
@@ -193,7 +194,7 @@ void heading_of_a_root_whose_axes_are_upside_down(void**) {
             clip.values(i, static_cast<std::int64_t>(3 + c)) = angles[c] * 180 / std::numbers::pi;
     }
     const Matrix turned = features(clip, Features::positions, Axis::y);
-    // Up to one constant turn about y, which the choice of axes leaves open.
+    // Equal up to one constant turn about y, because the axes are arbitrary.
     for (std::int64_t i = 0; i < clip.frames(); ++i) {
         ASSERT_NEAR(turned(i, 4), expected(i, 4), 1e-11);
         ASSERT_NEAR(turned(i, 3), -expected(i, 3), 1e-11);
@@ -221,7 +222,7 @@ void resting_joints_above_the_body_are_passed_over(void**) {
         check_same(features(below, kind, Axis::y), features(clip, kind, Axis::y), 1e-11);
 }
 
-/// The heading is that of the first joint that turns, wherever the motion through space is kept.
+/// The heading is that of the first joint that turns, whichever joint travels through space.
 void joints_that_only_move_along_are_passed_over(void**) {
     const Clip clip = swinging(1);
     Clip below = clip;
@@ -251,12 +252,12 @@ void a_resting_root_of_several_limbs_stays_the_root(void**) {
 void up_is_from_feet_to_head(void**) {
     for (const std::size_t up : {0u, 1u, 2u})
         assert_int_equal(static_cast<int>(up_axis(swinging(up), Axis::automatic)), up + 1);
-    // Axes that point down are as good.
+    // Axes that point down work as well.
     Clip down = swinging(2);
     for (Joint& joint : down.skeleton->joints)
         joint.offset[2] = -joint.offset[2];
     assert_true(up_axis(down, Axis::automatic) == Axis::z);
-    // Arms stretched out wider than the body is high do not mislead.
+    // Outstretched arms wider than the body's height do not matter.
     Clip wide = swinging(1);
     wide.skeleton->joints[4].offset[2] = 40;
     assert_true(up_axis(wide, Axis::automatic) == Axis::y);
@@ -273,7 +274,7 @@ void up_is_the_largest_extent_without_names(void**) {
 }
 
 void up_follows_the_motion_not_the_rest_pose(void**) {
-    // A body modelled along y that a constant root rotation stands up along z.
+    // A body modelled along y, which a constant root rotation turns to stand along z.
     Clip clip = swinging(1);
     for (std::int64_t i = 0; i < clip.frames(); ++i)
         for (std::int64_t c = 3; c < 6; ++c)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whatever the bytes, a reader gives a clip or an Error: nothing else is thrown, nothing crashes
-// (the sanitizers watch), no memory is asked for that the bytes do not justify.
+// For any bytes, a reader returns a clip or throws an Error: it throws nothing else, never crashes
+// (the sanitizers watch), and allocates no memory that the bytes do not justify.
 #include "clip_testing.hpp"
 
 #include <algorithm>
@@ -39,7 +39,7 @@ Reader reader(Format format) {
     return [format](std::string_view bytes) { check_clip(parse(bytes, format)); };
 }
 
-/// Reads; what is thrown must be an Error with a fitting status and a printable text.
+/// Reads; an exception must be an Error with a suitable status and a printable text.
 void read(const Reader& reader, const std::string& bytes) {
     const Failure failure = failure_of([&] { reader(bytes); });
     if (failure.status == Status::ok)
@@ -67,7 +67,7 @@ void flip_bytes(const Reader& reader, const std::string& bytes) {
     }
 }
 
-/// Words that parsers trip over, in the place of every word.
+/// Words that break parsers, in place of every word.
 void replace_words(const Reader& reader, const std::string& bytes) {
     const std::string long_word(100000, '7');
     for (const std::string_view word :
@@ -86,7 +86,7 @@ void replace_words(const Reader& reader, const std::string& bytes) {
 }
 
 void attack(const Reader& reader, const std::string& bytes) {
-    reader(bytes); // whole, it is fine
+    reader(bytes); // the complete bytes are valid
     truncate_everywhere(reader, bytes);
     flip_bytes(reader, bytes);
     replace_words(reader, bytes);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Rotations and positions against rotation matrices multiplied out here.
+// Compares rotations and positions with products of rotation matrices computed here.
 #include "clip_testing.hpp"
 
 #include <algorithm>
@@ -61,7 +61,7 @@ void check_near(const Matrix3& a, const Matrix3& b) {
             ASSERT_NEAR(a[i][j], b[i][j], 1e-14);
 }
 
-/// Root without channels; one joint at (1, 2, 3) that turns in `order`; its end at (4, 5, 6).
+/// A root without channels, a joint at (1, 2, 3) that turns in `order`, and its end at (4, 5, 6).
 Clip one_joint(const std::string& order, const std::vector<double>& angles) {
     std::string text = "HIERARCHY\nROOT r\n{\nOFFSET 0 0 0\nJOINT j\n{\nOFFSET 1 2 3\nCHANNELS " +
                        std::to_string(order.size());
@@ -141,7 +141,7 @@ void rotations_keep_their_sign(void**) {
     std::string text =
         "HIERARCHY\nROOT r\n{\nOFFSET 0 0 0\nCHANNELS 1 Zrotation\nEnd Site\n{\nOFFSET "
         "0 1 0\n}\n}\nMOTION\nFrames: 73\nFrame Time: 1\n";
-    for (int i = 0; i < 73; ++i) // two whole turns, angles that jump by 360
+    for (int i = 0; i < 73; ++i) // two whole turns, with angles that jump by 360
         text += stltsa::format_text("{}\n", i % 36 * 20 - (i % 36 > 9 ? 360 : 0));
     const stltsa::Matrix q = rotations(parse(text, Format::bvh));
     assert_int_equal(q.cols(), 8);

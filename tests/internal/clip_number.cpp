@@ -43,7 +43,7 @@ void marks_what_is_not_finite(void**) {
 }
 
 void ignores_the_locale(void**) {
-    // Where none of these is installed the test shows nothing; from_chars is what makes it true.
+    // Without any of these locales the test proves nothing; from_chars ensures the result.
     for (const char* name : {"de_DE.UTF-8", "fr_FR.UTF-8"})
         if (std::setlocale(LC_ALL, name) != nullptr)
             break;

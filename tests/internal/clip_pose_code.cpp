@@ -19,7 +19,8 @@ using stltsa::Matrix;
 
 constexpr int frames = 60;
 
-/// The clip with smooth values of this size in every channel; its first `resting` columns rest.
+/// The clip with smooth values of this magnitude in every channel; its first `resting` columns
+/// rest.
 Clip moving(Clip clip, double degrees, std::int64_t resting = 0) {
     Random random;
     Matrix values(frames, clip.values.cols());
@@ -113,7 +114,7 @@ void joints_that_move_come_back(void**) {
     check_round_trip(clip, Axis::y);
 }
 
-/// Two joints that rest stand above the body's own root.
+/// Two resting joints above the body's root.
 Clip moving_below_resting_joints() {
     const std::string above = "HIERARCHY\nROOT scene\n{\nOFFSET 1 2 3\nCHANNELS 6 Xposition "
                               "Yposition Zposition Xrotation Yrotation Zrotation\nJOINT "
@@ -133,7 +134,7 @@ void resting_joints_above_the_body_stay(void**) {
     }
 }
 
-/// The clip turned about the up axis and moved along the floor, by a body root without ancestors.
+/// The clip turned about the up axis and moved on the floor, by a body root without ancestors.
 Clip elsewhere(const Clip& clip, Axis up) {
     Clip result = clip;
     const auto axis = static_cast<std::size_t>(up) - 1;
@@ -160,14 +161,14 @@ void where_the_body_stands_and_faces_is_no_pose(void**) {
 }
 
 void vectors_are_continuous(void**) {
-    // Angles of up to 200 degrees in steps of at most 20, that jump by whole turns in the file.
+    // Angles up to 200 degrees in steps of at most 20, which jump by whole turns in the file.
     Clip clip = moving_bvh("ZXY", 200);
     const Matrix smooth = encode_poses(clip, Axis::y).vectors;
     for (std::int64_t i = 0; i < clip.frames(); ++i)
         for (std::int64_t c = 3; c < clip.values.cols(); ++c)
             clip.values(i, c) = std::remainder(clip.values(i, c), 360);
     check_same(encode_poses(clip, Axis::y).vectors, smooth, 1e-10);
-    // A whole turn and a half of one joint: the logarithm goes on beyond half a turn.
+    // One and a half turns of a joint: the logarithm continues beyond half a turn.
     for (std::int64_t i = 0; i < clip.frames(); ++i)
         clip.values(i, 9) = 9 * static_cast<double>(i);
     const CodedPoses coded = encode_poses(clip, Axis::y);

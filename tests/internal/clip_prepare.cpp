@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// T-pose starts, smoothing, decimation, and the way back to source frames.
+// T-pose at the start, smoothing, decimation, and the mapping to source frames.
 #include "clip_testing.hpp"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ using namespace clip_testing;
 using namespace stltsa::clip;
 using stltsa::Matrix;
 
-/// A smooth motion of ten features; its first `smeared` frames move out of another pose.
+/// A smooth motion of ten features; its first `smeared` frames leave another pose.
 Matrix motion(std::int64_t frames, std::int64_t smeared, double size = 20) {
     Matrix rows(frames, 10);
     for (std::int64_t i = 0; i < frames; ++i)
@@ -37,12 +37,12 @@ void finds_tpose_starts(void**) {
 void finds_none_where_there_is_none(void**) {
     for (const std::int64_t frames : {2, 10, 60, 200, 1000})
         assert_int_equal(tpose_frames(motion(frames, 0).view()), 0);
-    assert_int_equal(tpose_frames(motion(20, 1).view()), 0); // too short to say
+    assert_int_equal(tpose_frames(motion(20, 1).view()), 0); // too short to decide
     assert_int_equal(tpose_frames(motion(1, 0).view()), 0);
     assert_int_equal(tpose_frames(Matrix(100, 3).view()), 0);      // nothing moves
-    assert_int_equal(tpose_frames(motion(200, 1, 0.2).view()), 0); // no more than a quick start
+    assert_int_equal(tpose_frames(motion(200, 1, 0.2).view()), 0); // like a quick start
     Matrix still(100, 3);
-    still(0, 0) = 1; // one step and then nothing to compare it with
+    still(0, 0) = 1; // one step, with nothing to compare it with
     assert_int_equal(tpose_frames(still.view()), 0);
 }
 
@@ -53,11 +53,11 @@ void never_drops_more_than_eight(void**) {
 void finds_no_tpose_inside(void**) {
     Matrix rows = motion(200, 0);
     for (std::int64_t i = 100; i < 200; ++i)
-        rows(i, 0) += 20; // a jump later on is not its matter
+        rows(i, 0) += 20; // a later jump does not matter
     assert_int_equal(tpose_frames(rows.view()), 0);
 }
 
-/// One joint on a stick, turning smoothly; its first `tpose` frames come from another pose.
+/// One joint on a stick, turning smoothly; its first `tpose` frames leave another pose.
 Clip turning(std::int64_t frames, double fps, std::int64_t tpose) {
     Clip clip =
         parse("HIERARCHY\nROOT a\n{\nOFFSET 0 0 0\nJOINT b\n{\nOFFSET 0 1 0\nCHANNELS 1 "
@@ -97,7 +97,7 @@ void numbers_stay_as_they_are(void**) {
     PrepareOptions options;
     options.smoothing = 0;
     check_same(prepare(clip, options).samples, clip.values, 0);
-    clip.fps = 0; // no rate: seconds mean nothing
+    clip.fps = 0; // no rate: seconds are undefined
     check_same(prepare(clip, {}).samples, clip.values, 0);
 }
 
@@ -131,7 +131,7 @@ Clip column(const std::vector<double>& values, double fps) {
 }
 
 void smooths_by_a_gaussian(void**) {
-    // sigma = 0.05 s = 5 frames. An impulse in the middle comes back as the kernel.
+    // sigma = 0.05 s = 5 frames. An impulse in the middle becomes the kernel.
     std::vector<double> impulse(101, 0.0);
     impulse[50] = 1;
     PrepareOptions options;
@@ -191,7 +191,7 @@ void features_of_all_frames_hold_the_samples(void**) {
         }
 }
 
-/// No T-pose, and a cut at `frame`.
+/// A cut at `frame`, but no T-pose.
 Clip cut_at(std::int64_t frame, double size) {
     std::vector<double> values;
     for (std::int64_t i = 0; i < 400; ++i)
@@ -204,7 +204,7 @@ void finds_the_frame_of_a_cut(void**) {
         assert_int_equal(prepare(cut_at(frame, 5), {}).jump, frame);
     assert_int_equal(prepare(cut_at(100, 0.2), {}).jump, 0);
     assert_int_equal(prepare(cut_at(400, 5), {}).jump, 0);
-    // One bad frame; nothing that moves; one frame.
+    // One bad frame; no movement; one frame.
     Clip clip = cut_at(400, 0);
     clip.values(77, 0) = 40;
     assert_int_equal(prepare(clip, {}).jump, 77);
@@ -212,7 +212,7 @@ void finds_the_frame_of_a_cut(void**) {
     assert_int_equal(prepare(column({1.0}, 30), {}).jump, 0);
 }
 
-/// A blow of 0.15 s after long standing is fast, and moves within several frames.
+/// A blow of 0.15 s after long standing is fast, but moves over several frames.
 void a_blow_is_no_cut(void**) {
     for (const double fps : {30.0, 60.0, 120.0}) {
         std::vector<double> values;

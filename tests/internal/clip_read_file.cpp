@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Files that come slowly while signals arrive.
+// Files that arrive slowly while signals interrupt.
 #include <chrono>
 #include <csignal>
 #include <thread>
@@ -24,7 +24,7 @@ void end_waits_by(int signal) {
     assert_int_equal(sigaction(signal, &action, nullptr), 0);
 }
 
-/// Writes in pieces, and before each sends a signal to the thread that waits for it.
+/// Writes in pieces, and sends a signal to the waiting thread before each piece.
 class SlowWriter {
   public:
     explicit SlowWriter(std::string path)
@@ -38,7 +38,7 @@ class SlowWriter {
         std::this_thread::sleep_for(std::chrono::milliseconds(100));
     }
     void write() const {
-        disturb(); // while it opens
+        disturb(); // during open
         const int pipe = ::open(path_.c_str(), O_WRONLY | O_NONBLOCK);
         if (pipe < 0)
             return; // the reader gave up
@@ -46,7 +46,7 @@ class SlowWriter {
         for (const std::string_view piece : {"1,2\n3,", "4\n5,6\n"}) {
             written = written && ::write(pipe, piece.data(), piece.size()) ==
                                      static_cast<ssize_t>(piece.size());
-            disturb(); // while it reads
+            disturb(); // during read
         }
         ::close(pipe);
     }
@@ -67,7 +67,7 @@ void signals_do_not_end_reading(void**) {
     assert_true(clip.values(2, 1) == 6);
 }
 
-/// A signal is when a caller may want to stop.
+/// A caller may want to stop at a signal.
 void a_signal_lets_the_caller_stop(void**) {
     const TemporaryFolder folder;
     const std::string pipe = folder.path("slow.csv");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Clips of the CMU motion capture database, from the folder that STLTSA_DATA names, else from
-// ../shared/data beside the source tree. Skipped, saying so, where there is none.
+// Clips of the CMU motion capture database, from STLTSA_DATA (default: ../shared/data next to the
+// source tree). Skipped with a message if they are missing.
 #include "clip_testing.hpp"
 
 #include <algorithm>
@@ -175,7 +175,7 @@ void poses_come_back_from_their_vectors(void**) {
 int main() {
     if (!std::filesystem::exists(folder())) {
         print_message("SKIPPED: no real clips at %s (set STLTSA_DATA)\n", folder().c_str());
-        return 77; // what Meson calls a skipped test
+        return 77; // Meson's status for skipped tests
     }
     const CMUnitTest tests[] = {
         cmocka_unit_test(are_read),

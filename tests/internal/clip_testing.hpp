@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the tests of src/clip share.
+// Shared by the tests of src/clip.
 #pragma once
 
 #include <cstdio>
@@ -52,7 +52,7 @@ inline Clip parse(std::string_view text, Format format,
     return stltsa::clip::parse(text, format, "test", options);
 }
 
-/// `text` with the first `from` replaced; it must be there.
+/// `text` with the first `from` replaced; `text` must contain it.
 inline std::string replaced(std::string text, std::string_view from, std::string_view to) {
     const std::size_t at = text.find(from);
     if (at == text.npos) {
@@ -63,7 +63,7 @@ inline std::string replaced(std::string text, std::string_view from, std::string
     return text.replace(at, from.size(), to);
 }
 
-/// An empty folder that goes with the object.
+/// An empty folder, removed with the object.
 class TemporaryFolder {
   public:
     TemporaryFolder() {
@@ -118,7 +118,7 @@ inline void check_same(const stltsa::Matrix& a, const stltsa::Matrix& b, double 
             ASSERT_NEAR(a(i, c), b(i, c), tolerance);
 }
 
-/// A figure of a root with one leg and one arm.
+/// A figure with a root, one leg and one arm.
 inline const std::string small_bvh = R"(HIERARCHY
 ROOT Hips
 {

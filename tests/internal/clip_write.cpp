@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Clips to files and back: the same bits of the same numbers on the same skeleton.
+// Writes clips and reads them back: the same bits and the same skeleton.
 #include "clip_testing.hpp"
 
 #include <algorithm>
@@ -57,7 +57,7 @@ void check_same(const Clip& a, const Clip& b) {
     assert_true(a.channel_names == b.channel_names);
 }
 
-/// Written under this name and read again.
+/// Writes under this name and reads again.
 Clip through_file(const Clip& clip, const char* name, const ReadOptions& options = {}) {
     const TemporaryFolder folder;
     write(clip, folder.path(name));
@@ -76,7 +76,7 @@ void check_same_positions(const Clip& a, const Clip& b, double relative) {
         ASSERT_NEAR(p.data()[i], q.data()[i], relative * largest);
 }
 
-/// Numbers that are hard to write.
+/// Numbers that are hard to write exactly.
 constexpr double numbers[] = {0.0,
                               -0.0,
                               1.0 / 3,
@@ -173,7 +173,7 @@ void a_frame_rate_that_was_given_is_written(void**) {
     assert_true(again.fps == 25 && again.frame_time == 0.04);
 }
 
-/// The arm has position channels, whose values are these in every frame.
+/// The arm has position channels with these values in every frame.
 std::string bvh_with_moving_arm(const char* x_y_z) {
     std::string text = replaced(small_bvh, "CHANNELS 1 Xrotation",
                                 "CHANNELS 4 Xposition Yposition Zposition Xrotation");
@@ -232,8 +232,8 @@ void amc_comes_back(void**) {
                         replaced(small_amc, "#!OML:ASF small.ASF\n", "").c_str());
 }
 
-/// Everything that ASF has: a turned root, orders of axes, one and two freedoms, a rigid bone with
-/// a child.
+/// All features of ASF: a turned root, orders of axes, bones with one and two axes, a rigid bone
+/// with a child.
 std::string elaborate_asf() {
     std::string asf = replaced(small_asf, "orientation 0 0 0", "orientation 10 -20 30");
     asf = replaced(asf, "position 0 0 0", "position 3 -2 1");
@@ -259,7 +259,7 @@ void amc_becomes_a_bvh_of_the_same_motion(void**) {
 }
 
 void angles_do_not_jump_where_amc_becomes_bvh(void**) {
-    Clip clip = SmallAmc().clip; // the axis of the thigh is turned by 20 degrees about z
+    Clip clip = SmallAmc().clip; // the thigh's axis is turned by 20 degrees about z
     clip.values = Matrix(80, clip.values.cols());
     for (std::int64_t i = 0; i < clip.frames(); ++i)
         clip.values(i, 6) = 10 * static_cast<double>(i);
@@ -333,7 +333,7 @@ void a_file_is_replaced_whole(void**) {
 void a_file_that_cannot_be_written_stays(void**) {
     const TemporaryFolder folder;
     const std::string path = folder.write("a.txt", "old");
-    // No more than ten bytes a file from here on.
+    // At most ten bytes per file from here on.
     (void)std::signal(SIGXFSZ, SIG_IGN);
     rlimit before{};
     assert_int_equal(getrlimit(RLIMIT_FSIZE, &before), 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The largest eigenpairs, by LAPACK also where its quick routine finds none, and by ARPACK.
+// The largest eigenpairs, from LAPACK (also if its fast routine fails) and from ARPACK.
 #include "testing.hpp"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ using stltsa::TopEigenpairs;
 constexpr std::int64_t order = 39;
 constexpr std::int64_t count = 3;
 
-/// Orthonormal, and the matrix (its lower triangle by columns) times each is its value times it.
+/// Orthonormal vectors; the matrix (lower triangle, by columns) times each is its value times it.
 void check_pairs(const TopEigenpairs& pairs, const double* matrix, double tolerance) {
     for (std::int64_t p = 0; p < count; ++p) {
         const double* v = pairs.vector(p);
@@ -37,7 +37,7 @@ void check_pairs(const TopEigenpairs& pairs, const double* matrix, double tolera
 
 void a_known_spectrum(void**) {
     TopEigenpairs pairs(order, count);
-    // The inverse of the second difference's matrix: eigenvalues 1 / (4 sin^2 (l pi / 2 (n + 1))).
+    // The inverse of the second-difference matrix: eigenvalues 1 / (4 sin^2 (l pi / 2 (n + 1))).
     for (std::int64_t j = 0; j < order; ++j)
         for (std::int64_t i = j; i < order; ++i)
             pairs.matrix()[j * order + i] =
@@ -63,14 +63,14 @@ void nearly_the_identity(void**) {
     }
 }
 
-/// Two parts that know nothing of each other: 200 values of 1 / 2 to 1, and as many of 2 to 4.
+/// Two decoupled parts: 200 values from 1 / 2 to 1, and as many from 2 to 4.
 void two_parts(std::span<const double> x, std::span<double> y) {
     const std::size_t half = x.size() / 2;
     for (std::size_t i = 0; i < x.size(); ++i)
         y[i] = (i < half ? 0.5 : 2) * (1 + static_cast<double>(i % half) / 199) * x[i];
 }
 
-/// The start says where ARPACK looks: all of it, and nothing else.
+/// The start vector determines where ARPACK searches: only in its own part.
 void the_start_is_ours(void**) {
     const auto largest = [](std::size_t entries) {
         const auto start = [entries](std::span<double> x) {
@@ -83,8 +83,8 @@ void the_start_is_ours(void**) {
     ASSERT_NEAR(largest(200), 1, 1e-8);
 }
 
-/// Of a small order, solved densely, and by ARPACK, without restarts and with them, where the
-/// values lie close.
+/// Small orders, solved densely; and ARPACK, without restarts and, if the values are close, with
+/// restarts.
 template <class Value>
 void check_diagonal(std::int64_t entries, const Value& value, double rounding) {
     const auto apply = [value](std::span<const double> x, std::span<double> y) {
@@ -113,8 +113,8 @@ void pairs_are_eigenpairs(void**) {
                 1e-13);
 }
 
-/// Of what is 10^12 times smaller than the largest, rounding leaves nothing beside it. What the
-/// largest of 10^24 and more leaves in the others is for the caller to correct.
+/// Rounding hides values 10^12 times smaller than the largest. The caller must correct the error
+/// that a value of 10^24 or more leaves in the others.
 void small_eigenvalues_are_found_beside_large_ones(void**) {
     for (const std::int64_t large : {1, 2})
         for (const std::int64_t entries : {50, 400, 4000})
@@ -129,7 +129,7 @@ void small_eigenvalues_are_found_beside_large_ones(void**) {
 
 struct Stop {};
 
-/// ARPACK works for one thread at a time; one that waits for it polls, and can be stopped.
+/// ARPACK serves one thread at a time; a waiting thread polls, and can be cancelled.
 void a_thread_that_waits_can_be_stopped(void**) {
     const auto start = [](std::span<double> x) { std::fill(x.begin(), x.end(), 1.0); };
     bool stopped = false;

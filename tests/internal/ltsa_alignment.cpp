@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The alignment matrix in its unknowns, as applied and as factored, against its definition.
+// Compares the alignment matrix in its unknowns, applied and factored, with its definition.
 #include <algorithm>
 
 #include "linalg/panel.hpp"
@@ -17,7 +17,7 @@ using stltsa::ltsa::Alignment;
 using stltsa::ltsa::Neighborhoods;
 using stltsa::ltsa::Patches;
 
-/// Windows; with `links`, their first frame is another one somewhere else.
+/// Windows; with `links`, their first frame is replaced by one elsewhere.
 Neighborhoods neighborhoods(std::int64_t frames, std::int64_t size, bool links) {
     Neighborhoods result{size, {}};
     for (std::int64_t i = 0; i < frames; ++i) {
@@ -37,7 +37,7 @@ Neighborhoods neighborhoods(std::int64_t frames, std::int64_t size, bool links) 
     return result;
 }
 
-/// B y, in the words of the paper: sums of what each patch leaves of its values.
+/// B y by its definition in the paper: the sum of each patch's residuals.
 Matrix defined_product(const Patches& patches, const Matrix& y) {
     Matrix product(y.rows(), y.cols());
     const std::int64_t k = patches.size();
@@ -134,7 +134,7 @@ void differences_of_frames(void**) {
     check_alignments(stltsa::ltsa::difference_alignment, false);
 }
 
-/// Of frames whose neighbors lie apart, so many that they are worked on in several blocks.
+/// For frames with distant neighbors, in several blocks.
 void differences_of_many_frames(void**) {
     const Matrix x = noise(4500, 12);
     for (const std::int64_t k : {12, 40, 60}) {
@@ -142,14 +142,14 @@ void differences_of_many_frames(void**) {
         stltsa::Random random(5);
         for (std::int64_t i = 2 * k; i + 2 * k < x.rows(); ++i) {
             std::int32_t* of_frame = found.index.data() + i * k;
-            for (std::int64_t j = 1; j < k; ++j) // one in two of them, or both, or none
+            for (std::int64_t j = 1; j < k; ++j) // every second one, all, or none
                 of_frame[j] = of_frame[j - 1] + 1 + (random.symmetric() > 0.3 ? 1 : 0);
         }
         check_alignment_of(stltsa::ltsa::difference_alignment, x, found, 2);
     }
 }
 
-/// Frames' own values, for which nothing else is needed.
+/// The frames' own values, which need nothing else.
 struct FrameValues {
     template <class P>
     static void gather(const std::int32_t* frames, std::int64_t k, stltsa::ConstMatrixView values,
@@ -159,8 +159,8 @@ struct FrameValues {
     }
 };
 
-/// Values that are nearly a multiple of a direction: what is left has none of it, to rounding of
-/// what is left, not of what there was. Projected once it would have 1e-9.
+/// Values that are nearly a multiple of a direction: the residual is orthogonal to it, to rounding
+/// of the residual, not of the values. After one projection it would contain 1e-9.
 void what_is_left_is_orthogonal_to_directions(void**) {
     constexpr std::int64_t k = 30, d = 2;
     const Matrix x = noise(150, 12);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How points are put together from rows, and how far they may be.
+// Blends of rows at points, and the reach of distances.
 #include "linalg/simd.hpp"
 #include "ltsa/mapping.hpp"
 #include "motion_testing.hpp"
@@ -14,7 +14,7 @@ using stltsa::ltsa::Model;
 using stltsa::ltsa::no_hint;
 using stltsa::ltsa::Placement;
 
-/// Frames with coordinates that were not learned but given; one component a clip.
+/// Frames with given instead of fitted coordinates; one component per clip.
 struct Given {
     Matrix frames;
     Model model;
@@ -60,10 +60,10 @@ void line_goes_on(void**) {
         const double frame[] = {at, 5 - 2 * at, 7};
         const Placement placement = mapping.find_frame(frame, no_hint, {});
         ASSERT_NEAR(coordinate(given, placement), 2 * at, 1e-12);
-        // The rows are sqrt(5) apart, which is what distances are counted in.
+        // The rows are sqrt(5) apart, the unit of distances.
         const double nearest = std::min(std::max(std::round(at), 0.0), 29.0);
         ASSERT_NEAR(placement.distance, std::abs(at - nearest), 1e-12);
-        // What does not vary says nothing.
+        // Constant columns carry no information.
         const double beside[] = {at, 5 - 2 * at, 9};
         ASSERT_NEAR(coordinate(given, mapping.find_frame(beside, no_hint, {})), 2 * at, 1e-12);
     }
@@ -71,8 +71,8 @@ void line_goes_on(void**) {
 }
 
 void weights_fade_out_with_the_blend(void**) {
-    // Frames on a circle, coordinates that have nothing to do with them, local maps of one row:
-    // what is left is the blend.
+    // Frames on a circle with unrelated coordinates and local maps of one row: the result is the
+    // blend alone.
     Matrix x(5, 2);
     Matrix y(5, 1);
     for (std::int64_t i = 0; i < 5; ++i) {
@@ -92,17 +92,17 @@ void weights_fade_out_with_the_blend(void**) {
     ASSERT_NEAR(value(row[0] + 1e-9, row[1]), 1, 1e-8);
     // Rows 2 and 3 lie symmetrically about the axis, and the others are farther.
     ASSERT_NEAR(value(-0.7, 0), 0.5, 1e-12);
-    // Rows 1 and 3 lie symmetrically about row 2: one leaves the blend as the other comes in.
+    // Rows 1 and 3 are symmetric about row 2: one leaves the blend as the other enters.
     const double before = value(0.5 * row[0] + 1e-9, 0.5 * row[1]);
     const double after = value(0.5 * row[0] - 1e-9, 0.5 * row[1]);
     ASSERT_NEAR(before, 1, 1e-7);
     ASSERT_NEAR(after, 1, 1e-7);
 }
 
-/// A curve that crosses itself where two rows of one part are farther than one of the other.
+/// A curve that crosses itself where two rows of one part are farther apart than one of the other.
 void point_belongs_to_the_stretch_it_is_on(void**) {
-    // Coordinates go right along one line and, 40 rows later, up along another that crosses it
-    // halfway between two rows; frames tell the two apart.
+    // Coordinates move right along one line and, 40 rows later, up along another one that crosses
+    // it halfway between two rows; the frames distinguish the two.
     Matrix x(80, 2);
     Matrix y(80, 2);
     for (std::int64_t i = 0; i < 80; ++i) {
@@ -124,7 +124,7 @@ void point_belongs_to_the_stretch_it_is_on(void**) {
     placement.apply(given.frames.view(), frame);
     ASSERT_NEAR(frame[0], 20.55, 0.01);
     ASSERT_NEAR(frame[1], 0, 1e-9);
-    // Where the order of rows means nothing there are no stretches.
+    // If the order of rows is arbitrary, there are no stretches.
     Given spatial = given;
     spatial.model.parameters.mode = Mode::spatial;
     assert_int_equal(spatial.mapping().find_point(point, 0, no_hint, {10, 1, 2}).nearest, 60);
@@ -154,11 +154,11 @@ void hint_may_be_a_repeat(void**) {
     const Mapping mapping = given.mapping();
     const MapParameters p{10, 3, 1};
     assert_int_equal(mapping.find_frame(given.frames.row(15), no_hint, p).nearest, 10);
-    // From within the hold the next motion is one row away, as many as are held.
+    // From within the hold, the next motion is one row away, however many rows are held.
     const Placement next = mapping.find_frame(given.frames.row(20), 12, p);
     assert_int_equal(next.nearest, 20);
     assert_true(next.distance == 0 && next.terms.empty());
-    // Far beyond the window.
+    // Far outside the window.
     assert_int_equal(mapping.find_frame(given.frames.row(25), 12, p).nearest, 20);
 }
 
@@ -170,7 +170,7 @@ void equal_rows_are_told_by_the_hint(void**) {
     for (const std::int64_t row : {4, 12, 25})
         assert_int_equal(mapping.find_frame(given.frames.row(4), row, {}).nearest, row);
     assert_int_equal(mapping.find_frame(given.frames.row(4), no_hint, {}).nearest, 4);
-    // The coordinates of component 1 are not those of component 0.
+    // Component 1 has different coordinates than component 0.
     const double y = given.model.coords(25, 0);
     assert_int_equal(mapping.find_point(&y, 1, 25, {}).nearest, 25);
     bool refused = false;
@@ -183,7 +183,7 @@ void equal_rows_are_told_by_the_hint(void**) {
 }
 
 void neighborhoods_stay_in_their_component(void**) {
-    // Two clips of the same frames; the coordinates of the second run the other way.
+    // Two clips of the same frames; the second has reversed coordinates.
     Given given = line(40, {20, 20});
     for (std::int64_t i = 0; i < 20; ++i) {
         std::copy_n(given.frames.row(i), 3, given.frames.row(20 + i));
@@ -197,7 +197,7 @@ void neighborhoods_stay_in_their_component(void**) {
     ASSERT_NEAR(coordinate(given, mapping.find_frame(second, no_hint, {})), -14.6, 1e-9);
 }
 
-/// Cycles of 20 rows, so many, each a little off the others.
+/// The given number of cycles of 20 rows, each slightly different.
 Given cycles(std::int64_t count, double off) {
     Matrix x = sampled(20 * count, 10, 20, cyclic_pose);
     add_noise(x, off, 4);
@@ -217,14 +217,14 @@ void support_is_the_step_where_cycles_are_equal(void**) {
     double largest = 0;
     for (std::int64_t i = 0; i < 20; ++i)
         largest = std::max(largest, step_of(given, i));
-    // Exact repetitions are no reason to expect nothing but them.
+    // Exact repetitions do not make other frames unlikely.
     for (const double period : {0.0, 20.0}) {
         ASSERT_NEAR(given.mapping(period).reach(), largest, 0.05 * largest);
     }
 }
 
 void support_grows_with_what_repetitions_differ_by(void**) {
-    // 100 times as many rows as phases that differ by a step, so that the step is small.
+    // 100 times as many rows as distinct phases, so that the step is small.
     const Given fine = [] {
         Matrix x = sampled(1200, 10, 200, [](double t, std::int64_t c) {
             return cyclic_pose(t, c) + (c == 3 ? 0.5 * std::floor(t + 1e-9) : 0);

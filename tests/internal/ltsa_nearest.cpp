@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The nearest rows and stretches against comparing every pair, and the order of rows in time.
+// Compares the nearest rows and stretches with a search over all pairs, and the order in time.
 #include <numeric>
 
 #include "linalg/simd.hpp"
@@ -17,7 +17,7 @@ using stltsa::ltsa::RowRange;
 using stltsa::ltsa::Stretch;
 using stltsa::ltsa::Timeline;
 
-/// A wandering curve, as motion is, every seventh row equal to an earlier one.
+/// A wandering curve, like motion; every seventh row equals an earlier one.
 Matrix curve(std::int64_t rows, std::int64_t cols, std::uint64_t seed) {
     stltsa::Random random(seed);
     Matrix x(rows, cols);
@@ -35,7 +35,7 @@ std::vector<std::int32_t> every(std::int64_t rows, std::int64_t step) {
     return result;
 }
 
-/// Of these rows, each alone.
+/// These rows, each separately.
 std::vector<Stretch> alone(const std::vector<std::int32_t>& rows) {
     std::vector<Stretch> stretches;
     for (const std::int32_t row : rows)
@@ -43,7 +43,7 @@ std::vector<Stretch> alone(const std::vector<std::int32_t>& rows) {
     return stretches;
 }
 
-/// From each row to the one after it, but for every fifth.
+/// From each row to the next, except every fifth.
 std::vector<Stretch> chained(const std::vector<std::int32_t>& rows) {
     std::vector<Stretch> stretches = alone(rows);
     for (std::size_t i = 0; i + 1 < rows.size(); ++i)
@@ -52,7 +52,7 @@ std::vector<Stretch> chained(const std::vector<std::int32_t>& rows) {
     return stretches;
 }
 
-/// The same by sorting all rows that are allowed.
+/// The same by sorting all allowed rows.
 template <class Allowed>
 std::vector<Candidate> by_sorting(ConstMatrixView x, const std::vector<std::int32_t>& rows,
                                   const double* query, std::int64_t count, const Allowed& allowed) {
@@ -80,7 +80,7 @@ void compare(const Matrix& x, std::int64_t step) {
     stltsa::Random random(99);
     std::vector<double> query(static_cast<std::size_t>(x.cols()));
     for (std::int64_t q = 0; q < x.rows(); q += 1 + x.rows() / 40) {
-        // A row, near one, and far away.
+        // A row, a point near one, and a distant point.
         const double off = q % 3 == 0 ? 0 : q % 3 == 1 ? 0.05 : 20;
         for (std::size_t c = 0; c < query.size(); ++c)
             query[c] = x.row(q)[c] + off * random.symmetric();
@@ -109,7 +109,7 @@ void same_rows_as_comparing_all(void**) {
         }
 }
 
-/// The squared distance from a stretch, of 1000 points on it the least.
+/// The squared distance from a stretch: the least over 1000 points on it.
 double sampled_distance(ConstMatrixView x, const double* query, Stretch stretch) {
     double least = std::numeric_limits<double>::infinity();
     std::vector<double> point(static_cast<std::size_t>(x.cols));
@@ -122,7 +122,7 @@ double sampled_distance(ConstMatrixView x, const double* query, Stretch stretch)
     return least;
 }
 
-/// The point of the share is as far as is said, and no sampled one is nearer.
+/// The point at the returned share has the returned distance, and no sampled point is nearer.
 void assert_nearest_point(ConstMatrixView x, const double* query, const NearStretch& found) {
     std::vector<double> point(static_cast<std::size_t>(x.cols));
     const auto [row, next] = found.stretch;
@@ -199,7 +199,7 @@ void none_asked_or_none_there(void**) {
     assert_true(nearest.holds(49) && !nearest.holds(50) && !empty.holds(0));
 }
 
-/// Squares that overflow: every row is infinitely far, and the first ones are the nearest.
+/// Squares that overflow: all rows are infinitely far, and the first ones are the nearest.
 void rows_beyond_measure(void**) {
     Matrix x = lattice(100, 3, 2);
     for (std::int64_t i = 0; i < 300; ++i)

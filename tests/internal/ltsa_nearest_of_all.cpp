@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The nearest rows of all rows against comparing every pair, to the last bit.
+// Compares the nearest rows of all rows with a search over all pairs, to the last bit.
 #include <algorithm>
 #include <cmath>
 
@@ -16,7 +16,7 @@ using stltsa::ltsa::RowRange;
 
 using Lists = std::vector<std::vector<Candidate>>;
 
-/// A circle that is run through again and again, never quite the same way, away from the origin.
+/// A circle repeated with small differences, away from the origin.
 Matrix cycles(std::int64_t rows, std::int64_t cols, double offset) {
     stltsa::Random random(1);
     Matrix x(rows, cols);
@@ -27,7 +27,7 @@ Matrix cycles(std::int64_t rows, std::int64_t cols, double offset) {
     return x;
 }
 
-/// Cycles of which every later row equals an earlier one.
+/// Cycles in which every later row equals an earlier one.
 Matrix repetition(std::int64_t rows, std::int64_t cols) {
     Matrix x = cycles(rows, cols, 0);
     for (std::int64_t r = rows / 3; r < rows; ++r)
@@ -52,7 +52,7 @@ Lists found(const Matrix& x, NearestOfAll wanted) {
     return lists;
 }
 
-/// To each row all rows, the nearest first.
+/// For each row all rows, nearest first.
 Lists sorted_for_each(const Matrix& x) {
     Lists lists;
     for (std::int64_t i = 0; i < x.rows(); ++i) {
@@ -65,7 +65,7 @@ Lists sorted_for_each(const Matrix& x) {
     return lists;
 }
 
-/// What is wanted of these.
+/// The expected subset of these.
 Lists nearest_in(const Lists& sorted, const NearestOfAll& wanted) {
     Lists lists;
     for (const std::vector<Candidate>& all : sorted) {
@@ -96,13 +96,13 @@ RowRange nothing(std::int64_t) {
 RowRange itself(std::int64_t row) {
     return {row, row + 1};
 }
-/// Of two clips, one of 100 rows.
+/// Two clips, one of 100 rows.
 RowRange vicinity(std::int64_t row) {
     return row < 100 ? RowRange{std::max(0L, row - 60), std::min(100L, row + 61)}
                      : RowRange{std::max(100L, row - 60), row + 61};
 }
 
-/// In any zone, by every machine code.
+/// In any zone, with every machine code.
 void compare(const Matrix& x) {
     const Lists sorted = sorted_for_each(x);
     const auto check = [&](const NearestOfAll& wanted) {
@@ -137,7 +137,7 @@ void equal_rows_come_by_number(void**) {
         compare(lattice(301, cols, 2));
 }
 
-/// Where rounding, or squares that underflow, take nearly all digits from the distances.
+/// Rounding or underflowing squares leave few correct digits in the distances.
 void numbers_at_the_limits(void**) {
     compare(cycles(301, 9, 1e8));
     compare(cycles(301, 9, 1e14));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Temporal neighborhoods against their definition, found alone and together with their tangents,
-// and what they connect.
+// Compares temporal neighborhoods with their definition, found alone and together with their
+// tangents, and tests their components.
 #include <algorithm>
 #include <vector>
 
@@ -28,11 +28,11 @@ const Case cases[] = {
     {{1300}, 12, 12},
     {{1300}, 12, 12, false},
     {{1300}, 12, 48},                    // the widest window that shares distances
-    {{1300}, 12, 49},                    // and one that does not
+    {{1300}, 12, 49},                    // a window that does not
     {{1300}, 30, 60},                    // more neighbors than features
-    {{13, 700, 40, 13, 13, 521}, 9, 12}, // clips shorter than a block, and than a window
+    {{13, 700, 40, 13, 13, 521}, 9, 12}, // clips shorter than a block or a window
     {{13, 700, 40, 13, 13, 521}, 9, 12, false},
-    {{2600}, 7, 1024}, // the widest window whose distances are kept
+    {{2600}, 7, 1024}, // the widest window with stored distances
     {{2600}, 7, 1100},
     {{90, 2510}, 7, 1100, false},
 };
@@ -52,7 +52,7 @@ Parameters parameters_of(const Case& c) {
     return parameters;
 }
 
-/// The first of all frames of the window, sorted: nearest first, ties by number.
+/// All frames of the window, sorted, nearest first, ties by number; the first of them.
 std::vector<std::int32_t> defined(const Matrix& x, std::int64_t begin, std::int64_t end,
                                   std::int64_t frame, const Case& c) {
     std::vector<stltsa::ltsa::Candidate> candidates;
@@ -80,7 +80,7 @@ void check(const Case& c, const Matrix& x, const Neighborhoods& found) {
     }
 }
 
-/// Smooth frames, and frames of few values, whose distances are often equal.
+/// Smooth frames, and frames with few values, whose distances are often equal.
 std::vector<Matrix> frames_for(const Case& c) {
     return {cyclic(frames_of(c), 20), lattice(frames_of(c), 20, 5)};
 }
@@ -106,7 +106,7 @@ void one_pass_finds_the_same_neighbors_and_tangents(void**) {
         }
 }
 
-/// Frame 2 is in no neighborhood, not even its own; what its neighbors are is known all the same.
+/// Frame 2 is in no neighborhood, not even its own; its neighbors are found nevertheless.
 void a_window_belongs_to_the_component_of_its_frames(void**) {
     const Neighborhoods found{2, {0, 1, 0, 1, 0, 1, 3, 4, 3, 4, 4, 5}};
     const auto components = connected_components(found, {});

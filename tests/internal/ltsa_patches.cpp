@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is known of patches before any is worked on, and which are worked on together.
+// Properties of patches before the work on them, and their grouping.
 #include <algorithm>
 #include <set>
 
@@ -12,7 +12,7 @@ namespace {
 using namespace ltsa_testing;
 using namespace stltsa::ltsa;
 
-/// Each frame, the one before it, and any others at most `size` frames away.
+/// Each frame, the previous one, and any others at most `size` frames away.
 Neighborhoods scattered(std::int64_t frames, std::int64_t size = 9) {
     Neighborhoods found{size, {}};
     stltsa::Random random(11);
@@ -87,7 +87,7 @@ void every_column_has_the_patches_that_touch_it(void**) {
     }
 }
 
-/// Frames of the blocks of each parity, whether any is in two of them.
+/// Frames of the blocks of each parity, and whether two blocks share one.
 bool blocks_are_apart(const Patches& patches, const PatchBlocks& blocks) {
     std::vector<std::int64_t> block_of[2];
     for (auto& of_frame : block_of)
@@ -103,7 +103,7 @@ bool blocks_are_apart(const Patches& patches, const PatchBlocks& blocks) {
     return true;
 }
 
-/// With one frame of a patch, its `j`-th, another one.
+/// With the `j`-th frame of a patch replaced.
 void check_one_block(Neighborhoods found, std::int64_t patch, std::int64_t j, std::int64_t frame) {
     found.index[static_cast<std::size_t>(patch * found.size + j)] =
         static_cast<std::int32_t>(frame);
@@ -111,7 +111,7 @@ void check_one_block(Neighborhoods found, std::int64_t patch, std::int64_t j, st
     assert_int_equal(PatchBlocks(linked.patches()).count(), 1);
 }
 
-/// Of small neighborhoods, and of such that a block has to be larger than its least size.
+/// Small neighborhoods, and neighborhoods that need blocks larger than the minimum.
 void blocks_of_one_parity_share_no_frame(void**) {
     for (const std::int64_t size : {9, 141}) {
         const Fixture near(scattered(5000, size));

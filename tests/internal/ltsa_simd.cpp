@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The same bits on every machine code and for any number of threads; the same numbers with other
-// kernels of OpenBLAS.
+// The same bits with every machine code and number of threads; the same numbers with other kernels
+// of OpenBLAS.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -21,7 +21,7 @@ constexpr std::int64_t features = 29;
 
 Matrix motion(std::int64_t frames) {
     Matrix x = cyclic(frames, features);
-    add_noise(x, 1e-3, 1); // no cycle is like another
+    add_noise(x, 1e-3, 1); // all cycles differ
     return x;
 }
 
@@ -52,7 +52,7 @@ bool same_bits(const Model& a, const Model& b) {
     return same;
 }
 
-/// Whether all fits have the bits of the one on a single thread in the least machine code.
+/// Whether all fits have the bits of the fit with one thread and the most basic machine code.
 void check_bits(const char* name, const Matrix& x, Parameters parameters,
                 const std::vector<int>& thread_counts) {
     const Model expected = fitted(x, parameters);
@@ -66,7 +66,7 @@ void check_bits(const char* name, const Matrix& x, Parameters parameters,
         }
 }
 
-/// More than two blocks of frames, which are what threads share.
+/// More than two blocks of frames, the units that threads share.
 constexpr std::int64_t frames = 1100;
 
 void temporal_fits_have_the_same_bits(void**) {
@@ -76,7 +76,7 @@ void temporal_fits_have_the_same_bits(void**) {
         check_bits("noise", noise(301, features), parameters_of(Mode::temporal, size), {1});
 }
 
-/// So long that passes over single numbers of a frame are shared as well; some frames repeat.
+/// Long enough to share passes over single numbers per frame; some frames repeat.
 void long_fits_have_the_same_bits(void**) {
     Matrix x = cyclic(300000, 3);
     add_noise(x, 1e-3, 1);
@@ -111,18 +111,18 @@ void recurrent_fits_have_the_same_bits(void**) {
         check_bits("recurrent", motion(frames), parameters_of(Mode::recurrent, size), {1, 2, 4});
 }
 
-/// Writes the coordinates of a fit to standard output: what a child process does.
+/// Writes the coordinates of a fit to standard output, in a child process.
 int print_coords(const char* size) {
     const Model model = fitted(motion(frames), parameters_of(Mode::temporal, std::atoi(size)));
     const auto count = static_cast<std::size_t>(model.coords.rows() * model.coords.cols());
     return std::fwrite(model.coords.data(), sizeof(double), count, stdout) == count ? 0 : 1;
 }
 
-/// The same from a process where OpenBLAS, which chooses its kernels when it is loaded, was told to
-/// take those of another machine.
+/// The same from a process whose OpenBLAS, which chooses its kernels when it is loaded, was told to
+/// use those of another machine.
 std::vector<double> coords_with(const char* machine, std::int64_t size) {
     const std::string self = std::filesystem::read_symlink("/proc/self/exe").string();
-    const char* emulator = std::getenv("MESON_EXE_WRAPPER"); // where this is another machine's code
+    const char* emulator = std::getenv("MESON_EXE_WRAPPER"); // set for the code of another machine
     const std::string command = std::string("OPENBLAS_CORETYPE=") + machine + ' ' +
                                 (emulator == nullptr ? "" : emulator) + " '" + self + "' " +
                                 std::to_string(size) + " 2>/dev/null";
@@ -146,7 +146,7 @@ std::vector<const char*> other_machines() {
 void other_blas_kernels_give_the_same_numbers(void**) {
     for (const std::int64_t size : {12, 50, 140}) {
         const Model expected = fitted(motion(frames), parameters_of(Mode::temporal, size));
-        // Where OpenBLAS does not know the name, or is not the BLAS, nothing differs.
+        // If OpenBLAS does not know the name, or is not the BLAS, nothing differs.
         for (const char* machine : other_machines()) {
             const std::vector<double> coords = coords_with(machine, size);
             double worst = 0;

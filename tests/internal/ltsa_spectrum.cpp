@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The smallest eigenvectors: running sums of panels, and what the error estimate says.
+// The smallest eigenvectors: running sums of panels, and the error estimate.
 #include "linalg/blas_threads.hpp"
 #include "linalg/panel.hpp"
 #include "ltsa/fit.hpp"
@@ -10,7 +10,7 @@ namespace {
 using namespace ltsa_testing;
 using stltsa::Machine;
 
-/// sums(x) with all the code that this machine has, on one and more threads: the same bits.
+/// sums(x) with every machine code of this machine, on one and more threads: the same bits.
 template <class Sums>
 Matrix same_everywhere(std::int64_t rows, std::int64_t cols, const Sums& sums) {
     Matrix first(rows, cols);
@@ -50,15 +50,15 @@ stltsa::ltsa::Model fitted(const Matrix& x, int dimension, std::int64_t neighbor
     return fit(x.view(), lengths, parameters, {});
 }
 
-/// Where the spectrum falls slowly, as that of noise does, ARPACK's vectors are solved for twice,
-/// so that the first correction has little to do. After one solve it turns them by 6e-12.
+/// If the spectrum falls slowly, as with noise, ARPACK's vectors get two solves, so that the first
+/// correction is small. After one solve it turns them by 6e-12.
 void slow_spectra_are_solved_for_again(void**) {
     const double error = fitted(noise(500, 6), 3, 12).components[0].error_estimate;
     if (!(error < 3e-12))
         FAIL("%.1e", error);
 }
 
-/// A cycle in three features, the second and third of which are so much smaller.
+/// A cycle in three features, the second and third of which are much smaller.
 Matrix uneven(double share) {
     Matrix x = cyclic(300, 3);
     for (std::int64_t i = 0; i < x.rows(); ++i)
@@ -67,8 +67,8 @@ Matrix uneven(double share) {
     return x;
 }
 
-/// Three neighbors that lie on a line but for little: the first unwanted eigenvalue is rounding as
-/// well. With twelve, the line is seen to bend.
+/// Three neighbors are almost on a line: the first unwanted eigenvalue is rounding, too. With
+/// twelve neighbors the line visibly bends.
 void the_error_of_rounding_noise_is_unknown(void**) {
     const auto noise = fitted(uneven(1e-4), 1, 3);
     assert_true(noise.components[0].error_estimate == stltsa::ltsa::unknown_error);

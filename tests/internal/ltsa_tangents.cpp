@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tangents found several at a time against those of LAPACK.
+// Compares tangents found in batches with those of LAPACK.
 #include <algorithm>
 #include <limits>
 
@@ -24,8 +24,8 @@ using stltsa::ltsa::Tangents;
 
 constexpr std::int64_t features = 40;
 
-/// Every window has one direction, and it is orthogonal to every polynomial of low degree that is
-/// even about the middle of the window.
+/// Every window has one direction, orthogonal to all polynomials of low degree that are even about
+/// the middle of the window.
 Matrix alternation(std::int64_t frames) {
     Matrix x(frames, features);
     for (std::int64_t i = 0; i < frames; ++i)
@@ -50,7 +50,8 @@ Tangents tangents_of(const Matrix& x, std::int64_t size, int dimension, Simd sim
     return local_tangents(x.view(), windows(x.rows(), size), parameters, {});
 }
 
-/// What the first tangents leave of LAPACK's, over all windows. Needs eigenvalues well apart.
+/// Residual of LAPACK's tangents outside the computed ones, over all windows. Needs well-separated
+/// eigenvalues.
 double largest_difference(const Matrix& x, std::int64_t size, int dimension) {
     const Tangents tangents = tangents_of(x, size, dimension, stltsa::widest_simd());
     const Neighborhoods neighborhoods = windows(x.rows(), size);
@@ -97,8 +98,8 @@ Matrix polynomials(std::int64_t degrees, std::int64_t size) {
     return rows;
 }
 
-/// Polynomials of time, each in features of its own: they are the principal directions. What
-/// products of frames lose of the small ones is known.
+/// Polynomials of time, each in separate features: they are the principal directions. The loss of
+/// the small ones in products of frames is known.
 void features_of_uneven_size(void**) {
     constexpr std::int64_t count = 3;
     constexpr double epsilon = std::numeric_limits<double>::epsilon();
@@ -144,7 +145,7 @@ void windows_that_do_not_vary_have_no_direction(void**) {
         assert_int_equal(rank, 1);
 }
 
-/// Standing still but for rounding, as positions that went through matrices do.
+/// Standing still except for rounding, like positions computed with matrices.
 void rounding_noise_has_no_direction(void**) {
     for (const std::int64_t size : {12, 40, 60}) {
         Matrix x = cyclic(400, features);
@@ -158,14 +159,14 @@ void rounding_noise_has_no_direction(void**) {
     }
 }
 
-/// Motion is found together, noise one at a time; the numbers are as large or small as they may be.
+/// Motion is found in batches, noise one window at a time; numbers may have any magnitude.
 void lanes_that_converge_are_known(void**) {
     for (const double scale : {1e-140, 1.0, 1e100}) {
         GramBatch batch(7, 1, stltsa::widest_simd());
         for (std::int64_t lane = 0; lane < batch.lanes(); ++lane)
             for (std::int64_t a = 0; a < 7; ++a)
                 for (std::int64_t b = a + 1; b < 7; ++b)
-                    // Lane 0: a straight line. The others: a simplex, all directions alike.
+                    // Lane 0: a straight line. The others: a simplex, with all directions equal.
                     batch.set_distance(
                         lane, a, b, scale * scale * (lane == 0 ? double((b - a) * (b - a)) : 1.0));
         batch.solve();
@@ -175,7 +176,7 @@ void lanes_that_converge_are_known(void**) {
     }
 }
 
-/// Points on the axes, whose eigenvalues are about these squares: two that stand out.
+/// Points on the axes, with eigenvalues about these squares: two of them dominate.
 template <class Square>
 void check_found(std::int64_t size, const Square& square, double second) {
     GramBatch batch(size, 2, stltsa::widest_simd());
@@ -190,7 +191,7 @@ void check_found(std::int64_t size, const Square& square, double second) {
     }
 }
 
-/// They take more iterations than noise gets.
+/// They need more iterations than noise gets.
 void slow_lanes_are_found(void**) {
     check_found(
         37, [](std::int64_t a) { return a < 2 ? 1 / double(1 + a) : 0.12 * std::pow(0.8, a - 2); },
@@ -214,10 +215,10 @@ void distances_within_a_neighborhood_are_those_of_frames(void**) {
     }
 }
 
-// Hard motions for covariance matrices that share what their neighborhoods have in common.
+// Hard motions for covariance matrices that share parts of their neighborhoods.
 constexpr std::int64_t length = 400;
 
-/// Moves, holds still but for a drift in one direction, and moves again.
+/// Moves, holds still except for a drift in one direction, and moves again.
 Matrix stopping() {
     return sampled(length, features, 120, [](double t, std::int64_t c) {
         const double u = std::clamp(std::abs(t - 1.7) - 0.6, 0.0, 1.0);
@@ -230,7 +231,7 @@ Matrix line() {
                    [](double t, std::int64_t c) { return std::sin(t) * static_cast<double>(c); });
 }
 
-/// One feature goes from one level to another between two frames, as angles do.
+/// One feature jumps between two levels, as angles do.
 Matrix jumping() {
     Matrix x = cyclic(length, features);
     for (std::int64_t i = length / 2; i < length; ++i)
@@ -238,7 +239,7 @@ Matrix jumping() {
     return x;
 }
 
-/// One frame is far out.
+/// One frame is an outlier.
 Matrix spiked() {
     Matrix x = cyclic(length, features);
     x(length / 2, 3) += 1e5;
@@ -266,8 +267,8 @@ std::int64_t not_found(const Matrix& x, std::int64_t size, int dimension) {
     return count;
 }
 
-/// `tolerance` of the first direction and of the first two: as many digits as the largest
-/// eigenvalue has before the wanted ones are lost to any method.
+/// `tolerance` of the first direction and of the first two, limited by the digits that any method
+/// loses relative to the largest eigenvalue.
 void check_hard(const Matrix& x, double tolerance, double tolerance_of_two) {
     for (const std::int64_t size : {50, 60, 140}) {
         ASSERT_NEAR(largest_difference(x, size, 1), 0, tolerance);

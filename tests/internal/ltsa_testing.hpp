@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the tests of src/ltsa share: frames of every kind, and the machine codes to compare.
+// Shared by the tests of src/ltsa: frames of every kind, and the machine codes to compare.
 #pragma once
 
 #include <vector>
@@ -13,7 +13,7 @@ namespace ltsa_testing {
 using namespace motion_testing;
 using stltsa::Simd;
 
-/// A cycle a second, at 120 frames a second.
+/// One cycle per second, at 120 frames per second.
 inline Matrix cyclic(std::int64_t rows, std::int64_t cols) {
     return sampled(rows, cols, 120, cyclic_pose);
 }
@@ -27,7 +27,7 @@ inline Matrix noise(std::int64_t rows, std::int64_t cols, std::uint64_t seed = 3
     return x;
 }
 
-/// `change(value)` in the place of every value.
+/// Replaces every value by `change(value)`.
 template <class Change>
 Matrix changed(Matrix x, const Change& change) {
     for (std::int64_t i = 0; i < x.rows() * x.cols(); ++i)
@@ -39,12 +39,12 @@ inline Matrix scaled(Matrix x, double factor) {
     return changed(std::move(x), [factor](double value) { return factor * value; });
 }
 
-/// Of few different values, so that many distances are equal.
+/// Frames with few different values, so that many distances are equal.
 inline Matrix lattice(std::int64_t rows, std::int64_t cols, std::uint64_t seed) {
     return changed(noise(rows, cols, seed), [](double value) { return std::round(1.5 * value); });
 }
 
-/// The codes that this machine can run; says once which it cannot.
+/// The codes that this machine can run; prints the others once.
 inline const std::vector<Simd>& machine_codes() {
     static const std::vector<Simd> codes = [] {
         std::vector<Simd> available = {Simd::baseline};

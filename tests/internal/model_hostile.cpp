@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A checksum is no proof of who wrote a file: bytes that are altered and then given the right
-// checksum must make a model that can be used, or be refused; nothing crashes (the sanitizers
-// watch), and no memory is asked for that the bytes do not justify.
+// A checksum does not prove the origin of a file. Altered bytes with a valid checksum must give a
+// usable model or be refused; nothing crashes (the sanitizers watch), and no memory is allocated
+// that the bytes do not justify.
 #include "clip_testing.hpp"
 
 #include <cmath>
@@ -22,9 +22,9 @@ using namespace clip_testing;
 namespace clip = stltsa::clip;
 
 constexpr std::size_t head = 8 + 4 + 8; // magic, version, size
-constexpr int rows = 20;                // few: every byte of the model is altered
+constexpr int rows = 20;                // few, because every byte of the model is altered
 
-/// Two joints that swing, one of them about a single axis and, as its bone is measured anew in
+/// Two joints that swing, one of them about a single axis and, because its bone is measured in
 /// every frame, up and down.
 std::string swinging_bvh(int frames) {
     std::string text = "HIERARCHY\nROOT hip\n{\nOFFSET 0 0 0\n"
@@ -75,7 +75,7 @@ std::string bytes_of(T value) {
     return bytes;
 }
 
-/// Makes size and checksum right again.
+/// Updates size and checksum.
 void seal(std::string& bytes) {
     bytes.replace(12, 8, bytes_of(static_cast<std::uint64_t>(bytes.size() - head - 4)));
     const auto sum =
@@ -83,7 +83,7 @@ void seal(std::string& bytes) {
     bytes.replace(bytes.size() - 4, 4, bytes_of(static_cast<std::uint32_t>(sum)));
 }
 
-/// Everything that looks into a model; whatever the status, nothing may crash.
+/// Calls every function that reads a model; whatever the status, nothing may crash.
 void use(const stltsa_model& model) {
     char* json = nullptr;
     if (stltsa_model_json(&model, &json) == STLTSA_OK)
@@ -110,7 +110,7 @@ void use(const stltsa_model& model) {
     stltsa_clip_free(poses);
 }
 
-/// Whether the bytes were taken for a model.
+/// Whether the bytes were accepted as a model.
 bool read(const std::string& bytes) {
     std::unique_ptr<stltsa_model> model;
     const Failure failure = failure_of([&] { model = stltsa::capi::restore_model(bytes); });
@@ -149,7 +149,7 @@ void cut_bytes(void**) {
     }
 }
 
-/// Huge counts, infinities and the like in the place of every eight bytes.
+/// Huge counts, infinities and the like in place of every eight bytes.
 void extreme_words(void**) {
     const std::string bytes = serialized_model();
     for (const std::uint64_t word :
@@ -163,8 +163,8 @@ void extreme_words(void**) {
         }
 }
 
-/// Fields that are what fields can be, but not beside the others: each for itself must be refused,
-/// before it leads out of an array, a number's range or a loop.
+/// Fields that are valid alone but not together: each must be refused before it leads out of an
+/// array, a number's range or a loop.
 void contradictions(void**) {
     const std::string bytes = serialized_model();
     constexpr auto huge = std::numeric_limits<std::int64_t>::max();

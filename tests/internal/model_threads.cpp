@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A model that several threads ask to map before anyone else did.
+// Several threads use a model for the first time at once.
 #include <cmath>
 #include <numbers>
 #include <thread>

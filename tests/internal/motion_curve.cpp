@@ -93,7 +93,7 @@ void parabola_turns_where_it_does(void**) {
     const auto parabola = [](double x) { return 3 - 2 * (x - 0.3) * (x - 0.3); };
     ASSERT_NEAR(parabola_vertex(parabola(-1), parabola(0), parabola(1)), 0.3, 1e-12);
     ASSERT_NEAR(parabola_vertex(1, 1, 1), 0, 0);
-    ASSERT_NEAR(parabola_vertex(0, 1, 2), 0, 0);     // a line does not turn
+    ASSERT_NEAR(parabola_vertex(0, 1, 2), 0, 0);     // a line has no vertex
     ASSERT_NEAR(parabola_vertex(0, 1, 1.9), 0.5, 0); // beyond the neighbors
 }
 
@@ -110,7 +110,7 @@ void cyclicity_tells_once_per_cycle(void**) {
     const auto line = curve_of(200, [](double t) { return t; });
     ASSERT_NEAR(cyclicity(line, level, 40.5), 0, 0.01);
     assert_true(cyclicity(std::vector<double>(200, 1.0), level, 40.5) == 0);
-    // Where nothing moves, nothing counts.
+    // Without movement nothing counts.
     auto drifting = curve_of(200, [](double t) { return std::sin(turn * t / 40.5); });
     std::vector<double> activity = level;
     for (std::size_t i = 100; i < 200; ++i) {
@@ -181,7 +181,7 @@ void margins_lie_at_the_steepest_points(void**) {
         assert_true(cycles[i].begin == cycles[i - 1].end);
 }
 
-/// Quick up, slow down: margins of one kind are a period apart, neighbors are not.
+/// Fast up, slow down: margins of one kind are a period apart, consecutive margins are not.
 void uneven_halves_are_one_cycle(void**) {
     const auto curve = curve_of(300, [](double t) {
         const double phase = std::fmod(t, 60.0) / 60;
@@ -208,7 +208,7 @@ void the_half_swing_from_standing_is_not_cyclic(void**) {
         auto run = longest_run(find_margins(curve, activity), 40);
         assert_int_equal(run.size(), 9);
         ASSERT_NEAR(run.front(), 70, 0.1);
-        // The same swing at the start of a clip that is cut there, and the standing at the end.
+        // The same swing at the start of a cut clip, with the standing at its end.
         if (stands_at > 0) {
             run = longest_run(find_margins(curve, always_moving(curve.size())), 40);
             assert_int_equal(run.size(), 10);
@@ -245,7 +245,7 @@ void finds_the_most_typical_cycle(void**) {
         return std::sin(turn * t / period + static_cast<double>(c));
     });
     const std::vector<Cycle> cycles{{0, 25}, {25, 50}, {50, 75}, {75, 100}};
-    for (std::int64_t i = 0; i < 25; ++i) { // all but the third are off, in different ways
+    for (std::int64_t i = 0; i < 25; ++i) { // all but the third are wrong, in different ways
         samples(i, 0) += 0.3;
         samples(25 + i, 1) += 0.3;
         samples(75 + i, 2) += 0.3;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The whole way from samples to units: known borders, invariances, and clips without cycles.
+// From samples to units: known borders, invariances, and clips without cycles.
 #include "motion_testing.hpp"
 
 #include <algorithm>
@@ -29,7 +29,7 @@ Status failure_of(const Matrix& samples, double fps, const DecomposeOptions& opt
     return Status::ok;
 }
 
-/// Whatever comes out is complete and consistent.
+/// Every result is complete and consistent.
 void check_shape(const Decomposition& d, std::int64_t samples) {
     assert_true(!d.units.empty());
     assert_true(d.units.front().begin == 0);
@@ -67,7 +67,7 @@ void finds_five_units(void**) {
     }
 }
 
-/// Starts and stops lie at the same share of a cycle, whatever the tempo.
+/// Starts and stops are at the same share of a cycle at any tempo.
 void tempo_changes_no_border(void**) {
     const auto error = [](double period) {
         const Exercise exercise{period, period, 5, period / 2, period};
@@ -85,7 +85,7 @@ void tempo_changes_no_border(void**) {
     }
 }
 
-/// Noise that moves the whole body, as that of the root's rotation does: its speed varies a lot.
+/// Noise that moves the whole body, like noise on the root's rotation: its speed varies a lot.
 void noise_moves_no_border(void**) {
     const Matrix clean = Exercise{}.samples(15);
     const auto expected = decomposed(clean, 15).units;
@@ -103,7 +103,7 @@ void noise_moves_no_border(void**) {
     }
 }
 
-/// A clip that is cut where the motion turns back does not stand there.
+/// A clip that is cut at a turning point does not stand there.
 void turning_points_are_no_rests(void**) {
     for (int start = 0; start < 20; ++start) {
         const Matrix squats = sampled(500, 8, 30, [&](double t, std::int64_t c) {
@@ -114,7 +114,8 @@ void turning_points_are_no_rests(void**) {
     }
 }
 
-/// Two exercises with standing between: the longer one's cycles, the other an action, and a word.
+/// Two exercises with standing between them: cycles in the longer one, an action in the other, and
+/// a warning.
 void says_what_else_moves(void**) {
     Exercise shorter;
     shorter.cycles = 2.5;
@@ -147,7 +148,7 @@ void says_what_else_moves(void**) {
     }
 }
 
-/// Standing for many periods must not become a shape of its own.
+/// Long standing must not add a dimension to the curve.
 void long_standing_changes_nothing(void**) {
     Exercise exercise;
     exercise.cycles = 3;
@@ -183,7 +184,7 @@ void permuting_channels_changes_nothing(void**) {
 
 void moving_and_scaling_changes_nothing(void**) {
     Matrix samples = Exercise{}.samples(30);
-    add_noise(samples, 0.02, 8); // frames that are equal but for rounding would become equal
+    add_noise(samples, 0.02, 8); // frames that differ only by rounding would become equal
     Matrix moved = samples;
     Matrix small = samples;
     for (std::int64_t i = 0; i < samples.rows(); ++i)
@@ -254,9 +255,9 @@ void says_why_there_is_no_cycle(void**) {
     check_shape(decomposed(step, 30), 300);
 }
 
-/// A single repetition whose second half is another motion.
+/// A single repetition whose second half is a different motion.
 void claims_no_cycle_of_uneven_strides(void**) {
-    // Strides of 0.8 s to 1.6 s, each of its own shape.
+    // Strides of 0.8 s to 1.6 s, each with its own shape.
     Matrix samples(360, 10);
     std::mt19937 random(4);
     std::uniform_real_distribution<double> even(0, 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Equation (1), checked point by point against the curve that was fitted.
+// Equation (1), checked point by point against the fitted curve.
 #include "motion_testing.hpp"
 
 #include <algorithm>
@@ -32,7 +32,7 @@ Denoised denoised(const Matrix& coords, const std::vector<std::int64_t>& lengths
     return denoise(coords.view(), lengths, options, {});
 }
 
-/// Equation (1) in the paper's words, for one column.
+/// Equation (1) as in the paper, for one column.
 void check_equation(const Matrix& coords, const Denoised& found, std::int64_t c, double gamma) {
     const DenoisedColumn& column = found.columns[static_cast<std::size_t>(c)];
     double sum = 0;
@@ -87,7 +87,7 @@ void gamma_can_be_given(void**) {
     assert_true(untouched.columns[1].shift == 0);
 }
 
-/// Three points stand out of a line: their distances are their mean's 0.5, 1 and 1.5 fold.
+/// Three points are outliers of a line: their distances are 0.5, 1 and 1.5 times the mean.
 void moves_a_few_points_by_hand(void**) {
     Matrix coords(60, 1);
     for (std::int64_t i = 0; i < 60; ++i)
@@ -118,7 +118,7 @@ void nothing_is_noisy_where_nothing_is(void**) {
     }
 }
 
-/// Two clips, the second far away: no curve leads from one to the other.
+/// Two clips, the second far away: no curve connects them.
 void clips_have_curves_of_their_own(void**) {
     Matrix coords = noisy_columns(160);
     for (std::int64_t i = 100; i < 160; ++i)
@@ -138,7 +138,7 @@ void clips_have_curves_of_their_own(void**) {
     assert_true(found.columns[0].degrees_of_freedom > alone.degrees_of_freedom);
 }
 
-/// Standing, a stir, standing: what a sum of sines would ring at.
+/// Standing, a movement, standing: a sum of sines would ring.
 void standing_survives(void**) {
     const Exercise exercise;
     Matrix coords = exercise.samples(30);

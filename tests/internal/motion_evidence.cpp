@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// When cycles are claimed, and in which words they are not.
+// Conditions for cycles, and the reasons if there are none.
 #include "motion_testing.hpp"
 
 #include <string>
@@ -14,7 +14,7 @@ using namespace stltsa::motion;
 
 constexpr double fps = 30;
 
-/// Two cycles of 36 samples that nobody can doubt.
+/// Two perfect cycles of 36 samples.
 Evidence sound() {
     return {{36, 0.9}, 0.95, 5, 36};
 }
@@ -66,7 +66,7 @@ void a_single_cycle_needs_more(void**) {
     check_doubt(evidence, "");
 }
 
-/// 300 samples that cycle, about 36 samples long, from `first` to `end`, and else do other things.
+/// 300 samples with cycles of about 36 samples from `first` to `end`, and other movement elsewhere.
 Matrix partly_cyclic(std::int64_t first, std::int64_t end) {
     return sampled(300, 10, 1, [&](double t, std::int64_t c) {
         if (t >= static_cast<double>(first) && t < static_cast<double>(end))
@@ -96,7 +96,7 @@ void a_run_speaks_for_itself_where_it_is_most_of_the_motion(void**) {
     const Evidence little = weighed(20, 100, 4);
     assert_true(little.period.samples == 37 && little.period.quality == 0.2);
     assert_true(little.cyclicity == 0.1);
-    // One cycle has nothing to be compared with.
+    // A single cycle cannot be compared.
     const Evidence one = weighed(20, 280, 3);
     assert_true(one.period.samples == 37);
 }

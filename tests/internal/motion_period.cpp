@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The lag after which a motion repeats itself.
+// The lag after which a motion repeats.
 #include "motion_testing.hpp"
 
 #include "motion/period.hpp"
@@ -30,8 +30,8 @@ void finds_the_period_of_harmonics(void**) {
         }
 }
 
-/// Left and right step are mirror images: after half a cycle most of the pose is the opposite, but
-/// what both sides share is the same again.
+/// Left and right steps are mirror images: after half a cycle most of the pose is the opposite, but
+/// the part that both sides share repeats.
 void is_not_trapped_by_half_cycles(void**) {
     const double fps = 30, seconds = 1.2;
     const Matrix walk = sampled(200, 10, fps, [&](double t, std::int64_t c) {
@@ -42,7 +42,7 @@ void is_not_trapped_by_half_cycles(void**) {
     ASSERT_NEAR(period_of(walk, fps).samples / fps, seconds, 0.005 * seconds);
 }
 
-/// After two cycles the motion is a little more like itself than after one.
+/// After two cycles the motion is slightly more similar to itself than after one.
 void prefers_the_single_cycle_to_its_multiples(void**) {
     const double fps = 30, seconds = 1.0;
     const Matrix walk = sampled(240, 10, fps, [&](double t, std::int64_t c) {
@@ -80,7 +80,7 @@ void finds_none_in_what_does_not_repeat(void**) {
     assert_true(period_of(Matrix(3, 5), fps).samples == 0);
 }
 
-/// One cycle and a quarter: the quarter that is seen twice proves nothing.
+/// One and a quarter cycles: the repeated quarter proves nothing.
 void asks_for_enough_seen_twice(void**) {
     const double fps = 30, seconds = 2;
     const auto cycles = [&](double count) {
@@ -109,7 +109,7 @@ void lag_curve_has_known_values(void**) {
     ASSERT_NEAR(curve[0], 0, 1e-12);
     ASSERT_NEAR(curve[15], 2, 0.01); // the opposite
     ASSERT_NEAR(curve[30], 0, 1e-9);
-    // Between them 1 - cos; the means of 253 samples are not quite 0.
+    // In between 1 - cos; the means of 253 samples are not exactly 0.
     ASSERT_NEAR(curve[40], 1 - std::cos(turn / 3), 0.02);
 }
 
@@ -122,7 +122,7 @@ void refines_within_a_stretch(void**) {
     const auto near = stltsa::motion::refine_period(walk.view(), level, 1.2 * fps, fps);
     assert_true(near.has_value());
     ASSERT_NEAR(near->samples / fps, 1.1, 0.005);
-    // Its own period is out of reach; or too short to tell.
+    // The true period is out of range; or the clip is too short.
     assert_false(stltsa::motion::refine_period(walk.view(), level, 0.8 * fps, fps).has_value());
     assert_false(
         stltsa::motion::refine_period(walk.view().block(0, 40), level, 1.1 * fps, fps).has_value());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reasons and warnings: true numbers, times of the source, and what to do.
+// Reasons and warnings: correct numbers, times in the source, and advice.
 #include "motion_testing.hpp"
 
 #include "motion/decompose.hpp"
@@ -24,7 +24,7 @@ Matrix noise_of(std::int64_t samples) {
     return noise;
 }
 
-/// Markers of a body that walks at 1.2 a second through space.
+/// Markers of a body that walks through space at 1.2 per second.
 Matrix walk_in_space(double seconds) {
     return sampled(static_cast<std::int64_t>(30 * seconds), 10, 30,
                    [](double t, std::int64_t c) { return 1.2 * t + 0.1 * cyclic_pose(t, c); });
@@ -48,13 +48,13 @@ void says_that_a_drift_hides_the_period(void**) {
     const Decomposition d = decomposed(walk, options);
     assert_true(d.cycles.empty());
     assert_true(holds(d.reason, "straight drift") && holds(d.reason, "subtract"));
-    // Not of poses that hold no place, nor where nothing drifts.
+    // Not for poses without position, nor without drift.
     assert_false(holds(decomposed(walk).reason, "drift"));
     assert_false(holds(decomposed(noise_of(300), options).reason, "drift"));
 }
 
 void says_which_lags_were_searched(void**) {
-    // A clip of 4 s is compared with itself at up to 70 % of that.
+    // A clip of 4 s is compared with itself at lags up to 70 % of that.
     const auto slow = [](std::int64_t samples) {
         return decomposed(sampled(samples, 3, 30,
                                   [](double t, std::int64_t c) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The penalized spline against the dense solution of the same least squares, and its limits.
+// Compares the penalized spline with the dense solution of the same least squares, and tests its
+// limits.
 #include "motion_testing.hpp"
 
 #include <algorithm>
@@ -38,7 +39,7 @@ double rms_difference(const Values& a, const Values& b) {
     return std::sqrt(squares / static_cast<double>(a.size()));
 }
 
-/// Cox and de Boor's recursion: shares no formula with the code.
+/// Cox and de Boor's recursion, independent of the library's formulas.
 double b_spline(int degree, double first_knot, double x) {
     if (degree == 0)
         return x >= first_knot && x < first_knot + 1 ? 1 : 0;
@@ -46,13 +47,13 @@ double b_spline(int degree, double first_knot, double x) {
            (first_knot + degree + 1 - x) / degree * b_spline(degree - 1, first_knot + 1, x);
 }
 
-/// The smoother matrix itself, by Gauss-Jordan elimination of the normal equations.
+/// The smoother matrix by Gauss-Jordan elimination of the normal equations.
 Matrix dense_smoother(std::int64_t rows, double step, std::int64_t coefficients,
                       const Values& weights, double lambda) {
     Matrix b(rows, coefficients);
     for (std::int64_t i = 0; i < rows; ++i)
         for (std::int64_t j = 0; j < coefficients; ++j) {
-            // The last row is the end of the last interval, not the start of the next.
+            // The last row ends the last interval; it does not start another one.
             const double x = std::min(static_cast<double>(i) / step,
                                       static_cast<double>(coefficients - 3) - 1e-14);
             b(i, j) = b_spline(3, static_cast<double>(j) - 3, x);
@@ -161,7 +162,7 @@ void lines_and_constants_are_reproduced(void**) {
         }
 }
 
-/// What is smooth and without noise is followed: the penalty gives way.
+/// A smooth, noiseless coordinate is followed: the penalty vanishes.
 void smooth_values_are_followed(void**) {
     const Values wave = noisy_wave(200, 0);
     const Spline spline = fit_spline(wave, {3.3, false});
@@ -176,7 +177,7 @@ void pure_noise_becomes_nearly_a_line(void**) {
     assert_true(fit_spline(noise, {4, false}).degrees_of_freedom < 30);
 }
 
-/// The chosen lambda is about as good as the best there is, which is known here.
+/// The chosen lambda is almost as good as the best one, which is known here.
 void cross_validation_is_near_the_best(void**) {
     const Values truth = noisy_wave(300, 0);
     for (const double noise : {0.03, 0.1, 0.3})
@@ -209,7 +210,7 @@ void spikes_do_not_pull_at_the_robust_curve(void**) {
     ASSERT_NEAR(largest_difference(spline.curve, level), 0, 1e-6);
 }
 
-/// Standing is quieter than walking; walking is not noise for that.
+/// Standing is quieter than walking, but walking is not noise.
 void a_stir_after_long_standing_is_no_spike(void**) {
     Values values = noisy_wave(1000, 0.05, 7);
     const Values wave = noisy_wave(1000, 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the tests of src/motion share.
+// Shared by the tests of src/motion.
 #pragma once
 
 #include <cmath>
@@ -29,7 +29,7 @@ inline Matrix sampled(std::int64_t samples, std::int64_t features, double fps,
     return result;
 }
 
-/// How far each of ten features swings with a cycle, and how much of it twice per cycle.
+/// Amplitude of each of ten features over a cycle, and its share at twice the frequency.
 inline double cyclic_pose(double phase, std::int64_t c) {
     const auto angle = static_cast<double>(c);
     return std::sin(turn * phase + angle) + 0.4 * std::sin(2 * turn * phase + 2.3 * angle);
@@ -43,13 +43,13 @@ inline void add_noise(Matrix& samples, double deviation, unsigned seed) {
             samples(i, c) += normal(random);
 }
 
-/// Stands, then cycles with growing and at last shrinking amplitude, then stands.
+/// Stands, cycles with growing and finally shrinking amplitude, stands.
 struct Exercise {
-    double stands = 1; ///< seconds, before
+    double stands = 1; ///< seconds of standing before
     double period = 1.2;
     double cycles = 5;   ///< at full amplitude
-    double fading = 0.6; ///< seconds that starting and stopping take
-    double rests = 1.5;  ///< seconds, after
+    double fading = 0.6; ///< seconds of starting and of stopping
+    double rests = 1.5;  ///< seconds of standing after
 
     double moves_until() const { return stands + 2 * fading + cycles * period; }
     double seconds() const { return moves_until() + rests; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Activity, rests, and the units that are made of them.
+// Activity, rests, and the units made from them.
 #include "motion_testing.hpp"
 
 #include <algorithm>
@@ -14,8 +14,8 @@ using namespace motion_testing;
 using namespace stltsa::motion;
 
 void typical_speed_is_that_of_the_motion(void**) {
-    // A feature that moves at 2 a sample for 60 of 400 samples, and else drifts at 0.01; once it
-    // jerks.
+    // A feature that moves at 2 per sample for 60 of 400 samples, drifts at 0.01 otherwise, and
+    // jerks once.
     Matrix samples(400, 1);
     for (std::int64_t i = 1; i < 400; ++i)
         samples(i, 0) = samples(i - 1, 0) + (i >= 200 && i < 260 ? 2 : 0.01) + (i == 230 ? 20 : 0);
@@ -36,7 +36,7 @@ void typical_speed_is_that_of_the_motion(void**) {
 void what_never_moves_has_no_activity(void**) {
     Matrix still(50, 3);
     for (std::int64_t i = 0; i < 50; ++i)
-        still(i, 1) = 0.1; // not exact in binary: smoothing must not make motion of it
+        still(i, 1) = 0.1; // not exact in binary: smoothing must not create motion
     const Activity activity = measure_activity(still.view(), 30);
     assert_true(activity.typical == 0);
     assert_int_equal(moving_span(activity, 5).count, 50);
@@ -45,10 +45,10 @@ void what_never_moves_has_no_activity(void**) {
     assert_true(units[0].kind == UnitKind::preparing);
 }
 
-/// Against motion at a speed of 1.
+/// Relative to motion at a speed of 1.
 constexpr Standing standing{0.4, 8, 0.15};
 
-/// Speed 0 up to `onset`, then rising by 0.05 a sample up to 1; noise of a standing body added.
+/// Speed 0 up to `onset`, then rising by 0.05 per sample up to 1, plus noise of a standing body.
 std::vector<double> starts_at(double onset, double sway, std::size_t samples) {
     std::mt19937 random(3);
     std::uniform_real_distribution<double> even(-1, 1);
@@ -76,7 +76,7 @@ void rests_end_at_the_onset(void**) {
     }
 }
 
-/// A body that sways is fastest just before it starts, and that is no start yet.
+/// A swaying body is fastest just before it starts, which is not yet the start.
 void sway_is_standing(void**) {
     std::vector<double> speed;
     for (std::size_t i = 0; i < 150; ++i) {
@@ -141,7 +141,8 @@ void five_units_or_fewer(void**) {
     assert_true(kinds(units) == (std::vector{preparing, initial, cyclic, final}));
     ASSERT_NEAR(units[0].end, 39, 1.01);
 
-    // Of two rests after the cycles the first one ends the motion; those inside are cycles' own.
+    // Of two rests after the cycles, the first one ends the motion; rests inside belong to the
+    // cycles.
     std::fill_n(speed.begin() + 140, 20, 0.0);
     std::fill_n(speed.begin() + 172, 28, 0.0);
     std::fill_n(speed.begin() + 80, 9, 0.0);
@@ -151,7 +152,7 @@ void five_units_or_fewer(void**) {
     ASSERT_NEAR(units[4].begin, 140, 1.01);
 }
 
-/// What moves again beyond the rests beside the cycles is neither preparing nor wind-up.
+/// Movement beyond the rests next to the cycles is neither preparing nor wind-up.
 void other_motion_is_action(void**) {
     using enum UnitKind;
     const std::vector<double> run{190, 205, 220, 235, 250};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which clips show one body.
+// Clips that show the same body.
 #include "clip_testing.hpp"
 #include "synthesis/hierarchy.hpp"
 #include "synthesis_testing.hpp"
@@ -41,7 +41,7 @@ void offsets_may_differ_by_one_percent(void**) {
                      check_same_body(clip, with_longer_leg(factor), "other"));
 }
 
-/// A root that channels place is nowhere by its offset; a tiny bone may differ by rounding.
+/// The offset of a root with position channels does not count; a tiny bone may differ by rounding.
 void offsets_that_say_nothing(void**) {
     const Clip clip = walking({});
     const Clip moved = changed([](auto& joints) { joints[0].offset = {1, 2, 3}; });
@@ -53,7 +53,7 @@ void offsets_that_say_nothing(void**) {
     check_same_body(tiny, rounded, "other");
 }
 
-/// Hips that travel below a static root are where their positions say, whatever their offset is.
+/// Hips that travel below a static root are placed by their positions, whatever their offset.
 void offsets_of_hips_that_travel_below_a_static_root(void**) {
     using namespace stltsa::clip;
     const auto traveling = [](const Vec3& hips, bool add) {

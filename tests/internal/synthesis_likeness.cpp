@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The rulers: frame rates, periods, how alike repetitions are, how rough a motion is.
+// Scales: frame rates, periods, similarity of repetitions, roughness of a motion.
 #include <algorithm>
 
 #include "clip/kinematics.hpp"
@@ -28,7 +28,7 @@ void frames_on_source_frames_are_those(void**) {
         assert_memory_equal(third.row(i), clip.values.row(3 * i), channels * sizeof(double));
 }
 
-/// Between two frames: half of the way, and half of the turn about one axis.
+/// Between two frames: half of the path, and half of the turn about one axis.
 void frames_between_are_half_way(void**) {
     const Clip clip = walking({});
     const Matrix twice = resampled(clip, 2 * clip.fps);
@@ -92,7 +92,7 @@ void repetitions_are_as_far_apart_as_the_noise(void**) {
         assert_true(found > before);
         before = found;
     }
-    // No repetition can be met nearer than half a frame.
+    // No repetition is nearer than half a frame.
     const Track track = track_of(clip);
     std::vector<double> steps;
     for (std::int64_t i = 60; i < 180; ++i)
@@ -101,7 +101,7 @@ void repetitions_are_as_far_apart_as_the_noise(void**) {
     ASSERT_NEAR(exact, steps[60] / 2, 0.02 * exact);
 }
 
-/// An arm that is 10 degrees higher in each cycle: so far apart are the repetitions.
+/// An arm that rises by 10 degrees per cycle: the repetitions are that far apart.
 void repetitions_are_other_cycles(void**) {
     Clip clip = walking({});
     for (std::int64_t i = 0; i < clip.frames(); ++i)
@@ -112,7 +112,7 @@ void repetitions_are_other_cycles(void**) {
     ASSERT_NEAR(found, expected, 0.2 * expected);
 }
 
-/// A little repetition in much noise is none.
+/// A weak repetition in strong noise is none.
 void a_shallow_valley_is_no_period(void**) {
     Walk walk;
     walk.seconds = 8;
@@ -126,7 +126,7 @@ void a_shallow_valley_is_no_period(void**) {
 
 // ---- Roughness ----
 
-/// Frames that are the same but for one step of the arm, `size` degrees into frame 100.
+/// Equal frames except for one step of the arm, by `size` degrees at frame 100.
 Track stepping(double size) {
     Matrix values(200, channels);
     for (std::int64_t i = 0; i < values.rows(); ++i) {
@@ -148,11 +148,11 @@ void a_step_is_seen_near_and_not_far(void**) {
     }
     for (const std::int64_t seam : {50, 85, 115, 150})
         assert_true(roughness_near(track, seam).step == 0);
-    // One step in a hundred is not usual.
+    // One step in a hundred is not typical.
     assert_true(usual_roughness(track, 50, 150).step < 0.1 * expected);
 }
 
-/// Constant speed is no acceleration.
+/// Constant speed is not acceleration.
 void steps_that_are_alike_are_smooth(void**) {
     Matrix values(200, channels);
     for (std::int64_t i = 0; i < values.rows(); ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the body stands and faces: steps lead from one frame to the next, wherever they are taken.
+// Position and heading of the body: steps lead from one frame to the next, anywhere.
 #include "clip/angles.hpp"
 #include "clip_testing.hpp"
 #include "synthesis/synthesis.hpp"
@@ -15,7 +15,7 @@ constexpr double degree = std::numbers::pi / 180;
 
 Walk turning_walk() {
     Walk walk;
-    walk.turn = 170; // through the place where angles jump from 180 to -180
+    walk.turn = 170; // through the jump of angles from 180 to -180
     walk.turning = 90;
     walk.x = 300;
     return walk;
@@ -38,7 +38,7 @@ void steps_lead_to_the_next_frame(void**) {
     for (std::int64_t i = 1; i < track.frames(); ++i) {
         at = body.after(at, body.step(track.root(i - 1), track.root(i)));
         assert_same_place(at, track.root(i));
-        ASSERT_NEAR(at.position[1], track.root(0).position[1], 0); // height is not a step's
+        ASSERT_NEAR(at.position[1], track.root(0).position[1], 0); // steps do not change height
     }
 }
 
@@ -74,7 +74,7 @@ void a_placement_takes_one_state_to_another(void**) {
     ASSERT_NEAR(angle_between(moved.tilt, from.tilt), 0, 1e-12);
 }
 
-/// Every joint is where the state says, and the numbers of the others are not touched.
+/// Every joint is where the state says, and the numbers of other joints do not change.
 void what_is_written_is_read(void**) {
     const Clip clip = walking(turning_walk());
     const Body body = body_of(clip);
@@ -95,7 +95,7 @@ void what_is_written_is_read(void**) {
     }
 }
 
-/// The turn that the heading takes away is the clip's, and tilt has none of it.
+/// The heading has the turn of the clip; the tilt has none of it.
 void yaw_and_tilt_make_the_rotation(void**) {
     const Clip clip = walking(turning_walk());
     const Track track = track_of(clip);
@@ -110,7 +110,7 @@ void yaw_and_tilt_make_the_rotation(void**) {
     }
 }
 
-/// A joint above the one that moves: its place is kept and the root's numbers are seen from it.
+/// A joint above the moving one keeps its place, and the root's numbers are relative to it.
 void resting_joints_above_the_root(void**) {
     Clip clip = below_world(walking({}));
     const Body body = body_of(clip);
@@ -128,7 +128,7 @@ void resting_joints_above_the_root(void**) {
     assert_true(body.turns_above_root(clip.values));
 }
 
-/// The joint that carries the body is the one that does so in any of the clips.
+/// The joint that carries the body in any of the clips does so in all.
 void a_clip_that_stands_still_does_not_choose_the_root(void**) {
     Matrix rest(120, channels);
     std::fill_n(rest.row(0), 120 * channels, 0.0);
@@ -148,8 +148,8 @@ void a_clip_that_stands_still_does_not_choose_the_root(void**) {
     ASSERT_FAILS(stltsa::Status::unsupported, "above", synthesize(moved, options, {}));
 }
 
-/// A joint that only moves along carries the one that turns: where to is written into the channels
-/// of whichever has them.
+/// A joint that only travels carries the joint that turns: the path is written to the channels of
+/// the one that has them.
 void a_joint_that_moves_along_carries_the_root(void**) {
     Walk turning;
     turning.turning = 40;

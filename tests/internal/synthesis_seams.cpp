@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where pieces are cut: runs without a seam, common postures, limits that hold for any input.
+// Cuts of pieces: consecutive pieces without a seam, common postures, limits for any input.
 #include "clip_testing.hpp"
 #include "synthesis/seams.hpp"
 #include "synthesis_testing.hpp"
@@ -39,7 +39,7 @@ Join join_of(const Track& earlier, std::int64_t from, std::int64_t end, const Tr
     return {&earlier, &later, end, begin, end - from, to - begin, {}};
 }
 
-/// The later clip shows the same cycle from another phase: cut there, nothing is to be seen.
+/// The later clip shows the same cycle at another phase: a cut there is invisible.
 void the_same_posture_is_found(void**) {
     Walk walk;
     walk.seconds = 6;
@@ -49,14 +49,14 @@ void the_same_posture_is_found(void**) {
         const Track later = track_of(walking(walk));
         const Join join = join_of(earlier, 60, 200, later, 100, 300);
         const Cut cut = find_cut(join, {30, 9, 0.1}, {});
-        // What was frame e there is frame b here: e - b frames of phase, whole cycles aside.
+        // Frame e there is frame b here: e - b frames of phase, up to whole cycles.
         assert_int_equal((cut.end - cut.begin - frames + 600) % 60, 0);
         ASSERT_NEAR(cut.distance, 0, 1e-6);
         assert_int_equal(cut.crossfade, 9);
     }
 }
 
-/// Without velocities a leg that swings forward is like one that swings back.
+/// Without velocities, a leg that swings forward looks like one that swings back.
 void velocities_tell_there_from_back(void**) {
     Walk walk;
     walk.seconds = 6;
@@ -85,7 +85,7 @@ void limits_hold_for_any_join(void**) {
         assert_true(std::abs(cut.end - end) <= options.search);
         assert_true(std::abs(cut.begin - begin) <= options.search);
         assert_true(cut.end >= 1 && cut.end <= frames && cut.begin >= 0 && cut.begin < frames);
-        // Both cuts and crossfades of a stretch together leave it half of its length.
+        // Both cuts and crossfades of a stretch leave at least half of its length.
         assert_true(end - cut.end <= join.earlier_length / 4);
         assert_true(cut.begin - begin <= join.later_length / 4);
         assert_true(cut.crossfade >= 0 && cut.crossfade <= options.crossfade);
@@ -95,7 +95,7 @@ void limits_hold_for_any_join(void**) {
     }
 }
 
-/// The pair at a clip's start is a little more alike, but leaves no room for the crossfade.
+/// The pair at a clip's start is slightly more similar, but leaves no room for the crossfade.
 void a_crossfade_has_room_where_it_can(void**) {
     Walk walk;
     walk.period = 1e9;
@@ -137,8 +137,8 @@ void half_of_what_is_left_out_stays_out(void**) {
         assert_true(lengths_left_out(0, cycle).allow(any));
 }
 
-/// Frames that are left out of a motion, or played twice, must not come back: the same frame is the
-/// most alike of all.
+/// Frames that are left out, or played twice, must not return: the same frame is the most similar
+/// of all.
 void what_is_left_out_stays_out(void**) {
     const Track track = track_of(walking({})); // cycles of 60 frames
     for (const int skip : {1, 10, 45, 60, 75, 90, -1, -10, -45, -60, -75}) {
@@ -157,7 +157,7 @@ void what_is_left_out_stays_out(void**) {
     }
 }
 
-/// A T-pose at the start of a clip that is hardly longer leaves no cut to choose.
+/// A T-pose at the start of a clip that is only slightly longer leaves no choice of cuts.
 void without_a_choice_cuts_stay_where_they_are(void**) {
     Walk walk;
     walk.seconds = 16 / walk.fps;
@@ -168,7 +168,7 @@ void without_a_choice_cuts_stay_where_they_are(void**) {
     assert_true(cut.end == 16 && cut.begin == 0);
 }
 
-/// A crossfade must not reach into the T-pose at a clip's start, nor a cut.
+/// Neither a crossfade nor a cut may reach into the T-pose at a clip's start.
 void a_t_pose_is_not_mixed_in(void**) {
     Clip clip = walking({});
     for (std::int64_t c = root_channels; c < channels; ++c)
@@ -180,7 +180,7 @@ void a_t_pose_is_not_mixed_in(void**) {
         const Cut cut = find_cut(join, {search, 9, 0.1}, {});
         assert_true(cut.begin - cut.crossfade >= (search == 0 ? 0 : track.first));
     }
-    // Not even where the T-pose is what is most alike.
+    // Not even if the T-pose is the most similar.
     Clip posing = clip;
     for (std::int64_t i = 0; i < clip.frames(); ++i)
         std::copy_n(clip.values.row(0), channels, posing.values.row(i));
@@ -191,7 +191,7 @@ void a_t_pose_is_not_mixed_in(void**) {
 
 // ---- What is chosen ----
 
-/// Clips that are joined whole can be cut in one direction only: a search of half a cycle still
+/// Clips joined as a whole can be cut in one direction only: a search over half a cycle still
 /// reaches every phase.
 void whole_clips_meet_at_any_phase(void**) {
     for (const double phase : {0.0, 0.2, 0.4, 0.6, 0.8}) {
@@ -223,7 +223,7 @@ void repetitions_are_cut_alike(void**) {
     }
 }
 
-/// A file in other units tells the same postures.
+/// A file in other units has the same postures.
 void postures_have_no_unit(void**) {
     Walk walk;
     walk.arms = 15;
@@ -248,7 +248,7 @@ void postures_have_no_unit(void**) {
     assert_true(before > 1);
 }
 
-/// The posture is measured in repetitions: twice the difference, twice the figure.
+/// Posture is measured in repetitions: twice the difference gives twice the value.
 void postures_are_measured_by_repetitions(void**) {
     const Clip clip = walking({});
     Options options;

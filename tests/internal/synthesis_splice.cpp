@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is played and what is blended: rigid motion outside of crossfades, feet that stand within.
+// Played and blended frames: rigid motion outside crossfades, standing feet inside.
 #include "clip/kinematics.hpp"
 #include "synthesis/footing.hpp"
 #include "synthesis/splice.hpp"
@@ -36,7 +36,7 @@ void before_the_first_seam_bits_are_kept(void**) {
         assert_memory_equal(made.row(i), clip.values.row(i), channels * sizeof(double));
 }
 
-/// All but the root's channels to the bit; the joints as one rigid body, heights unchanged.
+/// All channels except the root's to the bit; the joints as one rigid body at unchanged heights.
 void after_a_seam_the_source_is_moved_rigidly(void**) {
     const Clip clip = walking({});
     const Clip other = walking(elsewhere());
@@ -58,11 +58,11 @@ void after_a_seam_the_source_is_moved_rigidly(void**) {
     }
 }
 
-/// Nothing jumps: no joint steps farther than it does in the sources, within the seam or beside it.
+/// No jumps: no joint moves faster than in the sources, inside the seam or next to it.
 void no_joint_jumps(void**) {
     const Clip clip = walking({});
     Walk walk;
-    walk.phase = (cut.end - cut.begin) / walk.fps; // in step with the first
+    walk.phase = (cut.end - cut.begin) / walk.fps; // in phase with the first
     walk.turn = 140;
     const Clip other = walking(walk);
     const Body body = body_of(clip);
@@ -75,13 +75,13 @@ void no_joint_jumps(void**) {
                                   joint_position(body.skeleton(), made.row(i - 1), j);
                 const Vec3 same = joint_position(body.skeleton(), clip.values.row(i % 60 + 60), j) -
                                   joint_position(body.skeleton(), clip.values.row(i % 60 + 59), j);
-                // The same walk goes on: each step is that of the source's same phase.
+                // The same walk continues: each step is that of the source at the same phase.
                 ASSERT_NEAR(stltsa::clip::norm(step), stltsa::clip::norm(same), 0.02);
             }
     }
 }
 
-/// Where nothing is blended, the step across the seam is as much the one's as the other's.
+/// Without blending, the step across the seam is the mean of both sources' steps.
 void without_a_crossfade_the_step_is_between(void**) {
     Walk walk;
     const Clip clip = walking(walk);
@@ -92,7 +92,7 @@ void without_a_crossfade_the_step_is_between(void**) {
     ASSERT_NEAR(made(150, 2) - made(149, 2), (120.0 + 300.0) / 2 / 60, 0.05);
 }
 
-/// From one pose to the other, monotonously, with no slope at the ends.
+/// From one pose to the other, monotonically, with zero slope at the ends.
 void a_crossfade_turns_one_pose_into_the_other(void**) {
     Matrix values(240, channels);
     std::fill_n(values.row(0), 240 * channels, 0.0);
@@ -112,8 +112,8 @@ void a_crossfade_turns_one_pose_into_the_other(void**) {
     assert_true(made(end, 11) == -80);
 }
 
-/// A body that goes over its left foot, fastest at frame `middle`: the foot rests in the world, the
-/// hips turn about it as an inverted pendulum.
+/// A body that moves over its left foot, fastest at frame `middle`: the foot rests in the world,
+/// and the hips turn about it like an inverted pendulum.
 Clip standing_on_the_left(double lean, std::int64_t middle) {
     Matrix values(240, channels);
     std::fill_n(values.row(0), 240 * channels, 0.0);
@@ -129,7 +129,7 @@ Clip standing_on_the_left(double lean, std::int64_t middle) {
     Clip clip = clip_of(60, std::move(values));
     const Vec3 first = joint_position(*clip.skeleton, clip.values.row(0), left_foot);
     const Vec3 last = joint_position(*clip.skeleton, clip.values.row(239), left_foot);
-    ASSERT_NEAR(stltsa::clip::norm(first - last), 0, 1e-9); // else this is no test
+    ASSERT_NEAR(stltsa::clip::norm(first - last), 0, 1e-9); // otherwise the test is void
     return clip;
 }
 
@@ -151,14 +151,14 @@ void what_stands_tells_the_offset(void**) {
     const Track a = track_of(clip);
     const Track b = track_of(other);
     const Vec3 offset = standing_offset(a, 150, b, 80);
-    const auto seen = [](const Clip& of, std::int64_t frame) { // from the hips
+    const auto seen = [](const Clip& of, std::int64_t frame) { // relative to the hips
         return joint_position(*of.skeleton, of.values.row(frame), left_foot) -
                joint_position(*of.skeleton, of.values.row(frame), 0);
     };
     const Vec3 expected = seen(other, 80) - seen(clip, 150);
     assert_true(std::abs(expected[2]) > 4);
     ASSERT_NEAR(offset[2], expected[2], 0.02 * std::abs(expected[2]));
-    // The same frame against itself: nothing.
+    // The same frame: no offset.
     ASSERT_NEAR(stltsa::clip::norm(standing_offset(a, 50, a, 50)), 0, 1e-12);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the tests of src/synthesis share: a figure that walks.
+// Shared by the tests of src/synthesis: a walking figure.
 #pragma once
 
 #include <cmath>
@@ -54,9 +54,9 @@ struct Walk {
     double fps = 60;
     double seconds = 4;
     double period = 1;
-    double phase = 0;   ///< of the cycle at the start
+    double phase = 0;   ///< share of the cycle at the start
     double turn = 0;    ///< degrees about the up axis, at the start
-    double turning = 0; ///< degrees a second
+    double turning = 0; ///< degrees per second
     double x = 0, z = 0;
     double speed = 120;
     double arms = 0; ///< degrees by which the arm is raised
@@ -97,7 +97,7 @@ inline Clip walking(const Walk& walk) {
 
 inline constexpr std::int64_t world_channels = 4;
 
-/// The clip with a joint above its root, which rests, out of place and turned.
+/// The clip with a joint above its root, which rests, displaced and turned.
 inline Clip below_world(Clip clip) {
     using enum Channel;
     auto& joints = clip.skeleton->joints;
@@ -115,8 +115,8 @@ inline Clip below_world(Clip clip) {
     return clip;
 }
 
-/// The clip with a joint above its root that moves where the root moved. The root keeps `own`
-/// position channels: none, its height, or all three, which rest.
+/// The clip with a joint above its root that takes over the root's movement. The root keeps `own`
+/// position channels: none, its height, or all three, constant.
 inline Clip below_carrier(Clip clip, int own) {
     using enum Channel;
     auto& joints = clip.skeleton->joints;

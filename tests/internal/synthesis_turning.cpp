@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Loops of those who walk straight and of those who turn.
+// Loops of straight walks and of turning walks.
 #include "clip_testing.hpp"
 #include "synthesis/synthesis.hpp"
 #include "synthesis_testing.hpp"
@@ -12,7 +12,7 @@ namespace {
 constexpr double degree = std::numbers::pi / 180;
 constexpr std::int64_t repeats = 12;
 
-/// A walk of cycles of 60 frames whose heading, in degrees, is 5 sin of the cycle and this.
+/// A walk with cycles of 60 frames whose heading, in degrees, is 5 sin of the cycle plus this.
 template <class Heading>
 Clip heading_for(const Heading& heading) {
     Walk walk;
@@ -32,8 +32,8 @@ Clip heading_for(const Heading& heading) {
     return clip;
 }
 
-/// Degrees by which each repetition of frames [180, 240) turns, but for the first and the last,
-/// which are as they were; beside it what the source turns from cut to cut.
+/// Degrees by which each repetition of frames [180, 240) turns, except the first and the last,
+/// which do not change; and the turn of the source between the cuts.
 std::pair<double, double> turns(const Clip& clip) {
     const Piece pieces[] = {{&clip, 180, 240, repeats}};
     Options options;
@@ -53,10 +53,10 @@ std::pair<double, double> turns(const Clip& clip) {
             turned(track_of(clip), first.cut_begin, first.cut_end)};
 }
 
-/// Now a little to the left, now to the right: the cycle that is repeated happens to end elsewhere.
+/// Swaying left and right: the repeated cycle happens to end at another heading.
 void a_straight_walk_stays_straight(void**) {
     const auto [loop, source] = turns(heading_for([](double t) { return 2.5 * std::sin(2 * t); }));
-    assert_true(std::abs(source) > 1); // else this is no test
+    assert_true(std::abs(source) > 1); // otherwise the test is void
     ASSERT_NEAR(loop, 0, 1e-6);
 }
 
@@ -68,7 +68,7 @@ void who_turns_goes_on_turning(void**) {
     }
 }
 
-/// Straight on before and to the other side later: a turn is more than the heading swings anyway.
+/// Straight before, and to the other side later: only more than the usual sway is a turn.
 void a_turn_of_one_cycle_is_repeated(void**) {
     const auto [loop, source] = turns(heading_for([](double t) {
         return t < 3 ? 0.5 * std::sin(7 * t) : t < 4 ? 40 * (t - 3) : 80 - 10 * t;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What all tests of single rooms share: cmocka for C++, and comparing numbers.
+// Shared by all tests of single rooms: cmocka for C++, and comparing numbers.
 #pragma once
 
-// cmocka.h needs these before it.
+// cmocka.h needs these headers first.
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -10,7 +10,7 @@
 extern "C" {
 #include <cmocka.h>
 }
-#undef fail // a macro, where stltsa::fail is a function
+#undef fail // a macro, but stltsa::fail is a function
 #define FAIL(...) (print_error(__VA_ARGS__), print_error("\n"), _fail(__FILE__, __LINE__))
 
 namespace testing {
