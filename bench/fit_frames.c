@@ -86,7 +86,7 @@ static void print_model(const stltsa_model* model) {
 static long long fit_memory(const stltsa_in* in, const stltsa_options* options) {
     const long long before = peak_memory();
     stltsa_model* model = NULL;
-    check(stltsa_fit(in, NULL, 0, options, &model));
+    check(stltsa_fit(in, NULL, options, &model));
     stltsa_model_free(model);
     return peak_memory() - before;
 }
@@ -108,7 +108,7 @@ int main(int argc, char** argv) {
     processor = seconds_of(CLOCK_PROCESS_CPUTIME_ID);
     seconds = seconds_of(CLOCK_MONOTONIC);
     times = start_stages(CLOCK_MONOTONIC);
-    check(stltsa_fit(&in, NULL, 0, options, &model));
+    check(stltsa_fit(&in, NULL, options, &model));
     seconds = seconds_of(CLOCK_MONOTONIC) - seconds;
     processor = seconds_of(CLOCK_PROCESS_CPUTIME_ID) - processor;
     printf("{\"seconds\": %.6f, \"processor\": %.6f, \"memory\": %lld, \"stages\": {", seconds,

@@ -49,7 +49,7 @@ int main(int argc, char** argv) {
         wall = seconds_of(CLOCK_MONOTONIC);
         begin = seconds_of(CLOCK_PROCESS_CPUTIME_ID);
         times = start_stages(CLOCK_PROCESS_CPUTIME_ID);
-        check(stltsa_fit(&in, NULL, 0, options, &model));
+        check(stltsa_fit(&in, NULL, options, &model));
         total = seconds_of(CLOCK_PROCESS_CPUTIME_ID) - begin;
         wall = seconds_of(CLOCK_MONOTONIC) - wall;
         stltsa_model_free(model);

@@ -71,7 +71,7 @@ int main(void) {
     if (status == STLTSA_OK)
         status = stltsa_options_set_real(options, STLTSA_OPT_FPS, fps);
     if (status == STLTSA_OK)
-        status = stltsa_denoise(&in, NULL, 1, options, &denoising);
+        status = stltsa_denoise(&in, NULL, options, &denoising);
     if (status == STLTSA_OK)
         status = report(denoising, points);
     if (status != STLTSA_OK)

@@ -87,7 +87,7 @@ int main(void) {
     if (status == STLTSA_OK)
         status = set_options(options, &calls_left);
     if (status == STLTSA_OK)
-        status = stltsa_fit(&in, NULL, 1, options, &model); /* lengths NULL: one clip */
+        status = stltsa_fit(&in, NULL, options, &model); /* lengths NULL: one clip */
     if (status == STLTSA_OK)
         status = print_coordinates(model);
     if (status != STLTSA_OK)
@@ -96,7 +96,7 @@ int main(void) {
 
     /* The same fit, cancelled at the second report: no model, no leak. */
     calls_left = 2;
-    if (status == STLTSA_OK && stltsa_fit(&in, NULL, 1, options, &model) == STLTSA_E_CANCELLED &&
+    if (status == STLTSA_OK && stltsa_fit(&in, NULL, options, &model) == STLTSA_E_CANCELLED &&
         model == NULL)
         printf("the second fit was cancelled, as asked\n");
 

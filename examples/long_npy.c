@@ -89,7 +89,7 @@ static stltsa_status fit(const stltsa_in* frames) {
     if (status == STLTSA_OK)
         status = stltsa_options_set_int(options, STLTSA_OPT_KEEP_FRAMES, 0);
     if (status == STLTSA_OK)
-        status = stltsa_fit(frames, NULL, 0, options, &model);
+        status = stltsa_fit(frames, NULL, options, &model);
     if (status == STLTSA_OK)
         status = stltsa_model_get_int(model, STLTSA_MODEL_COMPONENTS, &components);
     if (status == STLTSA_OK)

@@ -132,9 +132,11 @@ STLTSA_API void stltsa_free(void *memory) STLTSA_NOEXCEPT;
 
 /* ---- Arrays ----------------------------------------------------------------------------- */
 
-enum { STLTSA_F32 = 1, STLTSA_F64 = 2 }; /* dtype: IEEE float32, float64, native byte order */
+/* dtype: IEEE float32, IEEE float64, 64-bit integers, in native byte order. Numbers are F32 or F64,
+ * whichever the caller has; rows, counts and labels are I64. E_ARGUMENT: another dtype. */
+enum { STLTSA_F32 = 1, STLTSA_F64 = 2, STLTSA_I64 = 3 };
 
-/* A caller's array, rows x cols: frames are rows. Strides are in bytes, may be negative, and need
+/* A caller's array, rows x cols: frames are rows, and a list is rows x 1. Strides are in bytes, may be negative, and need
  * not be multiples of the entry size; both 0 means packed rows. The entries of an output must not
  * overlap. Set reserved to 0. These two structs are frozen. */
 typedef struct stltsa_in {
@@ -534,8 +536,8 @@ STLTSA_API stltsa_status stltsa_clip_save(const stltsa_clip *clip,
 typedef struct stltsa_model stltsa_model;
 
 /* Fits a model to frames x features (finite; at least k + 1 distinct frames in a row). Several
- * clips: one after another in `frames`, `lengths[clips]` their frames, summing to rows;
- * lengths NULL: one clip. Temporal neighbors never cross clips. Every connected component of the
+ * clips: one after another in `frames`; `lengths`, clips x 1, I64, has the frames of each, which
+ * sum to rows; NULL: one clip. Temporal neighbors never cross clips. Every connected component of the
  * neighborhood graph is embedded on its own (columns centered, of unit norm); ask
  * STLTSA_MODEL_COMPONENTS before you compare coordinates across clips or cuts.
  * Numbers may be as small as they like, but not beyond 1e100.
@@ -549,7 +551,7 @@ typedef struct stltsa_model stltsa_model;
  * E_SHAPE, E_NOT_FINITE, E_TOO_FEW_FRAMES, E_ARGUMENT (needs d + 2 <= k <= w + 1), E_DEGENERATE,
  * E_NOT_CONVERGED, E_UNSUPPORTED (spatial, recurrent without CHOLMOD), E_CANCELLED,
  * E_NO_MEMORY. Section 2.2. */
-STLTSA_API stltsa_status stltsa_fit(const stltsa_in *frames, const int64_t *lengths, int64_t clips,
+STLTSA_API stltsa_status stltsa_fit(const stltsa_in *frames, const stltsa_in *lengths,
                                     const stltsa_options *options,
                                     stltsa_model **model) STLTSA_NOEXCEPT;
 
@@ -603,9 +605,9 @@ STLTSA_API stltsa_status stltsa_model_coords(const stltsa_model *model,
  * component is too small to have as many. */
 STLTSA_API stltsa_status stltsa_model_eigenvalues(const stltsa_model *model,
                                                   const stltsa_out *values) STLTSA_NOEXCEPT;
-/* Component of each row, 0-based, numbered by first row; labels[rows]. */
-STLTSA_API stltsa_status stltsa_model_components(const stltsa_model *model, int64_t rows,
-                                                 int64_t *labels) STLTSA_NOEXCEPT;
+/* rows x 1, I64: component of each row, counted from 0 in the order of their first rows. */
+STLTSA_API stltsa_status stltsa_model_components(const stltsa_model *model,
+                                                 const stltsa_out *labels) STLTSA_NOEXCEPT;
 /* What a user should know: a coordinate that only follows time, a disconnected graph,
  * rank-deficient windows, a small gap, features of very different sizes. */
 STLTSA_API int64_t stltsa_model_warning_count(const stltsa_model *model) STLTSA_NOEXCEPT;
@@ -624,7 +626,7 @@ typedef struct stltsa_dimension stltsa_dimension;
  * beside local PCA. Inputs and errors as stltsa_fit; a disconnected or degenerate graph is an
  * answer ("cannot tell"), not an error. */
 STLTSA_API stltsa_status stltsa_estimate_dimension(const stltsa_in *frames,
-                                                   const int64_t *lengths, int64_t clips,
+                                                   const stltsa_in *lengths,
                                                    const stltsa_options *options,
                                                    stltsa_dimension **dimension) STLTSA_NOEXCEPT;
 STLTSA_API stltsa_status
@@ -639,14 +641,15 @@ STLTSA_API int64_t stltsa_dimension_eigengap(const stltsa_dimension *dimension,
                                              const char **reason) STLTSA_NOEXCEPT;
 STLTSA_API int64_t stltsa_dimension_local_pca(const stltsa_dimension *dimension,
                                               const char **reason) STLTSA_NOEXCEPT;
-/* Eigenvalues of B / k, ascending, the zero one first; mean share of a neighborhood's variance
- * along its principal direction 1, 2, ... Copies at most `capacity`; returns how many there are.
- */
-STLTSA_API int64_t stltsa_dimension_eigenvalues(const stltsa_dimension *dimension,
-                                                double *values, int64_t capacity) STLTSA_NOEXCEPT;
-STLTSA_API int64_t stltsa_dimension_local_variances(const stltsa_dimension *dimension,
-                                                    double *values,
-                                                    int64_t capacity) STLTSA_NOEXCEPT;
+/* Eigenvalues of B / k, ascending, the zero one first: as many rows as STLTSA_INFO_EIGENVALUE has
+ * values (stltsa_info_count), one column. */
+STLTSA_API stltsa_status stltsa_dimension_eigenvalues(const stltsa_dimension *dimension,
+                                                      const stltsa_out *values) STLTSA_NOEXCEPT;
+/* Mean share of a neighborhood's variance along its principal direction 1, 2, ...: as many rows as
+ * STLTSA_INFO_LOCAL_VARIANCE has values, one column. */
+STLTSA_API stltsa_status
+stltsa_dimension_local_variances(const stltsa_dimension *dimension,
+                                 const stltsa_out *shares) STLTSA_NOEXCEPT;
 STLTSA_API stltsa_status stltsa_dimension_json(const stltsa_dimension *dimension,
                                                char **json) STLTSA_NOEXCEPT;
 
@@ -727,6 +730,11 @@ STLTSA_API stltsa_status stltsa_decomposition_get_real(const stltsa_decompositio
 /* The smoothed coordinate that was cut: samples x 1. */
 STLTSA_API stltsa_status stltsa_decomposition_curve(const stltsa_decomposition *decomposition,
                                                     const stltsa_out *curve) STLTSA_NOEXCEPT;
+/* All coordinates of the fit that was cut, not smoothed: samples x STLTSA_DECOMPOSITION_DIMENSION;
+ * zeros if there was nothing to fit (STLTSA_DECOMPOSITION_COORDINATE 0). Samples outside the moving
+ * part of the clip have the coordinates of its nearest end. */
+STLTSA_API stltsa_status stltsa_decomposition_coords(const stltsa_decomposition *decomposition,
+                                                     const stltsa_out *coords) STLTSA_NOEXCEPT;
 /* The two coordinates of the loop (Fig. 1): samples x 2. */
 STLTSA_API stltsa_status stltsa_decomposition_loop(const stltsa_decomposition *decomposition,
                                                    const stltsa_out *loop) STLTSA_NOEXCEPT;
@@ -752,21 +760,21 @@ STLTSA_API stltsa_status stltsa_decomposition_json(const stltsa_decomposition *d
  * meant, else it is the first of them.
  *
  * frames    rows x features of the model, finite
- * hints     NULL, or for each row the model row near which it is looked for (within
- *           STLTSA_OPT_HINT_WINDOW rows of the same clip), -1: everywhere. For a stream: the nearest
- *           row of the frame before, plus a small STLTSA_OPT_HINT_WINDOW, so that time never runs
- *           back.
+ * hints     NULL, or rows x 1, I64: the model row near which each row is looked for (within
+ *           STLTSA_OPT_HINT_WINDOW rows of the same clip), -1: everywhere. For a stream: the
+ *           nearest row of the frame before, plus a small STLTSA_OPT_HINT_WINDOW, so that time
+ *           never runs back.
  * coords    rows x d
  * distance  NULL, or rows x 1: distance from the fitted frames over STLTSA_MODEL_REACH. Beyond 1
  *           the frame is unlike what was learned, and its coordinates mean little.
- * nearest   NULL, or the nearest model row of each row; its component (stltsa_model_components) is
- *           the one that the coordinates belong to
+ * nearest   NULL, or rows x 1, I64: the nearest model row of each row; the coordinates belong to
+ *           the component of that row (stltsa_model_components)
  * Options: map_neighbors, map_blend, hint_window, threads, progress. E_SHAPE, E_NOT_FINITE,
  * E_ARGUMENT, E_UNSUPPORTED (the model kept no frames), E_CANCELLED. */
 STLTSA_API stltsa_status stltsa_map(const stltsa_model *model, const stltsa_in *frames,
-                                    const int64_t *hints, const stltsa_options *options,
+                                    const stltsa_in *hints, const stltsa_options *options,
                                     const stltsa_out *coords, const stltsa_out *distance,
-                                    int64_t *nearest) STLTSA_NOEXCEPT;
+                                    const stltsa_out *nearest) STLTSA_NOEXCEPT;
 
 /* The same for every source frame of a clip: rows = stltsa_clip_frames(clip). Features, up axis and
  * smoothing are the model's; so a clip that was fitted gets its own coordinates at its model rows.
@@ -774,7 +782,7 @@ STLTSA_API stltsa_status stltsa_map(const stltsa_model *model, const stltsa_in *
 STLTSA_API stltsa_status stltsa_map_clip(const stltsa_model *model, const stltsa_clip *clip,
                                          const stltsa_options *options, const stltsa_out *coords,
                                          const stltsa_out *distance,
-                                         int64_t *nearest) STLTSA_NOEXCEPT;
+                                         const stltsa_out *nearest) STLTSA_NOEXCEPT;
 
 /* The way back: frames (rows x features) from points of the manifold (rows x d). Distance is the
  * point's from the rows of the model, over what is common between neighboring ones; beyond 1 the
@@ -785,9 +793,9 @@ STLTSA_API stltsa_status stltsa_map_clip(const stltsa_model *model, const stltsa
  * their lengths. Options: as stltsa_map, and component. E_DISCONNECTED: the model has several
  * components, and option component does not say which. */
 STLTSA_API stltsa_status stltsa_unmap(const stltsa_model *model, const stltsa_in *coords,
-                                      const int64_t *hints, const stltsa_options *options,
+                                      const stltsa_in *hints, const stltsa_options *options,
                                       const stltsa_out *frames, const stltsa_out *distance,
-                                      int64_t *nearest) STLTSA_NOEXCEPT;
+                                      const stltsa_out *nearest) STLTSA_NOEXCEPT;
 
 /* Poses from points of the manifold, as a clip with the skeleton that was fitted: rotations of all
  * joints, height and tilt; the body stays over the origin and faces one way. A point becomes a
@@ -795,8 +803,8 @@ STLTSA_API stltsa_status stltsa_unmap(const stltsa_model *model, const stltsa_in
  * is the rate of that clip; 0: STLTSA_MODEL_FPS, the rate of the rows. Other options: as
  * stltsa_unmap. E_UNSUPPORTED for a model of bare numbers, E_SHAPE for no points at all. */
 STLTSA_API stltsa_status stltsa_unmap_clip(const stltsa_model *model, const stltsa_in *coords,
-                                           const int64_t *hints, const stltsa_options *options,
-                                           const stltsa_out *distance, int64_t *nearest,
+                                           const stltsa_in *hints, const stltsa_options *options,
+                                           const stltsa_out *distance, const stltsa_out *nearest,
                                            stltsa_clip **poses) STLTSA_NOEXCEPT;
 
 /* ---- Model files ------------------------------------------------------------------------- */
@@ -824,8 +832,8 @@ typedef struct stltsa_denoising stltsa_denoising;
  * it. Several clips: as in stltsa_fit; each has a spline of its own. Look for extrema and margins on
  * the curve, never on the moved points. Options: gamma, knot_spacing, robust, fps, period_min,
  * period_max, progress. E_SHAPE, E_NOT_FINITE, E_TOO_FEW_FRAMES (fewer than 8 rows in a clip). */
-STLTSA_API stltsa_status stltsa_denoise(const stltsa_in *coords, const int64_t *lengths,
-                                        int64_t clips, const stltsa_options *options,
+STLTSA_API stltsa_status stltsa_denoise(const stltsa_in *coords, const stltsa_in *lengths,
+                                        const stltsa_options *options,
                                         stltsa_denoising **denoising) STLTSA_NOEXCEPT;
 /* The coordinates of a model, component by component; rate and period are the model's. */
 STLTSA_API stltsa_status stltsa_denoise_model(const stltsa_model *model,

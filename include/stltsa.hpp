@@ -152,6 +152,21 @@ inline stltsa_out out(std::vector<double>& column) noexcept {
     return {column.data(), static_cast<std::int64_t>(column.size()), 1, 0, 0, STLTSA_F64, 0};
 }
 
+inline stltsa_out out(std::vector<std::int64_t>& list) noexcept {
+    return {list.data(), static_cast<std::int64_t>(list.size()), 1, 0, 0, STLTSA_I64, 0};
+}
+
+/// A list as the library reads it; an empty one is none.
+class List {
+  public:
+    explicit List(std::span<const std::int64_t> list)
+        : in_{list.data(), static_cast<std::int64_t>(list.size()), 1, 0, 0, STLTSA_I64, 0} {}
+    const stltsa_in* get() const noexcept { return in_.rows == 0 ? nullptr : &in_; }
+
+  private:
+    stltsa_in in_;
+};
+
 template <class Fill, class T, class... Arguments>
 Matrix matrix(Fill fill, const T* handle, std::int64_t rows, std::int64_t cols,
               Arguments... arguments) {
@@ -435,9 +450,9 @@ class Model {
     }
     /// The component of each row.
     std::vector<std::int64_t> components() const {
-        const std::int64_t rows = integer(STLTSA_MODEL_FRAMES);
-        std::vector<std::int64_t> labels(static_cast<std::size_t>(rows));
-        detail::check(stltsa_model_components(get(), rows, labels.data()));
+        std::vector<std::int64_t> labels(static_cast<std::size_t>(integer(STLTSA_MODEL_FRAMES)));
+        const stltsa_out out = detail::out(labels);
+        detail::check(stltsa_model_components(get(), &out));
         return labels;
     }
     std::vector<std::string> warnings() const {
@@ -453,8 +468,9 @@ class Model {
         Mapped result = room(clip.frames(), integer(STLTSA_MODEL_DIMENSION));
         const stltsa_out values = detail::out(result.values);
         const stltsa_out distance = detail::out(result.distance);
-        detail::check(stltsa_map_clip(get(), clip.get(), options.get(), &values, &distance,
-                                      result.nearest.data()));
+        const stltsa_out nearest = detail::out(result.nearest);
+        detail::check(
+            stltsa_map_clip(get(), clip.get(), options.get(), &values, &distance, &nearest));
         return result;
     }
     Mapped unmap(const MatrixView& coords, const Options& options = {}, Hints hints = {}) const {
@@ -462,11 +478,12 @@ class Model {
     }
     Poses unmap_clip(const MatrixView& coords, const Options& options = {},
                      Hints hints = {}) const {
-        check_hints(coords, hints);
         Mapped result = room(coords.rows(), 0);
         const stltsa_out distance = detail::out(result.distance);
-        Clip clip = detail::made<Clip>(stltsa_unmap_clip, get(), coords.get(), pointer(hints),
-                                       options.get(), &distance, result.nearest.data());
+        const stltsa_out nearest = detail::out(result.nearest);
+        Clip clip =
+            detail::made<Clip>(stltsa_unmap_clip, get(), coords.get(), detail::List(hints).get(),
+                               options.get(), &distance, &nearest);
         return {std::move(clip), std::move(result.distance), std::move(result.nearest)};
     }
 
@@ -477,23 +494,15 @@ class Model {
         const auto count = static_cast<std::size_t>(rows);
         return {Matrix(rows, cols), std::vector<double>(count), std::vector<std::int64_t>(count)};
     }
-    static const std::int64_t* pointer(Hints hints) {
-        return hints.empty() ? nullptr : hints.data();
-    }
-    static void check_hints(const MatrixView& rows, Hints hints) {
-        if (!hints.empty() && static_cast<std::int64_t>(hints.size()) != rows.rows())
-            throw Error(STLTSA_E_SHAPE, std::to_string(hints.size()) + " hints are given for " +
-                                            std::to_string(rows.rows()) + " rows");
-    }
     template <class Map>
     Mapped mapped(Map call, std::int64_t cols, const MatrixView& rows, const Options& options,
                   Hints hints) const {
-        check_hints(rows, hints);
         Mapped result = room(rows.rows(), cols);
         const stltsa_out values = detail::out(result.values);
         const stltsa_out distance = detail::out(result.distance);
-        detail::check(call(get(), rows.get(), pointer(hints), options.get(), &values, &distance,
-                           result.nearest.data()));
+        const stltsa_out nearest = detail::out(result.nearest);
+        detail::check(call(get(), rows.get(), detail::List(hints).get(), options.get(), &values,
+                           &distance, &nearest));
         return result;
     }
 
@@ -505,13 +514,10 @@ using Lengths = std::span<const std::int64_t>;
 
 namespace detail {
 
-/// Calls make(in, lengths, clips, options, ...) as the C functions of several clips have it.
+/// Calls make(in, lengths, options, ...) as the C functions of several clips have it.
 template <class T, class Make>
 T made_of_rows(Make make, const MatrixView& rows, const Options& options, Lengths lengths) {
-    const bool one = lengths.empty();
-    return made<T>(make, rows.get(), one ? nullptr : lengths.data(),
-                   one ? std::int64_t{1} : static_cast<std::int64_t>(lengths.size()),
-                   options.get());
+    return made<T>(make, rows.get(), List(lengths).get(), options.get());
 }
 
 } // namespace detail
@@ -535,8 +541,12 @@ class Dimension {
 
     Estimate eigengap() const { return estimate(stltsa_dimension_eigengap); }
     Estimate local_pca() const { return estimate(stltsa_dimension_local_pca); }
-    std::vector<double> eigenvalues() const { return values(stltsa_dimension_eigenvalues); }
-    std::vector<double> local_variances() const { return values(stltsa_dimension_local_variances); }
+    std::vector<double> eigenvalues() const {
+        return values(STLTSA_INFO_EIGENVALUE, stltsa_dimension_eigenvalues);
+    }
+    std::vector<double> local_variances() const {
+        return values(STLTSA_INFO_LOCAL_VARIANCE, stltsa_dimension_local_variances);
+    }
     Info info() const noexcept { return Info(stltsa_dimension_info(get())); }
     std::string json() const { return detail::json(stltsa_dimension_json, get()); }
 
@@ -549,12 +559,9 @@ class Dimension {
         const std::int64_t dimension = of(get(), &reason);
         return {dimension, reason};
     }
-    template <class Get>
-    std::vector<double> values(Get of) const {
-        const std::int64_t count = of(get(), nullptr, 0);
-        std::vector<double> result(static_cast<std::size_t>(count));
-        of(get(), result.data(), count);
-        return result;
+    template <class Fill>
+    std::vector<double> values(std::int32_t key, Fill fill) const {
+        return detail::matrix(fill, get(), info().count(key), 1).values;
     }
 
     detail::Handle<stltsa_dimension, stltsa_dimension_free> handle_;
@@ -595,6 +602,9 @@ class Decomposition {
         return detail::got<double>(stltsa_decomposition_get_real, get(), key);
     }
     Matrix curve() const { return samples(stltsa_decomposition_curve, 1); }
+    Matrix coords() const {
+        return samples(stltsa_decomposition_coords, integer(STLTSA_DECOMPOSITION_DIMENSION));
+    }
     Matrix loop() const { return samples(stltsa_decomposition_loop, 2); }
     std::string reason() const { return stltsa_decomposition_reason(get()); }
     std::vector<std::string> warnings() const {

@@ -9,13 +9,16 @@
 namespace stltsa::capi {
 namespace {
 
-std::int64_t entry_size(std::int32_t dtype, const char* name) {
-    if (dtype == STLTSA_F32)
-        return sizeof(float);
-    if (dtype == STLTSA_F64)
-        return sizeof(double);
-    fail(Status::argument, "{}: dtype is {}; STLTSA_F32 ({}) or STLTSA_F64 ({}) is needed", name,
-         dtype, static_cast<int>(STLTSA_F32), static_cast<int>(STLTSA_F64));
+enum class Entries { numbers, integers };
+
+std::int64_t entry_size(std::int32_t dtype, const char* name, Entries entries) {
+    if (entries == Entries::integers && dtype != STLTSA_I64)
+        fail(Status::argument, "{}: dtype is {}; STLTSA_I64 ({}) is needed", name, dtype,
+             static_cast<int>(STLTSA_I64));
+    if (entries == Entries::numbers && dtype != STLTSA_F32 && dtype != STLTSA_F64)
+        fail(Status::argument, "{}: dtype is {}; STLTSA_F32 ({}) or STLTSA_F64 ({}) is needed",
+             name, dtype, static_cast<int>(STLTSA_F32), static_cast<int>(STLTSA_F64));
+    return dtype == STLTSA_F32 ? 4 : 8;
 }
 
 struct Strides {
@@ -33,9 +36,9 @@ void check_step(const char* name, const char* which, std::int64_t count, std::in
 
 /// The checks that both directions share; returns the strides in bytes.
 template <class Array>
-Strides check_array(const Array* array, const char* name) {
+Strides check_array(const Array* array, const char* name, Entries entries) {
     const Array& a = required(array, name);
-    const std::int64_t size = entry_size(a.dtype, name);
+    const std::int64_t size = entry_size(a.dtype, name, entries);
     if (a.reserved != 0)
         fail(Status::argument, "{}: reserved is {}; it must be 0", name, a.reserved);
     if (a.rows < 0 || a.cols < 0)
@@ -49,24 +52,28 @@ Strides check_array(const Array* array, const char* name) {
 }
 
 /// Entries need not be aligned.
-double load(const char* at, std::int32_t dtype) {
-    if (dtype == STLTSA_F32) {
-        float value;
-        std::memcpy(&value, at, sizeof value);
-        return value;
-    }
-    double value;
+template <class Entry>
+Entry load(const char* at) {
+    Entry value;
     std::memcpy(&value, at, sizeof value);
     return value;
 }
 
-void store(char* at, std::int32_t dtype, double value) {
-    if (dtype == STLTSA_F32) {
-        const float narrow = static_cast<float>(value);
-        std::memcpy(at, &narrow, sizeof narrow);
-    } else {
-        std::memcpy(at, &value, sizeof value);
-    }
+template <class Entry>
+void store(char* at, Entry value) {
+    std::memcpy(at, &value, sizeof value);
+}
+
+Strides check_output(const stltsa_out* out, const char* name, std::int64_t rows, std::int64_t cols,
+                     Entries entries) {
+    const Strides strides = check_array(out, name, entries);
+    const std::int64_t size = entry_size(out->dtype, name, entries);
+    check_step(name, "row_stride", out->rows, strides.row, size);
+    check_step(name, "col_stride", out->cols, strides.col, size);
+    if (out->rows != rows || out->cols != cols)
+        fail(Status::shape, "{}: the array is {} x {}; {} x {} is needed", name, out->rows,
+             out->cols, rows, cols);
+    return strides;
 }
 
 bool is_packed_double(const stltsa_in& in, Strides strides) {
@@ -78,7 +85,7 @@ bool is_packed_double(const stltsa_in& in, Strides strides) {
 } // namespace
 
 InputFrames::InputFrames(const stltsa_in* in, const char* name) {
-    const Strides strides = check_array(in, name);
+    const Strides strides = check_array(in, name, Entries::numbers);
     if (is_packed_double(*in, strides)) {
         view_ = {static_cast<const double*>(in->data), in->rows, in->cols, in->cols};
         return;
@@ -86,44 +93,64 @@ InputFrames::InputFrames(const stltsa_in* in, const char* name) {
     copy_ = Matrix(in->rows, in->cols);
     const char* bytes = static_cast<const char*>(in->data);
     for (std::int64_t r = 0; r < in->rows; ++r)
-        for (std::int64_t c = 0; c < in->cols; ++c)
-            copy_(r, c) = load(bytes + r * strides.row + c * strides.col, in->dtype);
+        for (std::int64_t c = 0; c < in->cols; ++c) {
+            const char* at = bytes + r * strides.row + c * strides.col;
+            copy_(r, c) = in->dtype == STLTSA_F32 ? load<float>(at) : load<double>(at);
+        }
     view_ = static_cast<const Matrix&>(copy_).view();
 }
 
+std::vector<std::int64_t> input_integers(const stltsa_in* in, const char* name) {
+    const Strides strides = check_array(in, name, Entries::integers);
+    if (in->cols != 1)
+        fail(Status::shape, "{}: the array is {} x {}; it must have one column", name, in->rows,
+             in->cols);
+    std::vector<std::int64_t> values;
+    const char* bytes = static_cast<const char*>(in->data);
+    for (std::int64_t r = 0; r < in->rows; ++r)
+        values.push_back(load<std::int64_t>(bytes + r * strides.row));
+    return values;
+}
+
 void check_output(const stltsa_out* out, const char* name, std::int64_t rows, std::int64_t cols) {
-    const Strides strides = check_array(out, name);
-    check_step(name, "row_stride", out->rows, strides.row, entry_size(out->dtype, name));
-    check_step(name, "col_stride", out->cols, strides.col, entry_size(out->dtype, name));
-    if (out->rows != rows || out->cols != cols)
-        fail(Status::shape, "{}: the array is {} x {}; {} x {} is needed", name, out->rows,
-             out->cols, rows, cols);
+    check_output(out, name, rows, cols, Entries::numbers);
+}
+
+void check_integers(const stltsa_out* out, const char* name, std::int64_t rows) {
+    check_output(out, name, rows, 1, Entries::integers);
 }
 
 void write_output(const stltsa_out* out, const char* name, ConstMatrixView values) {
-    check_output(out, name, values.rows, values.cols);
-    const Strides strides = check_array(out, name);
+    const Strides strides = check_output(out, name, values.rows, values.cols, Entries::numbers);
     char* bytes = static_cast<char*>(out->data);
     for (std::int64_t r = 0; r < values.rows; ++r)
-        for (std::int64_t c = 0; c < values.cols; ++c)
-            store(bytes + r * strides.row + c * strides.col, out->dtype, values(r, c));
+        for (std::int64_t c = 0; c < values.cols; ++c) {
+            char* at = bytes + r * strides.row + c * strides.col;
+            if (out->dtype == STLTSA_F32)
+                store(at, static_cast<float>(values(r, c)));
+            else
+                store(at, values(r, c));
+        }
 }
 
 void write_column(const stltsa_out* out, const char* name, const std::vector<double>& values) {
     write_output(out, name, {values.data(), static_cast<std::int64_t>(values.size()), 1, 1});
 }
 
-std::vector<std::int64_t> clip_lengths(const std::int64_t* lengths, std::int64_t clips,
-                                       std::int64_t rows) {
-    if (lengths == nullptr) {
-        if (clips > 1)
-            fail(Status::argument, "lengths is NULL and clips is {}; give the clips' lengths",
-                 clips);
+void write_integers(const stltsa_out* out, const char* name, std::span<const std::int64_t> values) {
+    const auto rows = static_cast<std::int64_t>(values.size());
+    const Strides strides = check_output(out, name, rows, 1, Entries::integers);
+    char* at = static_cast<char*>(out->data);
+    for (std::int64_t r = 0; r < rows; ++r)
+        store(at + r * strides.row, values[static_cast<std::size_t>(r)]);
+}
+
+std::vector<std::int64_t> clip_lengths(const stltsa_in* lengths, std::int64_t rows) {
+    if (lengths == nullptr)
         return {rows};
-    }
-    if (clips < 1 || clips > rows)
-        fail(Status::shape, "clips is {}; there are {} frames", clips, rows);
-    return {lengths, lengths + clips};
+    if (lengths->rows < 1 || lengths->rows > rows)
+        fail(Status::shape, "lengths has {} rows; there are {} frames", lengths->rows, rows);
+    return input_integers(lengths, "lengths");
 }
 
 } // namespace stltsa::capi

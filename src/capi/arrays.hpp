@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Callers' arrays of any stride and of either float type, to and from our own matrices.
+// Callers' arrays of any stride and type, to and from our own matrices.
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "linalg/matrix.hpp"
@@ -22,16 +23,22 @@ class InputFrames {
     ConstMatrixView view_;
 };
 
-/// Throws unless the caller's array is rows x cols and can be written.
+/// The caller's column of integers.
+std::vector<std::int64_t> input_integers(const stltsa_in* in, const char* name);
+
+/// Throws unless the caller's array holds numbers, is rows x cols and can be written.
 void check_output(const stltsa_out* out, const char* name, std::int64_t rows, std::int64_t cols);
+/// Throws unless the caller's array holds integers, is rows x 1 and can be written.
+void check_integers(const stltsa_out* out, const char* name, std::int64_t rows);
 
 /// Checks, then writes `values` (rows x cols) into the caller's array.
 void write_output(const stltsa_out* out, const char* name, ConstMatrixView values);
 /// The same for one column.
 void write_column(const stltsa_out* out, const char* name, const std::vector<double>& values);
+/// The same for a column of integers.
+void write_integers(const stltsa_out* out, const char* name, std::span<const std::int64_t> values);
 
-/// `lengths[clips]`, or one clip of all rows where lengths is NULL.
-std::vector<std::int64_t> clip_lengths(const std::int64_t* lengths, std::int64_t clips,
-                                       std::int64_t rows);
+/// The rows of each clip; NULL: one clip of all rows.
+std::vector<std::int64_t> clip_lengths(const stltsa_in* lengths, std::int64_t rows);
 
 } // namespace stltsa::capi

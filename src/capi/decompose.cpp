@@ -251,6 +251,14 @@ stltsa_status stltsa_decomposition_curve(const stltsa_decomposition* decompositi
     });
 }
 
+stltsa_status stltsa_decomposition_coords(const stltsa_decomposition* decomposition,
+                                          const stltsa_out* coords) noexcept {
+    return guard([&] {
+        capi::write_output(coords, "coords",
+                           required(decomposition, "decomposition").result.coords.view());
+    });
+}
+
 stltsa_status stltsa_decomposition_loop(const stltsa_decomposition* decomposition,
                                         const stltsa_out* loop) noexcept {
     return guard([&] {

@@ -115,14 +115,14 @@ stltsa_status write_matrix(const stltsa_denoising* denoising, Matrix motion::Den
 
 } // namespace
 
-stltsa_status stltsa_denoise(const stltsa_in* coords, const int64_t* lengths, int64_t clips,
+stltsa_status stltsa_denoise(const stltsa_in* coords, const stltsa_in* lengths,
                              const stltsa_options* options, stltsa_denoising** denoising) noexcept {
     return guard([&] {
         required(denoising, "denoising") = nullptr;
         const capi::InputFrames input(coords, "coords");
         const capi::OptionsReader reader(options);
-        *denoising = denoise(input.view(), capi::clip_lengths(lengths, clips, input.view().rows),
-                             reader, capi::matrix_source(input.view(), reader))
+        *denoising = denoise(input.view(), capi::clip_lengths(lengths, input.view().rows), reader,
+                             capi::matrix_source(input.view(), reader))
                          .release();
     });
 }

@@ -55,26 +55,18 @@ std::unique_ptr<stltsa_dimension> estimate_samples(ConstMatrixView samples,
     return result;
 }
 
-int64_t copy_values(const std::vector<double>& from, double* values, int64_t capacity) {
-    if (values != nullptr)
-        std::copy_n(from.begin(),
-                    std::clamp<int64_t>(capacity, 0, static_cast<int64_t>(from.size())), values);
-    return static_cast<int64_t>(from.size());
-}
-
 } // namespace
 
-stltsa_status stltsa_estimate_dimension(const stltsa_in* frames, const int64_t* lengths,
-                                        int64_t clips, const stltsa_options* options,
+stltsa_status stltsa_estimate_dimension(const stltsa_in* frames, const stltsa_in* lengths,
+                                        const stltsa_options* options,
                                         stltsa_dimension** dimension) noexcept {
     return guard([&] {
         required(dimension, "dimension") = nullptr;
         const capi::InputFrames input(frames, "frames");
         const capi::OptionsReader reader(options);
-        *dimension =
-            estimate_samples(input.view(), capi::clip_lengths(lengths, clips, input.view().rows),
-                             reader, capi::matrix_source(input.view(), reader))
-                .release();
+        *dimension = estimate_samples(input.view(), capi::clip_lengths(lengths, input.view().rows),
+                                      reader, capi::matrix_source(input.view(), reader))
+                         .release();
     });
 }
 
@@ -107,17 +99,20 @@ int64_t stltsa_dimension_local_pca(const stltsa_dimension* dimension,
     return dimension == nullptr ? 0 : dimension->dimension.local_pca;
 }
 
-int64_t stltsa_dimension_eigenvalues(const stltsa_dimension* dimension, double* values,
-                                     int64_t capacity) noexcept {
-    return dimension == nullptr ? 0
-                                : copy_values(dimension->dimension.eigenvalues, values, capacity);
+stltsa_status stltsa_dimension_eigenvalues(const stltsa_dimension* dimension,
+                                           const stltsa_out* values) noexcept {
+    return guard([&] {
+        capi::write_column(values, "values",
+                           required(dimension, "dimension").dimension.eigenvalues);
+    });
 }
 
-int64_t stltsa_dimension_local_variances(const stltsa_dimension* dimension, double* values,
-                                         int64_t capacity) noexcept {
-    return dimension == nullptr
-               ? 0
-               : copy_values(dimension->dimension.local_variances, values, capacity);
+stltsa_status stltsa_dimension_local_variances(const stltsa_dimension* dimension,
+                                               const stltsa_out* shares) noexcept {
+    return guard([&] {
+        capi::write_column(shares, "shares",
+                           required(dimension, "dimension").dimension.local_variances);
+    });
 }
 
 stltsa_status stltsa_dimension_json(const stltsa_dimension* dimension, char** json) noexcept {

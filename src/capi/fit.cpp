@@ -132,13 +132,13 @@ double real_of(const stltsa_model& model, int32_t key) {
 
 } // namespace
 
-stltsa_status stltsa_fit(const stltsa_in* frames, const int64_t* lengths, int64_t clips,
+stltsa_status stltsa_fit(const stltsa_in* frames, const stltsa_in* lengths,
                          const stltsa_options* options, stltsa_model** model) noexcept {
     return guard([&] {
         required(model, "model") = nullptr;
         const capi::InputFrames input(frames, "frames");
         const capi::OptionsReader reader(options);
-        auto made = fit_samples(input.view(), capi::clip_lengths(lengths, clips, input.view().rows),
+        auto made = fit_samples(input.view(), capi::clip_lengths(lengths, input.view().rows),
                                 reader, capi::matrix_source(input.view(), reader));
         if (reader.integer(STLTSA_OPT_KEEP_FRAMES) != 0)
             made->kept.frames = copied(input.view());
@@ -196,13 +196,11 @@ stltsa_status stltsa_model_eigenvalues(const stltsa_model* model,
     });
 }
 
-stltsa_status stltsa_model_components(const stltsa_model* model, int64_t rows,
-                                      int64_t* labels) noexcept {
+stltsa_status stltsa_model_components(const stltsa_model* model,
+                                      const stltsa_out* labels) noexcept {
     return guard([&] {
         const auto& component_of = required(model, "model").model.component_of;
-        if (rows != static_cast<int64_t>(component_of.size()))
-            fail(Status::shape, "rows is {}; the model has {}", rows, component_of.size());
-        std::copy(component_of.begin(), component_of.end(), &required(labels, "labels"));
+        capi::write_integers(labels, "labels", {component_of.begin(), component_of.end()});
     });
 }
 

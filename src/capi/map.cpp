@@ -52,21 +52,25 @@ void check_points(ConstMatrixView points, const char* name, std::int64_t cols, c
 /// The caller's hints, or none.
 class Hints {
   public:
-    Hints(const std::int64_t* hints, std::int64_t rows, const stltsa_model& model) : hints_(hints) {
+    Hints(const stltsa_in* hints, std::int64_t rows, const stltsa_model& model) {
+        if (hints == nullptr)
+            return;
+        if (hints->rows != rows)
+            fail(Status::shape, "hints has {} rows; {} are needed", hints->rows, rows);
+        rows_ = capi::input_integers(hints, "hints");
         const std::int64_t count = model.model.coords.rows();
-        for (std::int64_t r = 0; hints != nullptr && r < rows; ++r)
-            if (hints[r] < ltsa::no_hint || hints[r] >= count)
+        for (std::size_t r = 0; r < rows_.size(); ++r)
+            if (rows_[r] < ltsa::no_hint || rows_[r] >= count)
                 fail(Status::argument,
-                     "hint {} is {}; it must be a row of the model, 0 to {}, or "
-                     "-1 for none",
-                     r, hints[r], count - 1);
+                     "hint {} is {}; it must be a row of the model, 0 to {}, or -1 for none", r,
+                     rows_[r], count - 1);
     }
     std::int64_t operator[](std::int64_t row) const {
-        return hints_ == nullptr ? ltsa::no_hint : hints_[row];
+        return rows_.empty() ? ltsa::no_hint : rows_[static_cast<std::size_t>(row)];
     }
 
   private:
-    const std::int64_t* hints_;
+    std::vector<std::int64_t> rows_;
 };
 
 /// Where points lie on the model.
@@ -78,15 +82,17 @@ struct Placed {
         : distance(static_cast<std::size_t>(rows)), nearest(static_cast<std::size_t>(rows)) {}
 
     /// NULL where the caller does not ask.
-    static void check(const stltsa_out* distance, std::int64_t rows) {
+    static void check(const stltsa_out* distance, const stltsa_out* nearest, std::int64_t rows) {
         if (distance != nullptr)
             capi::check_output(distance, "distance", rows, 1);
+        if (nearest != nullptr)
+            capi::check_integers(nearest, "nearest", rows);
     }
-    void write(const stltsa_out* distance_out, std::int64_t* nearest_out) const {
+    void write(const stltsa_out* distance_out, const stltsa_out* nearest_out) const {
         if (distance_out != nullptr)
             capi::write_column(distance_out, "distance", distance);
         if (nearest_out != nullptr)
-            std::copy(nearest.begin(), nearest.end(), nearest_out);
+            capi::write_integers(nearest_out, "nearest", nearest);
     }
 };
 
@@ -193,9 +199,9 @@ std::int64_t own_row(const stltsa_model& model, const Matrix& frames, std::int64
 
 } // namespace
 
-stltsa_status stltsa_map(const stltsa_model* model, const stltsa_in* frames, const int64_t* hints,
+stltsa_status stltsa_map(const stltsa_model* model, const stltsa_in* frames, const stltsa_in* hints,
                          const stltsa_options* options, const stltsa_out* coords,
-                         const stltsa_out* distance, int64_t* nearest) noexcept {
+                         const stltsa_out* distance, const stltsa_out* nearest) noexcept {
     return guard([&] {
         mapping_of(required(model, "model"));
         const capi::OptionsReader reader(options);
@@ -203,7 +209,7 @@ stltsa_status stltsa_map(const stltsa_model* model, const stltsa_in* frames, con
         const std::int64_t rows = input.view().rows;
         check_points(input.view(), "frames", model->model.features, "features");
         capi::check_output(coords, "coords", rows, model->model.coords.cols());
-        Placed::check(distance, rows);
+        Placed::check(distance, nearest, rows);
         const Hints checked(hints, rows, *model);
         Matrix mapped;
         const Placed placed = map_rows(
@@ -215,13 +221,13 @@ stltsa_status stltsa_map(const stltsa_model* model, const stltsa_in* frames, con
 
 stltsa_status stltsa_map_clip(const stltsa_model* model, const stltsa_clip* clip,
                               const stltsa_options* options, const stltsa_out* coords,
-                              const stltsa_out* distance, int64_t* nearest) noexcept {
+                              const stltsa_out* distance, const stltsa_out* nearest) noexcept {
     return guard([&] {
         mapping_of(required(model, "model"));
         const capi::OptionsReader reader(options);
         const std::int64_t rows = required(clip, "clip").clip.frames();
         capi::check_output(coords, "coords", rows, model->model.coords.cols());
-        Placed::check(distance, rows);
+        Placed::check(distance, nearest, rows);
         const Matrix frames = clip_features(*model, clip->clip);
         Matrix mapped;
         const Placed placed = map_rows(
@@ -232,9 +238,10 @@ stltsa_status stltsa_map_clip(const stltsa_model* model, const stltsa_clip* clip
     });
 }
 
-stltsa_status stltsa_unmap(const stltsa_model* model, const stltsa_in* coords, const int64_t* hints,
-                           const stltsa_options* options, const stltsa_out* frames,
-                           const stltsa_out* distance, int64_t* nearest) noexcept {
+stltsa_status stltsa_unmap(const stltsa_model* model, const stltsa_in* coords,
+                           const stltsa_in* hints, const stltsa_options* options,
+                           const stltsa_out* frames, const stltsa_out* distance,
+                           const stltsa_out* nearest) noexcept {
     return guard([&] {
         mapping_of(required(model, "model"));
         const capi::OptionsReader reader(options);
@@ -242,7 +249,7 @@ stltsa_status stltsa_unmap(const stltsa_model* model, const stltsa_in* coords, c
         const std::int64_t rows = input.view().rows;
         check_points(input.view(), "coords", model->model.coords.cols(), "coordinates");
         capi::check_output(frames, "frames", rows, model->model.features);
-        Placed::check(distance, rows);
+        Placed::check(distance, nearest, rows);
         const Hints checked(hints, rows, *model);
         Matrix unmapped(rows, model->model.features);
         const Placed placed =
@@ -259,8 +266,8 @@ stltsa_status stltsa_unmap(const stltsa_model* model, const stltsa_in* coords, c
 }
 
 stltsa_status stltsa_unmap_clip(const stltsa_model* model, const stltsa_in* coords,
-                                const int64_t* hints, const stltsa_options* options,
-                                const stltsa_out* distance, int64_t* nearest,
+                                const stltsa_in* hints, const stltsa_options* options,
+                                const stltsa_out* distance, const stltsa_out* nearest,
                                 stltsa_clip** poses) noexcept {
     return guard([&] {
         required(poses, "poses") = nullptr;
@@ -274,7 +281,7 @@ stltsa_status stltsa_unmap_clip(const stltsa_model* model, const stltsa_in* coor
         check_points(input.view(), "coords", model->model.coords.cols(), "coordinates");
         if (rows == 0)
             fail(Status::shape, "coords has no rows; a clip has at least one frame");
-        Placed::check(distance, rows);
+        Placed::check(distance, nearest, rows);
         const Hints checked(hints, rows, *model);
         Matrix vectors(rows, model->kept.poses.cols());
         const Placed placed = unmap_rows(*model, input.view(), checked, reader,

@@ -59,9 +59,10 @@ void show_loop(const Embedding& embedding, const Loop& loop, Decomposition& resu
 }
 
 /// All that a clip has that cannot be embedded.
-Decomposition blank(std::int64_t samples) {
+Decomposition blank(std::int64_t samples, const ltsa::Parameters& parameters) {
     Decomposition result;
-    result.coords = Matrix(samples, 1);
+    result.parameters = parameters;
+    result.coords = Matrix(samples, parameters.dimension);
     result.loop = Matrix(samples, 2);
     result.curve.assign(static_cast<std::size_t>(samples), 0.0);
     return result;
@@ -111,8 +112,7 @@ Decomposition decompose(ConstMatrixView samples, double fps, const DecomposeOpti
     const double cycle = period.samples > 0 ? period.samples : usual_cycle_s * fps;
     const Embedding embedding = embed(samples, moving_span(activity, std::lround(cycle)),
                                       neighbors_for(period, fps), options, progress);
-    Decomposition result = blank(samples.rows);
-    result.parameters = embedding.parameters;
+    Decomposition result = blank(samples.rows, embedding.parameters);
     result.lag_quality = period.quality;
     if (!(activity.typical > 0)) {
         result.reason = "no period: nothing moves";

@@ -65,7 +65,7 @@ struct Decomposition {
     int coordinate = 0;          ///< 1-based column of coords that `curve` shows; 0: no embedding
     double cyclicity = 0;        ///< of that coordinate, at most 1; 0 where nothing repeats
     double lag_quality = 0;      ///< 1 - D(T) of the best lag T; 0 where nothing repeats
-    Matrix coords;               ///< samples x d of the fit used
+    Matrix coords;               ///< samples x d of the fit used; zeros without one
     Matrix loop;                 ///< samples x 2, the two coordinates to show as a loop (Fig. 1)
     std::vector<double> curve;   ///< the smoothed coordinate that was cut, one per sample
     std::vector<double> eigenvalues;

@@ -103,10 +103,11 @@ void use(const stltsa_model& model) {
     const stltsa_in point_in{point.data(), 1, dimension, 0, 0, STLTSA_F64, 0};
     const stltsa_out point_out{point.data(), 1, dimension, 0, 0, STLTSA_F64, 0};
     const stltsa_out distance_out{&distance, 1, 1, 0, 0, STLTSA_F64, 0};
-    stltsa_map(&model, &frame_in, nullptr, nullptr, &point_out, &distance_out, &nearest);
-    stltsa_unmap(&model, &point_in, nullptr, nullptr, &frame_out, &distance_out, &nearest);
+    const stltsa_out nearest_out{&nearest, 1, 1, 0, 0, STLTSA_I64, 0};
+    stltsa_map(&model, &frame_in, nullptr, nullptr, &point_out, &distance_out, &nearest_out);
+    stltsa_unmap(&model, &point_in, nullptr, nullptr, &frame_out, &distance_out, &nearest_out);
     stltsa_clip* poses = nullptr;
-    stltsa_unmap_clip(&model, &point_in, nullptr, nullptr, &distance_out, &nearest, &poses);
+    stltsa_unmap_clip(&model, &point_in, nullptr, nullptr, &distance_out, &nearest_out, &poses);
     stltsa_clip_free(poses);
 }
 

@@ -28,7 +28,7 @@ stltsa_in frames_of(const std::vector<double>& x) {
 stltsa_model* fitted(const std::vector<double>& x) {
     const stltsa_in frames = frames_of(x);
     stltsa_model* model = nullptr;
-    assert_int_equal(stltsa_fit(&frames, nullptr, 0, nullptr, &model), STLTSA_OK);
+    assert_int_equal(stltsa_fit(&frames, nullptr, nullptr, &model), STLTSA_OK);
     return model;
 }
 

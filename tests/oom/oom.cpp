@@ -181,14 +181,16 @@ stltsa_status map(const std::string&) {
     const stltsa_out coords_out = {coords, 40, 2, 0, 0, STLTSA_F64, 0};
     const stltsa_out frames_out = {frames, 3, 9, 0, 0, STLTSA_F64, 0};
     const stltsa_out distance_out = {distance, 40, 1, 0, 0, STLTSA_F64, 0};
+    const stltsa_out nearest_out = {nearest, 40, 1, 0, 0, STLTSA_I64, 0};
+    const stltsa_in hints = {nearest, 3, 1, 0, 0, STLTSA_I64, 0};
     stltsa_clip* poses = nullptr;
     stltsa_status status =
-        stltsa_map_clip(model, swinging(), nullptr, &coords_out, &distance_out, nearest);
+        stltsa_map_clip(model, swinging(), nullptr, &coords_out, &distance_out, &nearest_out);
     coords[7][0] += 0.01; // away from the rows, so that rows are blended
     if (status == STLTSA_OK)
         status = stltsa_unmap(model, &points, nullptr, nullptr, &frames_out, nullptr, nullptr);
     if (status == STLTSA_OK)
-        status = stltsa_unmap_clip(model, &points, nearest, nullptr, nullptr, nullptr, &poses);
+        status = stltsa_unmap_clip(model, &points, &hints, nullptr, nullptr, nullptr, &poses);
     if (status != STLTSA_OK && poses != nullptr)
         status = 1;
     stltsa_clip_free(poses);
@@ -316,7 +318,7 @@ stltsa_status fit_mode(std::int64_t mode) {
     if (status == STLTSA_OK)
         status = stltsa_options_set_int(options, STLTSA_OPT_THREADS, 2);
     if (status == STLTSA_OK)
-        status = stltsa_fit(&in, nullptr, 0, options, &model);
+        status = stltsa_fit(&in, nullptr, options, &model);
     if (status != STLTSA_OK && model != nullptr)
         status = 1;
     stltsa_model_free(model);
@@ -345,7 +347,7 @@ stltsa_status denoise(const std::string&) {
     if (status == STLTSA_OK)
         status = stltsa_options_set_real(options, STLTSA_OPT_FPS, 30);
     if (status == STLTSA_OK)
-        status = stltsa_denoise(&in, nullptr, 1, options, &denoising);
+        status = stltsa_denoise(&in, nullptr, options, &denoising);
     if (status == STLTSA_OK)
         status = stltsa_denoising_json(denoising, &json);
     else if (denoising != nullptr)

@@ -71,7 +71,7 @@ Fitted fit(const Frames& frames, std::int32_t mode, std::size_t k, std::size_t w
                        STLTSA_F64,
                        0};
     stltsa_model* raw = nullptr;
-    must(stltsa_fit(&in, nullptr, 1, options.get(), &raw));
+    must(stltsa_fit(&in, nullptr, options.get(), &raw));
     const Model model(raw);
 
     std::int64_t components = 0;

@@ -90,6 +90,57 @@ static double* new_curve(const stltsa_decomposition* d, int64_t* count) {
     return curve;
 }
 
+static void column_of_the_coordinates_is_the_curve_before_smoothing(void** state) {
+    (void)state;
+    stltsa_clip* clip = opened();
+    stltsa_decomposition* d = decomposed(clip, NULL);
+    int64_t count = 0;
+    double* curve = new_curve(d, &count);
+    const int64_t width = get_int(d, STLTSA_DECOMPOSITION_DIMENSION);
+    const int64_t cut = get_int(d, STLTSA_DECOMPOSITION_COORDINATE) - 1;
+    double* coords = new_matrix(count, width);
+    const stltsa_out out = packed_out(coords, count, width);
+    must(stltsa_decomposition_coords(d, &out));
+    double size = 0, largest = 0;
+    for (int64_t i = 0; i < count; ++i) {
+        size = fmax(size, fabs(curve[i]));
+        largest = fmax(largest, fabs(coords[i * width + cut] - curve[i]));
+    }
+    assert_true(largest > 0);
+    assert_below(largest, 0.2 * size, "coordinate - curve");
+    const stltsa_out wide = packed_out(coords, count - 1, width);
+    assert_int_equal(stltsa_decomposition_coords(d, &wide), STLTSA_E_SHAPE);
+    assert_int_equal(stltsa_decomposition_coords(NULL, &out), STLTSA_E_ARGUMENT);
+    free(coords);
+    free(curve);
+    stltsa_decomposition_free(d);
+    stltsa_clip_free(clip);
+}
+
+/* A clip that stands still has coordinates of the shape that it says. */
+static void coordinates_of_a_clip_at_rest_are_zero(void** state) {
+    (void)state;
+    enum { rows = 90, cols = 4 };
+    double* x = new_matrix(rows, cols);
+    const stltsa_in in = packed_in(x, rows, cols);
+    stltsa_clip* clip = NULL;
+    must(stltsa_clip_from_matrix(&in, 30, &clip));
+    stltsa_decomposition* d = decomposed(clip, NULL);
+    assert_int_equal(get_int(d, STLTSA_DECOMPOSITION_COORDINATE), 0);
+    const int64_t width = get_int(d, STLTSA_DECOMPOSITION_DIMENSION);
+    const int64_t count = get_int(d, STLTSA_DECOMPOSITION_SAMPLES);
+    double* coords = new_matrix(count, width);
+    coords[0] = coords[count * width - 1] = 7;
+    const stltsa_out out = packed_out(coords, count, width);
+    must(stltsa_decomposition_coords(d, &out));
+    for (int64_t i = 0; i < count * width; ++i)
+        assert_true(coords[i] == 0);
+    free(coords);
+    free(x);
+    stltsa_decomposition_free(d);
+    stltsa_clip_free(clip);
+}
+
 static void threads_change_no_bit(void** state) {
     (void)state;
     stltsa_clip* clip = opened();
@@ -325,13 +376,30 @@ static void dimension_of_the_walk(void** state) {
     stltsa_clip* clip = opened();
     stltsa_dimension* result = NULL;
     const char* reason = NULL;
-    double shares[3];
     must(stltsa_estimate_dimension_clip(clip, NULL, &result));
     assert_in_range(stltsa_dimension_local_pca(result, &reason), 1, 5);
     assert_string_equal(reason, "");
-    assert_true(stltsa_dimension_eigenvalues(result, NULL, 0) >= 4);
-    assert_true(stltsa_dimension_local_variances(result, shares, 3) >= 3);
+    const stltsa_info* info = stltsa_dimension_info(result);
+    const int64_t count = stltsa_info_count(info, STLTSA_INFO_EIGENVALUE);
+    assert_in_range(count, 4, 1000);
+    double* values = new_matrix(count, 1);
+    stltsa_out out = packed_out(values, count, 1);
+    must(stltsa_dimension_eigenvalues(result, &out));
+    assert_below(fabs(values[0]), 1e-10, "the zero eigenvalue");
+    for (int64_t i = 1; i < count; ++i)
+        assert_true(values[i] >= values[i - 1]);
+    free(values);
+    const int64_t directions = stltsa_info_count(info, STLTSA_INFO_LOCAL_VARIANCE);
+    assert_in_range(directions, 3, 1000);
+    double* shares = new_matrix(directions, 1);
+    out = packed_out(shares, directions, 1);
+    must(stltsa_dimension_local_variances(result, &out));
     assert_true(shares[0] > shares[1] && shares[1] > shares[2] && shares[0] < 1);
+    out.rows = 2;
+    assert_int_equal(stltsa_dimension_local_variances(result, &out), STLTSA_E_SHAPE);
+    assert_int_equal(stltsa_dimension_eigenvalues(result, NULL), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_dimension_eigenvalues(NULL, &out), STLTSA_E_ARGUMENT);
+    free(shares);
     stltsa_dimension_free(result);
     stltsa_clip_free(clip);
 }
@@ -346,7 +414,7 @@ static void dimension_of_a_cut_clip_cannot_be_told(void** state) {
     stltsa_options* options = new_options(12, 12, 2);
     stltsa_dimension* result = NULL;
     const char* reason = NULL;
-    must(stltsa_estimate_dimension(&in, NULL, 0, options, &result));
+    must(stltsa_estimate_dimension(&in, NULL, options, &result));
     assert_int_equal(stltsa_dimension_eigengap(result, &reason), 0);
     assert_non_null(strstr(reason, "2 parts"));
     stltsa_dimension_free(result);
@@ -368,7 +436,7 @@ static void dimension_of_a_helix_is_two(void** state) {
     const stltsa_in in = packed_in(x, rows, cols);
     stltsa_options* options = new_options(12, 12, 2);
     stltsa_dimension* result = NULL;
-    must(stltsa_estimate_dimension(&in, NULL, 0, options, &result));
+    must(stltsa_estimate_dimension(&in, NULL, options, &result));
     assert_int_equal(stltsa_dimension_local_pca(result, NULL), 2);
     stltsa_dimension_free(result);
     stltsa_options_free(options);
@@ -379,6 +447,8 @@ int main(int argc, char** argv) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(five_units_in_order),
         cmocka_unit_test(three_cycles_back_to_back),
+        cmocka_unit_test(column_of_the_coordinates_is_the_curve_before_smoothing),
+        cmocka_unit_test(coordinates_of_a_clip_at_rest_are_zero),
         cmocka_unit_test(threads_change_no_bit),
         cmocka_unit_test(shift_and_order_of_channels_change_no_unit),
         cmocka_unit_test(noise_has_no_cycle_but_a_reason),

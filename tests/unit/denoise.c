@@ -17,7 +17,7 @@ static double* new_noisy(void) {
 static stltsa_denoising* denoised(const double* y, const stltsa_options* options) {
     const stltsa_in in = packed_in(y, rows, cols);
     stltsa_denoising* denoising = NULL;
-    must(stltsa_denoise(&in, NULL, 1, options, &denoising));
+    must(stltsa_denoise(&in, NULL, options, &denoising));
     return denoising;
 }
 
@@ -165,8 +165,9 @@ static void clips_are_apart(void** state) {
         y[i] += 1000;
     const stltsa_in in = packed_in(y, rows, cols);
     const int64_t lengths[] = {100, 50};
+    const stltsa_in clips = list_in(lengths, 2);
     stltsa_denoising* d = NULL;
-    must(stltsa_denoise(&in, lengths, 2, NULL, &d));
+    must(stltsa_denoise(&in, &clips, NULL, &d));
     double* curve = new_table(d, stltsa_denoising_curve, rows, cols);
     assert_below(largest_difference(y, curve, rows * cols), 1, "distance from the curve");
     free(curve);
@@ -184,7 +185,7 @@ static void models_are_cleaned_piece_by_piece(void** state) {
     stltsa_options* options = new_options(6, 8, 1);
     const stltsa_in in = packed_in(x, n, 5);
     stltsa_model* model = NULL;
-    must(stltsa_fit(&in, NULL, 1, options, &model));
+    must(stltsa_fit(&in, NULL, options, &model));
     assert_int_equal(model_int(model, STLTSA_MODEL_COMPONENTS), 2);
     stltsa_denoising* d = NULL;
     must(stltsa_denoise_model(model, options, &d));
@@ -211,10 +212,10 @@ static int32_t cancel(void* user, int32_t stage, double fraction) {
     return stage == STLTSA_STAGE_DENOISE && fraction > 0;
 }
 
-static void refuses(stltsa_status status, const stltsa_in* in, const int64_t* lengths,
-                    int64_t clips, const stltsa_options* options) {
+static void refuses(stltsa_status status, const stltsa_in* in, const stltsa_in* lengths,
+                    const stltsa_options* options) {
     stltsa_denoising* d = (stltsa_denoising*)in; /* anything but NULL */
-    assert_int_equal(stltsa_denoise(in, lengths, clips, options, &d), status);
+    assert_int_equal(stltsa_denoise(in, lengths, options, &d), status);
     assert_null(d);
     assert_true(strlen(stltsa_last_error()) > 0);
 }
@@ -225,20 +226,21 @@ static void errors(void** state) {
     stltsa_in in = packed_in(y, rows, cols);
     const int64_t short_clip[] = {rows - 7, 7};
     const int64_t too_few[] = {10, 10};
-    refuses(STLTSA_E_TOO_FEW_FRAMES, &in, short_clip, 2, NULL);
-    refuses(STLTSA_E_SHAPE, &in, too_few, 2, NULL);
-    refuses(STLTSA_E_ARGUMENT, &in, NULL, 2, NULL);
-    refuses(STLTSA_E_ARGUMENT, NULL, NULL, 1, NULL);
+    const stltsa_in short_lengths = list_in(short_clip, 2);
+    const stltsa_in few_lengths = list_in(too_few, 2);
+    refuses(STLTSA_E_TOO_FEW_FRAMES, &in, &short_lengths, NULL);
+    refuses(STLTSA_E_SHAPE, &in, &few_lengths, NULL);
+    refuses(STLTSA_E_ARGUMENT, NULL, NULL, NULL);
     in.rows = 7;
-    refuses(STLTSA_E_TOO_FEW_FRAMES, &in, NULL, 1, NULL);
+    refuses(STLTSA_E_TOO_FEW_FRAMES, &in, NULL, NULL);
     in.rows = 0;
-    refuses(STLTSA_E_SHAPE, &in, NULL, 1, NULL);
+    refuses(STLTSA_E_SHAPE, &in, NULL, NULL);
     in.rows = rows;
     stltsa_options* options = NULL;
     must(stltsa_options_new(&options));
     assert_int_equal(stltsa_options_set_real(options, STLTSA_OPT_GAMMA, -2), STLTSA_E_ARGUMENT);
     must(stltsa_options_set_progress(options, cancel, NULL));
-    refuses(STLTSA_E_CANCELLED, &in, NULL, 1, options);
+    refuses(STLTSA_E_CANCELLED, &in, NULL, options);
     stltsa_options_free(options);
 
     stltsa_denoising* d = denoised(y, NULL);
@@ -264,7 +266,7 @@ static void errors(void** state) {
     stltsa_denoising_free(d);
 
     y[17] = NAN;
-    refuses(STLTSA_E_NOT_FINITE, &in, NULL, 1, NULL);
+    refuses(STLTSA_E_NOT_FINITE, &in, NULL, NULL);
     assert_non_null(strstr(stltsa_last_error(), "coords: row"));
     assert_non_null(strstr(stltsa_last_error(), "8")); /* the row */
     free(y);

@@ -15,7 +15,7 @@ static struct fit fit_rows(const double* x, int64_t count) {
     struct fit f = {NULL, NULL, count};
     stltsa_options* options = new_options(k, w, d);
     const stltsa_in in = packed_in(x, count, cols);
-    must(stltsa_fit(&in, NULL, 1, options, &f.model));
+    must(stltsa_fit(&in, NULL, options, &f.model));
     f.coords = new_coords(f.model);
     stltsa_options_free(options);
     return f;
@@ -100,7 +100,8 @@ static void a_hard_cut_gives_two_components(void** state) {
     assert_int_equal(model_int(f.model, STLTSA_MODEL_COMPONENTS), 2);
     assert_true(stltsa_model_warning_count(f.model) >= 1);
     int64_t labels[rows];
-    must(stltsa_model_components(f.model, rows, labels));
+    const stltsa_out component_out = list_out(labels, rows);
+    must(stltsa_model_components(f.model, &component_out));
     for (int i = 0; i < rows; ++i)
         assert_int_equal(labels[i], i >= cut);
     const struct fit before = fit_rows(x, cut);
@@ -158,7 +159,7 @@ static void assert_refused(const double* x, int64_t count, stltsa_status status)
     stltsa_options* options = new_options(k, w, d);
     const stltsa_in in = packed_in(x, count, cols);
     stltsa_model* model = (stltsa_model*)&in;
-    assert_int_equal(stltsa_fit(&in, NULL, 1, options, &model), status);
+    assert_int_equal(stltsa_fit(&in, NULL, options, &model), status);
     assert_null(model);
     assert_true(strlen(stltsa_last_error()) > 20);
     stltsa_options_free(options);

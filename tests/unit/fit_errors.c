@@ -26,11 +26,11 @@ static int tear_down(void** state) {
 }
 
 /* The fit must fail with `status`, say `words` (NULL: whatever), and give no handle. */
-static void assert_fails(const stltsa_in* in, const int64_t* lengths, int64_t clips,
+static void assert_fails(const stltsa_in* in, const stltsa_in* lengths,
                          const stltsa_options* options, stltsa_status status, const char* words) {
     int some_memory = 0;
     stltsa_model* model = (stltsa_model*)(void*)&some_memory;
-    const stltsa_status got = stltsa_fit(in, lengths, clips, options, &model);
+    const stltsa_status got = stltsa_fit(in, lengths, options, &model);
     if (got != status)
         print_error("got %s: %s\n", stltsa_status_name(got), stltsa_last_error());
     assert_int_equal(got, status);
@@ -49,7 +49,7 @@ static void nan_is_named_with_frame_and_channel(void** state) {
         x[87 * cols + 4] = bad[b];
         x[95 * cols + 1] = bad[b];
         const stltsa_in in = packed_in(x, rows, cols);
-        assert_fails(&in, NULL, 1, f->options, STLTSA_E_NOT_FINITE, "87");
+        assert_fails(&in, NULL, f->options, STLTSA_E_NOT_FINITE, "87");
         assert_non_null(strstr(stltsa_last_error(), "4"));
         free(x);
     }
@@ -68,7 +68,7 @@ static void the_first_nan_of_a_long_matrix_is_named(void** state) {
     for (int threads = 1; threads <= 4; ++threads) {
         assert_int_equal(stltsa_options_set_int(f->options, STLTSA_OPT_THREADS, threads),
                          STLTSA_OK);
-        assert_fails(&in, NULL, 1, f->options, STLTSA_E_NOT_FINITE, "row 184319, column 4 is NaN");
+        assert_fails(&in, NULL, f->options, STLTSA_E_NOT_FINITE, "row 184319, column 4 is NaN");
     }
     free(x);
 }
@@ -80,7 +80,7 @@ static void nan_in_float32_and_in_the_last_entry(void** state) {
         x[i] = (float)f->x[i];
     x[rows * cols - 1] = NAN;
     const stltsa_in in = {x, rows, cols, 0, 0, STLTSA_F32, 0};
-    assert_fails(&in, NULL, 1, f->options, STLTSA_E_NOT_FINITE, "99");
+    assert_fails(&in, NULL, f->options, STLTSA_E_NOT_FINITE, "99");
 }
 
 static void numbers_too_large_to_square(void** state) {
@@ -89,14 +89,14 @@ static void numbers_too_large_to_square(void** state) {
     for (int i = 0; i < rows * cols; ++i)
         x[i] *= 1e200;
     const stltsa_in in = packed_in(x, rows, cols);
-    assert_fails(&in, NULL, 1, f->options, STLTSA_E_NOT_FINITE, "distances are infinite");
+    assert_fails(&in, NULL, f->options, STLTSA_E_NOT_FINITE, "distances are infinite");
     free(x);
 }
 
 static void assert_parameters_fail(const double* x, int64_t k, int64_t w, int64_t d) {
     stltsa_options* options = new_options(k, w, d);
     const stltsa_in in = packed_in(x, rows, cols);
-    assert_fails(&in, NULL, 1, options, STLTSA_E_ARGUMENT, NULL);
+    assert_fails(&in, NULL, options, STLTSA_E_ARGUMENT, NULL);
     stltsa_options_free(options);
 }
 
@@ -112,7 +112,7 @@ static void neighbors_fit_window_and_dimension(void** state) {
     for (int g = 0; g < 3; ++g) {
         stltsa_options* options = new_options(good[g][0], good[g][1], good[g][2]);
         stltsa_model* model = NULL;
-        must(stltsa_fit(&in, NULL, 1, options, &model));
+        must(stltsa_fit(&in, NULL, options, &model));
         stltsa_model_free(model);
         stltsa_options_free(options);
     }
@@ -122,11 +122,12 @@ static void too_few_frames(void** state) {
     const struct fixture* f = *state;
     for (int64_t n = 1; n <= 12; ++n) {
         const stltsa_in in = packed_in(f->x, n, cols);
-        assert_fails(&in, NULL, 1, f->options, STLTSA_E_TOO_FEW_FRAMES, NULL);
+        assert_fails(&in, NULL, f->options, STLTSA_E_TOO_FEW_FRAMES, NULL);
     }
     const stltsa_in in = packed_in(f->x, rows, cols);
     const int64_t lengths[] = {60, 10, 30};
-    assert_fails(&in, lengths, 3, f->options, STLTSA_E_TOO_FEW_FRAMES, NULL);
+    const stltsa_in clips = list_in(lengths, 3);
+    assert_fails(&in, &clips, f->options, STLTSA_E_TOO_FEW_FRAMES, NULL);
 }
 
 static void lengths_must_sum_to_the_rows(void** state) {
@@ -136,23 +137,63 @@ static void lengths_must_sum_to_the_rows(void** state) {
     const int64_t more[] = {50, 51};
     const int64_t negative[] = {150, -50};
     const int64_t wrapped[] = {INT64_MAX, INT64_MAX, rows + 2};
-    assert_fails(&in, less, 2, f->options, STLTSA_E_SHAPE, "99");
-    assert_fails(&in, more, 2, f->options, STLTSA_E_SHAPE, "51");
-    assert_fails(&in, negative, 2, f->options, STLTSA_E_SHAPE, NULL);
-    assert_fails(&in, wrapped, 3, f->options, STLTSA_E_SHAPE, NULL);
+    const struct {
+        stltsa_in lengths;
+        const char* words;
+    } bad[] = {
+        {list_in(less, 2), "99"},
+        {list_in(more, 2), "51"},
+        {list_in(negative, 2), NULL},
+        {list_in(wrapped, 3), NULL},
+        {list_in(less, 0), "0 rows"},
+        {list_in(less, -1), "-1 rows"},
+        {list_in(less, rows + 1), "101 rows"},
+    };
+    for (size_t b = 0; b < sizeof bad / sizeof *bad; ++b)
+        assert_fails(&in, &bad[b].lengths, f->options, STLTSA_E_SHAPE, bad[b].words);
+}
+
+static void lengths_are_a_column_of_integers(void** state) {
+    const struct fixture* f = *state;
+    const stltsa_in in = packed_in(f->x, rows, cols);
+    const int64_t lengths[] = {50, 50};
+    const double numbers[] = {50, 50};
+    const stltsa_in reals = packed_in(numbers, 2, 1);
+    assert_fails(&in, &reals, f->options, STLTSA_E_ARGUMENT, "STLTSA_I64");
+    stltsa_in wide = list_in(lengths, 1);
+    wide.cols = 2;
+    assert_fails(&in, &wide, f->options, STLTSA_E_SHAPE, "one column");
+    const stltsa_in nothing = list_in(NULL, 2);
+    assert_fails(&in, &nothing, f->options, STLTSA_E_ARGUMENT, "lengths: data is NULL");
+    stltsa_in reserved = list_in(lengths, 2);
+    reserved.reserved = 1;
+    assert_fails(&in, &reserved, f->options, STLTSA_E_ARGUMENT, "reserved");
+}
+
+/* From the last to the first, with gaps: 40 and 60 as 60 and 40. */
+static void lengths_take_any_stride(void** state) {
+    const struct fixture* f = *state;
+    const stltsa_in in = packed_in(f->x, rows, cols);
+    const int64_t lengths[] = {40, -1, 60};
+    const stltsa_in backwards = {lengths + 2, 2,          1, -2 * (int64_t)sizeof *lengths,
+                                 8,           STLTSA_I64, 0};
     stltsa_model* model = NULL;
-    assert_true(stltsa_fit(&in, less, 0, f->options, &model) < 0);
-    assert_true(stltsa_fit(&in, less, -1, f->options, &model) < 0);
-    assert_null(model);
+    must(stltsa_fit(&in, &backwards, f->options, &model));
+    int64_t labels[rows];
+    const stltsa_out out = list_out(labels, rows);
+    must(stltsa_model_components(model, &out));
+    for (int i = 0; i < rows; ++i)
+        assert_int_equal(labels[i], i >= 60);
+    stltsa_model_free(model);
 }
 
 static void null_is_refused(void** state) {
     const struct fixture* f = *state;
     const stltsa_in in = packed_in(f->x, rows, cols);
     const stltsa_in no_data = packed_in(NULL, rows, cols);
-    assert_fails(NULL, NULL, 1, f->options, STLTSA_E_ARGUMENT, NULL);
-    assert_fails(&no_data, NULL, 1, f->options, STLTSA_E_ARGUMENT, NULL);
-    assert_int_equal(stltsa_fit(&in, NULL, 1, f->options, NULL), STLTSA_E_ARGUMENT);
+    assert_fails(NULL, NULL, f->options, STLTSA_E_ARGUMENT, NULL);
+    assert_fails(&no_data, NULL, f->options, STLTSA_E_ARGUMENT, NULL);
+    assert_int_equal(stltsa_fit(&in, NULL, f->options, NULL), STLTSA_E_ARGUMENT);
     stltsa_model_free(NULL);
     stltsa_options_free(NULL);
     stltsa_clip_free(NULL);
@@ -167,12 +208,12 @@ static void shapes_that_are_none(void** state) {
     for (int b = 0; b < 4; ++b) {
         const stltsa_in in = packed_in(f->x, bad[b][0], bad[b][1]);
         stltsa_model* model = NULL;
-        assert_true(stltsa_fit(&in, NULL, 1, f->options, &model) < 0);
+        assert_true(stltsa_fit(&in, NULL, f->options, &model) < 0);
         assert_null(model);
     }
     stltsa_in in = packed_in(f->x, rows, cols);
-    in.dtype = 3;
-    assert_fails(&in, NULL, 1, f->options, STLTSA_E_ARGUMENT, NULL);
+    in.dtype = STLTSA_I64; /* of integers are only lists */
+    assert_fails(&in, NULL, f->options, STLTSA_E_ARGUMENT, NULL);
 }
 
 /* Refused because of the sizes alone: these arrays must not be read. */
@@ -182,7 +223,7 @@ static void sizes_that_overflow(void** state) {
         {INT64_MAX, 2}, {INT64_MAX / 4, 8}, {INT64_C(1) << 32, INT64_C(1) << 32}, {3, INT64_MAX}};
     for (int h = 0; h < 4; ++h) {
         const stltsa_in in = packed_in(f->x, huge[h][0], huge[h][1]);
-        assert_fails(&in, NULL, 1, f->options, STLTSA_E_NO_MEMORY, NULL);
+        assert_fails(&in, NULL, f->options, STLTSA_E_NO_MEMORY, NULL);
     }
 }
 
@@ -228,7 +269,7 @@ static void cancelled_at_every_call(void** state) {
         c.calls_left = cancelled;
         must(stltsa_options_set_progress(options, count_down, &c));
         stltsa_model* model = NULL;
-        const stltsa_status status = stltsa_fit(&in, NULL, 1, options, &model);
+        const stltsa_status status = stltsa_fit(&in, NULL, options, &model);
         if (status == STLTSA_OK) {
             stltsa_model_free(model);
             break;
@@ -277,7 +318,7 @@ static void assert_survives_nan(int32_t mode, int64_t k) {
         w.calls_left = call;
         must(stltsa_options_set_progress(options, write_nan, &w));
         stltsa_model* model = NULL;
-        const stltsa_status status = stltsa_fit(&in, NULL, 1, options, &model);
+        const stltsa_status status = stltsa_fit(&in, NULL, options, &model);
         assert_true(status == STLTSA_OK || status == STLTSA_E_NOT_FINITE ||
                     status == STLTSA_E_UNSUPPORTED); /* without CHOLMOD */
         noticed += status == STLTSA_E_NOT_FINITE;
@@ -305,7 +346,7 @@ static void more_dimensions_than_features_are_refused(void** state) {
     double* x = new_motion(many, narrow, 73);
     const stltsa_in in = packed_in(x, many, narrow);
     stltsa_options* options = new_options(1002, 1002, 1000);
-    assert_fails(&in, NULL, 1, options, STLTSA_E_DEGENERATE, "features");
+    assert_fails(&in, NULL, options, STLTSA_E_DEGENERATE, "features");
     stltsa_options_free(options);
     free(x);
 }
@@ -325,7 +366,7 @@ static int32_t fit_within_spectrum(void* user, int32_t stage, double fraction) {
     if (stage != STLTSA_STAGE_SPECTRUM || n->is_tried)
         return 0;
     n->is_tried = 1;
-    n->status = stltsa_fit(&n->in, NULL, 1, n->options, &model);
+    n->status = stltsa_fit(&n->in, NULL, n->options, &model);
     snprintf(n->text, sizeof n->text, "%s", stltsa_last_error());
     stltsa_model_free(model);
     return 0;
@@ -339,11 +380,11 @@ static void a_fit_within_a_spectrum_is_refused(void** state) {
     stltsa_options* options = new_options(12, 12, 2);
     must(stltsa_options_set_progress(options, fit_within_spectrum, &n));
     stltsa_model* model = NULL;
-    must(stltsa_fit(&n.in, NULL, 1, options, &model));
+    must(stltsa_fit(&n.in, NULL, options, &model));
     stltsa_model_free(model);
     assert_int_equal(n.status, STLTSA_E_ARGUMENT);
     assert_non_null(strstr(n.text, "progress callback"));
-    must(stltsa_fit(&n.in, NULL, 1, f->options, &model));
+    must(stltsa_fit(&n.in, NULL, f->options, &model));
     stltsa_model_free(model);
     stltsa_options_free(options);
 }
@@ -358,13 +399,13 @@ static void neighbors_of_all_frames_are_a_stage(void** state) {
     struct countdown c = {.calls_left = -1};
     must(stltsa_options_set_progress(options, count_down, &c));
     stltsa_model* model = NULL;
-    const stltsa_status status = stltsa_fit(&in, NULL, 1, options, &model);
+    const stltsa_status status = stltsa_fit(&in, NULL, options, &model);
     assert_true(status == STLTSA_OK || status == STLTSA_E_UNSUPPORTED); /* without CHOLMOD */
     stltsa_model_free(model);
     assert_true(c.stages_seen[STLTSA_STAGE_NEIGHBORS] > 0);
     assert_true(c.stages_seen[STLTSA_STAGE_TANGENTS] > 0);
     c.calls_left = 0;
-    assert_fails(&in, NULL, 1, options, STLTSA_E_CANCELLED, NULL);
+    assert_fails(&in, NULL, options, STLTSA_E_CANCELLED, NULL);
     stltsa_options_free(options);
 }
 
@@ -373,10 +414,10 @@ static void handles_survive_a_failure(void** state) {
     const struct fixture* f = *state;
     double* want = fit_coords(f->x, rows, cols, 2);
     const stltsa_in short_clip = packed_in(f->x, 5, cols);
-    assert_fails(&short_clip, NULL, 1, f->options, STLTSA_E_TOO_FEW_FRAMES, NULL);
+    assert_fails(&short_clip, NULL, f->options, STLTSA_E_TOO_FEW_FRAMES, NULL);
     const stltsa_in in = packed_in(f->x, rows, cols);
     stltsa_model* model = NULL;
-    must(stltsa_fit(&in, NULL, 1, f->options, &model));
+    must(stltsa_fit(&in, NULL, f->options, &model));
     double* got = new_coords(model);
     assert_same_bits(want, got, rows * 2);
     free(got);
@@ -393,6 +434,8 @@ int main(void) {
         cmocka_unit_test(neighbors_fit_window_and_dimension),
         cmocka_unit_test(too_few_frames),
         cmocka_unit_test(lengths_must_sum_to_the_rows),
+        cmocka_unit_test(lengths_are_a_column_of_integers),
+        cmocka_unit_test(lengths_take_any_stride),
         cmocka_unit_test(null_is_refused),
         cmocka_unit_test(shapes_that_are_none),
         cmocka_unit_test(sizes_that_overflow),

@@ -57,7 +57,7 @@ static void tiny_numbers_are_as_good_as_others(void** state) {
     stltsa_options* options = options_of_mode(STLTSA_MODE_SPATIAL);
     const stltsa_in in = packed_in(x, rows, cols);
     stltsa_model* model = NULL;
-    const stltsa_status status = stltsa_fit(&in, NULL, 1, options, &model);
+    const stltsa_status status = stltsa_fit(&in, NULL, options, &model);
     if (status != STLTSA_E_UNSUPPORTED) { /* with CHOLMOD */
         check_tiny_numbers(STLTSA_MODE_SPATIAL, x);
         check_tiny_numbers(STLTSA_MODE_RECURRENT, x);
@@ -179,7 +179,7 @@ static stltsa_status fit_in_mode(const double* x, int64_t mode, int64_t threads)
     must(stltsa_options_set_int(options, STLTSA_OPT_MODE, mode));
     must(stltsa_options_set_int(options, STLTSA_OPT_THREADS, threads));
     stltsa_model* model = NULL;
-    const stltsa_status status = stltsa_fit(&in, NULL, 1, options, &model);
+    const stltsa_status status = stltsa_fit(&in, NULL, options, &model);
     stltsa_model_free(model);
     stltsa_options_free(options);
     return status;
@@ -251,7 +251,7 @@ static void fits_at_the_same_time_change_no_bit(void** state) {
 static double* fit_array(const stltsa_in* in) {
     stltsa_options* options = new_options(12, 12, d);
     stltsa_model* model = NULL;
-    must(stltsa_fit(in, NULL, 1, options, &model));
+    must(stltsa_fit(in, NULL, options, &model));
     double* coords = new_coords(model);
     stltsa_model_free(model);
     stltsa_options_free(options);
@@ -333,7 +333,8 @@ static void order_of_clips_only_permutes(void** state) {
         }
         const stltsa_in in = packed_in(x, total, cols);
         stltsa_model* model = NULL;
-        must(stltsa_fit(&in, lengths, clips, options, &model));
+        const stltsa_in list = list_in(lengths, clips);
+        must(stltsa_fit(&in, &list, options, &model));
         assert_int_equal(model_int(model, STLTSA_MODEL_COMPONENTS), clips);
         double* together = new_coords(model);
         at = 0;

@@ -64,7 +64,7 @@ static void circle_in_one_dimension_is_arc_length(void** state) {
     stltsa_options* options = new_options(12, 12, 1);
     const stltsa_in in = packed_in(circle, frames, 2);
     stltsa_model* model = NULL;
-    must(stltsa_fit(&in, NULL, 1, options, &model));
+    must(stltsa_fit(&in, NULL, options, &model));
     double* coords = new_coords(model);
     assert_below(affine_misfit(coords, 1, length, frames, 1), 1e-3, "misfit of the length");
     assert_below(1 - model_real(model, STLTSA_MODEL_TIME_CORRELATION), 1e-12, "1 - correlation");

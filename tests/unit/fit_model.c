@@ -15,7 +15,7 @@ static int set_up(void** state) {
     f->x = new_motion(rows, cols, 11);
     stltsa_options* options = new_options(12, 14, d);
     const stltsa_in in = packed_in(f->x, rows, cols);
-    must(stltsa_fit(&in, NULL, 1, options, &f->model));
+    must(stltsa_fit(&in, NULL, options, &f->model));
     stltsa_options_free(options);
     f->coords = new_coords(f->model);
     *state = f;
@@ -130,9 +130,14 @@ static void outputs_of_the_wrong_shape_are_refused(void** state) {
     assert_int_equal(stltsa_model_coords(f->model, &out), STLTSA_E_ARGUMENT);
     for (int i = 0; i < rows * (d + 1); ++i)
         assert_true(coords[i] == 0);
-    int64_t label = 77;
-    assert_int_equal(stltsa_model_components(f->model, rows - 1, &label), STLTSA_E_SHAPE);
-    assert_int_equal(label, 77);
+    int64_t labels[rows + 1] = {77};
+    const stltsa_out bad[] = {list_out(labels, rows - 1), list_out(labels, rows + 1),
+                              list_out(NULL, rows), packed_out(coords, rows, 1)};
+    for (int b = 0; b < 4; ++b)
+        assert_int_equal(stltsa_model_components(f->model, &bad[b]),
+                         b < 2 ? STLTSA_E_SHAPE : STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_model_components(f->model, NULL), STLTSA_E_ARGUMENT);
+    assert_int_equal(labels[0], 77);
     free(coords);
 }
 
@@ -160,7 +165,8 @@ static void every_frame_has_its_component(void** state) {
     const struct fixture* f = *state;
     int64_t labels[rows];
     memset(labels, 0xff, sizeof labels);
-    must(stltsa_model_components(f->model, rows, labels));
+    const stltsa_out out = list_out(labels, rows);
+    must(stltsa_model_components(f->model, &out));
     for (int i = 0; i < rows; ++i)
         assert_int_equal(labels[i], 0);
 }

@@ -12,7 +12,7 @@ static stltsa_model* fit_mode(const double* x, int64_t rows, int64_t cols,
                               const stltsa_options* options) {
     const stltsa_in in = packed_in(x, rows, cols);
     stltsa_model* model = NULL;
-    must(stltsa_fit(&in, NULL, 1, options, &model));
+    must(stltsa_fit(&in, NULL, options, &model));
     return model;
 }
 
@@ -134,11 +134,12 @@ static void links_join_clips(void** state) {
         x[half * cols + i] = x[i] + 1e-3 * sin(i);
     const stltsa_in in = packed_in(x, rows, cols);
     const int64_t lengths[] = {half, half};
+    const stltsa_in clips = list_in(lengths, 2);
     for (int linked = 0; linked < 2; ++linked) {
         stltsa_options* options =
             new_mode_options(12, d, linked ? STLTSA_MODE_RECURRENT : STLTSA_MODE_TEMPORAL);
         stltsa_model* model = NULL;
-        must(stltsa_fit(&in, lengths, 2, options, &model));
+        must(stltsa_fit(&in, &clips, options, &model));
         assert_int_equal(model_int(model, STLTSA_MODEL_COMPONENTS), linked ? 1 : 2);
         stltsa_model_free(model);
         stltsa_options_free(options);
@@ -152,7 +153,7 @@ static int mode_is_there(void) {
     stltsa_options* options = new_mode_options(12, 2, STLTSA_MODE_SPATIAL);
     const stltsa_in in = packed_in(x, 60, 4);
     stltsa_model* model = NULL;
-    const stltsa_status status = stltsa_fit(&in, NULL, 1, options, &model);
+    const stltsa_status status = stltsa_fit(&in, NULL, options, &model);
     stltsa_model_free(model);
     stltsa_options_free(options);
     free(x);

@@ -9,18 +9,21 @@ static stltsa_model* fitted(const double* x, int64_t count, int64_t k, int64_t d
     stltsa_options* options = new_options(k, k, d);
     const stltsa_in in = packed_in(x, count, cols);
     stltsa_model* model = NULL;
-    must(stltsa_fit(&in, NULL, 1, options, &model));
+    must(stltsa_fit(&in, NULL, options, &model));
     stltsa_options_free(options);
     return model;
 }
 
-/* The caller provides coords and distance, with `count` rows. */
+/* hints, coords, distance and nearest have `count` rows; all but coords may be NULL. */
 static void map(const stltsa_model* model, const double* x, int64_t count, const int64_t* hints,
                 const stltsa_options* options, double* coords, double* distance, int64_t* nearest) {
     const stltsa_in in = packed_in(x, count, cols);
     const stltsa_out out = packed_out(coords, count, model_int(model, STLTSA_MODEL_DIMENSION));
     const stltsa_out far = packed_out(distance, count, 1);
-    must(stltsa_map(model, &in, hints, options, &out, distance == NULL ? NULL : &far, nearest));
+    const stltsa_in near = list_in(hints, count);
+    const stltsa_out found = list_out(nearest, count);
+    must(stltsa_map(model, &in, hints == NULL ? NULL : &near, options, &out,
+                    distance == NULL ? NULL : &far, nearest == NULL ? NULL : &found));
 }
 
 static void unmap(const stltsa_model* model, const double* y, int64_t count, const int64_t* hints,
@@ -28,7 +31,10 @@ static void unmap(const stltsa_model* model, const double* y, int64_t count, con
     const stltsa_in in = packed_in(y, count, model_int(model, STLTSA_MODEL_DIMENSION));
     const stltsa_out out = packed_out(x, count, cols);
     const stltsa_out far = packed_out(distance, count, 1);
-    must(stltsa_unmap(model, &in, hints, options, &out, distance == NULL ? NULL : &far, nearest));
+    const stltsa_in near = list_in(hints, count);
+    const stltsa_out found = list_out(nearest, count);
+    must(stltsa_unmap(model, &in, hints == NULL ? NULL : &near, options, &out,
+                      distance == NULL ? NULL : &far, nearest == NULL ? NULL : &found));
 }
 
 /* Row i is (1 - t) of row i plus t of row i + gap. */
@@ -363,10 +369,11 @@ static void hints_stay_in_their_window(void** state) {
     (void)state;
     double* x = new_motion(rows, cols, 16);
     const int64_t lengths[] = {150, 250};
+    const stltsa_in clips = list_in(lengths, 2);
     stltsa_options* options = new_options(20, 20, 2);
     const stltsa_in in = packed_in(x, rows, cols);
     stltsa_model* model = NULL;
-    must(stltsa_fit(&in, lengths, 2, options, &model));
+    must(stltsa_fit(&in, &clips, options, &model));
     double y[2];
     int64_t nearest = -1;
     const int64_t hint = 148;

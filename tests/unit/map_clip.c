@@ -28,7 +28,9 @@ static double* new_mapped(const stltsa_model* model, const stltsa_clip* clip, do
     double* coords = new_matrix(frames, 3);
     const stltsa_out out = packed_out(coords, frames, 3);
     const stltsa_out far = packed_out(distance, frames, 1);
-    must(stltsa_map_clip(model, clip, NULL, &out, distance == NULL ? NULL : &far, nearest));
+    const stltsa_out found = list_out(nearest, frames);
+    must(stltsa_map_clip(model, clip, NULL, &out, distance == NULL ? NULL : &far,
+                         nearest == NULL ? NULL : &found));
     return coords;
 }
 
@@ -299,7 +301,7 @@ static void bare_numbers_have_no_poses(void** state) {
     stltsa_model* of_numbers = NULL;
     stltsa_model* of_matrix = NULL;
     must(stltsa_fit_clip(numbers, options, &of_numbers));
-    must(stltsa_fit(&in, NULL, 1, options, &of_matrix));
+    must(stltsa_fit(&in, NULL, options, &of_matrix));
     stltsa_clip* walk = opened();
     stltsa_model* of_walk = fitted(walk, STLTSA_FEATURES_POSITIONS);
 

@@ -18,7 +18,7 @@ static int set_up(void** state) {
     f->x = new_motion(rows, cols, 41);
     f->options = new_options(20, 20, 2);
     const stltsa_in in = packed_in(f->x, rows, cols);
-    must(stltsa_fit(&in, NULL, 1, f->options, &f->model));
+    must(stltsa_fit(&in, NULL, f->options, &f->model));
     for (int i = 0; i < rows * cols; ++i)
         f->frames[i] = f->y[i % (2 * rows)] = f->distance[i % rows] = untouched;
     for (int i = 0; i < rows; ++i)
@@ -57,7 +57,9 @@ static stltsa_status map(struct fixture* f, const double* x, int64_t count, int6
     const stltsa_in in = packed_in(x, count, width);
     const stltsa_out out = packed_out(f->y, count, 2);
     const stltsa_out far = packed_out(f->distance, count, 1);
-    return stltsa_map(f->model, &in, hints, f->options, &out, &far, f->nearest);
+    const stltsa_in near = list_in(hints, count);
+    const stltsa_out found = list_out(f->nearest, count);
+    return stltsa_map(f->model, &in, hints == NULL ? NULL : &near, f->options, &out, &far, &found);
 }
 
 static stltsa_status unmap(struct fixture* f, const double* y, int64_t count, int64_t width,
@@ -65,7 +67,10 @@ static stltsa_status unmap(struct fixture* f, const double* y, int64_t count, in
     const stltsa_in in = packed_in(y, count, width);
     const stltsa_out out = packed_out(f->frames, count, cols);
     const stltsa_out far = packed_out(f->distance, count, 1);
-    return stltsa_unmap(f->model, &in, hints, f->options, &out, &far, f->nearest);
+    const stltsa_in near = list_in(hints, count);
+    const stltsa_out found = list_out(f->nearest, count);
+    return stltsa_unmap(f->model, &in, hints == NULL ? NULL : &near, f->options, &out, &far,
+                        &found);
 }
 
 static void null_is_named(void** state) {
@@ -131,6 +136,49 @@ static void hints_are_rows(void** state) {
     assert_untouched(f);
 }
 
+/* One entry for each row, of integers; nothing is written if one of the lists does not fit. */
+static void hints_and_nearest_fit_the_rows(void** state) {
+    struct fixture* f = *state;
+    const stltsa_in in = packed_in(f->x, rows, cols);
+    const stltsa_out out = packed_out(f->y, rows, 2);
+    const int64_t hint[rows] = {0};
+    const double numbers[rows] = {0};
+    stltsa_in wide = list_in(hint, rows);
+    wide.cols = 2;
+    const stltsa_in hints[] = {list_in(hint, rows - 1), list_in(hint, 0), wide,
+                               packed_in(numbers, rows, 1), list_in(NULL, rows)};
+    for (int h = 0; h < 5; ++h)
+        assert_status(stltsa_map(f->model, &in, &hints[h], NULL, &out, NULL, NULL),
+                      h < 3 ? STLTSA_E_SHAPE : STLTSA_E_ARGUMENT, "hints");
+    stltsa_out overlapping = list_out(f->nearest, rows);
+    overlapping.row_stride = 4;
+    overlapping.col_stride = 8;
+    const stltsa_out nearest[] = {list_out(f->nearest, rows - 1), overlapping,
+                                  packed_out(f->distance, rows, 1), list_out(NULL, rows)};
+    for (int n = 0; n < 4; ++n)
+        assert_status(stltsa_map(f->model, &in, NULL, NULL, &out, NULL, &nearest[n]),
+                      n < 2 ? STLTSA_E_SHAPE : STLTSA_E_ARGUMENT, "nearest");
+    const stltsa_out integers = list_out(f->nearest, rows);
+    assert_status(stltsa_map(f->model, &in, NULL, NULL, &out, &integers, NULL), STLTSA_E_ARGUMENT,
+                  "distance");
+    assert_untouched(f);
+}
+
+static void lists_take_negative_strides(void** state) {
+    struct fixture* f = *state;
+    const stltsa_in in = packed_in(f->x, rows, cols);
+    const stltsa_out out = packed_out(f->y, rows, 2);
+    int64_t hint[rows];
+    for (int i = 0; i < rows; ++i)
+        hint[rows - 1 - i] = i;
+    must(stltsa_options_set_int(f->options, STLTSA_OPT_HINT_WINDOW, 1));
+    const stltsa_in hints = {hint + rows - 1, rows, 1, -8, 8, STLTSA_I64, 0};
+    const stltsa_out nearest = {f->nearest + rows - 1, rows, 1, -8, 8, STLTSA_I64, 0};
+    must(stltsa_map(f->model, &in, &hints, f->options, &out, NULL, &nearest));
+    for (int i = 0; i < rows; ++i)
+        assert_int_equal(f->nearest[rows - 1 - i], i);
+}
+
 static void no_rows_are_no_error(void** state) {
     struct fixture* f = *state;
     must(map(f, f->x, 0, cols, NULL));
@@ -179,7 +227,7 @@ static void model_without_frames_cannot_map(void** state) {
     stltsa_model_free(f->model);
     must(stltsa_options_set_int(f->options, STLTSA_OPT_KEEP_FRAMES, 0));
     const stltsa_in in = packed_in(f->x, rows, cols);
-    must(stltsa_fit(&in, NULL, 1, f->options, &f->model));
+    must(stltsa_fit(&in, NULL, f->options, &f->model));
     assert_true(model_real(f->model, STLTSA_MODEL_REACH) == 0);
     assert_status(map(f, f->x, rows, cols, NULL), STLTSA_E_UNSUPPORTED, "keep_frames");
     assert_status(unmap(f, f->x, rows, 2, NULL), STLTSA_E_UNSUPPORTED, "keep_frames");
@@ -191,7 +239,8 @@ static void components_do_not_mix(void** state) {
     stltsa_model_free(f->model);
     const stltsa_in in = packed_in(f->x, rows, cols);
     const int64_t lengths[] = {80, 120};
-    must(stltsa_fit(&in, lengths, 2, f->options, &f->model));
+    const stltsa_in clips = list_in(lengths, 2);
+    must(stltsa_fit(&in, &clips, f->options, &f->model));
     assert_int_equal(model_int(f->model, STLTSA_MODEL_COMPONENTS), 2);
     double* coords = new_coords(f->model);
     assert_status(unmap(f, coords, 1, 2, NULL), STLTSA_E_DISCONNECTED, "component");
@@ -249,6 +298,8 @@ int main(void) {
         cmocka_unit_test_setup_teardown(shapes_must_fit, set_up, tear_down),
         cmocka_unit_test_setup_teardown(numbers_must_be_finite, set_up, tear_down),
         cmocka_unit_test_setup_teardown(hints_are_rows, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(hints_and_nearest_fit_the_rows, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(lists_take_negative_strides, set_up, tear_down),
         cmocka_unit_test_setup_teardown(no_rows_are_no_error, set_up, tear_down),
         cmocka_unit_test_setup_teardown(huge_numbers, set_up, tear_down),
         cmocka_unit_test_setup_teardown(outputs_must_not_overlap, set_up, tear_down),

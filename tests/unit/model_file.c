@@ -18,7 +18,8 @@ static int set_up(void** state) {
     must(stltsa_options_set_real(options, STLTSA_OPT_FPS, 30));
     const stltsa_in in = packed_in(f->x, rows, cols);
     const int64_t lengths[2] = {50, 40};
-    must(stltsa_fit(&in, lengths, 2, options, &f->model));
+    const stltsa_in clips = list_in(lengths, 2);
+    must(stltsa_fit(&in, &clips, options, &f->model));
     stltsa_options_free(options);
     must(stltsa_model_serialize(f->model, &f->bytes, &f->size));
     *state = f;
@@ -133,7 +134,7 @@ static void long_files_hold_the_bytes(void** state) {
     stltsa_options* options = new_options(12, 14, d);
     const stltsa_in in = packed_in(x, many, cols);
     stltsa_model* model = NULL;
-    must(stltsa_fit(&in, NULL, 0, options, &model));
+    must(stltsa_fit(&in, NULL, options, &model));
     unsigned char* bytes = NULL;
     size_t size = 0;
     must(stltsa_model_serialize(model, &bytes, &size));

@@ -144,7 +144,7 @@ static void a_build_says_what_it_has(void** state) {
     must(stltsa_options_new(&options));
     must(stltsa_options_set_int(options, STLTSA_OPT_MODE, STLTSA_MODE_SPATIAL));
     must(stltsa_options_set_int(options, STLTSA_OPT_NEIGHBORS, 4));
-    const stltsa_status status = stltsa_fit(&in, NULL, 0, options, &model);
+    const stltsa_status status = stltsa_fit(&in, NULL, options, &model);
     assert_int_equal(stltsa_has(STLTSA_HAS_CHOLMOD), status != STLTSA_E_UNSUPPORTED);
     assert_in_range(stltsa_has(STLTSA_HAS_OPENBLAS), 0, 1);
     assert_int_equal(stltsa_has(0), 0);

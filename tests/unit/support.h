@@ -104,6 +104,17 @@ static inline stltsa_out packed_out(double* x, int64_t rows, int64_t cols) {
     return out;
 }
 
+/* A list, one entry a row. */
+static inline stltsa_in list_in(const int64_t* x, int64_t rows) {
+    const stltsa_in in = {x, rows, 1, 0, 0, STLTSA_I64, 0};
+    return in;
+}
+
+static inline stltsa_out list_out(int64_t* x, int64_t rows) {
+    const stltsa_out out = {x, rows, 1, 0, 0, STLTSA_I64, 0};
+    return out;
+}
+
 static inline stltsa_options* new_options(int64_t k, int64_t w, int64_t d) {
     stltsa_options* options = NULL;
     must(stltsa_options_new(&options));
@@ -140,7 +151,7 @@ static inline double* fit_coords_with(stltsa_options* options, const double* x, 
                                       int64_t cols) {
     const stltsa_in in = packed_in(x, rows, cols);
     stltsa_model* model = NULL;
-    must(stltsa_fit(&in, NULL, 1, options, &model));
+    must(stltsa_fit(&in, NULL, options, &model));
     double* coords = new_coords(model);
     stltsa_model_free(model);
     stltsa_options_free(options);

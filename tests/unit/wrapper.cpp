@@ -368,6 +368,8 @@ void a_clip_is_cut_into_units_and_cycles(void**) {
     assert_int_equal(found.curve().cols, 1);
     assert_int_equal(found.loop().rows, samples);
     assert_int_equal(found.loop().cols, 2);
+    assert_int_equal(found.coords().rows, samples);
+    assert_int_equal(found.coords().cols, found.integer(STLTSA_DECOMPOSITION_DIMENSION));
     assert_string_equal(found.reason().c_str(), "");
     assert_true(is_object(found.json(), "decomposition"));
 }

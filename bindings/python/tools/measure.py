@@ -41,7 +41,7 @@ def c_options(**values):
     out = ffi.new("stltsa_options **")
     assert lib.stltsa_options_new(out) == 0
     for name, value in values.items():
-        key = getattr(lib, f"STLTSA_{name.upper()}")
+        key = getattr(lib, f"STLTSA_OPT_{name.upper()}")
         assert lib.stltsa_options_set_int(out[0], key, value) == 0
     return out[0]
 
@@ -51,7 +51,7 @@ def c_call(frames, **values):
     view, options, out = read_from(frames), c_options(**values), ffi.new("stltsa_model **")
 
     def call():
-        assert lib.stltsa_fit(view, ffi.NULL, 0, options, out) == 0
+        assert lib.stltsa_fit(view, ffi.NULL, options, out) == 0
         lib.stltsa_model_free(out[0])
 
     return call

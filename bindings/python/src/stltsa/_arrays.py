@@ -16,7 +16,8 @@ from ._native import ffi, lib
 FloatArray: TypeAlias = npt.NDArray[np.float64]
 IntArray: TypeAlias = npt.NDArray[np.int64]
 
-_DTYPES = {np.dtype(np.float32): lib.STLTSA_F32, np.dtype(np.float64): lib.STLTSA_F64}
+_NUMBERS = {np.dtype(np.float32): lib.STLTSA_F32, np.dtype(np.float64): lib.STLTSA_F64}
+_DTYPES = {**_NUMBERS, np.dtype(np.int64): lib.STLTSA_I64}
 
 
 def as_matrix(values: Any, what: str = "X") -> npt.NDArray[Any]:
@@ -35,7 +36,7 @@ def as_matrix(values: Any, what: str = "X") -> npt.NDArray[Any]:
             f"{what} must be 2-D, a row per frame; it is a {type(values).__name__} of the shape "
             f"{array.shape}. Reshape your data: {what}.{reshaped}"
         )
-    if array.dtype not in _DTYPES:
+    if array.dtype not in _NUMBERS:
         array = _as_float64(array, what)
     if array.strides == (0, 0):  # a broadcast array; to the library that means packed rows
         array = array.copy()
@@ -68,12 +69,12 @@ def _fill(struct: Any, array: npt.NDArray[Any]) -> Any:
 
 
 def read_from(array: npt.NDArray[Any]) -> Any:
-    """Return a ``stltsa_in *`` of an array; the caller keeps the array alive during the call."""
+    """Return a ``stltsa_in *`` of a matrix; the caller keeps the matrix alive during the call."""
     return _fill(ffi.new("stltsa_in *"), array)
 
 
-def write_to(array: FloatArray) -> Any:
-    """Return a ``stltsa_out *`` of an array; the caller keeps the array alive during the call."""
+def write_to(array: npt.NDArray[Any]) -> Any:
+    """Return a ``stltsa_out *`` of a matrix; the caller keeps the matrix alive during the call."""
     return _fill(ffi.new("stltsa_out *"), array)
 
 
@@ -82,11 +83,14 @@ def columns(rows: int, cols: int) -> FloatArray:
     return np.empty((rows, cols), dtype=np.float64)
 
 
-def int64_pointer(array: IntArray | None) -> Any:
-    """Return an ``int64_t *`` of an array, NULL without one; the caller keeps it alive."""
-    if array is None:
-        return ffi.NULL
-    return ffi.cast("int64_t *", array.__array_interface__["data"][0])
+def read_list(array: IntArray | None) -> Any:
+    """Return a ``stltsa_in *`` of a packed list, one entry a row; NULL without one."""
+    return ffi.NULL if array is None else read_from(array.reshape(-1, 1))
+
+
+def write_list(array: npt.NDArray[Any]) -> Any:
+    """Return a ``stltsa_out *`` of a packed list, one entry a row."""
+    return write_to(array.reshape(-1, 1))
 
 
 def as_integers(values: Any, rows: int, what: str) -> IntArray:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ._arrays import IntArray, as_matrix, int64_pointer, read_from
+from ._arrays import IntArray, as_matrix, read_from, read_list
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -82,6 +82,5 @@ def frames_and_lengths(motion: Any, groups: Any = None) -> tuple[npt.NDArray[Any
 def call_on_clips(function: Any, motion: Any, groups: Any, call: Call, out: Any) -> Any:
     """Call a library function that takes several clips; return the matrix that it read."""
     frames, lengths = frames_and_lengths(motion, groups)
-    count = 0 if lengths is None else len(lengths)
-    call.check(function(read_from(frames), int64_pointer(lengths), count, call.options, out))
+    call.check(function(read_from(frames), read_list(lengths), call.options, out))
     return frames

@@ -165,6 +165,12 @@ class Decomposition(Described):
         return self._columns(lib.stltsa_decomposition_curve, 1)[:, 0]
 
     @property
+    def coords(self) -> FloatArray:
+        """All coordinates of the fit that was cut, not smoothed; shape (samples, dimension)."""
+        width = self._int(lib.STLTSA_DECOMPOSITION_DIMENSION)
+        return self._columns(lib.stltsa_decomposition_coords, width)
+
+    @property
     def loop(self) -> FloatArray:
         """The two coordinates of the loop, the paper's Fig. 1; shape (samples, 2)."""
         return self._columns(lib.stltsa_decomposition_loop, 2)

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ._call import Call, owned
+from ._arrays import write_list
+from ._call import Call, check, owned
 from ._clips import call_on_clips, refuse_groups
 from ._facts import Described
 from ._native import ffi, lib
@@ -91,22 +92,21 @@ class Dimension(Described):
         functions = lib.stltsa_dimension_eigengap, lib.stltsa_dimension_local_pca
         return tuple(r for _, r in map(self._estimate, functions) if r)
 
-    def _values(self, function: Any) -> FloatArray:
-        count = function(self._handle, ffi.NULL, 0)
+    def _values(self, key: int, function: Any) -> FloatArray:
+        count = lib.stltsa_info_count(lib.stltsa_dimension_info(self._handle), key)
         values = np.empty(count, dtype=np.float64)
-        pointer = ffi.cast("double *", values.__array_interface__["data"][0])
-        function(self._handle, pointer, count)
+        check(function(self._handle, write_list(values)))
         return values
 
     @property
     def eigenvalues(self) -> FloatArray:
         """Eigenvalues of the alignment matrix over k, ascending, starting with zero."""
-        return self._values(lib.stltsa_dimension_eigenvalues)
+        return self._values(lib.STLTSA_INFO_EIGENVALUE, lib.stltsa_dimension_eigenvalues)
 
     @property
     def local_variances(self) -> FloatArray:
         """Mean share of a neighborhood's variance along its principal directions."""
-        return self._values(lib.stltsa_dimension_local_variances)
+        return self._values(lib.STLTSA_INFO_LOCAL_VARIANCE, lib.stltsa_dimension_local_variances)
 
     def __repr__(self) -> str:
         return f"<Dimension: local PCA {self.local_pca}, eigengap {self.eigengap}>"

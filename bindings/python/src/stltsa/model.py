@@ -13,8 +13,9 @@ from ._arrays import (
     as_integers,
     as_matrix,
     columns,
-    int64_pointer,
     read_from,
+    read_list,
+    write_list,
     write_to,
 )
 from ._call import Call, check, get_int, get_real, owned, texts
@@ -206,7 +207,7 @@ class Model(Described):
     def components(self) -> IntArray:
         """Component of each row, counted from 0; shape (rows,)."""
         labels = np.empty(len(self), dtype=np.int64)
-        check(lib.stltsa_model_components(self._handle, len(self), int64_pointer(labels)))
+        check(lib.stltsa_model_components(self._handle, write_list(labels)))
         return labels
 
     @property
@@ -244,7 +245,7 @@ class Model(Described):
         wanted = _as_hints(hints, len(frames))
         return self._mapped(
             lib.stltsa_map,
-            (read_from(frames), int64_pointer(wanted)),
+            (read_from(frames), read_list(wanted)),
             (len(frames), self.dimension),
             options,
         )
@@ -255,7 +256,7 @@ class Model(Described):
         """Call a mapping, which writes a matrix of a given shape and two numbers for each row."""
         values, distance = columns(*shape), columns(shape[0], 1)
         nearest = np.empty(shape[0], dtype=np.int64)
-        places = (write_to(values), write_to(distance), int64_pointer(nearest))
+        places = (write_to(values), write_to(distance), write_list(nearest))
         with Call(options) as call:
             call.check(function(self._handle, *what, call.options, *places))
         return Mapped(values, distance[:, 0], nearest)
@@ -287,7 +288,7 @@ class Model(Described):
         wanted = _as_hints(hints, len(points))
         return self._mapped(
             lib.stltsa_unmap,
-            (read_from(points), int64_pointer(wanted)),
+            (read_from(points), read_list(wanted)),
             (len(points), self.n_features),
             options,
         )
@@ -312,7 +313,7 @@ class Model(Described):
                 lib.stltsa_unmap_clip(
                     self._handle,
                     read_from(points),
-                    int64_pointer(wanted),
+                    read_list(wanted),
                     call.options,
                     ffi.NULL,
                     ffi.NULL,

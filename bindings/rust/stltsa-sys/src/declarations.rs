@@ -42,6 +42,7 @@ extern "C" {
 }
 pub const STLTSA_F32: i32 = 1;
 pub const STLTSA_F64: i32 = 2;
+pub const STLTSA_I64: i32 = 3;
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct stltsa_in {
@@ -874,8 +875,7 @@ pub struct stltsa_model {
 extern "C" {
     pub fn stltsa_fit(
         frames: *const stltsa_in,
-        lengths: *const i64,
-        clips: i64,
+        lengths: *const stltsa_in,
         options: *const stltsa_options,
         model: *mut *mut stltsa_model,
     ) -> stltsa_status;
@@ -944,8 +944,7 @@ extern "C" {
 extern "C" {
     pub fn stltsa_model_components(
         model: *const stltsa_model,
-        rows: i64,
-        labels: *mut i64,
+        labels: *const stltsa_out,
     ) -> stltsa_status;
 }
 extern "C" {
@@ -971,8 +970,7 @@ pub struct stltsa_dimension {
 extern "C" {
     pub fn stltsa_estimate_dimension(
         frames: *const stltsa_in,
-        lengths: *const i64,
-        clips: i64,
+        lengths: *const stltsa_in,
         options: *const stltsa_options,
         dimension: *mut *mut stltsa_dimension,
     ) -> stltsa_status;
@@ -1005,16 +1003,14 @@ extern "C" {
 extern "C" {
     pub fn stltsa_dimension_eigenvalues(
         dimension: *const stltsa_dimension,
-        values: *mut f64,
-        capacity: i64,
-    ) -> i64;
+        values: *const stltsa_out,
+    ) -> stltsa_status;
 }
 extern "C" {
     pub fn stltsa_dimension_local_variances(
         dimension: *const stltsa_dimension,
-        values: *mut f64,
-        capacity: i64,
-    ) -> i64;
+        shares: *const stltsa_out,
+    ) -> stltsa_status;
 }
 extern "C" {
     pub fn stltsa_dimension_json(
@@ -1202,6 +1198,12 @@ extern "C" {
     ) -> stltsa_status;
 }
 extern "C" {
+    pub fn stltsa_decomposition_coords(
+        decomposition: *const stltsa_decomposition,
+        coords: *const stltsa_out,
+    ) -> stltsa_status;
+}
+extern "C" {
     pub fn stltsa_decomposition_loop(
         decomposition: *const stltsa_decomposition,
         loop_: *const stltsa_out,
@@ -1231,11 +1233,11 @@ extern "C" {
     pub fn stltsa_map(
         model: *const stltsa_model,
         frames: *const stltsa_in,
-        hints: *const i64,
+        hints: *const stltsa_in,
         options: *const stltsa_options,
         coords: *const stltsa_out,
         distance: *const stltsa_out,
-        nearest: *mut i64,
+        nearest: *const stltsa_out,
     ) -> stltsa_status;
 }
 extern "C" {
@@ -1245,28 +1247,28 @@ extern "C" {
         options: *const stltsa_options,
         coords: *const stltsa_out,
         distance: *const stltsa_out,
-        nearest: *mut i64,
+        nearest: *const stltsa_out,
     ) -> stltsa_status;
 }
 extern "C" {
     pub fn stltsa_unmap(
         model: *const stltsa_model,
         coords: *const stltsa_in,
-        hints: *const i64,
+        hints: *const stltsa_in,
         options: *const stltsa_options,
         frames: *const stltsa_out,
         distance: *const stltsa_out,
-        nearest: *mut i64,
+        nearest: *const stltsa_out,
     ) -> stltsa_status;
 }
 extern "C" {
     pub fn stltsa_unmap_clip(
         model: *const stltsa_model,
         coords: *const stltsa_in,
-        hints: *const i64,
+        hints: *const stltsa_in,
         options: *const stltsa_options,
         distance: *const stltsa_out,
-        nearest: *mut i64,
+        nearest: *const stltsa_out,
         poses: *mut *mut stltsa_clip,
     ) -> stltsa_status;
 }
@@ -1304,8 +1306,7 @@ pub struct stltsa_denoising {
 extern "C" {
     pub fn stltsa_denoise(
         coords: *const stltsa_in,
-        lengths: *const i64,
-        clips: i64,
+        lengths: *const stltsa_in,
         options: *const stltsa_options,
         denoising: *mut *mut stltsa_denoising,
     ) -> stltsa_status;

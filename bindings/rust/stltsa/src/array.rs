@@ -299,6 +299,32 @@ impl Matrix {
     }
 }
 
+/// A list of integers, one a row, as C takes it.
+pub(crate) fn list_in(list: &[i64]) -> Result<sys::stltsa_in> {
+    Ok(sys::stltsa_in {
+        data: list.as_ptr().cast(),
+        rows: c_count(list.len())?,
+        cols: 1,
+        row_stride: 0,
+        col_stride: 0,
+        dtype: sys::STLTSA_I64,
+        reserved: 0,
+    })
+}
+
+/// The same to write to.
+pub(crate) fn list_out(list: &mut [i64]) -> Result<sys::stltsa_out> {
+    Ok(sys::stltsa_out {
+        data: list.as_mut_ptr().cast(),
+        rows: c_count(list.len())?,
+        cols: 1,
+        row_stride: 0,
+        col_stride: 0,
+        dtype: sys::STLTSA_I64,
+        reserved: 0,
+    })
+}
+
 impl Index<(usize, usize)> for Matrix {
     type Output = f64;
 

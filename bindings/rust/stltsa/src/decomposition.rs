@@ -135,6 +135,18 @@ impl Decomposition {
         Ok(curve.into_vec())
     }
 
+    /// All coordinates of the fit that was cut, not smoothed: samples x
+    /// [`dimension`](DecompositionInfo::dimension).
+    ///
+    /// # Errors
+    /// [`NoMemory`](crate::ErrorKind::NoMemory).
+    pub fn coords(&self) -> Result<Matrix> {
+        Matrix::filled(self.info.samples, self.info.dimension, |out| {
+            // SAFETY: a live handle, an array of the size it says.
+            unsafe { sys::stltsa_decomposition_coords(self.raw(), out) }
+        })
+    }
+
     /// The two coordinates of the loop (Fig. 1 of the paper): samples x 2.
     ///
     /// # Errors

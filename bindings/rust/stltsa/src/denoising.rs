@@ -3,7 +3,7 @@
 
 use stltsa_sys as sys;
 
-use crate::array::{Matrix, View};
+use crate::array::{list_in, Matrix, View};
 use crate::error::{count, got, owned_text, Result};
 use crate::handle::Owned;
 use crate::model::{c_lengths, Model};
@@ -73,9 +73,9 @@ impl Denoising {
     ) -> Result<Self> {
         let (coords, lengths) = (coords.into().raw()?, c_lengths(lengths)?);
         options.call(|options| {
-            let (clips, lengths) = (lengths.len() as i64, lengths.as_ptr());
+            let lengths = list_in(&lengths)?;
             // SAFETY: arrays of the sizes they say, and a handle, live through the call.
-            Self::made(|out| unsafe { sys::stltsa_denoise(&coords, lengths, clips, options, out) })
+            Self::made(|out| unsafe { sys::stltsa_denoise(&coords, &lengths, options, out) })
         })
     }
 

@@ -3,7 +3,7 @@
 
 use stltsa_sys as sys;
 
-use crate::array::View;
+use crate::array::{list_in, Matrix, View};
 use crate::clip::Clip;
 use crate::error::{count, owned_text, text, Result};
 use crate::handle::Owned;
@@ -38,9 +38,12 @@ pub enum Estimate {
     CannotTell(String),
 }
 
-type Count =
+type Ask =
     unsafe extern "C" fn(*const sys::stltsa_dimension, *mut *const std::os::raw::c_char) -> i64;
-type Copy = unsafe extern "C" fn(*const sys::stltsa_dimension, *mut f64, i64) -> i64;
+type Copy = unsafe extern "C" fn(
+    *const sys::stltsa_dimension,
+    *const sys::stltsa_out,
+) -> sys::stltsa_status;
 
 impl Dimension {
     /// Estimates the dimension of `frames` x features, one clip. A disconnected or degenerate graph
@@ -69,11 +72,10 @@ impl Dimension {
     ) -> Result<Self> {
         let (frames, lengths) = (frames.into().raw()?, c_lengths(lengths)?);
         options.call(|options| {
-            let (clips, lengths) = (lengths.len() as i64, lengths.as_ptr());
+            let lengths = list_in(&lengths)?;
             // SAFETY: arrays of the sizes they say, and a handle, live through the call.
-            let make = |out| unsafe {
-                sys::stltsa_estimate_dimension(&frames, lengths, clips, options, out)
-            };
+            let make =
+                |out| unsafe { sys::stltsa_estimate_dimension(&frames, &lengths, options, out) };
             Ok(Self { handle: Owned::make(make)? })
         })
     }
@@ -105,13 +107,19 @@ impl Dimension {
     }
 
     /// Eigenvalues of B / k, ascending, starting with zero.
-    pub fn eigenvalues(&self) -> Vec<f64> {
-        self.numbers(sys::stltsa_dimension_eigenvalues)
+    ///
+    /// # Errors
+    /// [`NoMemory`](crate::ErrorKind::NoMemory).
+    pub fn eigenvalues(&self) -> Result<Vec<f64>> {
+        self.numbers(sys::STLTSA_INFO_EIGENVALUE, sys::stltsa_dimension_eigenvalues)
     }
 
     /// Mean share of a neighborhood's variance along its principal direction 1, 2, ...
-    pub fn local_variances(&self) -> Vec<f64> {
-        self.numbers(sys::stltsa_dimension_local_variances)
+    ///
+    /// # Errors
+    /// [`NoMemory`](crate::ErrorKind::NoMemory).
+    pub fn local_variances(&self) -> Result<Vec<f64>> {
+        self.numbers(sys::STLTSA_INFO_LOCAL_VARIANCE, sys::stltsa_dimension_local_variances)
     }
 
     /// One JSON object (schema: stltsa-dimension/1).
@@ -123,7 +131,7 @@ impl Dimension {
         owned_text(|out| unsafe { sys::stltsa_dimension_json(self.handle.raw(), out) })
     }
 
-    fn estimated(&self, ask: Count) -> Estimate {
+    fn estimated(&self, ask: Ask) -> Estimate {
         let mut reason = std::ptr::null();
         // SAFETY: a live handle, to which the reason belongs until it is copied.
         unsafe {
@@ -134,13 +142,11 @@ impl Dimension {
         }
     }
 
-    fn numbers(&self, copy: Copy) -> Vec<f64> {
-        // SAFETY: a live handle; no more numbers are written than there is place for.
-        unsafe {
-            let count = copy(self.handle.raw(), std::ptr::null_mut(), 0);
-            let mut numbers = vec![0.0; count as usize];
-            copy(self.handle.raw(), numbers.as_mut_ptr(), count);
-            numbers
-        }
+    fn numbers(&self, key: i32, copy: Copy) -> Result<Vec<f64>> {
+        let handle = self.handle.raw();
+        // SAFETY: a live handle, and an array of the size it says.
+        let rows = unsafe { sys::stltsa_info_count(sys::stltsa_dimension_info(handle), key) };
+        let numbers = Matrix::filled(count(rows)?, 1, |out| unsafe { copy(handle, out) })?;
+        Ok(numbers.into_vec())
     }
 }

@@ -3,7 +3,7 @@
 
 use stltsa_sys as sys;
 
-use crate::array::{Matrix, View};
+use crate::array::{list_in, list_out, Matrix, View};
 use crate::clip::Clip;
 use crate::error::{c_count, check, count, Error, ErrorKind, Result};
 use crate::handle::Owned;
@@ -76,8 +76,9 @@ fn c_hints(hints: Option<&[Option<usize>]>, rows: usize) -> Result<Option<Vec<i6
     }
 }
 
-fn pointer(hints: &Option<Vec<i64>>) -> *const i64 {
-    hints.as_ref().map_or(std::ptr::null(), |hints| hints.as_ptr())
+/// Null for none.
+fn pointer(hints: &Option<sys::stltsa_in>) -> *const sys::stltsa_in {
+    hints.as_ref().map_or(std::ptr::null(), |hints| hints)
 }
 
 impl Model {
@@ -116,6 +117,7 @@ impl Model {
         options: &Options,
     ) -> Result<Mapped> {
         let (raw, hints) = (frames.raw()?, c_hints(hints, frames.rows())?);
+        let hints = hints.as_deref().map(list_in).transpose()?;
         self.mapped(frames.rows(), options, |options, coords, distance, nearest| {
             let hints = pointer(&hints);
             // SAFETY: live handles, and arrays of as many rows as `raw` says.
@@ -146,14 +148,14 @@ impl Model {
             *const sys::stltsa_options,
             &sys::stltsa_out,
             &sys::stltsa_out,
-            *mut i64,
+            &sys::stltsa_out,
         ) -> sys::stltsa_status,
     ) -> Result<Mapped> {
         let (mut coords, mut place) =
             (Matrix::zeros(rows, self.info().dimension)?, Place::of(rows)?);
         options.call(|options| {
             let (coords, distance) = (coords.raw_out()?, place.distance.raw_out()?);
-            check(map(options, &coords, &distance, place.nearest.as_mut_ptr()))
+            check(map(options, &coords, &distance, &list_out(&mut place.nearest)?))
         })?;
         let (distance, nearest) = place.into_parts()?;
         Ok(Mapped { coords, distance, nearest })
@@ -194,14 +196,15 @@ impl Model {
     ) -> Result<Unmapped> {
         let rows = coords.rows();
         let (raw, hints) = (coords.raw()?, c_hints(hints, rows)?);
+        let hints = hints.as_deref().map(list_in).transpose()?;
         let (mut frames, mut place) =
             (Matrix::zeros(rows, self.info().features)?, Place::of(rows)?);
         options.call(|options| {
             let (frames, distance) = (frames.raw_out()?, place.distance.raw_out()?);
-            let (hints, nearest) = (pointer(&hints), place.nearest.as_mut_ptr());
+            let (hints, nearest) = (pointer(&hints), list_out(&mut place.nearest)?);
             // SAFETY: live handles, and arrays of as many rows as `raw` says.
             check(unsafe {
-                sys::stltsa_unmap(self.raw(), &raw, hints, options, &frames, &distance, nearest)
+                sys::stltsa_unmap(self.raw(), &raw, hints, options, &frames, &distance, &nearest)
             })
         })?;
         let (distance, nearest) = place.into_parts()?;
@@ -239,13 +242,14 @@ impl Model {
         options: &Options,
     ) -> Result<Poses> {
         let (raw, hints) = (coords.raw()?, c_hints(hints, coords.rows())?);
+        let hints = hints.as_deref().map(list_in).transpose()?;
         let mut place = Place::of(coords.rows())?;
         let handle = options.call(|options| {
             let distance = place.distance.raw_out()?;
-            let (hints, nearest) = (pointer(&hints), place.nearest.as_mut_ptr());
+            let (hints, nearest) = (pointer(&hints), list_out(&mut place.nearest)?);
             // SAFETY: live handles, and arrays of as many rows as `raw` says.
             Owned::make(|out| unsafe {
-                sys::stltsa_unmap_clip(self.raw(), &raw, hints, options, &distance, nearest, out)
+                sys::stltsa_unmap_clip(self.raw(), &raw, hints, options, &distance, &nearest, out)
             })
         })?;
         let (distance, nearest) = place.into_parts()?;

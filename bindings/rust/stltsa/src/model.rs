@@ -5,7 +5,7 @@ use std::path::Path;
 
 use stltsa_sys as sys;
 
-use crate::array::{Matrix, View};
+use crate::array::{list_in, list_out, Matrix, View};
 use crate::clip::Clip;
 use crate::error::{
     c_count, c_path, check, count, got, owned_text, texts, Error, ErrorKind, Result,
@@ -124,11 +124,9 @@ impl Model {
     ) -> Result<Self> {
         let (frames, lengths) = (frames.into().raw()?, c_lengths(lengths)?);
         options.call(|options| {
-            let clips = lengths.len() as i64;
+            let lengths = list_in(&lengths)?;
             // SAFETY: arrays of the sizes they say, and a handle, live through the call.
-            Self::made(|out| unsafe {
-                sys::stltsa_fit(&frames, lengths.as_ptr(), clips, options, out)
-            })
+            Self::made(|out| unsafe { sys::stltsa_fit(&frames, &lengths, options, out) })
         })
     }
 
@@ -224,9 +222,9 @@ impl Model {
     /// [`NoMemory`](ErrorKind::NoMemory).
     pub fn components(&self) -> Result<Vec<usize>> {
         let mut labels = vec![0; self.info.frames];
-        let rows = labels.len() as i64;
-        // SAFETY: a live handle, and place for as many labels as it says.
-        check(unsafe { sys::stltsa_model_components(self.raw(), rows, labels.as_mut_ptr()) })?;
+        let out = list_out(&mut labels)?;
+        // SAFETY: a live handle, an array of the size it says.
+        check(unsafe { sys::stltsa_model_components(self.raw(), &out) })?;
         labels.into_iter().map(count).collect()
     }
 
