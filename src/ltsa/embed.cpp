@@ -51,9 +51,12 @@ void set_coords(const Matrix& vectors, std::span<const std::int32_t> members,
 double error_estimate(const Spectrum& spectrum, std::size_t dimension, bool banded,
                       double rounding_of_tangents) {
     // Tangents off by this angle make eigenvalues of its square: if the first unwanted one is no
-    // larger, nothing tells the wanted eigenvectors from others.
-    if (spectrum.values.size() > dimension &&
-        spectrum.values[dimension] < rounding_of_tangents * rounding_of_tangents)
+    // larger, nothing tells the wanted eigenvectors from others. Nor does anything if corrections
+    // do not converge; those of recorded clips end below 1e-12.
+    constexpr double largest_last_change = 1e-6;
+    const bool is_noise = spectrum.values.size() > dimension &&
+                          spectrum.values[dimension] < rounding_of_tangents * rounding_of_tangents;
+    if (is_noise || spectrum.last_change > largest_last_change)
         return unknown_error;
     return std::max(banded ? spectrum.first_change : spectrum.last_change,
                     std::numeric_limits<double>::epsilon()) +

@@ -78,6 +78,23 @@ void the_error_of_rounding_noise_is_unknown(void**) {
     assert_true(fitted(uneven(1), 1, 3).components[0].error_estimate < 1e-8);
 }
 
+/// Noise, whose columns differ so much in size that corrections turn the embedding without end.
+void the_error_is_unknown_if_corrections_do_not_converge(void**) {
+    constexpr double sizes[] = {1e2, 4e-6, 2, 0.3, 5e-3, 4e5};
+    Matrix x = noise(127, 6, 9);
+    for (std::int64_t i = 0; i < x.rows(); ++i)
+        for (std::int64_t c = 0; c < x.cols(); ++c)
+            x(i, c) *= sizes[c];
+    stltsa::ltsa::Parameters parameters;
+    parameters.neighbors = 3;
+    parameters.window = 9;
+    parameters.dimension = 1;
+    parameters.include_self = false;
+    const std::int64_t lengths[] = {x.rows()};
+    const auto model = fit(x.view(), lengths, parameters, {});
+    assert_true(model.components[0].error_estimate == stltsa::ltsa::unknown_error);
+}
+
 } // namespace
 
 int main() {
@@ -86,6 +103,7 @@ int main() {
         cmocka_unit_test(running_sums_are_those_of_their_definition),
         cmocka_unit_test(slow_spectra_are_solved_for_again),
         cmocka_unit_test(the_error_of_rounding_noise_is_unknown),
+        cmocka_unit_test(the_error_is_unknown_if_corrections_do_not_converge),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }
