@@ -200,8 +200,10 @@ enum {
     STLTSA_OPT_CUT_RANGE = 29,   /* real  synthesize: seconds by which a cut may move to find a common
                                       posture; -1: a tenth of the cycle that is repeated, half
                                       a cycle and at least 0.5 s where clips join */
-    STLTSA_OPT_POSTURE_LIMIT = 30  /* real synthesize: largest distance of the postures at a seam, over
+    STLTSA_OPT_POSTURE_LIMIT = 30, /* real synthesize: largest distance of the postures at a seam, over
                                       what is common between a motion's own repetitions; 0: none */
+    STLTSA_OPT_DIMENSION_ESTIMATE = 31 /* int decompose: 1: also estimate the intrinsic dimension of
+                                      what is embedded (STLTSA_INFO_LOCAL_PCA, _EIGENGAP) */
 };
 
 enum {
@@ -256,11 +258,12 @@ STLTSA_API stltsa_status stltsa_options_get_real(const stltsa_options *options, 
 STLTSA_API stltsa_status stltsa_options_get_text(const stltsa_options *options, int32_t key,
                                                  const char **value) STLTSA_NOEXCEPT;
 
-/* Stages of the work as the progress callback sees them; a call passes through some of them. */
+/* Stages of the work as the progress callback sees them; a call passes through some of them, in
+ * this order. */
 enum {
     STLTSA_STAGE_READ = 0,      /* reading a clip */
     STLTSA_STAGE_FEATURES = 1,  /* features of its poses */
-    STLTSA_STAGE_NEIGHBORS = 2, /* neighbors among all frames; temporal ones come with the tangents */
+    STLTSA_STAGE_NEIGHBORS = 2, /* choice of k and neighbors; temporal ones come with the tangents */
     STLTSA_STAGE_TANGENTS = 3,  /* local tangents */
     STLTSA_STAGE_ALIGNMENT = 4, /* the alignment matrix */
     STLTSA_STAGE_SPECTRUM = 5,  /* its smallest eigenvectors */
@@ -270,10 +273,11 @@ enum {
     STLTSA_STAGE_SYNTHESIS = 9  /* new motion */
 };
 
-/* `fraction` of the stage is done, 0 to 1. Nonzero cancels: the call returns E_CANCELLED. It runs
- * on the caller's thread and must not throw or long-jump through the library. In the stage SPECTRUM
- * it must not fit, decompose or estimate a dimension, which returns E_ARGUMENT, nor wait for a
- * thread that does, which never ends: ARPACK works on one problem at a time. */
+/* `fraction` of the stage is done, 0 to 1; within a call neither the stage nor its fraction goes
+ * back. Nonzero cancels: the call returns E_CANCELLED. It runs on the caller's thread and must not
+ * throw or long-jump through the library. In the stage SPECTRUM it must not fit, decompose or
+ * estimate a dimension, which returns E_ARGUMENT, nor wait for a thread that does, which never ends:
+ * ARPACK works on one problem at a time. */
 typedef int32_t (*stltsa_progress_fn)(void *user, int32_t stage, double fraction);
 
 STLTSA_API stltsa_status stltsa_options_set_progress(stltsa_options *options,
@@ -684,8 +688,8 @@ typedef struct stltsa_interval {
  * between, is an action, and a warning says when. A clip without trustworthy cycles gets activity
  * segments and a reason. That is an answer (STLTSA_OK), not an error.
  * Options: all of features, up axis, keep_start, sample_rate, smoothing, period_*, neighbors,
- * window, dimension, mode, threads, progress. A clip of unknown fps: E_ARGUMENT (set option fps when
- * opening it). Other errors as stltsa_fit. */
+ * window, dimension, mode, dimension_estimate (with eigengap and variance), threads, progress. A clip
+ * of unknown fps: E_ARGUMENT (set option fps when opening it). Other errors as stltsa_fit. */
 STLTSA_API stltsa_status stltsa_decompose(const stltsa_clip *clip, const stltsa_options *options,
                                           stltsa_decomposition **decomposition) STLTSA_NOEXCEPT;
 STLTSA_API void stltsa_decomposition_free(stltsa_decomposition *decomposition) STLTSA_NOEXCEPT;

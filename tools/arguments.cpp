@@ -140,6 +140,7 @@ const Keys choosing = {STLTSA_OPT_NEIGHBORS, STLTSA_OPT_WINDOW,     STLTSA_OPT_D
                        STLTSA_OPT_MODE,      STLTSA_OPT_PERIOD_MIN, STLTSA_OPT_PERIOD_MAX};
 const Keys graph = {STLTSA_OPT_INCLUDE_SELF, STLTSA_OPT_LINKS, STLTSA_OPT_EXCLUSION};
 const Keys estimating = {STLTSA_OPT_EIGENGAP, STLTSA_OPT_VARIANCE};
+const Keys estimate = {STLTSA_OPT_DIMENSION_ESTIMATE};
 const Keys mapping = {STLTSA_OPT_MAP_NEIGHBORS, STLTSA_OPT_MAP_BLEND};
 const Keys unmapping = {STLTSA_OPT_COMPONENT, STLTSA_OPT_HINT_WINDOW};
 const Keys threading = {STLTSA_OPT_THREADS};
@@ -187,7 +188,7 @@ class Parser {
                                            {estimating, choosing, graph, preparing, reading});
         add_output(dimension);
         CLI::App& decompose = clip_command(Command::decompose, "decompose", about_decompose, a_clip,
-                                           {choosing, preparing, reading});
+                                           {choosing, estimate, estimating, preparing, reading});
         add_plot(decompose);
         add_output(decompose);
         decompose.add_flag("--curve", to_.curve,

@@ -29,16 +29,26 @@ class Progress {
     Progress() = default;
     Progress(Callback callback, void* user) : callback_(callback), user_(user) {}
 
+    /// Of work that is part `index` of `count` equal parts of its stages.
+    Progress part(std::int64_t index, std::int64_t count) const {
+        Progress part = *this;
+        part.share_ = share_ / static_cast<double>(count);
+        part.begin_ = begin_ + part.share_ * static_cast<double>(index);
+        return part;
+    }
+
     /// Tells the caller how far a stage has come; throws Status::cancelled when it answers nonzero.
     void report(Stage stage, double fraction) const {
         if (callback_ != nullptr &&
-            callback_(user_, static_cast<std::int32_t>(stage), fraction) != 0)
+            callback_(user_, static_cast<std::int32_t>(stage), begin_ + share_ * fraction) != 0)
             fail(Status::cancelled, "cancelled by the progress callback");
     }
 
   private:
     Callback callback_ = nullptr;
     void* user_ = nullptr;
+    double begin_ = 0; ///< of the part
+    double share_ = 1;
 };
 
 } // namespace stltsa

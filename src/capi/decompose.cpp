@@ -4,7 +4,6 @@
 #include <memory>
 
 #include "capi/arrays.hpp"
-#include "capi/dimension.hpp"
 #include "capi/guard.hpp"
 #include "capi/source.hpp"
 
@@ -70,26 +69,6 @@ class SourceFrames {
     const capi::ClipFacts& clip_;
 };
 
-void estimate_dimension(const Matrix& samples, const capi::OptionsReader& options,
-                        stltsa_decomposition& made) {
-    ltsa::Parameters parameters = made.result.parameters;
-    const auto asked = static_cast<int>(options.integer(STLTSA_OPT_DIMENSION));
-    parameters.dimension = asked > 0 ? asked : capi::eigengap_tangent_dimension;
-    if (parameters.neighbors < parameters.dimension + 2)
-        return;
-    const std::int64_t length = samples.rows();
-    try {
-        made.dimension =
-            ltsa::intrinsic_dimension(samples.view(), {&length, 1}, parameters,
-                                      capi::dimension_options(options), options.progress());
-        made.has_dimension = true;
-    } catch (const Error& error) {
-        // The units do not depend on it; "not estimated" is the answer then.
-        if (error.status() == Status::cancelled || error.status() == Status::no_memory)
-            throw;
-    }
-}
-
 motion::DecomposeOptions search_options(const capi::OptionsReader& options,
                                         const capi::Source& source, std::int64_t jump) {
     auto search = options.decompose_options();
@@ -119,7 +98,6 @@ std::unique_ptr<stltsa_decomposition> decompose(const stltsa_clip& clip,
     made->units = frames.units(made->result.units);
     for (const motion::Cycle& cycle : made->result.cycles)
         made->cycles.push_back(frames.interval(cycle.begin, cycle.end, STLTSA_UNIT_CYCLE));
-    estimate_dimension(prepared.samples, options, *made);
     return made;
 }
 
@@ -289,7 +267,6 @@ stltsa_status stltsa_decomposition_json(const stltsa_decomposition* decompositio
         required(json, "json") = nullptr;
         const auto& d = required(decomposition, "decomposition");
         *json = capi::caller_string(capi::decomposition_json(
-            {&d.source.clip, d.source.samples, d.source.period, &d.result, d.units, d.cycles,
-             d.has_dimension ? &d.dimension : nullptr}));
+            {&d.source.clip, d.source.samples, d.source.period, &d.result, d.units, d.cycles}));
     });
 }

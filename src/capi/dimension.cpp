@@ -5,7 +5,6 @@
 #include <memory>
 
 #include "capi/arrays.hpp"
-#include "capi/dimension.hpp"
 #include "capi/guard.hpp"
 #include "capi/source.hpp"
 #include "ltsa/frames.hpp"
@@ -14,33 +13,7 @@ using namespace stltsa;
 using capi::guard;
 using capi::required;
 
-namespace stltsa::capi {
-
-ltsa::DimensionOptions dimension_options(const OptionsReader& options) {
-    return {options.real(STLTSA_OPT_EIGENGAP), options.real(STLTSA_OPT_VARIANCE)};
-}
-
-} // namespace stltsa::capi
-
 namespace {
-
-/// Frames too degenerate to work with are an answer here: the reason stands for both estimates.
-ltsa::Dimension estimate(ConstMatrixView samples, const std::vector<std::int64_t>& lengths,
-                         const ltsa::Parameters& parameters, const capi::OptionsReader& options) {
-    try {
-        return ltsa::intrinsic_dimension(samples, lengths, parameters,
-                                         capi::dimension_options(options), options.progress());
-    } catch (const Error& error) {
-        if (error.status() != Status::degenerate && error.status() != Status::disconnected)
-            throw;
-        ltsa::Dimension unknown;
-        unknown.parameters = parameters;
-        unknown.threshold = options.real(STLTSA_OPT_EIGENGAP);
-        unknown.local_variance = options.real(STLTSA_OPT_VARIANCE);
-        unknown.eigengap_reason = unknown.local_pca_reason = error.what();
-        return unknown;
-    }
-}
 
 std::unique_ptr<stltsa_dimension> estimate_samples(ConstMatrixView samples,
                                                    const std::vector<std::int64_t>& lengths,
@@ -49,8 +22,9 @@ std::unique_ptr<stltsa_dimension> estimate_samples(ConstMatrixView samples,
     ltsa::check_frames(samples, lengths, "frames", options.threads());
     auto result = std::make_unique<stltsa_dimension>();
     const auto parameters =
-        capi::choose_parameters(samples, options, capi::eigengap_tangent_dimension, source);
-    result->dimension = estimate(samples, lengths, parameters, options);
+        capi::choose_parameters(samples, lengths, options, ltsa::eigengap_tangents, source);
+    result->dimension = ltsa::intrinsic_dimension(samples, lengths, parameters,
+                                                  options.dimension_options(), options.progress());
     result->source = std::move(source);
     return result;
 }

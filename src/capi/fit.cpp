@@ -41,7 +41,8 @@ std::unique_ptr<stltsa_model> fit_samples(ConstMatrixView samples,
                                           const capi::OptionsReader& options, capi::Source source) {
     ltsa::check_frames(samples, lengths, "frames", options.threads());
     auto model = std::make_unique<stltsa_model>();
-    const auto parameters = capi::choose_parameters(samples, options, standard_dimension, source);
+    const auto parameters =
+        capi::choose_parameters(samples, lengths, options, standard_dimension, source);
     model->model = ltsa::fit(samples, lengths, parameters, options.progress());
     warn_of_parts(source.samples, model->model);
     model->source = std::move(source);

@@ -74,8 +74,6 @@ struct stltsa_decomposition : stltsa_info {
     stltsa_decomposition() : stltsa_info{&stltsa::capi::decomposition_table} {}
 
     stltsa::motion::Decomposition result;
-    stltsa::ltsa::Dimension dimension;
-    bool has_dimension = false;
     stltsa::capi::Source source;
     std::vector<stltsa_interval> units;
     std::vector<stltsa_interval> cycles;

@@ -192,7 +192,7 @@ constexpr InfoRow dimension_rows[] = {
 using Decomposition = stltsa_decomposition;
 
 const ltsa::Dimension* dimension_of(const Decomposition& d) {
-    return d.has_dimension ? &d.dimension : nullptr;
+    return d.result.intrinsic ? &*d.result.intrinsic : nullptr;
 }
 
 constexpr InfoRow decomposition_rows[] = {

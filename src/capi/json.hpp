@@ -73,9 +73,8 @@ struct DecompositionFacts {
     SampleFacts samples;
     PeriodFacts period; ///< what was found and the range that was searched
     const motion::Decomposition* decomposition = nullptr;
-    std::span<const stltsa_interval> units;     ///< in frames of the source file
-    std::span<const stltsa_interval> cycles;    ///< the same
-    const ltsa::Dimension* dimension = nullptr; ///< nullptr: not estimated
+    std::span<const stltsa_interval> units;  ///< in frames of the source file
+    std::span<const stltsa_interval> cycles; ///< the same
 };
 
 struct DenoisingFacts {

@@ -44,8 +44,8 @@ Json embedding_json(const motion::Decomposition& found) {
                       json_count_or_null(found.coordinate), "cyclicity", found.cyclicity);
 }
 
-Json intrinsic_json(const ltsa::Dimension* dimension) {
-    if (dimension == nullptr)
+Json intrinsic_json(const std::optional<ltsa::Dimension>& dimension) {
+    if (!dimension)
         return nullptr;
     return JsonObject("local_pca", json_count_or_null(dimension->local_pca), "eigengap",
                       json_count_or_null(dimension->eigengap));
@@ -60,7 +60,7 @@ std::string decomposition_json(const DecompositionFacts& facts) {
     object.set("samples", json_samples(facts.samples));
     object.set("parameters", json_parameters(found.parameters, facts.period));
     object.set("embedding", embedding_json(found));
-    object.set("intrinsic_dimension", intrinsic_json(facts.dimension));
+    object.set("intrinsic_dimension", intrinsic_json(found.intrinsic));
     object.set("period_s", json_positive_or_null(facts.period.period));
     object.set("lag_quality", facts.period.lag_quality);
     object.set("units", units_json(facts.units));

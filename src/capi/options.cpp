@@ -64,6 +64,19 @@ const char* OptionsReader::text(int32_t key) const {
     return "";
 }
 
+Progress OptionsReader::progress() const {
+    if (options_ == nullptr || options_->progress == nullptr)
+        return {};
+    return {tell, const_cast<OptionsReader*>(this)};
+}
+
+std::int32_t OptionsReader::tell(void* reader, std::int32_t stage, double fraction) {
+    const auto& self = *static_cast<const OptionsReader*>(reader);
+    self.furthest_ = std::max(self.furthest_, std::pair(stage, fraction));
+    return self.options_->progress(self.options_->progress_user, self.furthest_.first,
+                                   self.furthest_.second);
+}
+
 int OptionsReader::threads() const {
     return thread_count(integer(STLTSA_OPT_THREADS));
 }
@@ -86,6 +99,10 @@ clip::PrepareOptions OptionsReader::prepare_options() const {
     return prepare;
 }
 
+ltsa::DimensionOptions OptionsReader::dimension_options() const {
+    return {real(STLTSA_OPT_EIGENGAP), real(STLTSA_OPT_VARIANCE)};
+}
+
 motion::DecomposeOptions OptionsReader::decompose_options() const {
     motion::DecomposeOptions decompose;
     decompose.neighbors = integer(STLTSA_OPT_NEIGHBORS);
@@ -97,6 +114,8 @@ motion::DecomposeOptions OptionsReader::decompose_options() const {
     if (decompose.shortest_period > decompose.longest_period)
         fail(Status::argument, "option period_min is {} s, longer than option period_max, {} s",
              decompose.shortest_period, decompose.longest_period);
+    if (integer(STLTSA_OPT_DIMENSION_ESTIMATE) != 0)
+        decompose.estimate = dimension_options();
     decompose.threads = threads();
     return decompose;
 }
@@ -171,5 +190,8 @@ stltsa_status stltsa_options_get_text(const stltsa_options* options, int32_t key
 
 stltsa_status stltsa_options_set_progress(stltsa_options* options, stltsa_progress_fn progress,
                                           void* user) noexcept {
-    return guard([&] { required(options, "options").progress = Progress(progress, user); });
+    return guard([&] {
+        required(options, "options").progress = progress;
+        options->progress_user = user;
+    });
 }

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <string>
+#include <utility>
 
 #include "base/progress.hpp"
 #include "clip/clip.hpp"
@@ -16,7 +17,8 @@
 struct stltsa_options {
     std::map<int32_t, double> numbers;
     std::map<int32_t, std::string> texts;
-    stltsa::Progress progress;
+    stltsa::Progress::Callback progress = nullptr;
+    void* progress_user = nullptr;
 };
 
 namespace stltsa::capi {
@@ -29,15 +31,20 @@ class OptionsReader {
     std::int64_t integer(int32_t key) const;
     double real(int32_t key) const;
     const char* text(int32_t key) const;
-    Progress progress() const { return options_ == nullptr ? Progress() : options_->progress; }
+    /// Valid as long as the reader. What it tells the caller never goes back, whatever comes in.
+    Progress progress() const;
 
     clip::ReadOptions read_options() const;
     clip::PrepareOptions prepare_options() const;
+    ltsa::DimensionOptions dimension_options() const;
     motion::DecomposeOptions decompose_options() const;
     int threads() const;
 
   private:
+    static std::int32_t tell(void* reader, std::int32_t stage, double fraction);
+
     const stltsa_options* options_;
+    mutable std::pair<std::int32_t, double> furthest_{0, 0}; ///< stage and fraction
 };
 
 } // namespace stltsa::capi

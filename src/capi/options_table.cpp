@@ -110,6 +110,8 @@ constexpr stltsa_option_info rows[] = {
          "Largest distance of the postures at a seam, over what is common between repetitions of "
          "one motion; 0: none.",
          0, 1e6, 3),
+    whole(STLTSA_OPT_DIMENSION_ESTIMATE, "dimension_estimate",
+          "Also estimate the intrinsic dimension of what is embedded.", 0, 1, 0),
 };
 
 } // namespace

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "motion/decompose.hpp"
+#include "motion/choose_neighbors.hpp"
 
 namespace stltsa::capi {
 
@@ -59,28 +59,37 @@ ClipSamples prepare_clip(const stltsa_clip& clip, const OptionsReader& options) 
 
 namespace {
 
-/// k where the rate, and so the period, is unknown.
-constexpr std::int64_t neighbors_without_rate = 12;
-
-std::int64_t choose_neighbors(ConstMatrixView samples, const OptionsReader& options,
-                              Source& source) {
+motion::Period find_period(ConstMatrixView samples, const OptionsReader& options, Source& source) {
     const double fps = source.samples.fps;
     if (!(fps > 0))
-        return neighbors_without_rate;
+        return {};
     const auto search = options.decompose_options();
-    source.period.shortest = search.shortest_period;
-    source.period.longest = search.longest_period;
     const motion::Period found = motion::find_period(samples, fps, search.shortest_period,
                                                      search.longest_period, options.progress());
-    source.period.period = found.samples / fps;
-    source.period.lag_quality = found.quality;
-    return motion::neighbors_for(found, fps);
+    source.period = {found.samples / fps, found.quality, search.shortest_period,
+                     search.longest_period};
+    return found;
+}
+
+/// Neighbors are looked for within a clip, so that the shortest one limits their number.
+std::int64_t distinct_in_reach(ConstMatrixView samples, std::span<const std::int64_t> lengths,
+                               ltsa::Mode mode) {
+    if (mode == ltsa::Mode::spatial)
+        return motion::distinct_frames(samples);
+    std::int64_t least = samples.rows;
+    std::int64_t first = 0;
+    for (const std::int64_t length : lengths) {
+        least = std::min(least, motion::distinct_frames(samples.block(first, length)));
+        first += length;
+    }
+    return least;
 }
 
 } // namespace
 
-ltsa::Parameters choose_parameters(ConstMatrixView samples, const OptionsReader& options,
-                                   int standard_dimension, Source& source) {
+ltsa::Parameters choose_parameters(ConstMatrixView samples, std::span<const std::int64_t> lengths,
+                                   const OptionsReader& options, int standard_dimension,
+                                   Source& source) {
     ltsa::Parameters p;
     const auto dimension = static_cast<int>(options.integer(STLTSA_OPT_DIMENSION));
     p.dimension = dimension > 0 ? dimension : standard_dimension;
@@ -89,11 +98,10 @@ ltsa::Parameters choose_parameters(ConstMatrixView samples, const OptionsReader&
     p.links = options.integer(STLTSA_OPT_LINKS);
     p.threads = options.threads();
     p.neighbors = options.integer(STLTSA_OPT_NEIGHBORS);
-    if (p.neighbors == 0) {
-        const std::int64_t wanted = choose_neighbors(samples, options, source);
-        // A clip shorter than that is one neighborhood; dimension + 2 is the least that works.
-        p.neighbors = std::max<std::int64_t>(std::min(wanted, samples.rows - 1), p.dimension + 2);
-    }
+    if (p.neighbors == 0)
+        p.neighbors = motion::choose_neighbors(
+            find_period(samples, options, source), source.samples.fps,
+            {distinct_in_reach(samples, lengths, p.mode), p.dimension, p.dimension});
     const std::int64_t window = options.integer(STLTSA_OPT_WINDOW);
     p.window = window > 0 ? window : p.neighbors;
     const std::int64_t exclusion = options.integer(STLTSA_OPT_EXCLUSION);

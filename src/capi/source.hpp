@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "capi/handles.hpp"
 #include "capi/options.hpp"
@@ -22,7 +23,8 @@ ClipSamples prepare_clip(const stltsa_clip& clip, const OptionsReader& options);
 
 /// The parameters with every "0: choose" decided from the samples. Fills source.period.
 /// `standard_dimension`: what dimension 0 means here.
-ltsa::Parameters choose_parameters(ConstMatrixView samples, const OptionsReader& options,
-                                   int standard_dimension, Source& source);
+ltsa::Parameters choose_parameters(ConstMatrixView samples, std::span<const std::int64_t> lengths,
+                                   const OptionsReader& options, int standard_dimension,
+                                   Source& source);
 
 } // namespace stltsa::capi

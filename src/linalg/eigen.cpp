@@ -20,8 +20,13 @@ TopEigenpairs::TopEigenpairs(std::int64_t order, std::int64_t count)
     LAPACKE_dsyevr_work(LAPACK_COL_MAJOR, 'V', 'I', 'L', order_, matrix_.data(), order_, 0, 0,
                         order_ - count_ + 1, order_, 0, &found, values_.data(), vectors_.data(),
                         order_, support_.data(), &work_size, -1, &integer_work_size, -1);
-    work_.resize(static_cast<std::size_t>(work_size));
-    integer_work_.resize(static_cast<std::size_t>(integer_work_size));
+    double values_work_size = 0;
+    lapack_int values_integer_work_size = 0;
+    LAPACKE_dsyevd_work(LAPACK_COL_MAJOR, 'N', 'L', order_, matrix_.data(), order_, values_.data(),
+                        &values_work_size, -1, &values_integer_work_size, -1);
+    work_.resize(static_cast<std::size_t>(std::max(work_size, values_work_size)));
+    integer_work_.resize(
+        static_cast<std::size_t>(std::max(integer_work_size, values_integer_work_size)));
 }
 
 void TopEigenpairs::solve() {
@@ -49,6 +54,17 @@ void TopEigenpairs::solve_for_all() {
     const std::int64_t first = order_ - count_;
     std::copy_n(values.begin() + first, count_, values_.begin());
     std::copy_n(destroyed_.row(first), count_ * std::int64_t{order_}, vectors_.data());
+}
+
+void TopEigenpairs::solve_values() {
+    std::copy_n(matrix_.data(), matrix_.size(), destroyed_.data());
+    const lapack_int info =
+        LAPACKE_dsyevd_work(LAPACK_COL_MAJOR, 'N', 'L', order_, destroyed_.data(), order_,
+                            values_.data(), work_.data(), static_cast<lapack_int>(work_.size()),
+                            integer_work_.data(), static_cast<lapack_int>(integer_work_.size()));
+    if (info != 0)
+        fail(Status::internal, "LAPACK dsyevd failed on a matrix of order {} (info {})", order_,
+             info);
 }
 
 double TopEigenpairs::value(std::int64_t pair) const {

@@ -26,32 +26,6 @@ int first_gap(const std::vector<double>& scaled, double threshold) {
     return 0;
 }
 
-void eigengap(const Graph& graph, const Progress& progress, Dimension& result) {
-    if (graph.components.count > 1) {
-        result.eigengap_reason = format_text(
-            "the neighborhood graph has {} parts, each with a zero eigenvalue of its own: their "
-            "number would be counted, not the dimension",
-            graph.components.count);
-        return;
-    }
-    const auto& ranks = graph.tangents.rank;
-    if (*std::max_element(ranks.begin(), ranks.end()) < graph.parameters.dimension) {
-        result.eigengap_reason = format_text("every window varies in fewer than {} directions",
-                                             graph.parameters.dimension);
-        return;
-    }
-    const int count = static_cast<int>(std::min<std::int64_t>(
-        graph.parameters.dimension + eigenvalues_beyond, graph.frames.x.rows));
-    const Model model = embed(graph, graph.parameters.dimension, count, progress);
-    const auto k = static_cast<double>(graph.neighborhoods.size);
-    for (const double value : model.components.front().eigenvalues)
-        result.eigenvalues.push_back(value / k);
-    result.eigengap = first_gap(result.eigenvalues, result.threshold);
-    if (result.eigengap == 0)
-        result.eigengap_reason = format_text("no gap between the first {} eigenvalues exceeds {} k",
-                                             count, result.threshold);
-}
-
 /// Directions that hold `share` of the sum of one spectrum (descending); 0 for a zero spectrum.
 int directions_holding(const double* spectrum, std::int64_t count, double share) {
     double total = 0;
@@ -96,20 +70,80 @@ void local_pca(const Graph& graph, const Progress& progress, Dimension& result) 
     result.local_pca = *middle;
 }
 
-} // namespace
+/// Why the eigengap cannot tell the dimension; empty: it may.
+std::string no_eigengap(const Graph& graph, int tangents) {
+    if (graph.components.count > 1)
+        return format_text(
+            "the neighborhood graph has {} parts, each with a zero eigenvalue of its own: their "
+            "number would be counted, not the dimension",
+            graph.components.count);
+    if (varying_directions(graph) < tangents)
+        return format_text("every window varies in fewer than {} directions", tangents);
+    return {};
+}
 
-Dimension intrinsic_dimension(ConstMatrixView frames, std::span<const std::int64_t> lengths,
-                              const Parameters& parameters, const DimensionOptions& options,
-                              const Progress& progress) {
-    const SingleThreadedBlas single;
-    const Graph graph = build_graph(frames, lengths, parameters, progress);
+Dimension unestimated(const Parameters& parameters, const DimensionOptions& options) {
     Dimension result;
     result.parameters = parameters;
     result.threshold = options.threshold;
     result.local_variance = options.local_variance;
-    eigengap(graph, progress, result);
-    local_pca(graph, progress, result);
     return result;
+}
+
+} // namespace
+
+int eigenvalues_of_gap(const Graph& graph, int tangents) {
+    return static_cast<int>(
+        std::min<std::int64_t>(tangents + eigenvalues_beyond, graph.frames.x.rows));
+}
+
+Dimension local_dimension(const Graph& graph, int tangents, const DimensionOptions& options,
+                          const Progress& progress) {
+    Dimension result = unestimated(graph.parameters, options);
+    result.parameters.dimension = tangents;
+    local_pca(graph, progress, result);
+    result.eigengap_reason = no_eigengap(graph, tangents);
+    return result;
+}
+
+void set_eigengap(const Graph& graph, std::span<const double> eigenvalues, Dimension& result) {
+    if (!result.eigengap_reason.empty())
+        return;
+    const auto k = static_cast<double>(graph.neighborhoods.size);
+    for (const double value : eigenvalues)
+        result.eigenvalues.push_back(value / k);
+    result.eigengap = first_gap(result.eigenvalues, result.threshold);
+    if (result.eigengap == 0)
+        result.eigengap_reason = format_text("no gap between the first {} eigenvalues exceeds {} k",
+                                             result.eigenvalues.size(), result.threshold);
+}
+
+Dimension unknown_dimension(const Parameters& parameters, const DimensionOptions& options,
+                            const std::string& reason) {
+    Dimension result = unestimated(parameters, options);
+    result.eigengap_reason = result.local_pca_reason = reason;
+    return result;
+}
+
+Dimension intrinsic_dimension(ConstMatrixView frames, std::span<const std::int64_t> lengths,
+                              const Parameters& parameters, const DimensionOptions& options,
+                              const Progress& progress) {
+    try {
+        const SingleThreadedBlas single;
+        const int tangents = parameters.dimension;
+        const Graph graph = build_graph(frames, lengths, parameters, progress.part(0, 2));
+        Dimension result = local_dimension(graph, tangents, options, progress.part(1, 2));
+        if (result.eigengap_reason.empty()) {
+            const int count = eigenvalues_of_gap(graph, tangents);
+            const Model model = embed(graph, tangents, count, progress);
+            set_eigengap(graph, model.components.front().eigenvalues, result);
+        }
+        return result;
+    } catch (const Error& error) {
+        if (error.status() != Status::degenerate && error.status() != Status::disconnected)
+            throw;
+        return unknown_dimension(parameters, options, error.what());
+    }
 }
 
 } // namespace stltsa::ltsa

@@ -9,9 +9,13 @@
 
 #include "base/progress.hpp"
 #include "linalg/matrix.hpp"
+#include "ltsa/graph.hpp"
 #include "ltsa/parameters.hpp"
 
 namespace stltsa::ltsa {
+
+/// Tangent dimension D of the B whose eigengap is looked at if the caller names none.
+inline constexpr int eigengap_tangents = 2;
 
 struct DimensionOptions {
     double threshold = 0.1;       ///< tau of the eigengap, as a fraction of k
@@ -30,9 +34,21 @@ struct Dimension {
     double local_variance = 0;
 };
 
-/// parameters.dimension is the tangent dimension D that B is built with.
+/// parameters.dimension is the tangent dimension D that B is built with. Frames too degenerate to
+/// work with are an answer: the reason stands for both estimates.
 Dimension intrinsic_dimension(ConstMatrixView frames, std::span<const std::int64_t> lengths,
                               const Parameters& parameters, const DimensionOptions& options,
                               const Progress& progress);
+
+// The same in steps, for a graph that is there and is embedded anyway.
+
+/// The estimate by local PCA. `tangents`: D.
+Dimension local_dimension(const Graph& graph, int tangents, const DimensionOptions& options,
+                          const Progress& progress);
+int eigenvalues_of_gap(const Graph& graph, int tangents);
+/// Adds the estimate by the eigengap, from the first eigenvalues_of_gap() of B built with D.
+void set_eigengap(const Graph& graph, std::span<const double> eigenvalues, Dimension& result);
+Dimension unknown_dimension(const Parameters& parameters, const DimensionOptions& options,
+                            const std::string& reason);
 
 } // namespace stltsa::ltsa

@@ -142,9 +142,10 @@ Model embed(const Graph& graph, int dimension, int eigenvalues, const Progress& 
     model.features = graph.frames.x.cols;
     model.repeated_frames = graph.frames.repeated;
     Matrix coords = Matrix::unset(graph.frames.x.rows, dimension);
-    for (std::int64_t c = 0; c < graph.components.count; ++c)
+    const std::int64_t count = graph.components.count;
+    for (std::int64_t c = 0; c < count; ++c)
         model.components.push_back(
-            embed_component(graph, c, dimension, eigenvalues, progress, coords));
+            embed_component(graph, c, dimension, eigenvalues, progress.part(c, count), coords));
 
     set_frames(graph, coords, model);
     model.time_correlation = time_correlation(graph, coords);

@@ -8,6 +8,12 @@
 
 namespace stltsa::ltsa {
 
+/// Eigenvalues of each component that a fit of `dimension` coordinates reports: the zero one, those
+/// of the coordinates, and the next one, which shows the gap.
+constexpr int eigenvalues_of_fit(int dimension) {
+    return dimension + 2;
+}
+
 /// Embeds every component with the graph's first `dimension` tangents. `eigenvalues`: how many
 /// per component, the zero one counted.
 Model embed(const Graph& graph, int dimension, int eigenvalues, const Progress& progress);

@@ -5,13 +5,6 @@
 #include "ltsa/embed.hpp"
 
 namespace stltsa::ltsa {
-namespace {
-
-int eigenvalue_count(const Parameters& parameters, int dimension) {
-    return parameters.spectrum > 0 ? parameters.spectrum : dimension + 2;
-}
-
-} // namespace
 
 std::int64_t first_cut(const Model& model) {
     std::int64_t first = 0;
@@ -25,9 +18,6 @@ std::int64_t first_cut(const Model& model) {
     return -1;
 }
 
-namespace {
-
-/// Windows of so few features have fewer directions everywhere: told before the work.
 void check_dimension(std::int64_t features, int dimension) {
     if (dimension > features)
         fail(Status::degenerate,
@@ -36,30 +26,16 @@ void check_dimension(std::int64_t features, int dimension) {
              dimension, features, features);
 }
 
-} // namespace
-
 Model fit(ConstMatrixView frames, std::span<const std::int64_t> lengths,
           const Parameters& parameters, const Progress& progress) {
     check_dimension(frames.cols, parameters.dimension);
     const SingleThreadedBlas single;
     const Graph graph = build_graph(frames, lengths, parameters, progress);
-    Model model = embed(graph, parameters.dimension,
-                        eigenvalue_count(parameters, parameters.dimension), progress);
+    const int eigenvalues =
+        parameters.spectrum > 0 ? parameters.spectrum : eigenvalues_of_fit(parameters.dimension);
+    Model model = embed(graph, parameters.dimension, eigenvalues, progress);
     model.lengths.assign(lengths.begin(), lengths.end());
     return model;
-}
-
-std::vector<Model> fit_dimensions(ConstMatrixView frames, std::span<const std::int64_t> lengths,
-                                  const Parameters& parameters, const Progress& progress) {
-    check_dimension(frames.cols, parameters.dimension);
-    const SingleThreadedBlas single;
-    const Graph graph = build_graph(frames, lengths, parameters, progress);
-    std::vector<Model> models;
-    for (int d = 1; d <= parameters.dimension; ++d) {
-        models.push_back(embed(graph, d, eigenvalue_count(parameters, d), progress));
-        models.back().lengths.assign(lengths.begin(), lengths.end());
-    }
-    return models;
 }
 
 } // namespace stltsa::ltsa

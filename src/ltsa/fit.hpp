@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "base/progress.hpp"
 #include "linalg/matrix.hpp"
@@ -18,9 +17,8 @@ namespace stltsa::ltsa {
 Model fit(ConstMatrixView frames, std::span<const std::int64_t> lengths,
           const Parameters& parameters, const Progress& progress);
 
-/// The same for tangent dimensions 1 .. parameters.dimension, sharing neighbors and tangents;
-/// element d-1 of the result has dimension d.
-std::vector<Model> fit_dimensions(ConstMatrixView frames, std::span<const std::int64_t> lengths,
-                                  const Parameters& parameters, const Progress& progress);
+/// Throws for more coordinates than features, before the work: windows have fewer directions
+/// everywhere.
+void check_dimension(std::int64_t features, int dimension);
 
 } // namespace stltsa::ltsa

@@ -2,6 +2,7 @@
 #include "ltsa/graph.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "ltsa/local_tangents.hpp"
 
@@ -13,15 +14,17 @@ void find_neighbors_and_tangents(const Parameters& parameters, const Progress& p
                                  Graph& graph) {
     const ConstMatrixView x = graph.frames.x;
     const std::vector<std::int64_t>& lengths = graph.frames.lengths;
+    // The first half of the stage "neighbors" is the choice of k.
+    const Progress search = progress.part(1, 2);
     switch (parameters.mode) {
     case Mode::temporal:
         graph.tangents = temporal_tangents(x, lengths, parameters, progress, graph.neighborhoods);
         return;
     case Mode::spatial:
-        graph.neighborhoods = spatial_neighbors(x, parameters, progress);
+        graph.neighborhoods = spatial_neighbors(x, parameters, search);
         break;
     case Mode::recurrent:
-        graph.neighborhoods = recurrent_neighbors(x, lengths, parameters, progress);
+        graph.neighborhoods = recurrent_neighbors(x, lengths, parameters, search);
         break;
     }
     graph.tangents = local_tangents(x, graph.neighborhoods, parameters, progress);
@@ -43,6 +46,17 @@ Graph build_graph(ConstMatrixView frames, std::span<const std::int64_t> lengths,
     graph.components =
         connected_components(graph.neighborhoods, {parameters.simd, parameters.threads});
     return graph;
+}
+
+int varying_directions(const Graph& graph) {
+    std::int32_t least = std::numeric_limits<std::int32_t>::max();
+    for (const auto& windows : graph.components.windows) {
+        std::int32_t most = 0;
+        for (const std::int32_t window : windows)
+            most = std::max(most, graph.tangents.rank[static_cast<std::size_t>(window)]);
+        least = std::min(least, most);
+    }
+    return least;
 }
 
 } // namespace stltsa::ltsa

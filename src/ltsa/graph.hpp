@@ -26,4 +26,7 @@ struct Graph {
 Graph build_graph(ConstMatrixView frames, std::span<const std::int64_t> lengths,
                   const Parameters& parameters, const Progress& progress);
 
+/// Directions in which some window of each component varies: no more coordinates can be embedded.
+int varying_directions(const Graph& graph);
+
 } // namespace stltsa::ltsa

@@ -23,6 +23,16 @@ LocalPca::LocalPca(ConstMatrixView x, std::int64_t size, std::int64_t count, Sim
 }
 
 void LocalPca::compute(std::span<const std::int32_t> neighborhood) {
+    correlate(neighborhood);
+    eigen_.solve();
+}
+
+void LocalPca::compute_values(std::span<const std::int32_t> neighborhood) {
+    correlate(neighborhood);
+    eigen_.solve_values();
+}
+
+void LocalPca::correlate(std::span<const std::int32_t> neighborhood) {
     // X^T X and X X^T have the same nonzero eigenvalues: take the smaller one.
     if (frame_side())
         gram(neighborhood);
@@ -34,7 +44,6 @@ void LocalPca::compute(std::span<const std::int32_t> neighborhood) {
         trace += eigen_.matrix()[a * (order + 1)];
     if (!std::isfinite(trace)) // LAPACK must not see it
         fail_changed(neighborhood.front());
-    eigen_.solve();
 }
 
 /// The correlation matrix from distances, -1/2 J D J with J = I - e e^T / k: exact zeros for

@@ -17,6 +17,8 @@ class LocalPca {
     LocalPca(ConstMatrixView x, std::int64_t size, std::int64_t count, Simd simd);
 
     void compute(std::span<const std::int32_t> neighborhood);
+    /// The values alone, all of them: `count` is min(size, features).
+    void compute_values(std::span<const std::int32_t> neighborhood);
 
     /// Eigenvalue l of the correlation matrix, descending from l = 0.
     double value(std::int64_t l) const { return eigen_.value(l); }
@@ -26,6 +28,7 @@ class LocalPca {
 
   private:
     bool frame_side() const { return size_ <= x_.cols; }
+    void correlate(std::span<const std::int32_t> neighborhood);
     void covariance(std::span<const std::int32_t> neighborhood);
     void gram(std::span<const std::int32_t> neighborhood);
 

@@ -147,7 +147,7 @@ Matrix local_spectra(ConstMatrixView x, const Neighborhoods& neighborhoods, std:
     const auto work = [&](std::int64_t b) {
         LocalPca pca(x, neighborhoods.size, count, widest_simd());
         for (std::int64_t r = b * block; r < std::min((b + 1) * block, rows); ++r) {
-            pca.compute(neighborhoods.of(r * stride));
+            pca.compute_values(neighborhoods.of(r * stride));
             for (std::int64_t l = 0; l < count; ++l)
                 spectra(r, l) = std::max(0.0, pca.value(l));
         }

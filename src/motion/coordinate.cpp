@@ -67,24 +67,28 @@ double cyclicity(std::span<const double> coordinate, std::span<const double> lev
                   autocorrelation_at(coordinate, level, period / 2));
 }
 
-Coordinate choose_coordinate(const std::vector<ltsa::Model>& models, std::size_t first,
-                             std::size_t end, std::span<const double> level, double period) {
-    Coordinate chosen;
-    for (std::size_t m = first; m < end; ++m) {
+Coordinate choose_coordinate(const std::vector<ltsa::Model>& models, int dimension,
+                             std::span<const double> level, double period) {
+    std::optional<Coordinate> chosen;
+    for (std::size_t m = 0; m < models.size(); ++m) {
+        if (dimension > 0 && models[m].coords.cols() != dimension)
+            continue;
         const auto best = by_cyclicity(models[m].coords.view(), level, period).front();
-        if (m == first || best.cyclicity > chosen.cyclicity + clearly_better)
+        if (!chosen || best.cyclicity > chosen->cyclicity + clearly_better)
             chosen = {m, best.column, best.cyclicity};
     }
-    return chosen;
+    return chosen.value_or(Coordinate{});
 }
 
-Loop choose_loop(const std::vector<ltsa::Model>& models, std::span<const double> level,
-                 double period) {
-    Loop chosen;
-    double score = -1;
-    for (std::size_t m = 1; m < models.size(); ++m) {
+std::optional<Loop> choose_loop(const std::vector<ltsa::Model>& models,
+                                std::span<const double> level, double period) {
+    std::optional<Loop> chosen;
+    double score = 0;
+    for (std::size_t m = 0; m < models.size(); ++m) {
+        if (models[m].coords.cols() < 2)
+            continue;
         const auto columns = by_cyclicity(models[m].coords.view(), level, period);
-        if (m > 1 && columns[1].cyclicity <= score + clearly_better)
+        if (chosen && columns[1].cyclicity <= score + clearly_better)
             continue;
         score = columns[1].cyclicity;
         const auto [first, second] = std::minmax(columns[0].column, columns[1].column);

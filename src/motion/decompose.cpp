@@ -32,10 +32,23 @@ void check(ConstMatrixView samples, double fps) {
              samples.rows, least_samples);
 }
 
-/// The chosen fit, brought to all samples. `cut`: see cut_time.
-void show_embedding(const Embedding& embedding, const Coordinate& chosen, double cycle, double cut,
+/// What there is of a clip that has not been embedded.
+Decomposition blank(const Embedding& embedding, const Period& period, std::int64_t samples) {
+    Decomposition result;
+    result.parameters = embedding.parameters;
+    result.lag_quality = period.quality;
+    result.intrinsic = embedding.intrinsic;
+    result.coords = Matrix(samples, embedding.parameters.dimension);
+    result.loop = Matrix(samples, 2);
+    result.curve.assign(static_cast<std::size_t>(samples), 0.0);
+    return result;
+}
+
+/// The coordinate and the loop to show, of all samples. `cut`: see cut_time.
+void show_embedding(const Embedding& embedding, const Coordinate& chosen,
+                    const std::optional<Loop>& loop, double cycle, double cut,
                     Decomposition& result) {
-    const std::int64_t samples = result.coords.rows();
+    const std::int64_t samples = result.loop.rows();
     const ltsa::Model& model = embedding.models[chosen.model];
     result.parameters = model.parameters;
     result.coordinate = static_cast<int>(chosen.column) + 1;
@@ -45,27 +58,13 @@ void show_embedding(const Embedding& embedding, const Coordinate& chosen, double
     if (!std::isnan(cut))
         result.warnings.push_back(parts_warning(model, cut));
     result.warnings.insert(result.warnings.end(), model.warnings.begin(), model.warnings.end());
-}
-
-void show_loop(const Embedding& embedding, const Loop& loop, Decomposition& result) {
-    if (loop.model >= embedding.models.size())
+    if (!loop)
         return;
-    const std::int64_t samples = result.loop.rows();
-    const Matrix coords = extended(embedding.models[loop.model].coords, embedding.span, samples);
+    const Matrix coords = extended(embedding.models[loop->model].coords, embedding.span, samples);
     for (std::int64_t i = 0; i < samples; ++i) {
-        result.loop(i, 0) = coords(i, loop.first);
-        result.loop(i, 1) = coords(i, loop.second);
+        result.loop(i, 0) = coords(i, loop->first);
+        result.loop(i, 1) = coords(i, loop->second);
     }
-}
-
-/// All that a clip has that cannot be embedded.
-Decomposition blank(std::int64_t samples, const ltsa::Parameters& parameters) {
-    Decomposition result;
-    result.parameters = parameters;
-    result.coords = Matrix(samples, parameters.dimension);
-    result.loop = Matrix(samples, 2);
-    result.curve.assign(static_cast<std::size_t>(samples), 0.0);
-    return result;
 }
 
 void claim_cycles(const std::vector<double>& run, ConstMatrixView samples, double period,
@@ -81,14 +80,12 @@ void claim_cycles(const std::vector<double>& run, ConstMatrixView samples, doubl
 void cut(const Embedding& embedding, ConstMatrixView samples, const Activity& activity,
          const Period& period, double fps, const DecomposeOptions& options, Decomposition& result) {
     const auto level = activity.levels(embedding.span.first, embedding.span.count);
-    const auto asked = static_cast<std::size_t>(options.dimension);
     const Coordinate chosen =
-        choose_coordinate(embedding.models, asked > 0 ? asked - 1 : 0,
-                          asked > 0 ? asked : embedding.models.size(), level, period.samples);
+        choose_coordinate(embedding.models, options.dimension, level, period.samples);
     const auto& model = embedding.models[chosen.model];
     const double cut = cut_time(embedding, model, fps, options.first_s);
-    show_embedding(embedding, chosen, period.samples, cut, result);
-    show_loop(embedding, choose_loop(embedding.models, level, period.samples), result);
+    show_embedding(embedding, chosen, choose_loop(embedding.models, level, period.samples),
+                   period.samples, cut, result);
     const auto run = longest_run(find_margins(result.curve, activity), period.samples);
     const Evidence evidence =
         weigh(run, samples, activity, column_of(result.coords.view(), chosen.column),
@@ -100,20 +97,28 @@ void cut(const Embedding& embedding, ConstMatrixView samples, const Activity& ac
         claim_cycles(run, samples, evidence.period.samples, fps, result);
 }
 
+/// Of a clip without a period: the paper's first coordinate, and the first two for the loop.
+void show_first_coordinate(const Embedding& embedding, double cycle, double fps,
+                           const DecomposeOptions& options, Decomposition& result) {
+    const std::size_t last = embedding.models.size() - 1;
+    const bool loop = embedding.models[last].coords.cols() > 1;
+    show_embedding(embedding, {}, loop ? std::optional(Loop{last, 0, 1}) : std::nullopt, cycle,
+                   cut_time(embedding, embedding.models.front(), fps, options.first_s), result);
+}
+
 } // namespace
 
 Decomposition decompose(ConstMatrixView samples, double fps, const DecomposeOptions& options,
                         const Progress& progress) {
     check(samples, fps);
-    progress.report(Stage::units, 0);
     const Activity activity = measure_activity(samples, fps);
     const Period period = find_period(samples, activity, fps, options.shortest_period,
                                       options.longest_period, progress);
     const double cycle = period.samples > 0 ? period.samples : usual_cycle_s * fps;
-    const Embedding embedding = embed(samples, moving_span(activity, std::lround(cycle)),
-                                      neighbors_for(period, fps), options, progress);
-    Decomposition result = blank(samples.rows, embedding.parameters);
-    result.lag_quality = period.quality;
+    const Embedding embedding =
+        embed(samples, fps, moving_span(activity, std::lround(cycle)), period, options, progress);
+    progress.report(Stage::units, 0);
+    Decomposition result = blank(embedding, period, samples.rows);
     if (!(activity.typical > 0)) {
         result.reason = "no period: nothing moves";
     } else if (embedding.models.empty()) {
@@ -121,13 +126,7 @@ Decomposition decompose(ConstMatrixView samples, double fps, const DecomposeOpti
     } else if (period.samples > 0) {
         cut(embedding, samples, activity, period, fps, options, result);
     } else {
-        // The paper's: two dimensions, the first coordinate.
-        const auto asked = static_cast<std::size_t>(options.dimension > 0 ? options.dimension : 2);
-        const Coordinate shown{std::min(asked, embedding.models.size()) - 1, 0, 0};
-        show_embedding(embedding, shown, cycle,
-                       cut_time(embedding, embedding.models[shown.model], fps, options.first_s),
-                       result);
-        show_loop(embedding, {}, result);
+        show_first_coordinate(embedding, cycle, fps, options, result);
         result.reason = no_period(activity, fps, options);
     }
     if (activity.typical > 0)

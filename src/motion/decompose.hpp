@@ -4,12 +4,14 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/progress.hpp"
 #include "base/warning.hpp"
 #include "linalg/matrix.hpp"
+#include "ltsa/dimension.hpp"
 #include "ltsa/parameters.hpp"
 
 namespace stltsa::motion {
@@ -43,6 +45,8 @@ struct DecomposeOptions {
     ltsa::Mode mode = ltsa::Mode::temporal;
     double shortest_period = 0.3; ///< seconds
     double longest_period = 6.0;  ///< seconds
+    /// Whether to estimate the intrinsic dimension, and how.
+    std::optional<ltsa::DimensionOptions> estimate;
     // For messages only.
     double first_s = 0; ///< time of the first sample
     std::string jump;   ///< where the pose jumps; empty: nowhere
@@ -65,9 +69,10 @@ struct Decomposition {
     int coordinate = 0;          ///< 1-based column of coords that `curve` shows; 0: no embedding
     double cyclicity = 0;        ///< of that coordinate, at most 1; 0 where nothing repeats
     double lag_quality = 0;      ///< 1 - D(T) of the best lag T; 0 where nothing repeats
-    Matrix coords;               ///< samples x d of the fit used; zeros without one
-    Matrix loop;                 ///< samples x 2, the two coordinates to show as a loop (Fig. 1)
-    std::vector<double> curve;   ///< the smoothed coordinate that was cut, one per sample
+    std::optional<ltsa::Dimension> intrinsic; ///< of what was embedded, if asked for
+    Matrix coords;                            ///< samples x d of the fit used; zeros without one
+    Matrix loop;               ///< samples x 2, the two coordinates to show as a loop (Fig. 1)
+    std::vector<double> curve; ///< the smoothed coordinate that was cut, one per sample
     std::vector<double> eigenvalues;
     Warnings warnings;
 };
@@ -75,16 +80,5 @@ struct Decomposition {
 /// `samples`: frames x features at `fps` (> 0).
 Decomposition decompose(ConstMatrixView samples, double fps, const DecomposeOptions& options,
                         const Progress& progress);
-
-/// The period alone, in samples (0: none found) with its quality: what auto neighbors rest on.
-struct Period {
-    double samples = 0;
-    double quality = 0;
-};
-Period find_period(ConstMatrixView samples, double fps, double shortest_s, double longest_s,
-                   const Progress& progress = {});
-
-/// k that makes a coordinate swing once per cycle: 1.2 periods, or 1.2 seconds without one.
-std::int64_t neighbors_for(const Period& period, double fps);
 
 } // namespace stltsa::motion

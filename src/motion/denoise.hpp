@@ -8,7 +8,7 @@
 
 #include "base/progress.hpp"
 #include "linalg/matrix.hpp"
-#include "motion/decompose.hpp"
+#include "motion/period.hpp"
 
 namespace stltsa::motion {
 

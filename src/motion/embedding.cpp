@@ -3,7 +3,10 @@
 
 #include <algorithm>
 
+#include "linalg/blas_threads.hpp"
+#include "ltsa/embed.hpp"
 #include "ltsa/fit.hpp"
+#include "motion/choose_neighbors.hpp"
 
 namespace stltsa::motion {
 namespace {
@@ -13,65 +16,108 @@ constexpr int most_dimensions = 3;
 /// One dimension takes three neighbors.
 constexpr std::int64_t least_distinct = 4;
 
-std::int64_t distinct_samples(ConstMatrixView samples) {
-    std::int64_t distinct = 1;
-    for (std::int64_t i = 1; i < samples.rows; ++i)
-        if (!std::equal(samples.row(i), samples.row(i) + samples.cols, samples.row(i - 1)))
-            ++distinct;
-    return distinct;
+struct Dimensions {
+    int first = 1;
+    int last = 1;
+};
+
+/// A loop takes two coordinates, and is chosen among all models that have them.
+Dimensions dimensions_to_try(int asked, bool repeats, std::int64_t neighbors) {
+    if (asked > 0)
+        return {repeats ? std::min(asked, 2) : asked, std::max(asked, 2)};
+    // d dimensions take d + 2 neighbors. Without a period: the paper's two.
+    const auto last =
+        static_cast<int>(std::clamp<std::int64_t>(neighbors - 2, 1, repeats ? most_dimensions : 2));
+    return {repeats ? 1 : last, last};
 }
 
-ltsa::Parameters parameters_for(std::int64_t neighbors, std::int64_t distinct,
+ltsa::Parameters parameters_for(std::int64_t neighbors, int dimension,
                                 const DecomposeOptions& options) {
     ltsa::Parameters p;
-    // Slow frame rates: enough for the tangent spaces at least. Short clips: one neighborhood.
-    p.neighbors =
-        options.neighbors > 0
-            ? options.neighbors
-            : std::min(std::max<std::int64_t>(neighbors, most_dimensions + 2), distinct - 1);
+    p.neighbors = neighbors;
     p.window = options.window > 0 ? options.window : p.neighbors;
-    // Two dimensions at least, for the loop.
-    p.dimension =
-        options.dimension > 0
-            ? std::max(options.dimension, 2)
-            : static_cast<int>(std::clamp<std::int64_t>(p.neighbors - 2, 1, most_dimensions));
+    p.dimension = dimension;
     p.mode = options.mode;
     p.exclusion = p.window;
     p.threads = options.threads;
     return p;
 }
 
+/// No more dimensions than the samples vary in, except one that was asked for, which is an error.
+Dimensions varying(const ltsa::Graph& graph, Dimensions wanted, int asked) {
+    const int last =
+        std::max(std::min(wanted.last, ltsa::varying_directions(graph)), std::max(asked, 1));
+    return {std::min(wanted.first, last), last};
+}
+
+/// Embeds the graph in each of the dimensions. The eigengap takes more eigenvalues of one of them
+/// than the fit does, so that it needs no embedding of its own.
+void embed_graph(const ltsa::Graph& graph, Dimensions dimensions, const Progress& progress,
+                 Embedding& result) {
+    for (int d = dimensions.first; d <= dimensions.last; ++d) {
+        const bool gap = result.intrinsic && result.intrinsic->parameters.dimension == d;
+        const int of_fit = ltsa::eigenvalues_of_fit(d);
+        ltsa::Model model = ltsa::embed(
+            graph, d, gap ? std::max(of_fit, ltsa::eigenvalues_of_gap(graph, d)) : of_fit,
+            progress.part(d - dimensions.first, dimensions.last - dimensions.first + 1));
+        model.lengths = {result.span.count};
+        auto& eigenvalues = model.components.front().eigenvalues;
+        if (gap)
+            ltsa::set_eigengap(graph, eigenvalues, *result.intrinsic);
+        eigenvalues.resize(static_cast<std::size_t>(of_fit));
+        result.models.push_back(std::move(model));
+    }
+}
+
+void build_and_embed(ConstMatrixView samples, Dimensions dimensions,
+                     const DecomposeOptions& options, const Progress& progress, Embedding& result) {
+    ltsa::check_dimension(samples.cols, std::max(options.dimension, 1));
+    const SingleThreadedBlas single;
+    const std::int64_t parts = options.estimate ? 2 : 1;
+    const ltsa::Graph graph =
+        ltsa::build_graph(samples, {&samples.rows, 1}, result.parameters, progress.part(0, parts));
+    if (options.estimate)
+        result.intrinsic = ltsa::local_dimension(
+            graph, options.dimension > 0 ? options.dimension : ltsa::eigengap_tangents,
+            *options.estimate, progress.part(1, parts));
+    dimensions = varying(graph, dimensions, options.dimension);
+    result.parameters.dimension = dimensions.last;
+    embed_graph(graph, dimensions, progress, result);
+}
+
 } // namespace
 
-Embedding embed(ConstMatrixView samples, Span span, std::int64_t neighbors,
+Embedding embed(ConstMatrixView samples, double fps, Span span, const Period& period,
                 const DecomposeOptions& options, const Progress& progress) {
     if (options.neighbors >= span.count)
         span = {0, samples.rows};
     const ConstMatrixView embedded = samples.block(span.first, span.count);
-    const std::int64_t distinct = distinct_samples(embedded);
-    Embedding result{span, parameters_for(neighbors, distinct, options), {}, {}};
+    const std::int64_t distinct = distinct_frames(embedded);
+    const std::int64_t neighbors =
+        options.neighbors > 0 ? options.neighbors
+                              : choose_neighbors(period, fps, {distinct, 1, most_dimensions});
+    const Dimensions dimensions =
+        dimensions_to_try(options.dimension, period.samples > 0, neighbors);
+    Embedding result{span, parameters_for(neighbors, dimensions.last, options), {}, {}, {}};
     if (distinct < least_distinct) {
         result.problem =
             format_text("no curve: only {} of {} samples are distinct", distinct, embedded.rows);
-        return result;
-    }
-    const int least = std::max(options.dimension, 1);
-    for (;; --result.parameters.dimension)
+    } else {
         try {
-            result.models =
-                ltsa::fit_dimensions(embedded, {&span.count, 1}, result.parameters, progress);
-            return result;
+            build_and_embed(embedded, dimensions, options, progress, result);
         } catch (const Error& error) {
-            const bool flat = error.status() == Status::degenerate;
-            if (flat && result.parameters.dimension > least)
-                continue;
-            if (!flat && error.status() != Status::disconnected)
+            if (error.status() != Status::degenerate && error.status() != Status::disconnected)
                 throw;
+            result.models.clear();
             result.problem = options.dimension > 0 ? format_text("no curve of {} dimensions: {}",
                                                                  options.dimension, error.what())
                                                    : format_text("no curve: {}", error.what());
-            return result;
         }
+    }
+    if (options.estimate && !result.intrinsic)
+        result.intrinsic =
+            ltsa::unknown_dimension(result.parameters, *options.estimate, result.problem);
+    return result;
 }
 
 Matrix extended(const Matrix& coords, Span span, std::int64_t samples) {

@@ -25,8 +25,6 @@ constexpr double refine_reach = 0.15;
 /// A stretch must show this share of its period twice.
 constexpr double least_seen = 0.3;
 constexpr double rows_per_second = 30;
-/// The other half of the stage is the cutting.
-constexpr double share_of_stage = 0.5;
 
 /// Sums over the pairs of one lag.
 struct PairSums {
@@ -125,8 +123,8 @@ std::vector<double> lag_curve(const LagSamples& samples, std::int64_t first, std
                               const Progress& progress) {
     std::vector<double> curve;
     for (std::int64_t lag = first; lag <= last; ++lag) {
-        progress.report(Stage::units, share_of_stage * static_cast<double>(lag - first) /
-                                          static_cast<double>(last - first + 1));
+        progress.report(Stage::neighbors,
+                        static_cast<double>(lag - first) / static_cast<double>(last - first + 1));
         PairSums sums(samples.x.cols());
         for (std::int64_t t = 0; t + lag < samples.x.rows(); ++t)
             sums.add(samples, t, t + lag);
@@ -147,7 +145,7 @@ Period find_period(ConstMatrixView samples, const Activity& activity, double fps
     if (!(longest >= 3) || !(activity.typical > 0))
         return {};
     const std::vector<double> curve =
-        lag_curve(thinned, 0, static_cast<std::int64_t>(longest), progress);
+        lag_curve(thinned, 0, static_cast<std::int64_t>(longest), progress.part(0, 2));
     const std::vector<std::size_t> minima = minima_of(curve, shortest_s * rate, thinned);
     double best = unrelated;
     for (const std::size_t i : minima)
@@ -179,14 +177,6 @@ std::optional<Period> refine_period(ConstMatrixView stretch, std::span<const dou
     if (i == 0 || i + 1 == curve.size())
         return std::nullopt;
     return at_minimum(curve, i, first, thinned.step);
-}
-
-std::int64_t neighbors_for(const Period& period, double fps) {
-    // With fewer the coordinate only follows time, with many more it loses its swing.
-    constexpr double cycles = 1.2;
-    constexpr double seconds = 1.2;
-    return std::llround(period.samples > 0 ? cycles * period.samples
-                                           : std::min(seconds * fps, 1e15));
 }
 
 } // namespace stltsa::motion

@@ -7,10 +7,16 @@
 #include <span>
 #include <vector>
 
+#include "base/progress.hpp"
+#include "linalg/matrix.hpp"
 #include "motion/activity.hpp"
-#include "motion/decompose.hpp"
 
 namespace stltsa::motion {
+
+struct Period {
+    double samples = 0; ///< 0: none found
+    double quality = 0; ///< 1 - D(samples), see lag_curve(); 0 without a period
+};
 
 /// Samples about their mean, at no more than about 30 a second: motion holds nothing that fewer
 /// would miss, and the lag curve takes lags x samples.
@@ -33,9 +39,13 @@ std::vector<double> lag_curve(const LagSamples& samples, std::int64_t first, std
 /// The longest lag that a clip of so many samples can be compared at, up to `longest_s`.
 double longest_lag_s(std::int64_t samples, double fps, double longest_s);
 
-/// The first lag, of `shortest_s` to `longest_s` seconds, that is about as good as the best.
+/// The first lag, of `shortest_s` to `longest_s` seconds, that is about as good as the best. It is
+/// the first half of the stage "neighbors".
 Period find_period(ConstMatrixView samples, const Activity& activity, double fps, double shortest_s,
                    double longest_s, const Progress& progress = {});
+/// The same for samples whose activity is not known.
+Period find_period(ConstMatrixView samples, double fps, double shortest_s, double longest_s,
+                   const Progress& progress = {});
 
 /// The period of a stretch of the samples that is known to be near `period`; none where the
 /// stretch is too short to tell, or repeats nowhere near it.

@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "motion/decompose.hpp"
+#include "motion/period.hpp"
 #include "motion/statistics.hpp"
 
 namespace stltsa::synthesis {

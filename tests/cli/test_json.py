@@ -58,7 +58,10 @@ class Schemas(CommandTest):
     def test_dimension_of_units_is_that_of_dimension(self):
         for tangents in ("0", "1", "3"):
             alone = self.check("dimension", walk(), "--dimension", tangents)
-            beside = self.check("decompose", walk(), "--dimension", tangents)
+            self.assertIsNone(
+                self.check("decompose", walk(), "--dimension", tangents)["intrinsic_dimension"])
+            beside = self.check("decompose", walk(), "--dimension", tangents,
+                                "--dimension-estimate")
             self.assertEqual(beside["intrinsic_dimension"],
                              {key: alone[key]["dimension"] for key in ("local_pca", "eigengap")})
 

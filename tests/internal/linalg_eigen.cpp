@@ -35,20 +35,35 @@ void check_pairs(const TopEigenpairs& pairs, const double* matrix, double tolera
     }
 }
 
-void a_known_spectrum(void**) {
-    TopEigenpairs pairs(order, count);
-    // The inverse of the second-difference matrix: eigenvalues 1 / (4 sin^2 (l pi / 2 (n + 1))).
+/// The inverse of the second-difference matrix: eigenvalues 1 / (4 sin^2 (l pi / 2 (n + 1))).
+void fill_known(double* matrix) {
     for (std::int64_t j = 0; j < order; ++j)
         for (std::int64_t i = j; i < order; ++i)
-            pairs.matrix()[j * order + i] =
+            matrix[j * order + i] =
                 static_cast<double>((j + 1) * (order - i)) / static_cast<double>(order + 1);
-    pairs.solve();
-    for (std::int64_t p = 0; p < count; ++p) {
+}
+
+void check_known(const TopEigenpairs& pairs, std::int64_t values) {
+    for (std::int64_t p = 0; p < values; ++p) {
         const double sine = std::sin(static_cast<double>(p + 1) * std::acos(-1.0) /
                                      (2 * static_cast<double>(order + 1)));
         ASSERT_NEAR(pairs.value(p), 1 / (4 * sine * sine), 1e-11);
     }
+}
+
+void a_known_spectrum(void**) {
+    TopEigenpairs pairs(order, count);
+    fill_known(pairs.matrix());
+    pairs.solve();
+    check_known(pairs, count);
     check_pairs(pairs, pairs.matrix(), 1e-11);
+}
+
+void values_alone(void**) {
+    TopEigenpairs all(order, order);
+    fill_known(all.matrix());
+    all.solve_values();
+    check_known(all, order);
 }
 
 void nearly_the_identity(void**) {
@@ -158,6 +173,7 @@ int main() {
         cmocka_unit_test(small_eigenvalues_are_found_beside_large_ones),
         cmocka_unit_test(a_thread_that_waits_can_be_stopped),
         cmocka_unit_test(a_known_spectrum),
+        cmocka_unit_test(values_alone),
         cmocka_unit_test(nearly_the_identity),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);

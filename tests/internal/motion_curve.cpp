@@ -138,25 +138,27 @@ void more_dimensions_must_be_clearly_better(void**) {
     models.push_back(model({0.8}));
     models.push_back(model({0.3, 0.85}));
     models.push_back(model({0.2, 0.3, 0.1}));
-    Coordinate chosen = choose_coordinate(models, 0, 3, level, 40);
+    Coordinate chosen = choose_coordinate(models, 0, level, 40);
     assert_int_equal(chosen.model, 0);
     models[0] = model({0.2});
-    chosen = choose_coordinate(models, 0, 3, level, 40);
+    chosen = choose_coordinate(models, 0, level, 40);
     assert_int_equal(chosen.model, 1);
     assert_int_equal(chosen.column, 1);
-    chosen = choose_coordinate(models, 2, 3, level, 40);
+    chosen = choose_coordinate(models, 3, level, 40);
     assert_int_equal(chosen.model, 2);
     assert_int_equal(chosen.column, 1);
 
     // A loop takes two columns that swing once per cycle.
     models[2] = model({1.0, 0.1, 0.1});
-    Loop loop = choose_loop(models, level, 40);
+    Loop loop = *choose_loop(models, level, 40);
     assert_int_equal(loop.model, 1);
     models[2] = model({0.9, 0.1, 0.8});
-    loop = choose_loop(models, level, 40);
+    loop = *choose_loop(models, level, 40);
     assert_int_equal(loop.model, 2);
     assert_int_equal(loop.first, 0);
     assert_int_equal(loop.second, 2);
+    models.resize(1);
+    assert_true(!choose_loop(models, level, 40));
 }
 
 void margins_lie_at_the_steepest_points(void**) {

@@ -2,6 +2,7 @@
 // The lag after which a motion repeats.
 #include "motion_testing.hpp"
 
+#include "motion/choose_neighbors.hpp"
 #include "motion/period.hpp"
 
 namespace {
@@ -128,6 +129,20 @@ void refines_within_a_stretch(void**) {
         stltsa::motion::refine_period(walk.view().block(0, 40), level, 1.1 * fps, fps).has_value());
 }
 
+/// 1.2 periods or 1.2 s; within what is needed and what there is.
+void neighbors_follow_from_the_period_and_the_frames(void**) {
+    using stltsa::motion::choose_neighbors;
+    assert_int_equal(choose_neighbors({40, 0.9}, 30, {1000, 2, 2}), 48);
+    assert_int_equal(choose_neighbors({}, 30, {1000, 2, 2}), 36);
+    assert_int_equal(choose_neighbors({}, 0, {1000, 2, 2}), 12);
+    assert_int_equal(choose_neighbors({}, 1, {1000, 2, 3}), 5);
+    assert_int_equal(choose_neighbors({40, 0.9}, 30, {30, 2, 2}), 29);
+    assert_int_equal(choose_neighbors({40, 0.9}, 30, {3, 2, 2}), 4);
+    Matrix held(10, 2);
+    held(5, 1) = 1;
+    assert_int_equal(stltsa::motion::distinct_frames(held.view()), 3);
+}
+
 } // namespace
 
 int main() {
@@ -140,6 +155,7 @@ int main() {
         cmocka_unit_test(asks_for_enough_seen_twice),
         cmocka_unit_test(lag_curve_has_known_values),
         cmocka_unit_test(refines_within_a_stretch),
+        cmocka_unit_test(neighbors_follow_from_the_period_and_the_frames),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

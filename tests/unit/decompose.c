@@ -273,9 +273,54 @@ static void cancelled_at_every_call(void** state) {
     stltsa_clip_free(clip);
 }
 
-static int32_t stop_within_units(void* user, int32_t stage, double fraction) {
+struct way {
+    int32_t stage;
+    double fraction;
+    int64_t calls;
+};
+
+static int32_t only_forward(void* user, int32_t stage, double fraction) {
+    struct way* way = user;
+    assert_true(stage > way->stage || (stage == way->stage && fraction >= way->fraction));
+    assert_true(fraction >= 0 && fraction <= 1);
+    *way = (struct way){stage, fraction, way->calls + 1};
+    return 0;
+}
+
+/* With several embeddings and, recurrent, a search for neighbors after that for the period. */
+static void progress_never_goes_back(void** state) {
+    (void)state;
+    stltsa_clip* clip = opened();
+    for (int32_t mode = STLTSA_MODE_TEMPORAL; mode <= STLTSA_MODE_RECURRENT; ++mode) {
+        struct way way[3] = {{0}};
+        stltsa_options* options = NULL;
+        stltsa_decomposition* d = NULL;
+        stltsa_model* model = NULL;
+        stltsa_dimension* dimension = NULL;
+        must(stltsa_options_new(&options));
+        must(stltsa_options_set_int(options, STLTSA_OPT_MODE, mode));
+        must(stltsa_options_set_int(options, STLTSA_OPT_DIMENSION_ESTIMATE, 1));
+        must(stltsa_options_set_progress(options, only_forward, &way[0]));
+        must(stltsa_decompose(clip, options, &d));
+        assert_int_equal(way[0].stage, STLTSA_STAGE_UNITS);
+        must(stltsa_options_set_progress(options, only_forward, &way[1]));
+        must(stltsa_fit_clip(clip, options, &model));
+        assert_int_equal(way[1].stage, STLTSA_STAGE_SPECTRUM);
+        must(stltsa_options_set_progress(options, only_forward, &way[2]));
+        must(stltsa_estimate_dimension_clip(clip, options, &dimension));
+        for (int i = 0; i < 3; ++i)
+            assert_true(way[i].fraction == 1 && way[i].calls > 10);
+        stltsa_dimension_free(dimension);
+        stltsa_model_free(model);
+        stltsa_decomposition_free(d);
+        stltsa_options_free(options);
+    }
+    stltsa_clip_free(clip);
+}
+
+static int32_t stop_in_search(void* user, int32_t stage, double fraction) {
     (void)user;
-    return stage == STLTSA_STAGE_UNITS && fraction > 0.2 && fraction < 0.3;
+    return stage == STLTSA_STAGE_NEIGHBORS && fraction > 0.2 && fraction < 0.3;
 }
 
 /* The longest loop before the fit, lags times frames. */
@@ -286,7 +331,7 @@ static void the_search_for_the_period_can_be_cancelled(void** state) {
     stltsa_decomposition* d = NULL;
     stltsa_model* model = NULL;
     must(stltsa_options_new(&options));
-    must(stltsa_options_set_progress(options, stop_within_units, NULL));
+    must(stltsa_options_set_progress(options, stop_in_search, NULL));
     assert_int_equal(stltsa_decompose(clip, options, &d), STLTSA_E_CANCELLED);
     assert_int_equal(stltsa_fit_clip(clip, options, &model), STLTSA_E_CANCELLED);
     stltsa_options_free(options);
@@ -454,6 +499,7 @@ int main(int argc, char** argv) {
         cmocka_unit_test(noise_has_no_cycle_but_a_reason),
         cmocka_unit_test(one_blow_along_a_line),
         cmocka_unit_test(cancelled_at_every_call),
+        cmocka_unit_test(progress_never_goes_back),
         cmocka_unit_test(the_search_for_the_period_can_be_cancelled),
         cmocka_unit_test(wrong_arguments),
         cmocka_unit_test(options_that_leave_nothing),

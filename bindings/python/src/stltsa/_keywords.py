@@ -46,3 +46,4 @@ class Keywords(TypedDict, total=False):
     crossfade: float | Auto | None
     cut_range: float | Auto | None
     posture_limit: float
+    dimension_estimate: bool

@@ -50,7 +50,7 @@ kinds! {
         Read = STLTSA_STAGE_READ,
         /// Features of its poses.
         Features = STLTSA_STAGE_FEATURES,
-        /// Neighbors among all frames; temporal ones come with the tangents.
+        /// Choice of k and neighbors; temporal ones come with the tangents.
         Neighbors = STLTSA_STAGE_NEIGHBORS,
         /// Local tangents.
         Tangents = STLTSA_STAGE_TANGENTS,

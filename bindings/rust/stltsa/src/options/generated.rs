@@ -194,4 +194,10 @@ impl Options {
     pub fn posture_limit(self, value: f64) -> Self {
         self.with(sys::STLTSA_OPT_POSTURE_LIMIT, Value::Real(value))
     }
+
+    /// Also estimate the intrinsic dimension of what is embedded.
+    #[must_use]
+    pub fn dimension_estimate(self, value: bool) -> Self {
+        self.with(sys::STLTSA_OPT_DIMENSION_ESTIMATE, Value::Int(value.into()))
+    }
 }
