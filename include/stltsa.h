@@ -313,7 +313,7 @@ enum {
                                                   spline */
     STLTSA_INFO_FIRST_FRAME = 13,       /* int[]  row i of a clip is its source frame
                                                   first_frame + i * frame_step */
-    STLTSA_INFO_FRAME_STEP = 14,        /* int    see first_frame; 1 for matrices */
+    STLTSA_INFO_FRAME_STEP = 14,        /* int[]  see first_frame; 1 for matrices */
     STLTSA_INFO_FPS = 15,               /* real   rows a second; 0: unknown */
     /* The fit. A denoising of given coordinates has none of these seven. */
     STLTSA_INFO_MODE = 20,              /* int    STLTSA_MODE_* */
@@ -563,6 +563,14 @@ STLTSA_API stltsa_status stltsa_fit(const stltsa_in *frames, const stltsa_in *le
  * decimated. Row i of the model is source frame STLTSA_MODEL_FIRST_FRAME + i * STLTSA_MODEL_FRAME_STEP. */
 STLTSA_API stltsa_status stltsa_fit_clip(const stltsa_clip *clip, const stltsa_options *options,
                                          stltsa_model **model) STLTSA_NOEXCEPT;
+
+/* The same from several clips, one after another, each prepared as by itself. STLTSA_INFO_LENGTH,
+ * _FIRST_FRAME, _FRAME_STEP, _PATH and so on then have a value for each clip. The axis that points
+ * up, and the skeleton of stltsa_unmap_clip, are those of the first. E_SHAPE: a clip has other joints
+ * or channels than the first one, other features, or another rate after decimation. */
+STLTSA_API stltsa_status stltsa_fit_clips(const stltsa_clip *const *clips, int64_t count,
+                                          const stltsa_options *options,
+                                          stltsa_model **model) STLTSA_NOEXCEPT;
 STLTSA_API void stltsa_model_free(stltsa_model *model) STLTSA_NOEXCEPT;
 STLTSA_API const stltsa_info *stltsa_model_info(const stltsa_model *model) STLTSA_NOEXCEPT;
 
@@ -636,6 +644,11 @@ STLTSA_API stltsa_status stltsa_estimate_dimension(const stltsa_in *frames,
 STLTSA_API stltsa_status
 stltsa_estimate_dimension_clip(const stltsa_clip *clip, const stltsa_options *options,
                                stltsa_dimension **dimension) STLTSA_NOEXCEPT;
+/* Clips as stltsa_fit_clips takes them. */
+STLTSA_API stltsa_status
+stltsa_estimate_dimension_clips(const stltsa_clip *const *clips, int64_t count,
+                                const stltsa_options *options,
+                                stltsa_dimension **dimension) STLTSA_NOEXCEPT;
 STLTSA_API void stltsa_dimension_free(stltsa_dimension *dimension) STLTSA_NOEXCEPT;
 STLTSA_API const stltsa_info *
 stltsa_dimension_info(const stltsa_dimension *dimension) STLTSA_NOEXCEPT;

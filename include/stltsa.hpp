@@ -520,6 +520,14 @@ T made_of_rows(Make make, const MatrixView& rows, const Options& options, Length
     return made<T>(make, rows.get(), List(lengths).get(), options.get());
 }
 
+template <class T, class Make>
+T made_of_clips(Make make, std::span<const Clip> clips, const Options& options) {
+    std::vector<const stltsa_clip*> handles;
+    for (const Clip& clip : clips)
+        handles.push_back(clip.get());
+    return made<T>(make, handles.data(), static_cast<std::int64_t>(handles.size()), options.get());
+}
+
 } // namespace detail
 
 inline Model fit(const MatrixView& frames, const Options& options = {}, Lengths lengths = {}) {
@@ -527,6 +535,10 @@ inline Model fit(const MatrixView& frames, const Options& options = {}, Lengths 
 }
 inline Model fit(const Clip& clip, const Options& options = {}) {
     return detail::made<Model>(stltsa_fit_clip, clip.get(), options.get());
+}
+/// Several clips, each prepared as by itself.
+inline Model fit(std::span<const Clip> clips, const Options& options = {}) {
+    return detail::made_of_clips<Model>(stltsa_fit_clips, clips, options);
 }
 
 class Dimension {
@@ -573,6 +585,9 @@ inline Dimension estimate_dimension(const MatrixView& frames, const Options& opt
 }
 inline Dimension estimate_dimension(const Clip& clip, const Options& options = {}) {
     return detail::made<Dimension>(stltsa_estimate_dimension_clip, clip.get(), options.get());
+}
+inline Dimension estimate_dimension(std::span<const Clip> clips, const Options& options = {}) {
+    return detail::made_of_clips<Dimension>(stltsa_estimate_dimension_clips, clips, options);
 }
 
 class Decomposition {

@@ -26,7 +26,8 @@ static_assert(same(motion::UnitKind::preparing, STLTSA_UNIT_PREPARING) &&
 /// Maps positions among the working samples to the source file.
 class SourceFrames {
   public:
-    SourceFrames(const capi::Source& source) : samples_(source.samples), clip_(source.clip) {}
+    SourceFrames(const capi::Source& source)
+        : samples_(source.samples), clip_(source.clips.front()) {}
 
     stltsa_interval interval(double begin, double end, int32_t kind) const {
         const double first = frame(begin);
@@ -72,7 +73,7 @@ class SourceFrames {
 motion::DecomposeOptions search_options(const capi::OptionsReader& options,
                                         const capi::Source& source, std::int64_t jump) {
     auto search = options.decompose_options();
-    const double fps = source.clip.fps;
+    const double fps = source.clips.front().fps;
     search.first_s = static_cast<double>(source.samples.first) / fps;
     search.in_space = source.samples.features == clip::Features::raw;
     if (jump > 0) {
@@ -86,7 +87,8 @@ std::unique_ptr<stltsa_decomposition> decompose(const stltsa_clip& clip,
                                                 const capi::OptionsReader& options) {
     if (!(clip.clip.fps > 0))
         fail(Status::argument, "the clip's frame rate is unknown: open it with option fps");
-    auto prepared = capi::prepare_clip(clip, options);
+    const stltsa_clip* single = &clip;
+    auto prepared = capi::prepare_clips({&single, 1}, options);
     auto made = std::make_unique<stltsa_decomposition>();
     made->source = std::move(prepared.source);
     const auto search = search_options(options, made->source, prepared.jump);
@@ -266,7 +268,8 @@ stltsa_status stltsa_decomposition_json(const stltsa_decomposition* decompositio
     return guard([&] {
         required(json, "json") = nullptr;
         const auto& d = required(decomposition, "decomposition");
-        *json = capi::caller_string(capi::decomposition_json(
-            {&d.source.clip, d.source.samples, d.source.period, &d.result, d.units, d.cycles}));
+        *json = capi::caller_string(
+            capi::decomposition_json({d.source.clip_or_null(), d.source.samples, d.source.period,
+                                      &d.result, d.units, d.cycles}));
     });
 }

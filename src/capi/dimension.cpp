@@ -46,11 +46,18 @@ stltsa_status stltsa_estimate_dimension(const stltsa_in* frames, const stltsa_in
 
 stltsa_status stltsa_estimate_dimension_clip(const stltsa_clip* clip, const stltsa_options* options,
                                              stltsa_dimension** dimension) noexcept {
+    return stltsa_estimate_dimension_clips(&clip, 1, options, dimension);
+}
+
+stltsa_status stltsa_estimate_dimension_clips(const stltsa_clip* const* clips, int64_t count,
+                                              const stltsa_options* options,
+                                              stltsa_dimension** dimension) noexcept {
     return guard([&] {
         required(dimension, "dimension") = nullptr;
+        const auto from = capi::clips_of(clips, count);
         const capi::OptionsReader reader(options);
-        auto prepared = capi::prepare_clip(required(clip, "clip"), reader);
-        *dimension = estimate_samples(prepared.samples.view(), {prepared.samples.rows()}, reader,
+        auto prepared = capi::prepare_clips(from, reader);
+        *dimension = estimate_samples(prepared.samples.view(), prepared.lengths, reader,
                                       std::move(prepared.source))
                          .release();
     });

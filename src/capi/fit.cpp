@@ -21,18 +21,23 @@ namespace {
 constexpr int standard_dimension = 2;
 
 /// Several clips are several parts; more than that is a cut.
-void warn_of_parts(const capi::SampleFacts& samples, ltsa::Model& model) {
+void warn_of_parts(const capi::Source& source, ltsa::Model& model) {
     if (model.components.size() <= model.lengths.size())
         return;
-    const std::int64_t row = ltsa::first_cut(model);
+    std::int64_t row = ltsa::first_cut(model);
     std::string cut;
     double cut_s = no_time;
-    if (row >= 0) {
-        const std::int64_t frame = samples.first + row * samples.step;
-        cut = format_text("frame {}", frame);
-        if (samples.fps > 0)
-            cut_s = static_cast<double>(frame) / (samples.fps * static_cast<double>(samples.step));
-    }
+    if (row >= 0 && source.clips.empty())
+        cut = format_text("frame {}", row);
+    for (std::size_t c = 0; row >= 0 && c < source.clips.size(); row -= model.lengths[c++])
+        if (row < model.lengths[c]) {
+            const capi::ClipFacts& clip = source.clips[c];
+            const std::int64_t frame = clip.first + row * clip.step;
+            const std::string of = source.clips.size() > 1 ? format_text(" of clips[{}]", c) : "";
+            cut = format_text("frame {}{}", frame, of);
+            if (clip.fps > 0)
+                cut_s = static_cast<double>(frame) / clip.fps;
+        }
     model.warnings.insert(model.warnings.begin(), ltsa::parts_warning(model, cut, cut_s));
 }
 
@@ -44,7 +49,7 @@ std::unique_ptr<stltsa_model> fit_samples(ConstMatrixView samples,
     const auto parameters =
         capi::choose_parameters(samples, lengths, options, standard_dimension, source);
     model->model = ltsa::fit(samples, lengths, parameters, options.progress());
-    warn_of_parts(source.samples, model->model);
+    warn_of_parts(source, model->model);
     model->source = std::move(source);
     return model;
 }
@@ -149,15 +154,21 @@ stltsa_status stltsa_fit(const stltsa_in* frames, const stltsa_in* lengths,
 
 stltsa_status stltsa_fit_clip(const stltsa_clip* clip, const stltsa_options* options,
                               stltsa_model** model) noexcept {
+    return stltsa_fit_clips(&clip, 1, options, model);
+}
+
+stltsa_status stltsa_fit_clips(const stltsa_clip* const* clips, int64_t count,
+                               const stltsa_options* options, stltsa_model** model) noexcept {
     return guard([&] {
         required(model, "model") = nullptr;
+        const auto from = capi::clips_of(clips, count);
         const capi::OptionsReader reader(options);
-        auto prepared = capi::prepare_clip(required(clip, "clip"), reader);
-        auto made = fit_samples(prepared.samples.view(), {prepared.samples.rows()}, reader,
+        auto prepared = capi::prepare_clips(from, reader);
+        auto made = fit_samples(prepared.samples.view(), prepared.lengths, reader,
                                 std::move(prepared.source));
         if (reader.integer(STLTSA_OPT_KEEP_FRAMES) != 0) {
             made->kept.drop_tpose = reader.integer(STLTSA_OPT_KEEP_START) == 0;
-            capi::keep_poses(*made, clip->clip);
+            capi::keep_poses(*made, from);
             made->kept.frames = std::move(prepared.samples);
         }
         *model = made.release();

@@ -22,12 +22,11 @@ namespace stltsa::capi {
 
 /// How a result's rows lie in the source, and what its neighbors rest on.
 struct Source {
-    bool from_clip = false;
-    ClipFacts clip;
+    std::vector<ClipFacts> clips; ///< none: a matrix
     SampleFacts samples;
     PeriodFacts period;
 
-    const ClipFacts* clip_or_null() const { return from_clip ? &clip : nullptr; }
+    const ClipFacts* clip_or_null() const { return clips.size() == 1 ? clips.data() : nullptr; }
 };
 
 /// What a model keeps of its source so that it can map.

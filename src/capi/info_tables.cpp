@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The facts of each kind of handle.
+#include <algorithm>
+
 #include "capi/handles.hpp"
 #include "capi/mapping.hpp"
 
@@ -10,9 +12,38 @@ namespace {
 
 // ---- Where the rows come from ----
 
-std::span<const ClipFacts> clips_of(const Source& source) {
-    return {&source.clip, source.from_clip ? std::size_t{1} : 0};
-}
+/// One after the other those of all clips.
+struct Notes {
+    const std::vector<ClipFacts>& clips;
+
+    std::size_t size() const {
+        std::size_t count = 0;
+        for (const ClipFacts& clip : clips)
+            count += clip.notes.size();
+        return count;
+    }
+    const std::string& operator[](std::size_t index) const {
+        auto clip = clips.begin();
+        for (; index >= clip->notes.size(); ++clip)
+            index -= clip->notes.size();
+        return clip->notes[index];
+    }
+};
+
+struct Place {
+    std::int64_t first = 0;
+    std::int64_t step = 1;
+};
+
+/// The place of the rows of each clip; rows of a matrix are its frames.
+struct Places {
+    const std::vector<ClipFacts>& clips;
+
+    std::size_t size() const { return std::max<std::size_t>(clips.size(), 1); }
+    Place operator[](std::size_t index) const {
+        return clips.empty() ? Place{} : Place{clips[index].first, clips[index].step};
+    }
+};
 
 const PeriodFacts& period_of(const stltsa_denoising& denoising) {
     return denoising.period;
@@ -25,26 +56,29 @@ const PeriodFacts& period_of(const Handle& handle) {
 template <class H>
 constexpr InfoRow source_rows[] = {
     each<H>(
-        STLTSA_INFO_PATH, [](const H& h) { return clips_of(h.source); },
+        STLTSA_INFO_PATH, [](const H& h) -> const auto& { return h.source.clips; },
         [](const ClipFacts& clip) -> const auto& { return clip.path; }),
     each<H>(
-        STLTSA_INFO_FORMAT, [](const H& h) { return clips_of(h.source); },
+        STLTSA_INFO_FORMAT, [](const H& h) -> const auto& { return h.source.clips; },
         [](const ClipFacts& clip) { return clip.format; }),
     each<H>(
-        STLTSA_INFO_CLIP_FRAMES, [](const H& h) { return clips_of(h.source); },
+        STLTSA_INFO_CLIP_FRAMES, [](const H& h) -> const auto& { return h.source.clips; },
         [](const ClipFacts& clip) { return clip.frames; }),
     each<H>(
-        STLTSA_INFO_CLIP_FPS, [](const H& h) { return clips_of(h.source); },
+        STLTSA_INFO_CLIP_FPS, [](const H& h) -> const auto& { return h.source.clips; },
         [](const ClipFacts& clip) { return clip.fps; }),
-    list<H>(
-        STLTSA_INFO_NOTE, [](const H& h) -> const auto& { return h.source.clip.notes; }),
+    list<H>(STLTSA_INFO_NOTE, [](const H& h) { return Notes{h.source.clips}; }),
     one<H>(STLTSA_INFO_FEATURES, [](const H& h) { return h.source.samples.features; }),
     one<H>(STLTSA_INFO_FEATURE_COUNT, [](const H& h) { return h.source.samples.feature_count; }),
     one<H>(STLTSA_INFO_UP_AXIS, [](const H& h) { return h.source.samples.up; }),
     one<H>(STLTSA_INFO_SMOOTHING, [](const H& h) { return h.source.samples.smoothing; }),
     one<H>(STLTSA_INFO_ROWS, [](const H& h) { return h.source.samples.count; }),
-    one<H>(STLTSA_INFO_FIRST_FRAME, [](const H& h) { return h.source.samples.first; }),
-    one<H>(STLTSA_INFO_FRAME_STEP, [](const H& h) { return h.source.samples.step; }),
+    each<H>(
+        STLTSA_INFO_FIRST_FRAME, [](const H& h) { return Places{h.source.clips}; },
+        [](const Place& place) { return place.first; }),
+    each<H>(
+        STLTSA_INFO_FRAME_STEP, [](const H& h) { return Places{h.source.clips}; },
+        [](const Place& place) { return place.step; }),
     one<H>(STLTSA_INFO_FPS, [](const H& h) { return h.source.samples.fps; }),
     one<H>(STLTSA_INFO_PERIOD, [](const H& h) { return period_of(h).period; }),
     one<H>(STLTSA_INFO_LAG_QUALITY, [](const H& h) { return period_of(h).lag_quality; }),

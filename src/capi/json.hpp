@@ -25,6 +25,8 @@ struct ClipFacts {
     std::int64_t frames = 0;
     double fps = 0; ///< 0: unknown
     std::vector<std::string> notes;
+    std::int64_t first = 0; ///< row i that comes from it is its frame first + i * step
+    std::int64_t step = 1;
 };
 ClipFacts clip_facts(const clip::Clip& clip);
 
@@ -34,7 +36,8 @@ clip::Features default_features(const clip::Clip& clip);
 clip::Axis default_up(const clip::Clip& clip);
 std::int64_t default_first_frame(const clip::Clip& clip);
 
-/// How the frames of a clip became the working samples: sample i is frame first + i * step.
+/// How the frames of a clip became the working samples: sample i is frame first + i * step. Of
+/// several clips first and step are the first one's.
 struct SampleFacts {
     std::int64_t count = 0;
     std::int64_t first = 0;
@@ -55,14 +58,14 @@ struct PeriodFacts {
 };
 
 struct ModelFacts {
-    const ClipFacts* clip = nullptr; ///< nullptr: fitted to a matrix
+    const ClipFacts* clip = nullptr; ///< nullptr: fitted to a matrix, or to several clips
     SampleFacts samples;
     PeriodFacts period;
     const ltsa::Model* model = nullptr;
 };
 
 struct DimensionFacts {
-    const ClipFacts* clip = nullptr; ///< nullptr: of a matrix
+    const ClipFacts* clip = nullptr; ///< nullptr: of a matrix, or of several clips
     SampleFacts samples;
     PeriodFacts period;
     const ltsa::Dimension* dimension = nullptr;

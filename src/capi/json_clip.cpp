@@ -18,7 +18,7 @@ Json joints(const clip::Clip& clip) {
 } // namespace
 
 ClipFacts clip_facts(const clip::Clip& clip) {
-    return {clip.path, clip.format, clip.frames(), clip.fps, clip.notes};
+    return {clip.path, clip.format, clip.frames(), clip.fps, clip.notes, 0, 1};
 }
 
 clip::Features default_features(const clip::Clip& clip) {

@@ -172,7 +172,7 @@ void put_pose_features(const stltsa_model& model, const ltsa::Placement& place, 
 }
 
 Matrix clip_features(const stltsa_model& model, const clip::Clip& clip) {
-    if (!model.source.from_clip)
+    if (model.source.clips.empty())
         fail(Status::unsupported, "the model was fitted to a matrix: map features (stltsa_map)");
     const auto& samples = model.source.samples;
     if (samples.features != clip::Features::raw && !clip.skeleton)
@@ -188,13 +188,19 @@ Matrix clip_features(const stltsa_model& model, const clip::Clip& clip) {
 
 /// The row that was fitted to this very frame of the clip, or none.
 std::int64_t own_row(const stltsa_model& model, const Matrix& frames, std::int64_t frame) {
-    const auto& samples = model.source.samples;
-    const std::int64_t row = (frame - samples.first) / samples.step;
-    if (frame < samples.first || (frame - samples.first) % samples.step != 0 ||
-        row >= samples.count)
-        return ltsa::no_hint;
-    const double* fitted = model.kept.frames.row(row);
-    return std::equal(fitted, fitted + frames.cols(), frames.row(frame)) ? row : ltsa::no_hint;
+    std::int64_t begin = 0;
+    for (std::size_t c = 0; c < model.source.clips.size(); ++c) {
+        const capi::ClipFacts& clip = model.source.clips[c];
+        const std::int64_t rows = model.model.lengths[c];
+        const std::int64_t row = (frame - clip.first) / clip.step;
+        if (frame >= clip.first && (frame - clip.first) % clip.step == 0 && row < rows) {
+            const double* fitted = model.kept.frames.row(begin + row);
+            if (std::equal(fitted, fitted + frames.cols(), frames.row(frame)))
+                return begin + row;
+        }
+        begin += rows;
+    }
+    return ltsa::no_hint;
 }
 
 } // namespace

@@ -15,7 +15,7 @@ namespace {
 constexpr std::string_view magic("\x89STLTSA\n", 8);
 
 /// Counts up whenever the fields change; older files stay readable by their number.
-constexpr std::uint32_t version = 1;
+constexpr std::uint32_t version = 2;
 
 constexpr std::size_t head_size = magic.size() + sizeof version + sizeof(std::uint64_t);
 /// Head and checksum.

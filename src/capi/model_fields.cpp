@@ -73,18 +73,25 @@ void check_embedding(const ltsa::Model& model) {
                "eigenvalues");
 }
 
-void check_source(const Source& source, std::int64_t rows) {
-    const SampleFacts& samples = source.samples;
-    expect(in_range(source.clip.format, clip::Format::bvh, clip::Format::matrix) &&
-               source.clip.frames >= 0 && amount(source.clip.fps),
+void check_clip(const ClipFacts& clip, std::int64_t rows) {
+    expect(in_range(clip.format, clip::Format::bvh, clip::Format::matrix) && amount(clip.fps),
            "clip");
-    expect(samples.count == rows && samples.first >= 0 && samples.step >= 1 &&
+    expect(clip.first >= 0 && clip.step >= 1 && clip.first < clip.frames &&
+               rows - 1 <= (clip.frames - 1 - clip.first) / clip.step,
+           "samples");
+}
+
+void check_source(const Source& source, const std::vector<std::int64_t>& lengths,
+                  std::int64_t rows) {
+    const SampleFacts& samples = source.samples;
+    expect(source.clips.empty() || source.clips.size() == lengths.size(), "clips");
+    for (std::size_t c = 0; c < source.clips.size(); ++c)
+        check_clip(source.clips[c], lengths[c]);
+    const ClipFacts first = source.clips.empty() ? ClipFacts() : source.clips.front();
+    expect(samples.count == rows && samples.first == first.first && samples.step == first.step &&
                amount(samples.fps) && amount(samples.smoothing) &&
                in_range(samples.features, clip::Features::automatic, clip::Features::raw) &&
                in_range(samples.up, clip::Axis::automatic, clip::Axis::z),
-           "samples");
-    const std::int64_t frames = source.from_clip ? source.clip.frames : rows;
-    expect(samples.first < frames && rows - 1 <= (frames - 1 - samples.first) / samples.step,
            "samples");
     expect(amount(source.period.period) &&
                source.period.period * samples.fps <= static_cast<double>(rows),
@@ -139,7 +146,7 @@ void check_kept(const stltsa_model& model) {
     if (!kept.has_poses)
         return;
     check_code(kept.code);
-    expect(model.source.from_clip && kept.frames.rows() == rows && kept.poses.rows() == rows &&
+    expect(!model.source.clips.empty() && kept.frames.rows() == rows && kept.poses.rows() == rows &&
                kept.poses.cols() == kept.code.size() && finite(kept.poses.view()),
            "poses");
     const Matrix features = features_of_pose(model, kept.poses.view().block(0, 1));
@@ -150,7 +157,7 @@ void check_kept(const stltsa_model& model) {
 
 void check_model_fields(const stltsa_model& model) {
     check_embedding(model.model);
-    check_source(model.source, model.model.coords.rows());
+    check_source(model.source, model.model.lengths, model.model.coords.rows());
     check_kept(model);
 }
 

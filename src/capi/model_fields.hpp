@@ -35,8 +35,9 @@ void embedding_fields(Archive& archive, T& model) {
 
 template <class Archive, Is<Source> T>
 void source_fields(Archive& archive, T& source) {
-    auto& clip = source.clip;
-    archive(source.from_clip, clip.path, clip.format, clip.frames, clip.fps, clip.notes);
+    archive.list(source.clips, [](auto& each, auto& clip) {
+        each(clip.path, clip.format, clip.frames, clip.fps, clip.notes, clip.first, clip.step);
+    });
     auto& s = source.samples;
     archive(s.count, s.first, s.step, s.fps, s.features, s.feature_count, s.up, s.smoothing);
     auto& p = source.period;

@@ -44,6 +44,10 @@ struct Skeleton {
     bool translations_add = false;
 };
 
+/// Whether the frames of one are frames of the other: joints, their parents and channels are the
+/// same. Offsets may differ.
+bool same_hierarchy(const Skeleton& a, const Skeleton& b);
+
 struct Clip {
     std::string path; ///< as given, empty for memory
     Format format = Format::matrix;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <cmath>
 
 #include "clip/formats.hpp"
+#include "clip/quaternion.hpp"
 
 namespace stltsa::clip {
 
@@ -50,6 +52,16 @@ std::vector<std::size_t> turning_joints(const Skeleton& skeleton, std::size_t fi
             joints.push_back(j);
     }
     return joints;
+}
+
+bool same_hierarchy(const Skeleton& a, const Skeleton& b) {
+    const auto same = [](const Joint& one, const Joint& other) {
+        return one.name == other.name && one.parent == other.parent &&
+               one.end_site == other.end_site && one.channels == other.channels &&
+               std::abs(dot(one.axis, other.axis)) > 1 - 1e-9;
+    };
+    return a.fixed_axes == b.fixed_axes && a.translations_add == b.translations_add &&
+           std::equal(a.joints.begin(), a.joints.end(), b.joints.begin(), b.joints.end(), same);
 }
 
 } // namespace stltsa::clip

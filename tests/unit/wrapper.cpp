@@ -447,6 +447,10 @@ void facts_are_told_by_key(void**) {
 
     const stltsa::Model model = stltsa::fit(walker());
     assert_int_equal(model.info().integers(STLTSA_INFO_LENGTH).at(0), model.coords().rows);
+    const std::array clips{Clip::open(walker_path), Clip::open(walker_path)};
+    assert_int_equal(stltsa::fit(clips).info().count(STLTSA_INFO_LENGTH), 2);
+    assert_int_equal(stltsa::estimate_dimension(clips).info().integer(STLTSA_INFO_ROWS),
+                     2 * model.coords().rows);
     assert_int_equal(stltsa::denoise(model).info().reals(STLTSA_INFO_GAMMA).size(), 2);
     assert_int_equal(stltsa::estimate_dimension(walker()).info().integer(STLTSA_INFO_DIMENSION), 2);
     const std::array pieces{walker().piece(0, 50)};

@@ -118,3 +118,19 @@ def test_dimension(circle, clip):
     apart = stltsa.dimension([circle[:150], circle[150:]], neighbors=20)
     assert apart.eigengap is None
     assert apart.reasons
+
+
+def test_several_clips_are_fitted_together(clip, walker):
+    both = stltsa.fit([clip, walker], neighbors=36)
+    alone = stltsa.fit(clip, neighbors=36)
+    rows = len(alone)
+    assert both.facts["length"] == (rows, rows)
+    assert both.n_components == 2
+    assert both.coords[:rows] == pytest.approx(alone.coords, abs=1e-8)
+    assert np.array_equal(both.frames, np.tile(alone.frames, 2))
+    assert np.array_equal(both.map(clip).values[alone.frames], both.coords[:rows])
+    assert stltsa.dimension([clip, clip], neighbors=36).facts["rows"] == 2 * rows
+    with pytest.raises(stltsa.ShapeError, match="only one has a skeleton"):
+        stltsa.fit([clip, stltsa.Clip.from_array(alone.coords, 120)])
+    with pytest.raises(ValueError, match="a clip of its own"):
+        stltsa.fit([clip, clip], groups=[0, 1])

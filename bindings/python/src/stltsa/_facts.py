@@ -41,7 +41,7 @@ class _Key(NamedTuple):
         return self.choices.get(value, value)
 
 
-_KEYS = tuple(map(_Key.at, range(lib.stltsa_info_key_count())))
+_KEYS = {key.name: key for key in map(_Key.at, range(lib.stltsa_info_key_count()))}
 
 
 class Described:
@@ -57,18 +57,25 @@ class Described:
         ``stltsa.h`` describes each (``STLTSA_INFO_*``). Lists are tuples; enum values are given by
         name, such as ``"positions"``. Facts that the object does not have are absent.
         """
-        info = getattr(lib, f"stltsa_{self._kind}_info")(self._handle)
         result: dict[str, Any] = {}
-        for key in _KEYS:
+        for key in _KEYS.values():
             if not key.handles & _HANDLES[self._kind]:
                 continue
-            count = lib.stltsa_info_count(info, key.key)
-            values = tuple(key.value(info, index) for index in range(count))
+            values = self._values(key)
             if key.is_list:
                 result[key.name] = values
             elif values:
                 result[key.name] = values[0]
         return result
+
+    def _fact(self, name: str) -> tuple[Any, ...]:
+        """Return the values of one fact, without working out the others."""
+        return self._values(_KEYS[name])
+
+    def _values(self, key: _Key) -> tuple[Any, ...]:
+        info = getattr(lib, f"stltsa_{self._kind}_info")(self._handle)
+        count = lib.stltsa_info_count(info, key.key)
+        return tuple(key.value(info, index) for index in range(count))
 
     def to_json(self) -> str:
         """Return all facts as one JSON object; its schema is ``stltsa-<kind>/1``."""

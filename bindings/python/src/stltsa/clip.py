@@ -13,6 +13,7 @@ import numpy.typing as npt
 
 from ._arrays import FloatArray, IntArray, as_matrix, columns, read_from, write_to
 from ._call import Call, check, owned
+from ._clips import call_on_clips, refuse_groups
 from ._facts import Described
 from ._native import ffi, lib
 from ._text import c_path, names, string
@@ -245,6 +246,21 @@ def opened(motion: Any, options: Options) -> Any:
         return motion
     used: Any = {k: v for k, v in options.items() if k in ("fps", "skeleton")}
     return read_clip(motion, **used)
+
+
+def call_on_motion(
+    of_frames: Any, of_clips: Any, motion: Any, groups: Any, options: Options, out: Any
+) -> None:
+    """Call the function for clips, or for frames, as the motion is: one, or a list of either."""
+    several = isinstance(motion, list | tuple) and len(motion) > 0
+    clips = [opened(each, options) for each in (motion if several else [motion])]
+    with Call(options) as call:
+        if all(isinstance(clip, Clip) for clip in clips):
+            refuse_groups(groups, "every Clip is a clip of its own")
+            handles = [clip._handle for clip in clips]
+            call.check(of_clips(handles, len(handles), call.options, out))
+        else:
+            call_on_clips(of_frames, motion, groups, call, out)
 
 
 def _check_rate(clip: Clip, fps: Any) -> None:

@@ -8,12 +8,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ._arrays import write_list
-from ._call import Call, check, owned
-from ._clips import call_on_clips, refuse_groups
+from ._call import check, owned
 from ._facts import Described
 from ._native import ffi, lib
 from ._text import string
-from .clip import Clip, opened
+from .clip import call_on_motion
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -47,14 +46,9 @@ def dimension(motion: Any, *, groups: Any = None, **options: Unpack[Options]) ->
     >>> stltsa.dimension(circle, neighbors=110).local_pca
     2
     """
-    motion = opened(motion, options)
     out = ffi.new("stltsa_dimension **")
-    with Call(options) as call:
-        if isinstance(motion, Clip):
-            refuse_groups(groups, "a Clip is one clip")
-            call.check(lib.stltsa_estimate_dimension_clip(motion._handle, call.options, out))
-        else:
-            call_on_clips(lib.stltsa_estimate_dimension, motion, groups, call, out)
+    of_frames, of_clips = lib.stltsa_estimate_dimension, lib.stltsa_estimate_dimension_clips
+    call_on_motion(of_frames, of_clips, motion, groups, options, out)
     return Dimension(owned("dimension", out))
 
 

@@ -19,11 +19,11 @@ from ._arrays import (
     write_to,
 )
 from ._call import Call, check, get_int, get_real, owned, texts
-from ._clips import call_on_clips, frames_and_lengths, refuse_groups
+from ._clips import frames_and_lengths
 from ._facts import Described
 from ._native import ffi, lib
 from ._text import c_path, names
-from .clip import Clip, opened
+from .clip import Clip, call_on_motion, opened
 
 if TYPE_CHECKING:
     import os
@@ -59,10 +59,11 @@ def fit(motion: Any, *, groups: Any = None, **options: Unpack[Options]) -> Model
 
     Parameters
     ----------
-    motion : Clip, path, array-like of shape (frames, features), or list of such arrays
+    motion : Clip, path, array-like of shape (frames, features), or list of clips or of arrays
         Rows are frames in temporal order. Arrays are used unchanged; a clip gives its features,
-        without a T-pose at the start, smoothed and decimated to `sample_rate`. A C-contiguous
-        float64 array is not copied; others are copied once; a list is copied into one array.
+        without a T-pose at the start, smoothed and decimated to `sample_rate`; clips in a
+        list have one hierarchy. A C-contiguous float64 array is not copied; others are copied once; a
+        list is copied into one array.
     groups : array-like of shape (frames,), optional
         A label for each row of an array with several clips; the rows of a clip are contiguous.
     **options
@@ -93,14 +94,8 @@ def fit(motion: Any, *, groups: Any = None, **options: Unpack[Options]) -> Model
     >>> model.coords.shape
     (300, 2)
     """
-    motion = opened(motion, options)
     out = ffi.new("stltsa_model **")
-    with Call(options) as call:
-        if isinstance(motion, Clip):
-            refuse_groups(groups, "a Clip is one clip")
-            call.check(lib.stltsa_fit_clip(motion._handle, call.options, out))
-        else:
-            call_on_clips(lib.stltsa_fit, motion, groups, call, out)
+    call_on_motion(lib.stltsa_fit, lib.stltsa_fit_clips, motion, groups, options, out)
     return Model(owned("model", out))
 
 
@@ -157,9 +152,12 @@ class Model(Described):
 
     @property
     def frames(self) -> IntArray:
-        """Source frame of each row; shape (rows,)."""
-        first = self._int(lib.STLTSA_MODEL_FIRST_FRAME)
-        return first + self._int(lib.STLTSA_MODEL_FRAME_STEP) * np.arange(len(self))
+        """Source frame of each row, in its clip if there are several; shape (rows,)."""
+        first, step = self._fact("first_frame"), self._fact("frame_step")
+        lengths = self._fact("length") if len(first) > 1 else (len(self),)
+        return np.concatenate(
+            [f + s * np.arange(rows) for f, s, rows in zip(first, step, lengths, strict=True)]
+        )
 
     @property
     def fps(self) -> float:

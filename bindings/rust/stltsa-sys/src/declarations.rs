@@ -889,6 +889,14 @@ extern "C" {
     ) -> stltsa_status;
 }
 extern "C" {
+    pub fn stltsa_fit_clips(
+        clips: *const *const stltsa_clip,
+        count: i64,
+        options: *const stltsa_options,
+        model: *mut *mut stltsa_model,
+    ) -> stltsa_status;
+}
+extern "C" {
     pub fn stltsa_model_free(model: *mut stltsa_model);
 }
 extern "C" {
@@ -979,6 +987,14 @@ extern "C" {
 extern "C" {
     pub fn stltsa_estimate_dimension_clip(
         clip: *const stltsa_clip,
+        options: *const stltsa_options,
+        dimension: *mut *mut stltsa_dimension,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_estimate_dimension_clips(
+        clips: *const *const stltsa_clip,
+        count: i64,
         options: *const stltsa_options,
         dimension: *mut *mut stltsa_dimension,
     ) -> stltsa_status;

@@ -5,7 +5,7 @@ use stltsa_sys as sys;
 
 use crate::array::{list_in, Matrix, View};
 use crate::clip::Clip;
-use crate::error::{count, owned_text, text, Result};
+use crate::error::{c_count, count, owned_text, text, Result};
 use crate::handle::Owned;
 use crate::model::c_lengths;
 use crate::options::Options;
@@ -89,6 +89,22 @@ impl Dimension {
             // SAFETY: live handles.
             let make =
                 |out| unsafe { sys::stltsa_estimate_dimension_clip(clip.raw(), options, out) };
+            Ok(Self { handle: Owned::make(make)? })
+        })
+    }
+
+    /// The same for several clips, as [`Model::fit_clips`](crate::Model::fit_clips) takes them.
+    ///
+    /// # Errors
+    /// As [`Model::fit_clips`](crate::Model::fit_clips).
+    pub fn estimate_clips(clips: &[&Clip], options: &Options) -> Result<Self> {
+        let clips: Vec<_> = clips.iter().map(|clip| clip.raw()).collect();
+        let count = c_count(clips.len())?;
+        options.call(|options| {
+            // SAFETY: live handles, as many as it says.
+            let make = |out| unsafe {
+                sys::stltsa_estimate_dimension_clips(clips.as_ptr(), count, options, out)
+            };
             Ok(Self { handle: Owned::make(make)? })
         })
     }

@@ -143,6 +143,20 @@ impl Model {
         })
     }
 
+    /// The same from several clips of one hierarchy, each prepared as by itself. In
+    /// [`Model::facts`] the place of the rows has a value for each clip.
+    ///
+    /// # Errors
+    /// As [`Model::fit`]; [`Shape`](ErrorKind::Shape) for clips that do not go together.
+    pub fn fit_clips(clips: &[&Clip], options: &Options) -> Result<Self> {
+        let clips: Vec<_> = clips.iter().map(|clip| clip.raw()).collect();
+        let count = c_count(clips.len())?;
+        options.call(|options| {
+            // SAFETY: live handles, as many as it says.
+            Self::made(|out| unsafe { sys::stltsa_fit_clips(clips.as_ptr(), count, options, out) })
+        })
+    }
+
     /// Reads a model written by [`Model::save`]; it gives the same bits as the saved one.
     ///
     /// # Errors

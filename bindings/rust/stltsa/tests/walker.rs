@@ -4,7 +4,9 @@
 mod common;
 
 use common::{same_bits, scratch, walker, walker_path};
-use stltsa::{Clip, Dimension, ErrorKind, Format, Model, Options, Piece, Synthesis, UnitKind};
+use stltsa::{
+    Clip, Dimension, ErrorKind, Fact, Format, Model, Options, Piece, Synthesis, UnitKind,
+};
 
 #[test]
 #[ignore = "needs STLTSA_TEST_CLIP"]
@@ -93,6 +95,24 @@ fn a_fitted_clip_maps_to_its_own_coordinates_and_back_to_poses() {
     }
     let estimate = Dimension::estimate_clip(&clip, &Options::new()).unwrap();
     assert!(!estimate.eigenvalues().unwrap().is_empty());
+}
+
+#[test]
+#[ignore = "needs STLTSA_TEST_CLIP"]
+fn clips_are_fitted_together() {
+    let clip = walker();
+    let options = Options::new().neighbors(36);
+    let model = Model::fit_clips(&[&clip, &clip], &options).unwrap();
+    let alone = Model::fit_clip(&clip, &options).unwrap();
+    let rows = alone.info().frames;
+    assert_eq!(model.facts().ints(Fact::Length).unwrap(), [rows as i64; 2]);
+    assert_eq!(model.facts().texts(Fact::Path).unwrap().len(), 2);
+    let estimate = Dimension::estimate_clips(&[&clip, &clip], &options).unwrap();
+    assert_eq!(estimate.facts().ints(Fact::Rows).unwrap(), [2 * rows as i64]);
+    let numbers = Clip::from_matrix(&[[1.0, 2.0], [3.0, 4.0]], 120.0).unwrap();
+    let error = Model::fit_clips(&[&clip, &numbers], &options).unwrap_err();
+    assert_eq!(error.kind(), ErrorKind::Shape);
+    assert_eq!(Model::fit_clips(&[], &options).unwrap_err().kind(), ErrorKind::Argument);
 }
 
 #[test]

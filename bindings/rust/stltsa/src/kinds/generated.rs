@@ -112,7 +112,7 @@ kinds! {
         Length = STLTSA_INFO_LENGTH,
         /// `int[]`: row i of a clip is its source frame first_frame + i * frame_step.
         FirstFrame = STLTSA_INFO_FIRST_FRAME,
-        /// `int`: see first_frame; 1 for matrices.
+        /// `int[]`: see first_frame; 1 for matrices.
         FrameStep = STLTSA_INFO_FRAME_STEP,
         /// `real`: rows a second; 0: unknown.
         Fps = STLTSA_INFO_FPS,
