@@ -37,7 +37,7 @@ def test_tables_are_frames(result):
 def test_curve(result):
     samples = len(result.frames)
     assert result.curve.shape == (samples,)
-    column = result.coords[:, result.coordinate - 1]
+    column = result.coords[:, result.facts["coordinate"] - 1]
     assert len(column) == samples
     assert 0 < np.abs(column - result.curve).max() < 0.2 * np.abs(result.curve).max()
     assert result.loop.shape == (samples, 2)

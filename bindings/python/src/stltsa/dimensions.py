@@ -86,7 +86,7 @@ class Dimension(Described):
         functions = lib.stltsa_dimension_eigengap, lib.stltsa_dimension_local_pca
         return tuple(r for _, r in map(self._estimate, functions) if r)
 
-    def _values(self, key: int, function: Any) -> FloatArray:
+    def _column(self, key: int, function: Any) -> FloatArray:
         count = lib.stltsa_info_count(lib.stltsa_dimension_info(self._handle), key)
         values = np.empty(count, dtype=np.float64)
         check(function(self._handle, write_list(values)))
@@ -95,12 +95,12 @@ class Dimension(Described):
     @property
     def eigenvalues(self) -> FloatArray:
         """Eigenvalues of the alignment matrix over k, ascending, starting with zero."""
-        return self._values(lib.STLTSA_INFO_EIGENVALUE, lib.stltsa_dimension_eigenvalues)
+        return self._column(lib.STLTSA_INFO_EIGENVALUE, lib.stltsa_dimension_eigenvalues)
 
     @property
     def local_variances(self) -> FloatArray:
         """Mean share of a neighborhood's variance along its principal directions."""
-        return self._values(lib.STLTSA_INFO_LOCAL_VARIANCE, lib.stltsa_dimension_local_variances)
+        return self._column(lib.STLTSA_INFO_LOCAL_VARIANCE, lib.stltsa_dimension_local_variances)
 
     def __repr__(self) -> str:
         return f"<Dimension: local PCA {self.local_pca}, eigengap {self.eigengap}>"
