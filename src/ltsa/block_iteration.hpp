@@ -198,8 +198,7 @@ struct BlockIteration {
         const P least = last > noise ? last : noise;
         const P sure = missed <= least ? good : P{};
         const P state = values[count];
-        // Nothing is missed of a trace of zero, and one that is NaN belongs to no eigenvectors.
-        const P fresh = state == 0.0 ? (trace == 0.0 ? P{} + 1.0 : sure) : P{};
+        const P fresh = state == 0.0 ? sure : P{};
         for (std::int64_t l = 0; l < count; ++l)
             values[l] = fresh > 0 ? ritz.value(l) * trace : values[l];
         for (std::int64_t i = 0; i < kept * rows; ++i)

@@ -109,9 +109,6 @@ void CovarianceBatch::begin_group(const Neighborhoods& neighborhoods, std::int64
         std::ranges::set_intersection(shared_, neighborhoods.of(i), std::back_inserter(own_));
         shared_.swap(own_);
     }
-    // About the mean of less than half its members a neighborhood might lose digits.
-    if (2 * static_cast<std::int64_t>(shared_.size()) < size_)
-        shared_.clear();
     if (shared_.empty()) {
         std::fill_n(shared_products_.data(), features_ * features_, 0.0);
         return;

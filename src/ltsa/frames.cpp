@@ -141,7 +141,7 @@ double spread_of(ConstMatrixView x) {
 
 void scale_tiny(DistinctFrames& frames) {
     const double spread = spread_of(frames.x);
-    if (spread > tiny_spread || spread == 0)
+    if (spread > tiny_spread)
         return;
     const int power = -std::ilogb(spread);
     Matrix scaled = Matrix::unset(frames.x.rows, frames.x.cols);

@@ -36,7 +36,8 @@ DistinctFrames collapse_repeats(ConstMatrixView frames, std::span<const std::int
 [[noreturn]] void fail_changed(std::int64_t frame);
 
 /// Scales frames that all lie so close together that squares of their distances would underflow, by
-/// a power of two, which is exact; the embedding does not depend on it.
+/// a power of two, which is exact; the embedding does not depend on it. They vary, which
+/// check_parameters() has made sure of.
 void scale_tiny(DistinctFrames& frames);
 
 /// Throws for parameters that do not fit each other or the distinct frames.

@@ -225,6 +225,20 @@ Timeline with_repeats() {
     return {x.view(), lengths};
 }
 
+/// As a caller's may become while a tree is made of them: to put them in order is impossible.
+void frames_that_are_nan_are_refused(void**) {
+    const Matrix x = changed(noise(100, 3), [](double) { return NAN; });
+    std::vector<stltsa::ltsa::Stretch> rows;
+    for (std::int32_t r = 0; r < x.rows(); ++r)
+        rows.push_back({r, r});
+    try {
+        const NearestRows tree(x.view(), rows);
+        assert_true(false);
+    } catch (const stltsa::Error& error) {
+        assert_true(error.status() == stltsa::Status::not_finite);
+    }
+}
+
 void repeats_have_an_original(void**) {
     const Timeline timeline = with_repeats();
     const std::vector<std::int32_t> distinct{0, 2, 3, 6, 7};
@@ -262,6 +276,7 @@ int main() {
         cmocka_unit_test(stretches_end_with_their_range),
         cmocka_unit_test(none_asked_or_none_there),
         cmocka_unit_test(rows_beyond_measure),
+        cmocka_unit_test(frames_that_are_nan_are_refused),
         cmocka_unit_test(repeats_have_an_original),
         cmocka_unit_test(windows_count_originals_and_end_with_the_clip),
     };
