@@ -7,6 +7,7 @@
 #include "capi/guard.hpp"
 #include "capi/handles.hpp"
 #include "capi/options.hpp"
+#include "clip/features.hpp"
 #include "clip/write.hpp"
 #include "ltsa/frames.hpp"
 
@@ -37,12 +38,7 @@ Matrix clip_features(const stltsa_clip& clip, const stltsa_options* options) {
 }
 
 clip::Format format_of(int32_t format, std::string_view bytes) {
-    if (format == 0)
-        return clip::sniff(bytes);
-    if (format < STLTSA_FORMAT_BVH || format > STLTSA_FORMAT_NPY)
-        fail(Status::argument,
-             "format is {}; 0 or STLTSA_FORMAT_BVH .. STLTSA_FORMAT_NPY is needed", format);
-    return static_cast<clip::Format>(format);
+    return format == 0 ? clip::sniff(bytes) : static_cast<clip::Format>(format);
 }
 
 } // namespace
@@ -154,8 +150,11 @@ stltsa_status stltsa_clip_rotations(const stltsa_clip* clip, const stltsa_out* r
 
 stltsa_status stltsa_clip_feature_count(const stltsa_clip* clip, const stltsa_options* options,
                                         int64_t* count) noexcept {
-    return guard(
-        [&] { required(count, "count") = clip_features(required(clip, "clip"), options).cols(); });
+    return guard([&] {
+        const auto prepare = capi::OptionsReader(options).prepare_options();
+        required(count, "count") =
+            clip::feature_count(required(clip, "clip").clip, prepare.features);
+    });
 }
 
 stltsa_status stltsa_clip_features(const stltsa_clip* clip, const stltsa_options* options,

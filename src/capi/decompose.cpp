@@ -6,6 +6,7 @@
 #include "capi/arrays.hpp"
 #include "capi/guard.hpp"
 #include "capi/source.hpp"
+#include "clip/features.hpp"
 
 using namespace stltsa;
 using capi::guard;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "capi/json_parts.hpp"
+#include "clip/features.hpp"
+#include "clip/tpose.hpp"
 
 namespace stltsa::capi {
 namespace {
@@ -37,17 +39,13 @@ std::int64_t default_first_frame(const clip::Clip& clip) {
 }
 
 std::string clip_json(const clip::Clip& clip) {
-    const clip::Axis up = default_up(clip);
-    const Matrix features = clip::features(clip, clip::Features::automatic, up);
     const ClipFacts facts = clip_facts(clip);
-    const std::int64_t tpose = clip.skeleton ? clip::tpose_frames(features.view()) : 0;
-
     JsonObject object = json_head("clip");
-    object.set("clip", json_clip(&facts, default_features(clip), tpose));
+    object.set("clip", json_clip(&facts, default_features(clip), default_first_frame(clip)));
     object.set("channels", JsonObject("count", clip.values.cols(), "names", clip.channel_names));
     object.set("joints", joints(clip));
-    object.set("up_axis", json_axis(up));
-    object.set("feature_count", features.cols());
+    object.set("up_axis", json_axis(default_up(clip)));
+    object.set("feature_count", clip::feature_count(clip, clip::Features::automatic));
     return object.text();
 }
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "capi/json_parts.hpp"
 
+#include "clip/features.hpp"
+#include "clip/formats.hpp"
+
 namespace stltsa::capi {
 
 JsonObject json_head(const char* kind) {
@@ -20,18 +23,8 @@ Json json_count_or_null(std::int64_t value) {
 }
 
 const char* json_name(clip::Format format) {
-    switch (format) {
-    case clip::Format::bvh:
-        return "bvh";
-    case clip::Format::amc:
-        return "amc";
-    case clip::Format::csv:
-        return "csv";
-    case clip::Format::npy:
-        return "npy";
-    case clip::Format::matrix:
-        return "matrix";
-    }
+    if (const clip::FormatRow* row = clip::find_format(format))
+        return row->name;
     fail(Status::internal, "a clip of the unknown format {}", static_cast<int>(format));
 }
 

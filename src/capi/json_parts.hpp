@@ -6,6 +6,7 @@
 
 #include "capi/json.hpp"
 #include "capi/json_value.hpp"
+#include "clip/features.hpp"
 
 namespace stltsa::capi {
 

@@ -9,6 +9,8 @@
 #include "capi/guard.hpp"
 #include "capi/mapping.hpp"
 #include "capi/options.hpp"
+#include "clip/features.hpp"
+#include "clip/prepare.hpp"
 #include "linalg/blas_threads.hpp"
 #include "ltsa/frames.hpp"
 

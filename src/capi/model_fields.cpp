@@ -5,8 +5,10 @@
 #include <cmath>
 
 #include "capi/mapping.hpp"
+#include "clip/features.hpp"
 #include "clip/formats.hpp"
 #include "clip/quaternion.hpp"
+#include "clip/skeleton.hpp"
 
 namespace stltsa::capi {
 namespace {
@@ -74,8 +76,7 @@ void check_embedding(const ltsa::Model& model) {
 }
 
 void check_clip(const ClipFacts& clip, std::int64_t rows) {
-    expect(in_range(clip.format, clip::Format::bvh, clip::Format::matrix) && amount(clip.fps),
-           "clip");
+    expect(clip::find_format(clip.format) != nullptr && amount(clip.fps), "clip");
     expect(clip.first >= 0 && clip.step >= 1 && clip.first < clip.frames &&
                rows - 1 <= (clip.frames - 1 - clip.first) / clip.step,
            "samples");
@@ -127,7 +128,7 @@ void check_code(const clip::PoseCode& code) {
     expect(code.rest.size() == channels && finite(code.rest) &&
                code.channel_names.size() == channels,
            "channels");
-    expect(in_range(code.format, clip::Format::bvh, clip::Format::amc) &&
+    expect(clip::find_format(code.format) != nullptr &&
                in_range(code.up, clip::Axis::x, clip::Axis::z) && amount(code.frame_time) &&
                code.root < code.skeleton.joints.size() &&
                code.means.size() == clip::turning_joints(code.skeleton, code.root).size() &&

@@ -7,6 +7,8 @@
 #include "base/parallel.hpp"
 #include "capi/guard.hpp"
 #include "capi/options_table.hpp"
+#include "clip/features.hpp"
+#include "clip/prepare.hpp"
 
 namespace stltsa::capi {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "base/progress.hpp"
 #include "clip/clip.hpp"
-#include "clip/features.hpp"
+#include "clip/prepare.hpp"
 #include "ltsa/parameters.hpp"
 #include "motion/decompose.hpp"
 #include "stltsa.h"

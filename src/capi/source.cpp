@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "capi/guard.hpp"
+#include "clip/prepare.hpp"
 #include "motion/choose_neighbors.hpp"
 
 namespace stltsa::capi {

@@ -4,9 +4,9 @@
 #include <unordered_map>
 
 #include "clip/asf.hpp"
-#include "clip/formats.hpp"
 #include "clip/number.hpp"
 #include "clip/read_file.hpp"
+#include "clip/skeleton.hpp"
 #include "clip/text_cursor.hpp"
 
 namespace stltsa::clip {
@@ -160,6 +160,15 @@ class AmcReader {
     double fps_ = 0;
 };
 
+void set_rate(Clip& clip, const ReadOptions& options) {
+    if (clip.fps > 0 || options.fps > 0)
+        return;
+    clip.fps = amc_fps;
+    clip.notes.push_back(format_text(
+        "AMC files carry no frame rate: {} a second assumed (set option fps for another)",
+        amc_fps));
+}
+
 } // namespace
 
 Clip parse_amc(std::string_view bytes, const std::string& name, const ReadOptions& options) {
@@ -170,6 +179,7 @@ Clip parse_amc(std::string_view bytes, const std::string& name, const ReadOption
     TextCursor in(bytes, name);
     Clip clip;
     AmcReader(in, asf, skeleton_path).read(clip);
+    set_rate(clip, options);
     clip.skeleton = std::move(asf.skeleton);
     clip.channel_names = channel_names(*clip.skeleton);
     return clip;

@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
-#include "clip/formats.hpp"
 #include "clip/kinematics.hpp"
+#include "clip/skeleton.hpp"
 
 namespace stltsa::clip {
 namespace {

@@ -11,6 +11,10 @@
 
 namespace stltsa::clip {
 
+/// AMC files carry no frame rate. The CMU database, where most of them come from, was captured at
+/// this one.
+constexpr double amc_fps = 120;
+
 struct AsfFile {
     Skeleton skeleton; ///< joint 0 is the root, the others are named as their bones
     bool degrees = true;

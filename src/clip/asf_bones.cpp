@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "clip/formats.hpp"
 #include "clip/number.hpp"
+#include "clip/skeleton.hpp"
 
 namespace stltsa::clip {
 namespace {

@@ -3,9 +3,9 @@
 
 #include "clip/bvh_form.hpp"
 #include "clip/bvh_hierarchy.hpp"
-#include "clip/formats.hpp"
 #include "clip/number.hpp"
 #include "clip/quaternion.hpp"
+#include "clip/skeleton.hpp"
 
 namespace stltsa::clip {
 namespace {
@@ -137,7 +137,7 @@ class RowReader {
 
 } // namespace
 
-Clip parse_bvh(std::string_view bytes, const std::string& name) {
+Clip parse_bvh(std::string_view bytes, const std::string& name, const ReadOptions&) {
     TextCursor in(bytes, name);
     Clip clip;
     clip.skeleton = read_bvh_hierarchy(in);

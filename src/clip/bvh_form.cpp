@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include "clip/angles.hpp"
-#include "clip/formats.hpp"
 #include "clip/heading.hpp"
 #include "clip/kinematics.hpp"
+#include "clip/skeleton.hpp"
 
 namespace stltsa::clip {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <optional>
 
-#include "clip/formats.hpp"
 #include "clip/number.hpp"
+#include "clip/skeleton.hpp"
 
 namespace stltsa::clip {
 namespace {

@@ -5,7 +5,6 @@
 
 #include "clip/csv_cells.hpp"
 #include "clip/csv_time.hpp"
-#include "clip/formats.hpp"
 #include "clip/number.hpp"
 #include "clip/text_cursor.hpp"
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "clip/formats.hpp"
 #include "clip/heading.hpp"
 #include "clip/kinematics.hpp"
+#include "clip/skeleton.hpp"
 
 namespace stltsa::clip {
 namespace {
@@ -140,6 +140,21 @@ Features feature_kind(const Clip& clip, Features requested) {
     return requested;
 }
 
+std::int64_t feature_count(const Clip& clip, Features requested) {
+    const Features kind = feature_kind(clip, requested);
+    const std::size_t root = kind == Features::raw ? 0 : body_root(clip);
+    std::int64_t count = clip.values.cols();
+    if (kind == Features::positions)
+        count = 3 * static_cast<std::int64_t>(clip.skeleton->joints.size() - root);
+    else if (kind == Features::rotations6d)
+        count = 6 * std::ssize(turning_joints(*clip.skeleton, root));
+    else if (kind == Features::euler)
+        count = std::ssize(angle_columns(clip, root));
+    if (count == 0)
+        fail(Status::unsupported, "no joint of this clip has rotations: use other features");
+    return count;
+}
+
 Matrix body_features(const Clip& clip, Features kind, Heading heading) {
     switch (kind) {
     case Features::positions:
@@ -154,13 +169,12 @@ Matrix body_features(const Clip& clip, Features kind, Heading heading) {
 }
 
 Matrix features(const Clip& clip, Features requested, Axis up) {
+    feature_count(clip, requested); // there are some
     const Features kind = feature_kind(clip, requested);
     Matrix result =
         kind == Features::raw
             ? clip.values
             : body_features(clip, kind, Heading(clip, body_root(clip), up_axis(clip, up)));
-    if (result.cols() == 0)
-        fail(Status::unsupported, "no joint of this clip has rotations: use other features");
     check_finite(result);
     return result;
 }

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "clip/find_skeleton.hpp"
+
 #include <algorithm>
 #include <cerrno>
 #include <filesystem>
 #include <memory>
 #include <new>
+#include <string>
+#include <vector>
 
 #include <dirent.h>
 #include <sys/stat.h>
 
-#include "clip/formats.hpp"
 #include "clip/text_cursor.hpp"
 
 namespace stltsa::clip {

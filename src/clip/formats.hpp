@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The readers of single formats, and what they share.
+// The table of formats: whatever depends on a format is read from it.
 #pragma once
 
+#include <array>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -9,43 +11,29 @@
 
 namespace stltsa::clip {
 
-/// AMC files carry no frame rate. The CMU database, where most of them come from, was captured at
-/// this one.
-constexpr double amc_fps = 120;
+/// One format. To add one, write its row in formats.cpp, its reader and writer, and its
+/// STLTSA_FORMAT_* in stltsa.h.
+struct FormatRow {
+    Format format;    ///< the value of STLTSA_FORMAT_*
+    const char* name; ///< in the JSON
+    /// Of files, in lower case, with the dot, "" for none; the first is the one that is written.
+    std::array<std::string_view, 2> suffixes;
+    bool is_text;        ///< its files hold no NUL
+    bool needs_skeleton; ///< ReadOptions::skeleton must name an ASF file
+    /// Whether the bytes begin as this format does; none: they may be of it if of no other.
+    bool (*sniff)(std::string_view bytes);
+    /// Gets the file's bytes and the name for messages. Sets all of Clip but path and format; fps
+    /// is the file's own, 0 where it has none. None: the format has no files.
+    Clip (*read)(std::string_view bytes, const std::string& name, const ReadOptions& options);
+    /// The bytes of a file. Numbers read back to the same bits.
+    std::string (*write)(const Clip& clip);
+};
 
-/// The ASF file that belongs to an AMC file, looked for in the same folder.
-std::string find_skeleton(const std::string& amc_path);
+/// All formats.
+std::span<const FormatRow> formats();
 
-// Each gets the file's bytes and the name to use in messages. They set all of Clip but path and
-// format; fps is the file's own, 0 where it has none.
-Clip parse_bvh(std::string_view bytes, const std::string& name);
-Clip parse_amc(std::string_view bytes, const std::string& name, const ReadOptions& options);
-Clip parse_csv(std::string_view bytes, const std::string& name, const ReadOptions& options);
-Clip parse_npy(std::string_view bytes, const std::string& name);
-
-/// "rx" and so on.
-std::string_view channel_name(Channel channel);
-inline bool is_rotation(Channel channel) {
-    return channel >= Channel::rx;
-}
-/// 0, 1, 2 for x, y, z.
-inline int channel_axis(Channel channel) {
-    return static_cast<int>(channel) % 3;
-}
-
-/// Whether a joint may have one more channel. A rotation may come again, as in Z X Z; without a
-/// limit memory would grow with the square of a hostile file.
-bool may_follow(Channel next, const std::vector<Channel>& channels);
-constexpr std::string_view channel_limit = "a joint has at most 6 channels, each position once";
-
-/// "hip.rz" for every column of a skeleton's values.
-std::vector<std::string> channel_names(const Skeleton& skeleton);
-std::int64_t channel_count(const Skeleton& skeleton);
-
-/// Where each joint's channels begin among the columns of a skeleton's values.
-std::vector<std::size_t> channel_begins(const Skeleton& skeleton);
-
-/// The joints from this one on that have rotation channels.
-std::vector<std::size_t> turning_joints(const Skeleton& skeleton, std::size_t first);
+/// The row of a value, or of a path's suffix, in any case; null: there is none.
+const FormatRow* find_format(Format format);
+const FormatRow* find_format(const std::string& path);
 
 } // namespace stltsa::clip

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "clip/heading.hpp"
 
+#include "clip/skeleton.hpp"
+#include "clip/up_axis.hpp"
 #include <algorithm>
 #include <optional>
-
-#include "clip/formats.hpp"
 
 namespace stltsa::clip {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "clip/kinematics.hpp"
 
-#include "clip/formats.hpp"
+#include "clip/skeleton.hpp"
 
 namespace stltsa::clip {
 

@@ -4,9 +4,10 @@
 #include <algorithm>
 
 #include "clip/angles.hpp"
-#include "clip/formats.hpp"
+#include "clip/features.hpp"
 #include "clip/heading.hpp"
 #include "clip/number.hpp"
+#include "clip/skeleton.hpp"
 #include "linalg/eigen.hpp"
 
 namespace stltsa::clip {

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "clip/prepare.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 #include "clip/features.hpp"
 #include "clip/jump.hpp"
+#include "clip/tpose.hpp"
 #include "linalg/gaussian.hpp"
 
 namespace stltsa::clip {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "clip/skeleton.hpp"
+
 #include <algorithm>
 #include <cmath>
 
-#include "clip/formats.hpp"
 #include "clip/quaternion.hpp"
 
 namespace stltsa::clip {

@@ -44,6 +44,10 @@ std::string_view trim(std::string_view text) {
     return text;
 }
 
+bool is_utf16(std::string_view bytes) {
+    return bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF");
+}
+
 std::string_view next_word(std::string_view& line, std::string_view separators) {
     const auto separates = [separators](char c) {
         return is_blank(c) || separators.find(c) != separators.npos;
@@ -68,7 +72,7 @@ TextCursor::TextCursor(std::string_view text, std::string name)
     : text_(text), name_(std::move(name)) {
     if (text_.starts_with("\xEF\xBB\xBF"))
         position_ = 3;
-    else if (text_.starts_with("\xFF\xFE") || text_.starts_with("\xFE\xFF"))
+    else if (is_utf16(text_))
         fail(Status::format, "the text is UTF-16; save it as UTF-8 or ASCII");
 }
 

@@ -17,6 +17,8 @@ std::string to_lower(std::string_view text);
 bool equals_ignoring_case(std::string_view a, std::string_view b);
 bool starts_with_ignoring_case(std::string_view text, std::string_view prefix);
 std::string_view trim(std::string_view text);
+/// By its byte order mark.
+bool is_utf16(std::string_view bytes);
 
 /// Splits off the first word of a line; words are separated by blanks or any of `separators`.
 std::string_view next_word(std::string_view& line, std::string_view separators = {});

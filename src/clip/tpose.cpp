@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "clip/tpose.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
-
-#include "clip/features.hpp"
 
 namespace stltsa::clip {
 namespace {

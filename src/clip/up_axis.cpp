@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "clip/up_axis.hpp"
+
 #include <algorithm>
 #include <cmath>
 
-#include "clip/features.hpp"
 #include "clip/kinematics.hpp"
 #include "clip/text_cursor.hpp"
 

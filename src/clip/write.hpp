@@ -20,10 +20,4 @@ void write_file(const std::string& path, std::string_view bytes);
 /// The same of bytes that `content` hands over.
 void write_file(const std::string& path, const std::function<void(const Sink&)>& content);
 
-// The bytes of single formats. Numbers read back to the same bits.
-std::string format_bvh(const Clip& clip);
-std::string format_amc(const Clip& clip);
-std::string format_csv(const Clip& clip);
-std::string format_npy(const Clip& clip);
-
 } // namespace stltsa::clip

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "clip/formats.hpp"
+#include "clip/asf.hpp"
+#include "clip/clip.hpp"
 #include "clip/number.hpp"
-#include "clip/write.hpp"
 
 namespace stltsa::clip {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "clip/bvh_form.hpp"
-#include "clip/formats.hpp"
+#include "clip/clip.hpp"
 #include "clip/number.hpp"
-#include "clip/write.hpp"
+#include "clip/skeleton.hpp"
 
 namespace stltsa::clip {
 namespace {

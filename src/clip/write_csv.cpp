@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
+#include "clip/clip.hpp"
 #include "clip/csv_cells.hpp"
 #include "clip/number.hpp"
 #include "clip/text_cursor.hpp"
-#include "clip/write.hpp"
 
 namespace stltsa::clip {
 namespace {

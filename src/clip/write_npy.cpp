@@ -2,7 +2,7 @@
 #include <bit>
 #include <cstring>
 
-#include "clip/write.hpp"
+#include "clip/clip.hpp"
 
 namespace stltsa::clip {
 

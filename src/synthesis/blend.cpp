@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "clip/angles.hpp"
-#include "clip/formats.hpp"
 #include "clip/kinematics.hpp"
+#include "clip/skeleton.hpp"
 #include "synthesis/root.hpp"
 
 namespace stltsa::synthesis {

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "clip/formats.hpp"
 #include "clip/heading.hpp"
 #include "clip/quaternion.hpp"
+#include "clip/skeleton.hpp"
 
 namespace stltsa::synthesis {
 namespace {

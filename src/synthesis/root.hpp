@@ -5,8 +5,9 @@
 
 #include <vector>
 
-#include "clip/formats.hpp"
 #include "clip/heading.hpp"
+#include "clip/skeleton.hpp"
+#include "clip/up_axis.hpp"
 
 namespace stltsa::synthesis {
 

@@ -11,7 +11,7 @@
 #include "base/progress.hpp"
 #include "base/warning.hpp"
 #include "clip/clip.hpp"
-#include "clip/features.hpp"
+#include "clip/up_axis.hpp"
 
 namespace stltsa::synthesis {
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "clip/features.hpp"
@@ -304,6 +305,18 @@ void clips_without_rotations(void**) {
     assert_int_equal(features(clip, Features::positions, Axis::automatic).cols(), 3);
 }
 
+void features_are_counted_without_being_computed(void**) {
+    Clip clip = parse(small_bvh, Format::bvh);
+    for (const Features kind : {Features::automatic, Features::positions, Features::rotations6d,
+                                Features::euler, Features::raw})
+        assert_int_equal(feature_count(clip, kind), features(clip, kind, Axis::y).cols());
+    clip.values(1, 0) = std::numeric_limits<double>::infinity(); // a pose would be refused
+    assert_int_equal(feature_count(clip, Features::positions), 15);
+    clip.skeleton.reset();
+    assert_int_equal(feature_count(clip, Features::automatic), 10);
+    ASSERT_FAILS(Status::unsupported, "need a skeleton", feature_count(clip, Features::euler));
+}
+
 } // namespace
 
 int main() {
@@ -325,6 +338,7 @@ int main() {
         cmocka_unit_test(up_follows_the_motion_not_the_rest_pose),
         cmocka_unit_test(numbers_too_large_for_a_pose),
         cmocka_unit_test(clips_without_rotations),
+        cmocka_unit_test(features_are_counted_without_being_computed),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

@@ -7,6 +7,7 @@
 
 #include "clip/asf.hpp"
 #include "clip/features.hpp"
+#include "clip/prepare.hpp"
 
 namespace {
 

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "clip/angles.hpp"
-#include "clip/formats.hpp"
+#include "clip/features.hpp"
 #include "clip/kinematics.hpp"
 #include "clip/pose_code.hpp"
 

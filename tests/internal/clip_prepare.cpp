@@ -7,6 +7,8 @@
 #include <numbers>
 
 #include "clip/features.hpp"
+#include "clip/prepare.hpp"
+#include "clip/tpose.hpp"
 
 namespace {
 

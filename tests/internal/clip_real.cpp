@@ -8,6 +8,7 @@
 
 #include "clip/features.hpp"
 #include "clip/pose_code.hpp"
+#include "clip/prepare.hpp"
 #include "clip/write.hpp"
 
 namespace {

@@ -78,7 +78,7 @@ static void what_is_saved_reads_back(void** state) {
 static void clips_of_the_wrong_kind_are_refused(void** state) {
     (void)state;
     stltsa_clip* clip = parsed(pendulum);
-    assert_save_fails(clip, in_folder("a.txt"), STLTSA_E_ARGUMENT, ".bvh, .amc, .csv or .npy");
+    assert_save_fails(clip, in_folder("a.txt"), STLTSA_E_ARGUMENT, ".bvh, .amc, .csv, .npy");
     assert_save_fails(clip, in_folder("bvh"), STLTSA_E_ARGUMENT, "suffix");
     assert_save_fails(clip, in_folder("a.amc"), STLTSA_E_UNSUPPORTED, "AMC");
     assert_save_fails(clip, NULL, STLTSA_E_ARGUMENT, "path");
