@@ -40,7 +40,7 @@ impl Element for f64 {}
 /// let view = View::new(&numbers, 3, 2)?;
 /// assert_eq!((view.rows(), view.cols()), (3, 2));
 ///
-/// The same numbers, last row first, only the second column.
+/// // The same numbers, last row first, only the second column.
 /// let reversed = View::strided(&numbers, 5, (3, 1), (-2, 1))?;
 /// assert_eq!((reversed.rows(), reversed.cols()), (3, 1));
 /// # Ok::<(), stltsa::Error>(())

@@ -217,7 +217,7 @@ impl Clip {
     /// ```
     /// use stltsa::{Clip, Options, UnitKind};
     ///
-    /// Two seconds of standing, eight of swinging with a period of one second, then standing.
+    /// // Two seconds of standing, eight of swinging with a period of one second, then standing.
     /// let swing = |t: f64| match t {
     ///     t if (2.0..10.0).contains(&t) => (std::f64::consts::TAU * t).sin(),
     ///     _ => 0.0,

@@ -15,7 +15,7 @@ use crate::options::Options;
 /// ```
 /// use stltsa::{Dimension, Estimate, Options};
 ///
-/// A circle, bent into three dimensions, is a curve.
+/// // A circle, bent into three dimensions, is a curve.
 /// let frames: Vec<[f64; 3]> = (0..300)
 ///     .map(|t| std::f64::consts::TAU * t as f64 / 100.0)
 ///     .map(|a| [a.cos(), a.sin(), 0.3 * (2.0 * a).sin()])

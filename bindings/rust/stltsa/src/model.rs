@@ -19,7 +19,7 @@ use crate::options::Options;
 /// ```
 /// use stltsa::{Model, Options};
 ///
-/// Three turns of a circle, bent into four dimensions.
+/// // Three turns of a circle, bent into four dimensions.
 /// let frames: Vec<[f64; 4]> = (0..300)
 ///     .map(|t| std::f64::consts::TAU * t as f64 / 100.0)
 ///     .map(|a| [a.cos(), a.sin(), 0.3 * (2.0 * a).sin(), 0.2 * a.cos() * a.cos()])
@@ -30,7 +30,7 @@ use crate::options::Options;
 /// assert_eq!((coords.rows(), coords.cols()), (300, 2));
 /// assert!(model.info().residual < 1e-9);
 ///
-/// A fitted frame gets its own coordinates, to the bit.
+/// // A fitted frame gets its own coordinates, to the bit.
 /// let mapped = model.map(&frames[..10], &Options::new())?;
 /// assert_eq!(mapped.coords.row(3), coords.row(3));
 /// # Ok::<(), stltsa::Error>(())
