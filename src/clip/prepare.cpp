@@ -40,7 +40,7 @@ Prepared prepare(const Clip& clip, const PrepareOptions& options) {
     prepared.fps = clip.fps / static_cast<double>(prepared.step);
     const double sigma = options.smoothing * clip.fps;
     if (sigma > 0 || prepared.step > 1)
-        prepared.samples = gaussian_smoothed(kept, sigma, prepared.step);
+        prepared.samples = gaussian_smoothed(kept, sigma, Beyond::reflection, prepared.step);
     else
         prepared.samples = prepared.first == 0 ? std::move(all) : copied(kept);
     return prepared;
@@ -50,7 +50,8 @@ Matrix smoothed_features(const Clip& clip, Features kind, Axis up, double smooth
                          bool drop_tpose) {
     const Matrix all = features(clip, kind, up);
     const std::int64_t first = dropped_frames(clip, all, drop_tpose);
-    const Matrix smoothed = gaussian_smoothed(from_row(all, first), smoothing * clip.fps);
+    const Matrix smoothed =
+        gaussian_smoothed(from_row(all, first), smoothing * clip.fps, Beyond::reflection);
     Matrix result = copied(all.view());
     std::copy_n(smoothed.data(), smoothed.rows() * smoothed.cols(), result.row(first));
     return result;

@@ -11,25 +11,34 @@ namespace {
 /// Half of the kernel, its middle first; just 1 without smoothing.
 std::vector<double> half_kernel(double sigma, std::int64_t rows) {
     std::vector<double> weights{1};
-    const double reach = std::min(4 * sigma, static_cast<double>(rows));
+    const double reach = std::min(4 * sigma, static_cast<double>(rows - 1));
     for (int i = 1; i <= reach; ++i)
         weights.push_back(std::exp(-0.5 * (i / sigma) * (i / sigma)));
     return weights;
 }
 
+/// Adds the weighted difference of row `r` from `center`; reflected through the end row beyond it.
+void add_difference(ConstMatrixView rows, std::int64_t r, const double* center, double weight,
+                    double* out) {
+    const std::int64_t end = std::clamp<std::int64_t>(r, 0, rows.rows - 1);
+    const double* at_end = rows.row(end);
+    const double* reflected = rows.row(2 * end - r);
+    for (std::int64_t c = 0; c < rows.cols; ++c)
+        out[c] += weight * ((at_end[c] - reflected[c]) + (at_end[c] - center[c]));
+}
+
 /// The middle row plus the weighted differences from it: exact where there are none.
 void smooth_row(ConstMatrixView rows, std::int64_t middle, const std::vector<double>& weights,
-                double* out) {
+                Beyond beyond, double* out) {
+    const bool reflect = beyond == Beyond::reflection;
     const auto reach = static_cast<std::int64_t>(weights.size()) - 1;
-    const std::int64_t begin = std::max<std::int64_t>(0, middle - reach);
-    const std::int64_t end = std::min(rows.rows, middle + reach + 1);
+    const std::int64_t begin = middle - reach, end = middle + reach + 1;
     const double* center = rows.row(middle);
     double total = 0;
-    for (std::int64_t r = begin; r < end; ++r) {
+    for (std::int64_t r = reflect ? begin : std::max<std::int64_t>(0, begin);
+         r < (reflect ? end : std::min(rows.rows, end)); ++r) {
         const double weight = weights[static_cast<std::size_t>(std::abs(r - middle))];
-        const double* row = rows.row(r);
-        for (std::int64_t c = 0; c < rows.cols; ++c)
-            out[c] += weight * (row[c] - center[c]);
+        add_difference(rows, r, center, weight, out);
         total += weight;
     }
     for (std::int64_t c = 0; c < rows.cols; ++c)
@@ -38,11 +47,11 @@ void smooth_row(ConstMatrixView rows, std::int64_t middle, const std::vector<dou
 
 } // namespace
 
-Matrix gaussian_smoothed(ConstMatrixView rows, double sigma, std::int64_t step) {
+Matrix gaussian_smoothed(ConstMatrixView rows, double sigma, Beyond beyond, std::int64_t step) {
     const std::vector<double> weights = half_kernel(sigma, rows.rows);
     Matrix result((rows.rows + step - 1) / step, rows.cols);
     for (std::int64_t i = 0; i < result.rows(); ++i)
-        smooth_row(rows, i * step, weights, result.row(i));
+        smooth_row(rows, i * step, weights, beyond, result.row(i));
     return result;
 }
 

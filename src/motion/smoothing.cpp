@@ -7,7 +7,7 @@
 
 namespace stltsa::motion {
 Matrix smooth(ConstMatrixView samples, double sigma) {
-    return gaussian_smoothed(samples, sigma);
+    return gaussian_smoothed(samples, sigma, Beyond::nothing);
 }
 
 std::vector<double> smooth(std::span<const double> curve, double sigma) {

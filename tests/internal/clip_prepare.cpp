@@ -157,6 +157,27 @@ void smoothing_keeps_constants_to_the_ends(void**) {
         ASSERT_NEAR(smooth(i, 0), 3.25, 1e-14);
 }
 
+/// Cut off while it moves, a steady motion does not slow down there.
+void smoothing_keeps_speed_to_the_ends(void**) {
+    std::vector<double> line(50);
+    for (std::size_t i = 0; i < line.size(); ++i)
+        line[i] = 3.25 + 0.5 * static_cast<double>(i);
+    for (const std::size_t frames :
+         {std::size_t{2}, std::size_t{7}, std::size_t{50}}) { // 7 are fewer than the kernel reaches
+        PrepareOptions options;
+        options.rate = 0;
+        const Matrix smooth =
+            prepare(column(std::vector<double>(line.begin(),
+                                               line.begin() + static_cast<std::ptrdiff_t>(frames)),
+                           120),
+                    options)
+                .samples;
+        assert_int_equal(smooth.rows(), frames);
+        for (std::int64_t i = 0; i < smooth.rows(); ++i)
+            ASSERT_NEAR(smooth(i, 0), line[static_cast<std::size_t>(i)], 1e-13);
+    }
+}
+
 void smoothing_does_not_see_dropped_frames(void**) {
     const Prepared prepared = prepare(turning(200, 120, 3), {});
     assert_int_equal(prepared.first, 3);
@@ -256,6 +277,7 @@ int main() {
         cmocka_unit_test(steps_follow_the_rate),
         cmocka_unit_test(smooths_by_a_gaussian),
         cmocka_unit_test(smoothing_keeps_constants_to_the_ends),
+        cmocka_unit_test(smoothing_keeps_speed_to_the_ends),
         cmocka_unit_test(smoothing_does_not_see_dropped_frames),
         cmocka_unit_test(features_of_all_frames_hold_the_samples),
         cmocka_unit_test(finds_the_frame_of_a_cut),

@@ -241,6 +241,34 @@ static void one_blow_along_a_line(void** state) {
     free(x);
 }
 
+/* Every stretch of the walk's cycles that begins and ends in the middle of a step. */
+static void a_cut_is_no_standing(void** state) {
+    (void)state;
+    stltsa_clip* walk = opened();
+    const int64_t rows = stltsa_clip_frames(walk);
+    int64_t cols = 0;
+    must(stltsa_clip_feature_count(walk, NULL, &cols));
+    double* x = new_matrix(rows, cols);
+    const stltsa_out out = packed_out(x, rows, cols);
+    must(stltsa_clip_features(walk, NULL, &out));
+    const double fps = stltsa_clip_fps(walk);
+    const int64_t first = (int64_t)(true_ends[1] * fps), last = (int64_t)(true_ends[2] * fps);
+    for (int64_t cut = 0; cut < (int64_t)(true_period * fps); cut += 4) {
+        const stltsa_in in =
+            packed_in(x + (first + cut) * cols, last - first - cut - cut / 2, cols);
+        stltsa_clip* clip = NULL;
+        must(stltsa_clip_from_matrix(&in, fps, &clip));
+        stltsa_decomposition* d = decomposed(clip, NULL);
+        for (int64_t i = 0; i < stltsa_decomposition_unit_count(d); ++i)
+            assert_true(unit(d, i).kind != STLTSA_UNIT_PREPARING &&
+                        unit(d, i).kind != STLTSA_UNIT_WIND_UP);
+        stltsa_decomposition_free(d);
+        stltsa_clip_free(clip);
+    }
+    free(x);
+    stltsa_clip_free(walk);
+}
+
 struct stop {
     int64_t calls, after;
 };
@@ -426,6 +454,7 @@ int main(int argc, char** argv) {
         cmocka_unit_test(shift_and_order_of_channels_change_no_unit),
         cmocka_unit_test(noise_has_no_cycle_but_a_reason),
         cmocka_unit_test(one_blow_along_a_line),
+        cmocka_unit_test(a_cut_is_no_standing),
         cmocka_unit_test(cancelled_at_every_call),
         cmocka_unit_test(progress_never_goes_back),
         cmocka_unit_test(the_search_for_the_period_can_be_cancelled),
