@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <compare>
 #include <numeric>
+#include <tuple>
 
 #include "ltsa/frames.hpp"
 
@@ -83,7 +83,10 @@ class Arrangement {
         bool is_short;
         double value;
         std::size_t piece;
-        auto operator<=>(const Key&) const = default;
+        bool operator<(const Key& other) const {
+            return std::tie(is_short, value, piece) <
+                   std::tie(other.is_short, other.value, other.piece);
+        }
     };
 
     Piece piece_at(std::int32_t place) {
