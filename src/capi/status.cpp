@@ -98,18 +98,16 @@ int32_t stltsa_version_number(void) noexcept {
 }
 
 int32_t stltsa_has(int32_t part) noexcept {
-    switch (part) {
 #ifdef STLTSA_CHOLMOD
-    case STLTSA_HAS_CHOLMOD:
+    if (part == STLTSA_HAS_CHOLMOD)
         return 1;
 #endif
 #ifdef STLTSA_OPENBLAS
-    case STLTSA_HAS_OPENBLAS:
+    if (part == STLTSA_HAS_OPENBLAS)
         return 1;
 #endif
-    default:
-        return 0;
-    }
+    static_cast<void>(part); // unused in a build with neither
+    return 0;
 }
 
 void stltsa_free(void* memory) noexcept {
