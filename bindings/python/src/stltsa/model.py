@@ -62,8 +62,8 @@ def fit(motion: Any, *, groups: Any = None, **options: Unpack[Options]) -> Model
     motion : Clip, path, array-like of shape (frames, features), or list of clips or of arrays
         Rows are frames in temporal order. Arrays are used unchanged; a clip gives its features,
         without a T-pose at the start, smoothed and decimated to `sample_rate`; clips in a
-        list have one hierarchy. A C-contiguous float64 array is not copied; others are copied once; a
-        list is copied into one array.
+        list have one hierarchy. A C-contiguous float64 array is not copied; others are copied once;
+        a list is copied into one array.
     groups : array-like of shape (frames,), optional
         A label for each row of an array with several clips; the rows of a clip are contiguous.
     **options
