@@ -248,10 +248,10 @@ def opened(motion: Any, options: Options) -> Any:
     return read_clip(motion, **used)
 
 
-def call_on_motion(
-    of_frames: Any, of_clips: Any, motion: Any, groups: Any, options: Options, out: Any
-) -> None:
-    """Call the function for clips, or for frames, as the motion is: one, or a list of either."""
+def call_on_motion(kind: str, motion: Any, groups: Any, options: Options, out: Any) -> None:
+    """Call a function on frames or clips: one, or a list; `kind` is the middle of its name."""
+    of_frames = getattr(lib, f"stltsa_{kind}")
+    of_clips = getattr(lib, f"stltsa_{kind}_clips")
     several = isinstance(motion, list | tuple) and len(motion) > 0
     clips = [opened(each, options) for each in (motion if several else [motion])]
     with Call(options) as call:

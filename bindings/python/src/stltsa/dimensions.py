@@ -47,8 +47,7 @@ def dimension(motion: Any, *, groups: Any = None, **options: Unpack[Options]) ->
     2
     """
     out = ffi.new("stltsa_dimension **")
-    of_frames, of_clips = lib.stltsa_estimate_dimension, lib.stltsa_estimate_dimension_clips
-    call_on_motion(of_frames, of_clips, motion, groups, options, out)
+    call_on_motion("estimate_dimension", motion, groups, options, out)
     return Dimension(owned("dimension", out))
 
 

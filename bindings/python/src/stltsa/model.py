@@ -95,7 +95,7 @@ def fit(motion: Any, *, groups: Any = None, **options: Unpack[Options]) -> Model
     (300, 2)
     """
     out = ffi.new("stltsa_model **")
-    call_on_motion(lib.stltsa_fit, lib.stltsa_fit_clips, motion, groups, options, out)
+    call_on_motion("fit", motion, groups, options, out)
     return Model(owned("model", out))
 
 
