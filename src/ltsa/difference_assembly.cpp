@@ -93,7 +93,8 @@ class Columns {
         if (frames.front() <= begin_) {
             const double has = std::ranges::binary_search(frames, begin_) ? 1 : 0;
             const double beyond = beyond_[static_cast<std::size_t>(begin_ - frames.front())];
-            change(static_cast<double>(frames.size()) - beyond - has, begin_, before_.data());
+            if (frames.front() < begin_) // else it has no part in the column before
+                change(static_cast<double>(frames.size()) - beyond - has, begin_, before_.data());
             change(has, begin_, b_.column(begin_));
         }
         for (std::size_t j = 0; j < frames.size(); ++j) {
