@@ -31,7 +31,7 @@ std::string components_table(const stltsa::Model& model) {
     const stltsa::Info info = model.info();
     const stltsa::Matrix eigenvalues = model.eigenvalues();
     Table table({right, right, right, right, right, right, left});
-    table.add({"piece", "samples", "residual", "error", "gap", "thin", "eigenvalues"});
+    table.add({"piece", "samples", "residual", "error", "gap", "deficient", "eigenvalues"});
     for (std::int64_t i = 0; i < eigenvalues.rows; ++i) {
         std::vector<std::string> values;
         for (const double value : eigenvalues.row(i))
@@ -48,9 +48,10 @@ std::string components_table(const stltsa::Model& model) {
 }
 
 constexpr const char* legend =
-    "  residual: of the eigenvectors, over k; error: estimated angle to the exact\n"
-    "  curve in radians; gap: ratio of the next eigenvalue to the last one used, near 1\n"
-    "  is ill-defined; thin: neighborhoods of fewer directions than coordinates\n";
+    "  residual: largest residual of the eigenvectors, over k; error: estimated angle to\n"
+    "  the exact curve, in radians; gap: ratio of the next eigenvalue to the last one\n"
+    "  used, ill-defined near 1; deficient: neighborhoods with fewer directions than\n"
+    "  coordinates\n";
 
 } // namespace
 
@@ -61,12 +62,12 @@ std::string model_report(const stltsa::Model& model, const std::string& title) {
     facts.add("features", features_text(info));
     facts.add("neighbors", neighbors_text(info));
     if (const double period = info.real(STLTSA_INFO_PERIOD); period > 0)
-        facts.add("period", fmt::format("{:.3f} s, which k rests on", period));
+        facts.add("period", fmt::format("{:.3f} s, which determines k", period));
     const double correlation = info.real(STLTSA_INFO_TIME_CORRELATION);
     facts.add("time", fmt::format("{:.4f} rank correlation with coordinate 1",
                                   std::isfinite(correlation) ? correlation : 0));
     if (const std::int64_t repeated = info.integer(STLTSA_INFO_REPEATED); repeated > 0)
-        facts.add("repeated", counted(repeated, "sample") + " like the one before");
+        facts.add("repeated", counted(repeated, "sample") + " equal to the previous one");
     return bold(sentence(info, title)) + "\n\n" + facts.text() + '\n' + components_table(model) +
            dim(legend) + listed("warning:", info.texts(STLTSA_INFO_WARNING));
 }
