@@ -7,7 +7,6 @@
 
 #include <cblas.h>
 
-#include "base/random.hpp"
 #include "ltsa/centered.hpp"
 
 namespace stltsa::ltsa {
@@ -19,10 +18,6 @@ constexpr std::int64_t term_group = 8;
 /// Columns of the block beyond those that are wanted: the more, the sooner it converges, and the
 /// longer a step takes.
 constexpr std::int64_t guard_columns = 4;
-
-/// Iterations from one Rayleigh-Ritz step to the next: few, because the block of the group before
-/// is nearly right already.
-constexpr std::int64_t ritz_interval = 3;
 
 constexpr std::int64_t rounded_up(std::int64_t value, std::int64_t step) {
     return (value + step - 1) / step * step;
@@ -89,17 +84,11 @@ struct CovarianceKernel {
 CovarianceBatch::CovarianceBatch(ConstMatrixView x, std::int64_t size, std::int64_t count,
                                  Simd simd)
     : x_(x), features_(x.cols), size_(size), count_(count),
-      eigen_({features_, count, count + guard_columns, true, ritz_interval}, simd),
+      eigen_({features_, count, count + guard_columns}, simd),
       shared_products_(features_, features_), offset_(static_cast<std::size_t>(features_)),
       vector_(static_cast<std::size_t>(features_)), centered_(size, features_),
       terms_(checked_size(rounded_up(size, term_group) * lanes(), features_)),
-      terms_in_use_(term_group) {
-    // Columns beyond the number of features stay zero.
-    Random random(1);
-    for (std::int64_t l = 0; l < std::min(eigen_.columns(), features_); ++l)
-        for (std::int64_t a = 0; a < features_; ++a)
-            eigen_.start(l)[a] = random.symmetric();
-}
+      terms_in_use_(term_group) {}
 
 void CovarianceBatch::begin_group(const Neighborhoods& neighborhoods, std::int64_t first,
                                   std::int64_t last) {
@@ -161,11 +150,6 @@ void CovarianceBatch::directions(std::int64_t lane, std::span<const std::int32_t
         cblas_dgemv(CblasColMajor, CblasTrans, order, static_cast<int>(size_), 1.0,
                     centered_.data(), order, vector_.data(), 1, 0.0, out + l * size_, 1);
     }
-}
-
-void CovarianceBatch::end_group(std::int64_t lane) {
-    if (eigen_.found(lane))
-        eigen_.start_from(lane);
 }
 
 } // namespace stltsa::ltsa

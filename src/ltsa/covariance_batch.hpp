@@ -14,8 +14,7 @@ namespace stltsa::ltsa {
 
 /// Finds the leading eigenvectors of covariance matrices, over the features. Neighborhoods of
 /// successive frames have most of their members in common: what these add to the matrices is
-/// computed once for a group of frames, and the iteration starts from the vectors that the group
-/// before ended with.
+/// computed once for a group of frames.
 class CovarianceBatch {
   public:
     /// Frames of a group: a multiple of the lanes of every machine, so that results do not depend
@@ -42,8 +41,6 @@ class CovarianceBatch {
     double value(std::int64_t lane, std::int64_t l) const { return eigen_.value(lane, l); }
     /// Writes what the members of a lane have in each direction: `count` rows of `size` entries.
     void directions(std::int64_t lane, std::span<const std::int32_t> members, double* out);
-    /// The next group starts from what this lane found, if it did.
-    void end_group(std::int64_t lane);
 
   private:
     void center(std::span<const std::int32_t> members);

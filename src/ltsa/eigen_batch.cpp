@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ltsa/eigen_batch.hpp"
 
+#include "base/random.hpp"
+
 namespace stltsa::ltsa {
 namespace {
 
@@ -12,8 +14,7 @@ std::int64_t rounded_up(std::int64_t value, std::int64_t step) {
 
 EigenBatch::EigenBatch(const Shape& shape, Simd simd)
     : shape_(shape), rows_(rounded_up(shape.size, product_rows)),
-      columns_(rounded_up(shape.columns, product_columns)),
-      kept_(shape.keeps_block ? columns_ : shape.count), simd_(simd), lanes_(simd_width(simd)) {
+      columns_(rounded_up(shape.columns, product_columns)), simd_(simd), lanes_(simd_width(simd)) {
     const auto sized = [this](std::int64_t entries) {
         return AlignedVector<double>(checked_size(entries, lanes_));
     };
@@ -22,19 +23,19 @@ EigenBatch::EigenBatch(const Shape& shape, Simd simd)
     product_ = sized(rows_ * columns_);
     small_ = sized(columns_ * (2 * columns_ + 1));
     values_ = sized(shape.count + 1);
-    vectors_ = sized(rows_ * kept_);
+    vectors_ = sized(rows_ * shape.count);
     start_.resize(checked_size(rows_, columns_));
+    // Columns beyond the order of the matrices stay zero.
+    Random random(1);
+    for (std::int64_t l = 0; l < std::min(columns_, shape.size); ++l)
+        for (std::int64_t a = 0; a < shape.size; ++a)
+            start_[static_cast<std::size_t>(l * rows_ + a)] = random.symmetric();
 }
 
 BlockIteration EigenBatch::iteration() {
-    return {shape_.size,          rows_,          columns_,       shape_.count,  kept_,
-            shape_.ritz_interval, start_.data(),  matrix_.data(), block_.data(), product_.data(),
-            small_.data(),        values_.data(), vectors_.data()};
-}
-
-void EigenBatch::start_from(std::int64_t lane) {
-    for (std::size_t i = 0; i < start_.size(); ++i)
-        start_[i] = vectors_[index(static_cast<std::int64_t>(i), lane)];
+    return {shape_.size,   rows_,          columns_,       shape_.count,
+            start_.data(), matrix_.data(), block_.data(),  product_.data(),
+            small_.data(), values_.data(), vectors_.data()};
 }
 
 } // namespace stltsa::ltsa

@@ -18,8 +18,6 @@ class EigenBatch {
         std::int64_t size;    ///< order of the matrices
         std::int64_t count;   ///< eigenvectors that are wanted
         std::int64_t columns; ///< of the block, at least count; more of them converge sooner
-        bool keeps_block;     ///< keep the block of a lane that has converged, not `count` vectors
-        std::int64_t ritz_interval;
     };
 
     EigenBatch(const Shape& shape, Simd simd);
@@ -28,16 +26,10 @@ class EigenBatch {
     std::int64_t lanes() const { return lanes_; }
     /// Entries of a column of the matrix or the block.
     std::int64_t rows() const { return rows_; }
-    std::int64_t columns() const { return columns_; }
 
     double& matrix(std::int64_t lane, std::int64_t a, std::int64_t b) {
         return matrix_[index(a * rows_ + b, lane)];
     }
-
-    /// Column l of the block that every lane starts from.
-    double* start(std::int64_t l) { return start_.data() + l * rows_; }
-    /// It becomes the block that a lane ended with, which must have been kept.
-    void start_from(std::int64_t lane);
 
     /// Whether the iteration found the eigenvectors of a lane, and they are the leading ones beyond
     /// doubt. Where it did not, another method is needed.
@@ -59,13 +51,12 @@ class EigenBatch {
     Shape shape_;
     std::int64_t rows_;    ///< size, rounded up to what the product takes at a time
     std::int64_t columns_; ///< likewise
-    std::int64_t kept_;    ///< columns of the block
     Simd simd_;
     std::int64_t lanes_;
     AlignedVector<double> matrix_, block_, product_;
     AlignedVector<double> small_; ///< Ritz values and two matrices of order `columns`
     AlignedVector<double> values_, vectors_;
-    AlignedVector<double> start_; ///< not in packs
+    AlignedVector<double> start_; ///< the block that every lane starts from; not in packs
 };
 
 } // namespace stltsa::ltsa

@@ -2,21 +2,17 @@
 #include "ltsa/gram_batch.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "linalg/simd.hpp"
 
 namespace stltsa::ltsa {
 namespace {
 
-/// Columns of the block beyond those that are wanted, and iterations from one Rayleigh-Ritz step to
-/// the next: what takes least time for windows of 12 to 48 frames of recorded motion.
+/// Columns of the block beyond those that are wanted: what takes least time for windows of 12 to 48
+/// frames of recorded motion.
 constexpr std::int64_t guard_columns = 2;
-constexpr std::int64_t ritz_interval = 5;
 
-/// The correlation matrix from squared distances, and its eigenvectors from a start that is the
-/// same in every lane: polynomials of the frames' order, which the directions of a short piece of
-/// motion nearly are.
+/// The correlation matrix from squared distances, and its eigenvectors.
 struct CorrelationKernel {
     BlockIteration iteration;
 
@@ -61,33 +57,7 @@ struct CorrelationKernel {
 } // namespace
 
 GramBatch::GramBatch(std::int64_t size, std::int64_t count, Simd simd)
-    : size_(size), count_(count),
-      eigen_({size, count, count + guard_columns, false, ritz_interval}, simd) {
-    fill_start();
-}
-
-/// Orthonormal polynomials of degree 1, 2, .. on 0 .. size-1; zeros where there are no more.
-void GramBatch::fill_start() {
-    const double middle = 0.5 * static_cast<double>(size_ - 1);
-    const std::int64_t degrees = std::min(eigen_.columns(), size_ - 1);
-    AlignedVector<double> before(static_cast<std::size_t>(size_),
-                                 1 / std::sqrt(static_cast<double>(size_)));
-    const double* lower = before.data();
-    for (std::int64_t l = 0; l < degrees; ++l) {
-        double* column = eigen_.start(l);
-        for (std::int64_t a = 0; a < size_; ++a)
-            column[a] = lower[a] * (static_cast<double>(a) - middle) / (middle + 1);
-        for (int pass = 0; pass < 2; ++pass) {
-            axpy(-dot(before.data(), column, size_), before.data(), column, size_);
-            for (std::int64_t b = 0; b < l; ++b)
-                axpy(-dot(eigen_.start(b), column, size_), eigen_.start(b), column, size_);
-        }
-        const double norm = std::sqrt(dot(column, column, size_));
-        for (std::int64_t a = 0; a < size_; ++a)
-            column[a] /= norm;
-        lower = column;
-    }
-}
+    : size_(size), count_(count), eigen_({size, count, count + guard_columns}, simd) {}
 
 void GramBatch::solve() {
     run_simd(eigen_.simd(), CorrelationKernel{eigen_.iteration()});

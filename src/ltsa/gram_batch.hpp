@@ -33,8 +33,6 @@ class GramBatch {
     void directions(std::int64_t lane, std::span<const std::int32_t> members, double* out) const;
 
   private:
-    void fill_start();
-
     std::int64_t size_, count_;
     EigenBatch eigen_;
 };

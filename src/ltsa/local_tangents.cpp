@@ -76,11 +76,29 @@ void set_rounding(const Matrix& values, Tangents& tangents, const Machine& machi
 /// neighborhood: beyond, most of two windows' distances would be needed by neither.
 constexpr std::int64_t widest_shared = 4;
 
-/// Block after block of frames, find(finder, first, last) for each.
+struct Range {
+    std::int64_t first, last;
+};
+
+/// Blocks of at most so many frames. They begin anew with each clip, so that its tangents do not
+/// depend on the clips before it: CovarianceBatch sums in groups of frames of a block.
+std::vector<Range> blocks_of(std::span<const std::int64_t> lengths, std::int64_t block) {
+    std::vector<Range> blocks;
+    std::int64_t end = 0;
+    for (const std::int64_t length : lengths) {
+        std::int64_t begin = end;
+        end += length;
+        for (; begin < end; begin += block)
+            blocks.push_back({begin, std::min(begin + block, end)});
+    }
+    return blocks;
+}
+
+/// find(finder, first, last) for each block of frames.
 template <class Find>
 Tangents find_in_blocks(ConstMatrixView x, const Neighborhoods& neighborhoods,
-                        const Parameters& parameters, const Progress& progress, std::int64_t block,
-                        const Find& find) {
+                        const Parameters& parameters, const Progress& progress,
+                        const std::vector<Range>& blocks, const Find& find) {
     const std::int64_t count = parameters.dimension;
     Tangents tangents{neighborhoods.size, count, {}, {}, {}};
     tangents.g.resize(
@@ -88,13 +106,14 @@ Tangents find_in_blocks(ConstMatrixView x, const Neighborhoods& neighborhoods,
     tangents.rank.resize(static_cast<std::size_t>(x.rows));
     const std::int64_t computed = std::min({count, neighborhoods.size, x.cols});
     Matrix values = Matrix::unset(x.rows, computed);
-    const std::int64_t blocks = (x.rows + block - 1) / block;
+    const auto count_of_blocks = static_cast<std::int64_t>(blocks.size());
     const auto work = [&](std::int64_t b) {
         TangentFinder finder(x, neighborhoods, computed, parameters.simd, values, tangents);
-        find(finder, b * block, std::min((b + 1) * block, x.rows));
+        const auto [first, last] = blocks[static_cast<std::size_t>(b)];
+        find(finder, first, last);
     };
-    parallel_blocks(blocks, parameters.threads, work,
-                    [&](std::int64_t done) { report(progress, done, blocks); });
+    parallel_blocks(count_of_blocks, parameters.threads, work,
+                    [&](std::int64_t done) { report(progress, done, count_of_blocks); });
     const Machine machine{parameters.simd, parameters.threads};
     drop_missing_directions(values, tangents, machine);
     set_rounding(values, tangents, machine);
@@ -105,7 +124,8 @@ Tangents find_in_blocks(ConstMatrixView x, const Neighborhoods& neighborhoods,
 
 Tangents local_tangents(ConstMatrixView x, const Neighborhoods& neighborhoods,
                         const Parameters& parameters, const Progress& progress) {
-    return find_in_blocks(x, neighborhoods, parameters, progress, frame_block(0),
+    const std::int64_t all[] = {x.rows};
+    return find_in_blocks(x, neighborhoods, parameters, progress, blocks_of(all, frame_block(0)),
                           [&](TangentFinder& finder, std::int64_t first, std::int64_t last) {
                               NeighborhoodDistances distances(x, neighborhoods.size,
                                                               parameters.simd);
@@ -135,7 +155,8 @@ Tangents temporal_tangents(ConstMatrixView x, std::span<const std::int64_t> leng
             finder.find(first, last, distances);
         }
     };
-    return find_in_blocks(x, neighborhoods, parameters, progress, frame_block(window), find);
+    return find_in_blocks(x, neighborhoods, parameters, progress,
+                          blocks_of(lengths, frame_block(window)), find);
 }
 
 Matrix local_spectra(ConstMatrixView x, const Neighborhoods& neighborhoods, std::int64_t count,

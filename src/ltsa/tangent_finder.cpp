@@ -58,7 +58,6 @@ void TangentFinder::find_by_covariances(std::int64_t first, std::int64_t last) {
         for (std::int64_t i = begin; i < std::min(begin + lanes, last); ++i)
             take(*covariance_, i - begin, i);
     }
-    covariance_->end_group((last - 1 - first) % lanes);
 }
 
 /// Writes what a lane has found of frame i.

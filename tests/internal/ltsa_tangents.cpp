@@ -262,7 +262,6 @@ std::int64_t not_found(const Matrix& x, std::int64_t size, int dimension) {
         batch.solve();
         for (std::int64_t lane = 0; lane < batch.lanes(); ++lane)
             count += batch.found(lane) ? 0 : 1;
-        batch.end_group(batch.lanes() - 1);
     }
     return count;
 }
