@@ -6,6 +6,7 @@
 #include "capi/arrays.hpp"
 #include "capi/guard.hpp"
 #include "capi/handles.hpp"
+#include "capi/json.hpp"
 #include "capi/options.hpp"
 #include "clip/features.hpp"
 #include "clip/write.hpp"

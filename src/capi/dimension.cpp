@@ -1,35 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ltsa/dimension.hpp"
-
-#include <algorithm>
-#include <memory>
-
 #include "capi/arrays.hpp"
 #include "capi/guard.hpp"
-#include "capi/source.hpp"
-#include "ltsa/frames.hpp"
+#include "capi/handles.hpp"
+#include "capi/json.hpp"
+#include "capi/options.hpp"
 
 using namespace stltsa;
 using capi::guard;
 using capi::required;
-
-namespace {
-
-std::unique_ptr<stltsa_dimension> estimate_samples(ConstMatrixView samples,
-                                                   const std::vector<std::int64_t>& lengths,
-                                                   const capi::OptionsReader& options,
-                                                   capi::Source source) {
-    ltsa::check_frames(samples, lengths, "frames", options.threads());
-    auto result = std::make_unique<stltsa_dimension>();
-    const auto parameters =
-        capi::choose_parameters(samples, lengths, options, ltsa::eigengap_tangents, source);
-    result->dimension = ltsa::intrinsic_dimension(samples, lengths, parameters,
-                                                  options.dimension_options(), options.progress());
-    result->source = std::move(source);
-    return result;
-}
-
-} // namespace
 
 stltsa_status stltsa_estimate_dimension(const stltsa_in* frames, const stltsa_in* lengths,
                                         const stltsa_options* options,
@@ -38,9 +16,11 @@ stltsa_status stltsa_estimate_dimension(const stltsa_in* frames, const stltsa_in
         required(dimension, "dimension") = nullptr;
         const capi::InputFrames input(frames, "frames");
         const capi::OptionsReader reader(options);
-        *dimension = estimate_samples(input.view(), capi::clip_lengths(lengths, input.view().rows),
-                                      reader, capi::matrix_source(input.view(), reader))
-                         .release();
+        const ConstMatrixView x = input.view();
+        *dimension = new stltsa_dimension(results::estimate_dimension(
+            x, capi::clip_lengths(lengths, x.rows), reader.fit_options(),
+            reader.dimension_options(), results::matrix_source(x, reader.real(STLTSA_OPT_FPS)),
+            reader.progress()));
     });
 }
 
@@ -56,10 +36,10 @@ stltsa_status stltsa_estimate_dimension_clips(const stltsa_clip* const* clips, i
         required(dimension, "dimension") = nullptr;
         const auto from = capi::clips_of(clips, count);
         const capi::OptionsReader reader(options);
-        auto prepared = capi::prepare_clips(from, reader);
-        *dimension = estimate_samples(prepared.samples.view(), prepared.lengths, reader,
-                                      std::move(prepared.source))
-                         .release();
+        auto prepared = results::prepare_clips(from, reader.prepare_options(), reader.progress());
+        *dimension = new stltsa_dimension(results::estimate_dimension(
+            prepared.samples.view(), prepared.lengths, reader.fit_options(),
+            reader.dimension_options(), std::move(prepared.source), reader.progress()));
     });
 }
 
@@ -99,8 +79,6 @@ stltsa_status stltsa_dimension_local_variances(const stltsa_dimension* dimension
 stltsa_status stltsa_dimension_json(const stltsa_dimension* dimension, char** json) noexcept {
     return guard([&] {
         required(json, "json") = nullptr;
-        const auto& source = required(dimension, "dimension").source;
-        *json = capi::caller_string(capi::dimension_json(
-            {source.clip_or_null(), source.samples, source.period, &dimension->dimension}));
+        *json = capi::caller_string(capi::dimension_json(required(dimension, "dimension")));
     });
 }

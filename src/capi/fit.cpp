@@ -6,53 +6,15 @@
 
 #include "capi/arrays.hpp"
 #include "capi/guard.hpp"
-#include "capi/mapping.hpp"
-#include "capi/source.hpp"
-#include "ltsa/fit.hpp"
-#include "ltsa/frames.hpp"
-#include "ltsa/warnings.hpp"
+#include "capi/handles.hpp"
+#include "capi/json.hpp"
+#include "capi/options.hpp"
 
 using namespace stltsa;
 using capi::guard;
 using capi::required;
 
 namespace {
-
-constexpr int standard_dimension = 2;
-
-/// Several clips are several parts; more than that is a cut.
-void warn_of_parts(const capi::Source& source, ltsa::Model& model) {
-    if (model.components.size() <= model.lengths.size())
-        return;
-    std::int64_t row = ltsa::first_cut(model);
-    std::string cut;
-    double cut_s = no_time;
-    if (row >= 0 && source.clips.empty())
-        cut = format_text("frame {}", row);
-    for (std::size_t c = 0; row >= 0 && c < source.clips.size(); row -= model.lengths[c++])
-        if (row < model.lengths[c]) {
-            const capi::ClipFacts& clip = source.clips[c];
-            const std::int64_t frame = clip.first + row * clip.step;
-            const std::string of = source.clips.size() > 1 ? format_text(" of clips[{}]", c) : "";
-            cut = format_text("frame {}{}", frame, of);
-            if (clip.fps > 0)
-                cut_s = static_cast<double>(frame) / clip.fps;
-        }
-    model.warnings.insert(model.warnings.begin(), ltsa::parts_warning(model, cut, cut_s));
-}
-
-std::unique_ptr<stltsa_model> fit_samples(ConstMatrixView samples,
-                                          const std::vector<std::int64_t>& lengths,
-                                          const capi::OptionsReader& options, capi::Source source) {
-    ltsa::check_frames(samples, lengths, "frames", options.threads());
-    auto model = std::make_unique<stltsa_model>();
-    const auto parameters =
-        capi::choose_parameters(samples, lengths, options, standard_dimension, source);
-    model->model = ltsa::fit(samples, lengths, parameters, options.progress());
-    warn_of_parts(source, model->model);
-    model->source = std::move(source);
-    return model;
-}
 
 std::int64_t sum_over_components(const stltsa_model& model, std::int64_t ltsa::Component::*field) {
     std::int64_t sum = 0;
@@ -143,12 +105,14 @@ stltsa_status stltsa_fit(const stltsa_in* frames, const stltsa_in* lengths,
     return guard([&] {
         required(model, "model") = nullptr;
         const capi::InputFrames input(frames, "frames");
+        const ConstMatrixView x = input.view();
         const capi::OptionsReader reader(options);
-        auto made = fit_samples(input.view(), capi::clip_lengths(lengths, input.view().rows),
-                                reader, capi::matrix_source(input.view(), reader));
+        auto fitted =
+            results::fit(x, capi::clip_lengths(lengths, x.rows), reader.fit_options(),
+                         results::matrix_source(x, reader.real(STLTSA_OPT_FPS)), reader.progress());
         if (reader.integer(STLTSA_OPT_KEEP_FRAMES) != 0)
-            made->kept.frames = copied(input.view());
-        *model = made.release();
+            fitted.kept.frames = copied(x);
+        *model = new stltsa_model(std::move(fitted));
     });
 }
 
@@ -163,15 +127,15 @@ stltsa_status stltsa_fit_clips(const stltsa_clip* const* clips, int64_t count,
         required(model, "model") = nullptr;
         const auto from = capi::clips_of(clips, count);
         const capi::OptionsReader reader(options);
-        auto prepared = capi::prepare_clips(from, reader);
-        auto made = fit_samples(prepared.samples.view(), prepared.lengths, reader,
-                                std::move(prepared.source));
+        const auto prepare = reader.prepare_options();
+        auto prepared = results::prepare_clips(from, prepare, reader.progress());
+        auto fitted = results::fit(prepared.samples.view(), prepared.lengths, reader.fit_options(),
+                                   std::move(prepared.source), reader.progress());
         if (reader.integer(STLTSA_OPT_KEEP_FRAMES) != 0) {
-            made->kept.drop_tpose = reader.integer(STLTSA_OPT_KEEP_START) == 0;
-            capi::keep_poses(*made, from);
-            made->kept.frames = std::move(prepared.samples);
+            fitted.kept.drop_tpose = prepare.drop_tpose;
+            results::keep_clips(fitted, from, std::move(prepared.samples));
         }
-        *model = made.release();
+        *model = new stltsa_model(std::move(fitted));
     });
 }
 
@@ -229,8 +193,6 @@ const char* stltsa_model_warning(const stltsa_model* model, int64_t index) noexc
 stltsa_status stltsa_model_json(const stltsa_model* model, char** json) noexcept {
     return guard([&] {
         required(json, "json") = nullptr;
-        const auto& source = required(model, "model").source;
-        *json = capi::caller_string(capi::model_json(
-            {source.clip_or_null(), source.samples, source.period, &model->model}));
+        *json = capi::caller_string(capi::model_json(required(model, "model")));
     });
 }

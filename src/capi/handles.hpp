@@ -8,38 +8,26 @@
 #include <vector>
 
 #include "capi/info.hpp"
-#include "capi/json.hpp"
-#include "capi/json_synthesis.hpp"
-#include "clip/clip.hpp"
-#include "clip/pose_code.hpp"
-#include "ltsa/dimension.hpp"
 #include "ltsa/mapping.hpp"
-#include "ltsa/model.hpp"
-#include "motion/decompose.hpp"
+#include "results/decomposed.hpp"
+#include "results/denoised.hpp"
+#include "results/fitted.hpp"
+#include "results/synthesized.hpp"
 #include "stltsa.h"
 
 namespace stltsa::capi {
 
-/// How a result's rows lie in the source, and what its neighbors rest on.
-struct Source {
-    std::vector<ClipFacts> clips; ///< none: a matrix
-    SampleFacts samples;
-    PeriodFacts period;
-
-    const ClipFacts* clip_or_null() const { return clips.size() == 1 ? clips.data() : nullptr; }
-};
-
-/// What a model keeps of its source so that it can map.
-struct Kept {
-    Matrix frames;          ///< as they were fitted, a row of the model each; empty: cannot map
-    bool drop_tpose = true; ///< of clips that are mapped, as it was of the one that was fitted
-    bool has_poses = false; ///< fitted to a clip with a skeleton: the next two are there
-    clip::PoseCode code;
-    Matrix poses; ///< pose vectors, a row of the model each
-};
+using namespace results;
 
 /// A copy of a text that the caller frees with stltsa_free.
 char* caller_string(const std::string& text);
+
+/// What looks up frames and coordinates of the model; null if it kept no frames. The first call
+/// makes it, as many models are never asked to map.
+const ltsa::Mapping* mapping_of(const stltsa_model& model);
+
+/// The clips that a caller passes. Throws Status::argument for none, and for NULL.
+std::vector<const clip::Clip*> clips_of(const stltsa_clip* const* clips, std::int64_t count);
 
 } // namespace stltsa::capi
 
@@ -50,51 +38,34 @@ struct stltsa_clip : stltsa_info {
     stltsa::clip::Clip clip;
 };
 
-struct stltsa_model : stltsa_info {
-    stltsa_model() : stltsa_info{&stltsa::capi::model_table} {}
+struct stltsa_model : stltsa_info, stltsa::results::Fitted {
+    explicit stltsa_model(Fitted of)
+        : stltsa_info{&stltsa::capi::model_table}, Fitted(std::move(of)) {}
 
-    stltsa::ltsa::Model model;
-    stltsa::capi::Source source;
-    stltsa::capi::Kept kept;
-    /// Follows from the rest and looks into it: capi::mapping_of() makes it, as many models are
-    /// never asked to map.
+    // Follow from the rest, and look into it: see capi::mapping_of().
     mutable std::once_flag mapping_asked;
     mutable std::optional<stltsa::ltsa::Mapping> mapping;
 };
 
-struct stltsa_dimension : stltsa_info {
-    stltsa_dimension() : stltsa_info{&stltsa::capi::dimension_table} {}
-
-    stltsa::ltsa::Dimension dimension;
-    stltsa::capi::Source source;
+struct stltsa_dimension : stltsa_info, stltsa::results::EstimatedDimension {
+    explicit stltsa_dimension(EstimatedDimension of)
+        : stltsa_info{&stltsa::capi::dimension_table}, EstimatedDimension(std::move(of)) {}
 };
 
-struct stltsa_decomposition : stltsa_info {
-    stltsa_decomposition() : stltsa_info{&stltsa::capi::decomposition_table} {}
-
-    stltsa::motion::Decomposition result;
-    stltsa::capi::Source source;
-    std::vector<stltsa_interval> units;
-    std::vector<stltsa_interval> cycles;
+struct stltsa_decomposition : stltsa_info, stltsa::results::Decomposed {
+    explicit stltsa_decomposition(Decomposed of)
+        : stltsa_info{&stltsa::capi::decomposition_table}, Decomposed(std::move(of)) {}
 };
 
-struct stltsa_denoising : stltsa_info {
-    stltsa_denoising() : stltsa_info{&stltsa::capi::denoising_table} {}
-
-    stltsa::motion::Denoised result;
-    stltsa::motion::DenoiseOptions options; ///< as used
-    std::vector<std::int64_t> lengths;      ///< rows that each spline goes through
-    stltsa::capi::Source source;
-    stltsa::capi::PeriodFacts period;            ///< that the knots rest on
-    std::optional<stltsa::ltsa::Parameters> fit; ///< none: the coordinates were given
-    stltsa::Warnings warnings;                   ///< of that fit
+struct stltsa_denoising : stltsa_info, stltsa::results::Denoised {
+    explicit stltsa_denoising(Denoised of)
+        : stltsa_info{&stltsa::capi::denoising_table}, Denoised(std::move(of)) {}
 };
 
-struct stltsa_synthesis : stltsa_info {
-    stltsa_synthesis() : stltsa_info{&stltsa::capi::synthesis_table} {}
+struct stltsa_synthesis : stltsa_info, stltsa::results::Synthesized {
+    explicit stltsa_synthesis(Synthesized of)
+        : stltsa_info{&stltsa::capi::synthesis_table}, Synthesized(std::move(of)),
+          clip(std::move(result.clip)) {}
 
-    stltsa::synthesis::Synthesis result; ///< without its clip, which is the next member
-    stltsa_clip clip;
-    stltsa::synthesis::Options options;
-    std::vector<stltsa::capi::PieceFacts> pieces;
+    stltsa_clip clip; ///< moved out of the result
 };

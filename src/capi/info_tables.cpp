@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "capi/handles.hpp"
-#include "capi/mapping.hpp"
 
 using namespace stltsa;
 

@@ -53,20 +53,20 @@ Json intrinsic_json(const std::optional<ltsa::Dimension>& dimension) {
 
 } // namespace
 
-std::string decomposition_json(const DecompositionFacts& facts) {
-    const motion::Decomposition& found = *facts.decomposition;
+std::string decomposition_json(const Decomposed& decomposed) {
+    const motion::Decomposition& found = decomposed.result;
     JsonObject object = json_head("decomposition");
-    object.set("clip", json_clip(facts.clip, facts.samples));
-    object.set("samples", json_samples(facts.samples));
-    object.set("parameters", json_parameters(found.parameters, facts.period));
+    object.set("clip", json_clip(decomposed.source));
+    object.set("samples", json_samples(decomposed.source.samples));
+    object.set("parameters", json_parameters(found.parameters, decomposed.source.period));
     object.set("embedding", embedding_json(found));
     object.set("intrinsic_dimension", intrinsic_json(found.intrinsic));
-    object.set("period_s", json_positive_or_null(facts.period.period));
-    object.set("lag_quality", facts.period.lag_quality);
-    object.set("units", units_json(facts.units));
-    object.set("cycles", cycles_json(facts.cycles));
-    object.set("representative_cycle", chosen_cycle(facts.cycles, found.representative));
-    object.set("best_cycle", chosen_cycle(facts.cycles, found.best));
+    object.set("period_s", json_positive_or_null(decomposed.source.period.period));
+    object.set("lag_quality", decomposed.source.period.lag_quality);
+    object.set("units", units_json(decomposed.units));
+    object.set("cycles", cycles_json(decomposed.cycles));
+    object.set("representative_cycle", chosen_cycle(decomposed.cycles, found.representative));
+    object.set("best_cycle", chosen_cycle(decomposed.cycles, found.best));
     object.set("reason", json_string_or_null(found.reason));
     object.set("warnings", json_warnings(found.warnings));
     return object.text();

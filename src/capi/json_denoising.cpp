@@ -4,14 +4,14 @@
 namespace stltsa::capi {
 namespace {
 
-Json parameters_json(const DenoisingFacts& facts) {
-    const double fps = facts.samples.fps;
-    const double step = facts.options.knot_step;
-    return JsonObject("gamma", facts.options.gamma < 0 ? Json(nullptr) : Json(facts.options.gamma),
-                      "knot_rows", step, "knot_s", fps > 0 ? Json(step / fps) : Json(nullptr),
-                      "robust", facts.options.robust, "period_min_s",
-                      json_positive_or_null(facts.period.shortest), "period_max_s",
-                      json_positive_or_null(facts.period.longest));
+Json parameters_json(const Denoised& denoised) {
+    const double fps = denoised.source.samples.fps;
+    const double step = denoised.options.knot_step;
+    return JsonObject(
+        "gamma", denoised.options.gamma < 0 ? Json(nullptr) : Json(denoised.options.gamma),
+        "knot_rows", step, "knot_s", fps > 0 ? Json(step / fps) : Json(nullptr), "robust",
+        denoised.options.robust, "period_min_s", json_positive_or_null(denoised.period.shortest),
+        "period_max_s", json_positive_or_null(denoised.period.longest));
 }
 
 Json column_json(const motion::DenoisedColumn& column) {
@@ -21,21 +21,21 @@ Json column_json(const motion::DenoisedColumn& column) {
 
 } // namespace
 
-std::string denoising_json(const DenoisingFacts& facts) {
+std::string denoising_json(const Denoised& denoised) {
     JsonObject object = json_head("denoising");
-    object.set("clip", json_clip(facts.clip, facts.samples));
-    JsonObject samples = json_samples(facts.samples);
-    samples.set("lengths", std::vector(facts.lengths.begin(), facts.lengths.end()));
+    object.set("clip", json_clip(denoised.source));
+    JsonObject samples = json_samples(denoised.source.samples);
+    samples.set("lengths", denoised.lengths);
     object.set("samples", samples);
-    object.set("fit", facts.fit == nullptr ? Json(nullptr)
-                                           : json_parameters(*facts.fit, facts.fit_period));
-    object.set("period_s", json_positive_or_null(facts.period.period));
-    object.set("parameters", parameters_json(facts));
+    object.set("fit", denoised.fit ? json_parameters(*denoised.fit, denoised.source.period)
+                                   : Json(nullptr));
+    object.set("period_s", json_positive_or_null(denoised.period.period));
+    object.set("parameters", parameters_json(denoised));
     std::vector<Json> columns;
-    for (const motion::DenoisedColumn& column : facts.denoised->columns)
+    for (const motion::DenoisedColumn& column : denoised.result.columns)
         columns.push_back(column_json(column));
     object.set("columns", columns);
-    object.set("warnings", json_warnings(facts.warnings));
+    object.set("warnings", json_warnings(denoised.warnings));
     return object.text();
 }
 

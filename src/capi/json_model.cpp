@@ -25,15 +25,15 @@ JsonObject estimate(int dimension, const std::string& reason) {
 
 } // namespace
 
-std::string model_json(const ModelFacts& facts) {
-    const ltsa::Model& model = *facts.model;
+std::string model_json(const Fitted& fitted) {
+    const ltsa::Model& model = fitted.model;
     JsonObject object = json_head("model");
-    object.set("clip", json_clip(facts.clip, facts.samples));
-    JsonObject samples = json_samples(facts.samples);
+    object.set("clip", json_clip(fitted.source));
+    JsonObject samples = json_samples(fitted.source.samples);
     samples.set("lengths", model.lengths);
     object.set("samples", samples);
-    object.set("parameters", json_parameters(model.parameters, facts.period));
-    object.set("period_s", json_positive_or_null(facts.period.period));
+    object.set("parameters", json_parameters(model.parameters, fitted.source.period));
+    object.set("period_s", json_positive_or_null(fitted.source.period.period));
     object.set("time_correlation", model.time_correlation);
     object.set("repeated_frames", model.repeated_frames);
     object.set("components", components_json(model.components));
@@ -41,13 +41,13 @@ std::string model_json(const ModelFacts& facts) {
     return object.text();
 }
 
-std::string dimension_json(const DimensionFacts& facts) {
-    const ltsa::Dimension& dimension = *facts.dimension;
+std::string dimension_json(const EstimatedDimension& estimated) {
+    const ltsa::Dimension& dimension = estimated.dimension;
     JsonObject object = json_head("dimension");
-    object.set("clip", json_clip(facts.clip, facts.samples));
-    object.set("samples", json_samples(facts.samples));
-    object.set("parameters", json_parameters(dimension.parameters, facts.period));
-    object.set("period_s", json_positive_or_null(facts.period.period));
+    object.set("clip", json_clip(estimated.source));
+    object.set("samples", json_samples(estimated.source.samples));
+    object.set("parameters", json_parameters(dimension.parameters, estimated.source.period));
+    object.set("period_s", json_positive_or_null(estimated.source.period.period));
     JsonObject local_pca = estimate(dimension.local_pca, dimension.local_pca_reason);
     local_pca.set("variance", dimension.local_variance, "shares", dimension.local_variances);
     object.set("local_pca", local_pca);

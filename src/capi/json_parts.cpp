@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "capi/json_parts.hpp"
 
-#include "clip/features.hpp"
 #include "clip/formats.hpp"
 
 namespace stltsa::capi {
@@ -70,19 +69,19 @@ Json json_axis(clip::Axis axis) {
     fail(Status::internal, "the unknown axis {}", static_cast<int>(axis));
 }
 
-Json json_clip(const ClipFacts* clip, clip::Features features, std::int64_t dropped) {
-    if (clip == nullptr)
-        return nullptr;
-    const bool timed = clip->fps > 0;
-    return JsonObject("path", json_string_or_null(clip->path), "format", json_name(clip->format),
-                      "frames", clip->frames, "fps", json_positive_or_null(clip->fps), "duration_s",
-                      timed ? Json(static_cast<double>(clip->frames) / clip->fps) : Json(nullptr),
+Json json_clip(const ClipFacts& clip, clip::Features features, std::int64_t dropped) {
+    const bool timed = clip.fps > 0;
+    return JsonObject("path", json_string_or_null(clip.path), "format", json_name(clip.format),
+                      "frames", clip.frames, "fps", json_positive_or_null(clip.fps), "duration_s",
+                      timed ? Json(static_cast<double>(clip.frames) / clip.fps) : Json(nullptr),
                       "features", json_name(features), "dropped_start_frames", dropped, "notes",
-                      clip->notes);
+                      clip.notes);
 }
 
-Json json_clip(const ClipFacts* clip, const SampleFacts& samples) {
-    return json_clip(clip, samples.features, samples.first);
+Json json_clip(const Source& source) {
+    if (source.clips.size() != 1)
+        return nullptr;
+    return json_clip(source.clips.front(), source.samples.features, source.samples.first);
 }
 
 JsonObject json_samples(const SampleFacts& samples) {

@@ -2,13 +2,15 @@
 // Parts that the JSON objects of clips, models and decompositions share.
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "capi/json.hpp"
 #include "capi/json_value.hpp"
-#include "clip/features.hpp"
 
 namespace stltsa::capi {
+
+using namespace results;
 
 /// {"format": "stltsa-<kind>/1", "library": "<version>"}: the head of every object.
 JsonObject json_head(const char* kind);
@@ -23,9 +25,10 @@ const char* json_name(clip::Features features);
 const char* json_name(ltsa::Mode mode);
 Json json_axis(clip::Axis axis);
 
-/// `dropped`: frames at the start that are left out (T-pose). null for no clip.
-Json json_clip(const ClipFacts* clip, clip::Features features, std::int64_t dropped);
-Json json_clip(const ClipFacts* clip, const SampleFacts& samples);
+/// `dropped`: frames at the start that are left out (T-pose).
+Json json_clip(const ClipFacts& clip, clip::Features features, std::int64_t dropped);
+/// null for a matrix and for several clips.
+Json json_clip(const Source& source);
 JsonObject json_samples(const SampleFacts& samples);
 /// The texts.
 Json json_warnings(std::span<const Warning> warnings);

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "capi/json_synthesis.hpp"
-
 #include "capi/json_parts.hpp"
 
 namespace stltsa::capi {
@@ -37,17 +35,17 @@ Json seams_json(const std::vector<synthesis::Seam>& seams, double fps) {
 
 } // namespace
 
-std::string synthesis_json(const SynthesisFacts& facts) {
-    const synthesis::Synthesis& made = *facts.synthesis;
+std::string synthesis_json(const clip::Clip& clip, const Synthesized& synthesized) {
+    const synthesis::Synthesis& made = synthesized.result;
     JsonObject object = json_head("synthesis");
-    object.set("clip", made_clip(*facts.clip));
-    object.set("pieces", pieces_json(facts.pieces));
+    object.set("clip", made_clip(clip));
+    object.set("pieces", pieces_json(synthesized.pieces));
     object.set("parameters",
-               JsonObject("crossfade_s", chosen_or(facts.options.crossfade), "cut_range_s",
-                          chosen_or(facts.options.search), "posture_limit",
-                          json_positive_or_null(facts.options.posture_limit), "up_axis",
+               JsonObject("crossfade_s", chosen_or(synthesized.options.crossfade), "cut_range_s",
+                          chosen_or(synthesized.options.search), "posture_limit",
+                          json_positive_or_null(synthesized.options.posture_limit), "up_axis",
                           json_axis(made.up)));
-    object.set("seams", seams_json(made.seams, facts.clip->fps));
+    object.set("seams", seams_json(made.seams, clip.fps));
     object.set("warnings", json_warnings(made.warnings));
     return object.text();
 }

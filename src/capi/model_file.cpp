@@ -3,9 +3,10 @@
 #include <memory>
 
 #include "capi/guard.hpp"
-#include "capi/model_archive.hpp"
+#include "capi/handles.hpp"
 #include "clip/read_file.hpp"
 #include "clip/write.hpp"
+#include "results/model_file/archive_model.hpp"
 
 using namespace stltsa;
 using capi::guard;
@@ -16,10 +17,10 @@ stltsa_status stltsa_model_serialize(const stltsa_model* model, unsigned char** 
     return guard([&] {
         required(bytes, "bytes") = nullptr;
         required(size, "size") = 0;
-        const std::uint64_t needed = capi::archive_size(required(model, "model"));
+        const std::uint64_t needed = results::archive_size(required(model, "model"));
         std::unique_ptr<char[]> made(new char[needed]);
         char* end = made.get();
-        capi::archive_model(*model, needed, [&end](std::string_view piece) {
+        results::archive_model(*model, needed, [&end](std::string_view piece) {
             end = std::copy(piece.begin(), piece.end(), end);
         });
         *bytes = reinterpret_cast<unsigned char*>(made.release());
@@ -33,15 +34,15 @@ stltsa_status stltsa_model_parse(const void* bytes, size_t size, stltsa_model** 
         const char* text = static_cast<const char*>(bytes);
         if (size > 0)
             required(text, "bytes");
-        *model = capi::restore_model({text, size}).release();
+        *model = new stltsa_model(results::restore_model({text, size}));
     });
 }
 
 stltsa_status stltsa_model_save(const stltsa_model* model, const char* path) noexcept {
     return guard([&] {
-        const std::uint64_t needed = capi::archive_size(required(model, "model"));
+        const std::uint64_t needed = results::archive_size(required(model, "model"));
         clip::write_file(&required(path, "path"),
-                         [&](const Sink& sink) { capi::archive_model(*model, needed, sink); });
+                         [&](const Sink& sink) { results::archive_model(*model, needed, sink); });
     });
 }
 
@@ -51,7 +52,7 @@ stltsa_status stltsa_model_load(const char* path, stltsa_model** model) noexcept
         const std::string name = &required(path, "path");
         const std::string bytes = clip::read_file(name, {});
         try {
-            *model = capi::restore_model(bytes).release();
+            *model = new stltsa_model(results::restore_model(bytes));
         } catch (const Error& error) {
             fail(error.status(), "{}: {}", name, error.what());
         }

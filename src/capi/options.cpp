@@ -7,8 +7,6 @@
 #include "base/parallel.hpp"
 #include "capi/guard.hpp"
 #include "capi/options_table.hpp"
-#include "clip/features.hpp"
-#include "clip/prepare.hpp"
 
 namespace stltsa::capi {
 namespace {
@@ -111,15 +109,52 @@ motion::DecomposeOptions OptionsReader::decompose_options() const {
     decompose.window = integer(STLTSA_OPT_WINDOW);
     decompose.dimension = static_cast<int>(integer(STLTSA_OPT_DIMENSION));
     decompose.mode = static_cast<ltsa::Mode>(integer(STLTSA_OPT_MODE));
-    decompose.shortest_period = real(STLTSA_OPT_PERIOD_MIN);
-    decompose.longest_period = real(STLTSA_OPT_PERIOD_MAX);
-    if (decompose.shortest_period > decompose.longest_period)
-        fail(Status::argument, "option period_min is {} s, longer than option period_max, {} s",
-             decompose.shortest_period, decompose.longest_period);
+    const results::PeriodSearch search = period_search();
+    decompose.shortest_period = search.shortest;
+    decompose.longest_period = search.longest;
     if (integer(STLTSA_OPT_DIMENSION_ESTIMATE) != 0)
         decompose.estimate = dimension_options();
     decompose.threads = threads();
     return decompose;
+}
+
+results::PeriodSearch OptionsReader::period_search() const {
+    const results::PeriodSearch search = {real(STLTSA_OPT_PERIOD_MIN), real(STLTSA_OPT_PERIOD_MAX)};
+    if (search.shortest > search.longest)
+        fail(Status::argument, "option period_min is {} s, longer than option period_max, {} s",
+             search.shortest, search.longest);
+    return search;
+}
+
+results::FitOptions OptionsReader::fit_options() const {
+    results::FitOptions fit;
+    fit.neighbors = integer(STLTSA_OPT_NEIGHBORS);
+    fit.window = integer(STLTSA_OPT_WINDOW);
+    fit.exclusion = integer(STLTSA_OPT_EXCLUSION);
+    fit.links = integer(STLTSA_OPT_LINKS);
+    fit.dimension = static_cast<int>(integer(STLTSA_OPT_DIMENSION));
+    fit.mode = static_cast<ltsa::Mode>(integer(STLTSA_OPT_MODE));
+    fit.include_self = integer(STLTSA_OPT_INCLUDE_SELF) != 0;
+    fit.search = period_search();
+    fit.threads = threads();
+    return fit;
+}
+
+results::MapOptions OptionsReader::map_options(const ltsa::Parameters& fitted) const {
+    const ltsa::MapParameters asked = {integer(STLTSA_OPT_MAP_NEIGHBORS),
+                                       integer(STLTSA_OPT_MAP_BLEND),
+                                       integer(STLTSA_OPT_HINT_WINDOW)};
+    return {results::choose_map_parameters(asked, fitted), threads(), progress()};
+}
+
+results::DenoiseOptions OptionsReader::denoise_options() const {
+    return {real(STLTSA_OPT_GAMMA), real(STLTSA_OPT_KNOT_SPACING), integer(STLTSA_OPT_ROBUST) != 0,
+            period_search()};
+}
+
+synthesis::Options OptionsReader::synthesis_options() const {
+    return {real(STLTSA_OPT_CROSSFADE), real(STLTSA_OPT_CUT_RANGE), real(STLTSA_OPT_POSTURE_LIMIT),
+            prepare_options().up};
 }
 
 } // namespace stltsa::capi

@@ -7,11 +7,13 @@
 #include <utility>
 
 #include "base/progress.hpp"
-#include "clip/clip.hpp"
 #include "clip/prepare.hpp"
-#include "ltsa/parameters.hpp"
 #include "motion/decompose.hpp"
+#include "results/denoised.hpp"
+#include "results/parameters.hpp"
+#include "results/placed.hpp"
 #include "stltsa.h"
+#include "synthesis/synthesis.hpp"
 
 /// Only what was set; the rest is the table's default.
 struct stltsa_options {
@@ -38,6 +40,12 @@ class OptionsReader {
     clip::PrepareOptions prepare_options() const;
     ltsa::DimensionOptions dimension_options() const;
     motion::DecomposeOptions decompose_options() const;
+    results::PeriodSearch period_search() const;
+    results::FitOptions fit_options() const;
+    /// For a model with these parameters.
+    results::MapOptions map_options(const ltsa::Parameters& fitted) const;
+    results::DenoiseOptions denoise_options() const;
+    synthesis::Options synthesis_options() const;
     int threads() const;
 
   private:

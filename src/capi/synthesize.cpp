@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cstring>
-#include <memory>
 
 #include "capi/guard.hpp"
 #include "capi/handles.hpp"
+#include "capi/json.hpp"
 #include "capi/options.hpp"
 
 using namespace stltsa;
@@ -31,24 +31,6 @@ std::vector<synthesis::Piece> pieces_of(const stltsa_piece* pieces, int64_t coun
     return result;
 }
 
-std::vector<capi::PieceFacts> facts_of(const std::vector<synthesis::Piece>& pieces) {
-    std::vector<capi::PieceFacts> facts;
-    for (const synthesis::Piece& piece : pieces)
-        facts.push_back({piece.clip->path, piece.begin, piece.end, piece.repeat});
-    return facts;
-}
-
-std::unique_ptr<stltsa_synthesis> synthesize(const std::vector<synthesis::Piece>& pieces,
-                                             const capi::OptionsReader& options) {
-    auto made = std::make_unique<stltsa_synthesis>();
-    made->options = {options.real(STLTSA_OPT_CROSSFADE), options.real(STLTSA_OPT_CUT_RANGE),
-                     options.real(STLTSA_OPT_POSTURE_LIMIT), options.prepare_options().up};
-    made->pieces = facts_of(pieces);
-    made->result = synthesis::synthesize(pieces, made->options, options.progress());
-    made->clip.clip = std::move(made->result.clip);
-    return made;
-}
-
 stltsa_seam copy_of(const synthesis::Seam& seam) {
     return {sizeof(stltsa_seam), seam.frame,     seam.piece,   seam.next, seam.cut_end,
             seam.cut_begin,      seam.crossfade, seam.posture, seam.step, seam.acceleration};
@@ -61,7 +43,9 @@ stltsa_status stltsa_synthesize(const stltsa_piece* pieces, int64_t count,
                                 stltsa_synthesis** synthesis) noexcept {
     return guard([&] {
         required(synthesis, "synthesis") = nullptr;
-        *synthesis = synthesize(pieces_of(pieces, count), capi::OptionsReader(options)).release();
+        const capi::OptionsReader reader(options);
+        *synthesis = new stltsa_synthesis(results::synthesize(
+            pieces_of(pieces, count), reader.synthesis_options(), reader.progress()));
     });
 }
 
@@ -106,8 +90,7 @@ const char* stltsa_synthesis_warning(const stltsa_synthesis* synthesis, int64_t 
 stltsa_status stltsa_synthesis_json(const stltsa_synthesis* synthesis, char** json) noexcept {
     return guard([&] {
         required(json, "json") = nullptr;
-        const auto& s = required(synthesis, "synthesis");
-        *json = capi::caller_string(
-            capi::synthesis_json({&s.clip.clip, s.pieces, s.options, &s.result}));
+        const auto& made = required(synthesis, "synthesis");
+        *json = capi::caller_string(capi::synthesis_json(made.clip.clip, made));
     });
 }

@@ -31,9 +31,8 @@ Model fit(ConstMatrixView frames, std::span<const std::int64_t> lengths,
     check_dimension(frames.cols, parameters.dimension);
     const SingleThreadedBlas single;
     const Graph graph = build_graph(frames, lengths, parameters, progress);
-    const int eigenvalues =
-        parameters.spectrum > 0 ? parameters.spectrum : eigenvalues_of_fit(parameters.dimension);
-    Model model = embed(graph, parameters.dimension, eigenvalues, progress);
+    Model model =
+        embed(graph, parameters.dimension, eigenvalues_of_fit(parameters.dimension), progress);
     model.lengths.assign(lengths.begin(), lengths.end());
     return model;
 }

@@ -23,7 +23,6 @@ struct Parameters {
     bool include_self = true;
     std::int64_t links = 4;     ///< recurrent: neighbors from outside the exclusion zone
     std::int64_t exclusion = 0; ///< recurrent: frames to each side that are not links
-    int spectrum = 0;           ///< eigenvalues to compute per component; 0: dimension + 2
     int threads = 1;
     Simd simd = widest_simd(); ///< for tests: results are the same for all
 };

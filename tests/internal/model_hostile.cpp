@@ -12,8 +12,9 @@
 
 #include <zlib.h>
 
-#include "capi/archive.hpp"
-#include "capi/model_archive.hpp"
+#include "capi/handles.hpp"
+#include "results/model_file/archive.hpp"
+#include "results/model_file/archive_model.hpp"
 #include "stltsa.h"
 
 namespace {
@@ -41,10 +42,10 @@ std::string swinging_bvh(int frames) {
     return text;
 }
 
-std::string archived(const stltsa_model& model) {
+std::string archived(const stltsa::results::Fitted& model) {
     std::string bytes;
-    stltsa::capi::archive_model(model, stltsa::capi::archive_size(model),
-                                [&](std::string_view piece) { bytes += piece; });
+    stltsa::results::archive_model(model, stltsa::results::archive_size(model),
+                                   [&](std::string_view piece) { bytes += piece; });
     return bytes;
 }
 
@@ -69,7 +70,7 @@ std::string serialized_model() {
 template <class T>
 std::string bytes_of(T value) {
     std::string bytes;
-    stltsa::capi::ArchiveWriter writer([&](std::string_view piece) { bytes += piece; });
+    stltsa::results::ArchiveWriter writer([&](std::string_view piece) { bytes += piece; });
     writer(value);
     writer.finish();
     return bytes;
@@ -114,7 +115,8 @@ void use(const stltsa_model& model) {
 /// Whether the bytes were accepted as a model.
 bool read(const std::string& bytes) {
     std::unique_ptr<stltsa_model> model;
-    const Failure failure = failure_of([&] { model = stltsa::capi::restore_model(bytes); });
+    const Failure failure = failure_of(
+        [&] { model = std::make_unique<stltsa_model>(stltsa::results::restore_model(bytes)); });
     if (failure.status != Status::ok && failure.status != Status::format)
         FAIL("status %d: %s", static_cast<int>(failure.status), failure.text.c_str());
     if (model)
@@ -169,7 +171,7 @@ void extreme_words(void**) {
 void contradictions(void**) {
     const std::string bytes = serialized_model();
     constexpr auto huge = std::numeric_limits<std::int64_t>::max();
-    const std::pair<const char*, std::function<void(stltsa_model&)>> changes[] = {
+    const std::pair<const char*, std::function<void(stltsa::results::Fitted&)>> changes[] = {
         {"dimension", [](auto& m) { ++m.model.parameters.dimension; }},
         {"neighbors", [](auto& m) { m.model.parameters.neighbors = 0; }},
         {"features", [](auto& m) { ++m.model.features; }},
@@ -236,9 +238,9 @@ void contradictions(void**) {
         {"channel", [](auto& m) { m.kept.code.skeleton.joints[1].channels[0] = clip::Channel{6}; }},
     };
     for (const auto& [what, change] : changes) {
-        const auto model = stltsa::capi::restore_model(bytes);
-        change(*model);
-        if (read(archived(*model)))
+        auto model = stltsa::results::restore_model(bytes);
+        change(model);
+        if (read(archived(model)))
             FAIL("taken for a model: %s", what);
     }
 }

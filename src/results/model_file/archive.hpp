@@ -17,7 +17,7 @@
 #include "base/sink.hpp"
 #include "linalg/matrix.hpp"
 
-namespace stltsa::capi {
+namespace stltsa::results {
 
 /// What stands for itself: numbers, truth values and enumerations.
 template <class T>
@@ -179,4 +179,4 @@ class ArchiveReader {
     std::string_view rest_;
 };
 
-} // namespace stltsa::capi
+} // namespace stltsa::results

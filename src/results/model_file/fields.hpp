@@ -5,9 +5,9 @@
 #include <concepts>
 #include <type_traits>
 
-#include "capi/handles.hpp"
+#include "results/fitted.hpp"
 
-namespace stltsa::capi {
+namespace stltsa::results {
 
 /// T, const when it is written.
 template <class T, class Of>
@@ -16,8 +16,7 @@ concept Is = std::same_as<std::remove_const_t<T>, Of>;
 /// Threads are left out: they do not change the model.
 template <class Archive, Is<ltsa::Parameters> T>
 void parameter_fields(Archive& archive, T& p) {
-    archive(p.neighbors, p.window, p.dimension, p.mode, p.include_self, p.links, p.exclusion,
-            p.spectrum);
+    archive(p.neighbors, p.window, p.dimension, p.mode, p.include_self, p.links, p.exclusion);
 }
 
 template <class Archive, Is<ltsa::Model> T>
@@ -67,7 +66,7 @@ void kept_fields(Archive& archive, T& kept) {
     archive(kept.poses);
 }
 
-template <class Archive, Is<stltsa_model> T>
+template <class Archive, Is<Fitted> T>
 void model_fields(Archive& archive, T& model) {
     embedding_fields(archive, model.model);
     source_fields(archive, model.source);
@@ -76,6 +75,6 @@ void model_fields(Archive& archive, T& model) {
 
 /// Throws Status::format where the fields contradict each other: a checksum is no proof of who
 /// wrote a file.
-void check_model_fields(const stltsa_model& model);
+void check_model_fields(const Fitted& model);
 
-} // namespace stltsa::capi
+} // namespace stltsa::results

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "capi/model_fields.hpp"
+#include "results/model_file/fields.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "capi/mapping.hpp"
 #include "clip/features.hpp"
 #include "clip/formats.hpp"
 #include "clip/quaternion.hpp"
 #include "clip/skeleton.hpp"
 
-namespace stltsa::capi {
+namespace stltsa::results {
 namespace {
 
 void expect(bool right, const char* what) {
@@ -137,7 +136,7 @@ void check_code(const clip::PoseCode& code) {
            "pose code");
 }
 
-void check_kept(const stltsa_model& model) {
+void check_kept(const Fitted& model) {
     const Kept& kept = model.kept;
     const std::int64_t rows = model.model.coords.rows();
     if (kept.frames.rows() > 0)
@@ -156,10 +155,10 @@ void check_kept(const stltsa_model& model) {
 
 } // namespace
 
-void check_model_fields(const stltsa_model& model) {
+void check_model_fields(const Fitted& model) {
     check_embedding(model.model);
     check_source(model.source, model.model.lengths, model.model.coords.rows());
     check_kept(model);
 }
 
-} // namespace stltsa::capi
+} // namespace stltsa::results

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "capi/model_archive.hpp"
+#include "results/model_file/archive_model.hpp"
 
 #include <algorithm>
 
 #include <zlib.h>
 
-#include "capi/archive.hpp"
-#include "capi/model_fields.hpp"
+#include "results/model_file/archive.hpp"
+#include "results/model_file/fields.hpp"
 
-namespace stltsa::capi {
+namespace stltsa::results {
 namespace {
 
 /// No text begins like this, and a transfer that changes line ends or the eighth bit breaks it.
@@ -44,7 +44,7 @@ std::uint32_t checksum(std::string_view bytes) {
     return sum.value();
 }
 
-void archive_parts(const stltsa_model& model, const Sink& sink) {
+void archive_parts(const Fitted& model, const Sink& sink) {
     ArchiveWriter parts(sink);
     model_fields(parts, model);
     parts.finish();
@@ -85,13 +85,13 @@ std::string_view checked_parts(std::string_view bytes) {
 
 } // namespace
 
-std::uint64_t archive_size(const stltsa_model& model) {
+std::uint64_t archive_size(const Fitted& model) {
     std::uint64_t size = wrapping_size;
     archive_parts(model, [&size](std::string_view piece) { size += piece.size(); });
     return size;
 }
 
-void archive_model(const stltsa_model& model, std::uint64_t size, const Sink& sink) {
+void archive_model(const Fitted& model, std::uint64_t size, const Sink& sink) {
     Checksum sum;
     const Sink summed = [&](std::string_view piece) {
         sum(piece);
@@ -103,15 +103,15 @@ void archive_model(const stltsa_model& model, std::uint64_t size, const Sink& si
     archive_values(sink, sum.value());
 }
 
-std::unique_ptr<stltsa_model> restore_model(std::string_view bytes) {
+Fitted restore_model(std::string_view bytes) {
     ArchiveReader parts(checked_parts(bytes));
-    auto model = std::make_unique<stltsa_model>();
-    model_fields(parts, *model);
+    Fitted model;
+    model_fields(parts, model);
     if (parts.bytes_left() > 0)
         fail(Status::format, "the model is damaged: {} bytes follow its last part",
              parts.bytes_left());
-    check_model_fields(*model);
+    check_model_fields(model);
     return model;
 }
 
-} // namespace stltsa::capi
+} // namespace stltsa::results

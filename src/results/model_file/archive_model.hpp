@@ -3,20 +3,19 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <string_view>
 
 #include "base/sink.hpp"
-#include "capi/handles.hpp"
+#include "results/fitted.hpp"
 
-namespace stltsa::capi {
+namespace stltsa::results {
 
 /// Bytes that the archive has.
-std::uint64_t archive_size(const stltsa_model& model);
+std::uint64_t archive_size(const Fitted& model);
 /// `size`: archive_size(), which goes through all of the model as well.
-void archive_model(const stltsa_model& model, std::uint64_t size, const Sink& sink);
+void archive_model(const Fitted& model, std::uint64_t size, const Sink& sink);
 
 /// Throws Status::format for bytes that are no model, are cut off, altered or of another version.
-std::unique_ptr<stltsa_model> restore_model(std::string_view bytes);
+Fitted restore_model(std::string_view bytes);
 
-} // namespace stltsa::capi
+} // namespace stltsa::results

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "capi/handles.hpp"
+
+#include <cstring>
+
+#include "capi/guard.hpp"
+
+namespace stltsa::capi {
+
+char* caller_string(const std::string& text) {
+    char* copy = new char[text.size() + 1];
+    std::memcpy(copy, text.c_str(), text.size() + 1);
+    return copy;
+}
+
+std::vector<const clip::Clip*> clips_of(const stltsa_clip* const* clips, std::int64_t count) {
+    if (count < 1)
+        fail(Status::argument, "count is {}: at least one clip is needed", count);
+    const stltsa_clip* const* first = &required(clips, "clips");
+    std::vector<const clip::Clip*> all;
+    for (std::int64_t c = 0; c < count; ++c) {
+        if (first[c] == nullptr)
+            fail(Status::argument, "clips[{}] is NULL", c);
+        all.push_back(&first[c]->clip);
+    }
+    return all;
+}
+
+const ltsa::Mapping* mapping_of(const stltsa_model& model) {
+    if (model.kept.frames.rows() == 0)
+        return nullptr;
+    std::call_once(model.mapping_asked, [&model] {
+        model.mapping.emplace(model.kept.frames.view(), model.model,
+                              model.source.period.period * model.source.samples.fps);
+    });
+    return &*model.mapping;
+}
+
+} // namespace stltsa::capi

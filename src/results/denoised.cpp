@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "results/denoised.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "ltsa/frames.hpp"
+
+namespace stltsa::results {
+namespace {
+
+/// The source's period; if none was looked for, that of the longest clip's coordinates.
+PeriodFacts period_of(ConstMatrixView coords, const std::vector<std::int64_t>& lengths,
+                      const PeriodSearch& search, const Source& source) {
+    const double fps = source.samples.fps;
+    if (!(fps > 0) || source.period.longest > 0)
+        return source.period;
+    const auto longest = std::max_element(lengths.begin(), lengths.end());
+    const std::int64_t first = std::accumulate(lengths.begin(), longest, std::int64_t{0});
+    const motion::Period found =
+        motion::find_period(coords.block(first, *longest), fps, search.shortest, search.longest);
+    return {found.samples / fps, found.quality, search.shortest, search.longest};
+}
+
+} // namespace
+
+Denoised denoise(ConstMatrixView coords, std::vector<std::int64_t> lengths,
+                 const DenoiseOptions& options, Source source, const Progress& progress) {
+    ltsa::check_frames(coords, lengths, "coords");
+    const double fps = source.samples.fps;
+    Denoised denoised;
+    denoised.options = {options.gamma, options.knot_spacing * (fps > 0 ? fps : 1), options.robust};
+    if (!(options.knot_spacing > 0)) {
+        denoised.period = period_of(coords, lengths, options.search, source);
+        denoised.options.knot_step =
+            motion::knot_step_for({denoised.period.period * fps, denoised.period.lag_quality});
+    }
+    denoised.result = motion::denoise(coords, lengths, denoised.options, progress);
+    denoised.lengths = std::move(lengths);
+    denoised.source = std::move(source);
+    return denoised;
+}
+
+Denoised denoise(const Fitted& fitted, const DenoiseOptions& options, const Progress& progress) {
+    Denoised denoised = denoise(fitted.model.coords.view(), unbroken_lengths(fitted.model), options,
+                                fitted.source, progress);
+    denoised.fit = fitted.model.parameters;
+    denoised.warnings = fitted.model.warnings;
+    return denoised;
+}
+
+} // namespace stltsa::results

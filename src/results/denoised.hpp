@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Coordinates without noise, with what the smooth curve rests on.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "base/progress.hpp"
+#include "motion/denoise.hpp"
+#include "results/fitted.hpp"
+
+namespace stltsa::results {
+
+struct DenoiseOptions {
+    double gamma = -1;       ///< as in motion::DenoiseOptions
+    double knot_spacing = 0; ///< seconds, rows if the rate is unknown; 0: by the period
+    bool robust = true;
+    PeriodSearch search; ///< of coordinates whose period is not known
+};
+
+struct Denoised {
+    motion::Denoised result;
+    motion::DenoiseOptions options;    ///< as used
+    std::vector<std::int64_t> lengths; ///< rows that each spline goes through
+    Source source;
+    PeriodFacts period;                  ///< that the knots rest on
+    std::optional<ltsa::Parameters> fit; ///< none: the coordinates were given
+    Warnings warnings;                   ///< of that fit
+};
+
+/// Throws as motion::denoise().
+Denoised denoise(ConstMatrixView coords, std::vector<std::int64_t> lengths,
+                 const DenoiseOptions& options, Source source, const Progress& progress);
+
+/// The coordinates of a fit, a spline for each of its unbroken_lengths().
+Denoised denoise(const Fitted& fitted, const DenoiseOptions& options, const Progress& progress);
+
+} // namespace stltsa::results

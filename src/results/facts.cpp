@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "results/facts.hpp"
+
+#include "clip/tpose.hpp"
+
+namespace stltsa::results {
+
+ClipFacts clip_facts(const clip::Clip& clip) {
+    return {clip.path, clip.format, clip.frames(), clip.fps, clip.notes, 0, 1};
+}
+
+clip::Features default_features(const clip::Clip& clip) {
+    return clip.skeleton ? clip::Features::positions : clip::Features::raw;
+}
+
+clip::Axis default_up(const clip::Clip& clip) {
+    return clip.skeleton ? clip::up_axis(clip, clip::Axis::automatic) : clip::Axis::automatic;
+}
+
+std::int64_t default_first_frame(const clip::Clip& clip) {
+    if (!clip.skeleton)
+        return 0;
+    return clip::tpose_frames(
+        clip::features(clip, clip::Features::automatic, default_up(clip)).view());
+}
+
+} // namespace stltsa::results

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where the rows of a result come from: clips, the choice of samples, the period.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "clip/clip.hpp"
+#include "clip/features.hpp"
+
+namespace stltsa::results {
+
+/// What every result repeats of the clip that it came from.
+struct ClipFacts {
+    std::string path; ///< empty: from memory
+    clip::Format format = clip::Format::matrix;
+    std::int64_t frames = 0;
+    double fps = 0; ///< 0: unknown
+    std::vector<std::string> notes;
+    std::int64_t first = 0; ///< row i that comes from it is its frame first + i * step
+    std::int64_t step = 1;
+};
+
+/// How the frames of a clip became the working samples: sample i is frame first + i * step. Of
+/// several clips first and step are the first one's.
+struct SampleFacts {
+    std::int64_t count = 0;
+    std::int64_t first = 0;
+    std::int64_t step = 1;
+    double fps = 0; ///< of the samples; 0: unknown
+    clip::Features features = clip::Features::raw;
+    std::int64_t feature_count = 0;
+    clip::Axis up = clip::Axis::automatic; ///< automatic: none was needed
+    double smoothing = 0;                  ///< seconds
+};
+
+/// What the choice of the neighbors rests on.
+struct PeriodFacts {
+    double period = 0;      ///< seconds; 0: none found
+    double lag_quality = 0; ///< 1 - D(period); 0 without a period
+    double shortest = 0;    ///< seconds, of the search; 0: no search was made
+    double longest = 0;
+};
+
+/// How a result's rows lie in the source, and what its neighbors rest on.
+struct Source {
+    std::vector<ClipFacts> clips; ///< none: a matrix
+    SampleFacts samples;
+    PeriodFacts period;
+};
+
+ClipFacts clip_facts(const clip::Clip& clip);
+
+/// How a clip is read without options: features, the axis that points up (automatic: bare
+/// numbers), and the first frame after a T-pose.
+clip::Features default_features(const clip::Clip& clip);
+clip::Axis default_up(const clip::Clip& clip);
+std::int64_t default_first_frame(const clip::Clip& clip);
+
+} // namespace stltsa::results

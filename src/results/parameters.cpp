@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "results/parameters.hpp"
+
+#include <algorithm>
+
+#include "motion/choose_neighbors.hpp"
+
+namespace stltsa::results {
+namespace {
+
+motion::Period find_period(ConstMatrixView samples, const PeriodSearch& search, Source& source,
+                           const Progress& progress) {
+    const double fps = source.samples.fps;
+    if (!(fps > 0))
+        return {};
+    const motion::Period found =
+        motion::find_period(samples, fps, search.shortest, search.longest, progress);
+    source.period = {found.samples / fps, found.quality, search.shortest, search.longest};
+    return found;
+}
+
+/// Neighbors are looked for within a clip, so that the shortest one limits their number.
+std::int64_t distinct_in_reach(ConstMatrixView samples, std::span<const std::int64_t> lengths,
+                               ltsa::Mode mode) {
+    if (mode == ltsa::Mode::spatial)
+        return motion::distinct_frames(samples);
+    std::int64_t least = samples.rows;
+    std::int64_t first = 0;
+    for (const std::int64_t length : lengths) {
+        least = std::min(least, motion::distinct_frames(samples.block(first, length)));
+        first += length;
+    }
+    return least;
+}
+
+} // namespace
+
+ltsa::Parameters choose_parameters(ConstMatrixView samples, std::span<const std::int64_t> lengths,
+                                   const FitOptions& options, int standard_dimension,
+                                   Source& source, const Progress& progress) {
+    ltsa::Parameters p;
+    p.dimension = options.dimension > 0 ? options.dimension : standard_dimension;
+    p.mode = options.mode;
+    p.include_self = options.include_self;
+    p.links = options.links;
+    p.threads = options.threads;
+    p.neighbors = options.neighbors;
+    if (p.neighbors == 0)
+        p.neighbors = motion::choose_neighbors(
+            find_period(samples, options.search, source, progress), source.samples.fps,
+            {distinct_in_reach(samples, lengths, p.mode), p.dimension, p.dimension});
+    p.window = options.window > 0 ? options.window : p.neighbors;
+    p.exclusion = options.exclusion > 0 ? options.exclusion : p.window;
+    return p;
+}
+
+ltsa::MapParameters choose_map_parameters(ltsa::MapParameters asked,
+                                          const ltsa::Parameters& fitted) {
+    if (asked.neighbors == 0)
+        asked.neighbors = std::max<std::int64_t>(fitted.dimension + 5, 10);
+    if (asked.hint_window == 0)
+        asked.hint_window = std::max<std::int64_t>(fitted.neighbors / 5, 1);
+    return asked;
+}
+
+} // namespace stltsa::results

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "results/samples.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stltsa::results {
+namespace {
+
+/// With fewer the blame is on the decimation, not on the clip.
+constexpr std::int64_t least_samples = 4;
+
+/// Relative difference of sample rates that counts as none: 29.97 and 30 a second do. The k of the
+/// default window, 36 at 30 a second, is then off by less than one.
+constexpr double same_rate = 0.01;
+
+ClipSamples prepare_clip(const clip::Clip& clip, const clip::PrepareOptions& prepare) {
+    clip::Prepared prepared = clip::prepare(clip, prepare);
+    if (prepared.step > 1 && prepared.samples.rows() < least_samples)
+        fail(Status::too_few_frames,
+             "of {} frames at {} a second one in {} is kept, which leaves {}; at least {} are "
+             "needed: check the frame rate, or set option sample_rate to 0 to keep all",
+             clip.values.rows(), clip.fps, prepared.step, prepared.samples.rows(), least_samples);
+    ClipSamples result;
+    result.source.clips = {clip_facts(clip)};
+    result.source.clips.front().first = prepared.first;
+    result.source.clips.front().step = prepared.step;
+    result.source.samples = {prepared.samples.rows(),
+                             prepared.first,
+                             prepared.step,
+                             prepared.fps,
+                             prepared.features,
+                             prepared.samples.cols(),
+                             prepared.up,
+                             clip.fps > 0 ? prepare.smoothing : 0};
+    result.lengths = {prepared.samples.rows()};
+    result.samples = std::move(prepared.samples);
+    result.jump = prepared.jump;
+    return result;
+}
+
+void check_same_kind(const clip::Clip& first, const clip::Clip& other, std::size_t index) {
+    if (first.skeleton.has_value() != other.skeleton.has_value())
+        fail(Status::shape, "of clips[{}] and clips[0] only one has a skeleton", index);
+    if (first.skeleton && !clip::same_hierarchy(*first.skeleton, *other.skeleton))
+        fail(Status::shape,
+             "clips[{}] has other joints or channels than clips[0]: fit clips of one hierarchy",
+             index);
+}
+
+void check_same_samples(const SampleFacts& first, const SampleFacts& other, std::size_t index) {
+    if (other.feature_count != first.feature_count)
+        fail(Status::shape, "clips[{}] has {} features, clips[0] has {}", index,
+             other.feature_count, first.feature_count);
+    if (!(std::abs(other.fps - first.fps) <= same_rate * first.fps))
+        fail(Status::shape,
+             "clips[{}] has {} samples a second, clips[0] has {}: set option sample_rate to a rate "
+             "that both can be decimated to",
+             index, other.fps, first.fps);
+}
+
+Matrix stacked(const std::vector<Matrix>& parts, std::int64_t rows) {
+    Matrix all(rows, parts.front().cols());
+    double* to = all.data();
+    for (const Matrix& part : parts)
+        to = std::copy_n(part.data(), part.rows() * part.cols(), to);
+    return all;
+}
+
+} // namespace
+
+ClipSamples prepare_clips(Clips clips, clip::PrepareOptions options, const Progress& progress) {
+    const auto report = [&](std::size_t done) {
+        progress.report(Stage::features,
+                        static_cast<double>(done) / static_cast<double>(clips.size()));
+    };
+    report(0);
+    ClipSamples all = prepare_clip(*clips.front(), options);
+    report(1);
+    if (clips.size() == 1)
+        return all;
+    options.up = all.source.samples.up;
+    std::vector<Matrix> parts;
+    parts.push_back(std::move(all.samples));
+    for (std::size_t c = 1; c < clips.size(); ++c) {
+        check_same_kind(*clips.front(), *clips[c], c);
+        ClipSamples next = prepare_clip(*clips[c], options);
+        check_same_samples(all.source.samples, next.source.samples, c);
+        all.source.clips.push_back(next.source.clips.front());
+        all.source.samples.count += next.source.samples.count;
+        all.lengths.push_back(next.samples.rows());
+        parts.push_back(std::move(next.samples));
+        report(c + 1);
+    }
+    all.samples = stacked(parts, all.source.samples.count);
+    return all;
+}
+
+Source matrix_source(ConstMatrixView frames, double fps) {
+    Source source;
+    source.samples.count = frames.rows;
+    source.samples.fps = fps;
+    source.samples.feature_count = frames.cols;
+    return source;
+}
+
+} // namespace stltsa::results
