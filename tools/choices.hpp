@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Values that have names in the library's tables: "temporal=1 spatial=2".
+// Named values from the library's tables: "temporal=1 spatial=2".
 #pragma once
 
 #include <cstdint>
@@ -14,10 +14,10 @@ namespace tool {
 using Choices = std::vector<std::pair<std::string, std::int64_t>>;
 Choices choices_in(const std::string& text);
 
-/// "preparing", "initial" and so on: the kinds of units, without "cycle".
+/// The kinds of units, without "cycle": "preparing", "initial" and so on.
 std::vector<std::string> unit_names();
 
-/// What a fact of that kind says: "temporal".
+/// The name of a fact's value: "temporal".
 std::string named(const stltsa::Info& info, std::int32_t key);
 
 } // namespace tool

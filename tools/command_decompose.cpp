@@ -8,7 +8,7 @@
 namespace tool {
 namespace {
 
-/// With the curve and the loop for those who want to plot themselves; NaN becomes null.
+/// Adds the curve and the loop, for plots; NaN becomes null.
 std::string json_with_samples(const stltsa::Decomposition& found) {
     return with_member(found.json(), "curve",
                        JsonObject("frames", json_frames(found.info()), "values",

@@ -14,7 +14,7 @@
 namespace tool {
 namespace {
 
-/// Coordinates before, and the result.
+/// The original coordinates and the result.
 struct Cleaning {
     stltsa::Matrix points;
     stltsa::Denoising denoising;
@@ -24,17 +24,18 @@ Cleaning clean_model(const Session& session, const stltsa::Model& model) {
     return {model.coords(), stltsa::denoise(model, session.options())};
 }
 
-/// The file's columns are coordinates already.
+/// Takes the file's columns as coordinates.
 Cleaning clean_columns(Session& session, const stltsa::Clip& clip) {
     if (clip.joint_count() > 0)
-        throw Failure(Exit::usage, "--coordinates goes with a CSV or NPY file; this is a motion");
+        throw Failure(Exit::usage,
+                      "--coordinates needs a CSV or NPY file; this clip has a skeleton");
     stltsa::Matrix points = clip.features();
     session.set_fps(clip.fps());
     stltsa::Denoising denoising = stltsa::denoise(points, session.options());
     return {std::move(points), std::move(denoising)};
 }
 
-/// Of what is not fitted here, options of a fit would change nothing.
+/// Refuses options of a fit if nothing is fitted: they would have no effect.
 void refuse_fit_options(const Arguments& arguments, const char* what,
                         std::initializer_list<std::int32_t> more = {}) {
     std::vector<std::int32_t> used = {STLTSA_OPT_GAMMA,      STLTSA_OPT_KNOT_SPACING,
@@ -43,7 +44,7 @@ void refuse_fit_options(const Arguments& arguments, const char* what,
     used.insert(used.end(), more);
     for (const auto& [key, typed] : arguments.options)
         if (std::ranges::find(used, key) == used.end())
-            throw Failure(Exit::usage, fmt::format("{} goes with a clip that is to be fitted; {}",
+            throw Failure(Exit::usage, fmt::format("{} applies only if a clip is fitted; {}",
                                                    flag_of(key), what));
 }
 
@@ -51,20 +52,20 @@ Cleaning clean(Session& session) {
     const Arguments& arguments = session.arguments();
     if (session.input_is_model()) {
         if (arguments.coordinates)
-            throw Failure(Exit::usage, "--coordinates goes with a CSV or NPY file; this is a "
-                                       "model, which has its own");
+            throw Failure(Exit::usage, "--coordinates needs a CSV or NPY file; this is a "
+                                       "model, which has its own coordinates");
         refuse_fit_options(arguments, "this is a model");
         return clean_model(session, session.open_model(arguments.input));
     }
     if (arguments.coordinates)
-        refuse_fit_options(arguments, "with --coordinates nothing is", {STLTSA_OPT_FPS});
+        refuse_fit_options(arguments, "--coordinates skips the fit", {STLTSA_OPT_FPS});
     const stltsa::Clip& clip = session.open_input();
     if (arguments.coordinates)
         return clean_columns(session, clip);
     return clean_model(session, stltsa::fit(clip, session.options()));
 }
 
-/// The clip that the coordinates were read from, of which the library does not know.
+/// The file of the coordinates, which the library saw only as a matrix.
 Json clip_json(const stltsa::Clip& clip) {
     const stltsa::Info info = clip.info();
     const double duration = clip.fps() > 0 ? static_cast<double>(clip.frames()) / clip.fps() : 0;

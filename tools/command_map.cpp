@@ -9,14 +9,14 @@
 namespace tool {
 namespace {
 
-/// What keeps the frames of the clip from being comparable with those of the model.
+/// Warns if the clip's frames are not comparable with the model's.
 std::vector<std::string> warnings_of(const stltsa::Model& model, const stltsa::Clip& clip) {
     const stltsa::Info info = model.info();
     const double smoothing = info.real(STLTSA_INFO_SMOOTHING);
     if (!(smoothing > 0 && info.real(STLTSA_INFO_FPS) > 0) || clip.fps() > 0)
         return {};
-    return {fmt::format("the clip has no frame rate, so that it is not smoothed as the model's "
-                        "frames were, over {:.3g} s: set --fps",
+    return {fmt::format("the clip has no frame rate, so its frames are not smoothed like the "
+                        "model's (over {:.3g} s): set --fps",
                         smoothing)};
 }
 

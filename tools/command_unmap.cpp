@@ -15,12 +15,13 @@ namespace {
 /// The numbers of a CSV or NPY file.
 stltsa::Matrix points_of(const stltsa::Clip& clip) {
     if (clip.joint_count() > 0)
-        throw Failure(Exit::usage, "coordinates are read from a CSV or NPY file, not from a clip "
-                                   "with a skeleton: stltsa map places those on a curve");
+        throw Failure(Exit::usage,
+                      "coordinates come from a CSV or NPY file, not from a clip with a "
+                      "skeleton; use stltsa map for clips");
     return clip.features();
 }
 
-/// Points a second: as typed, or as the file says, else as the model has rows.
+/// Points per second: from --fps or the file, otherwise the rate of the model's rows.
 double rate_of(const stltsa::Clip& points, const stltsa::Model& model) {
     return points.fps() > 0 ? points.fps() : model.real(STLTSA_MODEL_FPS);
 }
@@ -29,8 +30,8 @@ bool poses_wanted(const std::string& path) {
     return ends_in(path, ".bvh") || ends_in(path, ".amc");
 }
 
-/// Hints that let each point go on from the row of the one before, and never back: to both sides of
-/// a turning point of one coordinate things look the same.
+/// Hints that make each point continue from the row of the previous one, and never go back: on both
+/// sides of a turning point a single coordinate has the same values.
 std::vector<std::int64_t> followed(const Session& session, const stltsa::Model& model,
                                    const stltsa::Matrix& points) {
     const std::int64_t reach = session.options().integer(STLTSA_OPT_HINT_WINDOW);
@@ -51,7 +52,7 @@ std::vector<std::int64_t> followed(const Session& session, const stltsa::Model& 
 
 Exit run_unmap(const Arguments& arguments) {
     Session session(arguments);
-    constexpr std::int64_t step = 2; // rows to and fro that one step may be off
+    constexpr std::int64_t step = 2; // rows that one step may deviate, either way
     if (arguments.follow)
         session.set_default(STLTSA_OPT_HINT_WINDOW, step);
     const stltsa::Model model = session.open_model(arguments.model);

@@ -7,7 +7,8 @@
 
 namespace tool {
 
-/// Heading y1,y2,... for a column "y", and a line per row; numbers read back to the same bits.
+/// A heading y1,y2,... if `column` is "y", then one line per row; numbers are read back to the same
+/// bits.
 std::string csv_text(const stltsa::Matrix& grid, const char* column);
 
 } // namespace tool

@@ -9,21 +9,21 @@
 
 namespace tool {
 
-/// What the command says to the shell; documented in the manual page.
+/// Exit status of the command; documented in the manual page.
 enum class Exit {
-    done = 0, ///< "no cycle" is an answer too
+    done = 0, ///< "no cycle" is a valid answer
     failed = 1,
     usage = 2,
     unreadable = 3,    ///< the input
-    untrustworthy = 4, ///< the input gives no result that can be relied on
-    interrupted = 130, ///< 128 + SIGINT, as shells have it
+    untrustworthy = 4, ///< the input gives no reliable result
+    interrupted = 130, ///< 128 + SIGINT, as in shells
 };
 
 /// Ends the command: a sentence for stderr and the exit status.
 class Failure : public std::exception {
   public:
     Failure(Exit status, std::string text) : status_(status), text_(std::move(text)) {}
-    /// What the library refuses, flags being named as the user types them.
+    /// From an error of the library; options are named as the flags that the user types.
     explicit Failure(const stltsa::Error& error);
     Exit status() const noexcept { return status_; }
     const char* what() const noexcept override { return text_.c_str(); }
@@ -33,7 +33,7 @@ class Failure : public std::exception {
     std::string text_;
 };
 
-/// The same of a call that reads the input: whatever is wrong with it makes it unreadable.
+/// From an error of a call that reads the input: if the input is to blame, it is unreadable.
 Failure unreadable(const stltsa::Error& error);
 
 } // namespace tool

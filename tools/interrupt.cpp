@@ -23,7 +23,7 @@ void watch_interrupt() {
         return;
     struct sigaction action {};
     action.sa_handler = note_interrupt;
-    action.sa_flags = static_cast<int>(SA_RESETHAND); // no SA_RESTART: a blocked read ends too
+    action.sa_flags = static_cast<int>(SA_RESETHAND); // no SA_RESTART: also ends a blocked read
     sigaction(SIGINT, &action, nullptr);
 }
 

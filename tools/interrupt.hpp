@@ -3,8 +3,8 @@
 
 namespace tool {
 
-/// From here on the first Ctrl-C is noted and the second one ends the process, as ever. Where the
-/// caller ignores SIGINT (background jobs of scripts), it stays ignored.
+/// After this call the first Ctrl-C is recorded and the second ends the process. If the caller
+/// ignores SIGINT (background jobs of scripts), it stays ignored.
 void watch_interrupt();
 
 bool interrupted();

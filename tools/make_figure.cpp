@@ -17,7 +17,7 @@
 namespace tool {
 namespace {
 
-/// The body, for clips with a skeleton; `up`: 1, 2, 3 for x, y, z, 0 for none.
+/// The body of a clip with a skeleton; `up`: 1, 2, 3 for x, y, z, 0 for unknown.
 std::optional<plot::SideView> bodies_of(const stltsa::Clip& clip, std::int64_t up) {
     if (clip.joint_count() == 0)
         return std::nullopt;
@@ -52,7 +52,7 @@ std::string embedding_text(const stltsa::Info& info) {
                        info.real(STLTSA_INFO_CYCLICITY));
 }
 
-/// More would be a page too long for the eye.
+/// More would not fit on a page.
 constexpr std::size_t most_strips = 6;
 
 std::string seam_heading(const stltsa::Seam& seam, double fps) {
@@ -65,15 +65,15 @@ std::string seam_note(const stltsa::Seam& seam, const std::vector<std::string>& 
     const auto name = [&](std::int64_t piece) {
         return piece_name(pieces[static_cast<std::size_t>(piece)]);
     };
-    return fmt::format("{} until frame {}, {} from frame {} on; crossfade of {:.3f} s to each "
-                       "side; posture {:.2f}, step {:.2f}, acceleration {:.2f}",
-                       name(seam.piece), seam.cut_end,
-                       seam.piece == seam.next ? "again" : name(seam.next), seam.cut_begin,
-                       static_cast<double>(seam.crossfade) / fps, seam.posture, seam.step,
-                       seam.acceleration);
+    return fmt::format(
+        "{} cut before frame {}, {} continued at frame {}; {:.3f} s blended on each "
+        "side; relative to typical: posture {:.2f}, step {:.2f}, acceleration {:.2f}",
+        name(seam.piece), seam.cut_end, seam.piece == seam.next ? "repetition" : name(seam.next),
+        seam.cut_begin, static_cast<double>(seam.crossfade) / fps, seam.posture, seam.step,
+        seam.acceleration);
 }
 
-/// The strip shows a tenth of a second from posture to posture, or more where a crossfade is long.
+/// Postures are a tenth of a second apart, or more if the crossfade is long.
 plot::Strip strip_of(const stltsa::Seam& seam, const std::vector<std::string>& pieces, double fps) {
     plot::Strip strip{seam_heading(seam, fps), seam_note(seam, pieces, fps), seam.frame, 1,
                       seam.crossfade};
@@ -89,7 +89,7 @@ bool cut_alike(const stltsa::Seam& a, const stltsa::Seam& b) {
            a.cut_begin == b.cut_begin;
 }
 
-/// The seams that are shown: of those that are cut alike, as a cycle's repetitions are, the first.
+/// The seams to show: of identical ones, such as those of a repeated cycle, only the first.
 std::vector<stltsa::Seam> different_seams(const std::vector<stltsa::Seam>& seams) {
     std::vector<stltsa::Seam> different;
     for (const stltsa::Seam& seam : seams)
@@ -99,10 +99,11 @@ std::vector<stltsa::Seam> different_seams(const std::vector<stltsa::Seam>& seams
     return different;
 }
 
-/// All of a clip that has no seam.
+/// The whole of a clip without seams.
 plot::Strip whole_strip(std::int64_t frames) {
     const std::int64_t step = std::max<std::int64_t>(1, frames / plot::strip_postures);
-    return {"no seam: the pieces follow each other", "", plot::strip_postures / 2 * step, step, -1};
+    return {"no seam: each piece continues the previous one", "", plot::strip_postures / 2 * step,
+            step, -1};
 }
 
 } // namespace
@@ -171,12 +172,11 @@ std::string synthesis_figure(const Arguments& arguments, const stltsa::Synthesis
     std::vector<stltsa::Seam> seams = different_seams(synthesis.seams());
     const std::size_t left_out = seams.size() - std::min(seams.size(), most_strips);
     seams.resize(seams.size() - left_out);
-    plot::SeamFigure figure{
-        std::filesystem::path(arguments.product).filename().string(),
-        synthesis_summary(synthesis),
-        "Shaded: frames that are blended. Seams that are cut alike are shown once.",
-        *bodies_of(clip, synthesis.info().integer(STLTSA_INFO_UP_AXIS)),
-        {}};
+    plot::SeamFigure figure{std::filesystem::path(arguments.product).filename().string(),
+                            synthesis_summary(synthesis),
+                            "Shaded: blended frames. Identical seams are shown once.",
+                            *bodies_of(clip, synthesis.info().integer(STLTSA_INFO_UP_AXIS)),
+                            {}};
     if (left_out > 0)
         figure.note +=
             fmt::format(" Not shown: {}.", counted(static_cast<std::int64_t>(left_out), "seam"));

@@ -9,10 +9,10 @@
 namespace tool {
 namespace {
 
-/// Distances are in units of this: beyond it a row is unlike what the model knows.
+/// Distances are relative to the model's reach: beyond 1 a row is outside its range.
 constexpr double limit = 1;
 
-/// The value below which a share of the sorted values lies.
+/// The quantile of sorted values.
 double quantile(const std::vector<double>& sorted, double share) {
     const auto last = static_cast<double>(sorted.size() - 1);
     return sorted[static_cast<std::size_t>(std::lround(share * last))];

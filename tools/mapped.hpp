@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What map and unmap have in common: rows with their distance from what the model knows.
+// Shared by map and unmap: rows with their distances from the fitted rows.
 #pragma once
 
 #include <cstdint>
@@ -14,10 +14,10 @@
 namespace tool {
 
 struct Mapping {
-    const Arguments& arguments; ///< of map, else of unmap
+    const Arguments& arguments; ///< of map or unmap
     const stltsa::Model& model;
     stltsa::Mapped rows;
-    double fps = 0; ///< rows a second; 0: unknown
+    double fps = 0; ///< rows per second; 0: unknown
     std::vector<std::string> warnings;
 
     bool is_map() const { return arguments.command == Command::map; }
@@ -27,8 +27,8 @@ struct Distances {
     double median = 0;
     double p90 = 0;
     double largest = 0;
-    std::int64_t beyond = 0; ///< rows that are unlike what the model knows
-    std::vector<std::pair<std::int64_t, std::int64_t>> stretches; ///< of those rows, [begin, end)
+    std::int64_t beyond = 0; ///< number of rows outside the model's range
+    std::vector<std::pair<std::int64_t, std::int64_t>> stretches; ///< of such rows, [begin, end)
 };
 Distances distances_of(const stltsa::Mapped& rows);
 

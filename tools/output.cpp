@@ -25,7 +25,7 @@ using stltsa::clip::write_directly;
     throw Failure(Exit::failed, fmt::format("cannot write {}: {}", name, why));
 }
 
-/// Calls what writes; `name`: of the place, as it was given.
+/// Calls `write`; its errors name the destination as given.
 template <class Write>
 auto writing(const std::string& name, Write write) {
     try {
@@ -35,7 +35,7 @@ auto writing(const std::string& name, Write write) {
     }
 }
 
-/// Of files, there already or not; any number of results may go to /dev/null.
+/// Whether both paths name one file, existing or new. Several results may go to /dev/null.
 bool same_place(const std::string& path, const std::string& other) {
     std::error_code none;
     const auto place_of = [&none](const std::string& name) {
@@ -68,14 +68,15 @@ void OutputFiles::add(const std::string& path, std::string content) {
 void OutputFiles::add_written(const std::string& path, const Write& write) {
     const std::string place = followed(path);
     if (!regular_or_new(place)) {
-        staged_.push_back({path, {}, [path, write] { write(path); }}); // the link has the suffix
+        staged_.push_back(
+            {path, {}, [path, write] { write(path); }}); // not `place`: the link has the suffix
         return;
     }
     TemporaryFile file =
         writing(path, [&] { return TemporaryFile(place, fs::path(path).extension().string()); });
     try {
         write(file.name());
-    } catch (const Failure& failure) { // the user knows the place, not the name beside it
+    } catch (const Failure& failure) { // the user knows `path`, not the temporary name
         std::string text = failure.what();
         if (text.starts_with(file.name()))
             text.replace(0, file.name().size(), path);
@@ -105,7 +106,7 @@ void check_output_place(const std::string& path, const std::vector<std::string>&
     for (const std::string& other : taken)
         if (same_place(path, other))
             throw Failure(Exit::usage,
-                          fmt::format("{} is an input, or given for two outputs", path));
+                          fmt::format("{} is an input, or is given for two outputs", path));
     const fs::path place = followed(path);
     if (!regular_or_new(place.string()))
         return;

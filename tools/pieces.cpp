@@ -23,7 +23,7 @@ std::vector<std::string> parts() {
     return names;
 }
 
-/// The whole text as a number that is not negative.
+/// The whole text as a nonnegative number.
 template <class T>
 std::optional<T> number_in(std::string_view text) {
     T value{};
@@ -73,9 +73,10 @@ bool is_part(std::string_view what) {
 }
 
 [[noreturn]] void no_piece(const std::string& text, std::string_view why) {
-    throw Failure(Exit::usage, fmt::format("'{}': {}; a piece is CLIP[:WHAT][*TIMES], WHAT being "
-                                           "120-240, 1.0s-2.0s, cycle3, {}",
-                                           text, why, fmt::join(parts(), ", ")));
+    throw Failure(Exit::usage,
+                  fmt::format("'{}': {}; a piece is CLIP[:WHAT][*TIMES], where WHAT is "
+                              "120-240, 1.0s-2.0s, cycle3, {}",
+                              text, why, fmt::join(parts(), ", ")));
 }
 
 bool is_file(const std::string& path) {
@@ -85,11 +86,11 @@ bool is_file(const std::string& path) {
 
 [[noreturn]] void missing(const PieceText& text, const std::string& reason) {
     throw Failure(Exit::untrustworthy,
-                  fmt::format("{}:{}: {} (stltsa decompose shows its units)", text.path, text.what,
+                  fmt::format("{}:{}: {} (stltsa decompose lists its units)", text.path, text.what,
                               reason.empty() ? "the clip has no such part" : reason));
 }
 
-/// Which cycle is meant; nothing for a unit.
+/// Index of the cycle that is meant; empty for a unit.
 std::optional<std::int64_t> cycle_meant(const std::string& what,
                                         const stltsa::Decomposition& units) {
     if (what == "best")
@@ -110,7 +111,7 @@ PieceText parse_piece(const std::string& text) {
     if (const std::size_t star = text.rfind('*'); star != text.npos) {
         const auto times = number_in<std::int64_t>(std::string_view(text).substr(star + 1));
         if (!times || *times < 1)
-            no_piece(text, "after * comes how often, at least 1");
+            no_piece(text, "the number after * must be at least 1");
         piece.repeat = *times;
         piece.path.resize(star);
     }
@@ -120,7 +121,7 @@ PieceText parse_piece(const std::string& text) {
     piece.what = piece.path.substr(colon + 1);
     piece.path.resize(colon);
     if (!is_part(piece.what))
-        no_piece(text, fmt::format("there is no '{}' of a clip", piece.what));
+        no_piece(text, fmt::format("'{}' is not a part of a clip", piece.what));
     return piece;
 }
 

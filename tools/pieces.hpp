@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pieces of clips as people write them: walk.bvh, walk.bvh:120-240, walk.bvh:best*4.
+// Pieces of clips as typed: walk.bvh, walk.bvh:120-240, walk.bvh:best*4.
 #pragma once
 
 #include <cstdint>
@@ -12,17 +12,17 @@
 
 namespace tool {
 
-/// A piece, read but not looked up.
+/// A piece, parsed but not looked up.
 struct PieceText {
     std::string path;
-    std::string what; ///< empty: all of the clip
+    std::string what; ///< empty: the whole clip
     std::int64_t repeat = 1;
 };
 
-/// Throws Failure with Exit::usage. A file of that very name is a whole clip.
+/// Throws Failure with Exit::usage. If a file has exactly this name, the piece is that whole clip.
 PieceText parse_piece(const std::string& text);
 
-/// The clips of the pieces, each opened once, and cut into units where a piece asks for one.
+/// The clips of the pieces, each opened once, and decomposed if a piece names a unit or cycle.
 class PieceFinder {
   public:
     explicit PieceFinder(const Session& session) : session_(session) {}
@@ -32,7 +32,7 @@ class PieceFinder {
   private:
     struct Source {
         stltsa::Clip clip;
-        std::optional<stltsa::Decomposition> units; ///< none until asked for
+        std::optional<stltsa::Decomposition> units; ///< none until needed
     };
     Source& source(const std::string& path);
     const stltsa::Decomposition& units(Source& source);

@@ -6,7 +6,7 @@
 
 namespace tool {
 
-/// A line on stderr that tells how far the work is; wiped away at the end.
+/// A progress line on stderr, erased at the end.
 class ProgressBar {
   public:
     explicit ProgressBar(bool shown) : shown_(shown) {}

@@ -14,7 +14,7 @@ std::string seconds(double value) {
     return fmt::format("{:.3f}", value);
 }
 
-/// begin, "-", end in frames; the same in seconds; length.
+/// Begin, "-" and end in frames; the same in seconds; length.
 std::vector<std::string> interval_cells(const stltsa::Interval& interval) {
     return {std::to_string(interval.begin),
             "-",
@@ -36,7 +36,7 @@ void add_row(Table& table, std::vector<std::string> start, const stltsa::Interva
 Table interval_table(const std::string& name) {
     using enum Align;
     Table table({left, right, left, right, right, left, right, right, left});
-    table.add({name, "frames", "", "", "seconds", "", "", "length", ""});
+    table.add({name, "frames", "", "", "seconds", "", "", "length (s)", ""});
     return table;
 }
 
@@ -66,20 +66,20 @@ std::string cycles_table(const stltsa::Decomposition& result) {
 std::string dimension_text(const stltsa::Info& info) {
     const auto estimate = [&](std::int32_t key) {
         const std::int64_t value = info.integer(key);
-        return value == 0 ? std::string("cannot tell") : std::to_string(value);
+        return value == 0 ? std::string("undetermined") : std::to_string(value);
     };
-    return fmt::format("{} by local PCA, {} by the eigengap", estimate(STLTSA_INFO_LOCAL_PCA),
+    return fmt::format("{} (local PCA), {} (eigengap)", estimate(STLTSA_INFO_LOCAL_PCA),
                        estimate(STLTSA_INFO_EIGENGAP));
 }
 
 Facts facts_of(const stltsa::Info& info) {
     Facts facts;
     if (const double period = info.real(STLTSA_INFO_PERIOD); period > 0)
-        facts.add("period", fmt::format("{} s, lag quality {:.2f} (1: perfect)", seconds(period),
-                                        info.real(STLTSA_INFO_LAG_QUALITY)));
+        facts.add("period", fmt::format("{} s, lag quality {:.2f} (1: perfect repetition)",
+                                        seconds(period), info.real(STLTSA_INFO_LAG_QUALITY)));
     if (const std::int64_t coordinate = info.integer(STLTSA_INFO_COORDINATE); coordinate > 0)
         facts.add("curve", fmt::format("coordinate {} of tangent dimension {}, cyclicity {:.2f} "
-                                       "(1: perfect)",
+                                       "(1: perfect oscillation)",
                                        coordinate, info.integer(STLTSA_INFO_DIMENSION),
                                        info.real(STLTSA_INFO_CYCLICITY)));
     facts.add("neighbors", neighbors_text(info));

@@ -11,24 +11,19 @@ namespace {
 
 std::string columns_table(const stltsa::Info& denoising) {
     using enum Align;
-    Table table({right, right, right, right, right, right});
-    table.add({"coordinate", "noise", "gamma", "shift", "moved", "degrees of freedom"});
+    Table table({right, right, right, right, right, right}, 2);
+    table.add({"", "robust std.", "threshold", "points", "their mean", "curve's degrees"});
+    table.add({"coordinate", "deviation", "(gamma)", "moved", "distance", "of freedom"});
     const auto digits = [&](std::int32_t key, std::int64_t column) {
         return fmt::format("{:.4g}", denoising.real(key, column));
     };
     for (std::int64_t c = 0; c < denoising.count(STLTSA_INFO_GAMMA); ++c)
-        table.add({std::to_string(c + 1), digits(STLTSA_INFO_NOISE, c),
-                   digits(STLTSA_INFO_GAMMA, c), digits(STLTSA_INFO_SHIFT, c),
-                   std::to_string(denoising.integer(STLTSA_INFO_MOVED, c)),
-                   fmt::format("{:.1f}", denoising.real(STLTSA_INFO_DEGREES_OF_FREEDOM, c))});
+        table.add(
+            {std::to_string(c + 1), digits(STLTSA_INFO_NOISE, c), digits(STLTSA_INFO_GAMMA, c),
+             std::to_string(denoising.integer(STLTSA_INFO_MOVED, c)), digits(STLTSA_INFO_SHIFT, c),
+             fmt::format("{:.1f}", denoising.real(STLTSA_INFO_DEGREES_OF_FREEDOM, c))});
     return table.text();
 }
-
-constexpr const char* legend =
-    "  noise: robust standard deviation of the points about the fitted curve; gamma:\n"
-    "  distance from it beyond which a point is moved; shift: mean distance of these\n"
-    "  points, by which they are moved, the curve not being crossed; degrees\n"
-    "  of freedom: the effective ones of the curve\n";
 
 } // namespace
 
@@ -63,7 +58,7 @@ std::string denoising_report(const stltsa::Denoising& denoising, const std::stri
         facts.add("period", fmt::format("{:.3f} s", period));
     facts.add("knots", knots_text(info));
     return bold(wrapped(title + ": " + denoising_summary(info), 80)) + "\n\n" +
-           columns_table(info) + dim(legend) + '\n' + facts.text() +
+           columns_table(info) + '\n' + facts.text() +
            listed("warning:", info.texts(STLTSA_INFO_WARNING));
 }
 

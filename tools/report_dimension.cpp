@@ -7,6 +7,7 @@
 #include "report.hpp"
 #include "style.hpp"
 #include "table.hpp"
+#include "text.hpp"
 
 namespace tool {
 namespace {
@@ -17,14 +18,14 @@ constexpr std::size_t most_rows = 10;
 constexpr std::size_t bar_width = 40;
 
 std::string estimate_text(const Estimate& estimate) {
-    return estimate.dimension == 0 ? "cannot tell" : std::to_string(estimate.dimension);
+    return estimate.dimension == 0 ? "undetermined" : std::to_string(estimate.dimension);
 }
 
 std::string reason_text(const Estimate& estimate) {
     return estimate.reason.empty() ? "" : fmt::format("  {}\n", estimate.reason);
 }
 
-/// The first ones, 0 in the place of what is not a number.
+/// The first values, with 0 in place of NaN.
 std::vector<double> shown_values(std::vector<double> values) {
     values.resize(std::min(values.size(), most_rows));
     std::ranges::replace_if(
@@ -32,7 +33,7 @@ std::vector<double> shown_values(std::vector<double> values) {
     return values;
 }
 
-/// Numbers with bars; an empty text for no numbers.
+/// A table of numbers with bars; empty without numbers.
 std::string spectrum(const std::vector<double>& values, const char* index, const char* name,
                      double unit) {
     using enum Align;
@@ -45,23 +46,24 @@ std::string spectrum(const std::vector<double>& values, const char* index, const
 }
 
 std::string local_pca_text(const stltsa::Dimension& result) {
-    return fmt::format("\nLocal PCA: directions that hold {:g} % of a neighborhood's variance\n",
+    return fmt::format("\nLocal PCA: directions that explain {:g} % of a neighborhood's variance\n",
                        100 * result.info().real(STLTSA_INFO_VARIANCE)) +
            reason_text(result.local_pca()) +
-           spectrum(shown_values(result.local_variances()), "direction", "share", 1.0);
+           spectrum(shown_values(result.local_variances()), "direction", "share of variance", 1.0);
 }
 
 std::string eigengap_text(const stltsa::Dimension& result) {
     const stltsa::Info info = result.info();
     const std::vector<double> values = shown_values(result.eigenvalues());
     const double largest = values.empty() ? 0 : std::ranges::max(values);
-    return fmt::format("\nEigengap: eigenvalues up to the first gap above {:g}; the zero one\n"
-                       "counts, and as many as the tangent dimension that B was built with, {}, "
-                       "are\nsmall beside it by construction: the answer moves with that\n",
-                       info.real(STLTSA_INFO_EIGENGAP_THRESHOLD),
-                       info.integer(STLTSA_INFO_DIMENSION)) +
-           reason_text(result.eigengap()) +
-           spectrum(values, "eigenvalue", "of B / k", std::max(largest, 1e-300));
+    const std::int64_t tangents = info.integer(STLTSA_INFO_DIMENSION);
+    const std::string rule = fmt::format(
+        "Eigengap: number of eigenvalues of B / k, zero included, before the first gap above {:g}. "
+        "With tangent dimension {} the first {} are small by construction, so the estimate depends "
+        "on --dimension.",
+        info.real(STLTSA_INFO_EIGENGAP_THRESHOLD), tangents, tangents + 1);
+    return '\n' + wrapped(rule, 80) + '\n' + reason_text(result.eigengap()) +
+           spectrum(values, "index", "eigenvalue", std::max(largest, 1e-300));
 }
 
 } // namespace
@@ -72,7 +74,7 @@ std::string dimension_report(const stltsa::Dimension& result, const std::string&
     facts.add("samples", samples_text(info));
     facts.add("features", features_text(info));
     facts.add("neighbors", neighbors_text(info));
-    return bold(fmt::format("{}: intrinsic dimension {} by local PCA, {} by the eigengap", title,
+    return bold(fmt::format("{}: intrinsic dimension {} (local PCA), {} (eigengap)", title,
                             estimate_text(result.local_pca()), estimate_text(result.eigengap()))) +
            "\n\n" + facts.text() + local_pca_text(result) + eigengap_text(result);
 }

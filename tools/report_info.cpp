@@ -23,14 +23,14 @@ std::string sentence(const stltsa::Clip& clip, const std::string& title) {
     const std::string frames = counted(clip.frames(), "frame");
     const std::string format = upper(named(clip.info(), STLTSA_INFO_FORMAT));
     if (!(clip.fps() > 0))
-        return fmt::format("{}: {} of {}, frame rate unknown", title, frames, format);
-    return fmt::format("{}: {} of {} at {:.6g} a second, {:.3f} s", title, frames, format,
+        return fmt::format("{}: {}, {}, frame rate unknown", title, format, frames);
+    return fmt::format("{}: {}, {} at {:.6g} per second, {:.3f} s", title, format, frames,
                        clip.fps(), static_cast<double>(clip.frames()) / clip.fps());
 }
 
 std::string joints_text(const std::vector<stltsa::Joint>& joints) {
     if (joints.empty())
-        return "none: the columns are bare numbers";
+        return "none: the file is a plain matrix";
     return fmt::format(
         "{} (with {})", joints.size(),
         counted(std::ranges::count_if(joints, &stltsa::Joint::is_end_site), "end site"));
@@ -50,7 +50,8 @@ std::string info_report(const stltsa::Clip& clip, const std::string& title) {
     if (info.integer(STLTSA_INFO_UP_AXIS) > 0)
         lines.add("up axis", named(info, STLTSA_INFO_UP_AXIS));
     if (const std::int64_t tpose = info.integer(STLTSA_INFO_FIRST_FRAME); tpose > 0)
-        lines.add("T-pose", counted(tpose, "frame") + " at the start, which other commands drop");
+        lines.add("T-pose",
+                  counted(tpose, "frame") + " at the start, dropped by the other commands");
     return bold(sentence(clip, title)) + "\n\n" + lines.text() +
            listed("note:", info.texts(STLTSA_INFO_NOTE));
 }

@@ -19,7 +19,7 @@ std::string sentence(const stltsa::Info& model, const std::string& title) {
                        counted(model.integer(STLTSA_INFO_ROWS), "sample"),
                        components == 1
                            ? "in one piece"
-                           : fmt::format("in {} pieces that do not share coordinates", components));
+                           : fmt::format("in {} pieces with separate coordinates", components));
 }
 
 std::string scientific(double value) {
@@ -30,8 +30,9 @@ std::string components_table(const stltsa::Model& model) {
     using enum Align;
     const stltsa::Info info = model.info();
     const stltsa::Matrix eigenvalues = model.eigenvalues();
-    Table table({right, right, right, right, right, right, left});
-    table.add({"piece", "samples", "residual", "error", "gap", "deficient", "eigenvalues"});
+    Table table({right, right, right, right, right, right, left}, 2);
+    table.add({"", "", "residual", "angle error", "eigengap", "rank-deficient", ""});
+    table.add({"piece", "samples", "/ k", "(rad)", "ratio", "windows", "eigenvalues"});
     for (std::int64_t i = 0; i < eigenvalues.rows; ++i) {
         std::vector<std::string> values;
         for (const double value : eigenvalues.row(i))
@@ -47,12 +48,6 @@ std::string components_table(const stltsa::Model& model) {
     return table.text();
 }
 
-constexpr const char* legend =
-    "  residual: largest residual of the eigenvectors, over k; error: estimated angle to\n"
-    "  the exact curve, in radians; gap: ratio of the next eigenvalue to the last one\n"
-    "  used, ill-defined near 1; deficient: neighborhoods with fewer directions than\n"
-    "  coordinates\n";
-
 } // namespace
 
 std::string model_report(const stltsa::Model& model, const std::string& title) {
@@ -62,14 +57,14 @@ std::string model_report(const stltsa::Model& model, const std::string& title) {
     facts.add("features", features_text(info));
     facts.add("neighbors", neighbors_text(info));
     if (const double period = info.real(STLTSA_INFO_PERIOD); period > 0)
-        facts.add("period", fmt::format("{:.3f} s, which determines k", period));
+        facts.add("period", fmt::format("{:.3f} s, from which k follows", period));
     const double correlation = info.real(STLTSA_INFO_TIME_CORRELATION);
-    facts.add("time", fmt::format("{:.4f} rank correlation with coordinate 1",
+    facts.add("time", fmt::format("rank correlation {:.4f} with coordinate 1",
                                   std::isfinite(correlation) ? correlation : 0));
     if (const std::int64_t repeated = info.integer(STLTSA_INFO_REPEATED); repeated > 0)
-        facts.add("repeated", counted(repeated, "sample") + " equal to the previous one");
+        facts.add("repeated", counted(repeated, "sample") + " equal to the previous sample");
     return bold(sentence(info, title)) + "\n\n" + facts.text() + '\n' + components_table(model) +
-           dim(legend) + listed("warning:", info.texts(STLTSA_INFO_WARNING));
+           listed("warning:", info.texts(STLTSA_INFO_WARNING));
 }
 
 } // namespace tool

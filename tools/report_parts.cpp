@@ -17,11 +17,11 @@ std::string in_seconds(std::int64_t samples, double fps) {
 std::string samples_text(const stltsa::Info& result) {
     std::string text = std::to_string(result.integer(STLTSA_INFO_ROWS));
     if (const std::int64_t step = result.integer(STLTSA_INFO_FRAME_STEP); step > 1)
-        text += fmt::format(", 1 frame in {}", step);
+        text += fmt::format(", one frame in {}", step);
     if (const std::int64_t first = result.integer(STLTSA_INFO_FIRST_FRAME); first > 0)
-        text += fmt::format(" from frame {} (T-pose dropped)", first);
+        text += fmt::format(" from frame {} on (T-pose dropped)", first);
     if (const double fps = result.real(STLTSA_INFO_FPS); fps > 0)
-        text += fmt::format(", {:.6g} a second", fps);
+        text += fmt::format(", {:.6g} per second", fps);
     return text;
 }
 
@@ -34,10 +34,10 @@ std::string neighbors_text(const stltsa::Info& result) {
     if (mode != STLTSA_MODE_SPATIAL)
         text += fmt::format(", w = {}{}", window, in_seconds(window, fps));
     if (result.integer(STLTSA_INFO_INCLUDE_SELF) == 0)
-        text += ", without the frame itself";
+        text += ", excluding the frame itself";
     text += ", " + named(result, STLTSA_INFO_MODE);
     if (mode == STLTSA_MODE_RECURRENT)
-        text += fmt::format(" with {} links outside {} samples", result.integer(STLTSA_INFO_LINKS),
+        text += fmt::format(" with {} links beyond {} samples", result.integer(STLTSA_INFO_LINKS),
                             result.integer(STLTSA_INFO_EXCLUSION));
     return text;
 }

@@ -14,9 +14,11 @@ std::string seams_table(const std::vector<stltsa::Seam>& seams, double fps,
     using enum Align;
     if (seams.empty())
         return "";
-    Table table({right, right, left, left, right, right, right, right, right, right});
-    table.add({"frame", "seconds", "from", "to", "until", "on at", "crossfade", "posture", "step",
-               "acceleration"});
+    Table table({right, right, left, left, right, right, right, right, right, right}, 2);
+    table.add({"seam", "", "earlier", "later", "cut before", "continued", "blended each", "posture",
+               "step", "acceleration"});
+    table.add({"frame", "seconds", "piece", "piece", "frame", "at frame", "side (s)", "/ typical",
+               "/ typical", "/ typical"});
     const auto seconds = [&](std::int64_t frames) {
         return fmt::format("{:.3f}", static_cast<double>(frames) / fps);
     };
@@ -31,12 +33,6 @@ std::string seams_table(const std::vector<stltsa::Seam>& seams, double fps,
                    ratio(seam.acceleration)});
     return '\n' + table.text();
 }
-
-constexpr const char* legend =
-    "  until, on at: frames at which the pieces are cut; posture: how unlike they are\n"
-    "  there, 1 being as unlike as a motion is to its own repetition; step, acceleration:\n"
-    "  largest step and change of step near the seam over the pieces' own, 1 and below is\n"
-    "  not seen\n";
 
 } // namespace
 
@@ -56,7 +52,6 @@ std::string synthesis_report(const stltsa::Synthesis& synthesis,
                              const std::vector<std::string>& pieces) {
     return bold(synthesis_summary(synthesis)) + '\n' +
            seams_table(synthesis.seams(), synthesis.clip().fps(), pieces) +
-           (synthesis.seam_count() == 0 ? "" : dim(legend)) +
            listed("warning:", synthesis.warnings());
 }
 

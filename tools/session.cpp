@@ -39,13 +39,13 @@ std::string read_stdin() {
     }
 }
 
-/// Rate of the working samples: what lengths in seconds are counted in.
+/// Rate of the working samples, to which lengths in seconds are converted.
 double working_rate(const stltsa::Clip& clip, const stltsa::Options& options) {
     const double rate = options.real(STLTSA_OPT_SAMPLE_RATE);
     return rate > 0 ? clip.fps() / std::max(1.0, std::round(clip.fps() / rate)) : clip.fps();
 }
 
-/// A file that cannot be written is no unreadable input.
+/// Saves; an error of writing does not count as an unreadable input.
 template <class Product>
 void save(const Product& product, const std::string& path) {
     try {
@@ -55,7 +55,7 @@ void save(const Product& product, const std::string& path) {
     }
 }
 
-/// Calls what reads the input.
+/// Calls `read`; its errors count as an unreadable input.
 template <class Read>
 auto reading(Read read) {
     try {
@@ -161,7 +161,7 @@ void Session::add_model(const std::string& path, const stltsa::Model& model) {
     files_.add_written(path, [&model](const std::string& name) { save(model, name); });
 }
 
-/// Warnings are part of the table; where it is not what the user sees, they go to stderr too.
+/// Warnings are part of the table; if the user does not see it, they go to stderr too.
 void Session::warn(const std::vector<std::string>& warnings) const {
     const bool seen = !arguments_.json && arguments_.output.empty();
     if (arguments_.quiet || seen)

@@ -12,7 +12,7 @@
 namespace tool {
 namespace {
 
-// A name that has these bytes is at worst bold.
+// A file name with these bytes merely changes the style.
 constexpr char bold_mark = '\x01';
 constexpr char dim_mark = '\x02';
 constexpr char end_mark = '\x03';
@@ -25,7 +25,7 @@ std::string_view code_of(char mark) {
     return mark == bold_mark ? "\x1b[1m" : mark == dim_mark ? "\x1b[2m" : "\x1b[0m";
 }
 
-/// Of ASCII, or of the second half of Latin-1 (U+0080 to U+009F).
+/// Control characters of ASCII and of Latin-1 (U+0080 to U+009F).
 bool is_control(std::string_view character) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(character[i]); };
     return character.size() == 1 ? byte(0) < 0x20 || byte(0) == 0x7F

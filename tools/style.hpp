@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Colors on terminals, plain text everywhere else. Nothing from outside reaches a terminal but
-// through here.
+// Colors on terminals, plain text elsewhere. All text from outside passes through here before it
+// reaches a terminal.
 #pragma once
 
 #include <string>
@@ -8,16 +8,16 @@
 
 namespace tool {
 
-/// Whether a stream gets colors: a terminal that is not dumb, and the user did not say no
+/// Whether a stream gets colors: it is a terminal, not a dumb one, and the user did not refuse them
 /// (--no-color, or NO_COLOR set; no-color.org).
 bool colors_wanted(int descriptor, bool allowed);
 
-/// Text with marks that shown() knows.
+/// Text with marks for shown().
 std::string bold(std::string_view text);
 std::string dim(std::string_view text);
 
-/// Marks become a terminal's codes, or nothing. Other control characters, which a file's name can
-/// have, and bytes that are not UTF-8 become '?'; lines stay lines.
+/// Replaces marks by terminal codes, or removes them. Other control characters, which a file name
+/// may contain, and bytes that are not UTF-8 become '?'; line ends stay.
 std::string shown(std::string_view text, bool colors);
 
 enum class Tone { error, warning };

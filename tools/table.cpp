@@ -25,7 +25,7 @@ std::string without_trailing_blanks(std::string line) {
     return line;
 }
 
-/// Further lines start below the first.
+/// Wraps the text; further lines are indented to where the text starts.
 std::string hanging(const std::string& start, const std::string& text) {
     const std::size_t indent = characters(start);
     std::string result = start;
@@ -50,7 +50,7 @@ std::string Table::text() const {
         for (std::size_t c = 0; c < rows_[r].size(); ++c)
             line += "  " + padded(rows_[r][c], widths[c], columns_[c]);
         line = without_trailing_blanks(line);
-        result += (r == 0 ? dim(line) : line) + '\n';
+        result += (r < heading_rows_ ? dim(line) : line) + '\n';
     }
     return result;
 }

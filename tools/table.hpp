@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Text for people: columns that line up, in plain ASCII but for the names that the user chose.
+// Text for people: aligned columns, in plain ASCII except for the user's file names.
 #pragma once
 
 #include <string>
@@ -11,17 +11,19 @@ enum class Align { left, right };
 
 class Table {
   public:
-    explicit Table(std::vector<Align> columns) : columns_(std::move(columns)) {}
+    explicit Table(std::vector<Align> columns, std::size_t heading_rows = 1)
+        : columns_(std::move(columns)), heading_rows_(heading_rows) {}
     void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
-    /// A line per row, indented; the first row is the heading.
+    /// One indented line per row; the first rows are the heading.
     std::string text() const;
 
   private:
     std::vector<Align> columns_;
+    std::size_t heading_rows_;
     std::vector<std::vector<std::string>> rows_;
 };
 
-/// Lines of "name  value", names in one column, long values wrapped.
+/// Lines of "name  value": names in one column, long values wrapped.
 class Facts {
   public:
     void add(std::string name, std::string value);
@@ -31,10 +33,10 @@ class Facts {
     std::vector<std::pair<std::string, std::string>> facts_;
 };
 
-/// A bar of at most `width` characters for a share of 1.
+/// A bar of `width` characters for a share of 1, fewer for less.
 std::string bar(double share, std::size_t width);
 
-/// Lines "name: text" for each text; nothing for none.
+/// One line "name  text" per text; empty without texts.
 std::string listed(const std::string& name, const std::vector<std::string>& texts);
 
 } // namespace tool

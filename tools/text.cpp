@@ -11,7 +11,7 @@ namespace tool {
 
 namespace {
 
-/// Letters to add, take away or change (Levenshtein).
+/// Insertions, deletions and substitutions (Levenshtein distance).
 std::size_t edits(std::string_view from, std::string_view to) {
     std::vector<std::size_t> row(to.size() + 1);
     std::iota(row.begin(), row.end(), std::size_t{0});
@@ -31,7 +31,7 @@ std::size_t edits(std::string_view from, std::string_view to) {
 std::string hint(std::string_view word, const std::vector<std::string>& names) {
     const auto distance = [&](const std::string& name) { return edits(word, name); };
     const auto nearest = std::ranges::min_element(names, {}, distance);
-    constexpr std::size_t slips = 2; // three changes make other words of short ones
+    constexpr std::size_t slips = 2; // three edits turn short words into others
     if (nearest == names.end() || distance(*nearest) > slips)
         return "";
     return fmt::format("\nDid you mean {}?", *nearest);

@@ -10,20 +10,20 @@
 
 namespace tool {
 
-/// Cuts text at blanks into lines that fit; a word that does not fit alone gets its own line.
+/// Breaks text at spaces into lines that fit; a word that is too long gets its own line.
 std::vector<std::string> wrapped(std::string_view text,
                                  const std::function<bool(const std::string& line)>& fits);
 
-/// The same for lines of so many characters, as one text.
+/// The same for a number of characters per line, as one text.
 std::string wrapped(std::string_view text, std::size_t columns);
 
-/// Whether a name has this suffix, written in small letters; capitals in the name do not matter.
+/// Whether a name ends in this lower-case suffix, ignoring case.
 bool ends_in(std::string_view name, std::string_view suffix);
 
-/// A line "Did you mean ...?" for the name that the word is a misspelling of; "" for none.
+/// A line "Did you mean ...?" with the name that the word may misspell; "" if there is none.
 std::string hint(std::string_view word, const std::vector<std::string>& names);
 
-/// Characters in UTF-8 text.
+/// Number of characters in UTF-8 text.
 std::size_t characters(std::string_view text);
 
 /// "1 cycle", "2 cycles".

@@ -132,8 +132,8 @@ class Denoise(CommandTest):
         self.assertTrue(text.startswith(f"noisy.bvh: {moved} of {points} points moved"), text)
         for c, column in enumerate(found["columns"]):
             row = next(l.split() for l in text.splitlines() if l.split()[:1] == [str(c + 1)])
-            self.assertEqual(int(row[4]), column["moved"])
-            for shown, name in zip(row[1:4], ("noise", "gamma", "shift")):
+            self.assertEqual(int(row[3]), column["moved"])
+            for shown, name in ((row[1], "noise"), (row[2], "gamma"), (row[4], "shift")):
                 self.assertAlmostEqual(float(shown) / column[name], 1, delta=1e-3)
 
     def test_a_model_from_standard_input(self):

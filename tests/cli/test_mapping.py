@@ -44,7 +44,7 @@ class Mapping(CommandTest):
         far = write_csv("far.csv", [[50 + math.cos(t), 50.0, 0.0] for t in range(40)])
         found = self.json("map", model, far, "--fps", "30")
         self.assertEqual(found["beyond"]["stretches"], [{"begin": 0, "end": 40}])
-        self.assertIn("40 beyond", self.done("map", model, far, "--fps", "30").decode())
+        self.assertIn("40 outside", self.done("map", model, far, "--fps", "30").decode())
 
     def test_rows_in_the_json(self):
         model = self.model(circle(), "--fps", "30")
@@ -73,7 +73,7 @@ class Mapping(CommandTest):
         points, poses = self.folder / "y.npy", self.folder / "poses.bvh"
         mapped = self.json("map", model, walk(), "-o", points)
         self.assertEqual(mapped["fps"], 120)
-        seconds = f"{mapped['rows']}, 120 a second ({mapped['rows'] / 120:.2f} s)"
+        seconds = f"{mapped['rows']}, 120 per second ({mapped['rows'] / 120:.2f} s)"
         self.assertIn(seconds, self.done("map", model, walk()).decode())
         text = self.done("unmap", model, points, "--fps", "120", "-o", poses).decode()
         self.assertIn(seconds, text)

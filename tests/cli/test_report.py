@@ -47,10 +47,10 @@ class Reports(CommandTest):
     def test_dimension(self):
         found = self.json("dimension", walk())
         text = self.done("dimension", walk()).decode("ascii")
-        told = re.search(r"dimension (\d+|cannot tell) by local PCA, (\d+|cannot tell) by", text)
+        told = re.search(r"dimension (\d+|undetermined) \(local PCA\), (\d+|undetermined) \(eigengap\)", text)
         for shown, name in zip(told.groups(), ("local_pca", "eigengap")):
             expected = found[name]["dimension"]
-            self.assertEqual(shown, "cannot tell" if expected is None else str(expected))
+            self.assertEqual(shown, "undetermined" if expected is None else str(expected))
         shares = [r for r in self.rows(text, "direction")]
         for row, share in zip(shares, found["local_pca"]["shares"]):
             self.assertAlmostEqual(float(row[1]), share, delta=0.0001)
@@ -61,7 +61,7 @@ class Reports(CommandTest):
         text = self.done("info", walk()).decode("ascii")
         found = self.json("info", walk())
         self.assertTrue(
-            text.startswith(f"walk120.bvh: {found['clip']['frames']} frames of BVH at 120 a second")
+            text.startswith(f"walk120.bvh: BVH, {found['clip']['frames']} frames at 120 per second")
         )
         self.assertIn(f"{len(found['joints'])} (with ", text)
         self.assertIn("frame rate unknown", self.done("info", circle()).decode("ascii"))

@@ -130,7 +130,7 @@ class Untrustworthy(CommandTest):
         self.assertIn("nothing moves", self.fails(4, "fit", still()))
         result = run("dimension", still())
         self.assertEqual(result.returncode, 4)
-        self.assertIn(b"cannot tell by local PCA, cannot tell by the eigengap", result.stdout)
+        self.assertIn(b"undetermined (local PCA), undetermined (eigengap)", result.stdout)
         self.assertIn(b"nothing moves", result.stdout)
         self.assertIn(b"hold 95 %", result.stdout)
 

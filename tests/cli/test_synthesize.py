@@ -171,7 +171,7 @@ class Synthesize(CommandTest):
         self.fails(2, "synthesize", walk())
         self.fails(2, "synthesize", walk(), "-o", self.folder / "x.svg")
         self.assertIn("'bset'", self.fails(2, "synthesize", f"{walk()}:bset", "-o", out))
-        self.assertIn("how often", self.fails(2, "synthesize", f"{walk()}*0", "-o", out))
+        self.assertIn("at least 1", self.fails(2, "synthesize", f"{walk()}*0", "-o", out))
         self.fails(2, "synthesize", f"{walk()}:500-400", "-o", out)
         for beyond in ("0-100000", "0s-1e300s", "0s-infs", "infs-infs"):
             message = self.fails(2, "synthesize", f"{walk()}:{beyond}", "-o", out)

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double small_font = 9.5;
 
-/// Where things go: bars above, then inside the frame postures, curve, postures.
+/// Layout: bars above the frame; inside it postures, the curve, postures.
 struct Layout {
     Rect frame;
     Scale time;  ///< frame number to x
@@ -47,7 +47,7 @@ Point curve_point(const Figure& figure, const Layout& layout, std::int64_t sampl
             layout.value(figure.curve[static_cast<std::size_t>(sample)])};
 }
 
-/// The point of the curve at a frame, between two samples where need be.
+/// The point of the curve at a frame, interpolated between samples.
 Point curve_at(const Figure& figure, const Layout& layout, std::int64_t frame) {
     const double at = static_cast<double>(frame - figure.first) / static_cast<double>(figure.step);
     const auto last = static_cast<std::int64_t>(figure.curve.size()) - 1;
@@ -69,7 +69,7 @@ void draw_bands(Svg& svg, const Figure& figure, const Layout& layout) {
     }
 }
 
-/// A stronger band behind the representative cycle, a dashed line at every margin.
+/// A darker band behind the representative cycle, a dashed line at every margin.
 void draw_margins(Svg& svg, const Figure& figure, const Layout& layout) {
     const char* color = unit_colors(STLTSA_UNIT_CYCLIC).line;
     if (figure.representative >= 0) {
@@ -130,7 +130,7 @@ void draw_value_axis(Svg& svg, const Figure& figure, const Layout& layout) {
 
 constexpr double number_row = 12; // for the frame number beside a posture
 
-/// One posture above (even slots) or below (odd) the curve, tied to its point.
+/// One posture above (even slots) or below (odd slots) the curve, connected to its point.
 void draw_posture(Svg& svg, const Figure& figure, const Layout& layout, const PosturePlan& plan,
                   std::size_t slot) {
     const std::int64_t frame = plan.frames[slot];

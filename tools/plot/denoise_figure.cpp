@@ -24,14 +24,14 @@ constexpr double right = 14;
 constexpr double panel_height = 150;
 constexpr double axis_height = 34;
 constexpr double small_font = 9.5;
-/// More would be a page too long for the eye.
+/// More would not fit on a page.
 constexpr std::int64_t most_columns = 3;
 
 const char* const curve_color = unit_colors(STLTSA_UNIT_CYCLIC).line;
 constexpr double band_opacity = 0.22;
 const char* const moved_color = unit_colors(STLTSA_UNIT_FINAL).line;
 
-/// One column, before or after.
+/// One coordinate, before or after denoising.
 struct Panel {
     const DenoiseFigure& figure;
     std::int64_t column;
@@ -46,7 +46,7 @@ struct Panel {
     double gamma() const { return figure.gammas[static_cast<std::size_t>(column)]; }
 };
 
-/// That of both panels, so that they can be compared.
+/// The common range of both panels, so that they can be compared.
 std::pair<double, double> range_of(const DenoiseFigure& figure, std::int64_t column) {
     double low = INFINITY;
     double high = -HUGE_VAL;
@@ -114,7 +114,7 @@ void for_pieces(const DenoiseFigure& figure, Draw draw) {
     }
 }
 
-/// Within gamma of the curve; cut off at the frame.
+/// The band within gamma of the curve, clipped to the frame.
 void draw_band(Svg& svg, const Panel& panel) {
     const auto held = [&](Point p) {
         return Point{p.x, std::clamp(p.y, panel.frame.y, panel.frame.bottom())};
@@ -143,7 +143,7 @@ void draw_curve(Svg& svg, const Panel& panel) {
     });
 }
 
-/// Rings, and filled dots where a point was moved; one of those that would lie on one another.
+/// Circles, filled if the point was moved; of coinciding ones only one.
 void draw_points(Svg& svg, const Panel& panel, bool moved) {
     std::set<std::pair<long, long>> taken;
     if (moved)
@@ -167,7 +167,7 @@ void draw_panel(Svg& svg, const Panel& panel, const std::string& name, bool with
     draw_points(svg, panel, true);
 }
 
-/// What the marks mean, in one row; y is the text's.
+/// The meaning of the marks, in one row; `y`: base line of the text.
 void draw_key(Svg& svg, double y) {
     const double middle = y - 3.5;
     svg.circle({left + 4, middle}, 1.6,
@@ -180,7 +180,7 @@ void draw_key(Svg& svg, double y) {
     svg.text({left + 222, y}, Anchor::start, "fitted curve");
     svg.rect({left + 310, middle - 5, 20, 10},
              {{"fill", curve_color}, {"fill-opacity", band_opacity}});
-    svg.text({left + 336, y}, Anchor::start, "within gamma of it");
+    svg.text({left + 336, y}, Anchor::start, "within gamma of the curve");
 }
 
 double draw_facts(Svg& svg, const DenoiseFigure& figure, double y) {

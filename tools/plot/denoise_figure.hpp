@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Coordinates before and after denoising with the curve fitted to them (as Fig. 2 of the paper).
+// Coordinates before and after denoising, with the fitted curve (Fig. 2 of the paper).
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ struct DenoiseFigure {
     double fps = 0;         ///< of the source; 0: unknown, the axis counts frames
     std::int64_t first = 0; ///< row i is frame first + i * step
     std::int64_t step = 1;
-    std::vector<std::int64_t> lengths; ///< rows of each piece: no line leads from one to the next
+    std::vector<std::int64_t> lengths; ///< rows of each piece; pieces are not connected
     stltsa::Matrix before;             ///< rows x columns, as the next two
     stltsa::Matrix after;
     stltsa::Matrix curve;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The picture of a clip: the manifold curve over time with units, cycles and postures (as Fig. 3
-// of the paper), and the loop of two coordinates with frame numbers (as Fig. 1).
+// The figure of a clip: the curve over time with units, cycles and postures (Fig. 3 of the paper),
+// and the loop of two coordinates with frame numbers (Fig. 1).
 #pragma once
 
 #include <cstdint>
@@ -16,15 +16,15 @@ namespace tool::plot {
 
 struct Figure {
     std::string title;
-    std::string summary;            ///< what was found, or why nothing was
+    std::string summary;            ///< the result, or the reason why there is none
     std::vector<std::string> facts; ///< lines below the key
     std::int64_t frames = 0;        ///< of the source
     double fps = 0;                 ///< of the source; 0: unknown, the axis counts frames
     std::int64_t first = 0;         ///< sample i is frame first + i * step
     std::int64_t step = 1;
     std::string curve_name;
-    std::vector<double> curve;        ///< a value per sample
-    std::vector<std::int64_t> pieces; ///< per sample: no line leads to another piece; empty: one
+    std::vector<double> curve;        ///< one value per sample
+    std::vector<std::int64_t> pieces; ///< per sample: pieces are not connected; empty: one piece
     std::vector<std::string> loop_names;
     stltsa::Matrix loop; ///< samples x 2; empty: no second panel
     std::vector<stltsa::Interval> units;
@@ -33,9 +33,9 @@ struct Figure {
     std::optional<SideView> bodies;
 
     std::int64_t frame_of(std::int64_t sample) const { return first + sample * step; }
-    /// Seconds, or frames where the rate is unknown.
+    /// Seconds, or frames if the rate is unknown.
     double time_of(double frame) const { return fps > 0 ? frame / fps : frame; }
-    /// The unit that a frame is in, as STLTSA_UNIT_*; 0: none.
+    /// The unit of a frame, as STLTSA_UNIT_*; 0: none.
     std::int32_t unit_at(std::int64_t frame) const;
 };
 

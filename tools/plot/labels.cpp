@@ -8,13 +8,13 @@
 namespace tool::plot {
 namespace {
 
-/// Advance of a character in ems, by class of width.
+/// Advance width of a character in ems, estimated by class.
 double advance(char c) {
     constexpr std::string_view narrow = " !'(),-./:;I[]fijlrt|";
     constexpr std::string_view wide = "%@GMOQWmw";
     const auto byte = static_cast<unsigned char>(c);
     if ((byte & 0xC0) == 0x80)
-        return 0; // the rest of a character
+        return 0; // continuation byte
     if (narrow.find(c) != std::string_view::npos)
         return 0.4;
     if (wide.find(c) != std::string_view::npos)

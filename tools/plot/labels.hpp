@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Text that does not run into other text.
+// Text that does not overlap other text.
 #pragma once
 
 #include <string>
@@ -10,17 +10,16 @@
 
 namespace tool::plot {
 
-/// Width of a line of text in DejaVu Sans, the widest font that may be used: the one that will be
-/// used is not known.
+/// Width of a line of text in DejaVu Sans, the widest font that a viewer may use.
 double text_width(std::string_view text, double font_size);
 
-/// Cuts text at blanks into lines of at most `width`.
+/// Breaks text at spaces into lines of at most `width`.
 std::vector<std::string> lines_of(std::string_view text, double font_size, double width);
 
-/// The text, or as much of its end as `width` holds.
+/// The text, or "..." and as much of its end as fits.
 std::string shortened(std::string_view text, double font_size, double width);
 
-/// Remembers what is taken.
+/// Keeps track of occupied areas.
 class LabelSpace {
   public:
     bool free(const Rect& box) const;

@@ -15,7 +15,7 @@ constexpr double font = 9.5;
 constexpr int most_numbers = 16;
 constexpr double air = 22; // between the frame and the loop, for numbers outside it
 
-/// Samples to points, one scale for both axes, the loop in the middle.
+/// Points of the samples, with one scale for both axes and the loop centered.
 std::vector<Point> loop_points(const stltsa::Matrix& loop, const Rect& area) {
     Point low{INFINITY, INFINITY};
     Point high{-HUGE_VAL, -HUGE_VAL};
@@ -69,7 +69,7 @@ struct Numbered {
     Point at;
 };
 
-/// Round frame numbers and where they lie on the loop, between two samples where need be.
+/// Round frame numbers and their points on the loop, interpolated between samples.
 std::vector<Numbered> numbered_points(const Figure& figure, const std::vector<Point>& points) {
     const auto last = static_cast<std::int64_t>(points.size()) - 1;
     const double span = static_cast<double>(std::max<std::int64_t>(1, last * figure.step));
@@ -87,7 +87,7 @@ std::vector<Numbered> numbered_points(const Figure& figure, const std::vector<Po
     return numbered;
 }
 
-/// The eight places for a number around its point, nearest to `outward` first.
+/// The eight positions for a number around its point, closest to direction `outward` first.
 std::vector<Rect> places(Point at, double width, Point outward) {
     constexpr double height = font;
     constexpr double distance = 4;
@@ -111,7 +111,7 @@ std::vector<Rect> places(Point at, double width, Point outward) {
     return boxes;
 }
 
-/// The lines as points close enough together that none can pass a number unseen.
+/// Points on the lines, close enough together that no line passes a number unnoticed.
 std::vector<Point> dense(const std::vector<Point>& points) {
     constexpr double most_apart = 2;
     std::vector<Point> result;
@@ -139,8 +139,8 @@ Point away_from(Point center, Point at) {
     return {(at.x - center.x) / length, (at.y - center.y) / length};
 }
 
-/// Writes a number where it covers no other number and as little of the curve as can be; leaves
-/// it out where there is no room.
+/// Writes a number where it covers no other number and as little of the curve as possible; omits it
+/// if there is no room.
 void draw_number(Svg& svg, const std::string& text, Point at, Point outward,
                  const std::vector<Point>& line, LabelSpace& space) {
     const Rect* best = nullptr;

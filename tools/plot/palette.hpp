@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Colors that stay apart for the color-blind and in gray: Okabe and Ito, "Color Universal Design",
-// 2008.
+// Colors that remain distinct for color-blind readers and in gray: Okabe and Ito, "Color Universal
+// Design", 2008.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ struct UnitColors {
     const char* text; ///< on the bar
 };
 
-/// Of a STLTSA_UNIT_*; any other value: the color of a curve that is not cut.
+/// Colors of a STLTSA_UNIT_*; any other value: those of a curve without units.
 UnitColors unit_colors(std::int32_t kind);
 
 inline constexpr const char* ink = "#222222";

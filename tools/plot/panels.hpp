@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The parts of the picture, each drawn into a rectangle of the paper.
+// The parts of the figure, each drawn into a rectangle.
 #pragma once
 
 #include <vector>
@@ -9,14 +9,14 @@
 
 namespace tool::plot {
 
-/// Samples [begin, end) that one line of one color joins; a line ends where the next begins, but
-/// for the last one of a piece.
+/// Samples [begin, end) that one line of one color connects. A line ends at the sample where the
+/// next begins, except for the last one of a piece.
 struct Stretch {
     std::int64_t begin = 0;
     std::int64_t end = 0;
     std::int32_t kind = 0;
 };
-/// The samples cut where the unit or the piece changes.
+/// The samples, split where the unit or the piece changes.
 std::vector<Stretch> stretches(const Figure& figure);
 
 void draw_curve_panel(Svg& svg, const Figure& figure, const Rect& area);

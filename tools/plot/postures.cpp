@@ -18,7 +18,7 @@ struct Size {
     double height = 0;
 };
 
-/// The widest and the tallest posture of the clip, looking at enough of its frames.
+/// The largest width and height of a posture, over a sample of the frames.
 Size largest_posture(const SideView& view) {
     Size size;
     const std::int64_t stride = std::max<std::int64_t>(1, view.frames() / frames_tried);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which postures stand along the curve, and how large.
+// Choice and size of the postures along the curve.
 #pragma once
 
 #include <cstdint>
@@ -11,13 +11,12 @@ namespace tool::plot {
 
 struct PosturePlan {
     std::vector<std::int64_t> frames; ///< one per slot, in order of time
-    double scale = 1;                 ///< paper over file unit
+    double scale = 1;                 ///< figure units per file unit
 };
 
-/// Slots of equal width share `width`; figures stand above and below the curve in turns, so that
-/// each has the room of two slots, and are at most `height` tall. In each slot the frame nearest
-/// its middle where something happens (a border, a margin, an extremum of the curve) is shown,
-/// else the middle.
+/// Divides `width` into equal slots. Postures alternate above and below the curve, so each has room
+/// for two slots; they are at most `height` tall. Each slot shows the event nearest to its middle
+/// (a border, a margin, an extremum of the curve), or else its middle frame.
 PosturePlan plan_postures(const Figure& figure, double width, double height);
 
 } // namespace tool::plot

@@ -6,7 +6,7 @@
 
 namespace tool::plot {
 
-/// From values to positions on the paper.
+/// From values to positions in the figure.
 struct Scale {
     double from = 0; ///< value at `start`
     double to = 1;   ///< value at `end`
@@ -18,14 +18,14 @@ struct Scale {
     }
 };
 
-/// 1, 2 or 5 times a power of ten: the smallest such that at most `most` steps fill `length`.
+/// The smallest 1, 2 or 5 times a power of ten such that at most `most` steps fill `length`.
 double nice_step(double length, int most);
 
 struct Tick {
     double value = 0;
     std::string label;
 };
-/// Multiples of a nice step within [from, to], with as many decimals as the step has.
+/// Multiples of a nice step within [from, to], with the step's number of decimals.
 std::vector<Tick> nice_ticks(double from, double to, int most);
 
 } // namespace tool::plot

@@ -22,7 +22,7 @@ constexpr double posture_height = 92;
 constexpr double small_font = 9.5;
 constexpr double note_font = 10.5;
 
-/// Those frames of a strip that the clip has.
+/// The frames of a strip that exist in the clip.
 std::vector<std::int64_t> frames_of(const Strip& strip, std::int64_t count) {
     std::vector<std::int64_t> frames;
     for (std::int64_t i = 0; i < strip_postures; ++i) {
@@ -33,7 +33,7 @@ std::vector<std::int64_t> frames_of(const Strip& strip, std::int64_t count) {
     return frames;
 }
 
-/// Paper over file unit, such that the largest posture that is shown has room.
+/// Figure units per file unit, such that the largest posture fits.
 double scale_of(const SeamFigure& figure) {
     constexpr double air = 2;
     Rect largest;
@@ -53,8 +53,7 @@ double place(const Strip& strip, double frame) {
            slot * (frame - static_cast<double>(strip.middle)) / static_cast<double>(strip.step);
 }
 
-/// The frames that are blended, and the line between the last frame of one piece and the first of
-/// the other.
+/// The blended frames, and the line between the last frame of one piece and the first of the next.
 void draw_seam(Svg& svg, const Strip& strip, double top, double ground) {
     const double seam = static_cast<double>(strip.middle) - 0.5;
     const auto blended = static_cast<double>(strip.crossfade);
@@ -75,7 +74,7 @@ double draw_note(Svg& svg, const std::string& note, double y) {
     return y;
 }
 
-/// Returns where it ends.
+/// Returns the y at which the strip ends.
 double draw_strip(Svg& svg, const SeamFigure& figure, const Strip& strip, double scale, double y) {
     svg.text({left, y += 20}, Anchor::start, shortened(strip.heading, 13, right - left),
              {{"font-weight", "bold"}});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Strips of postures across the seams of new motion, as one would watch them.
+// Strips of postures across the seams of new motion, in the order of time.
 #pragma once
 
 #include <cstdint>
@@ -10,17 +10,16 @@
 
 namespace tool::plot {
 
-/// Postures of every `step`th frame to both sides of a frame.
+/// Postures of every `step`-th frame on both sides of a frame.
 struct Strip {
     std::string heading;
     std::string note;
     std::int64_t middle = 0;
     std::int64_t step = 1;
-    std::int64_t crossfade =
-        -1; ///< frames to each side of the middle that are blended; -1: no seam
+    std::int64_t crossfade = -1; ///< blended frames on each side of the middle; -1: no seam
 };
 
-/// Postures of a strip: as many before its middle as after it.
+/// Number of postures in a strip: as many before its middle as after it.
 inline constexpr std::int64_t strip_postures = 13;
 
 struct SeamFigure {

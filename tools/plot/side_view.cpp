@@ -8,7 +8,7 @@
 namespace tool::plot {
 namespace {
 
-/// The value below which a share of the values lies.
+/// The quantile of the values.
 double quantile(std::vector<double> values, double share) {
     const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
     std::nth_element(values.begin(), values.begin() + at, values.end());
@@ -78,7 +78,8 @@ void SideView::find_forward() {
         forward_ = direction_of_toes(mean);
 }
 
-/// Mean velocity of the root as the body feels it; nothing when the body mostly stays in place.
+/// Direction of the root's net motion in the body's heading; empty if the body mostly stays in
+/// place.
 std::optional<Point> SideView::direction_of_travel(double body_height) const {
     const int first = (bodies_.up + 1) % 3;
     const int second = (bodies_.up + 2) % 3;
@@ -98,8 +99,9 @@ std::optional<Point> SideView::direction_of_travel(double body_height) const {
     return Point{net.x / length, net.y / length};
 }
 
-/// Across the axis along which the mean posture is widest (shoulders, hips, arms), to the side
-/// that the lowest bones (feet) point to. `mean` is given with forward = first, right = -second.
+/// Perpendicular to the axis along which the mean posture is widest (shoulders, hips, arms),
+/// towards the side to which the lowest bones (feet) point. In `mean`, forward = first and right =
+/// -second.
 Point SideView::direction_of_toes(const std::vector<Body>& mean) const {
     double xx = 0, xy = 0, yy = 0;
     for (const Body& point : mean) {
@@ -122,7 +124,8 @@ Point SideView::direction_of_toes(const std::vector<Body>& mean) const {
     return feet < 0 ? Point{-across.x, -across.y} : across;
 }
 
-/// A floor, so that a jump shows; where the body climbs, the lowest joint of each frame.
+/// One floor for all frames, so that a jump is visible; if the body climbs, the lowest joint of
+/// each frame.
 void SideView::find_ground() {
     std::vector<double> lowest;
     double tallest = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A body seen from its right: the postures of a clip on the plane in which it walks, or, where it
-// does not travel, on its plane of symmetry. Needs no joint names.
+// A body seen from its right: its postures projected onto the plane in which it walks or, if it
+// does not travel, onto its plane of symmetry. Needs no joint names.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ struct Joint {
     std::int64_t parent = -1;
 };
 
-/// A skeleton and its motion, as the library tells them.
+/// A skeleton and its motion, from the library.
 struct Bodies {
     std::vector<Joint> joints; ///< parents first
     stltsa::Matrix positions;  ///< frames x (3 * joints), world
@@ -42,7 +42,7 @@ class SideView {
     /// One point per joint: x forward of the root, y up from the ground, in the file's unit.
     std::vector<Point> posture(std::int64_t frame) const;
     const std::vector<Bone>& bones() const { return bones_; }
-    /// The bone that is the head, where a joint is named so.
+    /// The bone of the head, if a joint has that name.
     const std::optional<Bone>& head() const { return head_; }
     std::int64_t frames() const { return bodies_.positions.rows; }
 

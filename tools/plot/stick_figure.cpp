@@ -11,7 +11,7 @@
 namespace tool::plot {
 namespace {
 
-/// Every bone of one depth as one path: one color, one element.
+/// All bones of one depth as one path, one element of one color.
 std::string bones_path(const SideView& view, const std::vector<Point>& points, Depth depth) {
     std::string path;
     for (const Bone& bone : view.bones())

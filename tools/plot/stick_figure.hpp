@@ -8,11 +8,11 @@
 
 namespace tool::plot {
 
-/// Smallest box around a posture, in the file's unit, y up, the ground included.
+/// Smallest box around a posture and the ground, in file units, y up.
 Rect posture_box(const SideView& view, std::int64_t frame);
 
-/// Draws the posture of a frame; `ground` is the point of the paper that the middle of the body
-/// stands on, `scale` the paper's unit over the file's.
+/// Draws the posture of a frame; `ground`: the point of the figure on which the middle of the body
+/// stands; `scale`: figure units per file unit.
 void draw_stick_figure(Svg& svg, const SideView& view, std::int64_t frame, Point ground,
                        double scale);
 

@@ -32,7 +32,7 @@ std::string_view escape_of(char c) {
     }
 }
 
-/// Points nearer than this to the one before cannot be told from it on paper.
+/// Points closer than this to the previous one are indistinguishable from it.
 constexpr double finest = 0.1;
 
 } // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Just enough SVG: elements with attributes, numbers of fixed precision, text that is escaped.
-// Debian has no small library for it, and what a figure needs is these few lines.
+// The SVG that the figures need: elements with attributes, numbers of fixed precision, escaped
+// text. Debian has no small library for it.
 #pragma once
 
 #include <initializer_list>
@@ -10,7 +10,7 @@
 
 namespace tool::plot {
 
-/// Two decimals at most, "." as the point, never "-0": the same bytes everywhere.
+/// At most two decimals, with a decimal point, never "-0": the same bytes everywhere.
 std::string number(double value);
 
 /// Text as XML: markup escaped; characters that XML 1.0 forbids become U+FFFD.
@@ -53,8 +53,8 @@ class Svg {
     void circle(Point center, double radius, Attributes attributes);
     void polyline(const std::vector<Point>& points, Attributes attributes);
     void text(Point at, Anchor anchor, std::string_view content, Attributes attributes = {});
-    /// Text that is written over something else: a copy behind it, in white and wider, keeps that
-    /// off. (Not all programs know "paint-order", which would do the same.)
+    /// Text over other drawing, with a wider white copy behind it. ("paint-order" would do the
+    /// same, but not all programs support it.)
     void text_with_halo(Point at, Anchor anchor, std::string_view content, double font_size,
                         std::string_view its_class);
 

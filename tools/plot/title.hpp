@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What stands on top of every figure.
+// The title of every figure.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace tool::plot {
 
-/// A line for the title, as many as needed for the summary, between the edges `left` and `right`;
-/// returns the last one's y.
+/// One line for the title and as many as needed for the summary, between `left` and `right`.
+/// Returns the y of the last line.
 double draw_title(Svg& svg, const std::string& title, const std::string& summary, double left,
                   double right);
 
