@@ -132,7 +132,7 @@ class Untrustworthy(CommandTest):
         self.assertEqual(result.returncode, 4)
         self.assertIn(b"undetermined (local PCA), undetermined (eigengap)", result.stdout)
         self.assertIn(b"nothing moves", result.stdout)
-        self.assertIn(b"hold 95 %", result.stdout)
+        self.assertIn(b"explain 95 %", result.stdout)
 
     def test_too_few_frames(self):
         few = write_csv("few.csv", [[0, 1], [1, 0], [2, 2]])
