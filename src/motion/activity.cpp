@@ -12,11 +12,11 @@
 namespace stltsa::motion {
 namespace {
 
-/// Limbs need longer than this to start or stop; noise of the capture is faster.
+/// Limbs take longer than this to start or stop; capture noise is faster.
 constexpr double speed_smoothing_s = 0.1;
-/// Slower than this share of the typical speed is no motion. Gait never gets below 0.45.
+/// Below this share of the typical speed a sample does not count as motion. Gait stays above 0.45.
 constexpr double moving_level = 0.4;
-/// Slower than this share of the samples' size, per sample, is rounding.
+/// Speeds per sample below this share of the largest value are rounding.
 constexpr double rounding = 1e-12;
 
 double largest(ConstMatrixView samples) {
@@ -27,14 +27,14 @@ double largest(ConstMatrixView samples) {
     return size;
 }
 
-/// The median over the way instead of over time: long standing does not lower it.
+/// The median over the distance covered instead of over time: long standing does not lower it.
 double typical_speed(std::vector<double> speed) {
     std::sort(speed.begin(), speed.end(), std::greater<>());
-    const double way = std::accumulate(speed.begin(), speed.end(), 0.0);
+    const double distance = std::accumulate(speed.begin(), speed.end(), 0.0);
     double covered = 0;
     for (const double v : speed) {
         covered += v;
-        if (covered >= way / 2)
+        if (covered >= distance / 2)
             return v;
     }
     return 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How fast the body moves at each sample, against what is usual in this clip.
+// Speed of the body at each sample, relative to the typical speed of the clip.
 #pragma once
 
 #include <cstdint>
@@ -10,12 +10,12 @@
 
 namespace stltsa::motion {
 
-/// Whether a sample of this level (see below) counts as motion.
+/// Whether a sample of this activity level counts as motion.
 bool is_moving(double level);
 
 struct Activity {
     std::vector<double> speed; ///< of the pose, in feature units per sample
-    double typical = 0;        ///< half of the way is covered at this speed or faster; 0: no motion
+    double typical = 0; ///< half of the distance is covered at this speed or faster; 0: no motion
     std::vector<double> level; ///< speed / typical, at most 1: the weight of a sample
 
     std::int64_t samples() const { return static_cast<std::int64_t>(speed.size()); }
@@ -28,7 +28,7 @@ struct Activity {
     }
 };
 
-/// How far the pose, smoothed by `sigma` samples, moves per sample.
+/// Change of the pose per sample, after smoothing by `sigma` samples.
 std::vector<double> pose_speed(ConstMatrixView samples, double sigma);
 
 Activity measure_activity(ConstMatrixView samples, double fps);
@@ -39,8 +39,8 @@ struct Span {
     std::int64_t count = 0;
 };
 
-/// From the first moving sample to the last one, and `margin` samples more to each side where the
-/// clip has them; everything where nothing moves.
+/// From the first moving sample to the last, extended by up to `margin` samples to each side; all
+/// samples if nothing moves.
 Span moving_span(const Activity& activity, std::int64_t margin);
 
 } // namespace stltsa::motion

@@ -8,7 +8,7 @@ namespace stltsa::motion {
 namespace {
 
 std::int64_t wanted(const Period& period, double fps) {
-    // With fewer a coordinate only follows time, with many more it loses its swing.
+    // With fewer neighbors a coordinate only follows time; with many more it stops oscillating.
     constexpr double cycles = 1.2;
     constexpr double seconds = 1.2;
     constexpr std::int64_t without_rate = 12;
@@ -20,7 +20,7 @@ std::int64_t wanted(const Period& period, double fps) {
 } // namespace
 
 std::int64_t choose_neighbors(const Period& period, double fps, const NeighborLimits& limits) {
-    // d tangents need d + 2 neighbors; a clip shorter than that is one neighborhood.
+    // d tangents need d + 2 neighbors; a clip shorter than that forms a single neighborhood.
     const std::int64_t enough =
         std::max<std::int64_t>(wanted(period, fps), limits.most_dimension + 2);
     return std::max<std::int64_t>(std::min(enough, limits.distinct - 1),

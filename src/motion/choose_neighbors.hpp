@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// k, the neighbors of each frame, if the caller names no number: for fits and decompositions.
+// Default k, the number of neighbors (paper, Table 1), for fits and decompositions.
 #pragma once
 
 #include <cstdint>
@@ -9,18 +9,18 @@
 
 namespace stltsa::motion {
 
-/// What the neighbors must be enough for, and what there is to choose from.
+/// Bounds on k.
 struct NeighborLimits {
-    std::int64_t distinct = 0; ///< frames that differ from the one before
-    int least_dimension = 1;   ///< tangent dimension that is needed
-    int most_dimension = 1;    ///< that is wanted if there are frames enough
+    std::int64_t distinct = 0; ///< frames that differ from the previous one
+    int least_dimension = 1;   ///< required tangent dimension
+    int most_dimension = 1;    ///< preferred tangent dimension, if there are enough frames
 };
 
-/// 1.2 periods, which makes a coordinate swing once per cycle; 1.2 seconds without a period; 12
-/// without a frame rate (fps 0). Limited to what the frames allow.
+/// 1.2 periods, so that a coordinate swings once per cycle; 1.2 seconds without a period; 12
+/// without a frame rate (fps 0). Bounded by the number of distinct frames.
 std::int64_t choose_neighbors(const Period& period, double fps, const NeighborLimits& limits);
 
-/// Frames that differ from the one before, the first included.
+/// Number of frames that differ from the previous one, including the first frame.
 std::int64_t distinct_frames(ConstMatrixView frames);
 
 } // namespace stltsa::motion

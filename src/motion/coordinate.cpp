@@ -7,10 +7,10 @@
 namespace stltsa::motion {
 namespace {
 
-/// A model of more dimensions follows the motion less simply: it must be better by this.
+/// A model with more dimensions is less simple: its cyclicity must be higher by this.
 constexpr double clearly_better = 0.1;
 
-/// Correlation of the coordinate with itself `lag` samples later, about the means of both parts.
+/// Correlation of the coordinate with itself `lag` samples later; each of the two has its own mean.
 double autocorrelation(std::span<const double> u, std::span<const double> level, std::size_t lag) {
     if (lag + 1 >= u.size())
         return 0;
@@ -36,12 +36,12 @@ double autocorrelation(std::span<const double> u, std::span<const double> level,
     return scale > 0 ? both / scale : 0;
 }
 
-/// The same for a lag between two samples.
+/// The same for a fractional lag, by linear interpolation.
 double autocorrelation_at(std::span<const double> u, std::span<const double> level, double lag) {
     const auto below = static_cast<std::size_t>(lag);
-    const double part = lag - std::floor(lag);
-    return (1 - part) * autocorrelation(u, level, below) +
-           part * autocorrelation(u, level, below + 1);
+    const double fraction = lag - std::floor(lag);
+    return (1 - fraction) * autocorrelation(u, level, below) +
+           fraction * autocorrelation(u, level, below + 1);
 }
 
 struct Column {
@@ -49,7 +49,7 @@ struct Column {
     double cyclicity;
 };
 
-/// The columns, the most cyclic one first.
+/// The columns in order of decreasing cyclicity.
 std::vector<Column> by_cyclicity(ConstMatrixView coords, std::span<const double> level,
                                  double period) {
     std::vector<Column> columns;

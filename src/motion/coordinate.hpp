@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which coordinate of which embedding swings once per cycle.
+// Chooses the coordinate that swings once per cycle.
 #pragma once
 
 #include <optional>
@@ -11,8 +11,8 @@
 namespace stltsa::motion {
 
 /// Half of (autocorrelation at one period - at half a period), samples weighted by their activity
-/// level. 1: swings to and fro once per period; near 0: only follows time; negative: twice per
-/// period.
+/// level. 1: one swing back and forth per period; near 0: only follows time; negative: two swings
+/// per period.
 double cyclicity(std::span<const double> coordinate, std::span<const double> level, double period);
 
 struct Coordinate {
@@ -21,21 +21,21 @@ struct Coordinate {
     double cyclicity = -1;
 };
 
-/// The best column of all models, or of the one of `dimension` (0: all); of a model with more
-/// columns only if it is clearly better. The models' rows are the samples of `level`.
+/// The most cyclic column of all models, or of the model with `dimension` columns (0: all). A model
+/// with more columns must be clearly better. The models' rows are the samples of `level`.
 Coordinate choose_coordinate(const std::vector<ltsa::Model>& models, int dimension,
                              std::span<const double> level, double period);
 
-/// Two columns of one model that make a loop when drawn against each other.
+/// Two columns of one model that form a loop when plotted against each other (paper, Fig. 1).
 struct Loop {
     std::size_t model = 0;
     std::int64_t first = 0;
     std::int64_t second = 1;
 };
 
-/// The two most cyclic columns of the model whose second one is best: where the second swings
-/// twice per cycle, they draw an eight. Of models with more columns only where clearly better; none
-/// where all models have one column.
+/// The two most cyclic columns of the model whose second column is most cyclic: a second column
+/// that swings twice per cycle would form a figure eight. A model with more columns must be clearly
+/// better. Empty if all models have one column.
 std::optional<Loop> choose_loop(const std::vector<ltsa::Model>& models,
                                 std::span<const double> level, double period);
 

@@ -11,17 +11,17 @@ namespace {
 
 constexpr std::int64_t phases = 32;
 
-/// The poses of a cycle at equally spaced phases, one after another, linear between samples.
+/// The poses of a cycle at equally spaced phases, interpolated linearly.
 void poses_at_phases(const Cycle& cycle, ConstMatrixView samples, double* poses) {
     for (std::int64_t p = 0; p < phases; ++p) {
         const double at = cycle.begin + (cycle.end - cycle.begin) * static_cast<double>(p) / phases;
         const auto before = std::clamp(static_cast<std::int64_t>(at), std::int64_t{0},
                                        std::max<std::int64_t>(0, samples.rows - 2));
         const std::int64_t after = std::min(before + 1, samples.rows - 1);
-        const double part = at - static_cast<double>(before);
+        const double fraction = at - static_cast<double>(before);
         for (std::int64_t c = 0; c < samples.cols; ++c)
             poses[p * samples.cols + c] =
-                (1 - part) * samples(before, c) + part * samples(after, c);
+                (1 - fraction) * samples(before, c) + fraction * samples(after, c);
     }
 }
 
@@ -44,12 +44,12 @@ std::int64_t most_typical(const std::vector<Cycle>& cycles, ConstMatrixView samp
         poses_at_phases(cycles[static_cast<std::size_t>(i)], samples, poses.row(i));
         axpy(1 / static_cast<double>(count), poses.row(i), mean.data(), poses.cols());
     }
-    // The sum of squared distances to all cycles is least for the one nearest to their mean.
+    // The cycle nearest to the mean has the least sum of squared distances to all cycles.
     std::int64_t best = 0;
     double least = squared_distance(poses.row(0), mean.data(), poses.cols());
     for (std::int64_t i = 1; i < count; ++i) {
         const double distance = squared_distance(poses.row(i), mean.data(), poses.cols());
-        // Of two cycles both are equally far from the mean, but for rounding.
+        // Two cycles are equally far from their mean, except for rounding.
         if (distance < least * (1 - 1e-9)) {
             least = distance;
             best = i;

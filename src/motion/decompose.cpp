@@ -18,21 +18,21 @@ namespace stltsa::motion {
 namespace {
 
 constexpr std::int64_t least_samples = 4;
-/// The curve is smoothed by this share of a cycle: less than a sixteenth of it is a detail.
+/// Sigma of the curve's smoothing as a share of a cycle: removes details below a sixteenth of one.
 constexpr double curve_smoothing = 0.06;
-/// What a cycle of human motion takes where nothing is known.
+/// Assumed length of a cycle if no period is known.
 constexpr double usual_cycle_s = 1.2;
 
 void check(ConstMatrixView samples, double fps) {
     ltsa::check_frames(samples, {&samples.rows, 1});
     if (!(fps > 0))
-        fail(Status::argument, "a frame rate of {} was given; it must be positive", fps);
+        fail(Status::argument, "the frame rate is {}; it must be positive", fps);
     if (samples.rows < least_samples)
         fail(Status::too_few_frames, "{} samples are too few to decompose; at least {} are needed",
              samples.rows, least_samples);
 }
 
-/// What there is of a clip that has not been embedded.
+/// The result without an embedding.
 Decomposition blank(const Embedding& embedding, const Period& period, std::int64_t samples) {
     Decomposition result;
     result.parameters = embedding.parameters;
@@ -44,9 +44,9 @@ Decomposition blank(const Embedding& embedding, const Period& period, std::int64
     return result;
 }
 
-/// The coordinate and the loop to show, of all samples. `cut`: see cut_time.
+/// Sets the coordinates, the curve and the loop for all samples. `break_s`: see break_time.
 void show_embedding(const Embedding& embedding, const Coordinate& chosen,
-                    const std::optional<Loop>& loop, double cycle, double cut,
+                    const std::optional<Loop>& loop, double cycle, double break_s,
                     Decomposition& result) {
     const std::int64_t samples = result.loop.rows();
     const ltsa::Model& model = embedding.models[chosen.model];
@@ -55,8 +55,8 @@ void show_embedding(const Embedding& embedding, const Coordinate& chosen,
     result.coords = extended(model.coords, embedding.span, samples);
     result.curve = smooth(column_of(result.coords.view(), chosen.column), curve_smoothing * cycle);
     result.eigenvalues = model.components.front().eigenvalues;
-    if (!std::isnan(cut))
-        result.warnings.push_back(parts_warning(model, cut));
+    if (!std::isnan(break_s))
+        result.warnings.push_back(parts_warning(model, break_s));
     result.warnings.insert(result.warnings.end(), model.warnings.begin(), model.warnings.end());
     if (!loop)
         return;
@@ -67,43 +67,47 @@ void show_embedding(const Embedding& embedding, const Coordinate& chosen,
     }
 }
 
-void claim_cycles(const std::vector<double>& run, ConstMatrixView samples, double period,
-                  double fps, Decomposition& result) {
+void set_cycles(const std::vector<double>& margins, ConstMatrixView samples, double period,
+                double fps, Decomposition& result) {
     result.period = period;
-    result.units = cyclic_units(run, pose_speed(samples, border_smoothing(period, fps)), period);
-    result.cycles = cycles_between(run);
+    result.units =
+        cyclic_units(margins, pose_speed(samples, border_smoothing(period, fps)), period);
+    result.cycles = cycles_between(margins);
     result.representative = 0;
     result.best = most_typical(result.cycles, samples);
 }
 
-/// Cuts the chosen coordinate; result.reason says why not where there is nothing to cut.
-void cut(const Embedding& embedding, ConstMatrixView samples, const Activity& activity,
-         const Period& period, double fps, const DecomposeOptions& options, Decomposition& result) {
+/// Decomposes a clip with a period by its most cyclic coordinate (paper, section 3.1). If the
+/// evidence for cycles is too weak, result.reason says why.
+void decompose_cyclic(const Embedding& embedding, ConstMatrixView samples, const Activity& activity,
+                      const Period& period, double fps, const DecomposeOptions& options,
+                      Decomposition& result) {
     const auto level = activity.levels(embedding.span.first, embedding.span.count);
     const Coordinate chosen =
         choose_coordinate(embedding.models, options.dimension, level, period.samples);
     const auto& model = embedding.models[chosen.model];
-    const double cut = cut_time(embedding, model, fps, options.first_s);
+    const double break_s = break_time(embedding, model, fps, options.first_s);
     show_embedding(embedding, chosen, choose_loop(embedding.models, level, period.samples),
-                   period.samples, cut, result);
-    const auto run = longest_run(find_margins(result.curve, activity), period.samples);
+                   period.samples, break_s, result);
+    const auto margins = longest_sequence(find_margins(result.curve, activity), period.samples);
     const Evidence evidence =
-        weigh(run, samples, activity, column_of(result.coords.view(), chosen.column),
+        weigh(margins, samples, activity, column_of(result.coords.view(), chosen.column),
               chosen.cyclicity, period, fps);
     result.cyclicity = evidence.cyclicity;
     result.lag_quality = evidence.period.quality;
-    result.reason = model.components.size() > 1 ? fell_apart(model, cut) : doubt(evidence, fps);
+    result.reason =
+        model.components.size() > 1 ? disconnected(model, break_s) : doubt(evidence, fps);
     if (result.reason.empty())
-        claim_cycles(run, samples, evidence.period.samples, fps, result);
+        set_cycles(margins, samples, evidence.period.samples, fps, result);
 }
 
-/// Of a clip without a period: the paper's first coordinate, and the first two for the loop.
+/// For a clip without a period: the first coordinate, and the first two for the loop (Fig. 1).
 void show_first_coordinate(const Embedding& embedding, double cycle, double fps,
                            const DecomposeOptions& options, Decomposition& result) {
     const std::size_t last = embedding.models.size() - 1;
     const bool loop = embedding.models[last].coords.cols() > 1;
     show_embedding(embedding, {}, loop ? std::optional(Loop{last, 0, 1}) : std::nullopt, cycle,
-                   cut_time(embedding, embedding.models.front(), fps, options.first_s), result);
+                   break_time(embedding, embedding.models.front(), fps, options.first_s), result);
 }
 
 } // namespace
@@ -124,16 +128,16 @@ Decomposition decompose(ConstMatrixView samples, double fps, const DecomposeOpti
     } else if (embedding.models.empty()) {
         result.reason = embedding.problem;
     } else if (period.samples > 0) {
-        cut(embedding, samples, activity, period, fps, options, result);
+        decompose_cyclic(embedding, samples, activity, period, fps, options, result);
     } else {
         show_first_coordinate(embedding, cycle, fps, options, result);
         result.reason = no_period(activity, fps, options);
     }
     if (activity.typical > 0)
-        tell_obstacles(samples, options, result);
+        report_obstacles(samples, options, result);
     if (!result.reason.empty())
         result.units = action_units(activity, fps);
-    warn_of_motions(fps, options.first_s, result);
+    warn_about_motions(fps, options.first_s, result);
     progress.report(Stage::units, 1);
     return result;
 }

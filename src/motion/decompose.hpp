@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From the samples of a clip to its motion units and cycles (paper, section 3.1). Everything here
-// counts in samples of the given matrix; mapping to source frames is the caller's.
+// Decomposes the samples of a clip into motion units and cycles (paper, section 3.1). Times are in
+// samples of the given matrix; the caller maps them to source frames.
 #pragma once
 
 #include <cstdint>
@@ -23,10 +23,10 @@ enum class UnitKind : std::int32_t {
     cyclic = 3,
     final = 4,
     wind_up = 5,
-    action = 6, ///< something moves, and no cycle is claimed
+    action = 6, ///< motion without claimed cycles
 };
 
-/// [begin, end) in samples, fractions of a sample kept.
+/// [begin, end) in samples, not rounded.
 struct Unit {
     UnitKind kind = UnitKind::action;
     double begin = 0;
@@ -40,39 +40,39 @@ struct Cycle {
 
 struct DecomposeOptions {
     std::int64_t neighbors = 0; ///< 0: 1.2 periods
-    std::int64_t window = 0;    ///< 0: as neighbors
+    std::int64_t window = 0;    ///< 0: same as neighbors
     int dimension = 0;          ///< tangent dimension; 0: the best of 1 to 3
     ltsa::Mode mode = ltsa::Mode::temporal;
     double shortest_period = 0.3; ///< seconds
     double longest_period = 6.0;  ///< seconds
-    /// Whether to estimate the intrinsic dimension, and how.
+    /// How to estimate the intrinsic dimension; empty: not estimated.
     std::optional<ltsa::DimensionOptions> estimate;
     // For messages only.
     double first_s = 0; ///< time of the first sample
     std::string jump;   ///< where the pose jumps; empty: nowhere
     double jump_s = no_time;
-    bool in_space = false; ///< the samples may hold the body's way through space
+    bool in_space = false; ///< the samples may contain the body's path through space
     int threads = 1;
 };
 
 struct Decomposition {
-    // What was found.
-    double period = 0;       ///< samples; 0: none, or no cycle is claimed
+    // Units and cycles.
+    double period = 0;       ///< samples; 0: no cycle is claimed
     std::vector<Unit> units; ///< cover [0, samples) without gap or overlap
     std::vector<Cycle> cycles;
-    std::int64_t representative = -1; ///< paper: first to third candidate; index into cycles
-    std::int64_t best = -1;           ///< the cycle most like the others; index into cycles
-    std::string reason; ///< why no cycle is claimed, in words with numbers; else empty
+    std::int64_t representative = -1; ///< index of the cycle from the first to the third candidate
+    std::int64_t best = -1;           ///< index of the cycle most similar to the others
+    std::string reason;               ///< why no cycle is claimed, with numbers; empty if one is
 
-    // How it was found.
+    // Evidence and embedding.
     ltsa::Parameters parameters; ///< of the fit that was used
     int coordinate = 0;          ///< 1-based column of coords that `curve` shows; 0: no embedding
-    double cyclicity = 0;        ///< of that coordinate, at most 1; 0 where nothing repeats
-    double lag_quality = 0;      ///< 1 - D(T) of the best lag T; 0 where nothing repeats
-    std::optional<ltsa::Dimension> intrinsic; ///< of what was embedded, if asked for
-    Matrix coords;                            ///< samples x d of the fit used; zeros without one
-    Matrix loop;               ///< samples x 2, the two coordinates to show as a loop (Fig. 1)
-    std::vector<double> curve; ///< the smoothed coordinate that was cut, one per sample
+    double cyclicity = 0;        ///< of that coordinate, at most 1; 0 without a period
+    double lag_quality = 0;      ///< 1 - D(T) of the best lag T; 0 without a period
+    std::optional<ltsa::Dimension> intrinsic; ///< of the embedded samples, if requested
+    Matrix coords;                            ///< samples x d, of the fit used; zeros without a fit
+    Matrix loop;               ///< samples x 2, the two coordinates that form a loop (Fig. 1)
+    std::vector<double> curve; ///< smoothed coordinate from which the units follow
     std::vector<double> eigenvalues;
     Warnings warnings;
 };

@@ -14,7 +14,7 @@ namespace stltsa::motion {
 namespace {
 
 constexpr std::int64_t least_rows = 8;
-/// Values of size 1 are no farther from a curve through them than this by rounding alone.
+/// Deviations of values of size 1 that rounding alone can cause.
 constexpr double rounding = 1e-14;
 
 using Values = std::vector<double>;
@@ -28,7 +28,7 @@ void check(ConstMatrixView coords, std::span<const std::int64_t> lengths) {
                  c, lengths[c], least_rows);
 }
 
-/// A column and the curve through it, scaled to a size of 1 at most, so that no sum overflows.
+/// A column and its fitted curve, scaled to a size of at most 1, so that no sum overflows.
 struct ScaledColumn {
     int exponent = 0;
     Values points;
@@ -38,6 +38,7 @@ struct ScaledColumn {
     double distance(std::size_t i) const { return std::abs(points[i] - curve[i]); }
 };
 
+/// Fits f_c of section 3.2, one curve per clip.
 ScaledColumn fit_column(ConstMatrixView coords, std::int64_t c,
                         std::span<const std::int64_t> lengths, const DenoiseOptions& options) {
     ScaledColumn column;
@@ -45,18 +46,20 @@ ScaledColumn fit_column(ConstMatrixView coords, std::int64_t c,
     column.exponent = binary_exponent(column.points);
     for (double& point : column.points)
         point = std::ldexp(point, -column.exponent);
-    std::span<const double> rest(column.points);
+    std::span<const double> remaining(column.points);
     for (const std::int64_t length : lengths) {
         const auto rows = static_cast<std::size_t>(length);
-        const Spline spline = fit_spline(rest.first(rows), {options.knot_step, options.robust});
+        const Spline spline =
+            fit_spline(remaining.first(rows), {options.knot_step, options.robust});
         column.curve.insert(column.curve.end(), spline.curve.begin(), spline.curve.end());
         column.degrees_of_freedom += spline.degrees_of_freedom;
-        rest = rest.subspan(rows);
+        remaining = remaining.subspan(rows);
     }
     return column;
 }
 
-/// gamma, the noisy points and their mean distance, in the column's scale.
+/// gamma, the number of noisy points N_p and their mean distance d_t from the curve (paper, section
+/// 3.2), in the column's scale.
 struct Noise {
     double deviation = 0;
     double gamma = 0;
@@ -84,7 +87,7 @@ Noise measure_noise(const ScaledColumn& column, const DenoiseOptions& options) {
     return noise;
 }
 
-/// Equation (1), in the column's scale.
+/// The paper's equation (1), in the column's scale.
 double moved_point(double point, double curve, const Noise& noise) {
     const double distance = std::abs(point - curve);
     if (!noise.noisy(distance))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Coordinates without noise (paper, section 3.2).
+// Removes noise from coordinates (paper, section 3.2).
 #pragma once
 
 #include <cstdint>
@@ -15,10 +15,10 @@ namespace stltsa::motion {
 struct DenoiseOptions {
     double gamma = -1;    ///< distance from the curve beyond which a point is noisy; -1: `noise`
     double knot_step = 4; ///< rows between the knots of the curve
-    bool robust = true;   ///< spikes do not pull at the curve
+    bool robust = true;   ///< spikes do not distort the curve
 };
 
-/// Of one column, over all clips.
+/// Statistics of one column, over all clips.
 struct DenoisedColumn {
     double gamma = 0;              ///< threshold used
     double shift = 0;              ///< d_t: mean distance of the noisy points from the curve
@@ -27,7 +27,7 @@ struct DenoisedColumn {
     std::int64_t moved = 0;        ///< noisy points
 };
 
-/// Matrices as the coordinates are.
+/// The matrices have the shape of the coordinates.
 struct Denoised {
     Matrix curve;   ///< f_c
     Matrix cleaned; ///< the points after equation (1)
@@ -35,15 +35,14 @@ struct Denoised {
     std::vector<DenoisedColumn> columns;
 };
 
-/// Fits a spline to each column of each clip (rows of all clips one after another; lengths sum to
+/// Fits a spline to each column of each clip (the clips' rows are consecutive; `lengths` sum to the
 /// rows). Points farther than gamma from it are moved towards it by their mean distance d_t, as in
-/// equation (1), but not across it: a point nearer than d_t ends on the curve. Throws for
-/// coordinates that are not finite and for clips of fewer than 8 rows.
+/// equation (1), but not across it: a point nearer than d_t ends on the curve. Throws if
+/// coordinates are not finite or a clip has fewer than 8 rows.
 Denoised denoise(ConstMatrixView coords, std::span<const std::int64_t> lengths,
                  const DenoiseOptions& options, const Progress& progress);
 
-/// Rows between knots that a motion of this period asks for: a tenth of it. Where nothing is known
-/// of it 2, which leaves the smoothing to the penalty.
+/// Rows between knots: a tenth of the period; 2 without one, where only the penalty smooths.
 double knot_step_for(const Period& period);
 
 } // namespace stltsa::motion

@@ -5,7 +5,7 @@
 
 namespace stltsa::motion {
 
-/// Share of the samples' variance that is a straight line over time, 0 to 1.
+/// Share of the samples' variance that a straight line over time explains, 0 to 1.
 double drift_share(ConstMatrixView samples);
 
 } // namespace stltsa::motion

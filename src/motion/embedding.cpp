@@ -11,9 +11,9 @@
 namespace stltsa::motion {
 namespace {
 
-/// Of the tangent spaces that are tried.
+/// Highest dimension that is tried.
 constexpr int most_dimensions = 3;
-/// One dimension takes three neighbors.
+/// One dimension needs three neighbors of each frame.
 constexpr std::int64_t least_distinct = 4;
 
 struct Dimensions {
@@ -21,11 +21,11 @@ struct Dimensions {
     int last = 1;
 };
 
-/// A loop takes two coordinates, and is chosen among all models that have them.
+/// A loop needs two coordinates, so at least one model has two.
 Dimensions dimensions_to_try(int asked, bool repeats, std::int64_t neighbors) {
     if (asked > 0)
         return {repeats ? std::min(asked, 2) : asked, std::max(asked, 2)};
-    // d dimensions take d + 2 neighbors. Without a period: the paper's two.
+    // d dimensions need d + 2 neighbors. Without a period: two, as in Fig. 1 of the paper.
     const auto last =
         static_cast<int>(std::clamp<std::int64_t>(neighbors - 2, 1, repeats ? most_dimensions : 2));
     return {repeats ? 1 : last, last};
@@ -43,15 +43,16 @@ ltsa::Parameters parameters_for(std::int64_t neighbors, int dimension,
     return p;
 }
 
-/// No more dimensions than the samples vary in, except one that was asked for, which is an error.
+/// Limits the dimensions to the number of directions in which the samples vary, but not below a
+/// requested dimension: embedding then fails.
 Dimensions varying(const ltsa::Graph& graph, Dimensions wanted, int asked) {
     const int last =
         std::max(std::min(wanted.last, ltsa::varying_directions(graph)), std::max(asked, 1));
     return {std::min(wanted.first, last), last};
 }
 
-/// Embeds the graph in each of the dimensions. The eigengap takes more eigenvalues of one of them
-/// than the fit does, so that it needs no embedding of its own.
+/// Embeds the graph in each of the dimensions. For the eigengap, one of them computes more
+/// eigenvalues than the fit needs, which saves another embedding.
 void embed_graph(const ltsa::Graph& graph, Dimensions dimensions, const Progress& progress,
                  Embedding& result) {
     for (int d = dimensions.first; d <= dimensions.last; ++d) {

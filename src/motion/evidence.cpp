@@ -12,21 +12,21 @@
 namespace stltsa::motion {
 namespace {
 
-/// Quality 2 r - 1 asks for a correlation of r = 0.7 between the motion and itself a period later;
-/// of 0.75 where one cycle is all there is.
+/// Quality is 2 r - 1, where r is the correlation of the motion with itself one period later: at
+/// least 0.7, or 0.75 for a single cycle.
 constexpr double least_quality = 0.4;
 constexpr double least_quality_of_one = 0.5;
 constexpr double least_cyclicity = 0.65;
-/// The curve's cycles and the motion's period may differ by this share.
+/// Allowed relative difference between the curve's cycles and the motion's period.
 constexpr double most_disagreement = 0.15;
-/// A run speaks for itself where it holds this share of the clip's motion.
+/// The cycles have a period of their own if they contain this share of the clip's motion.
 constexpr double least_share = 0.5;
 constexpr std::size_t margins_of_a_cycle = 3;
 
-/// The samples of the run, and a quarter of a period more to each side.
-Span around(const std::vector<double>& run, double period, std::int64_t samples) {
-    const auto first = static_cast<std::int64_t>(std::max(0.0, run.front() - period / 4));
-    const auto end = std::min(samples, static_cast<std::int64_t>(run.back() + period / 4) + 1);
+/// The samples between the margins, and a quarter of a period more to each side.
+Span around(const std::vector<double>& margins, double period, std::int64_t samples) {
+    const auto first = static_cast<std::int64_t>(std::max(0.0, margins.front() - period / 4));
+    const auto end = std::min(samples, static_cast<std::int64_t>(margins.back() + period / 4) + 1);
     return {first, end - first};
 }
 
@@ -43,22 +43,22 @@ double share_of_motion(Span span, const Activity& activity) {
     return all > 0 ? inside / all : 0;
 }
 
-double median_cycle(const std::vector<double>& run) {
+double median_cycle(const std::vector<double>& margins) {
     std::vector<double> lengths;
-    for (std::size_t i = 0; i + 2 < run.size(); ++i)
-        lengths.push_back(run[i + 2] - run[i]);
+    for (std::size_t i = 0; i + 2 < margins.size(); ++i)
+        lengths.push_back(margins[i + 2] - margins[i]);
     return median(lengths);
 }
 
 } // namespace
 
-Evidence weigh(const std::vector<double>& run, ConstMatrixView samples, const Activity& activity,
-               const std::vector<double>& coordinate, double cyclicity, const Period& period,
-               double fps) {
-    Evidence evidence{period, cyclicity, run.size(), median_cycle(run)};
-    if (run.size() <= margins_of_a_cycle)
+Evidence weigh(const std::vector<double>& margins, ConstMatrixView samples,
+               const Activity& activity, const std::vector<double>& coordinate, double cyclicity,
+               const Period& period, double fps) {
+    Evidence evidence{period, cyclicity, margins.size(), median_cycle(margins)};
+    if (margins.size() <= margins_of_a_cycle)
         return evidence;
-    const Span span = around(run, period.samples, samples.rows);
+    const Span span = around(margins, period.samples, samples.rows);
     if (share_of_motion(span, activity) < least_share)
         return evidence;
     const auto level = activity.levels(span.first, span.count);
@@ -77,22 +77,21 @@ Evidence weigh(const std::vector<double>& run, ConstMatrixView samples, const Ac
 std::string doubt(const Evidence& evidence, double fps) {
     const double period_s = evidence.period.samples / fps;
     if (evidence.margins < margins_of_a_cycle)
-        return format_text("fewer than one cycle: the motion repeats itself best after {:.2f} s "
-                           "(quality {:.2f}), but the curve has {} of the {} margins that one "
-                           "cycle takes",
+        return format_text("less than one cycle: the motion repeats best after {:.2f} s (quality "
+                           "{:.2f}), but the curve has only {} of the {} margins of a cycle",
                            period_s, evidence.period.quality, evidence.margins, margins_of_a_cycle);
     const double quality_needed =
         evidence.margins > margins_of_a_cycle ? least_quality : least_quality_of_one;
     if (evidence.period.quality < quality_needed)
-        return format_text("low quality: the motion repeats itself best after {:.2f} s, but with "
-                           "quality {:.3f} only, below {:.2f}",
+        return format_text("low quality: the motion repeats best after {:.2f} s, but with a "
+                           "quality of only {:.3f}, below {:.2f}",
                            period_s, evidence.period.quality, quality_needed);
     if (evidence.cyclicity < least_cyclicity)
-        return format_text("low cyclicity: the motion repeats itself after {:.2f} s (quality "
-                           "{:.2f}), but the curve swings with it to {:.3f} only, below {:.2f}",
+        return format_text("low cyclicity: the motion repeats after {:.2f} s (quality {:.2f}), but "
+                           "the curve has a cyclicity of only {:.3f}, below {:.2f}",
                            period_s, evidence.period.quality, evidence.cyclicity, least_cyclicity);
     if (std::abs(evidence.cycle / evidence.period.samples - 1) > most_disagreement)
-        return format_text("cycles of uneven length: the motion repeats itself best after {:.2f} s "
+        return format_text("cycles of uneven length: the motion repeats best after {:.2f} s "
                            "(quality {:.2f}), but the curve's cycles last {:.2f} s",
                            period_s, evidence.period.quality, evidence.cycle / fps);
     return {};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether the numbers justify to speak of cycles.
+// Decides whether there is enough evidence for cycles.
 #pragma once
 
 #include <string>
@@ -10,20 +10,21 @@
 
 namespace stltsa::motion {
 
-/// What speaks for a run of margins being cycles.
+/// Evidence that a sequence of margins delimits cycles.
 struct Evidence {
-    Period period;        ///< of the run where it can tell, else of the clip
-    double cyclicity = 0; ///< likewise
+    Period period;        ///< of the cycles if they are most of the motion, else of the clip
+    double cyclicity = 0; ///< of the same samples
     std::size_t margins = 0;
-    double cycle = 0; ///< median length of the run's cycles in samples
+    double cycle = 0; ///< median length of the cycles in samples
 };
 
-/// `coordinate`: of all samples, not smoothed; `cyclicity` and `period`: of the whole clip.
-Evidence weigh(const std::vector<double>& run, ConstMatrixView samples, const Activity& activity,
-               const std::vector<double>& coordinate, double cyclicity, const Period& period,
-               double fps);
+/// `margins`: from longest_sequence(). `coordinate`: of all samples, not smoothed. `cyclicity` and
+/// `period`: of the whole clip.
+Evidence weigh(const std::vector<double>& margins, ConstMatrixView samples,
+               const Activity& activity, const std::vector<double>& coordinate, double cyclicity,
+               const Period& period, double fps);
 
-/// Why there are no cycles, in words with the numbers; empty where there are.
+/// Why the evidence is not enough, with the numbers; empty if it is.
 std::string doubt(const Evidence& evidence, double fps);
 
 } // namespace stltsa::motion

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Turning points of a curve.
+// Peaks and valleys of a curve, where its first difference is close to 0 (paper, section 3.1).
 #pragma once
 
 #include <cstdint>
@@ -10,15 +10,15 @@ namespace stltsa::motion {
 
 struct Extremum {
     std::int64_t at = 0;
-    bool peak = false; ///< else a valley
+    bool peak = false; ///< false: a valley
 };
 
-/// Peaks and valleys by turns, each at least `prominence` from the next, the most extreme sample
-/// of its kind between its neighbors. The ends of the curve count. Empty where the curve nowhere
-/// changes by `prominence`.
+/// Alternating peaks and valleys, at least `prominence` higher or lower than the next; each is the
+/// most extreme sample between its neighbors. The ends of the curve may be extrema. Empty if the
+/// curve changes by less than `prominence`.
 std::vector<Extremum> alternating_extrema(std::span<const double> curve, double prominence);
 
-/// Where the parabola through (-1, left), (0, middle), (1, right) turns, held to +-1/2.
+/// Vertex of the parabola through (-1, left), (0, middle), (1, right), clamped to +-1/2.
 double parabola_vertex(double left, double middle, double right);
 
 } // namespace stltsa::motion

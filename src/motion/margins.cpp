@@ -11,20 +11,20 @@
 namespace stltsa::motion {
 namespace {
 
-/// A turn of the curve is one where the curve then changes by this share of its height.
+/// The curve has an extremum where it then changes by this share of its height.
 constexpr double prominence = 0.25;
-/// A swing belongs to the cycle where its height is this share of the median swing, or the median
-/// this share of it: less where the clip begins or ends within the swing.
+/// Least ratio, either way, between the height of a swing and the median height of the swings of
+/// cycles; swings that the start or the end of the clip cuts off are lower.
 constexpr double like_swing = 0.6;
-/// The half swing out of standing has about half of the height; noise lets it seem more.
+/// The half swing out of standing has about half of the height, or more with noise.
 constexpr double like_swing_beside_rest = 0.8;
-/// Likewise for its steepness against swings of the same direction: first steps are slow.
+/// Least steepness relative to swings in the same direction: first steps are slow.
 constexpr double like_steepness = 0.7;
-/// A cycle's length in periods.
+/// Length of a cycle in periods.
 constexpr double shortest_cycle = 0.7;
 constexpr double longest_cycle = 1.4;
 
-/// From the 5th to the 95th percentile, of the samples where something moves.
+/// Range from the 5th to the 95th percentile of the moving samples.
 double height(std::span<const double> curve, const Activity& activity) {
     std::vector<double> moving;
     for (std::size_t i = 0; i < curve.size(); ++i)
@@ -33,6 +33,7 @@ double height(std::span<const double> curve, const Activity& activity) {
     return quantile(moving, 0.95) - quantile(moving, 0.05);
 }
 
+/// The candidate margin between a peak and a valley: the steepest point of the curve.
 Margin between(const Extremum& before, const Extremum& after, std::span<const double> curve,
                std::span<const double> slopes, const Activity& activity) {
     const auto steep = [&](std::int64_t i) {
@@ -47,7 +48,7 @@ Margin between(const Extremum& before, const Extremum& after, std::span<const do
     margin.rising = !before.peak;
     margin.from_rest = !activity.moving(before.at);
     margin.to_rest = !activity.moving(after.at);
-    // Steepest at the end of the clip: the steepest point itself may lie outside.
+    // At the end of the clip: the true steepest point may lie beyond it.
     if (steepest < 2 || steepest + 2 >= activity.samples() || !activity.moving(steepest))
         return margin;
     margin.at += parabola_vertex(steep(steepest - 1), steep(steepest), steep(steepest + 1));
@@ -67,7 +68,7 @@ double median_of(const std::vector<Margin>& margins, Value value, Which which) {
 }
 
 /// Which margins belong to swings as high and as steep as the others.
-std::vector<bool> alike(const std::vector<Margin>& margins) {
+std::vector<bool> similar(const std::vector<Margin>& margins) {
     const double swing = median_of(
         margins, [](const Margin& m) { return m.swing; },
         [](const Margin& m) { return m.swing > 0; });
@@ -89,26 +90,27 @@ std::vector<bool> alike(const std::vector<Margin>& margins) {
     return result;
 }
 
-using Run = std::vector<Margin>;
+using Sequence = std::vector<Margin>;
 
-/// Whether `next` may follow the run: one period after the margin before the last.
-bool continues(const Run& run, const Margin& next, double period) {
-    if (run.empty())
+/// Whether `next` may follow the sequence: about one period after the margin before the last.
+bool continues(const Sequence& sequence, const Margin& next, double period) {
+    if (sequence.empty())
         return true;
-    if (run.size() == 1)
-        return next.at - run.back().at <= longest_cycle * period;
-    const double cycle = next.at - run[run.size() - 2].at;
+    if (sequence.size() == 1)
+        return next.at - sequence.back().at <= longest_cycle * period;
+    const double cycle = next.at - sequence[sequence.size() - 2].at;
     return cycle >= shortest_cycle * period && cycle <= longest_cycle * period;
 }
 
-void drop_half_swings(Run& run) {
-    const double least = like_swing_beside_rest * median_of(
-                                                      run, [](const Margin& m) { return m.swing; },
-                                                      [](const Margin&) { return true; });
-    if (!run.empty() && run.front().from_rest && run.front().swing < least)
-        run.erase(run.begin());
-    if (!run.empty() && run.back().to_rest && run.back().swing < least)
-        run.pop_back();
+void drop_half_swings(Sequence& sequence) {
+    const double least =
+        like_swing_beside_rest *
+        median_of(
+            sequence, [](const Margin& m) { return m.swing; }, [](const Margin&) { return true; });
+    if (!sequence.empty() && sequence.front().from_rest && sequence.front().swing < least)
+        sequence.erase(sequence.begin());
+    if (!sequence.empty() && sequence.back().to_rest && sequence.back().swing < least)
+        sequence.pop_back();
 }
 
 } // namespace
@@ -122,22 +124,22 @@ std::vector<Margin> find_margins(std::span<const double> curve, const Activity& 
     return margins;
 }
 
-std::vector<double> longest_run(const std::vector<Margin>& margins, double period) {
-    const std::vector<bool> usable = alike(margins);
-    Run longest;
-    Run run;
+std::vector<double> longest_sequence(const std::vector<Margin>& margins, double period) {
+    const std::vector<bool> usable = similar(margins);
+    Sequence longest;
+    Sequence sequence;
     for (std::size_t i = 0; i < margins.size(); ++i) {
         if (!usable[i]) {
-            run.clear();
+            sequence.clear();
             continue;
         }
-        if (!continues(run, margins[i], period))
-            run.erase(run.begin(), run.end() - 1);
-        if (!continues(run, margins[i], period))
-            run.clear();
-        run.push_back(margins[i]);
-        if (run.size() > longest.size())
-            longest = run;
+        if (!continues(sequence, margins[i], period))
+            sequence.erase(sequence.begin(), sequence.end() - 1);
+        if (!continues(sequence, margins[i], period))
+            sequence.clear();
+        sequence.push_back(margins[i]);
+        if (sequence.size() > longest.size())
+            longest = sequence;
     }
     drop_half_swings(longest);
     std::vector<double> positions;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where cycles may begin and end (paper, section 3.1): between each peak and valley of the curve
-// the point whose second difference is closest to 0, taken as the steepest point of a smooth
-// curve, since flat stretches and noise have such points everywhere.
+// Candidates for the margins of cycles (paper, section 3.1): between each peak and valley of the
+// curve, the point where the second difference f''_y(t) is closest to 0. This is the steepest point
+// of the smoothed curve; second differences near 0 also occur wherever it is flat or noisy.
 #pragma once
 
 #include <span>
@@ -13,19 +13,19 @@ namespace stltsa::motion {
 
 struct Margin {
     double at = 0;    ///< samples
-    double swing = 0; ///< height from the extremum before to the one after; 0: not usable
+    double swing = 0; ///< height from the previous extremum to the next; 0: not usable
     double steepness = 0;
     bool rising = false;
-    bool from_rest = false; ///< nothing moves at the extremum before
-    bool to_rest = false;   ///< nor at the one after
+    bool from_rest = false; ///< nothing moves at the previous extremum
+    bool to_rest = false;   ///< nothing moves at the next extremum
 };
 
-/// One margin for each pair of neighboring extrema of the smoothed curve. Unusable ones (at the
-/// very end of the curve, or where nothing moves) have no swing.
+/// One margin for each pair of neighboring extrema of the smoothed curve. Margins at the very end
+/// of the curve, or where nothing moves, are not usable.
 std::vector<Margin> find_margins(std::span<const double> curve, const Activity& activity);
 
-/// Positions of the longest run of margins that are alike and that repeat after one `period`,
-/// without the half swing from standing into the first step, or from the last one to standing.
-std::vector<double> longest_run(const std::vector<Margin>& margins, double period);
+/// Positions of the margins in the longest sequence of similar swings that repeat after one
+/// `period`, without the half swings between standing and the first or last step.
+std::vector<double> longest_sequence(const std::vector<Margin>& margins, double period);
 
 } // namespace stltsa::motion

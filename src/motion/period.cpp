@@ -10,19 +10,19 @@
 namespace stltsa::motion {
 namespace {
 
-/// Longer lags than this share of the clip leave too few pairs.
+/// Lags longer than this share of the clip leave too few pairs.
 constexpr double longest_share = 0.7;
-/// A minimum of D counts where D has been this much higher before (D is 0 to 2; in gait it falls
-/// by 1.5, and anything from 0.1 to 0.25 here chooses the same).
+/// A minimum of D counts if D was higher by this at a shorter lag (D is 0 to 2; in gait it falls by
+/// 1.5, and values from 0.1 to 0.25 give the same result).
 constexpr double least_depth = 0.15;
 constexpr double unrelated = 1;
-/// A shorter lag wins over multiples of it that are better by no more than this.
+/// A lag is preferred to its multiples unless they are better by more than this.
 constexpr double about_as_good = 0.2;
-/// This share of a period at least must be seen moving twice: less repeats by chance.
+/// At least this share of a period must move and occur twice: less may repeat by chance.
 constexpr double least_repeated = 0.4;
-/// How far a stretch's own period may be from the whole clip's.
+/// Largest relative difference between the period of an excerpt and of the whole clip.
 constexpr double refine_reach = 0.15;
-/// A stretch must show this share of its period twice.
+/// An excerpt must contain this share of its period twice.
 constexpr double least_seen = 0.3;
 constexpr double rows_per_second = 30;
 
@@ -41,7 +41,7 @@ struct PairSums {
         const double* later = samples.x.row(later_row);
         const std::int64_t cols = samples.x.cols();
         weight += w;
-        apart += w * squared_distance(later, x, cols);
+        distance += w * squared_distance(later, x, cols);
         size += w * (samples.norm[t] + samples.norm[later_t]);
         axpy(w, x, early.data(), cols);
         axpy(w, later, late.data(), cols);
@@ -54,14 +54,14 @@ struct PairSums {
         const double size_about_means =
             size -
             (dot(early.data(), early.data(), cols) + dot(late.data(), late.data(), cols)) / weight;
-        const double apart_about_means =
-            apart - squared_distance(early.data(), late.data(), cols) / weight;
-        // Below that, nothing but rounding is left of the sums.
-        return size_about_means > 1e-12 * size ? apart_about_means / size_about_means : 1;
+        const double distance_about_means =
+            distance - squared_distance(early.data(), late.data(), cols) / weight;
+        // Smaller sums are only rounding.
+        return size_about_means > 1e-12 * size ? distance_about_means / size_about_means : 1;
     }
 
     double weight = 0;
-    double apart = 0;
+    double distance = 0;
     double size = 0;
     std::vector<double> early; ///< weighted sum of x, per feature
     std::vector<double> late;
@@ -75,10 +75,10 @@ bool seen_twice(const LagSamples& samples, std::int64_t lag) {
     return static_cast<double>(pairs) >= least_repeated * static_cast<double>(lag);
 }
 
-/// The lags of the curve's minima that may be the period, in rows.
+/// The lags in rows at which the curve has a minimum that may be the period.
 std::vector<std::size_t> minima_of(const std::vector<double>& curve, double shortest,
                                    const LagSamples& samples) {
-    // Short lags are alike because the motion is smooth: start where D has risen.
+    // At short lags D is small because the motion is smooth: start where D has risen.
     const double half = *std::max_element(curve.begin(), curve.end()) / 2;
     const auto risen = std::find_if(curve.begin(), curve.end(), [&](double d) { return d > half; });
     const auto start = std::max({static_cast<std::size_t>(risen - curve.begin()),
@@ -139,20 +139,20 @@ double longest_lag_s(std::int64_t samples, double fps, double longest_s) {
 
 Period find_period(ConstMatrixView samples, const Activity& activity, double fps, double shortest_s,
                    double longest_s, const Progress& progress) {
-    const LagSamples thinned(samples, activity.level, fps);
-    const double rate = fps / static_cast<double>(thinned.step);
-    const double longest = longest_lag_s(thinned.x.rows(), rate, longest_s) * rate;
+    const LagSamples decimated(samples, activity.level, fps);
+    const double rate = fps / static_cast<double>(decimated.step);
+    const double longest = longest_lag_s(decimated.x.rows(), rate, longest_s) * rate;
     if (!(longest >= 3) || !(activity.typical > 0))
         return {};
     const std::vector<double> curve =
-        lag_curve(thinned, 0, static_cast<std::int64_t>(longest), progress.part(0, 2));
-    const std::vector<std::size_t> minima = minima_of(curve, shortest_s * rate, thinned);
+        lag_curve(decimated, 0, static_cast<std::int64_t>(longest), progress.part(0, 2));
+    const std::vector<std::size_t> minima = minima_of(curve, shortest_s * rate, decimated);
     double best = unrelated;
     for (const std::size_t i : minima)
         best = std::min(best, curve[i]);
     for (const std::size_t i : minima)
         if (curve[i] <= best + about_as_good)
-            return at_minimum(curve, i, 0, thinned.step);
+            return at_minimum(curve, i, 0, decimated.step);
     return {};
 }
 
@@ -162,21 +162,21 @@ Period find_period(ConstMatrixView samples, double fps, double shortest_s, doubl
                        progress);
 }
 
-std::optional<Period> refine_period(ConstMatrixView stretch, std::span<const double> level,
+std::optional<Period> refine_period(ConstMatrixView excerpt, std::span<const double> level,
                                     double period, double fps) {
-    const LagSamples thinned(stretch, level, fps);
-    const double rows = period / static_cast<double>(thinned.step);
+    const LagSamples decimated(excerpt, level, fps);
+    const double rows = period / static_cast<double>(decimated.step);
     const auto first =
         std::max<std::int64_t>(1, static_cast<std::int64_t>(rows * (1 - refine_reach)) - 1);
     const auto last = static_cast<std::int64_t>(rows * (1 + refine_reach)) + 2;
-    if (static_cast<double>(last) >= static_cast<double>(thinned.x.rows()) - least_seen * rows)
+    if (static_cast<double>(last) >= static_cast<double>(decimated.x.rows()) - least_seen * rows)
         return std::nullopt;
-    const std::vector<double> curve = lag_curve(thinned, first, last);
+    const std::vector<double> curve = lag_curve(decimated, first, last);
     const auto i =
         static_cast<std::size_t>(std::min_element(curve.begin(), curve.end()) - curve.begin());
     if (i == 0 || i + 1 == curve.size())
         return std::nullopt;
-    return at_minimum(curve, i, first, thinned.step);
+    return at_minimum(curve, i, first, decimated.step);
 }
 
 } // namespace stltsa::motion

@@ -10,44 +10,45 @@
 namespace stltsa::motion {
 namespace {
 
-/// In less no period could be confirmed: 1.5 cycles of 1.2 s, as people take.
+/// Shorter motions cannot confirm a period: 1.5 typical cycles of 1.2 s.
 constexpr double least_motion_s = 1.8;
-/// Poses that are free of the way through space come back to where they were: their share of drift
-/// is near 0. That of a body that walks through space is near 1.
+/// The share of drift is near 0 for poses without their path through space, which return to where
+/// they were, and near 1 for a body that walks through space.
 constexpr double much_drift = 0.5;
 
 } // namespace
 
-double cut_time(const Embedding& embedding, const ltsa::Model& model, double fps, double first_s) {
+double break_time(const Embedding& embedding, const ltsa::Model& model, double fps,
+                  double first_s) {
     const std::int64_t cut = ltsa::first_cut(model);
     return cut < 0 ? no_time : first_s + static_cast<double>(embedding.span.first + cut) / fps;
 }
 
-Warning parts_warning(const ltsa::Model& model, double cut_s) {
-    return ltsa::parts_warning(model, std::isnan(cut_s) ? "" : format_text("{:.2f} s", cut_s),
-                               cut_s);
+Warning parts_warning(const ltsa::Model& model, double break_s) {
+    return ltsa::parts_warning(model, std::isnan(break_s) ? "" : format_text("{:.2f} s", break_s),
+                               break_s);
 }
 
-std::string fell_apart(const ltsa::Model& model, double cut_s) {
-    return format_text("no continuous curve: the neighborhood graph falls apart into {} parts{} (a "
-                       "cut in the clip?)",
+std::string disconnected(const ltsa::Model& model, double break_s) {
+    return format_text("no continuous curve: the neighborhood graph splits into {} parts{} (is "
+                       "there a cut in the clip?)",
                        model.components.size(),
-                       std::isnan(cut_s) ? "" : format_text(" at {:.2f} s", cut_s));
+                       std::isnan(break_s) ? "" : format_text(" at {:.2f} s", break_s));
 }
 
 std::string no_period(const Activity& activity, double fps, const DecomposeOptions& options) {
     const double longest = longest_lag_s(activity.samples(), fps, options.longest_period);
-    const double lasts = static_cast<double>(activity.samples()) / fps;
+    const double duration = static_cast<double>(activity.samples()) / fps;
     if (!(longest > options.shortest_period))
-        return format_text("no period: the motion, which lasts {:.2f} s, is too short to show one "
+        return format_text("no period: the motion lasts {:.2f} s, which is too short for a period "
                            "of {:.2f} s or more",
-                           lasts, options.shortest_period);
-    return format_text("no period: the motion, which lasts {:.2f} s, repeats itself at no lag from "
+                           duration, options.shortest_period);
+    return format_text("no period: the motion lasts {:.2f} s and does not repeat at any lag from "
                        "{:.2f} s to {:.2f} s",
-                       lasts, options.shortest_period, longest);
+                       duration, options.shortest_period, longest);
 }
 
-void warn_of_motions(double fps, double first_s, Decomposition& result) {
+void warn_about_motions(double fps, double first_s, Decomposition& result) {
     const bool cyclic = !result.cycles.empty();
     std::vector<Unit> actions;
     for (const Unit& unit : result.units)
@@ -61,26 +62,25 @@ void warn_of_motions(double fps, double first_s, Decomposition& result) {
         const double end = first_s + unit.end / fps;
         result.warnings.push_back(
             {WarningCode::separate_motion,
-             format_text(
-                 "the clip holds {} motion from {:.2f} s to {:.2f} s: cut the clip there to "
-                 "see whether it has cycles",
-                 cyclic ? "another" : "a separate", begin, end),
+             format_text("the clip contains {} motion from {:.2f} s to {:.2f} s: split the clip "
+                         "there to see whether it has cycles",
+                         cyclic ? "another" : "a separate", begin, end),
              begin, end});
     }
 }
 
-void tell_obstacles(ConstMatrixView samples, const DecomposeOptions& options,
-                    Decomposition& result) {
+void report_obstacles(ConstMatrixView samples, const DecomposeOptions& options,
+                      Decomposition& result) {
     std::string text;
     if (!options.jump.empty())
-        text = format_text("the pose jumps at {}: cut the clip there, or mend the frame",
+        text = format_text("the pose jumps at {}: split the clip there, or repair the frame",
                            options.jump);
     else if (const double share = drift_share(samples);
              options.in_space && !result.reason.empty() && share > much_drift)
         text = format_text(
-            "{:.0f} % of the variance is a straight drift, which hides what repeats: subtract the "
-            "body's position (of markers, frame by frame the mean of all of them), or, where there "
-            "is a skeleton, set option features to positions",
+            "{:.0f} % of the variance is a linear drift, which hides any repetition: subtract the "
+            "body's position (for markers, their mean in each frame), or, if the clip has a "
+            "skeleton, set option features to positions",
             100 * share);
     if (text.empty())
         return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a decomposition says about itself in words: reasons and warnings, with times of the source.
+// The reasons and warnings of a decomposition. Times are those of the source.
 #pragma once
 
 #include <string>
@@ -10,20 +10,21 @@
 
 namespace stltsa::motion {
 
-/// When the model's curve falls apart, in seconds; no_time: it does not.
-double cut_time(const Embedding& embedding, const ltsa::Model& model, double fps, double first_s);
-Warning parts_warning(const ltsa::Model& model, double cut_s);
+/// Time in seconds at which the neighborhood graph splits; no_time: it does not.
+double break_time(const Embedding& embedding, const ltsa::Model& model, double fps, double first_s);
+Warning parts_warning(const ltsa::Model& model, double break_s);
 
-/// Reasons for no cycles.
-std::string fell_apart(const ltsa::Model& model, double cut_s);
+/// Reasons why there are no cycles.
+std::string disconnected(const ltsa::Model& model, double break_s);
 std::string no_period(const Activity& activity, double fps, const DecomposeOptions& options);
 
-/// Says of motions that no cycle was looked for in them alone: those beside the cycles, or several
-/// where there are no cycles.
-void warn_of_motions(double fps, double first_s, Decomposition& result);
+/// Warns about motions that were not searched for cycles on their own: any beside the cycles, or
+/// several if there are no cycles.
+void warn_about_motions(double fps, double first_s, Decomposition& result);
 
-/// What may hide that the motion repeats itself: a jump, worth a warning in any case, or a drift.
-void tell_obstacles(ConstMatrixView samples, const DecomposeOptions& options,
-                    Decomposition& result);
+/// If there are no cycles, adds a jump or a drift that may be the cause to the reason. If there
+/// are, warns about a jump.
+void report_obstacles(ConstMatrixView samples, const DecomposeOptions& options,
+                      Decomposition& result);
 
 } // namespace stltsa::motion

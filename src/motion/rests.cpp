@@ -9,23 +9,24 @@
 namespace stltsa::motion {
 namespace {
 
-/// Speed up to which the body still stands.
-double standing_speed(std::span<const double> stretch, double still) {
-    const double middle = median(stretch);
-    // The lower quartile lies 0.67 standard deviations below the median; the upper one would hold
+/// Highest speed of a standing body, from the speeds of a rest.
+double standing_speed(std::span<const double> speed, double still) {
+    const double middle = median(speed);
+    // The lower quartile is 0.67 standard deviations below the median; the upper one would include
     // the first motion.
-    const double two_deviations = 3 * (middle - quantile(stretch, 0.25));
+    const double two_deviations = 3 * (middle - quantile(speed, 0.25));
     return std::max(middle + two_deviations, still);
 }
 
-/// Where the speed crosses `limit` between two samples.
+/// Interpolated position between two samples at which the speed is `limit`.
 double crossing(std::size_t low, std::size_t high, std::span<const double> speed, double limit) {
-    const double part = (limit - speed[low]) / (speed[high] - speed[low]);
-    return static_cast<double>(low) + part * (static_cast<double>(high) - static_cast<double>(low));
+    const double fraction = (limit - speed[low]) / (speed[high] - speed[low]);
+    return static_cast<double>(low) +
+           fraction * (static_cast<double>(high) - static_cast<double>(low));
 }
 
-/// The stretch [first, last) below the level, without the motion at its ends.
-Rest cut_back(std::span<const double> speed, std::size_t first, std::size_t last, double still) {
+/// The samples [first, last), which are below the limit, without the motion at both ends.
+Rest trimmed(std::span<const double> speed, std::size_t first, std::size_t last, double still) {
     const double limit = standing_speed(speed.subspan(first, last - first), still);
     Rest rest{static_cast<double>(first), static_cast<double>(last)};
     if (first > 0) {
@@ -57,7 +58,7 @@ std::vector<Rest> find_rests(std::span<const double> speed, const Standing& stan
         while (last < speed.size() && speed[last] < standing.below)
             ++last;
         if (static_cast<double>(last - first) >= standing.hold) {
-            const Rest rest = cut_back(speed, first, last, standing.still);
+            const Rest rest = trimmed(speed, first, last, standing.still);
             if (rest.begin < rest.end)
                 rests.push_back(rest);
         }

@@ -10,21 +10,21 @@
 namespace stltsa::motion {
 namespace {
 
-/// Beside cycles the body stands below this share of their median speed, for this share of the
-/// period. Gait stays above 0.45; the level leaves room for the noise of a standing body.
+/// Next to cycles, the body stands if it is slower than this share of their median speed for this
+/// share of the period. Gait stays above 0.45; the noise of a standing body stays below the limit.
 constexpr double standing_beside_cycles = 0.4;
 constexpr double hold_periods = 0.25;
 constexpr double still_beside_cycles = 0.25;
-/// Among other motion, below this share of the typical speed, for this long.
+/// Without cycles, it stands if it is slower than this share of the typical speed for this long.
 constexpr double standing_among_actions = 0.25;
 constexpr double hold_s = 0.3;
 constexpr double still_among_actions = 0.15;
-/// The first step takes the longer, the slower the cycles are: so may the smoothing, which then
-/// displaces all starts by the same share of a cycle and leaves as little noise as it can.
+/// Slower cycles start with a slower first step, which permits more smoothing: it then displaces
+/// all starts by the same share of a cycle and removes as much noise as possible.
 constexpr double smoothing_periods = 0.14;
-/// Slow exercises start no slower than that.
+/// Even slow exercises start within this time.
 constexpr double most_smoothing_s = 0.2;
-/// Beyond the rests beside the cycles, what covers less is fidgeting.
+/// Motion that covers less than this share of a cycle's distance is fidgeting.
 constexpr double least_motion_cycles = 0.5;
 
 void append(std::vector<Unit>& units, UnitKind kind, double begin, double end) {
@@ -32,29 +32,29 @@ void append(std::vector<Unit>& units, UnitKind kind, double begin, double end) {
         units.push_back({kind, begin, end});
 }
 
-/// How fast a cycle is and how long it takes.
+/// Median speed and length of a cycle.
 struct Pace {
     double speed = 0;
     double period = 0;
 };
 
-/// More than fidgeting: fast enough for long enough. Of the way that is covered beyond the speed of
-/// standing it is as much as a part of a cycle covers.
+/// Whether this is more than fidgeting: the distance covered in excess of standing speed is at
+/// least the given share of that of a cycle.
 bool is_motion(std::span<const double> speed, const Pace& pace) {
     const double standing = standing_beside_cycles * pace.speed;
-    double way = 0;
+    double distance = 0;
     for (const double v : speed)
-        way += std::max(v - standing, 0.0);
-    return way >= least_motion_cycles * (pace.speed - standing) * pace.period;
+        distance += std::max(v - standing, 0.0);
+    return distance >= least_motion_cycles * (pace.speed - standing) * pace.period;
 }
 
-/// Fills [begin, end), which starts or ends with the rest beside the cycles, with standing and with
-/// the motions between its rests.
+/// Appends units that cover `all`, the preparing or wind-up unit, with the motions between its
+/// rests as actions.
 void append_standing(std::vector<Unit>& units, Unit all, std::vector<Rest> rests,
                      std::span<const double> speed, const Pace& pace) {
     rests.push_back({all.end, all.end});
-    double stands = all.begin; // since then
-    double moves = all.begin;  // if it does between two rests
+    double stands = all.begin; // start of the current standing
+    double moves = all.begin;  // end of the previous rest
     for (const Rest& rest : rests) {
         if (rest.begin < all.begin || rest.end > all.end)
             continue;
@@ -76,11 +76,11 @@ double border_smoothing(double period, double fps) {
     return std::min(smoothing_periods * period, most_smoothing_s * fps);
 }
 
-std::vector<Unit> cyclic_units(const std::vector<double>& run, std::span<const double> speed,
+std::vector<Unit> cyclic_units(const std::vector<double>& margins, std::span<const double> speed,
                                double period) {
     const auto samples = static_cast<double>(speed.size());
-    const auto first = static_cast<std::size_t>(std::lround(run.front()));
-    const auto last = static_cast<std::size_t>(std::lround(run.back()));
+    const auto first = static_cast<std::size_t>(std::lround(margins.front()));
+    const auto last = static_cast<std::size_t>(std::lround(margins.back()));
     const double reference = median(speed.subspan(first, last + 1 - first));
     double moves = 0;
     double stops = samples;
@@ -88,16 +88,16 @@ std::vector<Unit> cyclic_units(const std::vector<double>& run, std::span<const d
                             still_beside_cycles * reference};
     const std::vector<Rest> rests = find_rests(speed, standing);
     for (const Rest& rest : rests) {
-        if (rest.end <= run.front())
+        if (rest.end <= margins.front())
             moves = rest.end;
-        if (rest.begin >= run.back())
+        if (rest.begin >= margins.back())
             stops = std::min(stops, rest.begin);
     }
     std::vector<Unit> units;
     append_standing(units, {UnitKind::preparing, 0, moves}, rests, speed, {reference, period});
-    append(units, UnitKind::initial, moves, run.front());
-    append(units, UnitKind::cyclic, run.front(), run.back());
-    append(units, UnitKind::final, run.back(), stops);
+    append(units, UnitKind::initial, moves, margins.front());
+    append(units, UnitKind::cyclic, margins.front(), margins.back());
+    append(units, UnitKind::final, margins.back(), stops);
     append_standing(units, {UnitKind::wind_up, stops, samples}, rests, speed, {reference, period});
     return units;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Motion units from margins and rests; they cover all samples without gap or overlap.
+// Motion units (paper, section 3.1) from margins and rests, without gap or overlap.
 #pragma once
 
 #include <span>
@@ -10,17 +10,18 @@
 
 namespace stltsa::motion {
 
-/// How much to smooth the samples for the speed that borders beside cycles are read off: sigma in
-/// samples.
+/// Sigma, in samples, for smoothing the speed that decides where standing next to cycles ends.
 double border_smoothing(double period, double fps);
 
-/// The five units of cyclic motion, without those that are absent: preparing and wind-up where the
-/// body stands next to the run of margins, initial and final up to and from there. Beyond, where it
-/// moves again, are actions.
-std::vector<Unit> cyclic_units(const std::vector<double>& run, std::span<const double> speed,
+/// The units of cyclic motion that are present. The cyclic unit M_c extends from the first margin
+/// to the last. The preparing unit M_p and the wind-up unit M_w are where the body stands before
+/// and after it; the initial unit M_i and the final unit M_f lie between these and the cyclic unit.
+/// Motion within M_p or M_w is an action.
+std::vector<Unit> cyclic_units(const std::vector<double>& margins, std::span<const double> speed,
                                double period);
 
-/// Actions, with the rests between them: preparing, and wind-up at the end of the clip.
+/// Units without cycles: actions, and the rests between them as preparing units, or as the wind-up
+/// unit at the end of the clip.
 std::vector<Unit> action_units(const Activity& activity, double fps);
 
 } // namespace stltsa::motion

@@ -10,13 +10,12 @@
 namespace stltsa::motion {
 
 /// Smooths every column over the rows; sigma in samples. At the ends the remaining kernel is scaled
-/// to sum to 1. Reflecting the samples there, as for features, adds noise to the speed: of 397
-/// walks and runs cut in mid-step it removes no further false rest, and it moves borders of noisy
-/// clips.
+/// to sum to 1. Reflecting the samples there, as for features, removes no more false rests in 397
+/// walks and runs cut in mid-step, but adds noise to the speed and shifts borders in noisy clips.
 Matrix smooth(ConstMatrixView samples, double sigma);
 std::vector<double> smooth(std::span<const double> curve, double sigma);
 
-/// Central differences per sample, one-sided at the ends.
+/// First differences f'_y(t) per sample (paper, section 3.1), central, but one-sided at the ends.
 std::vector<double> slope(std::span<const double> curve);
 
 } // namespace stltsa::motion

@@ -11,29 +11,29 @@
 namespace stltsa::motion {
 namespace {
 
-/// lambda is looked for between 10^-6 and 10^8 data weights of a coefficient: at the one end the
-/// penalty is not felt, at the other the curve has nothing shorter than 600 knots.
+/// Range of lambda, in powers of 10 times the data weight of a coefficient. At the lower end the
+/// penalty has no effect; at the upper end details are at least 600 knots long.
 constexpr double least_power = -6;
 constexpr double most_power = 8;
 constexpr double power_step = 0.5;
 constexpr double power_precision = 0.02;
-/// What is left of values of size 1 when only rounding is left.
+/// Residuals of values of size 1 below this are rounding.
 constexpr double rounding = 1e-14;
 
-/// Residuals of up to 3 standard deviations have full weight, those beyond 6 none, with Tukey's
-/// bisquare between: against spikes as good as the bisquare alone, and without its loss (5 % and
-/// more) where there are none.
-constexpr double trusted = 3;
-constexpr double refused = 6;
+/// Residuals have full weight up to 3 standard deviations and none beyond 6, with Tukey's bisquare
+/// in between: as robust against spikes as the bisquare alone, without its loss of efficiency (5 %
+/// and more) if there are none.
+constexpr double full_weight = 3;
+constexpr double no_weight = 6;
 constexpr int reweightings = 4;
-/// Residuals are judged against those within one to two such blocks of knots to each side: standing
-/// still is quieter than walking, and walking must not look like spikes beside it.
+/// The standard deviation is local, over one to two blocks of this many knots to each side:
+/// standing has less noise than walking, which must not look like spikes beside it.
 constexpr double block_knots = 20;
 
 using Values = std::vector<double>;
 
-/// Takes the least squares line away; returns it. Twice, for what rounding leaves the first time.
-Values take_line(Values& values) {
+/// Subtracts the least squares line, and returns it. A second pass corrects the first's rounding.
+Values subtract_line(Values& values) {
     const double middle = static_cast<double>(values.size() - 1) / 2;
     const auto place = [&](std::size_t i) { return static_cast<double>(i) / middle - 1; };
     Values line(values.size(), values.front());
@@ -49,10 +49,10 @@ Values take_line(Values& values) {
             square += place(i) * place(i);
         }
         for (std::size_t i = 0; i < values.size(); ++i) {
-            const double part =
+            const double height =
                 sum / static_cast<double>(values.size()) + product / square * place(i);
-            values[i] -= part;
-            line[i] += part;
+            values[i] -= height;
+            line[i] += height;
         }
     }
     return line;
@@ -71,8 +71,7 @@ struct Candidate {
     SplineSystem::Fit fit;
 };
 
-/// Generalized cross-validation of weighted values; a weight of 0 is as if the value were not
-/// there.
+/// Generalized cross-validation of weighted values; a weight of 0 removes the value.
 class CrossValidation {
   public:
     CrossValidation(SplineSystem& system, const Values& values, const Values& weights)
@@ -89,9 +88,9 @@ class CrossValidation {
             const double residual = values_[i] - c.fit.curve[i];
             squares += weights_[i] * residual * residual;
         }
-        const double free = 1 - c.fit.degrees_of_freedom / count_;
-        if (free > 0)
-            c.score = squares / count_ / (free * free);
+        const double residual_share = 1 - c.fit.degrees_of_freedom / count_;
+        if (residual_share > 0)
+            c.score = squares / count_ / (residual_share * residual_share);
         return c;
     }
 
@@ -104,7 +103,7 @@ class CrossValidation {
     double count_ = 0;
 };
 
-/// The best of a grid of powers, then golden sections around it.
+/// The best of a grid of powers, refined by golden section search.
 Candidate best_candidate(const CrossValidation& validation) {
     Candidate best = validation.candidate(most_power);
     for (double power = most_power - power_step; power >= least_power; power -= power_step)
@@ -130,7 +129,7 @@ Candidate best_candidate(const CrossValidation& validation) {
     return std::move(inner.score < best.score ? inner : best);
 }
 
-/// Robust standard deviation (1.4826 MAD) around each row, at least that of all rows.
+/// Robust standard deviation (1.4826 MAD) near each row, at least that of all rows.
 Values scales_of(const Values& residuals, double knot_step) {
     const auto length = static_cast<std::size_t>(std::ceil(block_knots * knot_step));
     const std::size_t blocks = std::max<std::size_t>(1, residuals.size() / length);
@@ -151,11 +150,11 @@ Values scales_of(const Values& residuals, double knot_step) {
 }
 
 double weight_of(double deviations) {
-    const double excess = std::max(0.0, (deviations - trusted) / (refused - trusted));
+    const double excess = std::max(0.0, (deviations - full_weight) / (no_weight - full_weight));
     return excess < 1 ? (1 - excess * excess) * (1 - excess * excess) : 0;
 }
 
-/// Weights from the residuals; false where nothing but rounding is left to judge by.
+/// Sets the weights from the residuals; false if the residuals are only rounding.
 bool reweigh(const Values& values, const Values& curve, double knot_step, Values& weights) {
     Values residuals(values.size());
     for (std::size_t i = 0; i < values.size(); ++i)
@@ -193,7 +192,7 @@ Spline fit_spline(std::span<const double> values, const SplineOptions& options) 
     Values scaled(values.begin(), values.end());
     for (double& value : scaled)
         value = std::ldexp(value, -exponent);
-    const Values line = take_line(scaled);
+    const Values line = subtract_line(scaled);
     Spline result{Values(values.size()), INFINITY, 2};
     if (largest_size(scaled) > rounding)
         result = fit_about_line(scaled, options);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A smooth curve through noisy values over time, as smooth as the values themselves ask for.
+// Fits a smooth curve to noisy values over time; the values determine the amount of smoothing.
 #pragma once
 
 #include <span>
@@ -8,22 +8,22 @@
 namespace stltsa::motion {
 
 struct SplineOptions {
-    double knot_step = 4; ///< rows between knots: no detail of the curve is finer
-    bool robust = false;  ///< values far from their neighbors do not pull at the curve
+    double knot_step = 4; ///< rows between knots, which limits the detail of the curve
+    bool robust = false;  ///< values far from their neighbors do not distort the curve
 };
 
 struct Spline {
-    std::vector<double> curve;     ///< a value per row
+    std::vector<double> curve;     ///< one value per row
     double lambda = 0;             ///< weight of the penalty; infinite: a straight line
     double degrees_of_freedom = 0; ///< effective degrees of freedom: 2 for a straight line
 };
 
-/// The penalized cubic spline (spline_system.hpp) whose lambda has the least score of generalized
-/// cross-validation (Craven, Wahba, Numer. Math. 31, 1979). Values are finite; two at least.
-/// Multiplying them by a power of two does so to the curve, to the bit.
+/// The penalized cubic spline (spline_system.hpp) whose lambda minimizes the generalized
+/// cross-validation score (Craven, Wahba, Numer. Math. 31, 1979). `values`: at least two, finite.
+/// Scaling them by a power of two scales the curve exactly.
 Spline fit_spline(std::span<const double> values, const SplineOptions& options);
 
-/// e such that all values are below 2^e in size, and not all below 2^(e-1); 0 where all are 0.
+/// The e with 2^(e-1) <= largest |value| < 2^e; 0 if all values are 0.
 int binary_exponent(std::span<const double> values);
 
 } // namespace stltsa::motion

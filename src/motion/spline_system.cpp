@@ -57,8 +57,8 @@ SplineSystem::Band SplineSystem::penalized(double lambda) const {
     return matrix;
 }
 
-/// Cholesky factor in place. The penalty makes the matrix positive definite; a pivot that rounding
-/// has eaten (a long stretch without weight) is held at the size of that rounding.
+/// Cholesky factor in place. The penalty makes the matrix positive definite; pivots that rounding
+/// makes too small (after many rows without weight) are raised to the size of that rounding.
 void SplineSystem::factor(Band& matrix) {
     double largest = std::numeric_limits<double>::min();
     for (const Column& column : matrix)
@@ -100,9 +100,9 @@ std::vector<double> SplineSystem::curve(const std::vector<double>& coefficients)
     return values;
 }
 
-/// The trace of (B^T W B + lambda D^T D)^-1 B^T W B takes the inverse Z only within the band of the
-/// matrix: Z L = L^-T gives it column by column from the last one on (Takahashi, Fagan, Chen, 1973;
-/// Hutchinson, de Hoog, "Smoothing noisy data with spline functions", Numer. Math. 47, 1985).
+/// The trace of (B^T W B + lambda D^T D)^-1 B^T W B needs the inverse Z only within the band of the
+/// matrix: Z L = L^-T gives it column by column, starting at the last (Takahashi, Fagan, Chen,
+/// 1973; Hutchinson, de Hoog, "Smoothing noisy data with spline functions", Numer. Math. 47, 1985).
 double SplineSystem::degrees_of_freedom(const Band& factor) const {
     std::array<Column, bandwidth> later{}; // columns j + 1, j + 2, j + 3 of Z within the band
     double trace = 0;

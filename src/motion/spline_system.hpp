@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Penalized least squares in cubic B-splines over equally spaced rows (P-splines: Eilers, Marx,
+// Penalized least squares with cubic B-splines over equally spaced rows (P-splines: Eilers, Marx,
 // "Flexible Smoothing with B-splines and Penalties", Statistical Science 11, 1996).
 #pragma once
 
@@ -11,29 +11,29 @@
 namespace stltsa::motion {
 
 /// Minimizes  sum w_i (y_i - f(i))^2 + lambda * sum (second differences of f's coefficients)^2.
-/// Everything takes time linear in the rows. Straight lines are reproduced whatever lambda is.
+/// The time is linear in the rows. Straight lines are reproduced for any lambda.
 class SplineSystem {
   public:
-    /// `knot_step`: rows between knots, at least 1; adapted so that knots lie on both ends.
+    /// `knot_step`: rows between knots, at least 1; adjusted so that there is a knot at both ends.
     SplineSystem(std::int64_t rows, double knot_step);
 
-    /// Rows between knots as used: the scale of a lambda that matters.
+    /// The adjusted rows between knots, which set the scale of lambda.
     double knot_step() const { return step_; }
     std::int64_t coefficients() const { return intervals_ + 3; }
 
-    /// The data to fit; weights are not negative.
+    /// Sets the data to fit; weights are not negative.
     void set_data(std::span<const double> values, std::span<const double> weights);
 
     struct Fit {
         std::vector<double> curve;     ///< f at each row
-        double degrees_of_freedom = 0; ///< trace of the matrix that takes the values to the curve
+        double degrees_of_freedom = 0; ///< trace of the matrix that maps the values to the curve
     };
     Fit fit(double lambda) const;
 
   private:
-    /// A column of a symmetric matrix of half bandwidth 3: the diagonal and what is below it.
+    /// A column of a symmetric matrix of half bandwidth 3: the diagonal and the entries below it.
     using Column = std::array<double, 4>;
-    /// Three columns of zeros follow the last one, so that no loop must look for the end.
+    /// Three columns of zeros follow the last one, so that no loop needs to check for the end.
     using Band = std::vector<Column>;
 
     struct Basis {

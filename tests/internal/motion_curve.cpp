@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From a coordinate to margins and cycles: smoothing, extrema, steepest points, runs.
+// From a coordinate to margins and cycles: smoothing, extrema, steepest points, sequences.
 #include "motion_testing.hpp"
 
 #include <algorithm>
@@ -76,7 +76,7 @@ void extrema_alternate_and_are_prominent(void**) {
         }
 }
 
-void extrema_take_the_ends_in(void**) {
+void extrema_include_the_ends(void**) {
     const std::vector<double> rising{0, 1, 2, 3};
     const auto found = alternating_extrema(rising, 2);
     assert_int_equal(found.size(), 2);
@@ -89,7 +89,7 @@ void extrema_take_the_ends_in(void**) {
     assert_true(alternating_extrema(std::vector<double>{}, 1).empty());
 }
 
-void parabola_turns_where_it_does(void**) {
+void finds_the_vertex_of_a_parabola(void**) {
     const auto parabola = [](double x) { return 3 - 2 * (x - 0.3) * (x - 0.3); };
     ASSERT_NEAR(parabola_vertex(parabola(-1), parabola(0), parabola(1)), 0.3, 1e-12);
     ASSERT_NEAR(parabola_vertex(1, 1, 1), 0, 0);
@@ -97,7 +97,7 @@ void parabola_turns_where_it_does(void**) {
     ASSERT_NEAR(parabola_vertex(0, 1, 1.9), 0.5, 0); // beyond the neighbors
 }
 
-void cyclicity_tells_once_per_cycle(void**) {
+void cyclicity_recognizes_one_swing_per_cycle(void**) {
     const std::vector<double> level(200, 1.0);
     const auto swing = [&](double per_cycle) {
         return cyclicity(
@@ -173,9 +173,9 @@ void margins_lie_at_the_steepest_points(void**) {
         if (&margin != &margins.front() && &margin != &margins.back())
             ASSERT_NEAR(margin.swing, 2, 0.02);
     }
-    const auto run = longest_run(margins, period);
-    assert_int_equal(run.size(), 14);
-    const auto cycles = cycles_between(run);
+    const auto found_margins = longest_sequence(margins, period);
+    assert_int_equal(found_margins.size(), 14);
+    const auto cycles = cycles_between(found_margins);
     assert_int_equal(cycles.size(), 6);
     for (const Cycle& cycle : cycles)
         ASSERT_NEAR(cycle.end - cycle.begin, period, 0.1);
@@ -189,9 +189,10 @@ void uneven_halves_are_one_cycle(void**) {
         const double phase = std::fmod(t, 60.0) / 60;
         return phase < 0.25 ? -std::cos(turn * phase / 0.5) : std::cos(turn * (phase - 0.25) / 1.5);
     });
-    const auto run = longest_run(find_margins(curve, always_moving(curve.size())), 60);
-    assert_int_equal(run.size(), 10);
-    assert_int_equal(cycles_between(run).size(), 4);
+    const auto found_margins =
+        longest_sequence(find_margins(curve, always_moving(curve.size())), 60);
+    assert_int_equal(found_margins.size(), 10);
+    assert_int_equal(cycles_between(found_margins).size(), 4);
 }
 
 /// Standing in the middle of the swing or above: the first swing has 0.5 or 0.7 of the height, at
@@ -207,38 +208,38 @@ void the_half_swing_from_standing_is_not_cyclic(void**) {
         });
         Activity activity = always_moving(curve.size());
         std::fill_n(activity.level.begin(), 47, 0.0);
-        auto run = longest_run(find_margins(curve, activity), 40);
-        assert_int_equal(run.size(), 9);
-        ASSERT_NEAR(run.front(), 70, 0.1);
+        auto found_margins = longest_sequence(find_margins(curve, activity), 40);
+        assert_int_equal(found_margins.size(), 9);
+        ASSERT_NEAR(found_margins.front(), 70, 0.1);
         // The same swing at the start of a cut clip, with the standing at its end.
         if (stands_at > 0) {
-            run = longest_run(find_margins(curve, always_moving(curve.size())), 40);
-            assert_int_equal(run.size(), 10);
+            found_margins = longest_sequence(find_margins(curve, always_moving(curve.size())), 40);
+            assert_int_equal(found_margins.size(), 10);
         }
         std::vector<double> reversed(curve.rbegin(), curve.rend());
         std::reverse(activity.level.begin(), activity.level.end());
-        run = longest_run(find_margins(reversed, activity), 40);
-        assert_int_equal(run.size(), 9);
-        ASSERT_NEAR(run.back(), 239 - 70, 0.1);
+        found_margins = longest_sequence(find_margins(reversed, activity), 40);
+        assert_int_equal(found_margins.size(), 9);
+        ASSERT_NEAR(found_margins.back(), 239 - 70, 0.1);
     }
 }
 
-void runs_break_at_pauses_and_odd_swings(void**) {
+void sequences_break_at_pauses_and_odd_swings(void**) {
     const auto swing = [](double t) { return -std::cos(turn * t / 40); };
     // Two cycles, one period of standing, then three cycles.
     const auto paused =
         curve_of(245, [&](double t) { return t < 80 ? swing(t) : (t < 120 ? -1.0 : swing(t)); });
-    auto run = longest_run(find_margins(paused, always_moving(paused.size())), 40);
-    assert_int_equal(run.size(), 6);
-    assert_true(run.front() > 120);
+    auto found_margins = longest_sequence(find_margins(paused, always_moving(paused.size())), 40);
+    assert_int_equal(found_margins.size(), 6);
+    assert_true(found_margins.front() > 120);
     // Three cycles, one of a third of the height, one more.
     const auto odd = curve_of(205, [&](double t) {
         const bool low = t >= 120 && t < 160;
         return low ? -1 + (1 + swing(t)) / 3 : swing(t);
     });
-    run = longest_run(find_margins(odd, always_moving(odd.size())), 40);
-    assert_int_equal(run.size(), 6);
-    assert_true(run.back() < 120);
+    found_margins = longest_sequence(find_margins(odd, always_moving(odd.size())), 40);
+    assert_int_equal(found_margins.size(), 6);
+    assert_true(found_margins.back() < 120);
 }
 
 void finds_the_most_typical_cycle(void**) {
@@ -265,14 +266,14 @@ int main() {
         cmocka_unit_test(smoothing_keeps_constants_and_damps_waves),
         cmocka_unit_test(slopes_are_central),
         cmocka_unit_test(extrema_alternate_and_are_prominent),
-        cmocka_unit_test(extrema_take_the_ends_in),
-        cmocka_unit_test(parabola_turns_where_it_does),
-        cmocka_unit_test(cyclicity_tells_once_per_cycle),
+        cmocka_unit_test(extrema_include_the_ends),
+        cmocka_unit_test(finds_the_vertex_of_a_parabola),
+        cmocka_unit_test(cyclicity_recognizes_one_swing_per_cycle),
         cmocka_unit_test(more_dimensions_must_be_clearly_better),
         cmocka_unit_test(margins_lie_at_the_steepest_points),
         cmocka_unit_test(uneven_halves_are_one_cycle),
         cmocka_unit_test(the_half_swing_from_standing_is_not_cyclic),
-        cmocka_unit_test(runs_break_at_pauses_and_odd_swings),
+        cmocka_unit_test(sequences_break_at_pauses_and_odd_swings),
         cmocka_unit_test(finds_the_most_typical_cycle),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);

@@ -68,7 +68,7 @@ void finds_five_units(void**) {
 }
 
 /// Starts and stops are at the same share of a cycle at any tempo.
-void tempo_changes_no_border(void**) {
+void tempo_does_not_move_borders(void**) {
     const auto error = [](double period) {
         const Exercise exercise{period, period, 5, period / 2, period};
         const Decomposition d = decomposed(exercise.samples(60), 60);
@@ -86,7 +86,7 @@ void tempo_changes_no_border(void**) {
 }
 
 /// Noise that moves the whole body, like noise on the root's rotation: its speed varies a lot.
-void noise_moves_no_border(void**) {
+void noise_does_not_move_borders(void**) {
     const Matrix clean = Exercise{}.samples(15);
     const auto expected = decomposed(clean, 15).units;
     for (unsigned seed = 1; seed <= 20; ++seed) {
@@ -104,7 +104,7 @@ void noise_moves_no_border(void**) {
 }
 
 /// A clip that is cut at a turning point does not stand there.
-void turning_points_are_no_rests(void**) {
+void turning_points_are_not_rests(void**) {
     for (int start = 0; start < 20; ++start) {
         const Matrix squats = sampled(500, 8, 30, [&](double t, std::int64_t c) {
             return std::sin(turn * (t / 2 + start / 20.0)) * (0.5 + static_cast<double>(c) / 7);
@@ -116,7 +116,7 @@ void turning_points_are_no_rests(void**) {
 
 /// Two exercises with standing between them: cycles in the longer one, an action in the other, and
 /// a warning.
-void says_what_else_moves(void**) {
+void warns_about_other_motion(void**) {
     Exercise shorter;
     shorter.cycles = 2.5;
     for (const double period : {1.2, 0.7}) {
@@ -314,7 +314,7 @@ void takes_the_callers_parameters(void**) {
     assert_true(failure_of(samples, 30, options) == Status::too_few_frames);
 }
 
-void refuses_what_is_no_motion(void**) {
+void refuses_invalid_samples(void**) {
     Matrix samples = Exercise{}.samples(30);
     assert_true(failure_of(samples, 0) == Status::argument);
     assert_true(failure_of(samples, std::nan("")) == Status::argument);
@@ -341,10 +341,10 @@ void can_be_cancelled(void**) {
 int main() {
     const CMUnitTest tests[] = {
         cmocka_unit_test(finds_five_units),
-        cmocka_unit_test(tempo_changes_no_border),
-        cmocka_unit_test(noise_moves_no_border),
-        cmocka_unit_test(turning_points_are_no_rests),
-        cmocka_unit_test(says_what_else_moves),
+        cmocka_unit_test(tempo_does_not_move_borders),
+        cmocka_unit_test(noise_does_not_move_borders),
+        cmocka_unit_test(turning_points_are_not_rests),
+        cmocka_unit_test(warns_about_other_motion),
         cmocka_unit_test(long_standing_changes_nothing),
         cmocka_unit_test(permuting_channels_changes_nothing),
         cmocka_unit_test(moving_and_scaling_changes_nothing),
@@ -354,7 +354,7 @@ int main() {
         cmocka_unit_test(claims_no_cycle_of_uneven_strides),
         cmocka_unit_test(short_clips_get_an_answer),
         cmocka_unit_test(takes_the_callers_parameters),
-        cmocka_unit_test(refuses_what_is_no_motion),
+        cmocka_unit_test(refuses_invalid_samples),
         cmocka_unit_test(can_be_cancelled),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);

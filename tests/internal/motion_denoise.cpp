@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Equation (1), checked point by point against the fitted curve.
+// Checks equation (1) of the paper point by point against the fitted curve.
 #include "motion_testing.hpp"
 
 #include <algorithm>
@@ -32,7 +32,7 @@ Denoised denoised(const Matrix& coords, const std::vector<std::int64_t>& lengths
     return denoise(coords.view(), lengths, options, {});
 }
 
-/// Equation (1) as in the paper, for one column.
+/// Checks equation (1), as in the paper, for one column.
 void check_equation(const Matrix& coords, const Denoised& found, std::int64_t c, double gamma) {
     const DenoisedColumn& column = found.columns[static_cast<std::size_t>(c)];
     double sum = 0;
@@ -62,7 +62,7 @@ void check_equation(const Matrix& coords, const Denoised& found, std::int64_t c,
     }
 }
 
-void moves_as_equation_1_says(void**) {
+void moves_points_by_equation_1(void**) {
     const Matrix coords = noisy_columns(200);
     const Denoised found = denoised(coords, {200});
     for (std::int64_t c = 0; c < 2; ++c) {
@@ -104,7 +104,7 @@ void moves_a_few_points_by_hand(void**) {
     assert_true(found.cleaned(0, 0) == 2);
 }
 
-void nothing_is_noisy_where_nothing_is(void**) {
+void nothing_is_noisy_without_noise(void**) {
     Matrix coords(50, 2);
     for (std::int64_t i = 0; i < 50; ++i) {
         coords(i, 0) = 0.1;
@@ -119,7 +119,7 @@ void nothing_is_noisy_where_nothing_is(void**) {
 }
 
 /// Two clips, the second far away: no curve connects them.
-void clips_have_curves_of_their_own(void**) {
+void each_clip_has_its_own_curve(void**) {
     Matrix coords = noisy_columns(160);
     for (std::int64_t i = 100; i < 160; ++i)
         coords(i, 0) += 1000;
@@ -164,7 +164,7 @@ void refuses(Status status, Call call) {
     _fail(__FILE__, __LINE__);
 }
 
-void refuses_what_it_cannot_do(void**) {
+void refuses_invalid_input(void**) {
     refuses(Status::too_few_frames, [] { denoised(noisy_columns(7), {7}); });
     refuses(Status::too_few_frames, [] { denoised(noisy_columns(20), {13, 7}); });
     refuses(Status::shape, [] { denoised(noisy_columns(20), {8, 8}); });
@@ -183,13 +183,13 @@ void steps_follow_the_period(void**) {
 
 int main() {
     const CMUnitTest tests[] = {
-        cmocka_unit_test(moves_as_equation_1_says),
+        cmocka_unit_test(moves_points_by_equation_1),
         cmocka_unit_test(gamma_can_be_given),
         cmocka_unit_test(moves_a_few_points_by_hand),
-        cmocka_unit_test(nothing_is_noisy_where_nothing_is),
-        cmocka_unit_test(clips_have_curves_of_their_own),
+        cmocka_unit_test(nothing_is_noisy_without_noise),
+        cmocka_unit_test(each_clip_has_its_own_curve),
         cmocka_unit_test(standing_survives),
-        cmocka_unit_test(refuses_what_it_cannot_do),
+        cmocka_unit_test(refuses_invalid_input),
         cmocka_unit_test(steps_follow_the_period),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Conditions for cycles, and the reasons if there are none.
+// The evidence required for cycles, and the reasons if it is not enough.
 #include "motion_testing.hpp"
 
 #include <string>
@@ -40,7 +40,7 @@ void sound_cycles_are_not_doubted(void**) {
 void each_number_may_raise_doubt(void**) {
     Evidence evidence = sound();
     evidence.margins = 2;
-    check_doubt(evidence, "fewer than one cycle");
+    check_doubt(evidence, "less than one cycle");
     evidence = sound();
     evidence.period.quality = 0.39;
     check_doubt(evidence, "low quality");
@@ -75,7 +75,7 @@ Matrix partly_cyclic(std::int64_t first, std::int64_t end) {
     });
 }
 
-void a_run_speaks_for_itself_where_it_is_most_of_the_motion(void**) {
+void cycles_have_their_own_period_if_they_are_most_of_the_motion(void**) {
     const auto weighed = [](std::int64_t first, std::int64_t end, std::size_t margins) {
         const Matrix samples = partly_cyclic(first, end);
         std::vector<double> coordinate;
@@ -108,7 +108,7 @@ int main() {
         cmocka_unit_test(sound_cycles_are_not_doubted),
         cmocka_unit_test(each_number_may_raise_doubt),
         cmocka_unit_test(a_single_cycle_needs_more),
-        cmocka_unit_test(a_run_speaks_for_itself_where_it_is_most_of_the_motion),
+        cmocka_unit_test(cycles_have_their_own_period_if_they_are_most_of_the_motion),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

@@ -33,7 +33,7 @@ void finds_the_period_of_harmonics(void**) {
 
 /// Left and right steps are mirror images: after half a cycle most of the pose is the opposite, but
 /// the part that both sides share repeats.
-void is_not_trapped_by_half_cycles(void**) {
+void is_not_misled_by_half_cycles(void**) {
     const double fps = 30, seconds = 1.2;
     const Matrix walk = sampled(200, 10, fps, [&](double t, std::int64_t c) {
         const double sides = c % 2 == 0 ? 0.6 : -0.6;
@@ -69,7 +69,7 @@ void standing_does_not_count(void**) {
     ASSERT_NEAR(standing.quality, period_of(samples, fps).quality, 0.03);
 }
 
-void finds_none_in_what_does_not_repeat(void**) {
+void finds_no_period_without_repetition(void**) {
     const double fps = 30;
     Matrix noise(300, 30);
     add_noise(noise, 1, 7);
@@ -81,8 +81,8 @@ void finds_none_in_what_does_not_repeat(void**) {
     assert_true(period_of(Matrix(3, 5), fps).samples == 0);
 }
 
-/// One and a quarter cycles: the repeated quarter proves nothing.
-void asks_for_enough_seen_twice(void**) {
+/// One and a quarter cycles: a repeated quarter proves nothing.
+void needs_enough_repetition(void**) {
     const double fps = 30, seconds = 2;
     const auto cycles = [&](double count) {
         return sampled(static_cast<std::int64_t>(count * seconds * fps), 10, fps,
@@ -114,7 +114,7 @@ void lag_curve_has_known_values(void**) {
     ASSERT_NEAR(curve[40], 1 - std::cos(turn / 3), 0.02);
 }
 
-void refines_within_a_stretch(void**) {
+void refines_within_an_excerpt(void**) {
     const double fps = 30;
     const Matrix walk =
         sampled(120, 10, fps, [](double t, std::int64_t c) { return cyclic_pose(t / 1.1, c); });
@@ -129,8 +129,8 @@ void refines_within_a_stretch(void**) {
         stltsa::motion::refine_period(walk.view().block(0, 40), level, 1.1 * fps, fps).has_value());
 }
 
-/// 1.2 periods or 1.2 s; within what is needed and what there is.
-void neighbors_follow_from_the_period_and_the_frames(void**) {
+/// 1.2 periods or 1.2 s, between the required number and the number of distinct frames.
+void period_and_frames_determine_the_neighbors(void**) {
     using stltsa::motion::choose_neighbors;
     assert_int_equal(choose_neighbors({40, 0.9}, 30, {1000, 2, 2}), 48);
     assert_int_equal(choose_neighbors({}, 30, {1000, 2, 2}), 36);
@@ -148,14 +148,14 @@ void neighbors_follow_from_the_period_and_the_frames(void**) {
 int main() {
     const CMUnitTest tests[] = {
         cmocka_unit_test(finds_the_period_of_harmonics),
-        cmocka_unit_test(is_not_trapped_by_half_cycles),
+        cmocka_unit_test(is_not_misled_by_half_cycles),
         cmocka_unit_test(prefers_the_single_cycle_to_its_multiples),
         cmocka_unit_test(standing_does_not_count),
-        cmocka_unit_test(finds_none_in_what_does_not_repeat),
-        cmocka_unit_test(asks_for_enough_seen_twice),
+        cmocka_unit_test(finds_no_period_without_repetition),
+        cmocka_unit_test(needs_enough_repetition),
         cmocka_unit_test(lag_curve_has_known_values),
-        cmocka_unit_test(refines_within_a_stretch),
-        cmocka_unit_test(neighbors_follow_from_the_period_and_the_frames),
+        cmocka_unit_test(refines_within_an_excerpt),
+        cmocka_unit_test(period_and_frames_determine_the_neighbors),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

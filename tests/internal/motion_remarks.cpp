@@ -30,7 +30,7 @@ Matrix walk_in_space(double seconds) {
                    [](double t, std::int64_t c) { return 1.2 * t + 0.1 * cyclic_pose(t, c); });
 }
 
-void knows_a_drift(void**) {
+void measures_drift(void**) {
     const Matrix line = sampled(
         100, 3, 30, [](double t, std::int64_t c) { return 1e6 + t * static_cast<double>(c); });
     ASSERT_NEAR(drift_share(line.view()), 1, 1e-9);
@@ -47,7 +47,7 @@ void says_that_a_drift_hides_the_period(void**) {
     const Matrix walk = walk_in_space(6);
     const Decomposition d = decomposed(walk, options);
     assert_true(d.cycles.empty());
-    assert_true(holds(d.reason, "straight drift") && holds(d.reason, "subtract"));
+    assert_true(holds(d.reason, "linear drift") && holds(d.reason, "subtract"));
     // Not for poses without position, nor without drift.
     assert_false(holds(decomposed(walk).reason, "drift"));
     assert_false(holds(decomposed(noise_of(300), options).reason, "drift"));
@@ -62,9 +62,9 @@ void says_which_lags_were_searched(void**) {
                                   }))
             .reason;
     };
-    assert_true(holds(slow(120), "at no lag from 0.30 s to 2.80 s"));
-    assert_true(holds(slow(600), "at no lag from 0.30 s to 6.00 s"));
-    assert_true(holds(slow(12), "lasts 0.40 s, is too short to show one of 0.30 s"));
+    assert_true(holds(slow(120), "not repeat at any lag from 0.30 s to 2.80 s"));
+    assert_true(holds(slow(600), "not repeat at any lag from 0.30 s to 6.00 s"));
+    assert_true(holds(slow(12), "lasts 0.40 s, which is too short for a period of 0.30 s"));
 }
 
 void says_where_the_curve_is_cut(void**) {
@@ -99,7 +99,7 @@ void names_the_jump(void**) {
     assert_true(holds(cyclic.warnings.back().text, "jumps at frame 7"));
 }
 
-void names_the_dimension_that_was_asked_for(void**) {
+void names_the_requested_dimension(void**) {
     const Matrix circle = sampled(300, 2, 30, [](double t, std::int64_t c) {
         return c == 0 ? std::cos(turn * t) : std::sin(turn * t);
     });
@@ -112,12 +112,12 @@ void names_the_dimension_that_was_asked_for(void**) {
 
 int main() {
     const CMUnitTest tests[] = {
-        cmocka_unit_test(knows_a_drift),
+        cmocka_unit_test(measures_drift),
         cmocka_unit_test(says_that_a_drift_hides_the_period),
         cmocka_unit_test(says_which_lags_were_searched),
         cmocka_unit_test(says_where_the_curve_is_cut),
         cmocka_unit_test(names_the_jump),
-        cmocka_unit_test(names_the_dimension_that_was_asked_for),
+        cmocka_unit_test(names_the_requested_dimension),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

@@ -194,7 +194,7 @@ void cross_validation_is_near_the_best(void**) {
         }
 }
 
-void spikes_do_not_pull_at_the_robust_curve(void**) {
+void spikes_do_not_distort_the_robust_curve(void**) {
     const Values truth = noisy_wave(300, 0);
     Values values = noisy_wave(300, 0.03);
     const double without = rms_difference(fit_spline(values, {3.3, true}).curve, truth);
@@ -211,7 +211,7 @@ void spikes_do_not_pull_at_the_robust_curve(void**) {
 }
 
 /// Standing is quieter than walking, but walking is not noise.
-void a_stir_after_long_standing_is_no_spike(void**) {
+void a_movement_after_long_standing_is_not_a_spike(void**) {
     Values values = noisy_wave(1000, 0.05, 7);
     const Values wave = noisy_wave(1000, 0);
     Values truth(values.size());
@@ -282,8 +282,8 @@ int main() {
         cmocka_unit_test(smooth_values_are_followed),
         cmocka_unit_test(pure_noise_becomes_nearly_a_line),
         cmocka_unit_test(cross_validation_is_near_the_best),
-        cmocka_unit_test(spikes_do_not_pull_at_the_robust_curve),
-        cmocka_unit_test(a_stir_after_long_standing_is_no_spike),
+        cmocka_unit_test(spikes_do_not_distort_the_robust_curve),
+        cmocka_unit_test(a_movement_after_long_standing_is_not_a_spike),
         cmocka_unit_test(scale_changes_no_digit),
         cmocka_unit_test(always_finite),
         cmocka_unit_test(binary_exponents_and_deviations),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Activity, rests, and the units made from them.
+// Activity, rests and units.
 #include "motion_testing.hpp"
 
 #include <algorithm>
@@ -33,7 +33,7 @@ void typical_speed_is_that_of_the_motion(void**) {
     assert_int_equal(span.count, 400);
 }
 
-void what_never_moves_has_no_activity(void**) {
+void a_body_that_never_moves_has_no_activity(void**) {
     Matrix still(50, 3);
     for (std::int64_t i = 0; i < 50; ++i)
         still(i, 1) = 0.1; // not exact in binary: smoothing must not create motion
@@ -89,13 +89,13 @@ void sway_is_standing(void**) {
     ASSERT_NEAR(rests[0].end, 63, 3);
 }
 
-void short_dips_are_no_rests(void**) {
+void short_dips_are_not_rests(void**) {
     std::vector<double> speed(100, 1.0);
     std::fill_n(speed.begin() + 40, 7, 0.0);
     assert_true(find_rests(speed, standing).empty());
     speed[47] = 0;
     assert_int_equal(find_rests(speed, standing).size(), 1);
-    // Nor at the ends of a clip, which may be cut at a turning point.
+    // The same at the ends of a clip, which may be cut at a turning point.
     std::fill_n(speed.begin(), 7, 0.0);
     assert_int_equal(find_rests(speed, standing).size(), 1);
     speed[7] = 0;
@@ -204,10 +204,10 @@ void actions_between_rests(void**) {
 int main() {
     const CMUnitTest tests[] = {
         cmocka_unit_test(typical_speed_is_that_of_the_motion),
-        cmocka_unit_test(what_never_moves_has_no_activity),
+        cmocka_unit_test(a_body_that_never_moves_has_no_activity),
         cmocka_unit_test(rests_end_at_the_onset),
         cmocka_unit_test(sway_is_standing),
-        cmocka_unit_test(short_dips_are_no_rests),
+        cmocka_unit_test(short_dips_are_not_rests),
         cmocka_unit_test(five_units_or_fewer),
         cmocka_unit_test(other_motion_is_action),
         cmocka_unit_test(actions_between_rests),

@@ -52,11 +52,11 @@ void check_once(const Work& work, int embeddings) {
 }
 
 /// The coordinate is chosen among three dimensions, and nothing is embedded twice.
-void cycles_take_three_embeddings_of_one_graph(void**) {
+void cycles_need_three_embeddings_of_one_graph(void**) {
     check_once(work_of(Exercise{}.samples(30)), 3);
 }
 
-void a_wanted_dimension_takes_only_itself(void**) {
+void a_requested_dimension_is_the_only_one(void**) {
     DecomposeOptions options;
     options.dimension = 2;
     check_once(work_of(Exercise{}.samples(30), options), 1);
@@ -64,7 +64,7 @@ void a_wanted_dimension_takes_only_itself(void**) {
     check_once(work_of(Exercise{}.samples(30), options), 2);
 }
 
-/// Among them one channel, which has no second dimension to embed.
+/// This includes a single channel, which has no second dimension.
 void without_a_choice_there_is_one_embedding(void**) {
     const Matrix line = sampled(
         300, 10, 30, [](double t, std::int64_t c) { return t * std::cos(1.0 * double(c)); });
@@ -73,7 +73,7 @@ void without_a_choice_there_is_one_embedding(void**) {
     check_once(work_of(sine), 1);
 }
 
-void the_intrinsic_dimension_takes_no_graph_and_no_embedding(void**) {
+void the_intrinsic_dimension_needs_no_graph_and_no_embedding(void**) {
     DecomposeOptions options;
     options.estimate.emplace();
     for (const int dimension : {0, 2}) {
@@ -94,7 +94,7 @@ void the_intrinsic_dimension_takes_no_graph_and_no_embedding(void**) {
     }
 }
 
-void what_cannot_be_embedded_has_no_dimension(void**) {
+void samples_without_an_embedding_have_no_dimension(void**) {
     DecomposeOptions options;
     options.estimate.emplace();
     const auto still = decompose(Matrix(300, 4).view(), 30, options, Progress{});
@@ -106,11 +106,11 @@ void what_cannot_be_embedded_has_no_dimension(void**) {
 
 int main() {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(cycles_take_three_embeddings_of_one_graph),
-        cmocka_unit_test(a_wanted_dimension_takes_only_itself),
+        cmocka_unit_test(cycles_need_three_embeddings_of_one_graph),
+        cmocka_unit_test(a_requested_dimension_is_the_only_one),
         cmocka_unit_test(without_a_choice_there_is_one_embedding),
-        cmocka_unit_test(the_intrinsic_dimension_takes_no_graph_and_no_embedding),
-        cmocka_unit_test(what_cannot_be_embedded_has_no_dimension),
+        cmocka_unit_test(the_intrinsic_dimension_needs_no_graph_and_no_embedding),
+        cmocka_unit_test(samples_without_an_embedding_have_no_dimension),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }
