@@ -8,8 +8,8 @@
 namespace stltsa::synthesis {
 namespace {
 
-/// A cut removes at most a quarter of a stretch, and a crossfade covers at most a quarter, so that
-/// the two ends of a stretch never affect each other.
+/// A cut removes at most a quarter of a run, and a crossfade covers at most a quarter, so that the
+/// two ends of a run never affect each other.
 std::int64_t quarter(std::int64_t length) {
     return length / 4;
 }
@@ -30,7 +30,7 @@ struct Reach {
     }
 };
 
-/// The wanted crossfade, limited by the frames that the clips have.
+/// The requested crossfade, limited by the available frames of the clips.
 std::int64_t crossfade_at(const Join& join, std::int64_t wanted, std::int64_t end,
                           std::int64_t begin) {
     return std::max<std::int64_t>(
@@ -40,8 +40,8 @@ std::int64_t crossfade_at(const Join& join, std::int64_t wanted, std::int64_t en
 }
 
 /// Squared distance of two postures and velocities, averaged over the frames that the crossfade
-/// blends, weighted by the slope of smoothstep, x (1 - x). The later frame replaces frame e of the
-/// earlier stretch.
+/// blends, weighted by the slope of smoothstep, x (1 - x). Frame b of the later run replaces frame
+/// e of the earlier one.
 double squared_distance_around(const Join& join, std::int64_t e, std::int64_t b,
                                std::int64_t crossfade, double velocity_s) {
     double sum = 0;

@@ -7,7 +7,7 @@
 namespace stltsa::synthesis {
 namespace {
 
-/// Squared speed, relative to the mean over the joints, below which all joints weigh the same.
+/// Squared speed, relative to the mean over the joints, below which joints have about equal weight.
 constexpr double still = 0.0025;
 
 Vec3 posture(const Track& track, std::int64_t frame, std::int64_t joint) {
@@ -22,9 +22,9 @@ Vec3 place(const Track& track, std::int64_t frame, std::int64_t joint) {
 
 double squared_speed(const Track& track, std::int64_t frame, std::int64_t joint) {
     const std::int64_t to = std::min(std::max<std::int64_t>(frame, 1), track.frames() - 1);
-    const Vec3 way =
+    const Vec3 displacement =
         place(track, to, joint) - place(track, std::max<std::int64_t>(to - 1, 0), joint);
-    return clip::dot(way, way);
+    return clip::dot(displacement, displacement);
 }
 
 } // namespace

@@ -19,7 +19,7 @@ constexpr double tolerance = 0.01;
 constexpr double rounding = 1e-4;
 
 constexpr const char* advice =
-    "; clips are joined that were recorded of, or retargeted to, one skeleton";
+    "; only clips recorded with, or retargeted to, the same skeleton can be joined";
 
 double longest_offset(const Skeleton& skeleton) {
     double longest = 0;
@@ -38,16 +38,16 @@ void check_joint(const Joint& a, const Joint& b, std::size_t index, const std::s
              b.name, a.name, advice);
     if (a.parent != b.parent)
         fail(Status::unsupported,
-             "joint {} (\"{}\") of {} hangs on another joint than in the first "
-             "clip{}",
-             index, b.name, name, advice);
-    if (a.channels != b.channels || !same_axis(a.axis, b.axis))
-        fail(Status::unsupported, "joint \"{}\" of {} has other channels than in the first clip{}",
+             "joint {} (\"{}\") of {} has a different parent than in the first clip{}", index,
              b.name, name, advice);
+    if (a.channels != b.channels || !same_axis(a.axis, b.axis))
+        fail(Status::unsupported,
+             "joint \"{}\" of {} has different channels than in the first clip{}", b.name, name,
+             advice);
 }
 
-/// Whether position channels replace the joint's offset, which then carries no information on the
-/// body: true for the root, and for hips that travel below a static root.
+/// Whether position channels replace the joint's offset, which then says nothing about the body:
+/// true for the root, and for hips that travel below a static root.
 bool is_placed(const Skeleton& skeleton, std::size_t j, std::size_t body_root) {
     const std::vector<clip::Channel>& channels = skeleton.joints[j].channels;
     const auto rotations = std::count_if(channels.begin(), channels.end(), clip::is_rotation);
@@ -72,7 +72,7 @@ std::string check_same_body(const clip::Clip& first, const clip::Clip& other,
         fail(Status::unsupported, "{} has {} joints, the first clip has {}{}", name,
              b.joints.size(), a.joints.size(), advice);
     if (a.fixed_axes != b.fixed_axes || a.translations_add != b.translations_add)
-        fail(Status::unsupported, "{} is of another format than the first clip{}", name, advice);
+        fail(Status::unsupported, "{} has a different format than the first clip{}", name, advice);
     const double longest = longest_offset(a);
     const std::size_t body_root = clip::body_root(first);
     std::string differs;
@@ -83,10 +83,10 @@ std::string check_same_body(const clip::Clip& first, const clip::Clip& other,
             continue;
         const double difference = offset_difference(a.joints[j], b.joints[j], longest);
         if (difference > 1)
-            fail(Status::unsupported,
-                 "joint \"{}\" of {} has an offset that differs by more than "
-                 "1 % from the first clip's{}",
-                 b.joints[j].name, name, advice);
+            fail(
+                Status::unsupported,
+                "the offset of joint \"{}\" of {} differs from the first clip's by more than 1 %{}",
+                b.joints[j].name, name, advice);
         if (difference > most) {
             most = difference;
             differs = b.joints[j].name;

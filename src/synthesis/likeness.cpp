@@ -23,10 +23,11 @@ constexpr double least_quality = 0.4;
 constexpr double lateness = 0.3;
 /// Largest number of frames for the median.
 constexpr std::int64_t most_frames = 200;
-/// Without repetitions, the frame this many seconds later stands in for one: in walks and runs a
-/// repetition is as far away as the frame 0.02 to 0.04 s later, in slower actions up to 0.1 s.
+/// Without repetitions, the frame this many seconds later substitutes for one: in walking and
+/// running, a repetition is as distant as the frame 0.02 to 0.04 s later; in slower actions, as the
+/// frame up to 0.1 s later.
 constexpr double stand_in_s = 0.04;
-/// Differences below this share of a posture count as none.
+/// Differences below this share of the size of a posture are rounding.
 constexpr double rounding = 1e-4;
 
 double nearest(const Track& track, std::int64_t frame, std::int64_t first, std::int64_t last,

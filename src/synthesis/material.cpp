@@ -10,7 +10,7 @@
 namespace stltsa::synthesis {
 namespace {
 
-/// A longer clip is assumed to be a mistake.
+/// Longer clips are assumed to be mistakes.
 constexpr double most_frames = 2147483647;
 
 std::string name_of(std::span<const Piece> pieces, std::size_t p) {
@@ -22,17 +22,18 @@ void check_piece(std::span<const Piece> pieces, std::size_t p) {
     const Piece& piece = pieces[p];
     if (!piece.clip->skeleton)
         fail(Status::unsupported,
-             "{} is bare numbers: motion is made from clips that have a skeleton",
+             "{} is a bare matrix, which cannot be joined: use clips that have a skeleton",
              name_of(pieces, p));
     if (!(piece.clip->fps > 0))
-        fail(Status::unsupported, "the frame rate of {} is unknown: read it with the option fps",
+        fail(Status::unsupported, "the frame rate of {} is unknown: open it with option fps",
              name_of(pieces, p));
     if (piece.begin < 0 || piece.begin >= piece.end || piece.end > piece.clip->frames())
         fail(Status::argument,
-             "pieces[{}] is frames [{}, {}); a piece is at least one frame of the {} frames of {}",
+             "pieces[{}] is frames [{}, {}); it must have at least one frame, all within the {} "
+             "frames of {}",
              p, piece.begin, piece.end, piece.clip->frames(), name_of(pieces, p));
     if (piece.repeat < 1)
-        fail(Status::argument, "pieces[{}] is repeated {} times; once is 1", p, piece.repeat);
+        fail(Status::argument, "pieces[{}] has repeat {}; it must be at least 1", p, piece.repeat);
 }
 
 void check_pieces(std::span<const Piece> pieces) {
@@ -44,11 +45,12 @@ void check_pieces(std::span<const Piece> pieces) {
                  (pieces[0].clip->fps / pieces[p].clip->fps);
     }
     if (total > most_frames)
-        fail(Status::argument, "the new clip would have {} frames, more than {}: repeat less",
-             total, most_frames);
+        fail(Status::argument,
+             "the new clip would have {} frames, more than {}: use fewer repetitions", total,
+             most_frames);
 }
 
-/// The first joint that turns, in any of the clips: in a clip of standing none does.
+/// The joint that turns the body in any of the clips: in a clip of standing, no joint does.
 std::size_t common_root(std::span<const Piece> pieces) {
     std::size_t root = 0;
     for (const Piece& piece : pieces)
@@ -90,14 +92,14 @@ class Preparation {
         const std::string differs = check_same_body(first_, clip, name);
         if (body.turns_above_root(clip.values))
             fail(Status::unsupported,
-                 "{} turns a joint above \"{}\", which turns the body in another clip", name,
-                 body.skeleton().joints[body.root()].name);
+                 "{} rotates a joint above \"{}\", the joint that rotates the body in another clip",
+                 name, body.skeleton().joints[body.root()].name);
         if (!differs.empty())
             material_.warnings.push_back(
                 {WarningCode::offsets_differ,
                  format_text(
                      "the offsets of {} differ from the first clip's by less than 1 %, most "
-                     "at \"{}\": the first clip's are used",
+                     "at \"{}\": the first clip's offsets are used",
                      name, differs)});
         const bool same = same_rate(clip.fps, first_.fps);
         if (!same)

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double near_s = 0.125;
 constexpr double usual = 0.95;
-/// Steps below this share of a posture count as none.
+/// Steps below this share of the size of a posture are rounding.
 constexpr double rounding = 1e-6;
 
 struct Differences {

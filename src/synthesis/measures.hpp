@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Visibility of a seam.
+// Measures how visible a seam is.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace stltsa::synthesis {
 
-/// Pose step |p_t - p_(t-1)| and second difference |p_(t+1) - 2 p_t + p_(t-1)|: the largest of a
+/// Pose step |p_t - p_(t-1)| and second difference |p_(t+1) - 2 p_t + p_(t-1)|: the largest in a
 /// range of frames, or the 95th percentile.
 struct Roughness {
     double step = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Merges adjacent pieces into runs, which play one after another.
+// Merges adjacent pieces into runs, which are played one after another.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ struct Part {
     std::int64_t repeat = 1;
 };
 
-/// Frames of one track without a seam: adjacent pieces.
+/// Consecutive frames of one track, played without a seam.
 struct Run {
     std::size_t track = 0;
     std::int64_t begin = 0;
@@ -27,7 +27,8 @@ struct Run {
     std::int64_t last_piece = 0;
 };
 
-/// At least one run, with a seam between each two.
+/// The runs, with a seam between each and the next. Repetitions of a piece are separate runs (the
+/// self-connection of the paper, section 4).
 std::vector<Run> make_runs(std::span<const Part> parts);
 
 } // namespace stltsa::synthesis

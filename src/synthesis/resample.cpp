@@ -33,7 +33,7 @@ Matrix resampled(const clip::Clip& clip, double fps) {
         const double share = at - static_cast<double>(before);
         const double* source = clip.values.row(before);
         double* row = result.row(i);
-        // Of equivalent angles, take those nearest to the previous row.
+        // Of equivalent angles, blend_poses chooses those nearest to the previous row.
         std::copy_n(i > 0 ? result.row(i - 1) : source, result.cols(), row);
         if (before == last || share < rounding)
             std::copy_n(source, result.cols(), row);

@@ -84,13 +84,13 @@ Step Body::step(const RootState& from, const RootState& to) const {
     Step result;
     result.turn =
         std::remainder(2 * std::atan2(component(turn, up_), turn.w), 2 * std::numbers::pi);
-    result.way = planar(rotate(conjugate(from.yaw), to.position - from.position));
+    result.displacement = planar(rotate(conjugate(from.yaw), to.position - from.position));
     return result;
 }
 
 RootState Body::after(const RootState& state, const Step& step) const {
     RootState result = state;
-    result.position = state.position + planar(rotate(state.yaw, step.way));
+    result.position = state.position + planar(rotate(state.yaw, step.displacement));
     result.yaw = normalized(clip::axis_rotation(up_, step.turn) * state.yaw);
     return result;
 }

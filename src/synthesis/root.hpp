@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Position and heading of the body, apart from its posture. Motion in the plane is kept as steps
-// relative to the body, so that it continues from wherever the body is.
+// Position and heading of the body, separate from its posture. Motion in the plane is represented
+// by steps relative to the body, so that it can continue from any position and heading.
 #pragma once
 
 #include <vector>
@@ -32,8 +32,8 @@ struct Placement {
 
 /// The motion in the plane from one frame to the next.
 struct Step {
-    double turn = 0; ///< radians about the up axis
-    Vec3 way{};      ///< in the heading of the earlier frame; 0 along the up axis
+    double turn = 0;     ///< radians about the up axis
+    Vec3 displacement{}; ///< relative to the heading of the earlier frame; 0 along the up axis
 };
 
 /// The skeleton of the new clip and the joint that turns its body.
@@ -55,7 +55,7 @@ class Body {
 
     RootState read(const clip::Pose& pose, const Quaternion& yaw) const;
     /// Writes the state into the channels of the root and of the joints above it; the latter keep
-    /// their values of the first frame unless they carry the root. Of equivalent angles it picks
+    /// their values of the first frame unless they carry the root. Of equivalent angles it chooses
     /// those nearest to the previous contents of `row`.
     void write(const RootState& state, double* row) const;
 
@@ -79,7 +79,7 @@ class Body {
 
 inline Step mix(const Step& a, const Step& b, double weight_of_b) {
     return {(1 - weight_of_b) * a.turn + weight_of_b * b.turn,
-            (1 - weight_of_b) * a.way + weight_of_b * b.way};
+            (1 - weight_of_b) * a.displacement + weight_of_b * b.displacement};
 }
 
 /// Along the shorter arc, at constant speed.

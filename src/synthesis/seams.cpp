@@ -17,10 +17,9 @@ constexpr double search_s = 0.5;
 /// If clips join, as a share of the shorter cycle: every phase is then within reach, even if each
 /// cut can move one way only (at the end of one clip and the beginning of the other).
 constexpr double search_of_cycle = 0.5;
-/// A difference in velocity counts as the difference in position it causes in this share of a
-/// cycle.
+/// A difference in velocity counts as the distance that it causes in this share of a cycle.
 constexpr double velocity_share = 0.1;
-/// Stands in for the cycle if nothing repeats: about a cycle of gait.
+/// Assumed length of a cycle if nothing repeats: about a cycle of gait.
 constexpr double usual_cycle_s = 1;
 
 /// The option or its automatic value, in frames.
@@ -28,7 +27,7 @@ std::int64_t frames_of(double option, double chosen, double fps) {
     return std::llround((option < 0 ? chosen : option) * fps);
 }
 
-/// Whether two tracks are the same clip, or a clip that was read twice.
+/// Whether two tracks have the same motion, such as a clip that was read twice.
 bool same_motion(const Track& a, const Track& b) {
     return &a == &b || (a.values.rows() == b.values.rows() &&
                         std::equal(a.values.row(0), a.values.row(a.frames()), b.values.row(0)));
@@ -39,7 +38,7 @@ double shorter(double a, double b) {
     return a > 0 && b > 0 ? std::min(a, b) : std::max(a, b);
 }
 
-/// A repeated stretch holds a whole number of cycles.
+/// Length of a cycle, given that a repeated piece contains a whole number of them.
 double cycle_of(double seconds, double period) {
     return seconds / std::max(1.0, std::round(seconds / period));
 }
@@ -78,11 +77,11 @@ class Chooser {
         const double period_a = period_near(earlier, a.begin, a.end);
         const double period_b = period_near(later, b.begin, b.end);
         const double cycle = shorter(period_a, period_b);
-        const double supposed = cycle > 0 ? cycle : usual_cycle_s;
-        const double velocity_s = velocity_share * supposed;
+        const double assumed = cycle > 0 ? cycle : usual_cycle_s;
+        const double velocity_s = velocity_share * assumed;
         Join join{&earlier, &later, a.end, b.begin, a.end - a.begin, b.end - b.begin, {}};
         if (same_motion(earlier, later))
-            join.lengths = lengths_left_out(a.end - b.begin, supposed * earlier.fps);
+            join.lengths = lengths_left_out(a.end - b.begin, assumed * earlier.fps);
         const double search = std::max(search_s, search_of_cycle * cycle);
         ChosenCut chosen = choose(join, crossfade_s, search, velocity_s);
         set_posture(chosen, (repetition_distance(earlier, a.begin, a.end, period_a, velocity_s) +

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The seams between runs: their cuts, and the distance of the postures there.
+// The seams between runs: their cuts, and the distances of the postures at the cuts.
 #pragma once
 
 #include <span>
@@ -14,11 +14,10 @@ namespace stltsa::synthesis {
 struct ChosenCut {
     Cut cut;
     std::int64_t wanted_crossfade = 0; ///< frames to each side
-    double posture = 0;                ///< the cut's distance relative to that between repetitions
+    double posture = 0;                ///< distance of the postures relative to that of repetitions
 };
 
-/// One cut between each run and the next. All seams between repetitions of one piece have the same
-/// cut.
+/// One cut between each run and the next; the same between all repetitions of one piece.
 std::vector<ChosenCut> choose_cuts(std::span<const Track> tracks, std::span<const Part> parts,
                                    std::span<const Run> runs, const Options& options,
                                    const Progress& progress);

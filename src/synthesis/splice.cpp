@@ -24,7 +24,7 @@ double crossfade_weight(std::int64_t i, std::int64_t crossfade) {
 Splicer::Splicer(const Body& body, std::int64_t frames)
     : body_(body), values_(frames, body.channels()) {}
 
-/// The next row, filled with the previous one, which selects among equivalent angles.
+/// The next row, initialized with the previous one, which selects among equivalent angles.
 double* Splicer::new_row() {
     double* row = values_.row(next_);
     if (next_ > 0)

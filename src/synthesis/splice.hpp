@@ -8,12 +8,12 @@
 
 namespace stltsa::synthesis {
 
-/// Weight of the later stretch in frame i of a crossfade, -crossfade <= i < crossfade.
+/// Weight of the later run in frame i of a crossfade, -crossfade <= i < crossfade.
 double crossfade_weight(std::int64_t i, std::int64_t crossfade);
 
-/// Outside crossfades each stretch is its source after one rigid motion in the plane, possibly with
-/// a small extra turn in each frame: only the root's channels differ from the source, and before
-/// the first seam not even those.
+/// Outside crossfades each run is its source after one rigid motion in the plane, possibly with a
+/// small extra turn in each frame: only the root's channels differ from the source, and before the
+/// first seam none do.
 class Splicer {
   public:
     /// `frames`: length of the new clip.
@@ -44,7 +44,7 @@ class Splicer {
     const Body& body_;
     Matrix values_;
     std::int64_t next_ = 0;
-    bool in_place_ = true; ///< no stretch has been moved yet
+    bool in_place_ = true; ///< no run has been moved yet
     Placement placement_;
     RootState last_; ///< state in the last written frame
 };

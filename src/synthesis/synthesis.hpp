@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// New motion from pieces of clips (paper, section 4): pieces are cut at a common posture, joined
-// there, and blended across the seam.
+// New motion from pieces of clips (paper, section 4): pieces are cut at a common posture, joined,
+// and blended across the seam.
 #pragma once
 
 #include <cstdint>
@@ -24,14 +24,14 @@ struct Piece {
 };
 
 struct Options {
-    double crossfade = -1;    ///< seconds to each side of a seam; below 0: chosen
-    double search = -1;       ///< seconds by which a cut may move; below 0: chosen
-    double posture_limit = 3; ///< most that a seam's `posture` may be; 0: no limit
+    double crossfade = -1;    ///< seconds to each side of a seam; below 0: automatic
+    double search = -1;       ///< seconds by which a cut may move; below 0: automatic
+    double posture_limit = 3; ///< upper limit of a seam's `posture`; 0: no limit
     clip::Axis up = clip::Axis::automatic;
 };
 
-/// The transition from one piece to another, or to its own repetition. Frame numbers count after
-/// any resampling.
+/// The transition from one piece to another, or to its own repetition. Frame numbers are those
+/// after any resampling.
 struct Seam {
     std::int64_t frame = 0;     ///< first frame of the later piece in the new clip
     std::int64_t piece = 0;     ///< index of the earlier piece
@@ -39,7 +39,7 @@ struct Seam {
     std::int64_t cut_end = 0;   ///< the earlier piece ends before this frame of its clip
     std::int64_t cut_begin = 0; ///< the later piece begins at this frame of its clip
     std::int64_t crossfade = 0; ///< frames to each side that are blended
-    double posture = 0;         ///< distance at the cuts relative to that between repetitions
+    double posture = 0;         ///< distance at the cuts relative to that of repetitions
     double step = 0; ///< largest pose step near the seam, relative to the pieces' 95th percentile
     double acceleration = 0; ///< the same of the second difference
 };

@@ -85,18 +85,16 @@ class Synthesizer {
 
     void check_posture(const Seam& seam) const {
         if (options_.posture_limit > 0 && seam.posture > options_.posture_limit)
-            fail(
-                Status::no_common_posture,
-                "at {}, where pieces[{}] and pieces[{}] meet, the postures are {:.1f} times as far "
-                "apart as those of repetitions of one motion are, over the limit of {}: choose "
-                "pieces that meet in a posture, raise the option cut_range or posture_limit, or "
-                "put "
-                "a piece between them",
-                where(seam), seam.piece, seam.next, seam.posture, options_.posture_limit);
+            fail(Status::no_common_posture,
+                 "at {}, between pieces[{}] and pieces[{}], the postures differ {:.1f} times as "
+                 "much as those of repetitions of one motion, over the limit of {}: choose pieces "
+                 "with a common posture, raise option cut_range or posture_limit, or put a piece "
+                 "between them",
+                 where(seam), seam.piece, seam.next, seam.posture, options_.posture_limit);
     }
 
-    /// Radians by which each frame of a run must turn so that a straight walk stays straight,
-    /// however often its cycle repeats.
+    /// Extra turn per frame of a run, in radians, that keeps a straight walk straight for any
+    /// number of repetitions.
     double straightening(std::size_t i) const {
         if (i == 0 || i == cuts_.size() || !cut_alike(result_.seams[i - 1], result_.seams[i]))
             return 0;
@@ -166,20 +164,21 @@ class Synthesizer {
             options_.posture_limit > 0 ? options_.posture_limit : Options{}.posture_limit;
         if (seam.posture > limit / 2)
             warn(WarningCode::seam_posture,
-                 format_text("the postures are {:.1f} times as far apart as those of repetitions",
+                 format_text("the postures differ {:.1f} times as much as those of repetitions",
                              seam.posture));
         if (seam.step > visible_step)
             warn(WarningCode::seam_speed,
-                 format_text("the body moves {:.1f} times as fast as it usually does at most",
+                 format_text("the body moves {:.1f} times as fast as its normal maximum (95th "
+                             "percentile)",
                              seam.step));
         if (seam.acceleration > visible_acceleration)
-            warn(
-                WarningCode::seam_acceleration,
-                format_text("the body is accelerated {:.1f} times as much as it usually is at most",
-                            seam.acceleration));
+            warn(WarningCode::seam_acceleration,
+                 format_text("the body accelerates {:.1f} times as much as its normal maximum "
+                             "(95th percentile)",
+                             seam.acceleration));
         if (seam.crossfade == 0 && cuts_[i].wanted_crossfade > 0)
             warn(WarningCode::not_blended,
-                 "nothing is blended, as the clips have no frames beyond the cuts");
+                 "no frames are blended, because the clips end at the cuts");
         return next;
     }
 

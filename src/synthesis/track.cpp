@@ -36,8 +36,10 @@ void check_finite(const Track& track) {
     for (std::int64_t i = 0; i < track.frames(); ++i)
         if (!std::all_of(track.postures.row(i), track.postures.row(i) + track.postures.cols(),
                          [](double value) { return std::isfinite(value); }))
-            fail(Status::not_finite, "the numbers of frame {} of {} are too large for a pose", i,
-                 track.name);
+            fail(Status::not_finite,
+                 "the values in frame {} of {} are too large: the positions of its joints are not "
+                 "finite",
+                 i, track.name);
 }
 
 /// The posture after the last one, extrapolated.

@@ -14,10 +14,10 @@ struct Track {
     std::string name; ///< the clip's name, for messages
     Matrix values;    ///< channels, at the frame rate of the new clip
     double fps = 0;
-    std::int64_t first = 0; ///< frames of a T-pose at the start
+    std::int64_t first = 0; ///< number of T-pose frames at the start
     std::vector<RootState> roots;
-    /// Joints relative to the body root, in its heading, and their velocities per second. The last
-    /// row, beyond the frames, extrapolates the motion.
+    /// Positions of the joints relative to the body root and its heading, and velocities per
+    /// second. The last row, beyond the frames, extrapolates the motion.
     Matrix postures;
     Matrix velocities;
 
@@ -29,8 +29,7 @@ struct Track {
 
 Track make_track(const Body& body, const Matrix& values, double fps, std::string name);
 
-/// Motion in the plane from the previous frame to this one; at the ends of the clip, the nearest
-/// step that exists.
+/// Motion in the plane from the previous frame to this one, or the nearest step of the clip.
 Step step_to(const Body& body, const Track& track, std::int64_t frame);
 
 /// Squared distance of two postures and their velocities: |dp|^2 + (velocity_s |dv|)^2.

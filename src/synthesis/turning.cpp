@@ -34,15 +34,15 @@ double turn_of_repetition(const Body& body, const Track& track, const Cut& cut) 
     return sum;
 }
 
-/// Range of the heading from leftmost to rightmost, without the steady part.
+/// Range of the heading after subtracting the steady turn.
 double swing(const double* heading, std::int64_t count) {
     const double steady = (heading[count - 1] - heading[0]) / static_cast<double>(count - 1);
     double least = heading[0];
     double most = heading[0];
     for (std::int64_t i = 0; i < count; ++i) {
-        const double off = heading[i] - steady * static_cast<double>(i);
-        least = std::min(least, off);
-        most = std::max(most, off);
+        const double deviation = heading[i] - steady * static_cast<double>(i);
+        least = std::min(least, deviation);
+        most = std::max(most, deviation);
     }
     return most - least;
 }

@@ -7,9 +7,9 @@
 namespace stltsa::synthesis {
 
 /// Spurious turn of each repetition about the up axis, in radians; 0 if the turn is real. A turn is
-/// spurious if it is smaller than the heading's swing within the repetition (without the steady
-/// part) and stretches of the same length, beginning from one repetition before to one after, turn
-/// to both sides.
+/// spurious if it is smaller than the heading's swing within the repetition (after subtracting the
+/// steady turn), and if ranges of the same length that begin up to one repetition earlier or later
+/// turn both left and right.
 double stray_turn(const Body& body, const Track& track, const Cut& cut);
 
 } // namespace stltsa::synthesis

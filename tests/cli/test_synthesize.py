@@ -175,7 +175,7 @@ class Synthesize(CommandTest):
         self.fails(2, "synthesize", f"{walk()}:500-400", "-o", out)
         for beyond in ("0-100000", "0s-1e300s", "0s-infs", "infs-infs"):
             message = self.fails(2, "synthesize", f"{walk()}:{beyond}", "-o", out)
-            self.assertIn("at least one frame of the", message)
+            self.assertIn("it must have at least one frame, all within the", message)
         for nothing in ("cycle0", "0s-nans"):
             message = self.fails(2, "synthesize", f"{walk()}:{nothing}", "-o", out)
             self.assertIn(f"'{nothing}'", message)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Clips that show the same body.
+// Decides whether two clips show the same body.
 #include "clip_testing.hpp"
 #include "synthesis/hierarchy.hpp"
 #include "synthesis_testing.hpp"
@@ -41,8 +41,8 @@ void offsets_may_differ_by_one_percent(void**) {
                      check_same_body(clip, with_longer_leg(factor), "other"));
 }
 
-/// The offset of a root with position channels does not count; a tiny bone may differ by rounding.
-void offsets_that_say_nothing(void**) {
+/// The offset of a root with position channels is ignored; a tiny bone may differ by rounding.
+void offsets_without_information(void**) {
     const Clip clip = walking({});
     const Clip moved = changed([](auto& joints) { joints[0].offset = {1, 2, 3}; });
     assert_string_equal(check_same_body(clip, moved, "other").c_str(), "");
@@ -74,22 +74,22 @@ void offsets_of_hips_that_travel_below_a_static_root(void**) {
                  check_same_body(traveling(here, true), traveling(there, true), "other"));
 }
 
-void other_bodies_are_told_apart(void**) {
+void other_bodies_are_refused(void**) {
     const Clip clip = walking({});
     const auto refused = [&](const char* word, const Clip& other) {
         ASSERT_FAILS(Status::unsupported, word, check_same_body(clip, other, "other.bvh"));
     };
     refused("\"Kopf\"", changed([](auto& joints) { joints[1].name = "Kopf"; }));
-    refused("hangs on another", changed([](auto& joints) { joints[7].parent = 1; }));
-    refused("other channels",
+    refused("different parent", changed([](auto& joints) { joints[7].parent = 1; }));
+    refused("different channels",
             changed([](auto& joints) { std::swap(joints[1].channels[0], joints[1].channels[1]); }));
-    refused("other channels", changed([](auto& joints) {
+    refused("different channels", changed([](auto& joints) {
                 joints[1].axis = {std::sqrt(0.5), std::sqrt(0.5), 0, 0};
             }));
     refused("has 9 joints", changed([](auto& joints) { joints.pop_back(); }));
     Clip fixed = clip;
     fixed.skeleton->fixed_axes = true;
-    refused("another format", fixed);
+    refused("different format", fixed);
     refused("other.bvh", fixed);
 }
 
@@ -99,9 +99,9 @@ int main() {
     const CMUnitTest tests[] = {
         cmocka_unit_test(the_same_body_has_no_difference),
         cmocka_unit_test(offsets_may_differ_by_one_percent),
-        cmocka_unit_test(offsets_that_say_nothing),
+        cmocka_unit_test(offsets_without_information),
         cmocka_unit_test(offsets_of_hips_that_travel_below_a_static_root),
-        cmocka_unit_test(other_bodies_are_told_apart),
+        cmocka_unit_test(other_bodies_are_refused),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

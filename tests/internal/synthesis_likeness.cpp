@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Scales: frame rates, periods, similarity of repetitions, roughness of a motion.
+// Resampling, periods, distances of repetitions, and roughness of a motion.
 #include <algorithm>
 
 #include "clip/kinematics.hpp"
@@ -16,7 +16,7 @@ namespace {
 
 // ---- Resampling ----
 
-void frames_on_source_frames_are_those(void**) {
+void frames_at_source_times_are_the_source_frames(void**) {
     const Clip clip = walking({});
     const Matrix twice = resampled(clip, 2 * clip.fps);
     assert_int_equal(twice.rows(), 2 * clip.frames() - 1);
@@ -29,7 +29,7 @@ void frames_on_source_frames_are_those(void**) {
 }
 
 /// Between two frames: half of the path, and half of the turn about one axis.
-void frames_between_are_half_way(void**) {
+void frames_between_source_frames_are_interpolated(void**) {
     const Clip clip = walking({});
     const Matrix twice = resampled(clip, 2 * clip.fps);
     const Joint& head = clip.skeleton->joints[1];
@@ -46,7 +46,7 @@ void frames_between_are_half_way(void**) {
 }
 
 /// 359 degrees and 1 degree are two degrees apart.
-void angles_go_the_short_way(void**) {
+void angles_take_the_shorter_way(void**) {
     Matrix values(2, channels);
     std::fill_n(values.row(0), 2 * channels, 0.0);
     values(0, 3) = 359;
@@ -112,8 +112,8 @@ void repetitions_are_other_cycles(void**) {
     ASSERT_NEAR(found, expected, 0.2 * expected);
 }
 
-/// A weak repetition in strong noise is none.
-void a_shallow_valley_is_no_period(void**) {
+/// A weak repetition in strong noise does not count.
+void a_shallow_valley_is_not_a_period(void**) {
     Walk walk;
     walk.seconds = 8;
     Clip clip = walking(walk);
@@ -136,7 +136,7 @@ Track stepping(double size) {
     return track_of(clip_of(60, std::move(values)));
 }
 
-void a_step_is_seen_near_and_not_far(void**) {
+void a_step_counts_only_nearby(void**) {
     const double small = 0.1;
     const Track track = stepping(small);
     // Hand and its end turn about the shoulder: 30 below it, and 38 below and 3 before it.
@@ -153,7 +153,7 @@ void a_step_is_seen_near_and_not_far(void**) {
 }
 
 /// Constant speed is not acceleration.
-void steps_that_are_alike_are_smooth(void**) {
+void equal_steps_are_smooth(void**) {
     Matrix values(200, channels);
     for (std::int64_t i = 0; i < values.rows(); ++i) {
         std::fill_n(values.row(i), channels, 0.0);
@@ -166,7 +166,7 @@ void steps_that_are_alike_are_smooth(void**) {
     }
 }
 
-void usual_is_the_95th_percentile(void**) {
+void usual_roughness_is_the_95th_percentile(void**) {
     const Track track = track_of(walking({}));
     const Roughness usual = usual_roughness(track, 0, track.frames());
     std::int64_t above = 0;
@@ -179,17 +179,17 @@ void usual_is_the_95th_percentile(void**) {
 
 int main() {
     const CMUnitTest tests[] = {
-        cmocka_unit_test(frames_on_source_frames_are_those),
-        cmocka_unit_test(frames_between_are_half_way),
-        cmocka_unit_test(angles_go_the_short_way),
+        cmocka_unit_test(frames_at_source_times_are_the_source_frames),
+        cmocka_unit_test(frames_between_source_frames_are_interpolated),
+        cmocka_unit_test(angles_take_the_shorter_way),
         cmocka_unit_test(rates_of_few_digits_are_the_same),
         cmocka_unit_test(a_period_is_found_around_a_short_piece),
         cmocka_unit_test(repetitions_are_as_far_apart_as_the_noise),
         cmocka_unit_test(repetitions_are_other_cycles),
-        cmocka_unit_test(a_shallow_valley_is_no_period),
-        cmocka_unit_test(steps_that_are_alike_are_smooth),
-        cmocka_unit_test(a_step_is_seen_near_and_not_far),
-        cmocka_unit_test(usual_is_the_95th_percentile),
+        cmocka_unit_test(a_shallow_valley_is_not_a_period),
+        cmocka_unit_test(equal_steps_are_smooth),
+        cmocka_unit_test(a_step_counts_only_nearby),
+        cmocka_unit_test(usual_roughness_is_the_95th_percentile),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

@@ -42,7 +42,7 @@ void steps_lead_to_the_next_frame(void**) {
     }
 }
 
-void steps_are_seen_from_the_body(void**) {
+void steps_are_relative_to_the_body(void**) {
     Walk walk = turning_walk();
     const Clip clip = walking(walk);
     walk.turn = -20;
@@ -56,9 +56,9 @@ void steps_are_seen_from_the_body(void**) {
         const Step one = body.step(a.root(i - 1), a.root(i));
         const Step two = body.step(b.root(i - 1), b.root(i));
         ASSERT_NEAR(one.turn, two.turn, 1e-12);
-        ASSERT_NEAR(stltsa::clip::norm(one.way - two.way), 0, 1e-9);
-        ASSERT_NEAR(one.way[2], walk.speed / walk.fps, 0.3); // forward is along z
-        ASSERT_NEAR(one.way[1], 0, 0);
+        ASSERT_NEAR(stltsa::clip::norm(one.displacement - two.displacement), 0, 1e-9);
+        ASSERT_NEAR(one.displacement[2], walk.speed / walk.fps, 0.3); // forward is along z
+        ASSERT_NEAR(one.displacement[1], 0, 0);
     }
 }
 
@@ -74,8 +74,8 @@ void a_placement_takes_one_state_to_another(void**) {
     ASSERT_NEAR(angle_between(moved.tilt, from.tilt), 0, 1e-12);
 }
 
-/// Every joint is where the state says, and the numbers of other joints do not change.
-void what_is_written_is_read(void**) {
+/// Every joint has the position given by the state, and the channels of other joints do not change.
+void written_states_are_read_back(void**) {
     const Clip clip = walking(turning_walk());
     const Body body = body_of(clip);
     const Track track = track_of(clip);
@@ -110,8 +110,8 @@ void yaw_and_tilt_make_the_rotation(void**) {
     }
 }
 
-/// A joint above the moving one keeps its place, and the root's numbers are relative to it.
-void resting_joints_above_the_root(void**) {
+/// A joint above the moving one keeps its place, and the root's channels are relative to it.
+void constant_joints_above_the_root(void**) {
     Clip clip = below_world(walking({}));
     const Body body = body_of(clip);
     assert_int_equal(body.root(), 1);
@@ -150,7 +150,7 @@ void a_clip_that_stands_still_does_not_choose_the_root(void**) {
 
 /// A joint that only travels carries the joint that turns: the path is written to the channels of
 /// the one that has them.
-void a_joint_that_moves_along_carries_the_root(void**) {
+void a_translating_joint_carries_the_root(void**) {
     Walk turning;
     turning.turning = 40;
     const Clip walk = walking(turning);
@@ -177,13 +177,13 @@ void a_joint_that_moves_along_carries_the_root(void**) {
 int main() {
     const CMUnitTest tests[] = {
         cmocka_unit_test(steps_lead_to_the_next_frame),
-        cmocka_unit_test(steps_are_seen_from_the_body),
+        cmocka_unit_test(steps_are_relative_to_the_body),
         cmocka_unit_test(a_placement_takes_one_state_to_another),
-        cmocka_unit_test(what_is_written_is_read),
+        cmocka_unit_test(written_states_are_read_back),
         cmocka_unit_test(yaw_and_tilt_make_the_rotation),
-        cmocka_unit_test(resting_joints_above_the_root),
+        cmocka_unit_test(constant_joints_above_the_root),
         cmocka_unit_test(a_clip_that_stands_still_does_not_choose_the_root),
-        cmocka_unit_test(a_joint_that_moves_along_carries_the_root),
+        cmocka_unit_test(a_translating_joint_carries_the_root),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

@@ -57,7 +57,7 @@ void the_same_posture_is_found(void**) {
 }
 
 /// Without velocities, a leg that swings forward looks like one that swings back.
-void velocities_tell_there_from_back(void**) {
+void velocities_distinguish_forward_from_backward(void**) {
     Walk walk;
     walk.seconds = 6;
     const Track track = track_of(walking(walk));
@@ -85,7 +85,7 @@ void limits_hold_for_any_join(void**) {
         assert_true(std::abs(cut.end - end) <= options.search);
         assert_true(std::abs(cut.begin - begin) <= options.search);
         assert_true(cut.end >= 1 && cut.end <= frames && cut.begin >= 0 && cut.begin < frames);
-        // Both cuts and crossfades of a stretch leave at least half of its length.
+        // The cuts and crossfades of a run leave at least half of its length.
         assert_true(end - cut.end <= join.earlier_length / 4);
         assert_true(cut.begin - begin <= join.later_length / 4);
         assert_true(cut.crossfade >= 0 && cut.crossfade <= options.crossfade);
@@ -96,7 +96,7 @@ void limits_hold_for_any_join(void**) {
 }
 
 /// The pair at a clip's start is slightly more similar, but leaves no room for the crossfade.
-void a_crossfade_has_room_where_it_can(void**) {
+void a_crossfade_has_room_if_possible(void**) {
     Walk walk;
     walk.period = 1e9;
     walk.speed = 0;
@@ -121,7 +121,7 @@ void a_repetition_keeps_its_length(void**) {
     assert_true(std::abs(cut.end - cut.begin - 70) <= 5); // 8 % of 70
 }
 
-void half_of_what_is_left_out_stays_out(void**) {
+void half_of_the_frames_left_out_stay_out(void**) {
     constexpr double cycle = 60;
     for (std::int64_t asked = 1; asked < 200; ++asked)
         for (const std::int64_t sign : {1, -1}) {
@@ -139,7 +139,7 @@ void half_of_what_is_left_out_stays_out(void**) {
 
 /// Frames that are left out, or played twice, must not return: the same frame is the most similar
 /// of all.
-void what_is_left_out_stays_out(void**) {
+void frames_left_out_stay_out(void**) {
     const Track track = track_of(walking({})); // cycles of 60 frames
     for (const int skip : {1, 10, 45, 60, 75, 90, -1, -10, -45, -60, -75}) {
         const std::vector<Track> tracks{track, track};
@@ -169,7 +169,7 @@ void without_a_choice_cuts_stay_where_they_are(void**) {
 }
 
 /// Neither a crossfade nor a cut may reach into the T-pose at a clip's start.
-void a_t_pose_is_not_mixed_in(void**) {
+void a_t_pose_is_not_blended(void**) {
     Clip clip = walking({});
     for (std::int64_t c = root_channels; c < channels; ++c)
         clip.values(0, c) = c == 11 ? -90 : 0;
@@ -189,7 +189,7 @@ void a_t_pose_is_not_mixed_in(void**) {
     assert_true(find_cut(alike, {25, 0, 0}, {}).begin >= track.first);
 }
 
-// ---- What is chosen ----
+// ---- Choice of cuts ----
 
 /// Clips joined as a whole can be cut in one direction only: a search over half a cycle still
 /// reaches every phase.
@@ -210,7 +210,7 @@ void whole_clips_meet_at_any_phase(void**) {
     }
 }
 
-void repetitions_are_cut_alike(void**) {
+void repetitions_have_the_same_cut(void**) {
     const std::vector<Track> tracks{track_of(walking({}))};
     const Part parts[] = {{0, 60, 119, 4}};
     const auto runs = make_runs(parts);
@@ -224,7 +224,7 @@ void repetitions_are_cut_alike(void**) {
 }
 
 /// A file in other units has the same postures.
-void postures_have_no_unit(void**) {
+void postures_do_not_depend_on_the_unit(void**) {
     Walk walk;
     walk.arms = 15;
     Clip clip = walking({});
@@ -274,17 +274,17 @@ int main() {
         cmocka_unit_test(pieces_that_follow_each_other_are_one_run),
         cmocka_unit_test(repetitions_and_other_clips_begin_a_run),
         cmocka_unit_test(the_same_posture_is_found),
-        cmocka_unit_test(velocities_tell_there_from_back),
+        cmocka_unit_test(velocities_distinguish_forward_from_backward),
         cmocka_unit_test(limits_hold_for_any_join),
-        cmocka_unit_test(a_crossfade_has_room_where_it_can),
+        cmocka_unit_test(a_crossfade_has_room_if_possible),
         cmocka_unit_test(a_repetition_keeps_its_length),
-        cmocka_unit_test(half_of_what_is_left_out_stays_out),
-        cmocka_unit_test(what_is_left_out_stays_out),
+        cmocka_unit_test(half_of_the_frames_left_out_stay_out),
+        cmocka_unit_test(frames_left_out_stay_out),
         cmocka_unit_test(without_a_choice_cuts_stay_where_they_are),
-        cmocka_unit_test(a_t_pose_is_not_mixed_in),
+        cmocka_unit_test(a_t_pose_is_not_blended),
         cmocka_unit_test(whole_clips_meet_at_any_phase),
-        cmocka_unit_test(repetitions_are_cut_alike),
-        cmocka_unit_test(postures_have_no_unit),
+        cmocka_unit_test(repetitions_have_the_same_cut),
+        cmocka_unit_test(postures_do_not_depend_on_the_unit),
         cmocka_unit_test(postures_are_measured_by_repetitions),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);

@@ -145,7 +145,7 @@ void a_standing_foot_does_not_slide(void**) {
     }
 }
 
-void what_stands_tells_the_offset(void**) {
+void standing_joints_determine_the_offset(void**) {
     const Clip clip = standing_on_the_left(0, 150);
     const Clip other = standing_on_the_left(3, 4);
     const Track a = track_of(clip);
@@ -172,7 +172,7 @@ int main() {
         cmocka_unit_test(without_a_crossfade_the_step_is_between),
         cmocka_unit_test(a_crossfade_turns_one_pose_into_the_other),
         cmocka_unit_test(a_standing_foot_does_not_slide),
-        cmocka_unit_test(what_stands_tells_the_offset),
+        cmocka_unit_test(standing_joints_determine_the_offset),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

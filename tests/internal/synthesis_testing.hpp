@@ -97,7 +97,7 @@ inline Clip walking(const Walk& walk) {
 
 inline constexpr std::int64_t world_channels = 4;
 
-/// The clip with a joint above its root, which rests, displaced and turned.
+/// The clip below a constant joint, which is displaced and turned.
 inline Clip below_world(Clip clip) {
     using enum Channel;
     auto& joints = clip.skeleton->joints;

@@ -22,12 +22,12 @@ Clip heading_for(const Heading& heading) {
     double z = 0;
     for (std::int64_t i = 0; i < clip.frames(); ++i) {
         const double t = static_cast<double>(i) / walk.fps;
-        const double way = heading(t);
+        const double direction = heading(t);
         clip.values(i, 0) = x;
         clip.values(i, 2) = z;
-        clip.values(i, 3) = way + 5 * std::sin(2 * std::numbers::pi * t);
-        x += std::sin(way * degree) * walk.speed / walk.fps;
-        z += std::cos(way * degree) * walk.speed / walk.fps;
+        clip.values(i, 3) = direction + 5 * std::sin(2 * std::numbers::pi * t);
+        x += std::sin(direction * degree) * walk.speed / walk.fps;
+        z += std::cos(direction * degree) * walk.speed / walk.fps;
     }
     return clip;
 }
@@ -60,7 +60,7 @@ void a_straight_walk_stays_straight(void**) {
     ASSERT_NEAR(loop, 0, 1e-6);
 }
 
-void who_turns_goes_on_turning(void**) {
+void a_real_turn_continues(void**) {
     for (const double each : {2.0, 8.0, 40.0, -40.0}) {
         const auto [loop, source] = turns(heading_for([each](double t) { return each * t; }));
         ASSERT_NEAR(source, each, 1e-6);
@@ -82,7 +82,7 @@ void a_turn_of_one_cycle_is_repeated(void**) {
 int main() {
     const CMUnitTest tests[] = {
         cmocka_unit_test(a_straight_walk_stays_straight),
-        cmocka_unit_test(who_turns_goes_on_turning),
+        cmocka_unit_test(a_real_turn_continues),
         cmocka_unit_test(a_turn_of_one_cycle_is_repeated),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);

@@ -109,9 +109,9 @@ static void wrong_pieces(void** state) {
         {{clip, 300, 300, 1, 0}, "[300, 300)"},
         {{clip, 300, 20, 1, 0}, "[300, 20)"},
         {{clip, 0, 481, 1, 0}, "480 frames"},
-        {{clip, 0, 300, 0, 0}, "repeated 0 times"},
-        {{clip, 0, 300, -3, 0}, "repeated -3 times"},
-        {{clip, 0, 300, INT64_MAX, 0}, "repeat less"},
+        {{clip, 0, 300, 0, 0}, "repeat 0;"},
+        {{clip, 0, 300, -3, 0}, "repeat -3;"},
+        {{clip, 0, 300, INT64_MAX, 0}, "use fewer repetitions"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
         const stltsa_piece pieces[] = {right, cases[i].piece};

@@ -108,7 +108,7 @@ static void half_a_cycle_too_much_is_refused(void** state) {
     stltsa_options* options = with(STLTSA_OPT_POSTURE_LIMIT, 0);
     s = made(&piece, 1, options);
     assert_true(seam_of(s, 0).posture > 3);
-    assert_true(has_warning(s, "times as far apart"));
+    assert_true(has_warning(s, "times as much as those of repetitions"));
     stltsa_synthesis_free(s);
     stltsa_options_free(options);
     stltsa_clip_free(clip);
