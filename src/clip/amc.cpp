@@ -12,7 +12,7 @@
 namespace stltsa::clip {
 namespace {
 
-/// A joint's place among the columns, and the frame in which it was read last.
+/// A joint's first column, and the last frame in which it was read.
 struct Slot {
     const Joint* joint;
     std::size_t column;
@@ -72,14 +72,16 @@ class AmcReader {
         return *value;
     }
 
-    /// Frames are numbered from any number, without gaps: a gap would distort time.
+    /// The first frame may have any number; gaps after it would distort time.
     void begin_frame(std::int64_t number) {
         if (number < 0)
-            in_.fail(Status::format, "a frame cannot have the number {}", number);
+            in_.fail(Status::format, "invalid frame number {}; frame numbers are not negative",
+                     number);
         if (frame_ >= 0) {
             end_frame();
             if (number - number_ != 1)
-                in_.fail(Status::format, "frame {} follows frame {}: frames are missing", number,
+                in_.fail(Status::format,
+                         "frame {} follows frame {}; frames must be numbered consecutively", number,
                          number_);
         }
         number_ = number;
@@ -91,23 +93,23 @@ class AmcReader {
     void end_frame() {
         if (bones_read_ == slots_.size())
             return;
-        std::string missing; // the first by name, so that the text is always the same
+        std::string missing; // the first by name, so that the text is deterministic
         for (const auto& [name, slot] : slots_)
             if (slot.frame != frame_ && (missing.empty() || name < missing))
                 missing = name;
-        in_.fail(Status::format,
-                 "frame {} ends before this line without bone {}, which moves in {}; a truncated "
-                 "file, or the wrong skeleton?",
-                 number_, quoted(missing), asf_name_);
+        in_.fail(
+            Status::format,
+            "frame {} ends before this line without bone {}, which can move in {}: is the file "
+            "truncated, or the skeleton the wrong one?",
+            number_, quoted(missing), asf_name_);
     }
 
     void bone(std::string_view word, std::string_view line) {
         if (frame_ < 0)
-            in_.fail(Status::format, "{} stands before the number of the first frame",
-                     quoted(word));
+            in_.fail(Status::format, "{} comes before the number of the first frame", quoted(word));
         Slot& slot = find(word);
         if (slot.frame == frame_)
-            in_.fail(Status::format, "bone {} comes twice in frame {}", quoted(word), number_);
+            in_.fail(Status::format, "bone {} appears twice in frame {}", quoted(word), number_);
         slot.frame = frame_;
         ++bones_read_;
         double* values = &values_[static_cast<std::size_t>(frame_) * columns_ + slot.column];
@@ -116,7 +118,7 @@ class AmcReader {
             values[c] = number(slot, channels[c], next_word(line));
         if (!trim(line).empty())
             in_.fail(Status::format,
-                     "bone {} has {} degrees of freedom in {}, but more numbers here; is it the "
+                     "bone {} has {} degrees of freedom in {}, but more numbers here: is it the "
                      "wrong skeleton?",
                      quoted(word), channels.size(), asf_name_);
     }
@@ -127,7 +129,7 @@ class AmcReader {
         if (found == slots_.end())
             found = slots_.find(to_lower(word));
         if (found == slots_.end())
-            in_.fail(Status::format, "{} has no moving bone {}; is it the wrong skeleton?",
+            in_.fail(Status::format, "{} has no moving bone {}: is it the wrong skeleton?",
                      asf_name_, quoted(word));
         return found->second;
     }
@@ -135,7 +137,7 @@ class AmcReader {
     double number(const Slot& slot, Channel channel, std::string_view word) {
         if (word.empty())
             in_.fail(Status::format,
-                     "bone {} has {} degrees of freedom in {}, but fewer numbers here; is it the "
+                     "bone {} has {} degrees of freedom in {}, but fewer numbers here: is it the "
                      "wrong skeleton?",
                      quoted(slot.joint->name), slot.joint->channels.size(), asf_name_);
         const auto value = parse_number(word);
@@ -155,7 +157,7 @@ class AmcReader {
     std::vector<double> values_;
     std::int64_t frame_ = -1;
     std::int64_t number_ = 0;
-    std::string name_; ///< kept for its memory
+    std::string name_; ///< reused to avoid allocation
     bool degrees_;
     double fps_ = 0;
 };
@@ -165,7 +167,7 @@ void set_rate(Clip& clip, const ReadOptions& options) {
         return;
     clip.fps = amc_fps;
     clip.notes.push_back(format_text(
-        "AMC files carry no frame rate: {} a second assumed (set option fps for another)",
+        "AMC files have no frame rate: {} frames a second assumed (option fps sets another)",
         amc_fps));
 }
 

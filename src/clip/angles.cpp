@@ -16,11 +16,11 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Length below which the direction of a vector is rounding: there an angle is undefined.
+/// Length below which the direction of a vector is rounding, so that its angle is undefined.
 constexpr double undefined = 1e-13;
 
-/// A rotation channel. One about the same axis as the channel before is no freedom of its own: it
-/// is held, and adds to that one.
+/// A rotation channel. A channel about the same axis as the previous one does not change; its value
+/// is in `held` and adds to the angle of the previous one.
 struct Turn {
     int axis;
     double* degrees;
@@ -30,9 +30,9 @@ struct Turn {
     Quaternion rotation() const { return axis_rotation(axis, to_radians(before())); }
 };
 
-using Angles = std::array<double, 3>; // radians, as many as there are turns
+using Angles = std::array<double, 3>; // radians, one per turn
 
-/// The turns whose matrices are multiplied, leftmost first.
+/// The turns in the order of their matrices, leftmost first.
 std::vector<Turn> turns_of(const Joint& joint, bool fixed_axes, double* values) {
     std::vector<Turn> turns;
     const std::size_t count = joint.channels.size();
@@ -49,13 +49,12 @@ std::vector<Turn> turns_of(const Joint& joint, bool fixed_axes, double* values) 
     return turns;
 }
 
-/// 1 where axis i, axis j and the third are right-handed in this order, else -1.
+/// 1 if axis i, axis j and the third axis are right-handed in this order, else -1.
 int handedness(int i, int j) {
     return (j - i + 3) % 3 == 1 ? 1 : -1;
 }
 
-/// The angles of the first and the last turn come as their half sum and half difference, each the
-/// direction of a vector.
+/// A vector whose direction is half the sum or half the difference of the first and the last angle.
 struct Vec2 {
     double x, y;
     double length() const { return std::hypot(x, y); }
@@ -66,7 +65,7 @@ struct Outer {
     double first, last;
 };
 
-/// Where one of the two has no direction (gimbal lock), the first angle stays as it was before.
+/// If one of the two has no direction (gimbal lock), the first angle keeps its previous value.
 Outer outer_angles(const Vec2& half_sum, const Vec2& half_difference, double first_before) {
     double sum = half_sum.angle();
     double difference = half_difference.angle();
@@ -83,8 +82,8 @@ Angles solve_one(const Quaternion& q, const Turn& turn) {
     return {half.length() < undefined ? to_radians(turn.before()) : 2 * half.angle()};
 }
 
-/// The product of two turns that is nearest to q: the one of largest dot product, which is the sum
-/// of a cosine of the half sum and one of the half difference.
+/// The product of two turns that is nearest to q: it maximizes the dot product, which is the sum of
+/// a cosine of the half sum and a cosine of the half difference.
 Angles solve_two(const Quaternion& q, std::span<const Turn> turns) {
     const int i = turns[0].axis;
     const int j = turns[1].axis;
@@ -96,9 +95,8 @@ Angles solve_two(const Quaternion& q, std::span<const Turn> turns) {
     return {outer.first, outer.last};
 }
 
-/// Bernardes and Viollet, "Quaternion to Euler angles conversion", PLOS ONE 17(11), 2022. Three
-/// different axes become a first, a second and again a first one when the second is turned by a
-/// right angle.
+/// Bernardes and Viollet, "Quaternion to Euler angles conversion", PLOS ONE 17(11), 2022. A right
+/// angle about the second axis reduces three different axes to the case first, second, first.
 Angles solve_three(const Quaternion& rotation, std::span<const Turn> turns) {
     const int i = turns[0].axis;
     const int j = turns[1].axis;
@@ -113,13 +111,13 @@ Angles solve_three(const Quaternion& rotation, std::span<const Turn> turns) {
                      : Angles{outer.first, middle, outer.last};
 }
 
-/// The other three angles of the same rotation.
+/// The other solution for the same rotation.
 Angles other_solution(const Angles& angles, std::span<const Turn> turns) {
     const bool different = turns[2].axis != turns[0].axis;
     return {angles[0] + pi, (different ? pi : 0) - angles[1], angles[2] + pi};
 }
 
-/// The values in degrees that are nearest to those before, whole turns added.
+/// The angles in degrees, with whole turns added to be nearest to the previous values.
 struct Candidate {
     Angles degrees{};
     double distance = 0;
@@ -145,13 +143,13 @@ Candidate nearest(const Quaternion& q, std::span<const Turn> turns) {
     return other.distance < one.distance ? other : one;
 }
 
-/// Values that mean the rotation already are not to change by rounding, nor where other values
-/// mean it too.
+/// Whether the values represent this rotation already. They must then change neither by rounding
+/// nor to other values for the same rotation.
 bool is_rotation_of(const Joint& joint, bool fixed_axes, const double* values,
                     const Quaternion& local) {
     constexpr double rounding = 1e-14;
-    const Quaternion rest = conjugate(joint_rotation(joint, fixed_axes, values)) * local;
-    return norm({rest.x, rest.y, rest.z}) < rounding;
+    const Quaternion difference = conjugate(joint_rotation(joint, fixed_axes, values)) * local;
+    return norm({difference.x, difference.y, difference.z}) < rounding;
 }
 
 } // namespace
@@ -162,7 +160,7 @@ void put_rotation(const Joint& joint, bool fixed_axes, const Quaternion& local, 
     const std::vector<Turn> all = turns_of(joint, fixed_axes, values);
     std::span<const Turn> turns(all);
     Quaternion left = conjugate(joint.axis) * local * joint.axis;
-    for (; turns.size() > 3; turns = turns.subspan(1)) // three are enough: the others are held
+    for (; turns.size() > 3; turns = turns.subspan(1)) // three are enough: the others do not change
         left = conjugate(turns[0].rotation()) * left;
     if (turns.empty())
         return;

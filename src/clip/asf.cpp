@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t most_bones = 2048;
 
-/// C of "local rotation = C M C^-1": turns about the fixed axes in their order.
+/// C of "local rotation = C M C^-1": rotations about the fixed axes in their order.
 Quaternion bone_axis(const AsfAxis& axis, bool degrees) {
     Quaternion product;
     for (const int a : axis.order) {
@@ -27,7 +27,7 @@ Vec3 bone_vector(const AsfBone& bone) {
     return size > 0 ? (bone.length / size) * bone.direction : Vec3{};
 }
 
-/// Brings the bones into an order with parents first, depth first as in the hierarchy section.
+/// Orders the bones depth first, parents before children, as in the hierarchy section.
 class SkeletonBuilder {
   public:
     SkeletonBuilder(const TextCursor& in, const AsfSections& sections)
@@ -59,7 +59,7 @@ class SkeletonBuilder {
             in_.fail(Status::unsupported, "more than {} bones", most_bones);
         for (std::size_t number = 0; number <= count; ++number)
             if (!numbers_.emplace(bone(number).name, number).second)
-                in_.fail_at(bone(number).line, Status::format, "a second bone of the name {}",
+                in_.fail_at(bone(number).line, Status::format, "a second bone named {}",
                             quoted(bone(number).name));
         children_.resize(count + 1);
         has_parent_.resize(count + 1);
@@ -78,7 +78,7 @@ class SkeletonBuilder {
             const std::size_t parent = number_of(link.parent, link.line);
             const std::size_t child = number_of(link.child, link.line);
             if (child == root || has_parent_[child])
-                in_.fail_at(link.line, Status::format, "{} has a parent already",
+                in_.fail_at(link.line, Status::format, "{} already has a parent",
                             quoted(link.child));
             has_parent_[child] = true;
             children_[parent].push_back(child);
@@ -86,14 +86,14 @@ class SkeletonBuilder {
         for (std::size_t number = 1; number < has_parent_.size(); ++number)
             if (!has_parent_[number])
                 in_.fail_at(bone(number).line, Status::format,
-                            "bone {} is missing in the section :hierarchy",
+                            "bone {} is missing from the section :hierarchy",
                             quoted(bone(number).name));
     }
 
     void add_bones() {
         struct Pending {
             std::size_t number;
-            int parent; ///< as a joint
+            int parent; ///< joint index
         };
         std::vector<Pending> pending{{root, -1}};
         std::size_t added = 0;
@@ -111,7 +111,7 @@ class SkeletonBuilder {
             ends_[static_cast<std::size_t>(joint)] =
                 next.number == root ? Vec3{} : bone_vector(bone(next.number));
         }
-        // A ring of bones has parents throughout but hangs on nothing.
+        // In a cycle of bones each has a parent, but none is connected to the root.
         if (added != has_parent_.size())
             in_.fail(Status::format, "the section :hierarchy does not connect all bones to root");
     }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Acclaim skeleton files. A bone's rotation acts at its parent end and turns the bone itself, so a
-// bone becomes a joint that sits at the end of its parent bone; the end of a bone without
-// children becomes an end site.
+// Acclaim skeleton files. A bone rotates about the end of its parent bone, so each bone becomes a
+// joint at the end of its parent bone; the end of a bone without children becomes an end site.
 #pragma once
 
 #include <string>
@@ -11,12 +10,11 @@
 
 namespace stltsa::clip {
 
-/// AMC files carry no frame rate. The CMU database, where most of them come from, was captured at
-/// this one.
+/// AMC files have no frame rate. This is the rate of the CMU database, the source of most of them.
 constexpr double amc_fps = 120;
 
 struct AsfFile {
-    Skeleton skeleton; ///< joint 0 is the root, the others are named as their bones
+    Skeleton skeleton; ///< joint 0 is the root, the others have the names of their bones
     bool degrees = true;
 };
 

@@ -9,7 +9,7 @@
 namespace stltsa::clip {
 namespace {
 
-/// Commas and parentheses count as blanks.
+/// Characters that separate words, in addition to blanks.
 constexpr std::string_view separators = ",()";
 
 class SectionReader {
@@ -28,7 +28,7 @@ class SectionReader {
   private:
     AsfBone& bone() { return sections_.bones.back(); }
 
-    /// Sections without a meaning here (:documentation, :skin, ...) are passed over.
+    /// Ignores sections such as :documentation and :skin.
     void statement(std::string_view line) {
         const std::string word = to_lower(next_word(line, separators));
         if (word.empty())
@@ -47,7 +47,7 @@ class SectionReader {
 
     void begin_section(const std::string& word) {
         if (in_bone_)
-            in_.fail(Status::format, "{} stands inside bone {}: 'end' is missing", quoted(word),
+            in_.fail(Status::format, "{} is inside bone {}: 'end' is missing", quoted(word),
                      quoted(bone().name));
         section_ = word;
     }
@@ -57,7 +57,7 @@ class SectionReader {
             return;
         const std::string_view value = next_word(line, separators);
         if (!starts_with_ignoring_case(value, "deg") && !starts_with_ignoring_case(value, "rad"))
-            in_.fail(Status::format, "the angle unit is deg or rad, not {}", quoted(value));
+            in_.fail(Status::format, "the angle unit must be deg or rad, not {}", quoted(value));
         sections_.degrees = starts_with_ignoring_case(value, "deg");
     }
 
@@ -72,12 +72,12 @@ class SectionReader {
             sections_.root.axis.angles = vector(word, line);
     }
 
-    /// Keywords without a meaning here (id, limits, bodymass, ...) are passed over.
+    /// Ignores keywords such as id, limits and bodymass.
     void bone_data(const std::string& word, std::string_view line) {
         if (word == "begin")
             begin_bone();
         else if (!in_bone_)
-            in_.fail(Status::format, "{} stands outside of begin ... end", quoted(word));
+            in_.fail(Status::format, "{} is outside begin ... end", quoted(word));
         else if (word == "end")
             end_bone();
         else if (word == "name")
@@ -94,7 +94,7 @@ class SectionReader {
 
     void begin_bone() {
         if (in_bone_)
-            in_.fail(Status::format, "'begin' inside of bone {}: 'end' is missing",
+            in_.fail(Status::format, "'begin' is inside bone {}: 'end' is missing",
                      quoted(bone().name));
         in_bone_ = true;
         sections_.bones.emplace_back();
@@ -103,7 +103,7 @@ class SectionReader {
 
     void end_bone() {
         if (bone().name.empty())
-            in_.fail(Status::format, "the bone that begins in line {} has no name", bone().line);
+            in_.fail(Status::format, "the bone that begins on line {} has no name", bone().line);
         in_bone_ = false;
     }
 
@@ -119,7 +119,7 @@ class SectionReader {
         for (const Channel channel : bone().dof)
             if (!is_rotation(channel))
                 in_.fail(Status::unsupported,
-                         "bone {} moves along {}: only the root may; bones may turn",
+                         "bone {} has the position channel {}: only the root may translate",
                          quoted(bone().name), channel_name(channel));
     }
 
@@ -134,8 +134,8 @@ class SectionReader {
              word = next_word(line, separators)) {
             const Channel next = channel(to_lower(word));
             if (!may_follow(next, result))
-                in_.fail(Status::format, "bone {} has {} too many: {}", quoted(bone), quoted(word),
-                         channel_limit);
+                in_.fail(Status::format, "bone {} has one {} too many: {}", quoted(bone),
+                         quoted(word), channel_limit);
             result.push_back(next);
         }
         return result;
@@ -146,7 +146,7 @@ class SectionReader {
             if (word == channel_name(static_cast<Channel>(c)))
                 return static_cast<Channel>(c);
         if (word == "l")
-            in_.fail(Status::unsupported, "bones of changing length (dof l) are not supported");
+            in_.fail(Status::unsupported, "bones of variable length (dof l) are not supported");
         in_.fail(Status::format, "{} is not one of tx ty tz rx ry rz", quoted(word));
     }
 

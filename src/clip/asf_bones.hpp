@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The sections of an ASF file as they stand there.
+// The contents of the sections of an ASF file.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace stltsa::clip {
 
-/// Three angles about fixed axes, in the file's unit, and the axes' order.
+/// Three angles about fixed axes, in the file's unit, and the order of the axes.
 struct AsfAxis {
     Vec3 angles{};
     std::array<int, 3> order{0, 1, 2};

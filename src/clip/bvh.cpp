@@ -13,24 +13,25 @@ namespace {
 constexpr double shortest_frame_s = 1e-6;
 constexpr double longest_frame_s = 3600;
 
-/// What follows "Frames" or "Frame Time" on the next line; the colon may touch anything.
+/// The text after "Frames:" or "Frame Time:" on the next line; blanks are optional.
 std::string_view header_value(TextCursor& in, std::string_view first, std::string_view second) {
     const std::string_view line = trim(in.line());
-    std::string_view rest = line;
+    std::string_view remaining = line;
     for (const std::string_view word : {first, second, std::string_view(":")}) {
-        if (!starts_with_ignoring_case(rest, word))
+        if (!starts_with_ignoring_case(remaining, word))
             in.fail(Status::format, "'{}{}{}:' is expected here, not {}", first,
                     second.empty() ? "" : " ", second, quoted(line));
-        rest = trim(rest.substr(word.size()));
+        remaining = trim(remaining.substr(word.size()));
     }
-    return rest;
+    return remaining;
 }
 
 std::int64_t read_frame_count(TextCursor& in) {
     const std::string_view text = header_value(in, "Frames", "");
     const auto frames = parse_integer(text);
     if (!frames || *frames < 0)
-        in.fail(Status::format, "'Frames:' must be followed by their number, not {}", quoted(text));
+        in.fail(Status::format, "'Frames:' must be followed by the number of frames, not {}",
+                quoted(text));
     if (*frames == 0)
         in.fail(Status::format, "the file has no frames, only a skeleton");
     return *frames;
@@ -40,10 +41,11 @@ void read_rate(TextCursor& in, Clip& clip) {
     const std::string_view text = header_value(in, "Frame", "Time");
     const auto seconds = parse_number(text);
     if (!seconds || *seconds < 0 || !std::isfinite(*seconds))
-        in.fail(Status::format, "'Frame Time:' must be followed by seconds, not {}", quoted(text));
+        in.fail(Status::format, "'Frame Time:' must be followed by a number of seconds, not {}",
+                quoted(text));
     if (*seconds > 0 && (*seconds < shortest_frame_s || *seconds > longest_frame_s))
-        in.fail(Status::format, "a Frame Time of {} s is none: frames take from {} s to {} s",
-                *seconds, shortest_frame_s, longest_frame_s);
+        in.fail(Status::format, "invalid Frame Time {} s; expected {} s to {} s", *seconds,
+                shortest_frame_s, longest_frame_s);
     clip.fps = rate_of(*seconds);
     if (clip.fps == 0)
         clip.notes.push_back("Frame Time is 0: the file has no frame rate");
@@ -51,14 +53,14 @@ void read_rate(TextCursor& in, Clip& clip) {
         clip.frame_time = *seconds;
 }
 
-/// Reads the rows as a stream of numbers: a row may go on over several lines, but begins a line.
+/// Reads the rows as a stream of numbers: a row may span several lines, but begins on a new line.
 class RowReader {
   public:
     RowReader(TextCursor& in, Clip& clip, std::int64_t frames, std::int64_t channels)
         : in_(in), clip_(clip), frames_(frames), channels_(channels) {}
 
     void read() {
-        // A number takes two bytes at least: refuse before anything is allocated.
+        // A number takes at least two bytes: check the size before allocating.
         const auto most = static_cast<std::int64_t>(in_.bytes_left() / 2 + 1) / channels_;
         if (frames_ > most)
             truncated();
@@ -67,8 +69,7 @@ class RowReader {
             read_row(values.row(frame_));
         if (!in_.word().empty()) {
             check_row_begin();
-            in_.fail(Status::format,
-                     "more numbers follow than Frames: {} says: there are {} for {} channels",
+            in_.fail(Status::format, "too many numbers for {} frames: {} numbers for {} channels",
                      frames_, count_numbers(), channels_);
         }
         clip_.values = std::move(values);
@@ -93,13 +94,13 @@ class RowReader {
         row_end_ = in_.line_number();
     }
 
-    /// Called at the first word of a row. In the middle of a line it shows that the row before had
-    /// too many numbers, or took some of the next because it had too few.
+    /// Called at the first word of a row. If a row begins in the middle of a line, the previous row
+    /// had too many numbers, or too few and took some of this one.
     void check_row_begin() {
         const std::int64_t line = in_.line_number();
         if (frame_ > 0 && line == row_end_)
             in_.fail_at(row_begin_, Status::format,
-                        "frame {} has {} numbers where the hierarchy has {} channels", frame_ - 1,
+                        "frame {} has {} numbers than the {} channels of the hierarchy", frame_ - 1,
                         row_begin_ == row_end_ ? "more" : "fewer", channels_);
         row_begin_ = line;
     }
@@ -107,13 +108,13 @@ class RowReader {
     [[noreturn]] void truncated() {
         const std::int64_t count = count_numbers();
         in_.fail(Status::format,
-                 "the file ends early: Frames: {} of {} channels, but the numbers are enough for "
-                 "{} frames{}",
+                 "the file ends early: it declares {} frames of {} channels, but has only {} "
+                 "frames{}",
                  frames_, channels_, count / channels_,
-                 count % channels_ == 0 ? "" : format_text(" and {} more", count % channels_));
+                 count % channels_ == 0 ? "" : format_text(" and {} numbers", count % channels_));
     }
 
-    /// Numbers in all of the data; leaves in_ at the last of them.
+    /// Counts all numbers of the data; leaves in_ at the last one.
     std::int64_t count_numbers() {
         std::int64_t count = 0;
         for (TextCursor cursor = begin_; !cursor.word().empty(); ++count)
@@ -150,7 +151,7 @@ Clip parse_bvh(std::string_view bytes, const std::string& name, const ReadOption
     RowReader(in, clip, frames, channels).read();
     if (positions_add_to_offsets(clip)) {
         clip.skeleton->translations_add = true;
-        clip.notes.push_back("positions of joints below the root are taken to add to OFFSET");
+        clip.notes.push_back("positions of joints below the root are assumed to add to OFFSET");
     }
     return clip;
 }

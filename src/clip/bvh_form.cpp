@@ -11,8 +11,8 @@
 namespace stltsa::clip {
 namespace {
 
-/// As the common BVH files of such skeletons are: every joint has three rotations, the root
-/// (nothing else moves in an ASF skeleton) three positions before them.
+/// The usual channels of BVH files of ASF skeletons: three rotations for every joint, preceded by
+/// three positions for the root (no other joint of an ASF skeleton translates).
 Skeleton bvh_skeleton(const Skeleton& from) {
     Skeleton skeleton;
     skeleton.joints = from.joints;
@@ -27,7 +27,7 @@ Skeleton bvh_skeleton(const Skeleton& from) {
     return skeleton;
 }
 
-/// Puts a pose into a row, which holds the row before.
+/// Writes a pose into a row, which contains the previous row.
 void put_pose(const Skeleton& skeleton, const Pose& pose, double* row) {
     put_position(skeleton.joints[0], skeleton.translations_add, pose.position[0], row);
     for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
@@ -51,7 +51,7 @@ void convert_rotations(Clip& clip) {
     clip.channel_names = channel_names(*clip.skeleton);
 }
 
-/// From positions that add to OFFSET to such that replace it, or back.
+/// Converts positions that add to OFFSET to positions that replace it, or back.
 void convert_positions(Clip& clip) {
     Skeleton& skeleton = *clip.skeleton;
     const double sign = skeleton.translations_add ? 1 : -1;
@@ -86,16 +86,16 @@ int vote(const Joint& joint, const Matrix& values, std::int64_t column) {
 
 } // namespace
 
-/// The original description of the format has positions add to OFFSET. In the files that exist they
-/// replace it: the OFFSET of a root is a copy of its first position, and joints that have position
-/// channels repeat their OFFSETs (and the common importers replace). Only if more joints stay
-/// nearer to zero than nearer to their OFFSETs do positions add.
+/// In the original description of the format, positions add to OFFSET. In existing files they
+/// replace it: the OFFSET of a root is a copy of its first position, joints with position channels
+/// repeat their OFFSETs, and the common importers replace. So positions add only if more joints
+/// stay nearer to zero than to their OFFSETs.
 ///
-/// Each joint has one vote, and those that carry the body through the room have none: how far they
-/// travel says nothing about the others. Of 48 clips with a static root, hips that travel and 20
-/// joints that repeat their OFFSETs, one sum of squares over all joints misreads 34, this rule
-/// none. Leaving out the way alone would misread a prop that travels below the hips; votes alone,
-/// hips that are the only joint with positions below a static root.
+/// Each joint has one vote, except those that carry the body through space: how far they travel
+/// says nothing about the others. Of 48 clips with a static root, hips that travel and 20 joints
+/// that repeat their OFFSETs, one sum of squares over all joints misreads 34, and this rule none.
+/// With the exception alone, a prop that travels below the hips would be misread; with the votes
+/// alone, hips that are the only joint with positions below a static root.
 bool positions_add_to_offsets(const Clip& clip) {
     const std::vector<Joint>& joints = clip.skeleton->joints;
     const std::vector<std::size_t> begins = channel_begins(*clip.skeleton);
@@ -111,7 +111,7 @@ Clip in_bvh_form(const Clip& clip) {
         convert_rotations(result);
     if (result.skeleton->translations_add)
         convert_positions(result);
-    // A joint that is misread one way is read right the other way, so that most are then.
+    // If most joints would be misread one way, most are read correctly the other way.
     if (positions_add_to_offsets(result))
         convert_positions(result);
     return result;

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a BVH file can say, and clips of other skeletons in these terms.
+// The meaning of BVH channels, and conversion of other clips to them.
 #pragma once
 
 #include "clip/clip.hpp"
 
 namespace stltsa::clip {
 
-/// Whether the position channels of a BVH clip's joints add to the joints' OFFSETs. Nothing in a
-/// file says so but the numbers.
+/// Whether position channels of a BVH clip add to OFFSET, which only their values can tell.
 bool positions_add_to_offsets(const Clip& clip);
 
-/// The same motion by rotations about moving axes, with positions that replace the joints' OFFSETs,
-/// as other programs take them. Where the rule above would misread these, they add.
+/// The same motion with rotations about moving axes, and with positions that replace the joints'
+/// OFFSETs, as other programs expect. If the rule above would misread these, they add.
 Clip in_bvh_form(const Clip& clip);
 
 } // namespace stltsa::clip

@@ -10,7 +10,7 @@
 namespace stltsa::clip {
 namespace {
 
-/// More than any body has; keeps a hostile file from costing joints x frames.
+/// More than any body has; limits the memory for a hostile file.
 constexpr std::size_t most_joints = 4096;
 
 /// "Xrotation", "yposition", ... Also "Xtranslation", which some exporters write.
@@ -27,14 +27,14 @@ std::optional<Channel> channel_of(std::string_view word) {
     return std::nullopt;
 }
 
-/// A loop with a stack of open joints instead of recursion: depth is the file's choice.
+/// Uses a stack of open joints instead of recursion, because the file determines the depth.
 class HierarchyReader {
   public:
     explicit HierarchyReader(TextCursor& in) : in_(in) {}
 
     Skeleton read() {
         if (!equals_ignoring_case(in_.word(), "HIERARCHY"))
-            in_.fail(Status::format, "a BVH file begins with HIERARCHY");
+            in_.fail(Status::format, "a BVH file must begin with HIERARCHY");
         for (;;) {
             const std::string_view word = in_.word();
             if (equals_ignoring_case(word, "MOTION"))
@@ -42,7 +42,7 @@ class HierarchyReader {
             statement(word);
         }
         if (!open_.empty())
-            in_.fail(Status::format, "MOTION comes before joint {} of line {} is closed by a brace",
+            in_.fail(Status::format, "MOTION comes before the closing brace of joint {} on line {}",
                      quoted(joint().name), open_.back().line);
         if (skeleton_.joints.empty())
             in_.fail(Status::format, "the hierarchy has no ROOT");
@@ -64,7 +64,7 @@ class HierarchyReader {
         if (equals_ignoring_case(word, "ROOT"))
             root();
         else if (open_.empty())
-            in_.fail(Status::format, "{} stands outside of ROOT {{ ... }}", quoted(word));
+            in_.fail(Status::format, "{} is outside ROOT {{ ... }}", quoted(word));
         else if (equals_ignoring_case(word, "OFFSET"))
             offset();
         else if (equals_ignoring_case(word, "CHANNELS"))
@@ -77,13 +77,13 @@ class HierarchyReader {
             close();
         else
             in_.fail(Status::format,
-                     "{} is not expected here; a joint holds OFFSET, CHANNELS, JOINT, End Site",
+                     "{} is not expected here; a joint has OFFSET, CHANNELS, JOINT or End Site",
                      quoted(word));
     }
 
     void root() {
         if (!open_.empty())
-            in_.fail(Status::format, "ROOT stands inside of joint {}; a brace is missing",
+            in_.fail(Status::format, "ROOT is inside joint {}: a closing brace is missing",
                      quoted(joint().name));
         if (!skeleton_.joints.empty())
             in_.fail(Status::unsupported,
@@ -97,20 +97,20 @@ class HierarchyReader {
         open_joint(true);
     }
 
-    /// A name may hold blanks or be missing; the brace may stand behind it or on the next line.
+    /// A name may contain blanks or be missing; the brace may follow it or be on the next line.
     void open_joint(bool end_site) {
         const std::int64_t line = in_.line_number();
         Joint joint;
         joint.name = in_.rest_of_line('{');
         in_.check_name(joint.name);
         if (in_.word() != "{")
-            in_.fail(Status::format, "'{{' is missing after {} of line {}", quoted(joint.name),
+            in_.fail(Status::format, "'{{' is missing after {} on line {}", quoted(joint.name),
                      line);
         if (skeleton_.joints.size() == most_joints)
             in_.fail(Status::unsupported, "more than {} joints", most_joints);
         if (!open_.empty()) {
             if (this->joint().end_site)
-                in_.fail(Status::format, "an End Site holds nothing but its OFFSET");
+                in_.fail(Status::format, "an End Site may have only an OFFSET");
             joint.parent = open_.back().joint;
         }
         joint.end_site = end_site;
@@ -130,17 +130,17 @@ class HierarchyReader {
     void channels() {
         const auto count = parse_integer(in_.word());
         if (!count || *count < 0)
-            in_.fail(Status::format, "CHANNELS must be followed by their number");
+            in_.fail(Status::format, "CHANNELS must be followed by the number of channels");
         for (std::int64_t i = 0; i < *count; ++i) {
             const std::string_view word = in_.word();
             const auto channel = channel_of(word);
             if (!channel)
                 in_.fail(Status::format,
-                         "{} is not a channel; {} of Xposition ... Zrotation are expected here",
+                         "{} is not a channel; expected {} of Xposition ... Zrotation",
                          quoted(word), *count);
             std::vector<Channel>& channels = joint().channels;
             if (!may_follow(*channel, channels))
-                in_.fail(Status::format, "joint {} has {} too many: {}", quoted(joint().name),
+                in_.fail(Status::format, "joint {} has one {} too many: {}", quoted(joint().name),
                          quoted(word), channel_limit);
             channels.push_back(*channel);
         }
@@ -160,7 +160,7 @@ class HierarchyReader {
 
     void close() {
         if (!open_.back().has_offset)
-            in_.fail(Status::format, "joint {} of line {} has no OFFSET", quoted(joint().name),
+            in_.fail(Status::format, "joint {} on line {} has no OFFSET", quoted(joint().name),
                      open_.back().line);
         open_.pop_back();
     }

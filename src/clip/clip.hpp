@@ -23,12 +23,12 @@ struct Quaternion {
 
 enum class Format : std::int32_t { bvh = 1, amc = 2, csv = 3, npy = 4, matrix = 5 };
 
-/// What one number of a joint's row in the file means.
+/// Meaning of one value of a joint.
 enum class Channel : std::int8_t { tx, ty, tz, rx, ry, rz };
 
 struct Joint {
     std::string name;
-    int parent = -1; ///< index of a joint before this one, -1 for the root
+    int parent = -1; ///< index of a previous joint, -1 for the root
     Vec3 offset{};   ///< from the parent joint, in the parent joint's axes, file units
     std::vector<Channel> channels; ///< in file order; empty for end sites and rigid joints
     Quaternion axis;               ///< ASF bone axis C: local rotation = C M C^-1; identity for BVH
@@ -37,46 +37,46 @@ struct Joint {
 
 struct Skeleton {
     std::vector<Joint> joints; ///< parents before children
-    /// Rotations are about fixed axes, first listed first applied (ASF); else about axes that
-    /// move along, so that the matrix of the first listed stands leftmost (BVH).
+    /// Rotations are about fixed axes, and the first listed is applied first (ASF); else about
+    /// moving axes, so that the matrix of the first listed is leftmost (BVH).
     bool fixed_axes = false;
     /// Translation channels add to the joint's offset (ASF); else they replace it (BVH).
     bool translations_add = false;
 };
 
-/// Whether the frames of one are frames of the other: joints, their parents and channels are the
-/// same. Offsets may differ.
+/// Whether both skeletons have the same joints, parents and channels, so that frames of one are
+/// valid for the other. Offsets may differ.
 bool same_hierarchy(const Skeleton& a, const Skeleton& b);
 
 struct Clip {
     std::string path; ///< as given, empty for memory
     Format format = Format::matrix;
     double fps = 0;        ///< 0: unknown
-    double frame_time = 0; ///< seconds as the file says them (.0083333 for 120); 0: 1 / fps
+    double frame_time = 0; ///< seconds as written in the file (.0083333 for 120); 0: 1 / fps
     std::optional<Skeleton> skeleton;
     /// frames x channels as in the file (degrees for rotations); the matrix itself for CSV and NPY.
     Matrix values;
     std::vector<std::string> channel_names; ///< one per column of values; may be empty for matrices
-    std::vector<std::string> notes; ///< what the reader assumed, e.g. "no frame rate in AMC: 120"
+    std::vector<std::string> notes;         ///< what the reader assumed
 
     std::int64_t frames() const { return values.rows(); }
 };
 
 struct ReadOptions {
-    double fps = 0;       ///< 0: the file's own; else overrides it
-    std::string skeleton; ///< ASF path for AMC; empty: looked for beside the file
-    Progress progress;    ///< asked after a signal while a file is read
+    double fps = 0;       ///< overrides the file's rate; 0: does not
+    std::string skeleton; ///< ASF path for AMC; empty: searched for in the file's folder
+    Progress progress;    ///< called after a signal while a file is read
 };
 
-/// Reads a file, its format told by suffix, else by content. Throws Error (io, format, ...), the
-/// text with path, line number and what to do.
+/// Reads a file; its suffix determines the format, or its content if the suffix is unknown. Throws
+/// Error (io, format, ...) with path, line number and what to do.
 Clip read(const std::string& path, const ReadOptions& options);
 
 /// Parses a file's bytes. For AMC options.skeleton must name the ASF file.
 Clip parse(std::string_view bytes, Format format, const std::string& name,
            const ReadOptions& options);
 
-/// Tells the format from the bytes (NPY magic, HIERARCHY, AMC keywords, else CSV).
+/// The format of the bytes (NPY magic, HIERARCHY, AMC keywords, else CSV).
 Format sniff(std::string_view bytes);
 
 } // namespace stltsa::clip

@@ -13,7 +13,7 @@ namespace {
 
 using Cells = std::vector<std::string_view>;
 
-/// 0, 1, 2 ..: how pandas calls columns that have no name.
+/// 0, 1, 2, ...: the names that pandas gives to unnamed columns.
 bool numbers_columns(std::span<const std::string_view> cells) {
     for (std::size_t c = 0; c < cells.size(); ++c)
         if (cells[c] != format_text("{}", c))
@@ -21,8 +21,8 @@ bool numbers_columns(std::span<const std::string_view> cells) {
     return !cells.empty();
 }
 
-/// `next`: the row after it, without which numbers are hardly the numbers of columns. A circle
-/// may begin at 0, 1.
+/// `next`: the next row. If it has only integers, 0, 1, 2, ... may be data. Two columns are too
+/// few: the points of a circle may begin at 0, 1.
 bool is_header(const Cells& cells, const Cells& next) {
     constexpr std::size_t enough_to_count = 3;
     if (cells[0].empty() && numbers_columns(std::span(cells).subspan(1)))
@@ -35,7 +35,7 @@ bool is_header(const Cells& cells, const Cells& next) {
                        [](std::string_view cell) { return !is_gap(cell) && !parse_cell(cell); });
 }
 
-/// Passes over comments.
+/// The next row that is not a comment.
 std::string_view next_row(TextCursor& in) {
     std::string_view line = in.line();
     while (!line.empty() && trim(line)[0] == '#')
@@ -49,7 +49,7 @@ class CsvReader {
 
     void read() {
         std::string_view line = next_row(in_);
-        // A header may hold any characters, so the line after the first one decides.
+        // A header may contain any characters, so the second line determines the separator.
         TextCursor ahead = in_;
         const std::string_view second = next_row(ahead);
         separator_ = find_separator(second.empty() ? line : second);
@@ -74,14 +74,14 @@ class CsvReader {
         return *std::move(cells);
     }
 
-    /// Of a line that is read in its turn, and complained of then.
+    /// The cells of a line that will be read, and checked, later.
     Cells data_cells(std::string_view line) const {
         return split_cells(line, separator_).value_or(Cells());
     }
 
     void header(Cells cells) {
         if (numbers_columns(cells))
-            clip_.notes.push_back("the first line, 0, 1, 2 .., numbers the columns: not a frame");
+            clip_.notes.push_back("the first line (0, 1, 2, ...) numbers the columns: not a frame");
         if (cells.back().empty()) // every line ends with a separator
             cells.pop_back();
         clip_.channel_names.assign(cells.begin(), cells.end());
@@ -94,7 +94,7 @@ class CsvReader {
         if (columns_ == 0)
             columns_ = cells.size();
         if (cells.size() != columns_ || columns_ == 0)
-            in_.fail(Status::format, "{} cells, where the lines before have {}", cells.size(),
+            in_.fail(Status::format, "{} cells, but the previous lines have {}", cells.size(),
                      columns_);
         for (std::size_t c = 0; c < columns_; ++c)
             values_.push_back(number(cells[c], c));
@@ -103,7 +103,8 @@ class CsvReader {
 
     double number(std::string_view cell, std::size_t c) const {
         if (is_gap(cell))
-            in_.fail(Status::not_finite, "column {} has no value: fill the gaps first", title(c));
+            in_.fail(Status::not_finite, "column {} has no value: fill the gaps before reading",
+                     title(c));
         const auto value = parse_cell(cell);
         if (!value)
             in_.fail(Status::format, "column {}: {} is not a number", title(c), quoted(cell));

@@ -18,7 +18,7 @@ std::size_t skip_blanks(std::string_view line, std::size_t from, char separator)
     return from;
 }
 
-/// Position of the quote that closes the one before `from`; doubled quotes do not.
+/// Position of the quote that closes the one before `from`; skips doubled quotes.
 std::size_t closing_quote(std::string_view line, std::size_t from) {
     std::size_t quote = line.find('"', from);
     while (quote != line.npos && line.substr(quote).starts_with("\"\""))
@@ -34,7 +34,7 @@ char find_separator(std::string_view line) {
                            : tabs                        ? '\t'
                            : line.find(',') != line.npos ? ','
                                                          : ' ';
-    // "1,5 2,5": no number holds a blank, so the commas are decimal ones.
+    // "1,5 2,5": numbers do not contain blanks, so these are decimal commas.
     const auto cells = split_cells(line, separator);
     const bool too_long = cells && std::any_of(cells->begin(), cells->end(), [](auto cell) {
                               return cell.find_first_of(blanks) != cell.npos;
@@ -77,7 +77,7 @@ std::optional<double> parse_cell(std::string_view cell) {
     if (comma == cell.npos)
         return parse_number(cell);
     std::string text(cell);
-    text[comma] = '.'; // thousands separators leave a second point or comma, and no number
+    text[comma] = '.'; // with thousands separators the text is then not a number
     return parse_number(text);
 }
 

@@ -7,17 +7,17 @@
 
 namespace stltsa::clip {
 
-/// The separator that a line of data uses: ; tab , or ' ' for any blanks.
+/// The separator of a line of data: ; tab , or ' ' for any blanks.
 char find_separator(std::string_view line);
 
-/// Cells without blanks and quotes around them. Nothing when a quote is not closed, or more
-/// follows it in the cell.
+/// The cells, without surrounding blanks and quotes. Empty if a quote is not closed, or is followed
+/// by more text in the cell.
 std::optional<std::vector<std::string_view>> split_cells(std::string_view line, char separator);
 
-/// Empty, or one of the words for "no value".
+/// Whether the cell is empty, or one of the words for "no value".
 bool is_gap(std::string_view cell);
 
-/// A number; its decimal point may be a comma (then the separator is another).
+/// A number; its decimal point may be a comma if that is not the separator.
 std::optional<double> parse_cell(std::string_view cell);
 
 } // namespace stltsa::clip

@@ -11,7 +11,7 @@
 namespace stltsa::clip {
 namespace {
 
-/// Rates at which motion is captured, and more; frames beyond these are not told apart by time.
+/// Range of plausible rates, wider than those of motion capture.
 constexpr double least_rate = 2;
 constexpr double most_rate = 1e5;
 
@@ -22,7 +22,7 @@ std::string letters_of(std::string_view name) {
     return letters;
 }
 
-/// Seconds in the unit of a time column; 0 for a name that does not mean time.
+/// Seconds per unit of a time column; 0 if the name does not mean time.
 double time_unit(std::string_view name) {
     struct Unit {
         std::string_view name;
@@ -48,7 +48,7 @@ bool counts_frames(std::string_view name, bool is_first) {
            std::find(std::begin(words), std::end(words), letters) != std::end(words);
 }
 
-/// The steps of a column from row to row.
+/// Differences between consecutive rows of a column.
 struct Steps {
     double least, median, most, mean;
 
@@ -64,13 +64,13 @@ struct Steps {
                static_cast<double>(steps.size());
     }
 
-    /// Even but for the rounding of times to a few digits. A missing row makes a double step.
+    /// Even except for times rounded to a few digits. A missing row would cause a double step.
     bool even() const { return least >= 0.5 * median && most <= 1.5 * median; }
-    /// 5, 6, 7 ..
+    /// Consecutive integers such as 5, 6, 7.
     bool count() const { return least == 1 && most == 1; }
 };
 
-/// Keeps these columns only.
+/// Removes all other columns.
 void keep_columns(Clip& clip, const std::vector<std::int64_t>& columns) {
     const Matrix from = std::move(clip.values);
     const std::vector<std::string> names = std::move(clip.channel_names);
@@ -83,7 +83,7 @@ void keep_columns(Clip& clip, const std::vector<std::int64_t>& columns) {
                        [row = from.row(i)](std::int64_t column) { return row[column]; });
 }
 
-/// True if the column counts frames, and so is no channel.
+/// Whether the column counts frames and is therefore not a channel.
 bool take_count(Clip& clip, std::int64_t column) {
     const std::string title = quoted(clip.channel_names[static_cast<std::size_t>(column)]);
     const Steps steps(clip.values, column);
@@ -94,7 +94,7 @@ bool take_count(Clip& clip, std::int64_t column) {
     return counts;
 }
 
-/// True if the column is time, and so is no channel.
+/// Whether the column is time and therefore not a channel; sets the frame rate.
 bool take_time(Clip& clip, std::int64_t column, double unit, const std::string& name,
                const ReadOptions& options) {
     const std::string title = quoted(clip.channel_names[static_cast<std::size_t>(column)]);
@@ -109,26 +109,26 @@ bool take_time(Clip& clip, std::int64_t column, double unit, const std::string& 
         return take_count(clip, column);
     if (options.fps == 0 && !plausible) {
         clip.notes.push_back(format_text(
-            "column {} would mean {:.3g} frames a second: kept as a channel; if it is time, name "
-            "its unit, as in 'time (ms)', or set option fps",
+            "column {} as time would give {:.3g} frames a second: kept as a channel; if it is "
+            "time, put its unit into the name, as in 'time (ms)', or set option fps",
             title, rate));
         return false;
     }
     if (!steps.even() && options.fps == 0)
         fail(Status::format,
              "{}: the steps of column {} range from {} to {}: resample to a constant rate, or set "
-             "option fps to take the rows as evenly spaced",
+             "option fps to treat the rows as evenly spaced",
              name, title, steps.least, steps.most);
     clip.fps = rate;
     clip.notes.push_back(format_text("column {} is time, not a channel", title));
     return true;
 }
 
-void note_silent_time(Clip& clip) {
+void note_unnamed_time(Clip& clip) {
     const Steps steps(clip.values, 0);
     if (steps.least > 0 && steps.most - steps.least <= 1e-3 * steps.mean)
-        clip.notes.push_back("column 1 grows by equal steps: if it is time or a count, remove it, "
-                             "or say so in a header line");
+        clip.notes.push_back("column 1 increases by equal steps: if it is time or a frame number, "
+                             "remove it, or name it so in a header line");
 }
 
 } // namespace
@@ -137,7 +137,7 @@ void extract_time(Clip& clip, const std::string& name, const ReadOptions& option
     if (clip.values.rows() < 2)
         return;
     if (clip.channel_names.empty())
-        return note_silent_time(clip);
+        return note_unnamed_time(clip);
     std::vector<std::int64_t> kept;
     for (std::int64_t column = 0; column < clip.values.cols(); ++column) {
         const std::string& title = clip.channel_names[static_cast<std::size_t>(column)];
@@ -149,7 +149,7 @@ void extract_time(Clip& clip, const std::string& name, const ReadOptions& option
             kept.push_back(column);
     }
     if (kept.empty())
-        fail(Status::format, "{}: no channel is left besides time", name);
+        fail(Status::format, "{}: there is no channel besides time and frame numbers", name);
     if (std::ssize(kept) < clip.values.cols())
         keep_columns(clip, kept);
 }

@@ -13,10 +13,10 @@ namespace {
 
 void need_skeleton(const Clip& clip, std::string_view what) {
     if (!clip.skeleton)
-        fail(Status::unsupported, "{} need a skeleton: this clip is a bare matrix (use raw)", what);
+        fail(Status::unsupported, "{} need a skeleton, and this clip is a bare matrix", what);
 }
 
-/// Calls body(pose, back, row) for every frame, `back` undoing the yaw of the body root.
+/// Calls body(pose, back, row) for every frame; `back` reverses the yaw of the body root.
 template <class Body>
 void for_each_pose(const Clip& clip, Heading heading, Matrix& rows, const Body& body) {
     Pose pose;
@@ -26,7 +26,7 @@ void for_each_pose(const Clip& clip, Heading heading, Matrix& rows, const Body& 
     }
 }
 
-/// Positions relative to the body root, as seen along its heading.
+/// Positions relative to the body root and its heading.
 Matrix body_positions(const Clip& clip, Heading heading) {
     const std::size_t root = heading.root();
     const std::size_t count = clip.skeleton->joints.size();
@@ -41,8 +41,8 @@ Matrix body_positions(const Clip& clip, Heading heading) {
     return result;
 }
 
-/// First two columns of the rotation matrix: continuous where every set of angles jumps (Zhou et
-/// al., "On the Continuity of Rotation Representations in Neural Networks", 2019).
+/// First two columns of the rotation matrix, which are continuous, unlike any set of angles (Zhou
+/// et al., "On the Continuity of Rotation Representations in Neural Networks", 2019).
 double* put_6d(const Quaternion& q, double* out) {
     for (const Vec3& column : {rotate(q, {1, 0, 0}), rotate(q, {0, 1, 0})})
         out = std::copy(column.begin(), column.end(), out);
@@ -88,12 +88,13 @@ Matrix euler(const Clip& clip, std::size_t root) {
     return result;
 }
 
-/// Numbers near the largest double can overflow on the way through the skeleton.
+/// Values near the largest double can overflow in the forward kinematics.
 void check_finite(const Matrix& matrix) {
     for (std::int64_t i = 0; i < matrix.rows(); ++i)
         if (!std::all_of(matrix.row(i), matrix.row(i) + matrix.cols(),
                          [](double value) { return std::isfinite(value); }))
-            fail(Status::not_finite, "the numbers of frame {} are too large for a pose", i);
+            fail(Status::not_finite,
+                 "the values in frame {} are too large: the features are not finite", i);
 }
 
 } // namespace
@@ -136,7 +137,7 @@ Features feature_kind(const Clip& clip, Features requested) {
     if (requested == Features::automatic)
         return clip.skeleton ? Features::positions : Features::raw;
     if (requested != Features::raw)
-        need_skeleton(clip, "these features");
+        need_skeleton(clip, "features other than raw");
     return requested;
 }
 
@@ -169,7 +170,7 @@ Matrix body_features(const Clip& clip, Features kind, Heading heading) {
 }
 
 Matrix features(const Clip& clip, Features requested, Axis up) {
-    feature_count(clip, requested); // there are some
+    feature_count(clip, requested); // fails if there are none
     const Features kind = feature_kind(clip, requested);
     Matrix result =
         kind == Features::raw

@@ -24,14 +24,13 @@ bool is_regular_file(const std::string& path) {
     return ::stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode);
 }
 
-/// The names of all ASF files of a folder, in a fixed order; to open a pipe of such a name would
-/// wait for its writer. Not by std::filesystem: its iterator ends the process when it finds no
-/// memory.
+/// The sorted names of the ASF files of a folder. Regular files only: opening a pipe would wait for
+/// its writer. std::filesystem's iterator would terminate the process if memory runs out.
 std::vector<std::string> asf_files(const std::string& folder) {
     const std::unique_ptr<DIR, int (*)(DIR*)> listed(::opendir(folder.c_str()), &::closedir);
     if (!listed && errno == ENOMEM)
         throw std::bad_alloc();
-    std::vector<std::string> names; // a folder that cannot be listed has none
+    std::vector<std::string> names; // empty if the folder cannot be listed
     while (const dirent* entry = listed ? ::readdir(listed.get()) : nullptr) {
         const std::string name = entry->d_name;
         if (equals_ignoring_case(fs::path(name).extension().string(), ".asf") &&
@@ -56,8 +55,8 @@ std::string find_skeleton(const std::string& amc_path) {
     if (files.size() == 1)
         return (amc.parent_path() / files[0]).string();
     fail(Status::io,
-         "{}: an AMC file needs its skeleton, and {}.asf is not beside it ({} other ASF files "
-         "are): set option skeleton to the path of the ASF file",
+         "{}: an AMC file needs its skeleton, but its folder has no {}.asf ({} other ASF files): "
+         "set option skeleton to the path of the ASF file",
          amc_path, stem.substr(0, stem.find('_')), files.size());
 }
 

@@ -5,7 +5,7 @@
 
 namespace stltsa::clip {
 
-/// The ASF file that belongs to an AMC file, looked for in the same folder.
+/// Finds the ASF file of an AMC file in the same folder.
 std::string find_skeleton(const std::string& amc_path);
 
 } // namespace stltsa::clip

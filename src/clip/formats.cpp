@@ -8,7 +8,7 @@
 
 namespace stltsa::clip {
 
-// Each is defined in the file of its format.
+// Each is defined in the source of its format.
 Clip parse_bvh(std::string_view bytes, const std::string& name, const ReadOptions& options);
 Clip parse_amc(std::string_view bytes, const std::string& name, const ReadOptions& options);
 Clip parse_csv(std::string_view bytes, const std::string& name, const ReadOptions& options);
@@ -20,7 +20,7 @@ std::string format_npy(const Clip& clip);
 
 namespace {
 
-/// First word of the first line that is no comment.
+/// First word of the first line that is not a comment.
 std::string_view first_word(std::string_view bytes) {
     if (is_utf16(bytes))
         return {};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The table of formats: whatever depends on a format is read from it.
+// The table of formats: everything that depends on a format comes from it.
 #pragma once
 
 #include <array>
@@ -15,24 +15,24 @@ namespace stltsa::clip {
 /// STLTSA_FORMAT_* in stltsa.h.
 struct FormatRow {
     Format format;    ///< the value of STLTSA_FORMAT_*
-    const char* name; ///< in the JSON
-    /// Of files, in lower case, with the dot, "" for none; the first is the one that is written.
+    const char* name; ///< in JSON and messages
+    /// In lower case, with the dot; "" for none. Files are written with the first.
     std::array<std::string_view, 2> suffixes;
-    bool is_text;        ///< its files hold no NUL
+    bool is_text;        ///< files do not contain NUL
     bool needs_skeleton; ///< ReadOptions::skeleton must name an ASF file
-    /// Whether the bytes begin as this format does; none: they may be of it if of no other.
+    /// Whether the bytes begin like this format; null: used if no other format matches.
     bool (*sniff)(std::string_view bytes);
-    /// Gets the file's bytes and the name for messages. Sets all of Clip but path and format; fps
-    /// is the file's own, 0 where it has none. None: the format has no files.
+    /// Parses a file's bytes; `name` is for messages. Sets all of Clip except path and format; fps
+    /// is the file's own rate, or 0. Null: the format has no files.
     Clip (*read)(std::string_view bytes, const std::string& name, const ReadOptions& options);
-    /// The bytes of a file. Numbers read back to the same bits.
+    /// The bytes of a file. Reading it gives the same bits.
     std::string (*write)(const Clip& clip);
 };
 
 /// All formats.
 std::span<const FormatRow> formats();
 
-/// The row of a value, or of a path's suffix, in any case; null: there is none.
+/// The row of a format, or of a path's suffix, ignoring case; null if there is none.
 const FormatRow* find_format(Format format);
 const FormatRow* find_format(const std::string& path);
 

@@ -13,7 +13,7 @@ Quaternion about(int axis, double w, double v) {
     return {w, axis == 0 ? v : 0, axis == 1 ? v : 0, axis == 2 ? v : 0};
 }
 
-/// Squared length of the twist part: 1 for a pure turn about the axis, 0 upside down.
+/// Squared length of the twist: 1 for a rotation about the axis only, 0 upside down.
 double twist_size(const Quaternion& q, int axis) {
     const double v = component(q, axis);
     return q.w * q.w + v * v;
@@ -21,7 +21,7 @@ double twist_size(const Quaternion& q, int axis) {
 
 /// Whether the root's axes are upside down most of the time.
 bool is_inverted(const Clip& clip, std::size_t root, int up) {
-    // Axes at right angles to the world's give 1, 1/2 or 0: this parts the last from the others.
+    // Axes at right angles to the world's give 1, 1/2 or 0.
     constexpr double threshold = 0.25;
     double sum = 0;
     Pose pose;
@@ -32,7 +32,7 @@ bool is_inverted(const Clip& clip, std::size_t root, int up) {
     return sum < threshold * static_cast<double>(clip.frames());
 }
 
-bool rests(const Matrix& values, std::int64_t column) {
+bool is_constant(const Matrix& values, std::int64_t column) {
     for (std::int64_t frame = 1; frame < values.rows(); ++frame)
         if (values(frame, column) != values(0, column))
             return false;
@@ -50,7 +50,7 @@ std::size_t body_root(const Clip& clip) {
             return joint.parent == static_cast<int>(j);
         });
         for (const Channel channel : joints[j].channels) {
-            if (rests(clip.values, column++))
+            if (is_constant(clip.values, column++))
                 continue;
             if (is_rotation(channel))
                 return j;

@@ -10,9 +10,9 @@
 namespace stltsa::clip {
 namespace {
 
-/// Against the deviation of all frames from their mean.
+/// Least jump relative to the standard deviation of all frames.
 constexpr double far_against_all = 0.3;
-/// Against the steps around it, but for the next ones: a single bad frame makes two jumps.
+/// Least jump relative to nearby steps, except the adjacent ones: one bad frame makes two jumps.
 constexpr double far_against_near = 5;
 constexpr std::int64_t nearest = 2;
 constexpr std::int64_t farthest = 5;

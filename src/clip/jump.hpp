@@ -7,9 +7,9 @@
 
 namespace stltsa::clip {
 
-/// The frame that follows the largest step between two frames, if no body moves like that: far
-/// against all motion and against the steps just before and after it. 0: there is none.
-/// `features`: as they are, not smoothed.
+/// The frame after the largest step between two frames, if it is too large for a body: large
+/// relative to the variation of all frames and to the steps before and after it. 0: there is none.
+/// `features`: not smoothed.
 std::int64_t find_jump(ConstMatrixView features);
 
 } // namespace stltsa::clip

@@ -19,7 +19,7 @@ Quaternion joint_rotation(const Joint& joint, bool fixed_axes, const double* val
 
 namespace {
 
-/// Where the joint sits in its parent's axes.
+/// Position of the joint in its parent's axes.
 Vec3 joint_translation(const Joint& joint, bool translations_add, const double* values) {
     Vec3 offset = joint.offset;
     for (std::size_t c = 0; c < joint.channels.size(); ++c) {

@@ -16,10 +16,10 @@ struct Shape {
 
 Shape checked_shape(const NpyHeader& header, std::size_t data_size, const std::string& name) {
     if (header.shape.empty())
-        fail(Status::shape, "{}: a single number, where rows of frames are needed", name);
+        fail(Status::shape, "{}: the array is a single number; expected frames as rows", name);
     if (header.shape.size() > 2)
         fail(Status::shape,
-             "{}: an array of {} dimensions; frames are rows: save array.reshape(len(array), -1)",
+             "{}: the array has {} dimensions; expected 1 or 2: save array.reshape(len(array), -1)",
              name, header.shape.size());
     const Shape shape{header.shape[0], header.shape.size() == 2 ? header.shape[1] : 1};
     if (shape.rows == 0 || shape.cols == 0)
@@ -27,10 +27,10 @@ Shape checked_shape(const NpyHeader& header, std::size_t data_size, const std::s
     const auto items = static_cast<std::int64_t>(data_size / header.item_size);
     if (shape.rows > items / shape.cols)
         fail(Status::format,
-             "{}: the header tells of {} frames of {} numbers, the data end after {}", name,
+             "{}: the header declares {} frames of {} numbers, but the data end after {}", name,
              shape.rows, shape.cols, items / shape.cols);
     if (data_size != header.item_size * static_cast<std::size_t>(shape.rows * shape.cols))
-        fail(Status::format, "{}: more bytes follow than {} frames of {} numbers take", name,
+        fail(Status::format, "{}: there are more bytes than {} frames of {} numbers need", name,
              shape.rows, shape.cols);
     return shape;
 }

@@ -16,7 +16,7 @@ constexpr std::size_t most_dimensions = 32; // NumPy's own limit
 /// {'descr': '<f8', 'fortran_order': False, 'shape': (3, 4), }
 class DictReader {
   public:
-    DictReader(std::string_view text, const std::string& name) : rest_(text), name_(name) {}
+    DictReader(std::string_view text, const std::string& name) : remaining_(text), name_(name) {}
 
     NpyHeader read() {
         expect('{');
@@ -27,7 +27,7 @@ class DictReader {
                 break;
             }
         }
-        if (!trim(rest_).empty() || seen_ != 7)
+        if (!trim(remaining_).empty() || seen_ != 7)
             malformed();
         return header_;
     }
@@ -39,10 +39,10 @@ class DictReader {
     }
 
     bool take(char c) {
-        rest_ = trim(rest_);
-        if (!rest_.starts_with(c))
+        remaining_ = trim(remaining_);
+        if (!remaining_.starts_with(c))
             return false;
-        rest_.remove_prefix(1);
+        remaining_.remove_prefix(1);
         return true;
     }
 
@@ -52,15 +52,15 @@ class DictReader {
     }
 
     std::string_view string() {
-        rest_ = trim(rest_);
-        const char quote = rest_.empty() ? '\0' : rest_[0];
+        remaining_ = trim(remaining_);
+        const char quote = remaining_.empty() ? '\0' : remaining_[0];
         if (quote != '\'' && quote != '"')
             malformed();
-        const std::size_t end = rest_.find(quote, 1);
-        if (end == rest_.npos)
+        const std::size_t end = remaining_.find(quote, 1);
+        if (end == remaining_.npos)
             malformed();
-        const std::string_view text = rest_.substr(1, end - 1);
-        rest_.remove_prefix(end + 1);
+        const std::string_view text = remaining_.substr(1, end - 1);
+        remaining_.remove_prefix(end + 1);
         return text;
     }
 
@@ -99,11 +99,11 @@ class DictReader {
 
     void order() {
         seen_ |= 2;
-        rest_ = trim(rest_);
-        header_.fortran_order = rest_.starts_with("True");
-        if (!header_.fortran_order && !rest_.starts_with("False"))
+        remaining_ = trim(remaining_);
+        header_.fortran_order = remaining_.starts_with("True");
+        if (!header_.fortran_order && !remaining_.starts_with("False"))
             malformed();
-        rest_.remove_prefix(header_.fortran_order ? 4 : 5);
+        remaining_.remove_prefix(header_.fortran_order ? 4 : 5);
     }
 
     void shape() {
@@ -111,19 +111,19 @@ class DictReader {
         header_.shape.clear();
         expect('(');
         while (!take(')')) {
-            const std::size_t end = rest_.find_first_of(",)");
-            if (end == rest_.npos)
+            const std::size_t end = remaining_.find_first_of(",)");
+            if (end == remaining_.npos)
                 malformed();
-            const auto size = parse_integer(trim(rest_.substr(0, end)));
+            const auto size = parse_integer(trim(remaining_.substr(0, end)));
             if (!size || *size < 0 || header_.shape.size() == most_dimensions)
                 malformed();
             header_.shape.push_back(*size);
-            rest_.remove_prefix(end);
+            remaining_.remove_prefix(end);
             take(',');
         }
     }
 
-    std::string_view rest_;
+    std::string_view remaining_;
     const std::string& name_;
     NpyHeader header_;
     int seen_ = 0;
@@ -141,11 +141,12 @@ std::size_t little_endian(std::string_view bytes) {
 NpyHeader read_npy_header(std::string_view bytes, const std::string& name) {
     constexpr std::string_view magic = "\x93NUMPY";
     if (!bytes.starts_with(magic))
-        fail(Status::format, "{}: an NPY file begins with \\x93NUMPY", name);
+        fail(Status::format, "{}: an NPY file must begin with \\x93NUMPY", name);
     const int version =
         bytes.size() > magic.size() ? static_cast<unsigned char>(bytes[magic.size()]) : 0;
     if (version < 1 || version > 3)
-        fail(Status::unsupported, "{}: NPY version {} is not known; 1 to 3 are", name, version);
+        fail(Status::unsupported, "{}: unknown NPY version {}; versions 1 to 3 are supported", name,
+             version);
     const std::size_t size_begin = magic.size() + 2;
     const std::size_t size_bytes = version == 1 ? 2 : 4;
     const std::size_t begin = size_begin + size_bytes;

@@ -17,7 +17,7 @@ struct NpyHeader {
     std::size_t data_begin = 0;
 };
 
-/// Versions 1.0 to 3.0 of the format (NumPy Enhancement Proposal 1 and numpy.lib.format).
+/// Reads versions 1.0 to 3.0 of the format (NumPy Enhancement Proposal 1 and numpy.lib.format).
 NpyHeader read_npy_header(std::string_view bytes, const std::string& name);
 
 } // namespace stltsa::clip

@@ -15,7 +15,7 @@ std::string_view without_plus(std::string_view text) {
     return text;
 }
 
-/// What std::from_chars calls out of range is either huge or next to nothing.
+/// A value that std::from_chars reports as out of range is either huge or tiny.
 double out_of_range(std::string_view text) {
     const bool tiny = text.find("e-") != text.npos || text.find("E-") != text.npos ||
                       text.find_first_of("123456789") > text.find('.');
@@ -38,7 +38,7 @@ std::optional<double> parse_number(std::string_view text) {
 }
 
 void append_number(std::string& text, double value) {
-    // Zeros that only tell the place are spelled out as long as a number stays readable.
+    // Fixed notation as long as the number of zeros stays readable.
     const double size = std::abs(value);
     const bool plain = value == 0 || (size >= 1e-5 && size < 1e16);
     char digits[32];
@@ -59,7 +59,7 @@ std::optional<std::int64_t> parse_integer(std::string_view text) {
 }
 
 double rate_of(double seconds) {
-    // .008333 gives 120.005; the nearest rate that is no integer, 29.97, is 0.1 % off.
+    // .008333 gives 120.005; the rate that is nearest to an integer, 29.97, is 0.1 % off.
     constexpr double tolerance = 5e-4;
     const double fps = seconds > 0 ? 1 / seconds : 0;
     if (!std::isfinite(fps))

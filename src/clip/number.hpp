@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Numbers as files write them, the same in every locale.
+// Reads and writes numbers, independent of the locale.
 #pragma once
 
 #include <cstdint>
@@ -9,17 +9,17 @@
 
 namespace stltsa::clip {
 
-/// The whole of `text` as a number, a leading '+' allowed. May be infinite or NaN ("nan", "inf",
-/// 1e999); what is too small for a double is 0. Nothing when it is no number.
+/// The whole of `text` as a number; a leading '+' is allowed. May be infinite or NaN ("nan", "inf",
+/// 1e999); values too small for a double are 0. Empty if it is not a number.
 std::optional<double> parse_number(std::string_view text);
 
-/// Adds the shortest digits that read back to the same bits.
+/// Appends the shortest digits that read back to the same bits.
 void append_number(std::string& text, double value);
 
 std::optional<std::int64_t> parse_integer(std::string_view text);
 
-/// Frames a second from the seconds of one; 0 where these are 0 (or as good as). Frame times are
-/// written with a few digits and mean the integral rate: .0083333 -> 120.
+/// Frames per second from the seconds of one frame; 0 if these are 0 or too small. Rounds to a
+/// nearby integer, because frame times are written with few digits: .0083333 -> 120.
 double rate_of(double seconds);
 
 } // namespace stltsa::clip

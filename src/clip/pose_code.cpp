@@ -13,24 +13,24 @@
 namespace stltsa::clip {
 namespace {
 
-using Rotations = std::vector<Quaternion>; ///< of one joint, a frame each
+using Rotations = std::vector<Quaternion>; ///< of one joint, one per frame
 
-/// Place of the first logarithm in a pose vector.
+/// Index of the first logarithm in a pose vector.
 constexpr std::int64_t first_turn = 1;
 
 std::size_t up_index(Axis up) {
     return static_cast<std::size_t>(up) - 1;
 }
 
-/// The rotation of least sum of squared distances (chordal) to these: the principal eigenvector of
-/// the sum of q q^T (Markley et al., "Averaging Quaternions", 2007).
+/// The rotation with the least sum of squared (chordal) distances to these: the principal
+/// eigenvector of the sum of q q^T (Markley et al., "Averaging Quaternions", 2007).
 Quaternion mean_rotation(const Rotations& rotations) {
     Matrix sum(4, 4);
     for (const Quaternion& q : rotations) {
-        const double parts[] = {q.w, q.x, q.y, q.z};
+        const double components[] = {q.w, q.x, q.y, q.z};
         for (std::int64_t i = 0; i < 4; ++i)
             for (std::int64_t j = 0; j < 4; ++j)
-                sum(i, j) += parts[i] * parts[j];
+                sum(i, j) += components[i] * components[j];
     }
     std::vector<double> values;
     symmetric_eigen(sum, values);
@@ -77,13 +77,13 @@ class Encoder {
         for (std::size_t t = 0; t < joints_.size(); ++t)
             put_logarithms(t);
         put_moves();
-        const double* rest = clip_.values.row(most_typical_frame());
-        code_.rest.assign(rest, rest + clip_.values.cols());
+        const double* typical = clip_.values.row(most_typical_frame());
+        code_.rest.assign(typical, typical + clip_.values.cols());
         return {std::move(code_), std::move(vectors_)};
     }
 
   private:
-    /// Heights, and the rotations of all joints.
+    /// Computes the heights and the rotations of all joints.
     void place_frames() {
         rotations_.assign(joints_.size(), Rotations());
         Heading heading(clip_, code_.root, code_.up);
@@ -117,7 +117,7 @@ class Encoder {
         }
     }
 
-    /// The one nearest to the mean rotations: not a T-pose at the start.
+    /// The frame nearest to the mean rotations, and so not a T-pose at the start.
     std::int64_t most_typical_frame() const {
         std::int64_t best = 0;
         double least = -1;
@@ -155,7 +155,7 @@ class Decoder {
         }
     }
 
-    /// Puts a pose into a row, which holds the row before.
+    /// Writes a pose into a row, which contains the previous row.
     void put(const double* vector, double* row) const {
         put_height(*vector, row);
         const double* turn = vector + first_turn;
@@ -198,7 +198,7 @@ CodedPoses encode_poses(const Clip& clip, Axis up) {
 
 Clip decode_poses(const PoseCode& code, ConstMatrixView vectors, double fps) {
     if (vectors.cols != code.size())
-        fail(Status::shape, "pose vectors of {} numbers, where {} are needed", vectors.cols,
+        fail(Status::shape, "the pose vectors have {} numbers; expected {}", vectors.cols,
              code.size());
     Clip clip;
     clip.format = code.format;

@@ -33,7 +33,7 @@ Prepared prepare(const Clip& clip, const PrepareOptions& options) {
     const ConstMatrixView kept = from_row(all, prepared.first);
     if (const std::int64_t jump = find_jump(kept); jump > 0)
         prepared.jump = prepared.first + jump;
-    // Without a frame rate seconds mean nothing: neither decimated nor smoothed.
+    // Decimation and smoothing are in seconds, so they need a frame rate.
     if (clip.fps > 0 && options.rate > 0)
         prepared.step = static_cast<std::int64_t>(
             std::clamp(std::round(clip.fps / options.rate), 1.0, static_cast<double>(all.rows())));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From a clip to the samples that are fitted.
+// Turns a clip into the samples that are fitted.
 #pragma once
 
 #include <cstdint>
@@ -14,14 +14,14 @@ struct PrepareOptions {
     Axis up = Axis::automatic;
     double rate = 30;        ///< keep every round(fps / rate)-th frame; 0: keep all
     double smoothing = 0.05; ///< sigma of the Gaussian on the features in seconds; 0: none
-    bool drop_tpose = true;  ///< only where there is a skeleton
+    bool drop_tpose = true;  ///< only if there is a skeleton
 };
 
 /// Working samples of a clip: sample i is source frame first + i * step.
 struct Prepared {
     Matrix samples;
     double fps = 0;         ///< of the samples
-    std::int64_t first = 0; ///< = number of T-pose frames dropped at the start
+    std::int64_t first = 0; ///< number of T-pose frames dropped at the start
     std::int64_t step = 1;
     std::int64_t jump = 0; ///< source frame before which the pose jumps; 0: it does not
     Features features = Features::automatic; ///< the kind used
@@ -30,9 +30,9 @@ struct Prepared {
 
 Prepared prepare(const Clip& clip, const PrepareOptions& options);
 
-/// Features of every frame of the file, smoothed as prepare() does, whose samples are rows first,
-/// first + step, ... of these. Frames of a T-pose that it drops stay as they are. `smoothing` as in
-/// PrepareOptions.
+/// Features of every frame of the file, smoothed as by prepare(), whose samples are the rows first,
+/// first + step, ... of the result. T-pose frames that prepare() drops are not smoothed.
+/// `smoothing`: as in PrepareOptions.
 Matrix smoothed_features(const Clip& clip, Features kind, Axis up, double smoothing,
                          bool drop_tpose);
 

@@ -8,7 +8,7 @@
 
 namespace stltsa::clip {
 
-/// The rotation b, then the rotation a.
+/// The rotation b followed by the rotation a.
 inline Quaternion operator*(const Quaternion& a, const Quaternion& b) {
     return {a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z,
             a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y,
@@ -25,7 +25,7 @@ inline double dot(const Quaternion& a, const Quaternion& b) {
     return a.w * b.w + a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-/// Of the vector part, along coordinate axis 0, 1 or 2.
+/// Component of the vector part along coordinate axis 0, 1 or 2.
 inline double component(const Quaternion& q, int axis) {
     return axis == 0 ? q.x : axis == 1 ? q.y : q.z;
 }
@@ -68,15 +68,15 @@ inline Vec3 rotate(const Quaternion& q, const Vec3& v) {
     return v + q.w * t + cross(u, t);
 }
 
-/// The rotation about a vector by its length in radians: the exponential map.
+/// The exponential map: the rotation about a vector by its length in radians.
 inline Quaternion rotation_by(const Vec3& vector) {
     const double angle = norm(vector);
     const double s = angle > 0 ? std::sin(angle / 2) / angle : 0.5;
     return {std::cos(angle / 2), s * vector[0], s * vector[1], s * vector[2]};
 }
 
-/// The inverse, the logarithm: of the vectors that mean this rotation, which differ by whole turns,
-/// the one nearest to `near`.
+/// Its inverse, the logarithm. The vectors of a rotation differ by whole turns; this is the one
+/// nearest to `near`.
 inline Vec3 rotation_vector(const Quaternion& q, const Vec3& near = {}) {
     const Vec3 v{q.x, q.y, q.z};
     const double size = norm(v);

@@ -9,17 +9,16 @@
 namespace stltsa::clip {
 namespace {
 
-/// Text formats hold no NUL; a file that does is another format, or damaged.
+/// Text formats do not contain NUL; a file that does has another format, or is damaged.
 void check_is_text(std::string_view bytes, const FormatRow& row, const std::string& name) {
     if (row.is_text && !is_utf16(bytes) && bytes.find('\0') != bytes.npos)
-        fail(Status::format, "{}: not a text file, as {} files are", name, row.name);
+        fail(Status::format, "{}: not a text file, unlike {} files", name, row.name);
 }
 
 const FormatRow& readable(Format format) {
     const FormatRow* row = find_format(format);
     if (row == nullptr || row->read == nullptr)
-        fail(Status::argument,
-             "format is {}; 0 or the STLTSA_FORMAT_* of a kind of files is needed",
+        fail(Status::argument, "format is {}; expected 0 or the STLTSA_FORMAT_* of a file format",
              static_cast<int>(format));
     return *row;
 }
@@ -40,12 +39,13 @@ Clip parse(std::string_view bytes, Format format, const std::string& name,
     check_is_text(bytes, row, shown);
     if (row.needs_skeleton && options.skeleton.empty())
         fail(Status::argument,
-             "{}: an AMC clip needs its skeleton: set option skeleton to the ASF file", shown);
+             "{}: an AMC clip needs its skeleton: set option skeleton to the path of the ASF file",
+             shown);
     Clip clip = row.read(bytes, shown, options);
     clip.path = name;
     clip.format = format;
     if (!row.needs_skeleton && !options.skeleton.empty())
-        clip.notes.push_back("option skeleton is not used: it belongs to AMC clips");
+        clip.notes.push_back("option skeleton is not used: it applies to AMC clips only");
     if (options.fps > 0) {
         clip.fps = options.fps;
         clip.frame_time = 0;

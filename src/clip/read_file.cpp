@@ -22,7 +22,7 @@ namespace {
 
 using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
-/// A pipe waits for its writer. A signal ends the wait: the caller may have meant to cancel.
+/// Opening a pipe waits for its writer. A signal ends the wait, so that the caller can cancel.
 File open_file(const std::string& path, const Progress& progress) {
     for (;;) {
         File file(std::fopen(path.c_str(), "rb"), &std::fclose);
@@ -34,7 +34,7 @@ File open_file(const std::string& path, const Progress& progress) {
     }
 }
 
-/// Bytes of a regular file; 0 where that is not known.
+/// Size of a regular file in bytes; 0 if unknown.
 std::size_t size_of(std::FILE* file) {
     struct stat status {};
     const bool known = ::fstat(::fileno(file), &status) == 0 && S_ISREG(status.st_mode);
@@ -46,7 +46,7 @@ std::size_t size_of(std::FILE* file) {
 std::string read_file(const std::string& path, const Progress& progress) {
     if (path.empty())
         fail(Status::io, "the path is empty: give the name of a file");
-    // Far above any clip; a device without end stops here.
+    // Far larger than any clip; ends the reading of an endless device.
     constexpr std::size_t most = std::size_t{1} << 34;
     const File file = open_file(path, progress);
     std::string content;
@@ -56,7 +56,7 @@ std::string read_file(const std::string& path, const Progress& progress) {
         const std::size_t count = std::fread(chunk.data(), 1, chunk.size(), file.get());
         content.append(chunk.data(), count);
         if (content.size() > most)
-            fail(Status::unsupported, "{}: larger than {} bytes", path, most);
+            fail(Status::unsupported, "{}: the file is larger than {} bytes", path, most);
         if (count == chunk.size())
             continue;
         if (std::ferror(file.get()) == 0)

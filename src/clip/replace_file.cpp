@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void must(bool done) {
+void require(bool done) {
     if (!done)
         throw std::system_error(errno, std::generic_category());
 }
@@ -25,7 +25,7 @@ class Descriptor {
   public:
     Descriptor(const std::string& path, int flags, mode_t mode = 0)
         : number_(::open(path.c_str(), flags | O_CLOEXEC, mode)) {
-        must(number_ >= 0);
+        require(number_ >= 0);
     }
     ~Descriptor() {
         if (number_ >= 0)
@@ -35,15 +35,15 @@ class Descriptor {
     Descriptor& operator=(const Descriptor&) = delete;
 
     int number() const { return number_; }
-    /// Some file systems tell of a full disk only here.
-    void close() { must(::close(std::exchange(number_, -1)) == 0); }
+    /// Some file systems report a full disk only here.
+    void close() { require(::close(std::exchange(number_, -1)) == 0); }
 
   private:
     int number_;
 };
 
-/// Makes the file; false if the name is in use, by another thread or by a process that was killed.
-bool made(const std::string& name, mode_t mode) {
+/// Creates the file; false if the name is in use, perhaps left by a killed process.
+bool create(const std::string& name, mode_t mode) {
     try {
         Descriptor(name, O_WRONLY | O_CREAT | O_EXCL, mode).close();
         return true;
@@ -61,10 +61,10 @@ std::string followed(const std::string& path) {
     if (const fs::path real = fs::canonical(path, error); !error)
         return real.string();
     fs::path place = path;
-    constexpr int most_links = 40; // a ring of them leads nowhere
+    constexpr int most_links = 40; // links may form a cycle
     for (int i = 0; i < most_links && !fs::exists(place, error); ++i) {
         const fs::path next = fs::read_symlink(place, error);
-        if (error) // no link
+        if (error) // not a link
             break;
         place = place.parent_path() / next;
     }
@@ -80,7 +80,7 @@ bool regular_or_new(const std::string& path) {
 void write_all(int descriptor, std::string_view bytes) {
     while (!bytes.empty()) {
         const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
-        must(written >= 0 || errno == EINTR);
+        require(written >= 0 || errno == EINTR);
         if (written > 0)
             bytes.remove_prefix(static_cast<std::size_t>(written));
     }
@@ -88,7 +88,7 @@ void write_all(int descriptor, std::string_view bytes) {
 
 void write_directly(const std::string& path, const std::function<void(const Sink&)>& content) {
     Descriptor file(path, O_WRONLY);
-    content([&](std::string_view piece) { write_all(file.number(), piece); });
+    content([&](std::string_view bytes) { write_all(file.number(), bytes); });
     file.close();
 }
 
@@ -96,13 +96,13 @@ TemporaryFile::TemporaryFile(std::string place, const std::string& suffix)
     : place_(std::move(place)) {
     const std::string start =
         (fs::path(place_).parent_path() / (".stltsa-" + std::to_string(::getpid()) + "-")).string();
-    // What it replaces may be private.
+    // The file that it replaces may be private.
     const mode_t mode = fs::exists(place_) ? S_IRUSR | S_IWUSR : 0666;
     int number = 0;
     std::string name;
     do
         name = start + std::to_string(number++) + ".tmp" + suffix;
-    while (!made(name, mode));
+    while (!create(name, mode));
     name_ = std::move(name);
 }
 
@@ -118,10 +118,10 @@ void TemporaryFile::move_to_place() {
     Descriptor file(name_, O_RDONLY);
     struct stat existing {};
     if (::stat(place_.c_str(), &existing) == 0)
-        must(::fchmod(file.number(), existing.st_mode & 07777) == 0);
-    must(::fsync(file.number()) == 0);
+        require(::fchmod(file.number(), existing.st_mode & 07777) == 0);
+    require(::fsync(file.number()) == 0);
     file.close();
-    must(std::rename(name_.c_str(), place_.c_str()) == 0);
+    require(std::rename(name_.c_str(), place_.c_str()) == 0);
     name_.clear();
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Files that reach their place whole or not at all. The library and the command are both compiled
-// with this (src/meson.build). All of it throws std::system_error.
+// Replaces files completely or not at all. Compiled into both the library and the command
+// (src/meson.build). All functions throw std::system_error.
 #pragma once
 
 #include <functional>
@@ -11,19 +11,19 @@
 
 namespace stltsa::clip {
 
-/// Where links lead, so that the file there is replaced, or made, and not the link.
+/// Resolves symbolic links, so that their target is replaced or created instead of the link.
 std::string followed(const std::string& path);
 
-/// Whether a file can be put there; a device or a pipe is written to as it is.
+/// Whether the path is a regular file or does not exist; devices and pipes are written to directly.
 bool regular_or_new(const std::string& path);
 
-/// All of it to an open file.
+/// Writes all bytes to an open file.
 void write_all(int descriptor, std::string_view bytes);
 
-/// Into what is there already.
+/// Writes into an existing file, device or pipe.
 void write_directly(const std::string& path, const std::function<void(const Sink&)>& content);
 
-/// A new file beside a place, under a name that nobody uses; removed with the object unless moved.
+/// A new file in the folder of `place` with an unused name; deleted with the object unless moved.
 class TemporaryFile {
   public:
     explicit TemporaryFile(std::string place, const std::string& suffix = "");
@@ -32,7 +32,7 @@ class TemporaryFile {
     TemporaryFile& operator=(TemporaryFile&&) = delete;
 
     const std::string& name() const { return name_; }
-    /// With the permissions of what it replaces, its bytes being on the disk before.
+    /// Replaces the file at `place`, with its permissions, after all bytes are on the disk.
     void move_to_place();
 
   private:

@@ -11,7 +11,7 @@
 
 namespace stltsa::clip {
 
-/// "rx" and so on.
+/// "tx" to "rz".
 std::string_view channel_name(Channel channel);
 inline bool is_rotation(Channel channel) {
     return channel >= Channel::rx;
@@ -21,8 +21,8 @@ inline int channel_axis(Channel channel) {
     return static_cast<int>(channel) % 3;
 }
 
-/// Whether a joint may have one more channel. A rotation may come again, as in Z X Z; without a
-/// limit memory would grow with the square of a hostile file.
+/// Whether a joint may have one more channel. Rotations may repeat, as in Z X Z; the limit keeps
+/// the memory for a hostile file from growing with the square of its size.
 bool may_follow(Channel next, const std::vector<Channel>& channels);
 constexpr std::string_view channel_limit = "a joint has at most 6 channels, each position once";
 
@@ -30,10 +30,10 @@ constexpr std::string_view channel_limit = "a joint has at most 6 channels, each
 std::vector<std::string> channel_names(const Skeleton& skeleton);
 std::int64_t channel_count(const Skeleton& skeleton);
 
-/// Where each joint's channels begin among the columns of a skeleton's values.
+/// The column of each joint's first channel.
 std::vector<std::size_t> channel_begins(const Skeleton& skeleton);
 
-/// The joints from this one on that have rotation channels.
+/// The joints with rotation channels, starting from `first`.
 std::vector<std::size_t> turning_joints(const Skeleton& skeleton, std::size_t first);
 
 } // namespace stltsa::clip

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Walks through a text file by words or lines and knows the line it is in.
+// Reads a text by words or lines and keeps track of the line number.
 #pragma once
 
 #include <cstddef>
@@ -12,44 +12,44 @@
 
 namespace stltsa::clip {
 
-/// ASCII only: the keywords of all formats are.
+/// ASCII only, like the keywords of all formats.
 std::string to_lower(std::string_view text);
 bool equals_ignoring_case(std::string_view a, std::string_view b);
 bool starts_with_ignoring_case(std::string_view text, std::string_view prefix);
 std::string_view trim(std::string_view text);
-/// By its byte order mark.
+/// Whether there is a UTF-16 byte order mark.
 bool is_utf16(std::string_view bytes);
 
 /// Splits off the first word of a line; words are separated by blanks or any of `separators`.
 std::string_view next_word(std::string_view& line, std::string_view separators = {});
 
-/// A part of the file for an error message: shortened, nothing unprintable.
+/// Quotes text of a file for an error message: shortened, without unprintable characters.
 std::string quoted(std::string_view text);
 
 /// Lines end with \n, \r\n or \r; control characters count as blanks (old files end with Ctrl-Z);
-/// a UTF-8 byte order mark is skipped. Refuses text in UTF-16.
+/// a UTF-8 byte order mark is skipped. Text in UTF-16 is an error.
 class TextCursor {
   public:
     TextCursor(std::string_view text, std::string name);
 
-    /// The next word on this or a later line, a brace being a word of its own; "" at the end.
+    /// The next word on this or a later line; a brace is a word of its own. "" at the end.
     std::string_view word();
-    /// The rest of this line up to `stop`, trimmed; what follows is left for the next call.
+    /// The remainder of this line up to `stop`, trimmed.
     std::string_view rest_of_line(char stop = '\0');
-    /// The rest of this line, or the next line, that is not blank; "" at the end.
+    /// The remainder of this line, or else the next line that is not blank; "" at the end.
     std::string_view line();
 
-    /// Line of what was returned last, from 1.
+    /// Line of the text returned last, from 1.
     std::int64_t line_number() const { return returned_line_; }
     std::size_t bytes_left() const { return text_.size() - position_; }
     const std::string& name() const { return name_; }
 
-    /// Refuses a name of a joint that is longer than any is: names are repeated for each channel
-    /// and each child, so that memory would grow with the square of a hostile file.
+    /// Fails if the name of a joint is too long: names are repeated for each channel and each
+    /// child, so the memory for a hostile file could grow with the square of its size.
     void check_name(std::string_view name) const {
         constexpr std::size_t most = 256;
         if (name.size() > most)
-            fail(Status::format, "the name {} has {} bytes; at most {} are read", quoted(name),
+            fail(Status::format, "the name {} has {} bytes; at most {} are allowed", quoted(name),
                  name.size(), most);
     }
 

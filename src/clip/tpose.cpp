@@ -8,8 +8,7 @@
 namespace stltsa::clip {
 namespace {
 
-/// The most that is ever dropped: a tool that smooths or resamples smears the jump out of a
-/// T-pose over a few frames.
+/// Limit of dropped frames: smoothing and resampling spread the jump out of a T-pose over a few.
 constexpr std::int64_t most_frames = 8;
 
 double distance(const double* a, const double* b, std::int64_t count) {
@@ -19,7 +18,7 @@ double distance(const double* a, const double* b, std::int64_t count) {
     return std::sqrt(sum);
 }
 
-/// The step that 95 % of the steps do not exceed.
+/// The 95th percentile of the steps.
 double usual_largest(std::vector<double> steps) {
     const std::size_t rank = (steps.size() - 1) * 95 / 100;
     std::nth_element(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(rank), steps.end());
@@ -29,7 +28,7 @@ double usual_largest(std::vector<double> steps) {
 } // namespace
 
 std::int64_t tpose_frames(ConstMatrixView features) {
-    // Too short to tell a jump from the motion.
+    // Too few frames to distinguish a jump from the motion.
     if (features.rows < 3 * most_frames)
         return 0;
     std::vector<double> steps;

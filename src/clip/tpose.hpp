@@ -7,7 +7,7 @@
 
 namespace stltsa::clip {
 
-/// Frames at the start that belong to a T-pose snapping into the motion (0 where there is none).
+/// Number of frames at the start that belong to a T-pose or to the jump out of it.
 std::int64_t tpose_frames(ConstMatrixView features);
 
 } // namespace stltsa::clip

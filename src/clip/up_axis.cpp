@@ -10,7 +10,7 @@
 namespace stltsa::clip {
 namespace {
 
-/// Enough to see how the body stands.
+/// Number of frames that suffice to find the axis.
 constexpr std::int64_t most_frames = 200;
 
 /// Joints whose names contain one of the words.
@@ -45,7 +45,7 @@ Vec3 extent(const Pose& pose) {
     return result;
 }
 
-/// Sum over the clip of what shows the up axis: from the feet to the head, by name, or the extent.
+/// Sum over the clip of the vectors from the feet to the head (joints by name), or of the extents.
 Vec3 stance(const Clip& clip) {
     const std::vector<std::size_t> heads = named(*clip.skeleton, {"head"});
     const std::vector<std::size_t> feet = named(*clip.skeleton, {"foot", "feet", "toe", "ankle"});
@@ -55,14 +55,14 @@ Vec3 stance(const Clip& clip) {
     Pose pose;
     for (std::int64_t frame = 0; frame < clip.frames(); frame += step) {
         pose.place(*clip.skeleton, clip.values.row(frame));
-        const Vec3 shown =
+        const Vec3 upright =
             by_name ? mean_position(pose, heads) - mean_position(pose, feet) : extent(pose);
-        sum = sum + shown;
+        sum = sum + upright;
     }
     return sum;
 }
 
-/// The axis along which v is largest; y where others are no larger.
+/// The axis along which v is largest; y if others are not larger.
 Axis largest(const Vec3& v) {
     const auto size = [&v](Axis axis) { return std::abs(v[static_cast<std::size_t>(axis) - 1]); };
     Axis result = Axis::y;

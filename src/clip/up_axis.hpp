@@ -9,8 +9,8 @@ namespace stltsa::clip {
 
 enum class Axis : std::int32_t { automatic = 0, x = 1, y = 2, z = 3 };
 
-/// The up axis used: the given one; y for AMC; else that along which the head lies from the feet
-/// over the clip (joints by name), or the body is largest where these names are missing.
+/// The up axis used: the requested one; y for AMC; else the axis nearest to the direction from the
+/// feet to the head (joints by name), or, without these names, that of the body's largest extent.
 Axis up_axis(const Clip& clip, Axis requested);
 
 } // namespace stltsa::clip

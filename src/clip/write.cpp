@@ -20,7 +20,7 @@ void write(const Clip& clip, const std::string& path) {
             return write_file(path, row.write(clip));
         known += format_text("{}{}", known.empty() ? "" : ", ", row.suffixes[0]);
     }
-    fail(Status::argument, "{}: the suffix tells the format: one of {} is needed", path, known);
+    fail(Status::argument, "{}: unknown suffix; use one of {}", path, known);
 }
 
 } // namespace stltsa::clip

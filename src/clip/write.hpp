@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Clips to files.
+// Writes clips to files.
 #pragma once
 
 #include <functional>
@@ -11,13 +11,13 @@
 
 namespace stltsa::clip {
 
-/// Writes the clip in the format that the suffix tells, whole or not at all.
+/// Writes the clip in the format of the suffix, completely or not at all.
 void write(const Clip& clip, const std::string& path);
 
-/// Puts bytes into a file by way of a temporary one beside it, so that the file is never half
-/// written. What is no regular file (a pipe, a device) is written to directly.
+/// Writes bytes to a temporary file in the same folder and renames it, so that a file is never
+/// incomplete. Pipes and devices are written to directly.
 void write_file(const std::string& path, std::string_view bytes);
-/// The same of bytes that `content` hands over.
+/// The same for bytes that `content` passes to the sink.
 void write_file(const std::string& path, const std::function<void(const Sink&)>& content);
 
 } // namespace stltsa::clip

@@ -23,10 +23,10 @@ void append_frame(std::string& text, const Skeleton& skeleton, const double* row
 
 std::string format_amc(const Clip& clip) {
     if (!clip.skeleton || clip.format != Format::amc)
-        fail(Status::unsupported, "only a clip that was read from AMC can be written as AMC, whose "
-                                  "skeleton is an ASF file: write .bvh or .csv");
+        fail(Status::unsupported, "only a clip read from AMC can be written as AMC, because its "
+                                  "skeleton is a separate ASF file: write .bvh or .csv");
     std::string text = ":FULLY-SPECIFIED\n";
-    if (clip.fps > 0 && clip.fps != amc_fps) { // few files have this line: no more than needed
+    if (clip.fps > 0 && clip.fps != amc_fps) { // only if needed: few files have this line
         text += ":SAMPLES-PER-SECOND ";
         append_number(text, clip.fps);
         text += '\n';

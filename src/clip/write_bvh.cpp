@@ -7,7 +7,7 @@
 namespace stltsa::clip {
 namespace {
 
-/// A name ends where the brace begins.
+/// Replaces characters that would end the name.
 std::string plain_name(std::string name) {
     for (char& c : name)
         if (c == '{' || static_cast<unsigned char>(c) < ' ')
@@ -15,7 +15,7 @@ std::string plain_name(std::string name) {
     return name;
 }
 
-/// Writes joints in their order, which is depth first, by a stack of those whose brace is open.
+/// Writes the joints in their depth-first order, with a stack of the joints whose brace is open.
 class HierarchyWriter {
   public:
     HierarchyWriter(const Skeleton& skeleton, std::string& text)
@@ -60,7 +60,7 @@ class HierarchyWriter {
             return "ROOT " + plain_name(joint.name);
         if (!joint.end_site)
             return "JOINT " + plain_name(joint.name);
-        // Most have no name but that of their parent, which readers expect.
+        // Readers expect no name, and most end sites have only that of their parent.
         const std::string& parent = joints_[static_cast<std::size_t>(joint.parent)].name;
         return joint.name == parent + " end" ? "End Site" : "End Site " + plain_name(joint.name);
     }
@@ -98,9 +98,9 @@ void append_motion(std::string& text, const Clip& clip) {
 std::string format_bvh(const Clip& clip) {
     if (!clip.skeleton)
         fail(Status::unsupported,
-             "a BVH file needs a skeleton, and this clip is a bare matrix: write .csv or .npy");
+             "a BVH file needs a skeleton, but this clip is a bare matrix: write .csv or .npy");
     if (!(clip.fps > 0))
-        fail(Status::unsupported, "a BVH file needs a frame rate, and that of this clip is "
+        fail(Status::unsupported, "a BVH file needs a frame rate, but that of this clip is "
                                   "unknown: open it with option fps");
     const Clip bvh = in_bvh_form(clip);
     std::string text;

@@ -9,7 +9,7 @@
 namespace stltsa::clip {
 namespace {
 
-/// A name that reads back as one cell, whatever separates the cells.
+/// Appends a name so that it reads back as one cell for any separator.
 void append_name(std::string& text, std::string_view name) {
     const auto plain = [](char c) {
         return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ||
@@ -25,13 +25,13 @@ void append_name(std::string& text, std::string_view name) {
     text += '"';
 }
 
-/// A line that would be taken for numbers is no header.
+/// A line of numbers would not be read as a header.
 bool can_be_header(const std::vector<std::string>& names) {
     return std::any_of(names.begin(), names.end(),
                        [](const std::string& name) { return !is_gap(name) && !parse_cell(name); });
 }
 
-/// Every column has a name, where one has.
+/// Gives every column a name if any column has one.
 std::string header(const Clip& clip, bool with_time) {
     std::vector<std::string> names;
     if (with_time)
@@ -47,14 +47,14 @@ std::string header(const Clip& clip, bool with_time) {
         text += text.empty() ? "" : ",";
         append_name(text, name);
     }
-    // An empty cell at the end is taken for the end of a line that ends with a separator.
+    // The reader drops an empty last cell, so another one follows it.
     return text + (trim(names.back()).empty() ? ",\n" : "\n");
 }
 
 } // namespace
 
 std::string format_csv(const Clip& clip) {
-    // The reader finds the frame rate in the steps of time, so one row would not tell it.
+    // The reader gets the frame rate from the steps of time, so a single row cannot give it.
     const bool with_time = clip.fps > 0 && clip.frames() > 1;
     std::string text = header(clip, with_time);
     for (std::int64_t i = 0; i < clip.frames(); ++i) {

@@ -38,7 +38,7 @@ void check_point(const Vec3& actual, const Vec3& expected) {
         ASSERT_NEAR(actual[i], expected[i], 1e-12);
 }
 
-void makes_joints_of_bones(void**) {
+void bones_become_joints(void**) {
     const Clip clip = acclaim(small_amc, small_asf);
     const std::vector<Joint>& joints = clip.skeleton->joints;
     assert_int_equal(joints.size(), 6);
@@ -62,7 +62,7 @@ void makes_joints_of_bones(void**) {
     assert_string_equal(clip.channel_names[9].c_str(), "shank.rx");
 }
 
-void at_rest_bones_point_as_the_skeleton_says(void**) {
+void bones_at_rest_follow_the_skeleton(void**) {
     const Clip clip = acclaim("1\nroot 1 2 3 0 0 0\nthigh 0 0 0\nshank 0\n", small_asf);
     const stltsa::Matrix at = positions(clip);
     check_point(point(at, 0, 0), {1, 2, 3});
@@ -87,7 +87,7 @@ void axes_of_bones_turn_in_their_order(void**) {
     check_point(point(positions(other), 0, 3), {6 + 5, -8, 0});
 }
 
-void lengths_do_not_depend_on_that_of_direction(void**) {
+void the_length_of_direction_does_not_matter(void**) {
     const Clip clip =
         acclaim(small_amc, replaced(small_asf, "direction 0.6 -0.8 0", "direction 3 -4 0"));
     check_point(clip.skeleton->joints[2].offset, {6, -8, 0});
@@ -179,7 +179,7 @@ std::string skeleton_name(const TemporaryFolder& folder, std::string_view amc) {
 void finds_the_skeleton_beside_the_clip(void**) {
     const TemporaryFolder folder;
     folder.write("7.ASF", small_asf);
-    // What is no regular file is none: to open a pipe would wait for its writer.
+    // Only regular files count: opening a pipe would wait for its writer.
     assert_int_equal(mkfifo(folder.path("9.asf").c_str(), 0600), 0);
     std::filesystem::create_directory(folder.path("8.asf"));
     std::filesystem::create_symlink("nowhere", folder.path("6.asf"));
@@ -197,7 +197,7 @@ void finds_the_skeleton_beside_the_clip(void**) {
     ASSERT_FAILS(Status::argument, "set option skeleton", parse(small_amc, Format::amc));
     options.skeleton = folder.path("none.asf");
     ASSERT_FAILS(Status::io, "none.asf: cannot open", parse(small_amc, Format::amc, options));
-    // Not even opened unless something needs it, but noted.
+    // A CSV file does not need the skeleton, which is not even opened.
     const Clip bare = parse("1,2\n3,4\n", Format::csv, options);
     assert_true(bare.notes.back().starts_with("option skeleton is not used"));
 }
@@ -222,15 +222,15 @@ void malformed_amc(void**) {
     refuses_amc("shank 91\n", "", Status::format, "frame 2 ends before this line without",
                 __LINE__);
     refuses_amc("shank 90", "thigh 5 6 7", Status::format,
-                "a.amc:7: bone 'thigh' comes twice in frame 1", __LINE__);
+                "a.amc:7: bone 'thigh' appears twice in frame 1", __LINE__);
     refuses_amc("shank 90", "elbow 90", Status::format, "a.asf has no moving bone 'elbow'",
                 __LINE__);
     refuses_amc("shank 90", "spine 90", Status::format, "a.amc:7:", __LINE__);
     refuses_amc("\n2\n", "\n3\n", Status::format, "a.amc:8: frame 3 follows frame 1", __LINE__);
-    refuses_amc("\n2\n", "\n-9223372036854775808\n", Status::format, "a.amc:8: a frame cannot",
-                __LINE__);
+    refuses_amc("\n2\n", "\n-9223372036854775808\n", Status::format,
+                "a.amc:8: invalid frame number -", __LINE__);
     refuses_amc("1\nroot", "root", Status::format,
-                "a.amc:4: 'root' stands before the number of the first frame", __LINE__);
+                "a.amc:4: 'root' comes before the number of the first frame", __LINE__);
     refuses_amc(small_amc, ":DEGREES\n", Status::format, "a.amc:1: the file has no frames",
                 __LINE__);
     refuses_amc(":DEGREES", ":SAMPLES-PER-SECOND 0", Status::format, "a.amc:3: '0' is not a frame",
@@ -245,7 +245,8 @@ void refuses_asf(std::string_view from, std::string_view to, Status status, std:
 }
 
 void malformed_asf(void**) {
-    refuses_asf("angle deg", "angle grad", Status::format, "a.asf:7: the angle unit is", __LINE__);
+    refuses_asf("angle deg", "angle grad", Status::format, "a.asf:7: the angle unit must be",
+                __LINE__);
     refuses_asf("TX TY TZ", "TX TY TW", Status::format, "a.asf:11: 'tw' is not one of", __LINE__);
     refuses_asf("  order TX TY TZ RX RY RZ\n", "", Status::format, "has no 'order'", __LINE__);
     refuses_asf("direction 0.6 -0.8 0", "direction 0.6 -0.8", Status::format,
@@ -254,33 +255,33 @@ void malformed_asf(void**) {
     refuses_asf("axis 0 0 20 XYZ", "axis 0 0 20 XYQ", Status::format,
                 "a.asf:21: 'XYQ' is not an order of axes", __LINE__);
     refuses_asf("dof rx ry rz", "dof rx ty", Status::unsupported,
-                "a.asf:22: bone 'thigh' moves along ty", __LINE__);
+                "a.asf:22: bone 'thigh' has the position channel ty", __LINE__);
     refuses_asf("dof rx ry rz", "dof rx ry rz rx ry rz rx", Status::format,
-                "a.asf:22: bone 'thigh' has 'rx' too many", __LINE__);
-    refuses_asf("TX TY TZ", "TX TY TX", Status::format, "a.asf:11: bone 'root' has 'TX' too many",
-                __LINE__);
+                "a.asf:22: bone 'thigh' has one 'rx' too many", __LINE__);
+    refuses_asf("TX TY TZ", "TX TY TX", Status::format,
+                "a.asf:11: bone 'root' has one 'TX' too many", __LINE__);
     refuses_asf("name shank", "name " + std::string(257, 'a'), Status::format, "a.asf:29: the name",
                 __LINE__);
     refuses_asf("thigh shank", std::string(257, 'a') + " shank", Status::format,
                 "257 bytes; at most 256", __LINE__);
     refuses_asf("dof rx ry rz", "dof rx l", Status::unsupported,
-                "a.asf:22: bones of changing length", __LINE__);
-    refuses_asf("name shank", "name thigh", Status::format, "a.asf:27: a second bone of the name",
+                "a.asf:22: bones of variable length", __LINE__);
+    refuses_asf("name shank", "name thigh", Status::format, "a.asf:27: a second bone named 'thigh'",
                 __LINE__);
     refuses_asf("    name shank\n", "", Status::format,
-                "the bone that begins in line 27 has no name", __LINE__);
+                "the bone that begins on line 27 has no name", __LINE__);
     refuses_asf("(-60.0 70.0)\n  end\n", "\n", Status::format,
-                "a.asf:26: 'begin' inside of bone 'thigh'", __LINE__);
+                "a.asf:26: 'begin' is inside bone 'thigh'", __LINE__);
     refuses_asf("length 7\n    axis 0 0 0 XYZ\n  end\n", "", Status::format,
-                "stands inside bone 'spine'", __LINE__);
+                "is inside bone 'spine'", __LINE__);
     refuses_asf("    thigh shank\n", "", Status::format,
-                "a.asf:27: bone 'shank' is missing in the section :hierarchy", __LINE__);
+                "a.asf:27: bone 'shank' is missing from the section :hierarchy", __LINE__);
     refuses_asf("thigh shank\n", "thigh foot\n", Status::format,
                 "'foot' is not among the bones of :bonedata", __LINE__);
     refuses_asf("thigh shank\n", "thigh shank spine\n", Status::format,
-                "'spine' has a parent already", __LINE__);
+                "'spine' already has a parent", __LINE__);
     refuses_asf("thigh shank\n", "thigh shank root\n", Status::format,
-                "'root' has a parent already", __LINE__);
+                "'root' already has a parent", __LINE__);
     refuses_asf("root thigh spine\n    thigh shank\n", "root spine\nthigh shank\nshank thigh\n",
                 Status::format, "does not connect all bones", __LINE__);
     refuses_asf(small_asf, ":root\norder tx\n:bonedata\n", Status::format, "no bones", __LINE__);
@@ -290,11 +291,11 @@ void malformed_asf(void**) {
 
 int main() {
     const CMUnitTest tests[] = {
-        cmocka_unit_test(makes_joints_of_bones),
-        cmocka_unit_test(at_rest_bones_point_as_the_skeleton_says),
+        cmocka_unit_test(bones_become_joints),
+        cmocka_unit_test(bones_at_rest_follow_the_skeleton),
         cmocka_unit_test(turns_about_the_axes_of_the_bone),
         cmocka_unit_test(axes_of_bones_turn_in_their_order),
-        cmocka_unit_test(lengths_do_not_depend_on_that_of_direction),
+        cmocka_unit_test(the_length_of_direction_does_not_matter),
         cmocka_unit_test(turns_about_fixed_axes_in_the_listed_order),
         cmocka_unit_test(degrees_of_freedom_in_any_order),
         cmocka_unit_test(radians_become_degrees),

@@ -108,7 +108,7 @@ void every_rotation_comes_back(void**) {
         }
 }
 
-void values_that_mean_the_rotation_stay(void**) {
+void values_of_the_same_rotation_stay(void**) {
     Random random;
     for (std::size_t length = 0; length <= 3; ++length)
         for (const Kind& kind : kinds(orders(length)))
@@ -197,7 +197,7 @@ void in_gimbal_lock_the_first_angle_stays(void**) {
 }
 
 /// Joints with one or two axes get the nearest rotation: no small change comes nearer.
-void the_nearest_rotation_that_a_joint_can_make(void**) {
+void the_nearest_rotation_that_a_joint_can_have(void**) {
     Random random;
     for (std::size_t length = 1; length <= 2; ++length)
         for (const Kind& kind : kinds(orders(length)))
@@ -217,7 +217,7 @@ void the_nearest_rotation_that_a_joint_can_make(void**) {
             }
 }
 
-void a_half_turn_across_the_freedoms_leaves_the_values(void**) {
+void a_half_turn_about_another_axis_keeps_the_values(void**) {
     // All turns about x are equally far from a half turn about y.
     Row row{12.5};
     put_rotation(joint_of("X"), false, {0, 0, 1, 0}, row.data());
@@ -233,12 +233,12 @@ void a_half_turn_across_the_freedoms_leaves_the_values(void**) {
 int main() {
     const CMUnitTest tests[] = {
         cmocka_unit_test(every_rotation_comes_back),
-        cmocka_unit_test(values_that_mean_the_rotation_stay),
+        cmocka_unit_test(values_of_the_same_rotation_stay),
         cmocka_unit_test(near_values_are_found_again),
         cmocka_unit_test(nothing_jumps_on_the_way_through_gimbal_lock),
         cmocka_unit_test(in_gimbal_lock_the_first_angle_stays),
-        cmocka_unit_test(the_nearest_rotation_that_a_joint_can_make),
-        cmocka_unit_test(a_half_turn_across_the_freedoms_leaves_the_values),
+        cmocka_unit_test(the_nearest_rotation_that_a_joint_can_have),
+        cmocka_unit_test(a_half_turn_about_another_axis_keeps_the_values),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

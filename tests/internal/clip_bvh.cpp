@@ -97,7 +97,7 @@ void reads_keywords_in_any_case(void**) {
     check_same(every(small_bvh, "position", "translation"));
 }
 
-void reads_headers_of_the_data_however_spaced(void**) {
+void reads_headers_of_the_data_with_any_spacing(void**) {
     for (const char* frames :
          {"Frames:3", "Frames:\t3", "Frames :3", "FRAMES:   3  ", "frames: +3"})
         check_same(replaced(small_bvh, "Frames: 3", frames));
@@ -107,7 +107,7 @@ void reads_headers_of_the_data_however_spaced(void**) {
         check_same(replaced(small_bvh, "Frame Time: 0.0083333", time));
 }
 
-void reads_braces_wherever_they_stand(void**) {
+void reads_braces_in_any_place(void**) {
     check_same(every(small_bvh, "\n{", " {"));
     check_same(every(replaced(small_bvh, "Leg\n  {\n    ", "Leg{"), "}\n}", "}}"));
 }
@@ -157,7 +157,7 @@ Clip moving_arm(double x, double y, double z) {
     return bvh(text);
 }
 
-void takes_positions_below_the_root_as_the_file_means_them(void**) {
+void recognizes_the_meaning_of_positions_below_the_root(void**) {
     const Clip absolute = moving_arm(3, 5, 0); // repeats OFFSET 3 5 0
     assert_false(absolute.skeleton->translations_add);
     ASSERT_NEAR(positions(absolute)(1, 9), 3.1, 1e-12);
@@ -177,7 +177,7 @@ struct Traveler {
     bool prop = false;            ///< one more joint, which travels separately
 
     std::string text() const;
-    std::string row(double way) const;
+    std::string row(double distance) const;
 };
 
 constexpr std::string_view six =
@@ -187,14 +187,14 @@ std::string triple(const Vec3& v) {
     return stltsa::format_text(" {} {} {}", v[0], v[1], v[2]);
 }
 
-std::string Traveler::row(double way) const {
-    const Vec3 place = add ? Vec3{0, 0, way} : Vec3{0, 90, way - 450};
-    std::string text = "0 0 0 0 0 " + std::string(way == 0 ? "0" : root_turns) + triple(place) +
-                       triple({way, way, 0});
+std::string Traveler::row(double distance) const {
+    const Vec3 place = add ? Vec3{0, 0, distance} : Vec3{0, 90, distance - 450};
+    std::string text = "0 0 0 0 0 " + std::string(distance == 0 ? "0" : root_turns) +
+                       triple(place) + triple({distance, distance, 0});
     for (int i = 0; i < limbs; ++i)
         text += triple(add ? Vec3{} : limb) + " 0 0 0";
     if (prop)
-        text += triple(add ? Vec3{0, 0, 40 * way} : Vec3{0, 0, 1 - way / 500}) + " 0 0 0";
+        text += triple(add ? Vec3{0, 0, 40 * distance} : Vec3{0, 0, 1 - distance / 500}) + " 0 0 0";
     return text + "\n";
 }
 
@@ -286,13 +286,13 @@ int main() {
         cmocka_unit_test(reads_line_ends_of_every_system),
         cmocka_unit_test(reads_blanks_of_every_kind),
         cmocka_unit_test(reads_keywords_in_any_case),
-        cmocka_unit_test(reads_headers_of_the_data_however_spaced),
-        cmocka_unit_test(reads_braces_wherever_they_stand),
+        cmocka_unit_test(reads_headers_of_the_data_with_any_spacing),
+        cmocka_unit_test(reads_braces_in_any_place),
         cmocka_unit_test(reads_rows_over_several_lines),
         cmocka_unit_test(reads_numbers_of_every_form),
         cmocka_unit_test(reads_names_with_blanks_and_without),
         cmocka_unit_test(reads_channels_in_any_order_and_number),
-        cmocka_unit_test(takes_positions_below_the_root_as_the_file_means_them),
+        cmocka_unit_test(recognizes_the_meaning_of_positions_below_the_root),
         cmocka_unit_test(hips_that_travel_below_a_static_root_have_no_vote),
         cmocka_unit_test(one_joint_that_travels_has_one_vote),
         cmocka_unit_test(joints_without_an_offset_have_no_vote),

@@ -59,7 +59,7 @@ void headers(void**) {
     assert_true(csv("a,b\n9,2\n4,5\n", 50).fps == 50);
 }
 
-/// A data frame without names, and with its index.
+/// A data frame without column names, without and with its index.
 void numbered_columns_are_a_header(void**) {
     for (const char* text : {"0,1,2\n.5,7,1\n.25,8,2\n", ",0,1,2\n0,.5,7,1\n1,.25,8,2\n",
                              ";0;1;2\n0;,5;7;1\n1;,25;8;2\n"}) {
@@ -76,8 +76,8 @@ void numbered_columns_are_a_header(void**) {
     CHECK_VALUES(csv("0,1,2\n"), {{0, 1, 2}});
 }
 
-void time_at_no_rate_is_no_time(void**) {
-    // Seconds that are milliseconds; a torque; 1e10 s per frame.
+void time_at_an_implausible_rate_is_a_channel(void**) {
+    // Milliseconds named as seconds; a torque; 1e10 s per frame; 1e9 frames per second.
     for (const char* text : {"time,x\n0,7\n10,8\n20,9\n", "t,x\n0,7\n5.5,8\n9,9\n",
                              "x,time\n7,0\n8,1e10\n9,2e10\n", "time,x\n0,7\n1e-9,8\n2e-9,9\n"}) {
         const Clip clip = csv(text);
@@ -90,7 +90,7 @@ void time_at_no_rate_is_no_time(void**) {
     CHECK_VALUES(csv("time,x\n0,7\n10,8\n20,9\n", 100), {{7}, {8}, {9}});
 }
 
-void time_gives_the_rate_and_is_no_channel(void**) {
+void time_gives_the_rate_and_is_not_a_channel(void**) {
     for (const char* text :
          {"time,x\n0,7\n0.01,8\n0.02,9\n", "x,Time (s)\n7,5.00\n8,5.01\n9,5.02\n",
           "t [ms];x\n0;7\n10;8\n20;9\n", "Frame#,Time,x\n1,0,7\n2,.01,8\n3,.02,9\n"}) {
@@ -108,7 +108,7 @@ void time_gives_the_rate_and_is_no_channel(void**) {
     assert_true(csv("time,x\n0,7\n0.01,8\n", 60).fps == 60);
 }
 
-void uneven_time_is_refused_unless_told(void**) {
+void uneven_time_needs_option_fps(void**) {
     const char* text = "time,x\n0,7\n0.01,8\n0.02,9\n0.04,9\n";
     ASSERT_FAILS(Status::format, "the steps of column 'time' range from 0.01", csv(text));
     CHECK_VALUES(csv(text, 100), {{7}, {8}, {9}, {9}});
@@ -117,7 +117,7 @@ void uneven_time_is_refused_unless_told(void**) {
     assert_int_equal(kept.notes.size(), 1);
 }
 
-void counts_of_frames_are_no_channel(void**) {
+void frame_numbers_are_not_a_channel(void**) {
     CHECK_VALUES(csv("frame,x\n10,7\n11,8\n"), {{7}, {8}});
     CHECK_VALUES(csv(",x\n0,7\n1,8\n"), {{7}, {8}}); // pandas writes its index this way
     CHECK_VALUES(csv("frame,x,time,frame,y\n1,7,.1,1,3\n2,8,.2,2,4\n"), {{7, 3}, {8, 4}});
@@ -126,17 +126,17 @@ void counts_of_frames_are_no_channel(void**) {
     const Clip kept = csv("frame,x\n10,7\n12,8\n");
     CHECK_VALUES(kept, {{10, 7}, {12, 8}});
     assert_int_equal(kept.notes.size(), 1);
-    ASSERT_FAILS(Status::format, "no channel is left", csv("time\n0\n1\n2\n"));
+    ASSERT_FAILS(Status::format, "no channel besides time", csv("time\n0\n1\n2\n"));
     const Clip silent = csv("0.0,7\n0.01,8\n0.02,1\n");
     assert_int_equal(silent.values.cols(), 2);
     assert_int_equal(silent.notes.size(), 1);
 }
 
 void malformed(void**) {
-    ASSERT_FAILS(Status::format, "test:3: 2 cells, where the lines before have 3",
+    ASSERT_FAILS(Status::format, "test:3: 2 cells, but the previous lines have 3",
                  csv("a,b,c\n1,2,3\n4,5\n"));
-    ASSERT_FAILS(Status::format, "test:2: 4 cells, where", csv("1,2,3\n4,5,6,7\n"));
-    ASSERT_FAILS(Status::format, "test:2: 2 cells, where", csv("a,b,c\n1,2\n"));
+    ASSERT_FAILS(Status::format, "test:2: 4 cells, but", csv("1,2,3\n4,5,6,7\n"));
+    ASSERT_FAILS(Status::format, "test:2: 2 cells, but", csv("a,b,c\n1,2\n"));
     ASSERT_FAILS(Status::format, "test:4: column 2 ('b'): 'x' is not a number",
                  csv("a,b\n1,2\n\n3,x\n"));
     ASSERT_FAILS(Status::format, "test:2: column 1: '1.234,5' is not a number",
@@ -166,10 +166,10 @@ int main() {
         cmocka_unit_test(one_column),
         cmocka_unit_test(headers),
         cmocka_unit_test(numbered_columns_are_a_header),
-        cmocka_unit_test(time_at_no_rate_is_no_time),
-        cmocka_unit_test(time_gives_the_rate_and_is_no_channel),
-        cmocka_unit_test(uneven_time_is_refused_unless_told),
-        cmocka_unit_test(counts_of_frames_are_no_channel),
+        cmocka_unit_test(time_at_an_implausible_rate_is_a_channel),
+        cmocka_unit_test(time_gives_the_rate_and_is_not_a_channel),
+        cmocka_unit_test(uneven_time_needs_option_fps),
+        cmocka_unit_test(frame_numbers_are_not_a_channel),
         cmocka_unit_test(malformed),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);

@@ -78,7 +78,7 @@ Clip moved(Clip clip, std::size_t up, double radians) {
     return clip;
 }
 
-void do_not_see_place_and_heading(void**) {
+void ignore_place_and_heading(void**) {
     for (const std::size_t up : {0u, 1u, 2u}) {
         const Clip clip = swinging(up);
         for (const double turn : {0.7, -2.0, 3.1, std::numbers::pi}) {
@@ -91,7 +91,7 @@ void do_not_see_place_and_heading(void**) {
     }
 }
 
-void see_lean(void**) {
+void contain_lean(void**) {
     Clip clip = swinging(1);
     const Matrix upright = features(clip, Features::positions, Axis::y);
     for (std::int64_t i = 0; i < clip.frames(); ++i)
@@ -100,7 +100,7 @@ void see_lean(void**) {
     assert_true(std::abs(leaning(0, 5) - upright(0, 5)) > 3); // the head, forward
 }
 
-void positions_are_those_of_the_world_but_for_heading(void**) {
+void positions_are_world_positions_without_heading(void**) {
     const Clip clip = swinging(1);
     const Matrix world = positions(clip);
     const Matrix body = features(clip, Features::positions, Axis::y);
@@ -152,7 +152,7 @@ void raw_is_the_file(void**) {
         ASSERT_FAILS(Status::unsupported, "need a skeleton", features(rows, kind, Axis::y));
 }
 
-void heading_goes_on_through_upside_down(void**) {
+void heading_continues_through_upside_down(void**) {
     // A somersault: pitch through whole turns. The yaw is undefined at 180 degrees, and 0
     // elsewhere.
     Clip clip = swinging(1, 73);
@@ -167,7 +167,7 @@ void heading_goes_on_through_upside_down(void**) {
     }
 }
 
-void heading_holds_where_it_is_undefined(void**) {
+void heading_stays_while_it_is_undefined(void**) {
     Clip clip = swinging(1, 2);
     clip.values = Matrix(2, 21);
     clip.values(0, 5) = 40;  // yaw alone, then
@@ -203,7 +203,7 @@ void heading_of_a_root_whose_axes_are_upside_down(void**) {
     }
 }
 
-void resting_joints_above_the_body_are_passed_over(void**) {
+void constant_joints_above_the_body_are_skipped(void**) {
     const Clip clip = swinging(1);
     Clip below = clip;
     Joint reference;
@@ -224,7 +224,7 @@ void resting_joints_above_the_body_are_passed_over(void**) {
 }
 
 /// The heading is that of the first joint that turns, whichever joint travels through space.
-void joints_that_only_move_along_are_passed_over(void**) {
+void translating_joints_above_the_body_are_skipped(void**) {
     const Clip clip = swinging(1);
     Clip below = clip;
     std::vector<Joint>& joints = below.skeleton->joints;
@@ -243,7 +243,7 @@ void joints_that_only_move_along_are_passed_over(void**) {
         check_same(features(below, kind, Axis::y), features(clip, kind, Axis::y), 1e-9);
 }
 
-void a_resting_root_of_several_limbs_stays_the_root(void**) {
+void a_constant_root_of_several_limbs_stays_the_root(void**) {
     Clip clip = swinging(1);
     for (std::int64_t i = 0; i < clip.frames(); ++i)
         std::fill_n(clip.values.row(i), 6, 12.5);
@@ -253,7 +253,7 @@ void a_resting_root_of_several_limbs_stays_the_root(void**) {
 void up_is_from_feet_to_head(void**) {
     for (const std::size_t up : {0u, 1u, 2u})
         assert_int_equal(static_cast<int>(up_axis(swinging(up), Axis::automatic)), up + 1);
-    // Axes that point down work as well.
+    // Axes that point down work too.
     Clip down = swinging(2);
     for (Joint& joint : down.skeleton->joints)
         joint.offset[2] = -joint.offset[2];
@@ -310,7 +310,7 @@ void features_are_counted_without_being_computed(void**) {
     for (const Features kind : {Features::automatic, Features::positions, Features::rotations6d,
                                 Features::euler, Features::raw})
         assert_int_equal(feature_count(clip, kind), features(clip, kind, Axis::y).cols());
-    clip.values(1, 0) = std::numeric_limits<double>::infinity(); // a pose would be refused
+    clip.values(1, 0) = std::numeric_limits<double>::infinity(); // computing a pose would fail
     assert_int_equal(feature_count(clip, Features::positions), 15);
     clip.skeleton.reset();
     assert_int_equal(feature_count(clip, Features::automatic), 10);
@@ -321,18 +321,18 @@ void features_are_counted_without_being_computed(void**) {
 
 int main() {
     const CMUnitTest tests[] = {
-        cmocka_unit_test(do_not_see_place_and_heading),
-        cmocka_unit_test(see_lean),
-        cmocka_unit_test(positions_are_those_of_the_world_but_for_heading),
+        cmocka_unit_test(ignore_place_and_heading),
+        cmocka_unit_test(contain_lean),
+        cmocka_unit_test(positions_are_world_positions_without_heading),
         cmocka_unit_test(rotations6d_are_columns_of_rotations),
         cmocka_unit_test(euler_is_unwrapped_radians_below_the_root),
         cmocka_unit_test(raw_is_the_file),
-        cmocka_unit_test(heading_goes_on_through_upside_down),
-        cmocka_unit_test(heading_holds_where_it_is_undefined),
+        cmocka_unit_test(heading_continues_through_upside_down),
+        cmocka_unit_test(heading_stays_while_it_is_undefined),
         cmocka_unit_test(heading_of_a_root_whose_axes_are_upside_down),
-        cmocka_unit_test(resting_joints_above_the_body_are_passed_over),
-        cmocka_unit_test(joints_that_only_move_along_are_passed_over),
-        cmocka_unit_test(a_resting_root_of_several_limbs_stays_the_root),
+        cmocka_unit_test(constant_joints_above_the_body_are_skipped),
+        cmocka_unit_test(translating_joints_above_the_body_are_skipped),
+        cmocka_unit_test(a_constant_root_of_several_limbs_stays_the_root),
         cmocka_unit_test(up_is_from_feet_to_head),
         cmocka_unit_test(up_is_the_largest_extent_without_names),
         cmocka_unit_test(up_follows_the_motion_not_the_rest_pose),

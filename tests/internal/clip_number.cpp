@@ -11,7 +11,7 @@ namespace {
 
 using namespace stltsa::clip;
 
-void reads_the_ways_files_write_numbers(void**) {
+void reads_common_notations(void**) {
     const struct {
         const char* text;
         double value;
@@ -26,24 +26,24 @@ void reads_the_ways_files_write_numbers(void**) {
     }
 }
 
-void refuses_what_is_no_number(void**) {
+void refuses_text_that_is_not_a_number(void**) {
     for (const char* text :
          {"", "+", "-", "+-1", "++1", "1,5", "1.2.3", "0x10", "1e", "abc", "1 2", "1.#QNAN", "--1"})
         if (parse_number(text))
             FAIL("'%s' was read as a number", text);
 }
 
-void marks_what_is_not_finite(void**) {
+void numbers_may_be_infinite_or_tiny(void**) {
     assert_true(std::isnan(*parse_number("nan")));
     assert_true(*parse_number("1e999") > 1e308);
     assert_true(*parse_number("-1e999") < -1e308);
-    // Long before its point, not small behind it.
+    // Many digits before the point are huge, many zeros after it are tiny.
     assert_true(std::isinf(*parse_number(std::string(400, '9') + ".5")));
     assert_true(*parse_number("0." + std::string(400, '0') + "1") == 0);
 }
 
 void ignores_the_locale(void**) {
-    // Without any of these locales the test proves nothing; from_chars ensures the result.
+    // If none of these locales is installed, this proves nothing.
     for (const char* name : {"de_DE.UTF-8", "fr_FR.UTF-8"})
         if (std::setlocale(LC_ALL, name) != nullptr)
             break;
@@ -51,7 +51,7 @@ void ignores_the_locale(void**) {
     std::setlocale(LC_ALL, "C");
 }
 
-void rounds_rates_to_what_was_meant(void**) {
+void rounds_rates_to_nearby_integers(void**) {
     assert_true(rate_of(.0083333) == 120);
     assert_true(rate_of(.008333) == 120);
     assert_true(rate_of(.033333) == 30);
@@ -81,7 +81,7 @@ void counts_lines_of_every_kind(void**) {
     assert_true(lines.line().empty());
 }
 
-void quotes_nothing_unprintable(void**) {
+void quotes_only_printable_characters(void**) {
     assert_string_equal(stltsa::clip::quoted("a\x01\xFFz").c_str(), "'a??z'");
     assert_true(stltsa::clip::quoted(std::string(1000, 'x')).size() < 60);
 }
@@ -90,13 +90,13 @@ void quotes_nothing_unprintable(void**) {
 
 int main() {
     const CMUnitTest tests[] = {
-        cmocka_unit_test(reads_the_ways_files_write_numbers),
-        cmocka_unit_test(refuses_what_is_no_number),
-        cmocka_unit_test(marks_what_is_not_finite),
+        cmocka_unit_test(reads_common_notations),
+        cmocka_unit_test(refuses_text_that_is_not_a_number),
+        cmocka_unit_test(numbers_may_be_infinite_or_tiny),
         cmocka_unit_test(ignores_the_locale),
-        cmocka_unit_test(rounds_rates_to_what_was_meant),
+        cmocka_unit_test(rounds_rates_to_nearby_integers),
         cmocka_unit_test(counts_lines_of_every_kind),
-        cmocka_unit_test(quotes_nothing_unprintable),
+        cmocka_unit_test(quotes_only_printable_characters),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

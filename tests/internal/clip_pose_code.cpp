@@ -19,15 +19,15 @@ using stltsa::Matrix;
 
 constexpr int frames = 60;
 
-/// The clip with smooth values of this magnitude in every channel; its first `resting` columns
-/// rest.
-Clip moving(Clip clip, double degrees, std::int64_t resting = 0) {
+/// The clip with smooth values of this magnitude in every channel except the first `constant`
+/// columns.
+Clip moving(Clip clip, double degrees, std::int64_t constant = 0) {
     Random random;
     Matrix values(frames, clip.values.cols());
     for (std::int64_t c = 0; c < values.cols(); ++c) {
         const double size = degrees * random.next();
         const double phase = 4 * random.next();
-        const double speed = c < resting ? 0 : 0.1 * random.next();
+        const double speed = c < constant ? 0 : 0.1 * random.next();
         for (std::int64_t i = 0; i < frames; ++i)
             values(i, c) = size * std::sin(phase + speed * static_cast<double>(i));
     }
@@ -91,7 +91,7 @@ void every_order_of_rotations_comes_back(void**) {
                 check_round_trip(moving_bvh(order, degrees), up);
 }
 
-void joints_of_few_freedoms_come_back(void**) {
+void joints_with_few_axes_come_back(void**) {
     check_round_trip(moving_amc(20), Axis::y);
     check_round_trip(moving_amc(200), Axis::y);
 }
@@ -114,8 +114,8 @@ void joints_that_move_come_back(void**) {
     check_round_trip(clip, Axis::y);
 }
 
-/// Two resting joints above the body's root.
-Clip moving_below_resting_joints() {
+/// Two constant joints above the body's root.
+Clip moving_below_constant_joints() {
     const std::string above = "HIERARCHY\nROOT scene\n{\nOFFSET 1 2 3\nCHANNELS 6 Xposition "
                               "Yposition Zposition Xrotation Yrotation Zrotation\nJOINT "
                               "armature\n{\nOFFSET 0 1 0\nCHANNELS 1 Xrotation\n";
@@ -126,8 +126,8 @@ Clip moving_below_resting_joints() {
     return moving(parse(text, Format::bvh), 50, 7);
 }
 
-void resting_joints_above_the_body_stay(void**) {
-    const Clip clip = moving_below_resting_joints();
+void constant_joints_above_the_body_stay(void**) {
+    const Clip clip = moving_below_constant_joints();
     for (const Axis up : {Axis::x, Axis::y, Axis::z}) {
         assert_int_equal(encode_poses(clip, up).code.root, 2);
         check_round_trip(clip, up);
@@ -153,7 +153,7 @@ Clip elsewhere(const Clip& clip, Axis up) {
     return result;
 }
 
-void where_the_body_stands_and_faces_is_no_pose(void**) {
+void poses_have_no_place_and_no_heading(void**) {
     for (const Axis up : {Axis::x, Axis::y, Axis::z})
         for (const Clip& clip : {moving_bvh("ZXY", 40), moving_amc(40)})
             check_same(encode_poses(elsewhere(clip, up), up).vectors,
@@ -189,9 +189,9 @@ void the_zero_vector_is_the_mean_pose(void**) {
     }
 }
 
-void a_frame_alone_is_decoded_as_among_others(void**) {
+void a_single_frame_is_decoded_as_among_others(void**) {
     for (const Clip& clip :
-         {moving_bvh("ZXY", 100), moving_amc(100), moving_below_resting_joints()})
+         {moving_bvh("ZXY", 100), moving_amc(100), moving_below_constant_joints()})
         for (const Features kind : {Features::positions, Features::rotations6d}) {
             const CodedPoses coded = encode_poses(clip, Axis::y);
             const Matrix all = features(clip, kind, Axis::y);
@@ -219,17 +219,17 @@ void angles_do_not_jump(void**) {
     }
 }
 
-void the_frame_time_is_kept_for_the_rate_it_means(void**) {
+void the_frame_time_is_kept_for_its_rate(void**) {
     const CodedPoses coded = encode_poses(parse(small_bvh, Format::bvh), Axis::y);
     assert_true(decode_poses(coded.code, coded.vectors.view(), 120).frame_time == 0.0083333);
     assert_true(decode_poses(coded.code, coded.vectors.view(), 30).frame_time == 0);
 }
 
-void what_cannot_be_coded_is_refused(void**) {
+void clips_and_vectors_that_do_not_fit_are_refused(void**) {
     ASSERT_FAILS(Status::unsupported, "need a skeleton",
                  encode_poses(parse("1,2\n3,4\n", Format::csv), Axis::y));
     const CodedPoses coded = encode_poses(parse(small_bvh, Format::bvh), Axis::y);
-    ASSERT_FAILS(Status::shape, "pose vectors of 3 numbers, where 10 are needed",
+    ASSERT_FAILS(Status::shape, "the pose vectors have 3 numbers; expected 10",
                  decode_poses(coded.code, Matrix(1, 3).view(), 120));
 }
 
@@ -238,16 +238,16 @@ void what_cannot_be_coded_is_refused(void**) {
 int main() {
     const CMUnitTest tests[] = {
         cmocka_unit_test(every_order_of_rotations_comes_back),
-        cmocka_unit_test(joints_of_few_freedoms_come_back),
+        cmocka_unit_test(joints_with_few_axes_come_back),
         cmocka_unit_test(joints_that_move_come_back),
-        cmocka_unit_test(resting_joints_above_the_body_stay),
-        cmocka_unit_test(where_the_body_stands_and_faces_is_no_pose),
+        cmocka_unit_test(constant_joints_above_the_body_stay),
+        cmocka_unit_test(poses_have_no_place_and_no_heading),
         cmocka_unit_test(vectors_are_continuous),
         cmocka_unit_test(the_zero_vector_is_the_mean_pose),
-        cmocka_unit_test(a_frame_alone_is_decoded_as_among_others),
+        cmocka_unit_test(a_single_frame_is_decoded_as_among_others),
         cmocka_unit_test(angles_do_not_jump),
-        cmocka_unit_test(the_frame_time_is_kept_for_the_rate_it_means),
-        cmocka_unit_test(what_cannot_be_coded_is_refused),
+        cmocka_unit_test(the_frame_time_is_kept_for_its_rate),
+        cmocka_unit_test(clips_and_vectors_that_do_not_fit_are_refused),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

@@ -36,7 +36,7 @@ void finds_tpose_starts(void**) {
             assert_int_equal(tpose_frames(motion(frames, smeared).view()), smeared);
 }
 
-void finds_none_where_there_is_none(void**) {
+void finds_no_tpose_without_one(void**) {
     for (const std::int64_t frames : {2, 10, 60, 200, 1000})
         assert_int_equal(tpose_frames(motion(frames, 0).view()), 0);
     assert_int_equal(tpose_frames(motion(20, 1).view()), 0); // too short to decide
@@ -103,7 +103,7 @@ void numbers_stay_as_they_are(void**) {
     check_same(prepare(clip, {}).samples, clip.values, 0);
 }
 
-void the_start_is_kept_on_demand(void**) {
+void the_start_is_kept_on_request(void**) {
     PrepareOptions options;
     options.drop_tpose = false;
     assert_int_equal(prepare(turning(200, 120, 3), options).first, 0);
@@ -178,7 +178,7 @@ void smoothing_keeps_speed_to_the_ends(void**) {
     }
 }
 
-void smoothing_does_not_see_dropped_frames(void**) {
+void smoothing_ignores_dropped_frames(void**) {
     const Prepared prepared = prepare(turning(200, 120, 3), {});
     assert_int_equal(prepared.first, 3);
     const Clip clip = turning(200, 120, 0);
@@ -236,7 +236,7 @@ void finds_the_frame_of_a_cut(void**) {
 }
 
 /// A blow of 0.15 s after long standing is fast, but moves over several frames.
-void a_blow_is_no_cut(void**) {
+void a_blow_is_not_a_cut(void**) {
     for (const double fps : {30.0, 60.0, 120.0}) {
         std::vector<double> values;
         for (double t = -5; t < 5; t += 1 / fps) {
@@ -268,20 +268,20 @@ void a_clip_needs_frames(void**) {
 int main() {
     const CMUnitTest tests[] = {
         cmocka_unit_test(finds_tpose_starts),
-        cmocka_unit_test(finds_none_where_there_is_none),
+        cmocka_unit_test(finds_no_tpose_without_one),
         cmocka_unit_test(never_drops_more_than_eight),
         cmocka_unit_test(finds_no_tpose_inside),
         cmocka_unit_test(samples_are_source_frames),
         cmocka_unit_test(numbers_stay_as_they_are),
-        cmocka_unit_test(the_start_is_kept_on_demand),
+        cmocka_unit_test(the_start_is_kept_on_request),
         cmocka_unit_test(steps_follow_the_rate),
         cmocka_unit_test(smooths_by_a_gaussian),
         cmocka_unit_test(smoothing_keeps_constants_to_the_ends),
         cmocka_unit_test(smoothing_keeps_speed_to_the_ends),
-        cmocka_unit_test(smoothing_does_not_see_dropped_frames),
+        cmocka_unit_test(smoothing_ignores_dropped_frames),
         cmocka_unit_test(features_of_all_frames_hold_the_samples),
         cmocka_unit_test(finds_the_frame_of_a_cut),
-        cmocka_unit_test(a_blow_is_no_cut),
+        cmocka_unit_test(a_blow_is_not_a_cut),
         cmocka_unit_test(bare_matrices_have_no_tpose),
         cmocka_unit_test(a_clip_needs_frames),
     };

@@ -55,7 +55,7 @@ void are_read(void**) {
     }
 }
 
-void start_with_the_tpose_that_is_there(void**) {
+void start_with_the_known_tpose(void**) {
     for (const Expected& expected : clips) {
         print_message("%s\n", expected.name);
         assert_int_equal(prepare(read_clip(expected.name), {}).first, expected.tpose);
@@ -103,7 +103,7 @@ void walkers_stand_upright_on_the_floor(void**) {
     }
 }
 
-void the_skeleton_of_another_is_found_or_asked_for(void**) {
+void the_skeleton_is_found_or_must_be_given(void**) {
     assert_true(read_clip("86_01.amc").notes.back().ends_with("86.asf"));
     ASSERT_FAILS(Status::io, "set option skeleton", read_clip("13_30.amc"));
     assert_int_equal(read_clip("13_30.amc", "86.asf").frames(), 2465);
@@ -180,10 +180,10 @@ int main() {
     }
     const CMUnitTest tests[] = {
         cmocka_unit_test(are_read),
-        cmocka_unit_test(start_with_the_tpose_that_is_there),
+        cmocka_unit_test(start_with_the_known_tpose),
         cmocka_unit_test(bones_keep_their_lengths),
         cmocka_unit_test(walkers_stand_upright_on_the_floor),
-        cmocka_unit_test(the_skeleton_of_another_is_found_or_asked_for),
+        cmocka_unit_test(the_skeleton_is_found_or_must_be_given),
         cmocka_unit_test(are_the_same_after_writing),
         cmocka_unit_test(amc_and_bvh_show_the_same_motion),
         cmocka_unit_test(poses_come_back_from_their_vectors),

@@ -32,7 +32,7 @@ inline Failure failure_of(const std::function<void()>& action) {
     return {};
 }
 
-/// The action must fail with this status and a text that contains this part.
+/// The action must fail with this status and a message that contains `part`.
 inline void check_fails(Status status, std::string_view part, const std::function<void()>& action,
                         const char* file, int line) {
     const Failure failure = failure_of(action);

@@ -130,7 +130,7 @@ void bvh_comes_back(void**) {
     }
 }
 
-void bvh_is_laid_out_as_everybody_does(void**) {
+void bvh_has_the_usual_layout(void**) {
     assert_string_equal(find_format(Format::bvh)->write(parse(small_bvh, Format::bvh)).c_str(),
                         R"(HIERARCHY
 ROOT Hips
@@ -259,7 +259,7 @@ void amc_becomes_a_bvh_of_the_same_motion(void**) {
     }
 }
 
-void angles_do_not_jump_where_amc_becomes_bvh(void**) {
+void angles_do_not_jump_when_amc_becomes_bvh(void**) {
     Clip clip = SmallAmc().clip; // the thigh's axis is turned by 20 degrees about z
     clip.values = Matrix(80, clip.values.cols());
     for (std::int64_t i = 0; i < clip.frames(); ++i)
@@ -296,7 +296,7 @@ void numbers_of_poses_go_into_tables(void**) {
     check_same_bits(through_file(clip, "a.npy").values, clip.values);
 }
 
-void what_a_format_cannot_hold_is_refused(void**) {
+void clips_that_a_format_cannot_hold_are_refused(void**) {
     const TemporaryFolder folder;
     const Clip bvh = parse(small_bvh, Format::bvh);
     for (const char* name : {"a.txt", "a", ".bvh", "a.bvh.gz"})
@@ -354,7 +354,7 @@ void a_file_that_cannot_be_written_stays(void**) {
     assert_true(fs::is_symlink(folder.path("full")));
 }
 
-void names_of_temporary_files_in_use_are_passed_over(void**) {
+void names_of_temporary_files_in_use_are_skipped(void**) {
     const TemporaryFolder folder;
     const std::string left = folder.write(stltsa::format_text(".stltsa-{}-0.tmp", getpid()), "x");
     write_file(folder.path("a"), "new");
@@ -367,19 +367,19 @@ int main() {
     const CMUnitTest tests[] = {
         cmocka_unit_test(numbers_read_back_to_the_same_bits),
         cmocka_unit_test(bvh_comes_back),
-        cmocka_unit_test(bvh_is_laid_out_as_everybody_does),
+        cmocka_unit_test(bvh_has_the_usual_layout),
         cmocka_unit_test(a_frame_rate_that_was_given_is_written),
         cmocka_unit_test(positions_are_written_to_replace_offsets),
         cmocka_unit_test(positions_that_would_be_misread_are_converted),
         cmocka_unit_test(amc_comes_back),
         cmocka_unit_test(amc_becomes_a_bvh_of_the_same_motion),
-        cmocka_unit_test(angles_do_not_jump_where_amc_becomes_bvh),
+        cmocka_unit_test(angles_do_not_jump_when_amc_becomes_bvh),
         cmocka_unit_test(bare_numbers_come_back),
         cmocka_unit_test(numbers_of_poses_go_into_tables),
-        cmocka_unit_test(what_a_format_cannot_hold_is_refused),
+        cmocka_unit_test(clips_that_a_format_cannot_hold_are_refused),
         cmocka_unit_test(a_file_is_replaced_whole),
         cmocka_unit_test(a_file_that_cannot_be_written_stays),
-        cmocka_unit_test(names_of_temporary_files_in_use_are_passed_over),
+        cmocka_unit_test(names_of_temporary_files_in_use_are_skipped),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

@@ -66,7 +66,7 @@ std::string serialized_model() {
     return bytes;
 }
 
-/// As in the file.
+/// The bytes of a value in a model file.
 template <class T>
 std::string bytes_of(T value) {
     std::string bytes;

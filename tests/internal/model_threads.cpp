@@ -41,7 +41,7 @@ std::vector<double> mapped(const stltsa_model* model, const std::vector<double>&
     return y;
 }
 
-void the_first_to_map_are_several(void**) {
+void several_threads_map_first(void**) {
     const std::vector<double> x = spiral();
     std::vector<double> beside = x;
     for (double& value : beside)
@@ -67,6 +67,6 @@ void the_first_to_map_are_several(void**) {
 } // namespace
 
 int main() {
-    const CMUnitTest tests[] = {cmocka_unit_test(the_first_to_map_are_several)};
+    const CMUnitTest tests[] = {cmocka_unit_test(several_threads_map_first)};
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }
