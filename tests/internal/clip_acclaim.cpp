@@ -162,7 +162,7 @@ void assumes_a_frame_rate_and_says_so(void**) {
     const Clip clip = acclaim(small_amc, small_asf);
     assert_true(clip.fps == 120);
     assert_int_equal(clip.notes.size(), 2);
-    assert_true(clip.notes[0].find("120 a second assumed") != std::string::npos);
+    assert_true(clip.notes[0].find("120 frames a second assumed") != std::string::npos);
     assert_true(clip.notes[1].find("a.asf") != std::string::npos);
     const Clip set = acclaim(small_amc, small_asf, 60);
     assert_true(set.fps == 60);
