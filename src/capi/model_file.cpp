@@ -5,7 +5,7 @@
 #include "capi/guard.hpp"
 #include "capi/handles.hpp"
 #include "clip/read_file.hpp"
-#include "clip/write.hpp"
+#include "clip/write_file.hpp"
 #include "results/model_file/archive_model.hpp"
 
 using namespace stltsa;

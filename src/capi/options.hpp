@@ -8,7 +8,7 @@
 
 #include "base/progress.hpp"
 #include "clip/prepare.hpp"
-#include "motion/decompose.hpp"
+#include "motion/decomposition.hpp"
 #include "results/denoised.hpp"
 #include "results/parameters.hpp"
 #include "results/placed.hpp"

@@ -44,10 +44,6 @@ struct Skeleton {
     bool translations_add = false;
 };
 
-/// Whether both skeletons have the same joints, parents and channels, so that frames of one are
-/// valid for the other. Offsets may differ.
-bool same_hierarchy(const Skeleton& a, const Skeleton& b);
-
 struct Clip {
     std::string path; ///< as given, empty for memory
     Format format = Format::matrix;

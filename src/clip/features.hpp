@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "clip/clip.hpp"
+#include "clip/heading.hpp"
 #include "clip/up_axis.hpp"
 
 namespace stltsa::clip {
@@ -32,5 +33,8 @@ std::int64_t feature_count(const Clip& clip, Features requested);
 
 /// Features of every frame of the file, without smoothing or decimation.
 Matrix features(const Clip& clip, Features kind, Axis up);
+
+/// Features of a clip whose body root and heading are known; not Features::automatic.
+Matrix body_features(const Clip& clip, Features kind, Heading heading);
 
 } // namespace stltsa::clip

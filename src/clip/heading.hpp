@@ -2,8 +2,8 @@
 // Position and heading of the body, which are removed from the poses.
 #pragma once
 
-#include "clip/features.hpp"
 #include "clip/kinematics.hpp"
+#include "clip/up_axis.hpp"
 
 namespace stltsa::clip {
 
@@ -35,8 +35,5 @@ class Heading {
     Quaternion correction_;
     Quaternion yaw_;
 };
-
-/// Features of a clip whose body root and heading are known; not Features::automatic.
-Matrix body_features(const Clip& clip, Features kind, Heading heading);
 
 } // namespace stltsa::clip

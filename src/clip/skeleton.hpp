@@ -36,4 +36,8 @@ std::vector<std::size_t> channel_begins(const Skeleton& skeleton);
 /// The joints with rotation channels, starting from `first`.
 std::vector<std::size_t> turning_joints(const Skeleton& skeleton, std::size_t first);
 
+/// Whether both skeletons have the same joints, parents and channels, so that frames of one are
+/// valid for the other. Offsets may differ.
+bool same_hierarchy(const Skeleton& a, const Skeleton& b);
+
 } // namespace stltsa::clip

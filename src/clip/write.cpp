@@ -5,6 +5,7 @@
 
 #include "clip/formats.hpp"
 #include "clip/text_cursor.hpp"
+#include "clip/write_file.hpp"
 
 namespace stltsa::clip {
 

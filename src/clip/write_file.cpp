@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "clip/write_file.hpp"
+
 #include <system_error>
 
 #include "base/error.hpp"
 #include "clip/replace_file.hpp"
-#include "clip/write.hpp"
 
 namespace stltsa::clip {
 

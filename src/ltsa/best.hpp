@@ -1,13 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// The nearest of what a search finds.
 #pragma once
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <utility>
 #include <vector>
 
 namespace stltsa::ltsa {
+
+/// A frame that may become a neighbor.
+struct Candidate {
+    double distance;
+    std::int32_t frame;
+    /// Nearer first, ties by frame number.
+    bool operator<(const Candidate& other) const {
+        return distance < other.distance || (distance == other.distance && frame < other.frame);
+    }
+};
 
 /// The `count` least of what was offered so far, as a heap with the greatest on top.
 template <class Found>

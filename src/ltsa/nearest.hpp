@@ -11,7 +11,7 @@
 
 #include "linalg/matrix.hpp"
 #include "ltsa/ball_tree.hpp"
-#include "ltsa/neighbors.hpp"
+#include "ltsa/best.hpp"
 
 namespace stltsa::ltsa {
 

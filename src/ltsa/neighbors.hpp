@@ -26,16 +26,6 @@ struct Neighborhoods {
     }
 };
 
-/// A frame that may become a neighbor.
-struct Candidate {
-    double distance;
-    std::int32_t frame;
-    /// Nearer first, ties by frame number.
-    bool operator<(const Candidate& other) const {
-        return distance < other.distance || (distance == other.distance && frame < other.frame);
-    }
-};
-
 /// Selects the k nearest within +-window frames of the same clip. The window is cut off at the
 /// ends.
 class WindowNeighbors {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "motion/decompose.hpp"
+#include "motion/decomposition.hpp"
 
 namespace stltsa::motion {
 

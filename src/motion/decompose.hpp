@@ -1,81 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Decomposes the samples of a clip into motion units and cycles (paper, section 3.1). Times are in
-// samples of the given matrix; the caller maps them to source frames.
+// From the samples of a clip to its motion units and cycles (paper, section 3.1).
 #pragma once
 
-#include <cstdint>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "base/progress.hpp"
-#include "base/warning.hpp"
-#include "linalg/matrix.hpp"
-#include "ltsa/dimension.hpp"
-#include "ltsa/parameters.hpp"
+#include "motion/decomposition.hpp"
 
 namespace stltsa::motion {
-
-/// Same values as STLTSA_UNIT_* (checked in capi).
-enum class UnitKind : std::int32_t {
-    preparing = 1,
-    initial = 2,
-    cyclic = 3,
-    final = 4,
-    wind_up = 5,
-    action = 6, ///< motion without claimed cycles
-};
-
-/// [begin, end) in samples, not rounded.
-struct Unit {
-    UnitKind kind = UnitKind::action;
-    double begin = 0;
-    double end = 0;
-};
-
-struct Cycle {
-    double begin = 0;
-    double end = 0;
-};
-
-struct DecomposeOptions {
-    std::int64_t neighbors = 0; ///< 0: 1.2 periods
-    std::int64_t window = 0;    ///< 0: same as neighbors
-    int dimension = 0;          ///< tangent dimension; 0: the best of 1 to 3
-    ltsa::Mode mode = ltsa::Mode::temporal;
-    double shortest_period = 0.3; ///< seconds
-    double longest_period = 6.0;  ///< seconds
-    /// How to estimate the intrinsic dimension; empty: not estimated.
-    std::optional<ltsa::DimensionOptions> estimate;
-    // For messages only.
-    double first_s = 0; ///< time of the first sample
-    std::string jump;   ///< where the pose jumps; empty: nowhere
-    double jump_s = no_time;
-    bool in_space = false; ///< the samples may contain the body's path through space
-    int threads = 1;
-};
-
-struct Decomposition {
-    // Units and cycles.
-    double period = 0;       ///< samples; 0: no cycle is claimed
-    std::vector<Unit> units; ///< cover [0, samples) without gap or overlap
-    std::vector<Cycle> cycles;
-    std::int64_t representative = -1; ///< index of the cycle from the first to the third candidate
-    std::int64_t best = -1;           ///< index of the cycle most similar to the others
-    std::string reason;               ///< why no cycle is claimed, with numbers; empty if one is
-
-    // Evidence and embedding.
-    ltsa::Parameters parameters; ///< of the fit that was used
-    int coordinate = 0;          ///< 1-based column of coords that `curve` shows; 0: no embedding
-    double cyclicity = 0;        ///< of that coordinate, at most 1; 0 without a period
-    double lag_quality = 0;      ///< 1 - D(T) of the best lag T; 0 without a period
-    std::optional<ltsa::Dimension> intrinsic; ///< of the embedded samples, if requested
-    Matrix coords;                            ///< samples x d, of the fit used; zeros without a fit
-    Matrix loop;               ///< samples x 2, the two coordinates that form a loop (Fig. 1)
-    std::vector<double> curve; ///< smoothed coordinate from which the units follow
-    std::vector<double> eigenvalues;
-    Warnings warnings;
-};
 
 /// `samples`: frames x features at `fps` (> 0).
 Decomposition decompose(ConstMatrixView samples, double fps, const DecomposeOptions& options,

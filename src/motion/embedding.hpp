@@ -9,7 +9,7 @@
 #include "ltsa/dimension.hpp"
 #include "ltsa/model.hpp"
 #include "motion/activity.hpp"
-#include "motion/decompose.hpp"
+#include "motion/decomposition.hpp"
 #include "motion/period.hpp"
 
 namespace stltsa::motion {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "motion/activity.hpp"
-#include "motion/decompose.hpp"
+#include "motion/decomposition.hpp"
 #include "motion/embedding.hpp"
 
 namespace stltsa::motion {

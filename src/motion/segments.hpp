@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "motion/activity.hpp"
-#include "motion/decompose.hpp"
+#include "motion/decomposition.hpp"
 
 namespace stltsa::motion {
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "clip/skeleton.hpp"
+
 namespace stltsa::results {
 namespace {
 

@@ -18,6 +18,7 @@
 #include "clip/number.hpp"
 #include "clip/read_file.hpp"
 #include "clip/write.hpp"
+#include "clip/write_file.hpp"
 
 namespace {
 

@@ -6,6 +6,7 @@
 
 #include "linalg/blas_threads.hpp"
 #include "linalg/simd.hpp"
+#include "ltsa/best.hpp"
 #include "ltsa/components.hpp"
 #include "ltsa/local_tangents.hpp"
 #include "ltsa/neighbors.hpp"

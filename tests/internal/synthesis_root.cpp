@@ -2,6 +2,7 @@
 // Position and heading of the body: steps lead from one frame to the next, anywhere.
 #include "clip/angles.hpp"
 #include "clip_testing.hpp"
+#include "clip/features.hpp"
 #include "synthesis/synthesis.hpp"
 #include "synthesis_testing.hpp"
 
