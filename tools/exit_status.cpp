@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "exit_status.hpp"
 
-#include "option_flags.hpp"
+#include "arguments/option_flags.hpp"
 
 namespace tool {
 namespace {

@@ -3,10 +3,10 @@
 #include <csignal>
 #include <cstdio>
 
-#include "commands.hpp"
-#include "interrupt.hpp"
-#include "output.hpp"
-#include "style.hpp"
+#include "commands/commands.hpp"
+#include "terminal/interrupt.hpp"
+#include "terminal/output.hpp"
+#include "terminal/style.hpp"
 
 namespace {
 

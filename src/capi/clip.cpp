@@ -3,12 +3,12 @@
 #include <memory>
 #include <string_view>
 
-#include "capi/arrays.hpp"
-#include "capi/guard.hpp"
+#include "capi/boundary/arrays.hpp"
+#include "capi/boundary/guard.hpp"
 #include "capi/handles.hpp"
-#include "capi/json.hpp"
-#include "capi/options.hpp"
-#include "clip/features.hpp"
+#include "capi/json/results.hpp"
+#include "capi/options/reader.hpp"
+#include "clip/features/features.hpp"
 #include "clip/write.hpp"
 #include "ltsa/frames.hpp"
 

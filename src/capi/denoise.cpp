@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "capi/arrays.hpp"
-#include "capi/guard.hpp"
+#include "capi/boundary/arrays.hpp"
+#include "capi/boundary/guard.hpp"
 #include "capi/handles.hpp"
-#include "capi/json.hpp"
-#include "capi/options.hpp"
+#include "capi/json/results.hpp"
+#include "capi/options/reader.hpp"
 
 using namespace stltsa;
 using capi::guard;

@@ -4,11 +4,11 @@
 #include <limits>
 #include <memory>
 
-#include "capi/arrays.hpp"
-#include "capi/guard.hpp"
+#include "capi/boundary/arrays.hpp"
+#include "capi/boundary/guard.hpp"
 #include "capi/handles.hpp"
-#include "capi/json.hpp"
-#include "capi/options.hpp"
+#include "capi/json/results.hpp"
+#include "capi/options/reader.hpp"
 
 using namespace stltsa;
 using capi::guard;

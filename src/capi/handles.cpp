@@ -3,7 +3,7 @@
 
 #include <cstring>
 
-#include "capi/guard.hpp"
+#include "capi/boundary/guard.hpp"
 
 namespace stltsa::capi {
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "capi/info.hpp"
-#include "ltsa/mapping.hpp"
+#include "capi/info/info.hpp"
+#include "ltsa/mapping/mapping.hpp"
 #include "results/decomposed.hpp"
 #include "results/denoised.hpp"
 #include "results/fitted.hpp"

@@ -3,10 +3,10 @@
 #include <memory>
 #include <vector>
 
-#include "capi/arrays.hpp"
-#include "capi/guard.hpp"
+#include "capi/boundary/arrays.hpp"
+#include "capi/boundary/guard.hpp"
 #include "capi/handles.hpp"
-#include "capi/options.hpp"
+#include "capi/options/reader.hpp"
 #include "ltsa/frames.hpp"
 #include "results/placed.hpp"
 

@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <cstring>
 
-#include "capi/guard.hpp"
+#include "capi/boundary/guard.hpp"
 #include "capi/handles.hpp"
-#include "capi/json.hpp"
-#include "capi/options.hpp"
+#include "capi/json/results.hpp"
+#include "capi/options/reader.hpp"
 
 using namespace stltsa;
 using capi::guard;

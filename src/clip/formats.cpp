@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "clip/text_cursor.hpp"
+#include "clip/text/text_cursor.hpp"
 
 namespace stltsa::clip {
 

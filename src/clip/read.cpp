@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <filesystem>
 
-#include "clip/find_skeleton.hpp"
+#include "clip/acclaim/find_skeleton.hpp"
+#include "clip/files/read_file.hpp"
 #include "clip/formats.hpp"
-#include "clip/read_file.hpp"
-#include "clip/text_cursor.hpp"
+#include "clip/text/text_cursor.hpp"
 
 namespace stltsa::clip {
 namespace {

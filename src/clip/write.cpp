@@ -3,9 +3,9 @@
 
 #include <filesystem>
 
+#include "clip/files/write_file.hpp"
 #include "clip/formats.hpp"
-#include "clip/text_cursor.hpp"
-#include "clip/write_file.hpp"
+#include "clip/text/text_cursor.hpp"
 
 namespace stltsa::clip {
 

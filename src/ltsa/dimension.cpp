@@ -5,7 +5,7 @@
 
 #include "linalg/blas_threads.hpp"
 #include "ltsa/embed.hpp"
-#include "ltsa/local_tangents.hpp"
+#include "ltsa/tangents/local_tangents.hpp"
 
 namespace stltsa::ltsa {
 namespace {

@@ -7,9 +7,9 @@
 #include <span>
 #include <vector>
 
-#include "ltsa/alignment.hpp"
-#include "ltsa/patches.hpp"
-#include "ltsa/spectrum.hpp"
+#include "ltsa/alignment/alignment.hpp"
+#include "ltsa/alignment/patches.hpp"
+#include "ltsa/spectrum/spectrum.hpp"
 #include "ltsa/warnings.hpp"
 
 namespace stltsa::ltsa {

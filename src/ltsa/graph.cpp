@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "ltsa/local_tangents.hpp"
+#include "ltsa/tangents/local_tangents.hpp"
 
 namespace stltsa::ltsa {
 

@@ -6,10 +6,10 @@
 #include <span>
 
 #include "base/progress.hpp"
-#include "ltsa/components.hpp"
 #include "ltsa/frames.hpp"
-#include "ltsa/neighbors.hpp"
-#include "ltsa/tangents.hpp"
+#include "ltsa/neighbors/components.hpp"
+#include "ltsa/neighbors/neighbors.hpp"
+#include "ltsa/tangents/tangents.hpp"
 
 namespace stltsa::ltsa {
 

@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "linalg/simd.hpp"
-#include "motion/smoothing.hpp"
+#include "motion/curve/smoothing.hpp"
 
 namespace stltsa::motion {
 namespace {

@@ -5,14 +5,14 @@
 
 #include "ltsa/frames.hpp"
 #include "motion/coordinate.hpp"
+#include "motion/curve/smoothing.hpp"
 #include "motion/cycles.hpp"
 #include "motion/embedding.hpp"
 #include "motion/evidence.hpp"
 #include "motion/margins.hpp"
 #include "motion/period.hpp"
 #include "motion/remarks.hpp"
-#include "motion/segments.hpp"
-#include "motion/smoothing.hpp"
+#include "motion/units.hpp"
 
 namespace stltsa::motion {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "ltsa/frames.hpp"
 #include "motion/coordinate.hpp"
-#include "motion/spline.hpp"
-#include "motion/statistics.hpp"
+#include "motion/curve/spline.hpp"
+#include "motion/curve/statistics.hpp"
 
 namespace stltsa::motion {
 namespace {

@@ -6,8 +6,8 @@
 #include <span>
 
 #include "motion/coordinate.hpp"
+#include "motion/curve/statistics.hpp"
 #include "motion/period.hpp"
-#include "motion/statistics.hpp"
 
 namespace stltsa::motion {
 namespace {

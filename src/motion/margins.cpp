@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "motion/extrema.hpp"
-#include "motion/smoothing.hpp"
-#include "motion/statistics.hpp"
+#include "motion/curve/extrema.hpp"
+#include "motion/curve/smoothing.hpp"
+#include "motion/curve/statistics.hpp"
 
 namespace stltsa::motion {
 namespace {

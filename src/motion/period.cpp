@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "linalg/simd.hpp"
-#include "motion/extrema.hpp"
+#include "motion/curve/extrema.hpp"
 
 namespace stltsa::motion {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "ltsa/warnings.hpp"
-#include "motion/drift.hpp"
+#include "motion/curve/drift.hpp"
 #include "motion/period.hpp"
 
 namespace stltsa::motion {

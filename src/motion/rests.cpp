@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "motion/statistics.hpp"
+#include "motion/curve/statistics.hpp"
 
 namespace stltsa::motion {
 namespace {

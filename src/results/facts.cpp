@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "results/facts.hpp"
 
-#include "clip/tpose.hpp"
+#include "clip/features/tpose.hpp"
 
 namespace stltsa::results {
 

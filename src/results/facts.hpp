@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "clip/clip.hpp"
-#include "clip/features.hpp"
+#include "clip/features/features.hpp"
 
 namespace stltsa::results {
 

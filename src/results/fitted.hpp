@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "clip/pose_code.hpp"
+#include "clip/features/pose_code.hpp"
 #include "ltsa/dimension.hpp"
 #include "ltsa/model.hpp"
 #include "results/parameters.hpp"

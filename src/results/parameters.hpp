@@ -6,7 +6,7 @@
 #include <span>
 
 #include "base/progress.hpp"
-#include "ltsa/mapping.hpp"
+#include "ltsa/mapping/mapping.hpp"
 #include "ltsa/parameters.hpp"
 #include "results/facts.hpp"
 

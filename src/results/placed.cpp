@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "base/parallel.hpp"
-#include "clip/prepare.hpp"
+#include "clip/features/prepare.hpp"
 #include "linalg/blas_threads.hpp"
 #include "ltsa/frames.hpp"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/progress.hpp"
-#include "ltsa/mapping.hpp"
+#include "ltsa/mapping/mapping.hpp"
 #include "results/fitted.hpp"
 
 namespace stltsa::results {

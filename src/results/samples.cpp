@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "clip/skeleton.hpp"
+#include "clip/body/skeleton.hpp"
 
 namespace stltsa::results {
 namespace {

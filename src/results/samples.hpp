@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/progress.hpp"
-#include "clip/prepare.hpp"
+#include "clip/features/prepare.hpp"
 #include "results/facts.hpp"
 
 namespace stltsa::results {

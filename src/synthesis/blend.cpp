@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "clip/angles.hpp"
-#include "clip/kinematics.hpp"
-#include "clip/skeleton.hpp"
+#include "clip/body/angles.hpp"
+#include "clip/body/kinematics.hpp"
+#include "clip/body/skeleton.hpp"
 #include "synthesis/root.hpp"
 
 namespace stltsa::synthesis {

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "clip/heading.hpp"
-#include "clip/quaternion.hpp"
-#include "clip/skeleton.hpp"
+#include "clip/body/heading.hpp"
+#include "clip/body/quaternion.hpp"
+#include "clip/body/skeleton.hpp"
 
 namespace stltsa::synthesis {
 namespace {

@@ -6,8 +6,8 @@
 #include <limits>
 #include <vector>
 
+#include "motion/curve/statistics.hpp"
 #include "motion/period.hpp"
-#include "motion/statistics.hpp"
 
 namespace stltsa::synthesis {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "linalg/simd.hpp"
-#include "motion/statistics.hpp"
+#include "motion/curve/statistics.hpp"
 
 namespace stltsa::synthesis {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "clip/angles.hpp"
+#include "clip/body/angles.hpp"
 
 namespace stltsa::synthesis {
 namespace {

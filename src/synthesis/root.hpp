@@ -5,9 +5,9 @@
 
 #include <vector>
 
-#include "clip/heading.hpp"
-#include "clip/skeleton.hpp"
-#include "clip/up_axis.hpp"
+#include "clip/body/heading.hpp"
+#include "clip/body/skeleton.hpp"
+#include "clip/body/up_axis.hpp"
 
 namespace stltsa::synthesis {
 

@@ -10,8 +10,8 @@
 
 #include "base/progress.hpp"
 #include "base/warning.hpp"
+#include "clip/body/up_axis.hpp"
 #include "clip/clip.hpp"
-#include "clip/up_axis.hpp"
 
 namespace stltsa::synthesis {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "clip/tpose.hpp"
+#include "clip/features/tpose.hpp"
 #include "linalg/simd.hpp"
 
 namespace stltsa::synthesis {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "text.hpp"
+#include "terminal/text.hpp"
 
 namespace tool::plot {
 namespace {

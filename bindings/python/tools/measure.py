@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Measures the overhead of the binding over C; scripts/measure-python runs it.
+"""Measures the overhead of the binding over C; measure/python runs it.
 
 Time: processor time of the thread, the least of several runs. C and Python calls alternate; on a
 busy machine their difference is larger than the overhead. The overhead is therefore measured

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "clip/features.hpp"
+#include "clip/body/quaternion.hpp"
+#include "clip/body/skeleton.hpp"
+#include "clip/features/features.hpp"
 #include "clip/formats.hpp"
-#include "clip/quaternion.hpp"
-#include "clip/skeleton.hpp"
 
 namespace stltsa::results {
 namespace {

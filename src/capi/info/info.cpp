@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "capi/info/info.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+#include "base/warning.hpp"
+#include "capi/boundary/guard.hpp"
+
+using namespace stltsa;
+using capi::guard;
+using capi::required;
+
+namespace {
+
+constexpr bool same(WarningCode code, int value) {
+    return static_cast<int>(code) == value;
+}
+static_assert(same(WarningCode::follows_time, STLTSA_WARNING_FOLLOWS_TIME) &&
+              same(WarningCode::rank_deficient, STLTSA_WARNING_RANK_DEFICIENT) &&
+              same(WarningCode::small_gap, STLTSA_WARNING_SMALL_GAP) &&
+              same(WarningCode::unscaled, STLTSA_WARNING_UNSCALED) &&
+              same(WarningCode::inaccurate, STLTSA_WARNING_INACCURATE) &&
+              same(WarningCode::disconnected, STLTSA_WARNING_DISCONNECTED) &&
+              same(WarningCode::jump, STLTSA_WARNING_JUMP) &&
+              same(WarningCode::separate_motion, STLTSA_WARNING_SEPARATE_MOTION) &&
+              same(WarningCode::offsets_differ, STLTSA_WARNING_OFFSETS_DIFFER) &&
+              same(WarningCode::resampled, STLTSA_WARNING_RESAMPLED) &&
+              same(WarningCode::seam_posture, STLTSA_WARNING_SEAM_POSTURE) &&
+              same(WarningCode::seam_speed, STLTSA_WARNING_SEAM_SPEED) &&
+              same(WarningCode::seam_acceleration, STLTSA_WARNING_SEAM_ACCELERATION) &&
+              same(WarningCode::not_blended, STLTSA_WARNING_NOT_BLENDED));
+
+const capi::InfoRow* row_of(const capi::InfoTable& table, int32_t key) {
+    for (const auto rows : {table.own, table.source, table.fit, table.warnings})
+        for (const capi::InfoRow& row : rows)
+            if (row.key == key)
+                return &row;
+    return nullptr;
+}
+
+const char* name_of(int32_t key) {
+    for (const stltsa_info_key& row : capi::info_keys())
+        if (row.key == key)
+            return row.name;
+    fail(Status::argument, "there is no info key {}; see stltsa_info_describe", key);
+}
+
+capi::Fact find(const stltsa_info& info, int32_t key, int64_t index) {
+    const char* name = name_of(key);
+    const capi::InfoRow* row = row_of(*info.table, key);
+    const int64_t count = row == nullptr ? 0 : row->count(info);
+    if (index < 0 || index >= count)
+        fail(Status::argument, "value {} of info {} does not exist: there are {} here", index, name,
+             count);
+    return row->value(info, static_cast<std::size_t>(index));
+}
+
+template <class T>
+stltsa_status get(const stltsa_info* info, int32_t key, int64_t index, T* value,
+                  const char* type) noexcept {
+    return guard([&] {
+        required(value, "value");
+        const capi::Fact found = find(required(info, "info"), key, index);
+        if (!std::holds_alternative<T>(found))
+            fail(Status::argument, "info {} is not {}", name_of(key), type);
+        *value = std::get<T>(found);
+    });
+}
+
+} // namespace
+
+int64_t stltsa_info_count(const stltsa_info* info, int32_t key) noexcept {
+    const capi::InfoRow* row = info == nullptr ? nullptr : row_of(*info->table, key);
+    return row == nullptr ? 0 : row->count(*info);
+}
+
+stltsa_status stltsa_info_int(const stltsa_info* info, int32_t key, int64_t index,
+                              int64_t* value) noexcept {
+    return get(info, key, index, value, "an integer");
+}
+
+stltsa_status stltsa_info_real(const stltsa_info* info, int32_t key, int64_t index,
+                               double* value) noexcept {
+    return get(info, key, index, value, "a real number");
+}
+
+stltsa_status stltsa_info_text(const stltsa_info* info, int32_t key, int64_t index,
+                               const char** value) noexcept {
+    return get(info, key, index, value, "a text");
+}
+
+int64_t stltsa_info_key_count(void) noexcept {
+    return static_cast<int64_t>(capi::info_keys().size());
+}
+
+stltsa_status stltsa_info_describe(int64_t index, stltsa_info_key* key) noexcept {
+    return guard([&] {
+        const std::size_t size = required(key, "key").size;
+        const auto keys = capi::info_keys();
+        if (index < 0 || index >= static_cast<int64_t>(keys.size()))
+            fail(Status::argument, "info index {} is not in 0 .. {}", index, keys.size() - 1);
+        // A caller built against a shorter struct gets the fields it knows.
+        if (size < sizeof(size_t) + 2 * sizeof(int32_t))
+            fail(Status::argument, "key->size is {}; set it to sizeof(stltsa_info_key)", size);
+        stltsa_info_key row = keys[static_cast<std::size_t>(index)];
+        for (const capi::InfoTable* table :
+             {&capi::clip_table, &capi::model_table, &capi::dimension_table,
+              &capi::decomposition_table, &capi::denoising_table, &capi::synthesis_table})
+            if (const capi::InfoRow* found = row_of(*table, row.key)) {
+                row.handles |= table->handle;
+                row.is_list = found->is_list ? 1 : 0;
+            }
+        row.size = size;
+        std::memcpy(key, &row, std::min(size, sizeof row));
+    });
+}

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "capi/json/parts.hpp"
+
+namespace stltsa::capi {
+namespace {
+
+Json parameters_json(const Denoised& denoised) {
+    const double fps = denoised.source.samples.fps;
+    const double step = denoised.options.knot_step;
+    return JsonObject(
+        "gamma", denoised.options.gamma < 0 ? Json(nullptr) : Json(denoised.options.gamma),
+        "knot_rows", step, "knot_s", fps > 0 ? Json(step / fps) : Json(nullptr), "robust",
+        denoised.options.robust, "period_min_s", json_positive_or_null(denoised.period.shortest),
+        "period_max_s", json_positive_or_null(denoised.period.longest));
+}
+
+Json column_json(const motion::DenoisedColumn& column) {
+    return JsonObject("gamma", column.gamma, "shift", column.shift, "noise", column.noise,
+                      "degrees_of_freedom", column.degrees_of_freedom, "moved", column.moved);
+}
+
+} // namespace
+
+std::string denoising_json(const Denoised& denoised) {
+    JsonObject object = json_head("denoising");
+    object.set("clip", json_clip(denoised.source));
+    JsonObject samples = json_samples(denoised.source.samples);
+    samples.set("lengths", denoised.lengths);
+    object.set("samples", samples);
+    object.set("fit", denoised.fit ? json_parameters(*denoised.fit, denoised.source.period)
+                                   : Json(nullptr));
+    object.set("period_s", json_positive_or_null(denoised.period.period));
+    object.set("parameters", parameters_json(denoised));
+    std::vector<Json> columns;
+    for (const motion::DenoisedColumn& column : denoised.result.columns)
+        columns.push_back(column_json(column));
+    object.set("columns", columns);
+    object.set("warnings", json_warnings(denoised.warnings));
+    return object.text();
+}
+
+} // namespace stltsa::capi

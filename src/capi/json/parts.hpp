@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Parts that the JSON objects of clips, models and decompositions share.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "capi/json/results.hpp"
+#include "capi/json/value.hpp"
+
+namespace stltsa::capi {
+
+using namespace results;
+
+/// {"format": "stltsa-<kind>/1", "library": "<version>"}: the head of every object.
+JsonObject json_head(const char* kind);
+
+Json json_string_or_null(const std::string& text);
+/// null for 0: how the library says "none" or "unknown" of a rate, a period, a dimension.
+Json json_positive_or_null(double value);
+Json json_count_or_null(std::int64_t value);
+
+const char* json_name(clip::Format format);
+const char* json_name(clip::Features features);
+const char* json_name(ltsa::Mode mode);
+Json json_axis(clip::Axis axis);
+
+/// `dropped`: frames at the start that are left out (T-pose).
+Json json_clip(const ClipFacts& clip, clip::Features features, std::int64_t dropped);
+/// null for a matrix and for several clips.
+Json json_clip(const Source& source);
+JsonObject json_samples(const SampleFacts& samples);
+/// The texts.
+Json json_warnings(std::span<const Warning> warnings);
+Json json_parameters(const ltsa::Parameters& parameters, const PeriodFacts& period);
+
+} // namespace stltsa::capi

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "capi/json/parts.hpp"
+
+namespace stltsa::capi {
+namespace {
+
+Json made_clip(const clip::Clip& clip) {
+    return JsonObject("format", json_name(clip.format), "frames", clip.frames(), "fps", clip.fps,
+                      "duration_s", static_cast<double>(clip.frames()) / clip.fps);
+}
+
+Json pieces_json(std::span<const PieceFacts> pieces) {
+    std::vector<Json> list;
+    for (const PieceFacts& piece : pieces)
+        list.push_back(JsonObject("path", json_string_or_null(piece.path), "begin", piece.begin,
+                                  "end", piece.end, "repeat", piece.repeat));
+    return list;
+}
+
+/// null where the value was chosen for each seam.
+Json chosen_or(double value) {
+    return value < 0 ? Json(nullptr) : Json(value);
+}
+
+Json seams_json(const std::vector<synthesis::Seam>& seams, double fps) {
+    std::vector<Json> list;
+    for (const synthesis::Seam& seam : seams)
+        list.push_back(JsonObject(
+            "frame", seam.frame, "time_s", static_cast<double>(seam.frame) / fps, "piece",
+            seam.piece, "next", seam.next, "cut_end", seam.cut_end, "cut_begin", seam.cut_begin,
+            "crossfade", seam.crossfade, "crossfade_s", static_cast<double>(seam.crossfade) / fps,
+            "posture", seam.posture, "step", seam.step, "acceleration", seam.acceleration));
+    return list;
+}
+
+} // namespace
+
+std::string synthesis_json(const clip::Clip& clip, const Synthesized& synthesized) {
+    const synthesis::Synthesis& made = synthesized.result;
+    JsonObject object = json_head("synthesis");
+    object.set("clip", made_clip(clip));
+    object.set("pieces", pieces_json(synthesized.pieces));
+    object.set("parameters",
+               JsonObject("crossfade_s", chosen_or(synthesized.options.crossfade), "cut_range_s",
+                          chosen_or(synthesized.options.search), "posture_limit",
+                          json_positive_or_null(synthesized.options.posture_limit), "up_axis",
+                          json_axis(made.up)));
+    object.set("seams", seams_json(made.seams, clip.fps));
+    object.set("warnings", json_warnings(made.warnings));
+    return object.text();
+}
+
+} // namespace stltsa::capi

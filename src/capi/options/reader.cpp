@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "capi/options/reader.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+#include "base/parallel.hpp"
+#include "capi/boundary/guard.hpp"
+#include "capi/options/table.hpp"
+
+namespace stltsa::capi {
+namespace {
+
+double number(const stltsa_options* options, const stltsa_option_info& row) {
+    if (options != nullptr)
+        if (const auto found = options->numbers.find(row.key); found != options->numbers.end())
+            return found->second;
+    return row.standard;
+}
+
+/// The comparison is false for NaN, which is so refused.
+void set_number(stltsa_options& options, int32_t key, int32_t type, double value) {
+    const auto& row = option_row(key, type);
+    if (!(value >= row.minimum && value <= row.maximum))
+        fail(Status::argument, "option {} is {}; it must be from {} to {}", row.name, value,
+             row.minimum, row.maximum);
+    // A real number's -1 stands alone: it means "choose for me", and its like would be a mistake.
+    if (row.type == STLTSA_TYPE_REAL && value < 0 && value != row.minimum)
+        fail(Status::argument, "option {} is {}; it must be {}, or from 0 to {}", row.name, value,
+             row.minimum, row.maximum);
+    options.numbers[key] = value;
+}
+
+constexpr bool same_features(clip::Features features, int value) {
+    return static_cast<int>(features) == value;
+}
+static_assert(same_features(clip::Features::automatic, STLTSA_FEATURES_AUTO) &&
+              same_features(clip::Features::positions, STLTSA_FEATURES_POSITIONS) &&
+              same_features(clip::Features::rotations6d, STLTSA_FEATURES_ROTATIONS6D) &&
+              same_features(clip::Features::euler, STLTSA_FEATURES_EULER) &&
+              same_features(clip::Features::raw, STLTSA_FEATURES_RAW));
+constexpr bool same_mode(ltsa::Mode mode, int value) {
+    return static_cast<int>(mode) == value;
+}
+static_assert(same_mode(ltsa::Mode::temporal, STLTSA_MODE_TEMPORAL) &&
+              same_mode(ltsa::Mode::spatial, STLTSA_MODE_SPATIAL) &&
+              same_mode(ltsa::Mode::recurrent, STLTSA_MODE_RECURRENT));
+
+} // namespace
+
+std::int64_t OptionsReader::integer(int32_t key) const {
+    return static_cast<std::int64_t>(number(options_, option_row(key, STLTSA_TYPE_INT)));
+}
+
+double OptionsReader::real(int32_t key) const {
+    return number(options_, option_row(key, STLTSA_TYPE_REAL));
+}
+
+const char* OptionsReader::text(int32_t key) const {
+    option_row(key, STLTSA_TYPE_TEXT);
+    if (options_ != nullptr)
+        if (const auto found = options_->texts.find(key); found != options_->texts.end())
+            return found->second.c_str();
+    return "";
+}
+
+Progress OptionsReader::progress() const {
+    if (options_ == nullptr || options_->progress == nullptr)
+        return {};
+    return {tell, const_cast<OptionsReader*>(this)};
+}
+
+std::int32_t OptionsReader::tell(void* reader, std::int32_t stage, double fraction) {
+    const auto& self = *static_cast<const OptionsReader*>(reader);
+    self.furthest_ = std::max(self.furthest_, std::pair(stage, fraction));
+    return self.options_->progress(self.options_->progress_user, self.furthest_.first,
+                                   self.furthest_.second);
+}
+
+int OptionsReader::threads() const {
+    return thread_count(integer(STLTSA_OPT_THREADS));
+}
+
+clip::ReadOptions OptionsReader::read_options() const {
+    clip::ReadOptions read;
+    read.fps = real(STLTSA_OPT_FPS);
+    read.skeleton = text(STLTSA_OPT_SKELETON);
+    read.progress = progress();
+    return read;
+}
+
+clip::PrepareOptions OptionsReader::prepare_options() const {
+    clip::PrepareOptions prepare;
+    prepare.features = static_cast<clip::Features>(integer(STLTSA_OPT_FEATURES));
+    prepare.up = static_cast<clip::Axis>(integer(STLTSA_OPT_UP_AXIS));
+    prepare.rate = real(STLTSA_OPT_SAMPLE_RATE);
+    prepare.smoothing = real(STLTSA_OPT_SMOOTHING);
+    prepare.drop_tpose = integer(STLTSA_OPT_KEEP_START) == 0;
+    return prepare;
+}
+
+ltsa::DimensionOptions OptionsReader::dimension_options() const {
+    return {real(STLTSA_OPT_EIGENGAP), real(STLTSA_OPT_VARIANCE)};
+}
+
+motion::DecomposeOptions OptionsReader::decompose_options() const {
+    motion::DecomposeOptions decompose;
+    decompose.neighbors = integer(STLTSA_OPT_NEIGHBORS);
+    decompose.window = integer(STLTSA_OPT_WINDOW);
+    decompose.dimension = static_cast<int>(integer(STLTSA_OPT_DIMENSION));
+    decompose.mode = static_cast<ltsa::Mode>(integer(STLTSA_OPT_MODE));
+    const results::PeriodSearch search = period_search();
+    decompose.shortest_period = search.shortest;
+    decompose.longest_period = search.longest;
+    if (integer(STLTSA_OPT_DIMENSION_ESTIMATE) != 0)
+        decompose.estimate = dimension_options();
+    decompose.threads = threads();
+    return decompose;
+}
+
+results::PeriodSearch OptionsReader::period_search() const {
+    const results::PeriodSearch search = {real(STLTSA_OPT_PERIOD_MIN), real(STLTSA_OPT_PERIOD_MAX)};
+    if (search.shortest > search.longest)
+        fail(Status::argument, "option period_min is {} s, longer than option period_max, {} s",
+             search.shortest, search.longest);
+    return search;
+}
+
+results::FitOptions OptionsReader::fit_options() const {
+    results::FitOptions fit;
+    fit.neighbors = integer(STLTSA_OPT_NEIGHBORS);
+    fit.window = integer(STLTSA_OPT_WINDOW);
+    fit.exclusion = integer(STLTSA_OPT_EXCLUSION);
+    fit.links = integer(STLTSA_OPT_LINKS);
+    fit.dimension = static_cast<int>(integer(STLTSA_OPT_DIMENSION));
+    fit.mode = static_cast<ltsa::Mode>(integer(STLTSA_OPT_MODE));
+    fit.include_self = integer(STLTSA_OPT_INCLUDE_SELF) != 0;
+    fit.search = period_search();
+    fit.threads = threads();
+    return fit;
+}
+
+results::MapOptions OptionsReader::map_options(const ltsa::Parameters& fitted) const {
+    const ltsa::MapParameters asked = {integer(STLTSA_OPT_MAP_NEIGHBORS),
+                                       integer(STLTSA_OPT_MAP_BLEND),
+                                       integer(STLTSA_OPT_HINT_WINDOW)};
+    return {results::choose_map_parameters(asked, fitted), threads(), progress()};
+}
+
+results::DenoiseOptions OptionsReader::denoise_options() const {
+    return {real(STLTSA_OPT_GAMMA), real(STLTSA_OPT_KNOT_SPACING), integer(STLTSA_OPT_ROBUST) != 0,
+            period_search()};
+}
+
+synthesis::Options OptionsReader::synthesis_options() const {
+    return {real(STLTSA_OPT_CROSSFADE), real(STLTSA_OPT_CUT_RANGE), real(STLTSA_OPT_POSTURE_LIMIT),
+            prepare_options().up};
+}
+
+} // namespace stltsa::capi
+
+using namespace stltsa;
+using capi::guard;
+using capi::required;
+
+int64_t stltsa_option_count(void) noexcept {
+    return static_cast<int64_t>(capi::options_table().size());
+}
+
+stltsa_status stltsa_option_describe(int64_t index, stltsa_option_info* info) noexcept {
+    return guard([&] {
+        const std::size_t size = required(info, "info").size;
+        const auto table = capi::options_table();
+        if (index < 0 || index >= static_cast<int64_t>(table.size()))
+            fail(Status::argument, "option index {} is not in 0 .. {}", index, table.size() - 1);
+        // A caller built against a shorter struct gets the fields it knows.
+        if (size < sizeof(size_t) + 2 * sizeof(int32_t))
+            fail(Status::argument, "info->size is {}; set it to sizeof(stltsa_option_info)", size);
+        stltsa_option_info row = table[static_cast<std::size_t>(index)];
+        row.size = size;
+        std::memcpy(info, &row, std::min(size, sizeof row));
+    });
+}
+
+stltsa_status stltsa_options_new(stltsa_options** options) noexcept {
+    return guard([&] { required(options, "options") = nullptr, *options = new stltsa_options; });
+}
+
+void stltsa_options_free(stltsa_options* options) noexcept {
+    delete options;
+}
+
+stltsa_status stltsa_options_set_int(stltsa_options* options, int32_t key, int64_t value) noexcept {
+    return guard([&] {
+        capi::set_number(required(options, "options"), key, STLTSA_TYPE_INT,
+                         static_cast<double>(value));
+    });
+}
+
+stltsa_status stltsa_options_set_real(stltsa_options* options, int32_t key, double value) noexcept {
+    return guard(
+        [&] { capi::set_number(required(options, "options"), key, STLTSA_TYPE_REAL, value); });
+}
+
+stltsa_status stltsa_options_set_text(stltsa_options* options, int32_t key,
+                                      const char* value) noexcept {
+    return guard([&] {
+        capi::option_row(key, STLTSA_TYPE_TEXT);
+        required(options, "options").texts[key] = &required(value, "value");
+    });
+}
+
+stltsa_status stltsa_options_get_int(const stltsa_options* options, int32_t key,
+                                     int64_t* value) noexcept {
+    return guard([&] { required(value, "value") = capi::OptionsReader(options).integer(key); });
+}
+
+stltsa_status stltsa_options_get_real(const stltsa_options* options, int32_t key,
+                                      double* value) noexcept {
+    return guard([&] { required(value, "value") = capi::OptionsReader(options).real(key); });
+}
+
+stltsa_status stltsa_options_get_text(const stltsa_options* options, int32_t key,
+                                      const char** value) noexcept {
+    return guard([&] { required(value, "value") = capi::OptionsReader(options).text(key); });
+}
+
+stltsa_status stltsa_options_set_progress(stltsa_options* options, stltsa_progress_fn progress,
+                                          void* user) noexcept {
+    return guard([&] {
+        required(options, "options").progress = progress;
+        options->progress_user = user;
+    });
+}

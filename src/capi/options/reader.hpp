@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The options handle and what the rooms' parameter structs become from it.
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+
+#include "base/progress.hpp"
+#include "clip/features/prepare.hpp"
+#include "motion/decomposition.hpp"
+#include "results/denoised.hpp"
+#include "results/parameters.hpp"
+#include "results/placed.hpp"
+#include "stltsa.h"
+#include "synthesis/synthesis.hpp"
+
+/// Only what was set; the rest is the table's default.
+struct stltsa_options {
+    std::map<int32_t, double> numbers;
+    std::map<int32_t, std::string> texts;
+    stltsa::Progress::Callback progress = nullptr;
+    void* progress_user = nullptr;
+};
+
+namespace stltsa::capi {
+
+/// Reads options; a null handle reads defaults.
+class OptionsReader {
+  public:
+    explicit OptionsReader(const stltsa_options* options) : options_(options) {}
+
+    std::int64_t integer(int32_t key) const;
+    double real(int32_t key) const;
+    const char* text(int32_t key) const;
+    /// Valid as long as the reader. What it tells the caller never goes back, whatever comes in.
+    Progress progress() const;
+
+    clip::ReadOptions read_options() const;
+    clip::PrepareOptions prepare_options() const;
+    ltsa::DimensionOptions dimension_options() const;
+    motion::DecomposeOptions decompose_options() const;
+    results::PeriodSearch period_search() const;
+    results::FitOptions fit_options() const;
+    /// For a model with these parameters.
+    results::MapOptions map_options(const ltsa::Parameters& fitted) const;
+    results::DenoiseOptions denoise_options() const;
+    synthesis::Options synthesis_options() const;
+    int threads() const;
+
+  private:
+    static std::int32_t tell(void* reader, std::int32_t stage, double fraction);
+
+    const stltsa_options* options_;
+    mutable std::pair<std::int32_t, double> furthest_{0, 0}; ///< stage and fraction
+};
+
+} // namespace stltsa::capi

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "clip/body/heading.hpp"
+
+#include "clip/body/skeleton.hpp"
+#include "clip/body/up_axis.hpp"
+#include <algorithm>
+#include <optional>
+
+namespace stltsa::clip {
+namespace {
+
+Quaternion about(int axis, double w, double v) {
+    return {w, axis == 0 ? v : 0, axis == 1 ? v : 0, axis == 2 ? v : 0};
+}
+
+/// Squared length of the twist: 1 for a rotation about the axis only, 0 upside down.
+double twist_size(const Quaternion& q, int axis) {
+    const double v = component(q, axis);
+    return q.w * q.w + v * v;
+}
+
+/// Whether the root's axes are upside down most of the time.
+bool is_inverted(const Clip& clip, std::size_t root, int up) {
+    // Axes at right angles to the world's give 1, 1/2 or 0.
+    constexpr double threshold = 0.25;
+    double sum = 0;
+    Pose pose;
+    for (std::int64_t frame = 0; frame < clip.frames(); ++frame) {
+        pose.place(*clip.skeleton, clip.values.row(frame), root + 1);
+        sum += twist_size(pose.world[root], up);
+    }
+    return sum < threshold * static_cast<double>(clip.frames());
+}
+
+bool is_constant(const Matrix& values, std::int64_t column) {
+    for (std::int64_t frame = 1; frame < values.rows(); ++frame)
+        if (values(frame, column) != values(0, column))
+            return false;
+    return true;
+}
+
+} // namespace
+
+std::size_t body_root(const Clip& clip) {
+    const std::vector<Joint>& joints = clip.skeleton->joints;
+    std::int64_t column = 0;
+    std::optional<std::size_t> moving;
+    for (std::size_t j = 0; j < joints.size(); ++j) {
+        const auto children = std::count_if(joints.begin(), joints.end(), [j](const Joint& joint) {
+            return joint.parent == static_cast<int>(j);
+        });
+        for (const Channel channel : joints[j].channels) {
+            if (is_constant(clip.values, column++))
+                continue;
+            if (is_rotation(channel))
+                return j;
+            if (!moving)
+                moving = j;
+        }
+        if (children != 1)
+            break;
+    }
+    return moving.value_or(0);
+}
+
+Heading::Heading(const Clip& clip, std::size_t root, Axis up)
+    : root_(root), up_(static_cast<int>(up) - 1) {
+    if (is_inverted(clip, root, up_))
+        correction_ = about((up_ + 1) % 3, 0, 1);
+}
+
+Quaternion Heading::next(const Pose& pose) {
+    if (up_ < 0)
+        return yaw_;
+    const Quaternion q = pose.world[root_] * correction_;
+    const double size = twist_size(q, up_);
+    constexpr double undefined = 1e-6; // within a tenth of a degree of upside down
+    if (size > undefined)
+        yaw_ = about(up_, q.w / std::sqrt(size), component(q, up_) / std::sqrt(size));
+    return yaw_;
+}
+
+} // namespace stltsa::clip

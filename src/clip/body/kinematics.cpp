@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "clip/body/kinematics.hpp"
+
+#include "clip/body/skeleton.hpp"
+
+namespace stltsa::clip {
+
+Quaternion joint_rotation(const Joint& joint, bool fixed_axes, const double* values) {
+    Quaternion product;
+    for (std::size_t c = 0; c < joint.channels.size(); ++c) {
+        if (!is_rotation(joint.channels[c]))
+            continue;
+        const Quaternion turn =
+            axis_rotation(channel_axis(joint.channels[c]), to_radians(values[c]));
+        product = fixed_axes ? turn * product : product * turn;
+    }
+    return joint.axis * product * conjugate(joint.axis);
+}
+
+namespace {
+
+/// Position of the joint in its parent's axes.
+Vec3 joint_translation(const Joint& joint, bool translations_add, const double* values) {
+    Vec3 offset = joint.offset;
+    for (std::size_t c = 0; c < joint.channels.size(); ++c) {
+        if (is_rotation(joint.channels[c]))
+            continue;
+        const auto axis = static_cast<std::size_t>(channel_axis(joint.channels[c]));
+        offset[axis] = values[c] + (translations_add ? joint.offset[axis] : 0);
+    }
+    return offset;
+}
+
+} // namespace
+
+void Pose::place(const Skeleton& skeleton, const double* row, std::size_t count) {
+    local.resize(count);
+    world.resize(count);
+    position.resize(count);
+    for (std::size_t j = 0; j < count; ++j) {
+        const Joint& joint = skeleton.joints[j];
+        local[j] = joint_rotation(joint, skeleton.fixed_axes, row);
+        const Vec3 offset = joint_translation(joint, skeleton.translations_add, row);
+        row += joint.channels.size();
+        if (joint.parent < 0) {
+            world[j] = local[j];
+            position[j] = offset;
+        } else {
+            const auto parent = static_cast<std::size_t>(joint.parent);
+            world[j] = world[parent] * local[j];
+            position[j] = position[parent] + rotate(world[parent], offset);
+        }
+    }
+}
+
+} // namespace stltsa::clip

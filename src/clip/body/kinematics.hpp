@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Forward kinematics: from a row of channel values to rotations and positions.
+#pragma once
+
+#include <numbers>
+#include <vector>
+
+#include "clip/body/quaternion.hpp"
+
+namespace stltsa::clip {
+
+inline double to_radians(double degrees) {
+    return degrees * (std::numbers::pi / 180);
+}
+
+/// A joint's local rotation: the product of its rotation channels.
+Quaternion joint_rotation(const Joint& joint, bool fixed_axes, const double* values);
+
+/// One frame of a skeleton; each vector has one entry per joint.
+struct Pose {
+    std::vector<Quaternion> local; ///< child axes to parent axes
+    std::vector<Quaternion> world; ///< child axes to world axes
+    std::vector<Vec3> position;    ///< in the world
+
+    /// Computes the first `count` joints from `row`, which has one value per channel.
+    void place(const Skeleton& skeleton, const double* row, std::size_t count);
+    void place(const Skeleton& skeleton, const double* row) {
+        place(skeleton, row, skeleton.joints.size());
+    }
+};
+
+} // namespace stltsa::clip

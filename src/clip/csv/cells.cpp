@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "clip/csv/cells.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "clip/text/number.hpp"
+#include "clip/text/text_cursor.hpp"
+
+namespace stltsa::clip {
+namespace {
+
+constexpr std::string_view blanks = " \t";
+
+std::size_t skip_blanks(std::string_view line, std::size_t from, char separator) {
+    while (from < line.size() && line[from] != separator && blanks.find(line[from]) != blanks.npos)
+        ++from;
+    return from;
+}
+
+/// Position of the quote that closes the one before `from`; skips doubled quotes.
+std::size_t closing_quote(std::string_view line, std::size_t from) {
+    std::size_t quote = line.find('"', from);
+    while (quote != line.npos && line.substr(quote).starts_with("\"\""))
+        quote = line.find('"', quote + 2);
+    return quote;
+}
+
+} // namespace
+
+char find_separator(std::string_view line) {
+    const bool tabs = trim(line).find('\t') != line.npos && line.find(",\t") == line.npos;
+    const char separator = line.find(';') != line.npos   ? ';'
+                           : tabs                        ? '\t'
+                           : line.find(',') != line.npos ? ','
+                                                         : ' ';
+    // "1,5 2,5": numbers do not contain blanks, so these are decimal commas.
+    const auto cells = split_cells(line, separator);
+    const bool too_long = cells && std::any_of(cells->begin(), cells->end(), [](auto cell) {
+                              return cell.find_first_of(blanks) != cell.npos;
+                          });
+    return too_long ? ' ' : separator;
+}
+
+std::optional<std::vector<std::string_view>> split_cells(std::string_view line, char separator) {
+    const std::string_view ends = separator == ' ' ? blanks : std::string_view(&separator, 1);
+    if (separator == ' ')
+        line = trim(line);
+    std::vector<std::string_view> cells;
+    for (std::size_t begin = 0;;) {
+        begin = skip_blanks(line, begin, separator == ' ' ? '\0' : separator);
+        std::size_t end = 0;
+        if (begin < line.size() && line[begin] == '"') {
+            const std::size_t quote = closing_quote(line, begin + 1);
+            end = quote == line.npos ? quote : line.find_first_of(ends, quote);
+            if (quote == line.npos || !trim(line.substr(quote + 1, end - quote - 1)).empty())
+                return std::nullopt;
+            cells.push_back(trim(line.substr(begin + 1, quote - begin - 1)));
+        } else {
+            end = line.find_first_of(ends, begin);
+            cells.push_back(trim(line.substr(begin, end - begin)));
+        }
+        if (end == line.npos)
+            return cells;
+        begin = end + 1;
+    }
+}
+
+bool is_gap(std::string_view cell) {
+    constexpr std::string_view words[] = {"", "nan", "na", "n/a", "null", "none", "-"};
+    return std::any_of(std::begin(words), std::end(words),
+                       [cell](std::string_view word) { return equals_ignoring_case(cell, word); });
+}
+
+std::optional<double> parse_cell(std::string_view cell) {
+    const std::size_t comma = cell.find(',');
+    if (comma == cell.npos)
+        return parse_number(cell);
+    std::string text(cell);
+    text[comma] = '.'; // with thousands separators the text is then not a number
+    return parse_number(text);
+}
+
+} // namespace stltsa::clip

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "clip/csv/time_column.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "clip/text/number.hpp"
+#include "clip/text/text_cursor.hpp"
+
+namespace stltsa::clip {
+namespace {
+
+/// Range of plausible rates, wider than those of motion capture.
+constexpr double least_rate = 2;
+constexpr double most_rate = 1e5;
+
+/// "Time (ms)" -> "timems".
+std::string letters_of(std::string_view name) {
+    std::string letters = to_lower(name);
+    std::erase_if(letters, [](char c) { return c < 'a' || c > 'z'; });
+    return letters;
+}
+
+/// Seconds per unit of a time column; 0 if the name does not mean time.
+double time_unit(std::string_view name) {
+    struct Unit {
+        std::string_view name;
+        double seconds;
+    };
+    constexpr Unit units[] = {
+        {"time", 1},        {"times", 1},         {"timesec", 1},     {"timesecs", 1},
+        {"timeseconds", 1}, {"timestamp", 1},     {"t", 1},           {"ts", 1},
+        {"seconds", 1},     {"timems", 1e-3},     {"timemsec", 1e-3}, {"tms", 1e-3},
+        {"timeus", 1e-6},   {"timestampms", 1e-3}};
+    const std::string letters = letters_of(name);
+    for (const Unit& unit : units)
+        if (letters == unit.name)
+            return unit.seconds;
+    return 0;
+}
+
+bool counts_frames(std::string_view name, bool is_first) {
+    constexpr std::string_view words[] = {"frame",      "frames", "frameno", "framenumber",
+                                          "frameindex", "index",  "sample"};
+    const std::string letters = letters_of(name);
+    return (is_first && trim(name).empty()) ||
+           std::find(std::begin(words), std::end(words), letters) != std::end(words);
+}
+
+/// Differences between consecutive rows of a column.
+struct Steps {
+    double least, median, most, mean;
+
+    Steps(const Matrix& values, std::int64_t column) {
+        std::vector<double> steps;
+        for (std::int64_t i = 0; i + 1 < values.rows(); ++i)
+            steps.push_back(values(i + 1, column) - values(i, column));
+        std::sort(steps.begin(), steps.end());
+        least = steps.front();
+        median = steps[steps.size() / 2];
+        most = steps.back();
+        mean = (values(values.rows() - 1, column) - values(0, column)) /
+               static_cast<double>(steps.size());
+    }
+
+    /// Even except for times rounded to a few digits. A missing row would cause a double step.
+    bool even() const { return least >= 0.5 * median && most <= 1.5 * median; }
+    /// Consecutive integers such as 5, 6, 7.
+    bool count() const { return least == 1 && most == 1; }
+};
+
+/// Removes all other columns.
+void keep_columns(Clip& clip, const std::vector<std::int64_t>& columns) {
+    const Matrix from = std::move(clip.values);
+    const std::vector<std::string> names = std::move(clip.channel_names);
+    clip.values = Matrix::unset(from.rows(), std::ssize(columns));
+    clip.channel_names.clear();
+    for (const std::int64_t column : columns)
+        clip.channel_names.push_back(names[static_cast<std::size_t>(column)]);
+    for (std::int64_t i = 0; i < from.rows(); ++i)
+        std::transform(columns.begin(), columns.end(), clip.values.row(i),
+                       [row = from.row(i)](std::int64_t column) { return row[column]; });
+}
+
+/// Whether the column counts frames and is therefore not a channel.
+bool take_count(Clip& clip, std::int64_t column) {
+    const std::string title = quoted(clip.channel_names[static_cast<std::size_t>(column)]);
+    const Steps steps(clip.values, column);
+    const bool counts = steps.count();
+    clip.notes.push_back(
+        counts ? format_text("column {} counts frames: not a channel", title)
+               : format_text("column {} does not count frames: kept as a channel", title));
+    return counts;
+}
+
+/// Whether the column is time and therefore not a channel; sets the frame rate.
+bool take_time(Clip& clip, std::int64_t column, double unit, const std::string& name,
+               const ReadOptions& options) {
+    const std::string title = quoted(clip.channel_names[static_cast<std::size_t>(column)]);
+    const Steps steps(clip.values, column);
+    if (!(steps.least > 0)) {
+        clip.notes.push_back(format_text("column {} does not increase: kept as a channel", title));
+        return false;
+    }
+    const double rate = rate_of(steps.mean * unit);
+    const bool plausible = rate >= least_rate && rate <= most_rate;
+    if (options.fps == 0 && !plausible && steps.count())
+        return take_count(clip, column);
+    if (options.fps == 0 && !plausible) {
+        clip.notes.push_back(format_text(
+            "column {} as time would give {:.3g} frames a second: kept as a channel; if it is "
+            "time, put its unit into the name, as in 'time (ms)', or set option fps",
+            title, rate));
+        return false;
+    }
+    if (!steps.even() && options.fps == 0)
+        fail(Status::format,
+             "{}: the steps of column {} range from {} to {}: resample to a constant rate, or set "
+             "option fps to treat the rows as evenly spaced",
+             name, title, steps.least, steps.most);
+    clip.fps = rate;
+    clip.notes.push_back(format_text("column {} is time, not a channel", title));
+    return true;
+}
+
+void note_unnamed_time(Clip& clip) {
+    const Steps steps(clip.values, 0);
+    if (steps.least > 0 && steps.most - steps.least <= 1e-3 * steps.mean)
+        clip.notes.push_back("column 1 increases by equal steps: if it is time or a frame number, "
+                             "remove it, or name it so in a header line");
+}
+
+} // namespace
+
+void extract_time(Clip& clip, const std::string& name, const ReadOptions& options) {
+    if (clip.values.rows() < 2)
+        return;
+    if (clip.channel_names.empty())
+        return note_unnamed_time(clip);
+    std::vector<std::int64_t> kept;
+    for (std::int64_t column = 0; column < clip.values.cols(); ++column) {
+        const std::string& title = clip.channel_names[static_cast<std::size_t>(column)];
+        const double unit = time_unit(title);
+        const bool taken = unit > 0
+                               ? take_time(clip, column, unit, name, options)
+                               : counts_frames(title, kept.empty()) && take_count(clip, column);
+        if (!taken)
+            kept.push_back(column);
+    }
+    if (kept.empty())
+        fail(Status::format, "{}: there is no channel besides time and frame numbers", name);
+    if (std::ssize(kept) < clip.values.cols())
+        keep_columns(clip, kept);
+}
+
+} // namespace stltsa::clip

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Features: the input matrix X of STLTSA (paper, Table 1), computed from poses.
+#pragma once
+
+#include <cstdint>
+
+#include "clip/body/heading.hpp"
+#include "clip/body/up_axis.hpp"
+#include "clip/clip.hpp"
+
+namespace stltsa::clip {
+
+/// Same values as STLTSA_FEATURES_* (checked in capi).
+enum class Features : std::int32_t {
+    automatic = 0,   ///< positions if there is a skeleton, else raw
+    positions = 1,   ///< joints and end sites, root position and root yaw removed
+    rotations6d = 2, ///< two columns of each local rotation matrix, root yaw removed
+    euler = 3,       ///< the file's rotation channels below the root, radians, unwrapped
+    raw = 4,         ///< the values of the file, unchanged
+};
+
+/// World positions of every joint and end site: frames x (3 * joints), file units.
+Matrix positions(const Clip& clip);
+
+/// Local rotation of every joint: frames x (4 * joints), w x y z, continuous sign over time.
+Matrix rotations(const Clip& clip);
+
+/// The kind used: replaces `automatic`. Status::unsupported if a skeleton is needed and missing.
+Features feature_kind(const Clip& clip, Features requested);
+
+/// Number of columns of these features; Status::unsupported if there are none.
+std::int64_t feature_count(const Clip& clip, Features requested);
+
+/// Features of every frame of the file, without smoothing or decimation.
+Matrix features(const Clip& clip, Features kind, Axis up);
+
+/// Features of a clip whose body root and heading are known; not Features::automatic.
+Matrix body_features(const Clip& clip, Features kind, Heading heading);
+
+} // namespace stltsa::clip

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "clip/features/prepare.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "clip/features/features.hpp"
+#include "clip/features/jump.hpp"
+#include "clip/features/tpose.hpp"
+#include "linalg/gaussian.hpp"
+
+namespace stltsa::clip {
+namespace {
+
+std::int64_t dropped_frames(const Clip& clip, const Matrix& features, bool drop_tpose) {
+    return drop_tpose && clip.skeleton ? tpose_frames(features.view()) : 0;
+}
+
+ConstMatrixView from_row(const Matrix& matrix, std::int64_t first) {
+    return matrix.view().block(first, matrix.rows() - first);
+}
+
+} // namespace
+
+Prepared prepare(const Clip& clip, const PrepareOptions& options) {
+    if (clip.frames() == 0)
+        fail(Status::too_few_frames, "the clip has no frames");
+    Prepared prepared;
+    prepared.features = feature_kind(clip, options.features);
+    prepared.up = clip.skeleton ? up_axis(clip, options.up) : Axis::automatic;
+    Matrix all = features(clip, prepared.features, prepared.up);
+    prepared.first = dropped_frames(clip, all, options.drop_tpose);
+    const ConstMatrixView kept = from_row(all, prepared.first);
+    if (const std::int64_t jump = find_jump(kept); jump > 0)
+        prepared.jump = prepared.first + jump;
+    // Decimation and smoothing are in seconds, so they need a frame rate.
+    if (clip.fps > 0 && options.rate > 0)
+        prepared.step = static_cast<std::int64_t>(
+            std::clamp(std::round(clip.fps / options.rate), 1.0, static_cast<double>(all.rows())));
+    prepared.fps = clip.fps / static_cast<double>(prepared.step);
+    const double sigma = options.smoothing * clip.fps;
+    if (sigma > 0 || prepared.step > 1)
+        prepared.samples = gaussian_smoothed(kept, sigma, Beyond::reflection, prepared.step);
+    else
+        prepared.samples = prepared.first == 0 ? std::move(all) : copied(kept);
+    return prepared;
+}
+
+Matrix smoothed_features(const Clip& clip, Features kind, Axis up, double smoothing,
+                         bool drop_tpose) {
+    const Matrix all = features(clip, kind, up);
+    const std::int64_t first = dropped_frames(clip, all, drop_tpose);
+    const Matrix smoothed =
+        gaussian_smoothed(from_row(all, first), smoothing * clip.fps, Beyond::reflection);
+    Matrix result = copied(all.view());
+    std::copy_n(smoothed.data(), smoothed.rows() * smoothed.cols(), result.row(first));
+    return result;
+}
+
+} // namespace stltsa::clip

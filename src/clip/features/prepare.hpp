@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Turns a clip into the samples that are fitted.
+#pragma once
+
+#include <cstdint>
+
+#include "clip/clip.hpp"
+#include "clip/features/features.hpp"
+
+namespace stltsa::clip {
+
+struct PrepareOptions {
+    Features features = Features::automatic;
+    Axis up = Axis::automatic;
+    double rate = 30;        ///< keep every round(fps / rate)-th frame; 0: keep all
+    double smoothing = 0.05; ///< sigma of the Gaussian on the features in seconds; 0: none
+    bool drop_tpose = true;  ///< only if there is a skeleton
+};
+
+/// Working samples of a clip: sample i is source frame first + i * step.
+struct Prepared {
+    Matrix samples;
+    double fps = 0;         ///< of the samples
+    std::int64_t first = 0; ///< number of T-pose frames dropped at the start
+    std::int64_t step = 1;
+    std::int64_t jump = 0; ///< source frame before which the pose jumps; 0: it does not
+    Features features = Features::automatic; ///< the kind used
+    Axis up = Axis::automatic;               ///< the axis used
+};
+
+Prepared prepare(const Clip& clip, const PrepareOptions& options);
+
+/// Features of every frame of the file, smoothed as by prepare(), whose samples are the rows first,
+/// first + step, ... of the result. T-pose frames that prepare() drops are not smoothed.
+/// `smoothing`: as in PrepareOptions.
+Matrix smoothed_features(const Clip& clip, Features kind, Axis up, double smoothing,
+                         bool drop_tpose);
+
+} // namespace stltsa::clip

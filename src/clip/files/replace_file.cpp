@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "clip/files/replace_file.hpp"
+
+#include <cerrno>
+#include <cstdio>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace stltsa::clip {
+namespace {
+
+namespace fs = std::filesystem;
+
+void require(bool done) {
+    if (!done)
+        throw std::system_error(errno, std::generic_category());
+}
+
+class Descriptor {
+  public:
+    Descriptor(const std::string& path, int flags, mode_t mode = 0)
+        : number_(::open(path.c_str(), flags | O_CLOEXEC, mode)) {
+        require(number_ >= 0);
+    }
+    ~Descriptor() {
+        if (number_ >= 0)
+            ::close(number_);
+    }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+
+    int number() const { return number_; }
+    /// Some file systems report a full disk only here.
+    void close() { require(::close(std::exchange(number_, -1)) == 0); }
+
+  private:
+    int number_;
+};
+
+/// Creates the file; false if the name is in use, perhaps left by a killed process.
+bool create(const std::string& name, mode_t mode) {
+    try {
+        Descriptor(name, O_WRONLY | O_CREAT | O_EXCL, mode).close();
+        return true;
+    } catch (const std::system_error& error) {
+        if (error.code() == std::errc::file_exists)
+            return false;
+        throw;
+    }
+}
+
+} // namespace
+
+std::string followed(const std::string& path) {
+    std::error_code error;
+    if (const fs::path real = fs::canonical(path, error); !error)
+        return real.string();
+    fs::path place = path;
+    constexpr int most_links = 40; // links may form a cycle
+    for (int i = 0; i < most_links && !fs::exists(place, error); ++i) {
+        const fs::path next = fs::read_symlink(place, error);
+        if (error) // not a link
+            break;
+        place = place.parent_path() / next;
+    }
+    return place.string();
+}
+
+bool regular_or_new(const std::string& path) {
+    std::error_code ignored;
+    const fs::file_status status = fs::status(path, ignored);
+    return !fs::exists(status) || fs::is_regular_file(status);
+}
+
+void write_all(int descriptor, std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+        require(written >= 0 || errno == EINTR);
+        if (written > 0)
+            bytes.remove_prefix(static_cast<std::size_t>(written));
+    }
+}
+
+void write_directly(const std::string& path, const std::function<void(const Sink&)>& content) {
+    Descriptor file(path, O_WRONLY);
+    content([&](std::string_view bytes) { write_all(file.number(), bytes); });
+    file.close();
+}
+
+TemporaryFile::TemporaryFile(std::string place, const std::string& suffix)
+    : place_(std::move(place)) {
+    const std::string start =
+        (fs::path(place_).parent_path() / (".stltsa-" + std::to_string(::getpid()) + "-")).string();
+    // The file that it replaces may be private.
+    const mode_t mode = fs::exists(place_) ? S_IRUSR | S_IWUSR : 0666;
+    int number = 0;
+    std::string name;
+    do
+        name = start + std::to_string(number++) + ".tmp" + suffix;
+    while (!create(name, mode));
+    name_ = std::move(name);
+}
+
+TemporaryFile::~TemporaryFile() {
+    if (!name_.empty())
+        ::unlink(name_.c_str());
+}
+
+TemporaryFile::TemporaryFile(TemporaryFile&& other) noexcept
+    : place_(std::move(other.place_)), name_(std::exchange(other.name_, {})) {}
+
+void TemporaryFile::move_to_place() {
+    Descriptor file(name_, O_RDONLY);
+    struct stat existing {};
+    if (::stat(place_.c_str(), &existing) == 0)
+        require(::fchmod(file.number(), existing.st_mode & 07777) == 0);
+    require(::fsync(file.number()) == 0);
+    file.close();
+    require(std::rename(name_.c_str(), place_.c_str()) == 0);
+    name_.clear();
+}
+
+} // namespace stltsa::clip

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "clip/files/write_file.hpp"
+
+#include <system_error>
+
+#include "base/error.hpp"
+#include "clip/files/replace_file.hpp"
+
+namespace stltsa::clip {
+
+void write_file(const std::string& path, std::string_view bytes) {
+    write_file(path, [bytes](const Sink& sink) { sink(bytes); });
+}
+
+void write_file(const std::string& path, const std::function<void(const Sink&)>& content) {
+    if (path.empty())
+        fail(Status::io, "the path is empty: give the name of a file");
+    try {
+        if (!regular_or_new(path))
+            return write_directly(path, content);
+        TemporaryFile file(followed(path));
+        write_directly(file.name(), content);
+        file.move_to_place();
+    } catch (const std::system_error& error) {
+        fail(Status::io, "{}: cannot write: {}", path, error.code().message());
+    }
+}
+
+} // namespace stltsa::clip

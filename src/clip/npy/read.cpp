@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "clip/npy/header.hpp"
+
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+#include "clip/clip.hpp"
+
+namespace stltsa::clip {
+namespace {
+
+struct Shape {
+    std::int64_t rows = 1, cols = 1;
+};
+
+Shape checked_shape(const NpyHeader& header, std::size_t data_size, const std::string& name) {
+    if (header.shape.empty())
+        fail(Status::shape, "{}: the array is a single number; expected frames as rows", name);
+    if (header.shape.size() > 2)
+        fail(Status::shape,
+             "{}: the array has {} dimensions; expected 1 or 2: save array.reshape(len(array), -1)",
+             name, header.shape.size());
+    const Shape shape{header.shape[0], header.shape.size() == 2 ? header.shape[1] : 1};
+    if (shape.rows == 0 || shape.cols == 0)
+        fail(Status::shape, "{}: the array is empty", name);
+    const auto items = static_cast<std::int64_t>(data_size / header.item_size);
+    if (shape.rows > items / shape.cols)
+        fail(Status::format,
+             "{}: the header declares {} frames of {} numbers, but the data end after {}", name,
+             shape.rows, shape.cols, items / shape.cols);
+    if (data_size != header.item_size * static_cast<std::size_t>(shape.rows * shape.cols))
+        fail(Status::format, "{}: there are more bytes than {} frames of {} numbers need", name,
+             shape.rows, shape.cols);
+    return shape;
+}
+
+template <class Float, class Bits>
+double load(const char* from, bool swap) {
+    Bits bits;
+    std::memcpy(&bits, from, sizeof bits);
+    if (swap) {
+        if constexpr (sizeof bits == 4)
+            bits = __builtin_bswap32(bits);
+        else
+            bits = __builtin_bswap64(bits);
+    }
+    return std::bit_cast<Float>(bits);
+}
+
+bool is_swapped(const NpyHeader& header) {
+    return header.big_endian != (std::endian::native == std::endian::big);
+}
+
+double item(const NpyHeader& header, const char* data, std::int64_t index) {
+    const bool swap = is_swapped(header);
+    const char* from = data + static_cast<std::size_t>(index) * header.item_size;
+    return header.item_size == 4 ? load<float, std::uint32_t>(from, swap)
+                                 : load<double, std::uint64_t>(from, swap);
+}
+
+Matrix converted(const NpyHeader& header, const char* data, Shape shape) {
+    Matrix values = Matrix::unset(shape.rows, shape.cols);
+    for (std::int64_t i = 0; i < shape.rows; ++i)
+        for (std::int64_t c = 0; c < shape.cols; ++c)
+            values(i, c) =
+                item(header, data, header.fortran_order ? c * shape.rows + i : i * shape.cols + c);
+    return values;
+}
+
+void check_finite(const Matrix& values, const std::string& name) {
+    for (std::int64_t i = 0; i < values.rows(); ++i)
+        for (std::int64_t c = 0; c < values.cols(); ++c)
+            if (!std::isfinite(values(i, c)))
+                fail(Status::not_finite, "{}: frame {}, column {} is {}", name, i, c + 1,
+                     values(i, c));
+}
+
+} // namespace
+
+Clip parse_npy(std::string_view bytes, const std::string& name, const ReadOptions&) {
+    const NpyHeader header = read_npy_header(bytes, name);
+    const std::string_view data = bytes.substr(header.data_begin);
+    const Shape shape = checked_shape(header, data.size(), name);
+    Clip clip;
+    clip.values = converted(header, data.data(), shape);
+    check_finite(clip.values, name);
+    return clip;
+}
+
+} // namespace stltsa::clip

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "clip/text/text_cursor.hpp"
+
+#include <algorithm>
+
+namespace stltsa::clip {
+namespace {
+
+bool is_blank(char c) {
+    return static_cast<unsigned char>(c) <= ' ';
+}
+bool is_line_end(char c) {
+    return c == '\n' || c == '\r';
+}
+bool is_brace(char c) {
+    return c == '{' || c == '}';
+}
+char lower(char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+} // namespace
+
+std::string to_lower(std::string_view text) {
+    std::string result(text);
+    std::transform(result.begin(), result.end(), result.begin(), lower);
+    return result;
+}
+
+bool equals_ignoring_case(std::string_view a, std::string_view b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [](char x, char y) { return lower(x) == lower(y); });
+}
+
+bool starts_with_ignoring_case(std::string_view text, std::string_view prefix) {
+    return equals_ignoring_case(text.substr(0, prefix.size()), prefix);
+}
+
+std::string_view trim(std::string_view text) {
+    while (!text.empty() && is_blank(text.front()))
+        text.remove_prefix(1);
+    while (!text.empty() && is_blank(text.back()))
+        text.remove_suffix(1);
+    return text;
+}
+
+bool is_utf16(std::string_view bytes) {
+    return bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF");
+}
+
+std::string_view next_word(std::string_view& line, std::string_view separators) {
+    const auto separates = [separators](char c) {
+        return is_blank(c) || separators.find(c) != separators.npos;
+    };
+    const auto begin = std::find_if_not(line.begin(), line.end(), separates);
+    const auto end = std::find_if(begin, line.end(), separates);
+    const std::string_view word(begin, end);
+    line = std::string_view(end, line.end());
+    return word;
+}
+
+std::string quoted(std::string_view text) {
+    constexpr std::size_t longest = 40;
+    std::string result(text.substr(0, longest));
+    for (char& c : result)
+        if (static_cast<unsigned char>(c) < ' ' || static_cast<unsigned char>(c) > '~')
+            c = '?';
+    return "'" + result + (text.size() > longest ? "...'" : "'");
+}
+
+TextCursor::TextCursor(std::string_view text, std::string name)
+    : text_(text), name_(std::move(name)) {
+    if (text_.starts_with("\xEF\xBB\xBF"))
+        position_ = 3;
+    else if (is_utf16(text_))
+        fail(Status::format, "the text is UTF-16; save it as UTF-8 or ASCII");
+}
+
+void TextCursor::skip_blanks() {
+    while (position_ < text_.size() && is_blank(text_[position_])) {
+        const char c = text_[position_++];
+        const bool pair = c == '\r' && position_ < text_.size() && text_[position_] == '\n';
+        if (is_line_end(c) && !pair)
+            ++line_;
+    }
+}
+
+std::string_view TextCursor::word() {
+    skip_blanks();
+    returned_line_ = line_;
+    const std::size_t begin = position_;
+    while (position_ < text_.size() && !is_blank(text_[position_])) {
+        if (is_brace(text_[position_]) && position_ > begin)
+            break;
+        if (is_brace(text_[position_++]))
+            break;
+    }
+    return text_.substr(begin, position_ - begin);
+}
+
+std::string_view TextCursor::rest_of_line(char stop) {
+    returned_line_ = line_;
+    const std::size_t begin = position_;
+    while (position_ < text_.size() && !is_line_end(text_[position_]) && text_[position_] != stop)
+        ++position_;
+    return trim(text_.substr(begin, position_ - begin));
+}
+
+std::string_view TextCursor::line() {
+    while (position_ < text_.size()) {
+        returned_line_ = line_;
+        const std::size_t begin = position_;
+        const std::size_t end = std::min(text_.find_first_of("\n\r", begin), text_.size());
+        position_ = end + (text_.substr(end).starts_with("\r\n") ? 2 : 1);
+        position_ = std::min(position_, text_.size());
+        line_ += end < text_.size() ? 1 : 0;
+        const std::string_view found = text_.substr(begin, end - begin);
+        if (!trim(found).empty())
+            return found;
+    }
+    return {};
+}
+
+} // namespace stltsa::clip

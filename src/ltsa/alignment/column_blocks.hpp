@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The columns of B' in blocks for threads, each with the patches that add to it.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "base/parallel.hpp"
+#include "ltsa/alignment/patches.hpp"
+
+namespace stltsa::ltsa {
+
+/// For each block of columns a range of patches with all that touch it: patches are in order of
+/// their center frame, not of their first.
+struct PatchRange {
+    std::int64_t begin, end;
+};
+
+inline std::vector<PatchRange> patches_by_block(const Patches& patches, std::int64_t column_block,
+                                                std::int64_t blocks) {
+    std::vector<PatchRange> ranges(static_cast<std::size_t>(blocks), {patches.count(), 0});
+    std::int64_t begin = 0;
+    for (const Patches::Hull& hull : patches.hulls()) {
+        const std::int64_t end = std::min(begin + Patches::hull_size, patches.count());
+        const std::int64_t last = std::max(hull.first, hull.last - 1) / column_block;
+        for (std::int64_t b = hull.first / column_block; b <= std::min(last, blocks - 1); ++b) {
+            auto& range = ranges[static_cast<std::size_t>(b)];
+            range.begin = std::min(range.begin, begin);
+            range.end = std::max(range.end, end);
+        }
+        begin = end;
+    }
+    return ranges;
+}
+
+/// Calls work(begin, end, patches) for all columns [begin, end) and the patches that may touch
+/// them.
+template <class Work>
+void for_column_blocks(const Patches& patches, std::int64_t order, std::int64_t column_block,
+                       int threads, const Work& work) {
+    const std::int64_t blocks = (order + column_block - 1) / column_block;
+    const auto ranges = patches_by_block(patches, column_block, blocks);
+    parallel_blocks(blocks, threads, [&](std::int64_t b) {
+        const std::int64_t begin = b * column_block;
+        work(begin, std::min(begin + column_block, order), ranges[static_cast<std::size_t>(b)]);
+    });
+}
+
+} // namespace stltsa::ltsa

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ltsa/mapping/mapping.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "linalg/eigen.hpp"
+#include "linalg/simd.hpp"
+#include "ltsa/mapping/support.hpp"
+
+namespace stltsa::ltsa {
+namespace {
+
+/// A direction along which a neighborhood varies by less than this share of its largest variance
+/// is rounding.
+constexpr double flat = 1e-8;
+
+/// Of the way back: coordinates that a neighborhood hardly varies in must not throw poses about.
+constexpr double inverse_ridge = 1e-3;
+
+/// The original rows of each component, each with the one that follows it. Where the order of rows
+/// means nothing every row is alone.
+std::vector<std::vector<Stretch>> stretches_of_components(const Timeline& timeline,
+                                                          const Model& model) {
+    std::vector<std::vector<Stretch>> stretches(model.components.size());
+    const auto component_of = [&](std::int64_t row) {
+        return static_cast<std::size_t>(model.component_of[static_cast<std::size_t>(row)]);
+    };
+    for (const std::int32_t row : timeline.distinct()) {
+        const std::int64_t next = timeline.next(row);
+        const bool follows = next >= 0 && model.parameters.mode != Mode::spatial &&
+                             component_of(next) == component_of(row);
+        stretches[component_of(row)].push_back(
+            {row, follows ? static_cast<std::int32_t>(next) : row});
+    }
+    return stretches;
+}
+
+std::vector<NearestRows> indexed(ConstMatrixView x,
+                                 const std::vector<std::vector<Stretch>>& stretches) {
+    std::vector<NearestRows> parts;
+    parts.reserve(stretches.size());
+    for (const auto& part : stretches)
+        parts.emplace_back(x, part);
+    return parts;
+}
+
+/// Weights of the `blend` nearest, summing to 1: 1/distance^2 less what it is at the next farther
+/// one. So a stretch alone counts on itself, and one that leaves the blend has faded out. Where all
+/// are as far as the next one, all count the same.
+std::vector<double> blend_weights(const std::vector<NearStretch>& found, std::size_t blend) {
+    const double nearest = found.front().distance;
+    const auto closeness = [nearest](const NearStretch& one) {
+        return one.distance > nearest ? nearest / one.distance : 1;
+    };
+    const double faded = found.size() > blend ? closeness(found[blend]) : 0;
+    std::vector<double> weights;
+    double sum = 0;
+    for (std::size_t i = 0; i < std::min(blend, found.size()); ++i) {
+        weights.push_back(closeness(found[i]) - faded);
+        sum += weights.back();
+    }
+    for (double& weight : weights)
+        weight = sum > 0 ? weight / sum : 1 / static_cast<double>(weights.size());
+    return weights;
+}
+
+/// The rows whose local maps are blended: both ends of each stretch, by how near its nearest point
+/// is to them.
+std::vector<Placement::Term> blended_rows(const std::vector<NearStretch>& found,
+                                          std::size_t blend) {
+    const std::vector<double> weights = blend_weights(found, blend);
+    std::vector<Placement::Term> ends;
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+        ends.push_back({found[i].stretch.row, weights[i] * (1 - found[i].share)});
+        ends.push_back({found[i].stretch.next, weights[i] * found[i].share});
+    }
+    std::stable_sort(ends.begin(), ends.end(),
+                     [](const auto& a, const auto& b) { return a.row < b.row; });
+    std::vector<Placement::Term> rows;
+    for (const Placement::Term& end : ends)
+        if (!rows.empty() && rows.back().row == end.row)
+            rows.back().weight += end.weight;
+        else
+            rows.push_back(end);
+    return rows;
+}
+
+/// A neighborhood about its mean.
+Matrix centered_rows(ConstMatrixView x, const std::vector<Candidate>& neighborhood,
+                     const double* origin) {
+    Matrix rows(static_cast<std::int64_t>(neighborhood.size()), x.cols);
+    AlignedVector<double> mean(static_cast<std::size_t>(x.cols));
+    for (std::int64_t a = 0; a < rows.rows(); ++a) {
+        // From the middle, so that a large common offset costs no digits.
+        const double* row = x.row(neighborhood[static_cast<std::size_t>(a)].frame);
+        for (std::int64_t c = 0; c < x.cols; ++c)
+            rows(a, c) = row[c] - origin[c];
+        axpy(1 / static_cast<double>(rows.rows()), rows.row(a), mean.data(), x.cols);
+    }
+    for (std::int64_t a = 0; a < rows.rows(); ++a)
+        axpy(-1, mean.data(), rows.row(a), x.cols);
+    return rows;
+}
+
+/// The least-squares linear map from centered rows Z to anything that has a value per row, applied
+/// to `offset`: the weights of those values. With Z Z^T = sum of lambda_l v_l v_l^T they are
+/// the sum over the first `dimension` of v_l (v_l . Z offset) / (lambda_l + ridge).
+std::vector<double> least_squares_weights(const Matrix& z, const double* offset,
+                                          std::int64_t dimension, double relative_ridge) {
+    const std::int64_t count = z.rows();
+    std::vector<double> weights(static_cast<std::size_t>(count));
+    AlignedVector<double> along(static_cast<std::size_t>(count));
+    TopEigenpairs eigen(count, std::min(dimension, count));
+    double trace = 0;
+    for (std::int64_t a = 0; a < count; ++a) {
+        along[static_cast<std::size_t>(a)] = dot(z.row(a), offset, z.cols());
+        for (std::int64_t b = a; b < count; ++b)
+            eigen.matrix()[a * count + b] = dot(z.row(a), z.row(b), z.cols());
+        trace += eigen.matrix()[a * count + a];
+    }
+    if (!(trace > 0) || !std::isfinite(trace))
+        return weights;
+    eigen.solve();
+    const double ridge = relative_ridge * trace / static_cast<double>(dimension);
+    for (std::int64_t l = 0; l < std::min(dimension, count); ++l)
+        if (eigen.value(l) > flat * eigen.value(0))
+            axpy(dot(eigen.vector(l), along.data(), count) / (eigen.value(l) + ridge),
+                 eigen.vector(l), weights.data(), count);
+    return weights;
+}
+
+} // namespace
+
+void Placement::apply(ConstMatrixView targets, double* out) const {
+    const double* origin = targets.row(nearest);
+    std::copy_n(origin, targets.cols, out);
+    for (const Term& term : terms) {
+        const double* row = targets.row(term.row);
+        for (std::int64_t c = 0; c < targets.cols; ++c)
+            out[c] += term.weight * (row[c] - origin[c]);
+    }
+}
+
+Mapping::Mapping(ConstMatrixView frames, const Model& model, double period)
+    : timeline_(frames, model.lengths) {
+    const auto stretches = stretches_of_components(timeline_, model);
+    const Mode mode = model.parameters.mode;
+    frames_ = {frames, indexed(frames, stretches), {}, 0, false};
+    frames_.limits.assign(stretches.size(),
+                          support_limit(frames, frames_.parts, timeline_, mode, period));
+    const ConstMatrixView coords = model.coords.view();
+    coords_ = {coords, indexed(coords, stretches), {}, inverse_ridge, true};
+    for (const NearestRows& part : coords_.parts)
+        coords_.limits.push_back(support_limit(coords, {&part, 1}, timeline_, mode, period));
+}
+
+Placement Mapping::find_frame(const double* frame, std::int64_t hint,
+                              const MapParameters& p) const {
+    if (is_row(frames_, hint, frame))
+        return {timeline_.original(hint), 0, {}};
+    const std::size_t component = frames_.parts.size() == 1 ? 0 : nearest_component(frame, hint, p);
+    return find(frames_, component, frame, hint, p);
+}
+
+Placement Mapping::find_point(const double* coords, std::int64_t component, std::int64_t hint,
+                              const MapParameters& p) const {
+    const auto part = static_cast<std::size_t>(component);
+    if (is_row(coords_, hint, coords) && coords_.parts[part].holds(timeline_.original(hint)))
+        return {timeline_.original(hint), 0, {}};
+    return find(coords_, part, coords, hint, p);
+}
+
+/// Of several rows that are equal the one that is hinted at is meant.
+bool Mapping::is_row(const Space& space, std::int64_t hint, const double* point) {
+    return hint != no_hint && squared_distance(space.rows.row(hint), point, space.rows.cols) == 0;
+}
+
+std::vector<Candidate> Mapping::nearest_row(const NearestRows& part, const double* point,
+                                            std::int64_t hint, const MapParameters& p) const {
+    return hint == no_hint ? part.nearest(point, 1)
+                           : part.nearest_within(point, 1, timeline_.around(hint, p.hint_window));
+}
+
+/// One more than are blended.
+std::vector<NearStretch> Mapping::nearest_stretches(const NearestRows& part, const double* point,
+                                                    std::int64_t hint,
+                                                    const MapParameters& p) const {
+    return hint == no_hint ? part.nearest_stretches(point, p.blend + 1)
+                           : part.nearest_stretches_within(point, p.blend + 1,
+                                                           timeline_.around(hint, p.hint_window));
+}
+
+std::size_t Mapping::nearest_component(const double* frame, std::int64_t hint,
+                                       const MapParameters& p) const {
+    std::size_t nearest = 0;
+    Candidate best{std::numeric_limits<double>::infinity(),
+                   std::numeric_limits<std::int32_t>::max()};
+    for (std::size_t c = 0; c < frames_.parts.size(); ++c)
+        for (const Candidate& found : nearest_row(frames_.parts[c], frame, hint, p))
+            if (found < best) {
+                best = found;
+                nearest = c;
+            }
+    return nearest;
+}
+
+Placement Mapping::find(const Space& space, std::size_t component, const double* point,
+                        std::int64_t hint, const MapParameters& p) const {
+    const NearestRows& part = space.parts[component];
+    const auto rows = nearest_row(part, point, hint, p);
+    if (rows.empty())
+        fail(Status::argument, "no row of component {} is within {} rows of the hint {}", component,
+             p.hint_window, hint);
+    Placement placement;
+    placement.nearest = rows.front().frame;
+    const double distance = std::sqrt(rows.front().distance);
+    if (distance == 0)
+        return placement;
+    placement.distance = distance / space.limits[component];
+    if (!std::isfinite(rows.front().distance))
+        return placement;
+    const auto found = nearest_stretches(part, point, hint, p);
+    if (space.passes_itself)
+        placement.nearest = found.front().nearer_end();
+    for (const auto& [row, weight] : blended_rows(found, static_cast<std::size_t>(p.blend)))
+        if (weight > 0)
+            add_local_map(space, component, row, point, weight, p, placement.terms);
+    return placement;
+}
+
+void Mapping::add_local_map(const Space& space, std::size_t component, std::int64_t row,
+                            const double* point, double weight, const MapParameters& p,
+                            std::vector<Placement::Term>& terms) const {
+    // Neighbors of the frame also on the way back: what is near in few coordinates may be far in
+    // truth, as a swing to and fro.
+    const auto neighborhood = frames_.parts[component].nearest(frames_.rows.row(row), p.neighbors);
+    const double* origin = space.rows.row(row);
+    AlignedVector<double> offset(static_cast<std::size_t>(space.rows.cols));
+    for (std::size_t c = 0; c < offset.size(); ++c)
+        offset[c] = point[c] - origin[c];
+    const auto slope = least_squares_weights(centered_rows(space.rows, neighborhood, origin),
+                                             offset.data(), coords_.rows.cols, space.ridge);
+    double own = 1;
+    for (std::size_t a = 0; a < slope.size(); ++a) {
+        terms.push_back({neighborhood[a].frame, weight * slope[a]});
+        own -= slope[a];
+    }
+    terms.push_back({static_cast<std::int32_t>(row), weight * own});
+}
+
+} // namespace stltsa::ltsa

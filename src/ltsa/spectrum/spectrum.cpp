@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ltsa/spectrum/spectrum.hpp"
+
+#include <utility>
+
+#include "base/random.hpp"
+#include "linalg/arpack.hpp"
+#include "linalg/panel.hpp"
+#include "ltsa/spectrum/eigen_basis.hpp"
+
+namespace stltsa::ltsa {
+namespace {
+
+/// y := B^+ x for the first `count` columns of a panel, x or another; their unknowns are left, too.
+void multiply_by_inverse(const Alignment& alignment, ConstMatrixView x, std::int64_t count,
+                         MatrixView unknowns, MatrixView y) {
+    alignment.restrict_to(x, unknowns);
+    alignment.solve(unknowns, count);
+    alignment.prolong(unknowns, y);
+}
+
+/// x -> B^+ x: the wanted eigenpairs are its largest, so no shift is needed.
+Operator pseudo_inverse(const Alignment& alignment) {
+    return [&alignment, unknowns = Matrix::unset(alignment.unknowns(), 1)](
+               std::span<const double> x, std::span<double> y) mutable {
+        multiply_by_inverse(alignment, {x.data(), alignment.frames(), 1, 1}, 1, unknowns.view(),
+                            {y.data(), alignment.frames(), 1, 1});
+    };
+}
+
+/// ARPACK always gets this start vector: its own are different on every call.
+void set_start(std::span<double> x) {
+    Random random(1);
+    for (double& value : x)
+        value = random.symmetric();
+}
+
+/// Solves of what ARPACK found, before the first correction. A solve is cheaper than a correction:
+/// with two of them, the first correction turns embeddings of recorded clips by less than 1e-10.
+constexpr int first_solves = 2;
+
+/// A correction that turns the embedding by less than this is the last one: in differences the
+/// first, which is a certificate; grounded, two or three are needed.
+constexpr double small_change = 1e-12;
+constexpr int most_corrections = 12;
+/// One that turns it by more than this share of what the one before did is of no use.
+constexpr double least_progress = 0.8;
+
+/// What ARPACK found, solved for twice. Once in any case, because it makes unknowns: differences of
+/// a vector's entries would lose as many digits as the entries are larger than their differences.
+EigenBasis solved(const Alignment& alignment, const Matrix& found) {
+    EigenBasis basis(alignment, found.rows());
+    set_columns(found, basis.x.view(), alignment.machine());
+    for (int i = 0; i < first_solves; ++i) {
+        if (i > 0) // else the largest eigenvalue would soon leave one vector in all of them
+            multiply_columns(basis.x.view(), orthonormal_factor(alignment, basis),
+                             alignment.machine());
+        multiply_by_inverse(alignment, basis.x.view(), basis.count, basis.unknowns.view(),
+                            basis.x.view());
+    }
+    return basis;
+}
+
+/// Corrects until that turns the embedding no more.
+void refine(const Alignment& alignment, std::int64_t dimension, const Progress& progress,
+            EigenBasis& basis, Spectrum& spectrum) {
+    double before = 2;
+    for (int i = 0; i < most_corrections; ++i) {
+        progress.report(Stage::spectrum, 0.5);
+        correct(alignment, basis);
+        rayleigh_ritz(alignment, basis);
+        const double change = last_turn(basis, dimension, alignment.machine());
+        if (i == 0)
+            spectrum.first_change = change;
+        spectrum.last_change = change;
+        if (change < small_change || change > least_progress * before)
+            break;
+        before = change;
+    }
+}
+
+} // namespace
+
+Spectrum smallest_eigenpairs(const Alignment& alignment, std::int64_t count, std::int64_t dimension,
+                             const Progress& progress) {
+    Eigenpairs found = largest_eigenpairs(pseudo_inverse(alignment), alignment.frames(), set_start,
+                                          count, [&] { progress.report(Stage::spectrum, 0.0); });
+    Spectrum spectrum;
+    spectrum.solves = found.applications;
+    EigenBasis basis = solved(alignment, std::exchange(found, {}).vectors);
+    rayleigh_ritz(alignment, basis);
+    refine(alignment, dimension, progress, basis, spectrum);
+    spectrum.residual = largest_residual(alignment, basis, dimension);
+    spectrum.values = basis.values;
+    spectrum.vectors = rows_of(basis.x.view(), dimension, alignment.machine());
+    progress.report(Stage::spectrum, 1.0);
+    return spectrum;
+}
+
+} // namespace stltsa::ltsa

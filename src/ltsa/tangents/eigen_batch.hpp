@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Leading eigenvectors of several positive semidefinite matrices at once, one in each lane of a
+// pack: the arrays that BlockIteration works on, and what it found.
+#pragma once
+
+#include <cstdint>
+
+#include "linalg/matrix.hpp"
+#include "linalg/pack.hpp"
+#include "ltsa/tangents/block_iteration.hpp"
+
+namespace stltsa::ltsa {
+
+/// A lane's results do not depend on what is in the others, nor on how many there are.
+class EigenBatch {
+  public:
+    struct Shape {
+        std::int64_t size;    ///< order of the matrices
+        std::int64_t count;   ///< eigenvectors that are wanted
+        std::int64_t columns; ///< of the block, at least count; more of them converge sooner
+    };
+
+    EigenBatch(const Shape& shape, Simd simd);
+
+    Simd simd() const { return simd_; }
+    std::int64_t lanes() const { return lanes_; }
+    /// Entries of a column of the matrix or the block.
+    std::int64_t rows() const { return rows_; }
+
+    double& matrix(std::int64_t lane, std::int64_t a, std::int64_t b) {
+        return matrix_[index(a * rows_ + b, lane)];
+    }
+
+    /// Whether the iteration found the eigenvectors of a lane, and they are the leading ones beyond
+    /// doubt. Where it did not, another method is needed.
+    bool found(std::int64_t lane) const { return values_[index(shape_.count, lane)] > 0; }
+    /// Eigenvalue l, descending.
+    double value(std::int64_t lane, std::int64_t l) const { return values_[index(l, lane)]; }
+    /// An entry of its eigenvector.
+    double vector(std::int64_t lane, std::int64_t l, std::int64_t row) const {
+        return vectors_[index(l * rows_ + row, lane)];
+    }
+
+    BlockIteration iteration();
+
+  private:
+    std::size_t index(std::int64_t entry, std::int64_t lane) const {
+        return static_cast<std::size_t>(entry * lanes_ + lane);
+    }
+
+    Shape shape_;
+    std::int64_t rows_;    ///< size, rounded up to what the product takes at a time
+    std::int64_t columns_; ///< likewise
+    Simd simd_;
+    std::int64_t lanes_;
+    AlignedVector<double> matrix_, block_, product_;
+    AlignedVector<double> small_; ///< Ritz values and two matrices of order `columns`
+    AlignedVector<double> values_, vectors_;
+    AlignedVector<double> start_; ///< the block that every lane starts from; not in packs
+};
+
+} // namespace stltsa::ltsa

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "clip/testing.hpp"
+
+namespace {
+
+using namespace clip_testing;
+using stltsa::clip::ReadOptions;
+
+Clip csv(std::string_view text, double fps = 0) {
+    ReadOptions options;
+    options.fps = fps;
+    return parse(text, Format::csv, options);
+}
+
+using Rows = std::vector<std::vector<double>>;
+
+void check_values(const Clip& clip, const Rows& expected, int line) {
+    bool same = clip.frames() == static_cast<std::int64_t>(expected.size()) &&
+                clip.values.cols() == static_cast<std::int64_t>(expected[0].size());
+    for (std::size_t i = 0; same && i < expected.size(); ++i)
+        same = std::equal(expected[i].begin(), expected[i].end(),
+                          clip.values.row(static_cast<std::int64_t>(i)));
+    if (!same)
+        _fail(__FILE__, line);
+}
+#define CHECK_VALUES(clip, ...) check_values(clip, Rows __VA_ARGS__, __LINE__)
+
+void separators(void**) {
+    for (const char* text :
+         {"1,2.5,3\n4,5,6\n", "1;2.5;3\n4;5;6", "1\t2.5\t3\n4\t5\t6\n", "1 2.5  3\n 4 5 6 \n",
+          " 1 , 2.5 , 3 \n4, 5, 6\n", "1,2.5,3,\n4,5,6,\n", "1;2.5;3;\r\n4;5;6;\r\n",
+          "1,\t2.5,\t3\n4,\t5,\t6\n",
+          "\xEF\xBB\xBF"
+          "1,2.5,3\n\n\n4,5,6\n\n",
+          "+1,25e-1,3.0\n4,5,6\n", "\"1\",\"2.5\",\"3\"\n4,5,6\n",
+          "# note\n1,2.5,3\n# more\n4,5,6\n", "1 \t 2.5 3\n4 5\t6\n"})
+        CHECK_VALUES(csv(text), {{1, 2.5, 3}, {4, 5, 6}});
+}
+
+void decimal_commas(void**) {
+    for (const char* text : {"1;2,5;3\n4;5;6,0\n", "1\t2,5\t3\n4\t5\t6\n", "1 2,5 3\n4 5,0 6\n",
+                             "1,0 2,5 3,0\n4,0 5,0 6,0\n", "\"1\",\"2,5\",\"3\"\n\"4\",5,6\n"})
+        CHECK_VALUES(csv(text), {{1, 2.5, 3}, {4, 5, 6}});
+}
+
+void one_column(void**) {
+    CHECK_VALUES(csv("3\n1\n2\n"), {{3}, {1}, {2}});
+    CHECK_VALUES(csv("knee\n3\n1\n"), {{3}, {1}});
+}
+
+void headers(void**) {
+    const Clip clip = csv("\"hip, left\",\"say \"\"x\"\"\",c\n9,2,3\n4,5,6\n");
+    CHECK_VALUES(clip, {{9, 2, 3}, {4, 5, 6}});
+    assert_string_equal(clip.channel_names[0].c_str(), "hip, left");
+    assert_string_equal(clip.channel_names[2].c_str(), "c");
+    assert_true(csv("9,2\n4,5\n").channel_names.empty());
+    CHECK_VALUES(csv("a,b,\n9,2\n4,5,\n"), {{9, 2}, {4, 5}});
+    assert_true(clip.fps == 0 && clip.notes.empty());
+    assert_true(csv("a,b\n9,2\n4,5\n", 50).fps == 50);
+}
+
+/// A data frame without column names, without and with its index.
+void numbered_columns_are_a_header(void**) {
+    for (const char* text : {"0,1,2\n.5,7,1\n.25,8,2\n", ",0,1,2\n0,.5,7,1\n1,.25,8,2\n",
+                             ";0;1;2\n0;,5;7;1\n1;,25;8;2\n"}) {
+        const Clip clip = csv(text);
+        CHECK_VALUES(clip, {{.5, 7, 1}, {.25, 8, 2}});
+        assert_string_equal(clip.channel_names[2].c_str(), "2");
+        assert_false(clip.notes.empty());
+    }
+    CHECK_VALUES(csv(",0\n0,.5\n1,.25\n"), {{.5}, {.25}});
+    // Numbers that are data: a circle, integers, a different start.
+    CHECK_VALUES(csv("0,1\n.5,.7\n"), {{0, 1}, {.5, .7}});
+    CHECK_VALUES(csv("0,1,2\n3,4,5\n"), {{0, 1, 2}, {3, 4, 5}});
+    CHECK_VALUES(csv("0,1,3\n.5,4,5\n"), {{0, 1, 3}, {.5, 4, 5}});
+    CHECK_VALUES(csv("0,1,2\n"), {{0, 1, 2}});
+}
+
+void time_at_an_implausible_rate_is_a_channel(void**) {
+    // Milliseconds named as seconds; a torque; 1e10 s per frame; 1e9 frames per second.
+    for (const char* text : {"time,x\n0,7\n10,8\n20,9\n", "t,x\n0,7\n5.5,8\n9,9\n",
+                             "x,time\n7,0\n8,1e10\n9,2e10\n", "time,x\n0,7\n1e-9,8\n2e-9,9\n"}) {
+        const Clip clip = csv(text);
+        assert_true(clip.fps == 0 && clip.values.cols() == 2);
+        assert_non_null(std::strstr(clip.notes.at(0).c_str(), "kept as a channel"));
+    }
+    const Clip count = csv("time,x\n5,7\n6,8\n7,9\n");
+    CHECK_VALUES(count, {{7}, {8}, {9}});
+    assert_true(count.fps == 0);
+    CHECK_VALUES(csv("time,x\n0,7\n10,8\n20,9\n", 100), {{7}, {8}, {9}});
+}
+
+void time_gives_the_rate_and_is_not_a_channel(void**) {
+    for (const char* text :
+         {"time,x\n0,7\n0.01,8\n0.02,9\n", "x,Time (s)\n7,5.00\n8,5.01\n9,5.02\n",
+          "t [ms];x\n0;7\n10;8\n20;9\n", "Frame#,Time,x\n1,0,7\n2,.01,8\n3,.02,9\n"}) {
+        const Clip clip = csv(text);
+        CHECK_VALUES(clip, {{7}, {8}, {9}});
+        assert_true(clip.fps == 100);
+        assert_int_equal(clip.channel_names.size(), 1);
+        assert_string_equal(clip.channel_names[0].c_str(), "x");
+        assert_true(!clip.notes.empty());
+    }
+    // 120 Hz with times rounded to milliseconds.
+    const Clip rounded =
+        csv("time,x\n0.000,1\n0.008,2\n0.017,3\n0.025,1\n0.033,1\n0.042,1\n0.050,1\n");
+    assert_true(rounded.fps == 120);
+    assert_true(csv("time,x\n0,7\n0.01,8\n", 60).fps == 60);
+}
+
+void uneven_time_needs_option_fps(void**) {
+    const char* text = "time,x\n0,7\n0.01,8\n0.02,9\n0.04,9\n";
+    ASSERT_FAILS(Status::format, "the steps of column 'time' range from 0.01", csv(text));
+    CHECK_VALUES(csv(text, 100), {{7}, {8}, {9}, {9}});
+    const Clip kept = csv("t,x\n3,7\n1,8\n2,9\n"); // for example a torque
+    CHECK_VALUES(kept, {{3, 7}, {1, 8}, {2, 9}});
+    assert_int_equal(kept.notes.size(), 1);
+}
+
+void frame_numbers_are_not_a_channel(void**) {
+    CHECK_VALUES(csv("frame,x\n10,7\n11,8\n"), {{7}, {8}});
+    CHECK_VALUES(csv(",x\n0,7\n1,8\n"), {{7}, {8}}); // pandas writes its index this way
+    CHECK_VALUES(csv("frame,x,time,frame,y\n1,7,.1,1,3\n2,8,.2,2,4\n"), {{7, 3}, {8, 4}});
+    CHECK_VALUES(csv("frame,,x\n1,0,7\n2,1,8\n"), {{7}, {8}});
+    CHECK_VALUES(csv("x,\"\",y\n1,7,3\n2,8,4\n"), {{1, 7, 3}, {2, 8, 4}});
+    const Clip kept = csv("frame,x\n10,7\n12,8\n");
+    CHECK_VALUES(kept, {{10, 7}, {12, 8}});
+    assert_int_equal(kept.notes.size(), 1);
+    ASSERT_FAILS(Status::format, "no channel besides time", csv("time\n0\n1\n2\n"));
+    const Clip silent = csv("0.0,7\n0.01,8\n0.02,1\n");
+    assert_int_equal(silent.values.cols(), 2);
+    assert_int_equal(silent.notes.size(), 1);
+}
+
+void malformed(void**) {
+    ASSERT_FAILS(Status::format, "test:3: 2 cells, but the previous lines have 3",
+                 csv("a,b,c\n1,2,3\n4,5\n"));
+    ASSERT_FAILS(Status::format, "test:2: 4 cells, but", csv("1,2,3\n4,5,6,7\n"));
+    ASSERT_FAILS(Status::format, "test:2: 2 cells, but", csv("a,b,c\n1,2\n"));
+    ASSERT_FAILS(Status::format, "test:4: column 2 ('b'): 'x' is not a number",
+                 csv("a,b\n1,2\n\n3,x\n"));
+    ASSERT_FAILS(Status::format, "test:2: column 1: '1.234,5' is not a number",
+                 csv("1;2\n1.234,5;2\n"));
+    ASSERT_FAILS(Status::format, "'1,234,567' is not a number", csv("1;2\n1,234,567;2\n"));
+    ASSERT_FAILS(Status::not_finite, "test:3: column 2 ('b') has no value",
+                 csv("a,b,c\n1,2,3\n4,,6\n"));
+    for (const char* gap : {"NaN", "NA", "-", "null", " "})
+        ASSERT_FAILS(Status::not_finite, "test:2: column 1 has no value",
+                     csv(stltsa::format_text("1,2,3\n{},5,6\n", gap)));
+    ASSERT_FAILS(Status::not_finite, "test:1: column 2 has no value", csv("1,NA,3\n1,2,3\n"));
+    ASSERT_FAILS(Status::not_finite, "test:2: column 2 is inf", csv("1,2\n3,inf\n"));
+    ASSERT_FAILS(Status::not_finite, "test:2: column 2 is -inf", csv("1,2\n3,-1e999\n"));
+    ASSERT_FAILS(Status::format, "test:2: a quote is not closed", csv("1,2\n\"3,4\n"));
+    ASSERT_FAILS(Status::format, "test:2: a quote is not closed", csv("1,2\n\"3\"5,4\n"));
+    for (const char* text : {"", "\n\n", "# nothing\n", "a,b,c\n"})
+        ASSERT_FAILS(Status::format, "no rows of numbers", csv(text));
+    ASSERT_FAILS(Status::format, "not a text file", csv(std::string_view("1,2\0\n", 5)));
+}
+
+} // namespace
+
+int main() {
+    const CMUnitTest tests[] = {
+        cmocka_unit_test(separators),
+        cmocka_unit_test(decimal_commas),
+        cmocka_unit_test(one_column),
+        cmocka_unit_test(headers),
+        cmocka_unit_test(numbered_columns_are_a_header),
+        cmocka_unit_test(time_at_an_implausible_rate_is_a_channel),
+        cmocka_unit_test(time_gives_the_rate_and_is_not_a_channel),
+        cmocka_unit_test(uneven_time_needs_option_fps),
+        cmocka_unit_test(frame_numbers_are_not_a_channel),
+        cmocka_unit_test(malformed),
+    };
+    return cmocka_run_group_tests(tests, nullptr, nullptr);
+}

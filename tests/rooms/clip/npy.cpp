@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "clip/testing.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <memory>
+
+namespace {
+
+using namespace clip_testing;
+
+std::string header(std::string_view dict, int version = 1) {
+    std::string bytes = "\x93NUMPY";
+    bytes += {static_cast<char>(version), '\0'};
+    const std::size_t length = version == 1 ? 2 : 4;
+    for (std::size_t i = 0; i < length; ++i)
+        bytes += static_cast<char>(dict.size() >> (8 * i) & 0xFF);
+    return bytes.append(dict);
+}
+
+std::string dict(std::string_view descr, std::string_view order, std::string_view shape) {
+    return stltsa::format_text("{{'descr': '{}', 'fortran_order': {}, 'shape': {}, }}          \n",
+                               descr, order, shape);
+}
+
+template <class Float>
+void append(std::string& bytes, double value, bool big) {
+    auto raw = std::bit_cast<std::array<char, sizeof(Float)>>(static_cast<Float>(value));
+    if (big != (std::endian::native == std::endian::big))
+        std::reverse(raw.begin(), raw.end());
+    bytes.append(raw.data(), raw.size());
+}
+
+std::string numbers(std::string_view descr, const std::vector<double>& values) {
+    std::string bytes;
+    for (const double value : values)
+        if (descr[2] == '4')
+            append<float>(bytes, value, descr[0] == '>');
+        else
+            append<double>(bytes, value, descr[0] == '>');
+    return bytes;
+}
+
+Clip npy(std::string_view bytes) {
+    return parse(bytes, Format::npy);
+}
+
+void check_values(const Clip& clip, std::int64_t rows, const std::vector<double>& expected) {
+    assert_int_equal(clip.frames(), rows);
+    assert_int_equal(clip.values.rows() * clip.values.cols(), expected.size());
+    assert_true(std::equal(expected.begin(), expected.end(), clip.values.data()));
+}
+
+const std::vector<double> six{1, -2, 3.5, 4, 5, 6};
+
+void all_types_orders_and_versions(void**) {
+    for (const char* descr : {"<f4", "<f8", ">f4", ">f8"})
+        for (const int version : {1, 2, 3}) {
+            const std::string data = numbers(descr, six);
+            check_values(npy(header(dict(descr, "False", "(2, 3)"), version) + data), 2, six);
+            check_values(npy(header(dict(descr, "True", "(3, 2)"), version) + data), 3,
+                         {1, 4, -2, 5, 3.5, 6});
+        }
+}
+
+void keeps_every_bit(void**) {
+    const std::vector<double> values{0.1, 1e-310, 1.7976931348623157e308, -0.0};
+    check_values(npy(header(dict("<f8", "False", "(2, 2)")) + numbers("<f8", values)), 2, values);
+}
+
+void one_dimension_is_one_column(void**) {
+    for (const char* order : {"True", "False"})
+        check_values(npy(header(dict("<f8", order, "(6,)")) + numbers("<f8", six)), 6, six);
+}
+
+void numbers_at_odd_addresses(void**) {
+    const std::string text = header(dict("<f8", "False", "(3, 2)")) + numbers("<f8", six);
+    for (std::size_t shift = 0; shift < sizeof(double); ++shift) {
+        const std::string shifted = std::string(shift, ' ') + text;
+        check_values(npy(std::string_view(shifted).substr(shift)), 3, six);
+    }
+}
+
+void headers_in_any_notation(void**) {
+    const std::string data = numbers("<f8", six);
+    for (const char* text :
+         {"{\"shape\":(2,3),\"descr\":\"<f8\",\"fortran_order\":False}",
+          "{ 'fortran_order' : False , 'shape' : ( 2 , 3 , ) , 'descr' : '<f8' , }\n"})
+        check_values(npy(header(text) + data), 2, six);
+}
+
+void refuses(const std::string& bytes, Status status, std::string_view part, int line) {
+    check_fails(
+        status, part, [&] { npy(bytes); }, __FILE__, line);
+}
+#define REFUSES(bytes, status, part) refuses(bytes, Status::status, part, __LINE__)
+
+void types_that_are_not_numbers(void**) {
+    const std::string data = numbers("<f8", six);
+    for (const char* descr : {"<i8", "|O", "<f2", "<c16", "|b1", "<f16", "<U3", "f8", ""})
+        REFUSES(header(dict(descr, "False", "(2, 3)")) + data, unsupported,
+                "only float32 and float64 are read");
+    REFUSES(header("{'descr': [('x', '<f8')], 'fortran_order': False, 'shape': (6,)}") + data,
+            unsupported, "a structured array");
+}
+
+void sizes_that_do_not_fit(void**) {
+    const std::string data = numbers("<f8", six);
+    REFUSES(header(dict("<f8", "False", "(3, 3)")) + data, format,
+            "3 frames of 3 numbers, but the data end after 2");
+    REFUSES(header(dict("<f8", "False", "(2, 2)")) + data, format, "more bytes than");
+    REFUSES(header(dict("<f8", "False", "(2, 3)")) + data + "x", format, "more bytes than");
+    REFUSES(header(dict("<f8", "False", "()")) + data, shape, "a single number");
+    REFUSES(header(dict("<f8", "False", "(3, 2, 1)")) + data, shape,
+            "the array has 3 dimensions; expected 1 or 2: save array.reshape");
+    REFUSES(header(dict("<f8", "False", "(0, 3)")), shape, "the array is empty");
+    REFUSES(header(dict("<f8", "False", "(3, 0)")), shape, "the array is empty");
+    REFUSES(header(dict("<f8", "False", "(1000000000000, 3)")) + data, format,
+            "the data end after");
+    REFUSES(header(dict("<f8", "False", "(2, 4611686018427387904)")) + data, format, "end after");
+    REFUSES(header(dict("<f8", "False", "(9223372036854775807, 2)")) + data, format, "end after");
+    REFUSES(header(dict("<f8", "False", "(99999999999999999999,)")) + data, format, "not a dict");
+    REFUSES(header(dict("<f8", "False", "(-2, 3)")) + data, format, "not a dict");
+}
+
+void broken_headers(void**) {
+    REFUSES("\x93NUMPX\x01", format, "must begin with");
+    REFUSES("", format, "must begin with");
+    REFUSES("\x93NUMPY\x09", unsupported, "NPY version 9");
+    REFUSES("\x93NUMPY", unsupported, "NPY version 0");
+    REFUSES(header(dict("<f8", "False", "(2, 3)")).substr(0, 40), format,
+            "ends inside the NPY header");
+    for (const char* text :
+         {"", "{", "{}", "nonsense", "{'descr': '<f8'}",
+          "{'descr': '<f8', 'fortran_order': 1, 'shape': (2,)}",
+          "{'descr': '<f8', 'fortran_order': False, 'shape': (2,", "{'descr: '<f8'",
+          "{'descr': '<f8', 'fortran_order': False, 'shape': (2",
+          "{'descr': '<f8', 'fortran_order': False, 'shape': 2}", "{'x': '<f8'}",
+          "{'descr': '<f8', 'fortran_order': False, 'shape': (2, 3)} more"})
+        REFUSES(header(text) + numbers("<f8", six), format, "not a dict");
+}
+
+void not_finite(void**) {
+    std::vector<double> values = six;
+    values[4] = std::numeric_limits<double>::quiet_NaN();
+    REFUSES(header(dict("<f8", "False", "(2, 3)")) + numbers("<f8", values), not_finite,
+            "test: frame 1, column 2 is nan");
+    values[4] = std::numeric_limits<double>::infinity();
+    REFUSES(header(dict(">f4", "True", "(3, 2)")) + numbers(">f4", values), not_finite,
+            "test: frame 1, column 2 is inf");
+}
+
+} // namespace
+
+int main() {
+    const CMUnitTest tests[] = {
+        cmocka_unit_test(all_types_orders_and_versions),
+        cmocka_unit_test(keeps_every_bit),
+        cmocka_unit_test(one_dimension_is_one_column),
+        cmocka_unit_test(numbers_at_odd_addresses),
+        cmocka_unit_test(headers_in_any_notation),
+        cmocka_unit_test(types_that_are_not_numbers),
+        cmocka_unit_test(sizes_that_do_not_fit),
+        cmocka_unit_test(broken_headers),
+        cmocka_unit_test(not_finite),
+    };
+    return cmocka_run_group_tests(tests, nullptr, nullptr);
+}

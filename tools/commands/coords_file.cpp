@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "commands/coords_file.hpp"
+
+#include <fmt/format.h>
+
+namespace tool {
+
+std::string csv_text(const stltsa::Matrix& grid, const char* column) {
+    std::string text;
+    for (std::int64_t c = 0; c < grid.cols; ++c)
+        text += fmt::format("{}{}{}", c == 0 ? "" : ",", column, c + 1);
+    text += '\n';
+    for (std::int64_t r = 0; r < grid.rows; ++r) {
+        for (std::int64_t c = 0; c < grid.cols; ++c)
+            text += fmt::format("{}{}", c == 0 ? "" : ",", grid(r, c));
+        text += '\n';
+    }
+    return text;
+}
+
+} // namespace tool

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "commands/session.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+#include <span>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "arguments/option_flags.hpp"
+#include "arguments/pieces.hpp"
+#include "commands/coords_file.hpp"
+#include "exit_status.hpp"
+#include "terminal/interrupt.hpp"
+#include "terminal/style.hpp"
+#include "terminal/text.hpp"
+
+namespace tool {
+namespace {
+
+std::string read_stdin() {
+    std::string bytes;
+    char block[1 << 16];
+    for (;;) {
+        const ssize_t count = ::read(STDIN_FILENO, block, sizeof block);
+        stop_if_interrupted();
+        if (count == 0)
+            return bytes;
+        if (count > 0)
+            bytes.append(block, static_cast<std::size_t>(count));
+        else if (errno != EINTR)
+            throw Failure(Exit::unreadable,
+                          fmt::format("cannot read standard input: {}", std::strerror(errno)));
+    }
+}
+
+/// Rate of the working samples, to which lengths in seconds are converted.
+double working_rate(const stltsa::Clip& clip, const stltsa::Options& options) {
+    const double rate = options.real(STLTSA_OPT_SAMPLE_RATE);
+    return rate > 0 ? clip.fps() / std::max(1.0, std::round(clip.fps() / rate)) : clip.fps();
+}
+
+/// Saves; an error of writing does not count as an unreadable input.
+template <class Product>
+void save(const Product& product, const std::string& path) {
+    try {
+        product.save(path);
+    } catch (const stltsa::Error& error) {
+        throw error.status() == STLTSA_E_IO ? Failure(Exit::failed, error.what()) : Failure(error);
+    }
+}
+
+/// Calls `read`; its errors count as an unreadable input.
+template <class Read>
+auto reading(Read read) {
+    try {
+        return read();
+    } catch (const stltsa::Error& error) {
+        throw unreadable(error);
+    }
+}
+
+void check_outputs(const Arguments& arguments) {
+    std::vector<std::string> taken{arguments.input, arguments.model};
+    for (const std::string& piece : arguments.pieces)
+        taken.push_back(parse_piece(piece).path);
+    if (const auto skeleton = arguments.options.find(STLTSA_OPT_SKELETON);
+        skeleton != arguments.options.end())
+        taken.push_back(skeleton->second);
+    for (const std::string& path : {arguments.output, arguments.plot, arguments.coords,
+                                    arguments.product, arguments.curve_product}) {
+        if (path.empty())
+            continue;
+        check_output_place(path, taken);
+        taken.push_back(path);
+    }
+}
+
+} // namespace
+
+Session::Session(const Arguments& arguments)
+    : arguments_(arguments), bar_(!arguments.quiet && ::isatty(STDERR_FILENO) != 0) {
+    check_outputs(arguments);
+    options_.set_progress([this](std::int32_t stage, double fraction) {
+        bar_.show(stage, fraction);
+        return interrupted();
+    });
+    set_options(options_, arguments.options);
+}
+
+void Session::set_default(std::int32_t key, std::int64_t value) {
+    if (!arguments_.options.contains(key))
+        options_.set(key, value);
+}
+
+const stltsa::Clip& Session::open_input() {
+    clip_ = open_clip(arguments_.input);
+    set_lengths(options_, arguments_.options, working_rate(clip(), options()));
+    return clip();
+}
+
+stltsa::Clip Session::open_clip(const std::string& path) const {
+    return reading([&] {
+        return path == "-"
+                   ? stltsa::Clip::parse(std::as_bytes(std::span(standard_input())), 0, options())
+                   : stltsa::Clip::open(path, options());
+    });
+}
+
+stltsa::Model Session::open_model(const std::string& path) const {
+    return reading([&] {
+        return path == "-" ? stltsa::Model::parse(std::as_bytes(std::span(standard_input())))
+                           : stltsa::Model::load(path);
+    });
+}
+
+bool Session::input_is_model() const {
+    if (arguments_.input == "-")
+        return standard_input().starts_with("\x89STLTSA\n"); // docs/model-file.md
+    return ends_in(arguments_.input, ".stltsa");
+}
+
+const std::string& Session::standard_input() const {
+    if (!standard_input_)
+        standard_input_ = read_stdin();
+    return *standard_input_;
+}
+
+void Session::set_fps(double fps) {
+    options_.set(STLTSA_OPT_FPS, fps);
+}
+
+std::string Session::title() const {
+    if (arguments_.input == "-")
+        return "standard input";
+    return std::filesystem::path(arguments_.input).filename().string();
+}
+
+void Session::add_file(const std::string& path, std::string content) {
+    files_.add(path, std::move(content));
+}
+
+void Session::add_table(const std::string& path, const stltsa::Matrix& table, const char* column) {
+    if (!ends_in(path, ".npy"))
+        return add_file(path, csv_text(table, column));
+    constexpr double any_rate = 1; // NPY has none
+    const auto clip = std::make_shared<stltsa::Clip>(stltsa::Clip::from_matrix(table, any_rate));
+    files_.add_written(path, [clip](const std::string& name) { save(*clip, name); });
+}
+
+void Session::add_clip(const std::string& path, const stltsa::Clip& clip) {
+    files_.add_written(path, [&clip](const std::string& name) { save(clip, name); });
+}
+
+void Session::add_model(const std::string& path, const stltsa::Model& model) {
+    files_.add_written(path, [&model](const std::string& name) { save(model, name); });
+}
+
+/// Warnings are part of the table; if the user does not see it, they go to stderr too.
+void Session::warn(const std::vector<std::string>& warnings) const {
+    const bool seen = !arguments_.json && arguments_.output.empty();
+    if (arguments_.quiet || seen)
+        return;
+    for (const std::string& warning : warnings)
+        print_message("warning: " + with_flags(warning), Tone::warning, !arguments_.no_color);
+}
+
+void Session::finish(const Answer& answer) {
+    const bool to_stdout = arguments_.output.empty();
+    const bool colors = to_stdout && colors_wanted(STDOUT_FILENO, !arguments_.no_color);
+    const std::string text = arguments_.json ? answer.json() + '\n' : shown(answer.table(), colors);
+    stop_if_interrupted();
+    bar_.clear();
+    if (to_stdout)
+        write_stdout(text);
+    else
+        files_.add(arguments_.output, text);
+    files_.commit();
+    warn(answer.warnings);
+}
+
+} // namespace tool

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <stltsa.hpp>
+
+#include "arguments/arguments.hpp"
+#include "terminal/output.hpp"
+#include "terminal/progress_bar.hpp"
+
+namespace tool {
+
+/// Common to all commands: sets options, reads the input, writes the result. Throws Failure.
+class Session {
+  public:
+    /// Sets the options, and refuses destinations where no file can be created.
+    explicit Session(const Arguments& arguments);
+
+    /// Opens arguments.input, and converts lengths given in seconds to its frames.
+    const stltsa::Clip& open_input();
+    const stltsa::Clip& clip() const { return *clip_; }
+    stltsa::Clip open_clip(const std::string& path) const;
+    stltsa::Model open_model(const std::string& path) const;
+
+    /// Whether arguments.input is a model, by its name or by the first bytes of standard input.
+    bool input_is_model() const;
+
+    /// Sets the option fps to the rate of a file.
+    void set_fps(double fps);
+    const stltsa::Options& options() const { return options_; }
+    /// Sets an option that was not typed.
+    void set_default(std::int32_t key, std::int64_t value);
+    const Arguments& arguments() const { return arguments_; }
+
+    /// The file's name without its folder.
+    std::string title() const;
+
+    void add_file(const std::string& path, std::string content);
+    /// As NPY or CSV, by suffix; the columns of a CSV file are named y1, y2 and so on.
+    void add_table(const std::string& path, const stltsa::Matrix& table, const char* column = "y");
+    /// The suffix determines the format. The clip, like a model, must live until finish().
+    void add_clip(const std::string& path, const stltsa::Clip& clip);
+    void add_model(const std::string& path, const stltsa::Model& model);
+    /// The result that finish() writes, as JSON or as a table; only one of the two is called.
+    struct Answer {
+        std::function<std::string()> json;
+        std::function<std::string()> table;
+        std::vector<std::string> warnings;
+    };
+    /// Writes the JSON or, without --json, the table; then moves the files to their destinations.
+    void finish(const Answer& answer);
+
+  private:
+    void warn(const std::vector<std::string>& warnings) const;
+    /// Reads standard input on the first call.
+    const std::string& standard_input() const;
+
+    const Arguments& arguments_;
+    ProgressBar bar_;
+    stltsa::Options options_;
+    std::optional<stltsa::Clip> clip_;
+    mutable std::optional<std::string> standard_input_;
+    OutputFiles files_;
+};
+
+} // namespace tool

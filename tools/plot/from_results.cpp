@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plot/from_results.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "arguments/choices.hpp"
+#include "plot/denoise_figure.hpp"
+#include "plot/figure.hpp"
+#include "plot/seam_figure.hpp"
+#include "reports/report.hpp"
+#include "terminal/text.hpp"
+
+namespace tool {
+namespace {
+
+/// The body of a clip with a skeleton; `up`: 1, 2, 3 for x, y, z, 0 for unknown.
+std::optional<plot::SideView> bodies_of(const stltsa::Clip& clip, std::int64_t up) {
+    if (clip.joint_count() == 0)
+        return std::nullopt;
+    plot::Bodies bodies;
+    for (const stltsa::Joint& joint : clip.joints())
+        bodies.joints.push_back({joint.name, joint.parent});
+    bodies.positions = clip.positions();
+    bodies.rotations = clip.rotations();
+    bodies.up = up > 0 ? static_cast<int>(up) - 1 : 1;
+    return plot::SideView(std::move(bodies));
+}
+
+plot::Figure figure_of(const Session& session, const stltsa::Info& info) {
+    plot::Figure figure;
+    figure.title = session.title();
+    figure.frames = session.clip().frames();
+    figure.fps = session.clip().fps();
+    figure.first = info.integer(STLTSA_INFO_FIRST_FRAME);
+    figure.step = info.integer(STLTSA_INFO_FRAME_STEP);
+    figure.bodies = bodies_of(session.clip(), info.integer(STLTSA_INFO_UP_AXIS));
+    return figure;
+}
+
+std::vector<std::string> facts_of(const stltsa::Info& info) {
+    return {neighbors_text(info), "samples: " + samples_text(info),
+            "features: " + features_text(info)};
+}
+
+std::string embedding_text(const stltsa::Info& info) {
+    return fmt::format("period {:.3f} s, lag quality {:.2f}, cyclicity {:.2f}",
+                       info.real(STLTSA_INFO_PERIOD), info.real(STLTSA_INFO_LAG_QUALITY),
+                       info.real(STLTSA_INFO_CYCLICITY));
+}
+
+/// More would not fit on a page.
+constexpr std::size_t most_strips = 6;
+
+std::string seam_heading(const stltsa::Seam& seam, double fps) {
+    return fmt::format("seam at frame {}, {:.3f} s", seam.frame,
+                       static_cast<double>(seam.frame) / fps);
+}
+
+std::string seam_note(const stltsa::Seam& seam, const std::vector<std::string>& pieces,
+                      double fps) {
+    const auto name = [&](std::int64_t piece) {
+        return piece_name(pieces[static_cast<std::size_t>(piece)]);
+    };
+    return fmt::format(
+        "{} cut before frame {}, {} continued at frame {}; {:.3f} s blended on each "
+        "side; relative to typical: posture {:.2f}, step {:.2f}, acceleration {:.2f}",
+        name(seam.piece), seam.cut_end, seam.piece == seam.next ? "repetition" : name(seam.next),
+        seam.cut_begin, static_cast<double>(seam.crossfade) / fps, seam.posture, seam.step,
+        seam.acceleration);
+}
+
+/// Postures are a tenth of a second apart, or more if the crossfade is long.
+plot::Strip strip_of(const stltsa::Seam& seam, const std::vector<std::string>& pieces, double fps) {
+    plot::Strip strip{seam_heading(seam, fps), seam_note(seam, pieces, fps), seam.frame, 1,
+                      seam.crossfade};
+    constexpr double apart_s = 0.1;
+    constexpr std::int64_t postures_blended = 4; // to each side, at most
+    strip.step = std::max<std::int64_t>(
+        {1, std::llround(apart_s * fps), strip.crossfade / postures_blended});
+    return strip;
+}
+
+bool cut_alike(const stltsa::Seam& a, const stltsa::Seam& b) {
+    return a.piece == b.piece && a.next == b.next && a.cut_end == b.cut_end &&
+           a.cut_begin == b.cut_begin;
+}
+
+/// The seams to show: of identical ones, such as those of a repeated cycle, only the first.
+std::vector<stltsa::Seam> different_seams(const std::vector<stltsa::Seam>& seams) {
+    std::vector<stltsa::Seam> different;
+    for (const stltsa::Seam& seam : seams)
+        if (std::ranges::none_of(different,
+                                 [&](const stltsa::Seam& shown) { return cut_alike(shown, seam); }))
+            different.push_back(seam);
+    return different;
+}
+
+/// The whole of a clip without seams.
+plot::Strip whole_strip(std::int64_t frames) {
+    const std::int64_t step = std::max<std::int64_t>(1, frames / plot::strip_postures);
+    return {"no seam: each piece continues the previous one", "", plot::strip_postures / 2 * step,
+            step, -1};
+}
+
+} // namespace
+
+std::string decomposition_figure(const Session& session,
+                                 const stltsa::Decomposition& decomposition) {
+    const stltsa::Info info = decomposition.info();
+    plot::Figure figure = figure_of(session, info);
+    figure.summary = decomposition_summary(decomposition);
+    figure.facts = facts_of(info);
+    if (info.real(STLTSA_INFO_PERIOD) > 0)
+        figure.facts.insert(figure.facts.begin(), embedding_text(info));
+    const std::int64_t column = info.integer(STLTSA_INFO_COORDINATE);
+    figure.curve_name = column == 0 ? "coordinate" : fmt::format("coordinate {}", column);
+    figure.curve = decomposition.curve().values;
+    figure.loop_names = {"first coordinate of the loop", "second coordinate of the loop"};
+    figure.loop = decomposition.loop();
+    figure.units = decomposition.units();
+    figure.cycles = decomposition.cycles();
+    figure.representative = info.integer(STLTSA_INFO_REPRESENTATIVE);
+    return plot::figure_svg(figure);
+}
+
+std::string fit_figure(const Session& session, const stltsa::Model& model) {
+    const stltsa::Info info = model.info();
+    const stltsa::Matrix coords = model.coords();
+    plot::Figure figure = figure_of(session, info);
+    figure.summary = fmt::format("curve of {}, mode {}", counted(coords.cols, "coordinate"),
+                                 named(info, STLTSA_INFO_MODE));
+    figure.facts = facts_of(info);
+    figure.curve_name = "coordinate 1";
+    figure.pieces = model.components();
+    for (std::int64_t i = 0; i < coords.rows; ++i)
+        figure.curve.push_back(coords(i, 0));
+    if (coords.cols >= 2) {
+        figure.loop_names = {"coordinate 1", "coordinate 2"};
+        figure.loop = stltsa::Matrix(coords.rows, 2);
+        for (std::int64_t i = 0; i < coords.rows; ++i)
+            for (std::int64_t c = 0; c < 2; ++c)
+                figure.loop(i, c) = coords(i, c);
+    }
+    return plot::figure_svg(figure);
+}
+
+std::string denoising_figure(const Session& session, const stltsa::Matrix& points,
+                             const stltsa::Denoising& denoising) {
+    const stltsa::Info info = denoising.info();
+    plot::DenoiseFigure figure;
+    figure.title = session.title();
+    figure.summary = denoising_summary(info);
+    figure.facts = {"samples: " + samples_text(info), "knots: " + knots_text(info)};
+    figure.first = info.integer(STLTSA_INFO_FIRST_FRAME);
+    figure.step = info.integer(STLTSA_INFO_FRAME_STEP);
+    figure.fps = info.real(STLTSA_INFO_FPS) * static_cast<double>(figure.step);
+    figure.lengths = info.integers(STLTSA_INFO_LENGTH);
+    figure.before = points;
+    figure.after = denoising.cleaned();
+    figure.curve = denoising.curve();
+    figure.moves = denoising.moves();
+    figure.gammas = info.reals(STLTSA_INFO_GAMMA);
+    return plot::denoise_figure_svg(figure);
+}
+
+std::string synthesis_figure(const Arguments& arguments, const stltsa::Synthesis& synthesis) {
+    const stltsa::Clip& clip = synthesis.clip();
+    std::vector<stltsa::Seam> seams = different_seams(synthesis.seams());
+    const std::size_t left_out = seams.size() - std::min(seams.size(), most_strips);
+    seams.resize(seams.size() - left_out);
+    plot::SeamFigure figure{std::filesystem::path(arguments.product).filename().string(),
+                            synthesis_summary(synthesis),
+                            "Shaded: blended frames. Identical seams are shown once.",
+                            *bodies_of(clip, synthesis.info().integer(STLTSA_INFO_UP_AXIS)),
+                            {}};
+    if (left_out > 0)
+        figure.note +=
+            fmt::format(" Not shown: {}.", counted(static_cast<std::int64_t>(left_out), "seam"));
+    for (const stltsa::Seam& seam : seams)
+        figure.strips.push_back(strip_of(seam, arguments.pieces, clip.fps()));
+    if (seams.empty()) {
+        figure.strips.push_back(whole_strip(clip.frames()));
+        figure.note.clear();
+    }
+    return plot::seam_figure_svg(figure);
+}
+
+} // namespace tool

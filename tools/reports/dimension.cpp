@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "reports/report.hpp"
+#include "reports/table.hpp"
+#include "terminal/style.hpp"
+#include "terminal/text.hpp"
+
+namespace tool {
+namespace {
+
+using Estimate = stltsa::Dimension::Estimate;
+
+constexpr std::size_t most_rows = 10;
+constexpr std::size_t bar_width = 40;
+
+std::string estimate_text(const Estimate& estimate) {
+    return estimate.dimension == 0 ? "undetermined" : std::to_string(estimate.dimension);
+}
+
+std::string reason_text(const Estimate& estimate) {
+    return estimate.reason.empty() ? "" : fmt::format("  {}\n", estimate.reason);
+}
+
+/// The first values, with 0 in place of NaN.
+std::vector<double> shown_values(std::vector<double> values) {
+    values.resize(std::min(values.size(), most_rows));
+    std::ranges::replace_if(
+        values, [](double value) { return !std::isfinite(value); }, 0.0);
+    return values;
+}
+
+/// A table of numbers with bars; empty without numbers.
+std::string spectrum(const std::vector<double>& values, const char* index, const char* name,
+                     double unit) {
+    using enum Align;
+    Table table({right, right, left});
+    table.add({index, name, ""});
+    for (std::size_t i = 0; i < values.size(); ++i)
+        table.add({std::to_string(i + 1), fmt::format("{:.4f}", values[i]),
+                   bar(values[i] / unit, bar_width)});
+    return values.empty() ? "" : table.text();
+}
+
+std::string local_pca_text(const stltsa::Dimension& result) {
+    return fmt::format("\nLocal PCA: directions that explain {:g} % of a neighborhood's variance\n",
+                       100 * result.info().real(STLTSA_INFO_VARIANCE)) +
+           reason_text(result.local_pca()) +
+           spectrum(shown_values(result.local_variances()), "direction", "share of variance", 1.0);
+}
+
+std::string eigengap_text(const stltsa::Dimension& result) {
+    const stltsa::Info info = result.info();
+    const std::vector<double> values = shown_values(result.eigenvalues());
+    const double largest = values.empty() ? 0 : std::ranges::max(values);
+    const std::int64_t tangents = info.integer(STLTSA_INFO_DIMENSION);
+    const std::string rule = fmt::format(
+        "Eigengap: number of eigenvalues of B / k, zero included, before the first gap above {:g}. "
+        "With tangent dimension {} the first {} are small by construction, so the estimate depends "
+        "on --dimension.",
+        info.real(STLTSA_INFO_EIGENGAP_THRESHOLD), tangents, tangents + 1);
+    return '\n' + wrapped(rule, 80) + '\n' + reason_text(result.eigengap()) +
+           spectrum(values, "index", "eigenvalue", std::max(largest, 1e-300));
+}
+
+} // namespace
+
+std::string dimension_report(const stltsa::Dimension& result, const std::string& title) {
+    const stltsa::Info info = result.info();
+    Facts facts;
+    facts.add("samples", samples_text(info));
+    facts.add("features", features_text(info));
+    facts.add("neighbors", neighbors_text(info));
+    return bold(fmt::format("{}: intrinsic dimension {} (local PCA), {} (eigengap)", title,
+                            estimate_text(result.local_pca()), estimate_text(result.eigengap()))) +
+           "\n\n" + facts.text() + local_pca_text(result) + eigengap_text(result);
+}
+
+} // namespace tool

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include "reports/report.hpp"
+#include "reports/table.hpp"
+#include "terminal/style.hpp"
+#include "terminal/text.hpp"
+
+namespace tool {
+namespace {
+
+std::string seams_table(const std::vector<stltsa::Seam>& seams, double fps,
+                        const std::vector<std::string>& pieces) {
+    using enum Align;
+    if (seams.empty())
+        return "";
+    Table table({right, right, left, left, right, right, right, right, right, right}, 2);
+    table.add({"seam", "", "earlier", "later", "cut before", "continued", "blended each", "posture",
+               "step", "acceleration"});
+    table.add({"frame", "seconds", "piece", "piece", "frame", "at frame", "side (s)", "/ typical",
+               "/ typical", "/ typical"});
+    const auto seconds = [&](std::int64_t frames) {
+        return fmt::format("{:.3f}", static_cast<double>(frames) / fps);
+    };
+    const auto name = [&](std::int64_t piece) {
+        return piece_name(pieces[static_cast<std::size_t>(piece)]);
+    };
+    const auto ratio = [](double value) { return fmt::format("{:.2f}", value); };
+    for (const stltsa::Seam& seam : seams)
+        table.add({std::to_string(seam.frame), seconds(seam.frame), name(seam.piece),
+                   name(seam.next), std::to_string(seam.cut_end), std::to_string(seam.cut_begin),
+                   seconds(seam.crossfade), ratio(seam.posture), ratio(seam.step),
+                   ratio(seam.acceleration)});
+    return '\n' + table.text();
+}
+
+} // namespace
+
+std::string piece_name(const std::string& piece) {
+    return piece.substr(piece.find_last_of('/') + 1);
+}
+
+std::string synthesis_summary(const stltsa::Synthesis& synthesis) {
+    const stltsa::Clip& clip = synthesis.clip();
+    return fmt::format("{}, {:.2f} s, from {} with {}", counted(clip.frames(), "frame"),
+                       static_cast<double>(clip.frames()) / clip.fps(),
+                       counted(synthesis.info().count(STLTSA_INFO_PIECE_BEGIN), "piece"),
+                       counted(synthesis.seam_count(), "seam"));
+}
+
+std::string synthesis_report(const stltsa::Synthesis& synthesis,
+                             const std::vector<std::string>& pieces) {
+    return bold(synthesis_summary(synthesis)) + '\n' +
+           seams_table(synthesis.seams(), synthesis.clip().fps(), pieces) +
+           listed("warning:", synthesis.warnings());
+}
+
+} // namespace tool

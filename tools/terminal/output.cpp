@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "terminal/output.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <system_error>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "exit_status.hpp"
+
+namespace tool {
+namespace {
+
+namespace fs = std::filesystem;
+using stltsa::clip::followed;
+using stltsa::clip::regular_or_new;
+using stltsa::clip::TemporaryFile;
+using stltsa::clip::write_all;
+using stltsa::clip::write_directly;
+
+[[noreturn]] void fail_writing(const std::string& name, const std::string& why) {
+    throw Failure(Exit::failed, fmt::format("cannot write {}: {}", name, why));
+}
+
+/// Calls `write`; its errors name the destination as given.
+template <class Write>
+auto writing(const std::string& name, Write write) {
+    try {
+        return write();
+    } catch (const std::system_error& error) {
+        fail_writing(name, error.code().message());
+    }
+}
+
+/// Whether both paths name one file, existing or new. Several results may go to /dev/null.
+bool same_place(const std::string& path, const std::string& other) {
+    std::error_code none;
+    const auto place_of = [&none](const std::string& name) {
+        return fs::weakly_canonical(fs::absolute(followed(name), none), none);
+    };
+    return regular_or_new(path) && place_of(path) == place_of(other);
+}
+
+} // namespace
+
+void write_stdout(std::string_view text) {
+    writing("standard output", [&] { write_all(STDOUT_FILENO, text); });
+}
+
+void OutputFiles::add(const std::string& path, std::string content) {
+    const std::string place = followed(path);
+    if (!regular_or_new(place)) {
+        staged_.push_back({path, {}, [place, text = std::move(content)] {
+                               write_directly(place, [&](const auto& sink) { sink(text); });
+                           }});
+        return;
+    }
+    writing(path, [&] {
+        TemporaryFile file(place);
+        write_directly(file.name(), [&](const auto& sink) { sink(content); });
+        staged_.push_back({path, std::move(file), {}});
+    });
+}
+
+void OutputFiles::add_written(const std::string& path, const Write& write) {
+    const std::string place = followed(path);
+    if (!regular_or_new(place)) {
+        staged_.push_back(
+            {path, {}, [path, write] { write(path); }}); // not `place`: the link has the suffix
+        return;
+    }
+    TemporaryFile file =
+        writing(path, [&] { return TemporaryFile(place, fs::path(path).extension().string()); });
+    try {
+        write(file.name());
+    } catch (const Failure& failure) { // the user knows `path`, not the temporary name
+        std::string text = failure.what();
+        if (text.starts_with(file.name()))
+            text.replace(0, file.name().size(), path);
+        throw Failure(failure.status(), std::move(text));
+    }
+    staged_.push_back({path, std::move(file), {}});
+}
+
+void OutputFiles::commit() {
+    for (Staged& file : staged_)
+        writing(file.name, [&] {
+            if (file.temporary)
+                file.temporary->move_to_place();
+            else
+                file.write();
+        });
+    staged_.clear();
+}
+
+void check_output_place(const std::string& path, const std::vector<std::string>& taken) {
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    if (fs::is_directory(status))
+        error = std::make_error_code(std::errc::is_a_directory);
+    if (!fs::status_known(status) || fs::is_directory(status))
+        fail_writing(path, error.message());
+    for (const std::string& other : taken)
+        if (same_place(path, other))
+            throw Failure(Exit::usage,
+                          fmt::format("{} is an input, or is given for two outputs", path));
+    const fs::path place = followed(path);
+    if (!regular_or_new(place.string()))
+        return;
+    const std::string folder = place.has_parent_path() ? place.parent_path().string() : ".";
+    if (::access(folder.c_str(), W_OK | X_OK) != 0)
+        fail_writing(path, std::strerror(errno));
+}
+
+} // namespace tool

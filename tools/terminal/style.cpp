@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "terminal/style.hpp"
+
+#include <cstdio>
+#include <cstdlib>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "base/utf8.hpp"
+
+namespace tool {
+namespace {
+
+// A file name with these bytes merely changes the style.
+constexpr char bold_mark = '\x01';
+constexpr char dim_mark = '\x02';
+constexpr char end_mark = '\x03';
+
+std::string marked(char mark, std::string_view text) {
+    return mark + std::string(text) + end_mark;
+}
+
+std::string_view code_of(char mark) {
+    return mark == bold_mark ? "\x1b[1m" : mark == dim_mark ? "\x1b[2m" : "\x1b[0m";
+}
+
+/// Control characters of ASCII and of Latin-1 (U+0080 to U+009F).
+bool is_control(std::string_view character) {
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(character[i]); };
+    return character.size() == 1 ? byte(0) < 0x20 || byte(0) == 0x7F
+                                 : byte(0) == 0xC2 && byte(1) < 0xA0;
+}
+
+} // namespace
+
+bool colors_wanted(int descriptor, bool allowed) {
+    const char* no_color = std::getenv("NO_COLOR");
+    const char* terminal = std::getenv("TERM");
+    const bool dumb = terminal == nullptr || std::string_view(terminal) == "dumb";
+    const bool refused = !allowed || (no_color != nullptr && *no_color != '\0');
+    return !refused && !dumb && ::isatty(descriptor) != 0;
+}
+
+std::string bold(std::string_view text) {
+    return marked(bold_mark, text);
+}
+
+std::string dim(std::string_view text) {
+    return marked(dim_mark, text);
+}
+
+std::string shown(std::string_view text, bool colors) {
+    std::string result;
+    while (!text.empty()) {
+        const std::size_t length = stltsa::utf8_length(text, 0);
+        const std::string_view character = text.substr(0, length == 0 ? 1 : length);
+        const char first = character[0];
+        if (first == bold_mark || first == dim_mark || first == end_mark)
+            result += colors ? code_of(first) : "";
+        else if (length == 0 || (is_control(character) && first != '\n'))
+            result += '?';
+        else
+            result += character;
+        text.remove_prefix(character.size());
+    }
+    return result;
+}
+
+void print_message(std::string_view text, Tone tone, bool colors_allowed) {
+    const bool colors = colors_wanted(STDERR_FILENO, colors_allowed);
+    const char* color = tone == Tone::error ? "\x1b[31m" : "\x1b[33m";
+    const std::string line = fmt::format("{}stltsa:{} {}\n", colors ? color : "",
+                                         colors ? "\x1b[0m" : "", shown(text, false));
+    std::fputs(line.c_str(), stderr);
+}
+
+} // namespace tool

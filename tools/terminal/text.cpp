@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "terminal/text.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace tool {
+
+namespace {
+
+/// Insertions, deletions and substitutions (Levenshtein distance).
+std::size_t edits(std::string_view from, std::string_view to) {
+    std::vector<std::size_t> row(to.size() + 1);
+    std::iota(row.begin(), row.end(), std::size_t{0});
+    for (const char c : from) {
+        std::size_t diagonal = row[0]++;
+        for (std::size_t i = 0; i < to.size(); ++i) {
+            const std::size_t changed = diagonal + (c == to[i] ? 0 : 1);
+            diagonal = row[i + 1];
+            row[i + 1] = std::min({changed, row[i] + 1, row[i + 1] + 1});
+        }
+    }
+    return row.back();
+}
+
+} // namespace
+
+std::string hint(std::string_view word, const std::vector<std::string>& names) {
+    const auto distance = [&](const std::string& name) { return edits(word, name); };
+    const auto nearest = std::ranges::min_element(names, {}, distance);
+    constexpr std::size_t slips = 2; // three edits turn short words into others
+    if (nearest == names.end() || distance(*nearest) > slips)
+        return "";
+    return fmt::format("\nDid you mean {}?", *nearest);
+}
+
+std::vector<std::string> wrapped(std::string_view text,
+                                 const std::function<bool(const std::string& line)>& fits) {
+    std::vector<std::string> lines;
+    std::string line;
+    while (!text.empty()) {
+        const std::size_t blank = std::min(text.find(' '), text.size());
+        const std::string word(text.substr(0, blank));
+        text.remove_prefix(std::min(blank + 1, text.size()));
+        const std::string longer = line.empty() ? word : line + ' ' + word;
+        if (line.empty() || fits(longer)) {
+            line = longer;
+        } else {
+            lines.push_back(line);
+            line = word;
+        }
+    }
+    if (!line.empty())
+        lines.push_back(line);
+    return lines;
+}
+
+std::string wrapped(std::string_view text, std::size_t columns) {
+    const auto fits = [&](const std::string& line) { return characters(line) <= columns; };
+    return fmt::format("{}", fmt::join(wrapped(text, fits), "\n"));
+}
+
+bool ends_in(std::string_view name, std::string_view suffix) {
+    const auto small = [](char c) {
+        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    };
+    return name.size() >= suffix.size() &&
+           std::ranges::equal(name.substr(name.size() - suffix.size()), suffix, {}, small);
+}
+
+std::size_t characters(std::string_view text) {
+    const auto first_byte = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; };
+    return static_cast<std::size_t>(std::ranges::count_if(text, first_byte));
+}
+
+std::string counted(std::int64_t count, std::string_view noun) {
+    return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+} // namespace tool
