@@ -44,9 +44,9 @@ static stltsa_status report(const stltsa_denoising* denoising, const double* poi
     if (status == STLTSA_OK)
         status = stltsa_denoising_curve(denoising, &curve_out);
     if (status == STLTSA_OK)
-        status = stltsa_denoising_get_real(denoising, STLTSA_DENOISING_GAMMA, 0, &gamma);
+        status = stltsa_info_real(stltsa_denoising_info(denoising), STLTSA_INFO_GAMMA, 0, &gamma);
     if (status == STLTSA_OK)
-        status = stltsa_denoising_get_int(denoising, STLTSA_DENOISING_MOVED, 0, &moved);
+        status = stltsa_info_int(stltsa_denoising_info(denoising), STLTSA_INFO_MOVED, 0, &moved);
     if (status != STLTSA_OK)
         return status;
     printf("%lld of %d points are farther than %.3f from the curve and were moved\n",

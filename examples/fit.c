@@ -59,9 +59,9 @@ static stltsa_status print_coordinates(const stltsa_model* model) {
 
     stltsa_status status = stltsa_model_coords(model, &out);
     if (status == STLTSA_OK)
-        status = stltsa_model_get_int(model, STLTSA_MODEL_NEIGHBORS, &neighbors);
+        status = stltsa_info_int(stltsa_model_info(model), STLTSA_INFO_NEIGHBORS, 0, &neighbors);
     if (status == STLTSA_OK)
-        status = stltsa_model_get_real(model, STLTSA_MODEL_RESIDUAL, &residual);
+        status = stltsa_info_real(stltsa_model_info(model), STLTSA_INFO_RESIDUAL, 0, &residual);
     if (status != STLTSA_OK)
         return status;
 

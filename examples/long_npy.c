@@ -91,11 +91,11 @@ static stltsa_status fit(const stltsa_in* frames) {
     if (status == STLTSA_OK)
         status = stltsa_fit(frames, NULL, options, &model);
     if (status == STLTSA_OK)
-        status = stltsa_model_get_int(model, STLTSA_MODEL_COMPONENTS, &components);
+        status = stltsa_info_int(stltsa_model_info(model), STLTSA_INFO_COMPONENTS, 0, &components);
     if (status == STLTSA_OK)
-        status = stltsa_model_get_real(model, STLTSA_MODEL_ERROR_ESTIMATE, &error);
+        status = stltsa_info_real(stltsa_model_info(model), STLTSA_INFO_ERROR_ESTIMATE, 0, &error);
     if (status == STLTSA_OK)
-        printf("%lld frames of %lld numbers, components: %lld, error estimate %.1e\n",
+        printf("%lld frames of %lld numbers, components: %lld, error estimate of the first %.1e\n",
                (long long)frames->rows, (long long)frames->cols, (long long)components, error);
     stltsa_model_free(model);
     stltsa_options_free(options);

@@ -39,8 +39,8 @@ static stltsa_status fit(const stltsa_clip* clip, stltsa_model** model) {
 static int64_t keep_between(const stltsa_model* model, double* coords, const double* distance,
                             int64_t frames) {
     int64_t first = 0, step = 1, kept = 0, unlike = 0;
-    stltsa_model_get_int(model, STLTSA_MODEL_FIRST_FRAME, &first);
-    stltsa_model_get_int(model, STLTSA_MODEL_FRAME_STEP, &step);
+    stltsa_info_int(stltsa_model_info(model), STLTSA_INFO_FIRST_FRAME, 0, &first);
+    stltsa_info_int(stltsa_model_info(model), STLTSA_INFO_FRAME_STEP, 0, &step);
     for (int64_t frame = first + step / 2; step > 1 && frame < frames; frame += step, ++kept) {
         for (int64_t c = 0; c < dimension; ++c)
             coords[kept * dimension + c] = coords[frame * dimension + c];

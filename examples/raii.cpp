@@ -22,7 +22,7 @@ int main(int argc, char** argv) {
             std::cout << stltsa::unit_name(unit.kind) << ' ' << unit.begin_s << " s to "
                       << unit.end_s << " s\n";
         std::cout << found.cycle_count() << " cycles, period "
-                  << found.real(STLTSA_DECOMPOSITION_PERIOD) << " s\n";
+                  << found.info().real(STLTSA_INFO_PERIOD) << " s\n";
     } catch (const std::exception& error) {
         std::cerr << error.what() << '\n';
         return 1;

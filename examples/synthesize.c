@@ -14,8 +14,8 @@ static int find_cycle(const stltsa_clip* clip, stltsa_interval* cycle) {
     stltsa_decomposition* decomposition = NULL;
     int64_t best = -1;
     const int found = stltsa_decompose(clip, NULL, &decomposition) == STLTSA_OK &&
-                      stltsa_decomposition_get_int(decomposition, STLTSA_DECOMPOSITION_BEST,
-                                                   &best) == STLTSA_OK &&
+                      stltsa_info_int(stltsa_decomposition_info(decomposition), STLTSA_INFO_BEST, 0,
+                                      &best) == STLTSA_OK &&
                       stltsa_decomposition_cycle(decomposition, best, cycle) == STLTSA_OK;
     if (!found)
         fprintf(stderr, "no cycle: %s\n",

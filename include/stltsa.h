@@ -274,7 +274,9 @@ enum {
 };
 
 /* `fraction` of the stage is done, 0 to 1; within a call neither the stage nor its fraction goes
- * back. Nonzero cancels: the call returns E_CANCELLED. It runs on the caller's thread and must not
+ * back, but both may be the same as before, as while a decomposition makes its next fit. The rate of
+ * the calls is not limited: a fit of 300 frames makes about 20 of them, one of 300 000 about 300.
+ * Nonzero cancels: the call returns E_CANCELLED. It runs on the caller's thread and must not
  * throw or long-jump through the library. In the stage SPECTRUM it must not fit, decompose or
  * estimate a dimension, which returns E_ARGUMENT, nor wait for a thread that does, which never ends:
  * ARPACK works on one problem at a time. */
@@ -354,6 +356,7 @@ enum {
                                                   component */
     STLTSA_INFO_GAP = 48,               /* real[] lambda_{d+2} / lambda_{d+1} of each
                                                   component; near 1: the curve is ill-defined */
+    STLTSA_INFO_COMPONENTS = 49,        /* int    components of the neighborhood graph */
     /* Decompositions; the last three are facts of a dimension, too. */
     STLTSA_INFO_COORDINATE = 60,        /* int    1-based column that was cut; 0: none */
     STLTSA_INFO_CYCLICITY = 61,         /* real   how well that coordinate repeats once a
@@ -377,7 +380,7 @@ enum {
     STLTSA_INFO_EIGENGAP_THRESHOLD = 73, /* real   tau of section 2.3 as a fraction of k */
     STLTSA_INFO_LOCAL_VARIANCE = 74,    /* real[] mean share of a neighborhood's variance along
                                                   each of its principal directions */
-    /* Denoisings; the next five are of one column each. */
+    /* Denoisings; the next five have a value for each column. */
     STLTSA_INFO_GAMMA = 80,             /* real[] threshold used in each column */
     STLTSA_INFO_SHIFT = 81,             /* real[] d_t: mean distance of the points beyond gamma
                                                   in each column */
@@ -392,6 +395,7 @@ enum {
     STLTSA_INFO_FIT_PERIOD_MIN = 88,    /* real   period_min of the model whose coordinates
                                                   these are; 0: none */
     STLTSA_INFO_FIT_PERIOD_MAX = 89,    /* real   period_max of that model; 0: none */
+    STLTSA_INFO_COLUMNS = 90,           /* int    columns of the coordinates */
     /* Syntheses. */
     STLTSA_INFO_CROSSFADE = 100,        /* real   option crossfade; -1: chosen for each seam */
     STLTSA_INFO_CUT_RANGE = 101,        /* real   option cut_range; -1: chosen for each seam */
@@ -543,7 +547,7 @@ typedef struct stltsa_model stltsa_model;
  * clips: one after another in `frames`; `lengths`, clips x 1, I64, has the frames of each, which
  * sum to rows; NULL: one clip. Temporal neighbors never cross clips. Every connected component of the
  * neighborhood graph is embedded on its own (columns centered, of unit norm); ask
- * STLTSA_MODEL_COMPONENTS before you compare coordinates across clips or cuts.
+ * STLTSA_INFO_COMPONENTS before you compare coordinates across clips or cuts.
  * Numbers may be as small as they like, but not beyond 1e100.
  * Options: neighbors, window, dimension, mode, include_self, links, exclusion, threads, fps (for
  * the automatic k), period_min, period_max, progress. Repeated frames are collapsed first and
@@ -560,7 +564,7 @@ STLTSA_API stltsa_status stltsa_fit(const stltsa_in *frames, const stltsa_in *le
                                     stltsa_model **model) STLTSA_NOEXCEPT;
 
 /* The same from a clip: its features, T-pose start dropped, smoothed and (option sample_rate)
- * decimated. Row i of the model is source frame STLTSA_MODEL_FIRST_FRAME + i * STLTSA_MODEL_FRAME_STEP. */
+ * decimated. Row i of the model is source frame STLTSA_INFO_FIRST_FRAME + i * STLTSA_INFO_FRAME_STEP. */
 STLTSA_API stltsa_status stltsa_fit_clip(const stltsa_clip *clip, const stltsa_options *options,
                                          stltsa_model **model) STLTSA_NOEXCEPT;
 
@@ -573,42 +577,6 @@ STLTSA_API stltsa_status stltsa_fit_clips(const stltsa_clip *const *clips, int64
                                           stltsa_model **model) STLTSA_NOEXCEPT;
 STLTSA_API void stltsa_model_free(stltsa_model *model) STLTSA_NOEXCEPT;
 STLTSA_API const stltsa_info *stltsa_model_info(const stltsa_model *model) STLTSA_NOEXCEPT;
-
-enum {
-    STLTSA_MODEL_FRAMES = 1,      /* int   rows of the coordinates */
-    STLTSA_MODEL_FEATURES = 2,    /* int   columns that were fitted */
-    STLTSA_MODEL_DIMENSION = 3,   /* int   d */
-    STLTSA_MODEL_NEIGHBORS = 4,   /* int   k used */
-    STLTSA_MODEL_WINDOW = 5,      /* int   w used */
-    STLTSA_MODEL_MODE = 6,        /* int */
-    STLTSA_MODEL_INCLUDE_SELF = 7, /* int */
-    STLTSA_MODEL_LINKS = 8,       /* int */
-    STLTSA_MODEL_EXCLUSION = 9,   /* int */
-    STLTSA_MODEL_COMPONENTS = 10, /* int   connected components of the neighborhood graph */
-    STLTSA_MODEL_REPEATED = 11,   /* int   frames collapsed because they repeat the one before */
-    STLTSA_MODEL_RANK_DEFICIENT = 12, /* int windows of fewer than d directions */
-    STLTSA_MODEL_SOLVES = 13,     /* int   applications of the inverse operator by ARPACK */
-    STLTSA_MODEL_FIRST_FRAME = 14, /* int  see stltsa_fit_clip; 0 for matrices */
-    STLTSA_MODEL_FRAME_STEP = 15, /* int   1 for matrices */
-    STLTSA_MODEL_RESIDUAL = 16,   /* real  max ||B u - lambda u|| / k over the coordinates */
-    STLTSA_MODEL_ERROR_ESTIMATE = 17, /* real largest principal angle to the exact embedding of
-                                               these neighborhoods and their directions, its order
-                                               of magnitude, radians; pi/2: unknown */
-    STLTSA_MODEL_GAP = 18,        /* real  smallest lambda_{d+2} / lambda_{d+1} of a component;
-                                           near 1: the d-dimensional curve is ill-defined */
-    STLTSA_MODEL_TIME_CORRELATION = 19, /* real |rank correlation| of coordinate 1 with time, over
-                                           at most 2^14 frames of the largest component; 1: the
-                                           coordinate only follows time */
-    STLTSA_MODEL_FPS = 20,        /* real  of the rows; 0: unknown */
-    STLTSA_MODEL_PERIOD = 21,     /* real  seconds, that the automatic k rests on; 0: none */
-    STLTSA_MODEL_REACH = 22       /* real  distance from the fitted frames, in units of the
-                                           features, up to which a new frame counts as one of
-                                           their kind; see stltsa_map. 0: the model cannot map */
-};
-STLTSA_API stltsa_status stltsa_model_get_int(const stltsa_model *model, int32_t key,
-                                              int64_t *value) STLTSA_NOEXCEPT;
-STLTSA_API stltsa_status stltsa_model_get_real(const stltsa_model *model, int32_t key,
-                                               double *value) STLTSA_NOEXCEPT;
 
 /* rows x d. */
 STLTSA_API stltsa_status stltsa_model_coords(const stltsa_model *model,
@@ -722,33 +690,11 @@ STLTSA_API stltsa_status stltsa_decomposition_cycle(const stltsa_decomposition *
                                                     int64_t index,
                                                     stltsa_interval *cycle) STLTSA_NOEXCEPT;
 
-enum {
-    STLTSA_DECOMPOSITION_SAMPLES = 1,     /* int  working samples: rows of curve and coords */
-    STLTSA_DECOMPOSITION_FIRST_FRAME = 2, /* int  sample i is frame first + i * step */
-    STLTSA_DECOMPOSITION_FRAME_STEP = 3,  /* int */
-    STLTSA_DECOMPOSITION_NEIGHBORS = 4,   /* int  k used, in samples */
-    STLTSA_DECOMPOSITION_WINDOW = 5,      /* int  w used, in samples */
-    STLTSA_DECOMPOSITION_DIMENSION = 6,   /* int  tangent dimension used; columns of coords */
-    STLTSA_DECOMPOSITION_COORDINATE = 7,  /* int  1-based column that was cut; 0: none */
-    STLTSA_DECOMPOSITION_REPRESENTATIVE = 8, /* int index of the paper's cycle (first to third
-                                                    candidate); -1: none */
-    STLTSA_DECOMPOSITION_BEST = 9,        /* int  index of the cycle most like the others; -1 */
-    STLTSA_DECOMPOSITION_FEATURES = 10,   /* int  STLTSA_FEATURES_* used */
-    STLTSA_DECOMPOSITION_PERIOD = 11,     /* real seconds; 0: none */
-    STLTSA_DECOMPOSITION_CYCLICITY = 12,  /* real of the coordinate that was cut; 1: perfect */
-    STLTSA_DECOMPOSITION_LAG_QUALITY = 13, /* real 1 - D(T) of the period; 1: perfect */
-    STLTSA_DECOMPOSITION_FPS = 14         /* real of the working samples */
-};
-STLTSA_API stltsa_status stltsa_decomposition_get_int(const stltsa_decomposition *decomposition,
-                                                      int32_t key, int64_t *value) STLTSA_NOEXCEPT;
-STLTSA_API stltsa_status stltsa_decomposition_get_real(const stltsa_decomposition *decomposition,
-                                                       int32_t key, double *value) STLTSA_NOEXCEPT;
-
 /* The smoothed coordinate that was cut: samples x 1. */
 STLTSA_API stltsa_status stltsa_decomposition_curve(const stltsa_decomposition *decomposition,
                                                     const stltsa_out *curve) STLTSA_NOEXCEPT;
-/* All coordinates of the fit that was cut, not smoothed: samples x STLTSA_DECOMPOSITION_DIMENSION;
- * zeros if there was nothing to fit (STLTSA_DECOMPOSITION_COORDINATE 0). Samples outside the moving
+/* All coordinates of the fit that was cut, not smoothed: samples x STLTSA_INFO_DIMENSION;
+ * zeros if there was nothing to fit (STLTSA_INFO_COORDINATE 0). Samples outside the moving
  * part of the clip have the coordinates of its nearest end. */
 STLTSA_API stltsa_status stltsa_decomposition_coords(const stltsa_decomposition *decomposition,
                                                      const stltsa_out *coords) STLTSA_NOEXCEPT;
@@ -782,7 +728,7 @@ STLTSA_API stltsa_status stltsa_decomposition_json(const stltsa_decomposition *d
  *           nearest row of the frame before, plus a small STLTSA_OPT_HINT_WINDOW, so that time
  *           never runs back.
  * coords    rows x d
- * distance  NULL, or rows x 1: distance from the fitted frames over STLTSA_MODEL_REACH. Beyond 1
+ * distance  NULL, or rows x 1: distance from the fitted frames over STLTSA_INFO_REACH. Beyond 1
  *           the frame is unlike what was learned, and its coordinates mean little.
  * nearest   NULL, or rows x 1, I64: the nearest model row of each row; the coordinates belong to
  *           the component of that row (stltsa_model_components)
@@ -817,7 +763,7 @@ STLTSA_API stltsa_status stltsa_unmap(const stltsa_model *model, const stltsa_in
 /* Poses from points of the manifold, as a clip with the skeleton that was fitted: rotations of all
  * joints, height and tilt; the body stays over the origin and faces one way. A point becomes a
  * frame, so the clip's rate is that of the points: option fps, which for what stltsa_map_clip gave
- * is the rate of that clip; 0: STLTSA_MODEL_FPS, the rate of the rows. Other options: as
+ * is the rate of that clip; 0: STLTSA_INFO_FPS, the rate of the rows. Other options: as
  * stltsa_unmap. E_UNSUPPORTED for a model of bare numbers, E_SHAPE for no points at all. */
 STLTSA_API stltsa_status stltsa_unmap_clip(const stltsa_model *model, const stltsa_in *coords,
                                            const stltsa_in *hints, const stltsa_options *options,
@@ -860,20 +806,6 @@ STLTSA_API void stltsa_denoising_free(stltsa_denoising *denoising) STLTSA_NOEXCE
 STLTSA_API const stltsa_info *
 stltsa_denoising_info(const stltsa_denoising *denoising) STLTSA_NOEXCEPT;
 
-enum {
-    STLTSA_DENOISING_ROWS = 1,    /* int */
-    STLTSA_DENOISING_COLUMNS = 2, /* int */
-    STLTSA_DENOISING_MOVED = 3,   /* int   points that were moved */
-    STLTSA_DENOISING_GAMMA = 4,   /* real  threshold used */
-    STLTSA_DENOISING_SHIFT = 5,   /* real  d_t: mean distance of the points beyond gamma */
-    STLTSA_DENOISING_NOISE = 6,   /* real  robust standard deviation of the residuals */
-    STLTSA_DENOISING_DEGREES_OF_FREEDOM = 7 /* real  of the curve, effective */
-};
-/* Of one column, over all clips. */
-STLTSA_API stltsa_status stltsa_denoising_get_int(const stltsa_denoising *denoising, int32_t key,
-                                                  int64_t column, int64_t *value) STLTSA_NOEXCEPT;
-STLTSA_API stltsa_status stltsa_denoising_get_real(const stltsa_denoising *denoising, int32_t key,
-                                                   int64_t column, double *value) STLTSA_NOEXCEPT;
 /* rows x columns: the fitted curve f_c; the points after equation (1); by how much each was moved
  * (0: it was not). */
 STLTSA_API stltsa_status stltsa_denoising_curve(const stltsa_denoising *denoising,

@@ -434,23 +434,19 @@ class Model {
         return {all.begin(), all.end()};
     }
 
-    std::int64_t integer(std::int32_t key) const {
-        return detail::got<std::int64_t>(stltsa_model_get_int, get(), key);
-    }
-    double real(std::int32_t key) const {
-        return detail::got<double>(stltsa_model_get_real, get(), key);
-    }
     Matrix coords() const {
-        return detail::matrix(stltsa_model_coords, get(), integer(STLTSA_MODEL_FRAMES),
-                              integer(STLTSA_MODEL_DIMENSION));
+        return detail::matrix(stltsa_model_coords, get(), info().integer(STLTSA_INFO_ROWS),
+                              info().integer(STLTSA_INFO_DIMENSION));
     }
     Matrix eigenvalues() const {
-        return detail::matrix(stltsa_model_eigenvalues, get(), integer(STLTSA_MODEL_COMPONENTS),
-                              integer(STLTSA_MODEL_DIMENSION) + 2);
+        return detail::matrix(stltsa_model_eigenvalues, get(),
+                              info().integer(STLTSA_INFO_COMPONENTS),
+                              info().integer(STLTSA_INFO_DIMENSION) + 2);
     }
     /// The component of each row.
     std::vector<std::int64_t> components() const {
-        std::vector<std::int64_t> labels(static_cast<std::size_t>(integer(STLTSA_MODEL_FRAMES)));
+        std::vector<std::int64_t> labels(
+            static_cast<std::size_t>(info().integer(STLTSA_INFO_ROWS)));
         const stltsa_out out = detail::out(labels);
         detail::check(stltsa_model_components(get(), &out));
         return labels;
@@ -462,10 +458,10 @@ class Model {
     std::string json() const { return detail::json(stltsa_model_json, get()); }
 
     Mapped map(const MatrixView& frames, const Options& options = {}, Hints hints = {}) const {
-        return mapped(stltsa_map, integer(STLTSA_MODEL_DIMENSION), frames, options, hints);
+        return mapped(stltsa_map, info().integer(STLTSA_INFO_DIMENSION), frames, options, hints);
     }
     Mapped map(const Clip& clip, const Options& options = {}) const {
-        Mapped result = room(clip.frames(), integer(STLTSA_MODEL_DIMENSION));
+        Mapped result = room(clip.frames(), info().integer(STLTSA_INFO_DIMENSION));
         const stltsa_out values = detail::out(result.values);
         const stltsa_out distance = detail::out(result.distance);
         const stltsa_out nearest = detail::out(result.nearest);
@@ -474,7 +470,8 @@ class Model {
         return result;
     }
     Mapped unmap(const MatrixView& coords, const Options& options = {}, Hints hints = {}) const {
-        return mapped(stltsa_unmap, integer(STLTSA_MODEL_FEATURES), coords, options, hints);
+        return mapped(stltsa_unmap, info().integer(STLTSA_INFO_FEATURE_COUNT), coords, options,
+                      hints);
     }
     Poses unmap_clip(const MatrixView& coords, const Options& options = {},
                      Hints hints = {}) const {
@@ -610,15 +607,9 @@ class Decomposition {
     std::vector<Interval> cycles() const {
         return detail::list(cycle_count(), [this](std::int64_t index) { return cycle(index); });
     }
-    std::int64_t integer(std::int32_t key) const {
-        return detail::got<std::int64_t>(stltsa_decomposition_get_int, get(), key);
-    }
-    double real(std::int32_t key) const {
-        return detail::got<double>(stltsa_decomposition_get_real, get(), key);
-    }
     Matrix curve() const { return samples(stltsa_decomposition_curve, 1); }
     Matrix coords() const {
-        return samples(stltsa_decomposition_coords, integer(STLTSA_DECOMPOSITION_DIMENSION));
+        return samples(stltsa_decomposition_coords, info().integer(STLTSA_INFO_DIMENSION));
     }
     Matrix loop() const { return samples(stltsa_decomposition_loop, 2); }
     std::string reason() const { return stltsa_decomposition_reason(get()); }
@@ -634,7 +625,7 @@ class Decomposition {
   private:
     template <class Fill>
     Matrix samples(Fill fill, std::int64_t cols) const {
-        return detail::matrix(fill, get(), integer(STLTSA_DECOMPOSITION_SAMPLES), cols);
+        return detail::matrix(fill, get(), info().integer(STLTSA_INFO_ROWS), cols);
     }
 
     detail::Handle<stltsa_decomposition, stltsa_decomposition_free> handle_;
@@ -650,13 +641,6 @@ class Denoising {
 
     explicit Denoising(stltsa_denoising* owned) : handle_(owned) {}
 
-    /// Of one column; the numbers of rows and columns are the same of all.
-    std::int64_t integer(std::int32_t key, std::int64_t column = 0) const {
-        return detail::got<std::int64_t>(stltsa_denoising_get_int, get(), key, column);
-    }
-    double real(std::int32_t key, std::int64_t column = 0) const {
-        return detail::got<double>(stltsa_denoising_get_real, get(), key, column);
-    }
     Matrix curve() const { return table(stltsa_denoising_curve); }
     Matrix cleaned() const { return table(stltsa_denoising_cleaned); }
     Matrix moves() const { return table(stltsa_denoising_moves); }
@@ -668,8 +652,8 @@ class Denoising {
   private:
     template <class Fill>
     Matrix table(Fill fill) const {
-        return detail::matrix(fill, get(), integer(STLTSA_DENOISING_ROWS),
-                              integer(STLTSA_DENOISING_COLUMNS));
+        return detail::matrix(fill, get(), info().integer(STLTSA_INFO_ROWS),
+                              info().integer(STLTSA_INFO_COLUMNS));
     }
 
     detail::Handle<stltsa_denoising, stltsa_denoising_free> handle_;

@@ -73,13 +73,20 @@ static void write_coords(const stltsa_model* model, int64_t rows, const char* pa
 }
 
 static void print_model(const stltsa_model* model) {
-    int64_t solves, components;
-    double estimate;
-    check(stltsa_model_get_int(model, STLTSA_MODEL_SOLVES, &solves));
-    check(stltsa_model_get_int(model, STLTSA_MODEL_COMPONENTS, &components));
-    check(stltsa_model_get_real(model, STLTSA_MODEL_ERROR_ESTIMATE, &estimate));
+    const stltsa_info* info = stltsa_model_info(model);
+    int64_t solves = 0, components;
+    double largest = 0;
+    check(stltsa_info_int(info, STLTSA_INFO_COMPONENTS, 0, &components));
+    for (int64_t i = 0; i < components; ++i) {
+        int64_t count;
+        double estimate;
+        check(stltsa_info_int(info, STLTSA_INFO_SOLVES, i, &count));
+        check(stltsa_info_real(info, STLTSA_INFO_ERROR_ESTIMATE, i, &estimate));
+        solves += count;
+        largest = estimate > largest ? estimate : largest;
+    }
     printf("\"solves\": %lld, \"components\": %lld, \"error_estimate\": %.3g", (long long)solves,
-           (long long)components, estimate);
+           (long long)components, largest);
 }
 
 /* Memory that the first fit of this process needs in addition to the memory in use before it. */

@@ -18,48 +18,6 @@ void copy_interval(const std::vector<stltsa_interval>& from, int64_t index, cons
     to = from[static_cast<std::size_t>(index)];
 }
 
-std::int64_t integer_of(const stltsa_decomposition& d, int32_t key) {
-    switch (key) {
-    case STLTSA_DECOMPOSITION_SAMPLES:
-        return d.source.samples.count;
-    case STLTSA_DECOMPOSITION_FIRST_FRAME:
-        return d.source.samples.first;
-    case STLTSA_DECOMPOSITION_FRAME_STEP:
-        return d.source.samples.step;
-    case STLTSA_DECOMPOSITION_NEIGHBORS:
-        return d.result.parameters.neighbors;
-    case STLTSA_DECOMPOSITION_WINDOW:
-        return d.result.parameters.window;
-    case STLTSA_DECOMPOSITION_DIMENSION:
-        return d.result.parameters.dimension;
-    case STLTSA_DECOMPOSITION_COORDINATE:
-        return d.result.coordinate;
-    case STLTSA_DECOMPOSITION_REPRESENTATIVE:
-        return d.result.representative;
-    case STLTSA_DECOMPOSITION_BEST:
-        return d.result.best;
-    case STLTSA_DECOMPOSITION_FEATURES:
-        return static_cast<std::int64_t>(d.source.samples.features);
-    default:
-        fail(Status::argument, "{} is no integer key of a decomposition", key);
-    }
-}
-
-double real_of(const stltsa_decomposition& d, int32_t key) {
-    switch (key) {
-    case STLTSA_DECOMPOSITION_PERIOD:
-        return d.source.period.period;
-    case STLTSA_DECOMPOSITION_CYCLICITY:
-        return d.result.cyclicity;
-    case STLTSA_DECOMPOSITION_LAG_QUALITY:
-        return d.result.lag_quality;
-    case STLTSA_DECOMPOSITION_FPS:
-        return d.source.samples.fps;
-    default:
-        fail(Status::argument, "{} is no real key of a decomposition", key);
-    }
-}
-
 } // namespace
 
 const char* stltsa_unit_name(int32_t kind) noexcept {
@@ -122,19 +80,6 @@ stltsa_status stltsa_decomposition_cycle(const stltsa_decomposition* decompositi
         copy_interval(required(decomposition, "decomposition").cycles, index, "cycle",
                       required(cycle, "cycle"));
     });
-}
-
-stltsa_status stltsa_decomposition_get_int(const stltsa_decomposition* decomposition, int32_t key,
-                                           int64_t* value) noexcept {
-    return guard([&] {
-        required(value, "value") = integer_of(required(decomposition, "decomposition"), key);
-    });
-}
-
-stltsa_status stltsa_decomposition_get_real(const stltsa_decomposition* decomposition, int32_t key,
-                                            double* value) noexcept {
-    return guard(
-        [&] { required(value, "value") = real_of(required(decomposition, "decomposition"), key); });
 }
 
 stltsa_status stltsa_decomposition_curve(const stltsa_decomposition* decomposition,

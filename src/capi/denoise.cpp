@@ -11,43 +11,6 @@ using capi::required;
 
 namespace {
 
-const motion::DenoisedColumn& column_of(const stltsa_denoising& denoising, std::int64_t column) {
-    const auto& columns = denoising.result.columns;
-    if (column < 0 || column >= static_cast<std::int64_t>(columns.size()))
-        fail(Status::argument, "column {} is not in 0 .. {}", column, columns.size() - 1);
-    return columns[static_cast<std::size_t>(column)];
-}
-
-std::int64_t integer_of(const stltsa_denoising& denoising, int32_t key, std::int64_t column) {
-    const motion::DenoisedColumn& found = column_of(denoising, column);
-    switch (key) {
-    case STLTSA_DENOISING_ROWS:
-        return denoising.result.curve.rows();
-    case STLTSA_DENOISING_COLUMNS:
-        return denoising.result.curve.cols();
-    case STLTSA_DENOISING_MOVED:
-        return found.moved;
-    default:
-        fail(Status::argument, "{} is no integer key of a denoising", key);
-    }
-}
-
-double real_of(const stltsa_denoising& denoising, int32_t key, std::int64_t column) {
-    const motion::DenoisedColumn& found = column_of(denoising, column);
-    switch (key) {
-    case STLTSA_DENOISING_GAMMA:
-        return found.gamma;
-    case STLTSA_DENOISING_SHIFT:
-        return found.shift;
-    case STLTSA_DENOISING_NOISE:
-        return found.noise;
-    case STLTSA_DENOISING_DEGREES_OF_FREEDOM:
-        return found.degrees_of_freedom;
-    default:
-        fail(Status::argument, "{} is no real key of a denoising", key);
-    }
-}
-
 stltsa_status write_matrix(const stltsa_denoising* denoising, Matrix motion::Denoised::*which,
                            const stltsa_out* out, const char* name) {
     return guard([&] {
@@ -84,19 +47,6 @@ stltsa_status stltsa_denoise_model(const stltsa_model* model, const stltsa_optio
 
 void stltsa_denoising_free(stltsa_denoising* denoising) noexcept {
     delete denoising;
-}
-
-stltsa_status stltsa_denoising_get_int(const stltsa_denoising* denoising, int32_t key,
-                                       int64_t column, int64_t* value) noexcept {
-    return guard([&] {
-        required(value, "value") = integer_of(required(denoising, "denoising"), key, column);
-    });
-}
-
-stltsa_status stltsa_denoising_get_real(const stltsa_denoising* denoising, int32_t key,
-                                        int64_t column, double* value) noexcept {
-    return guard(
-        [&] { required(value, "value") = real_of(required(denoising, "denoising"), key, column); });
 }
 
 stltsa_status stltsa_denoising_curve(const stltsa_denoising* denoising,

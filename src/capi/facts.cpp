@@ -193,6 +193,7 @@ constexpr InfoRow model_rows[] = {
     of_component(STLTSA_INFO_ERROR_ESTIMATE,
                  [](const ltsa::Component& c) { return c.error_estimate; }),
     of_component(STLTSA_INFO_GAP, [](const ltsa::Component& c) { return c.gap; }),
+    one<Model>(STLTSA_INFO_COMPONENTS, [](const Model& m) { return m.model.components.size(); }),
 };
 
 // ---- Intrinsic dimension ----
@@ -275,6 +276,7 @@ constexpr InfoRow denoising_rows[] = {
                    [](const Denoising& d) { return d.source.period.shortest; }),
     one<Denoising>(STLTSA_INFO_FIT_PERIOD_MAX,
                    [](const Denoising& d) { return d.source.period.longest; }),
+    one<Denoising>(STLTSA_INFO_COLUMNS, [](const Denoising& d) { return d.result.columns.size(); }),
 };
 
 // ---- Syntheses ----

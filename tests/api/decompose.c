@@ -27,13 +27,13 @@ static stltsa_interval unit(const stltsa_decomposition* d, int64_t index) {
 
 static int64_t get_int(const stltsa_decomposition* d, int32_t key) {
     int64_t value = -99;
-    must(stltsa_decomposition_get_int(d, key, &value));
+    must(stltsa_info_int(stltsa_decomposition_info(d), key, 0, &value));
     return value;
 }
 
 static double get_real(const stltsa_decomposition* d, int32_t key) {
     double value = NAN;
-    must(stltsa_decomposition_get_real(d, key, &value));
+    must(stltsa_info_real(stltsa_decomposition_info(d), key, 0, &value));
     return value;
 }
 
@@ -71,10 +71,10 @@ static void three_cycles_back_to_back(void** state) {
             assert_int_equal(cycle.begin, before.end);
         }
     }
-    assert_below(fabs(get_real(d, STLTSA_DECOMPOSITION_PERIOD) / true_period - 1), 0.01, "period");
-    assert_true(get_real(d, STLTSA_DECOMPOSITION_CYCLICITY) > 0.9);
-    assert_in_range(get_int(d, STLTSA_DECOMPOSITION_REPRESENTATIVE), 0, 2);
-    assert_in_range(get_int(d, STLTSA_DECOMPOSITION_BEST), 0, 2);
+    assert_below(fabs(get_real(d, STLTSA_INFO_PERIOD) / true_period - 1), 0.01, "period");
+    assert_true(get_real(d, STLTSA_INFO_CYCLICITY) > 0.9);
+    assert_in_range(get_int(d, STLTSA_INFO_REPRESENTATIVE), 0, 2);
+    assert_in_range(get_int(d, STLTSA_INFO_BEST), 0, 2);
     stltsa_interval none;
     assert_int_equal(stltsa_decomposition_cycle(d, 3, &none), STLTSA_E_ARGUMENT);
     assert_int_equal(stltsa_decomposition_unit(d, -1, &none), STLTSA_E_ARGUMENT);
@@ -83,7 +83,7 @@ static void three_cycles_back_to_back(void** state) {
 }
 
 static double* new_curve(const stltsa_decomposition* d, int64_t* count) {
-    *count = get_int(d, STLTSA_DECOMPOSITION_SAMPLES);
+    *count = get_int(d, STLTSA_INFO_ROWS);
     double* curve = new_matrix(*count, 1);
     const stltsa_out out = packed_out(curve, *count, 1);
     must(stltsa_decomposition_curve(d, &out));
@@ -96,8 +96,8 @@ static void column_of_the_coordinates_is_the_curve_before_smoothing(void** state
     stltsa_decomposition* d = decomposed(clip, NULL);
     int64_t count = 0;
     double* curve = new_curve(d, &count);
-    const int64_t width = get_int(d, STLTSA_DECOMPOSITION_DIMENSION);
-    const int64_t cut = get_int(d, STLTSA_DECOMPOSITION_COORDINATE) - 1;
+    const int64_t width = get_int(d, STLTSA_INFO_DIMENSION);
+    const int64_t cut = get_int(d, STLTSA_INFO_COORDINATE) - 1;
     double* coords = new_matrix(count, width);
     const stltsa_out out = packed_out(coords, count, width);
     must(stltsa_decomposition_coords(d, &out));
@@ -126,9 +126,9 @@ static void coordinates_of_a_clip_at_rest_are_zero(void** state) {
     stltsa_clip* clip = NULL;
     must(stltsa_clip_from_matrix(&in, 30, &clip));
     stltsa_decomposition* d = decomposed(clip, NULL);
-    assert_int_equal(get_int(d, STLTSA_DECOMPOSITION_COORDINATE), 0);
-    const int64_t width = get_int(d, STLTSA_DECOMPOSITION_DIMENSION);
-    const int64_t count = get_int(d, STLTSA_DECOMPOSITION_SAMPLES);
+    assert_int_equal(get_int(d, STLTSA_INFO_COORDINATE), 0);
+    const int64_t width = get_int(d, STLTSA_INFO_DIMENSION);
+    const int64_t count = get_int(d, STLTSA_INFO_ROWS);
     double* coords = new_matrix(count, width);
     coords[0] = coords[count * width - 1] = 7;
     const stltsa_out out = packed_out(coords, count, width);
@@ -210,8 +210,8 @@ static void noise_has_no_cycle_but_a_reason(void** state) {
     stltsa_decomposition* d = decomposed(clip, NULL);
     assert_int_equal(stltsa_decomposition_cycle_count(d), 0);
     assert_true(strlen(stltsa_decomposition_reason(d)) > 20);
-    assert_int_equal(get_int(d, STLTSA_DECOMPOSITION_REPRESENTATIVE), -1);
-    assert_true(get_real(d, STLTSA_DECOMPOSITION_PERIOD) == 0);
+    assert_int_equal(get_int(d, STLTSA_INFO_REPRESENTATIVE), -1);
+    assert_true(get_real(d, STLTSA_INFO_PERIOD) == 0);
     assert_int_equal(unit(d, 0).begin, 0);
     assert_int_equal(unit(d, stltsa_decomposition_unit_count(d) - 1).end, rows);
     for (int64_t i = 0; i < stltsa_decomposition_unit_count(d); ++i)
@@ -372,19 +372,12 @@ static void wrong_arguments(void** state) {
     (void)state;
     stltsa_clip* clip = opened();
     stltsa_decomposition* d = decomposed(clip, NULL);
-    int64_t whole = 7;
-    double real = 7;
     double two[2];
     const stltsa_out small = packed_out(two, 2, 1);
     stltsa_decomposition* none = d;
     assert_int_equal(stltsa_decompose(NULL, NULL, &none), STLTSA_E_ARGUMENT);
     assert_null(none);
     assert_int_equal(stltsa_decompose(clip, NULL, NULL), STLTSA_E_ARGUMENT);
-    assert_int_equal(stltsa_decomposition_get_int(d, STLTSA_DECOMPOSITION_PERIOD, &whole),
-                     STLTSA_E_ARGUMENT);
-    assert_int_equal(stltsa_decomposition_get_real(d, STLTSA_DECOMPOSITION_BEST, &real),
-                     STLTSA_E_ARGUMENT);
-    assert_true(whole == 7 && real == 7);
     assert_int_equal(stltsa_decomposition_curve(d, &small), STLTSA_E_SHAPE);
     assert_int_equal(stltsa_decomposition_loop(d, NULL), STLTSA_E_ARGUMENT);
     assert_string_equal(stltsa_decomposition_warning(d, 1000), "");

@@ -32,13 +32,13 @@ static double* new_table(const stltsa_denoising* denoising, table* fill, int64_t
 
 static double real_of(const stltsa_denoising* denoising, int32_t key, int64_t column) {
     double value = -1;
-    must(stltsa_denoising_get_real(denoising, key, column, &value));
+    must(stltsa_info_real(stltsa_denoising_info(denoising), key, column, &value));
     return value;
 }
 
 static int64_t int_of(const stltsa_denoising* denoising, int32_t key, int64_t column) {
     int64_t value = -1;
-    must(stltsa_denoising_get_int(denoising, key, column, &value));
+    must(stltsa_info_int(stltsa_denoising_info(denoising), key, column, &value));
     return value;
 }
 
@@ -46,23 +46,23 @@ static void cleaned_is_points_and_moves(void** state) {
     (void)state;
     double* y = new_noisy();
     stltsa_denoising* d = denoised(y, NULL);
-    assert_int_equal(int_of(d, STLTSA_DENOISING_ROWS, 0), rows);
-    assert_int_equal(int_of(d, STLTSA_DENOISING_COLUMNS, 1), cols);
+    assert_int_equal(int_of(d, STLTSA_INFO_ROWS, 0), rows);
+    assert_int_equal(int_of(d, STLTSA_INFO_COLUMNS, 0), cols);
     double* curve = new_table(d, stltsa_denoising_curve, rows, cols);
     double* cleaned = new_table(d, stltsa_denoising_cleaned, rows, cols);
     double* moves = new_table(d, stltsa_denoising_moves, rows, cols);
     for (int64_t c = 0; c < cols; ++c) {
-        const double gamma = real_of(d, STLTSA_DENOISING_GAMMA, c);
-        assert_true(gamma == real_of(d, STLTSA_DENOISING_NOISE, c));
-        assert_true(real_of(d, STLTSA_DENOISING_SHIFT, c) > gamma);
-        assert_true(real_of(d, STLTSA_DENOISING_DEGREES_OF_FREEDOM, c) > 2);
+        const double gamma = real_of(d, STLTSA_INFO_GAMMA, c);
+        assert_true(gamma == real_of(d, STLTSA_INFO_NOISE, c));
+        assert_true(real_of(d, STLTSA_INFO_SHIFT, c) > gamma);
+        assert_true(real_of(d, STLTSA_INFO_DEGREES_OF_FREEDOM, c) > 2);
         int64_t moved = 0;
         for (int64_t i = c; i < rows * cols; i += cols) {
             assert_int_equal(moves[i] != 0, fabs(y[i] - curve[i]) > gamma);
             assert_below(fabs(y[i] + moves[i] - cleaned[i]), 1e-14, "y + moves - cleaned");
             moved += moves[i] != 0;
         }
-        assert_int_equal(int_of(d, STLTSA_DENOISING_MOVED, c), moved);
+        assert_int_equal(int_of(d, STLTSA_INFO_MOVED, c), moved);
     }
     free(curve);
     free(cleaned);
@@ -103,8 +103,8 @@ static void options_are_used(void** state) {
     must(stltsa_options_new(&options));
     must(stltsa_options_set_real(options, STLTSA_OPT_GAMMA, 1e9));
     stltsa_denoising* d = denoised(y, options);
-    assert_true(real_of(d, STLTSA_DENOISING_GAMMA, 0) == 1e9);
-    assert_int_equal(int_of(d, STLTSA_DENOISING_MOVED, 0), 0);
+    assert_true(real_of(d, STLTSA_INFO_GAMMA, 0) == 1e9);
+    assert_int_equal(int_of(d, STLTSA_INFO_MOVED, 0), 0);
     double* cleaned = new_table(d, stltsa_denoising_cleaned, rows, cols);
     assert_same_bits(cleaned, y, rows * cols);
     free(cleaned);
@@ -114,7 +114,7 @@ static void options_are_used(void** state) {
     must(stltsa_options_set_real(options, STLTSA_OPT_FPS, 30));
     must(stltsa_options_set_real(options, STLTSA_OPT_KNOT_SPACING, 2));
     d = denoised(y, options);
-    assert_true(real_of(d, STLTSA_DENOISING_DEGREES_OF_FREEDOM, 0) < 6);
+    assert_true(real_of(d, STLTSA_INFO_DEGREES_OF_FREEDOM, 0) < 6);
     stltsa_denoising_free(d);
 
     must(stltsa_options_set_real(options, STLTSA_OPT_KNOT_SPACING, 0));
@@ -186,7 +186,7 @@ static void models_are_cleaned_piece_by_piece(void** state) {
     const stltsa_in in = packed_in(x, n, 5);
     stltsa_model* model = NULL;
     must(stltsa_fit(&in, NULL, options, &model));
-    assert_int_equal(model_int(model, STLTSA_MODEL_COMPONENTS), 2);
+    assert_int_equal(model_int(model, STLTSA_INFO_COMPONENTS), 2);
     stltsa_denoising* d = NULL;
     must(stltsa_denoise_model(model, options, &d));
     char* json = NULL;
@@ -244,18 +244,8 @@ static void errors(void** state) {
     stltsa_options_free(options);
 
     stltsa_denoising* d = denoised(y, NULL);
-    double value = 0;
-    int64_t count = 0;
     char* json = NULL;
-    assert_int_equal(stltsa_denoising_get_real(d, STLTSA_DENOISING_GAMMA, cols, &value),
-                     STLTSA_E_ARGUMENT);
-    assert_int_equal(stltsa_denoising_get_real(d, STLTSA_DENOISING_MOVED, 0, &value),
-                     STLTSA_E_ARGUMENT);
-    assert_int_equal(stltsa_denoising_get_int(d, STLTSA_DENOISING_MOVED, -1, &count),
-                     STLTSA_E_ARGUMENT);
-    assert_int_equal(stltsa_denoising_get_int(d, 99, 0, &count), STLTSA_E_ARGUMENT);
-    assert_int_equal(stltsa_denoising_get_int(NULL, STLTSA_DENOISING_ROWS, 0, &count),
-                     STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_info_count(stltsa_denoising_info(d), STLTSA_INFO_GAMMA), cols);
     assert_int_equal(stltsa_denoising_json(NULL, &json), STLTSA_E_ARGUMENT);
     const stltsa_out narrow = packed_out(y, rows, 1);
     assert_int_equal(stltsa_denoising_curve(d, &narrow), STLTSA_E_SHAPE);

@@ -48,6 +48,7 @@ static void each_clip_has_the_coordinates_that_it_has_alone(void** state) {
     assert_int_equal(stltsa_info_count(info, STLTSA_INFO_LENGTH), 2);
     assert_int_equal(stltsa_info_count(info, STLTSA_INFO_CLIP_FRAMES), 2);
     assert_int_equal(stltsa_info_count(info, STLTSA_INFO_COMPONENT_ROWS), 2);
+    assert_int_equal(value_of(both, STLTSA_INFO_COMPONENTS, 0), 2);
     double* coords = new_coords(both);
     int64_t row = 0;
     for (int64_t c = 0; c < 2; ++c) {

@@ -45,9 +45,9 @@ static void assert_holds_collapse(const int64_t* times) {
     double* held = new_held(x, times, &total);
     const struct fit want = fit_rows(x, rows);
     const struct fit got = fit_rows(held, total);
-    assert_int_equal(model_int(got.model, STLTSA_MODEL_FRAMES), total);
-    assert_int_equal(model_int(got.model, STLTSA_MODEL_REPEATED), total - rows);
-    assert_int_equal(model_int(got.model, STLTSA_MODEL_COMPONENTS), 1);
+    assert_int_equal(model_int(got.model, STLTSA_INFO_ROWS), total);
+    assert_int_equal(model_int(got.model, STLTSA_INFO_REPEATED), total - rows);
+    assert_int_equal(model_int(got.model, STLTSA_INFO_COMPONENTS), 1);
     int64_t at = 0;
     for (int i = 0; i < rows; ++i)
         for (int64_t t = 0; t < times[i]; ++t)
@@ -81,8 +81,8 @@ static void a_pose_that_comes_back_is_not_a_repeat(void** state) {
     double* x = new_motion(rows, cols, 62);
     memcpy(x + 103 * cols, x + 100 * cols, cols * sizeof *x);
     const struct fit f = fit_rows(x, rows);
-    assert_int_equal(model_int(f.model, STLTSA_MODEL_REPEATED), 0);
-    assert_int_equal(model_int(f.model, STLTSA_MODEL_COMPONENTS), 1);
+    assert_int_equal(model_int(f.model, STLTSA_INFO_REPEATED), 0);
+    assert_int_equal(model_int(f.model, STLTSA_INFO_COMPONENTS), 1);
     for (int i = 0; i < rows * d; ++i)
         assert_true(isfinite(f.coords[i]));
     free_fit(f);
@@ -97,7 +97,7 @@ static void a_hard_cut_gives_two_components(void** state) {
     for (int i = cut; i < rows; ++i)
         x[i * cols] += 1000;
     const struct fit f = fit_rows(x, rows);
-    assert_int_equal(model_int(f.model, STLTSA_MODEL_COMPONENTS), 2);
+    assert_int_equal(model_int(f.model, STLTSA_INFO_COMPONENTS), 2);
     assert_true(stltsa_model_warning_count(f.model) >= 1);
     int64_t labels[rows];
     const stltsa_out component_out = list_out(labels, rows);
@@ -141,7 +141,7 @@ static void windows_on_a_line_are_counted(void** state) {
             x[i * cols + c] += step;
     }
     const struct fit f = fit_rows(x, rows);
-    const int64_t deficient = model_int(f.model, STLTSA_MODEL_RANK_DEFICIENT);
+    const int64_t deficient = model_int(f.model, STLTSA_INFO_RANK_DEFICIENT);
     assert_in_range(deficient, end - begin - 2 * w, end - begin);
     assert_true(stltsa_model_warning_count(f.model) >= 1);
     for (int a = 0; a < d; ++a)
@@ -196,12 +196,12 @@ static void features_of_uneven_size_are_to_be_scaled(void** state) {
     double* x = new_motion(rows, cols, 66);
     const struct fit even = fit_rows(x, rows);
     assert_int_equal(says_to_scale(even.model), 0);
-    assert_below(model_real(even.model, STLTSA_MODEL_ERROR_ESTIMATE), 1e-9, "estimate");
+    assert_below(model_real(even.model, STLTSA_INFO_ERROR_ESTIMATE), 1e-9, "estimate");
     for (int i = 0; i < rows; ++i)
         x[i * cols] *= 1e4;
     const struct fit uneven = fit_rows(x, rows);
     assert_int_equal(says_to_scale(uneven.model), 1);
-    assert_true(model_real(uneven.model, STLTSA_MODEL_ERROR_ESTIMATE) > 1e-9);
+    assert_true(model_real(uneven.model, STLTSA_INFO_ERROR_ESTIMATE) > 1e-9);
     free_fit(uneven);
     free_fit(even);
     free(x);

@@ -335,7 +335,7 @@ static void order_of_clips_only_permutes(void** state) {
         stltsa_model* model = NULL;
         const stltsa_in list = list_in(lengths, clips);
         must(stltsa_fit(&in, &list, options, &model));
-        assert_int_equal(model_int(model, STLTSA_MODEL_COMPONENTS), clips);
+        assert_int_equal(model_int(model, STLTSA_INFO_COMPONENTS), clips);
         double* together = new_coords(model);
         at = 0;
         for (int p = 0; p < clips; ++p) {

@@ -67,7 +67,7 @@ static void circle_in_one_dimension_is_arc_length(void** state) {
     must(stltsa_fit(&in, NULL, options, &model));
     double* coords = new_coords(model);
     assert_below(affine_misfit(coords, 1, length, frames, 1), 1e-3, "misfit of the length");
-    assert_below(1 - model_real(model, STLTSA_MODEL_TIME_CORRELATION), 1e-12, "1 - correlation");
+    assert_below(1 - model_real(model, STLTSA_INFO_TIME_CORRELATION), 1e-12, "1 - correlation");
     assert_true(stltsa_model_warning_count(model) >= 1);
     free(coords);
     stltsa_model_free(model);

@@ -39,7 +39,7 @@ static void swiss_roll_is_unrolled(void** state) {
     double* x = new_swiss_roll(rows, sheet);
     stltsa_options* options = new_mode_options(12, 2, STLTSA_MODE_SPATIAL);
     stltsa_model* model = fit_mode(x, rows, 3, options);
-    assert_int_equal(model_int(model, STLTSA_MODEL_COMPONENTS), 1);
+    assert_int_equal(model_int(model, STLTSA_INFO_COMPONENTS), 1);
     double* coords = new_coords(model);
     assert_below(affine_misfit(coords, 2, sheet, rows, 2), 0.05, "misfit of the unrolled sheet");
     free(coords);
@@ -110,8 +110,8 @@ static void links_close_the_loop(void** state) {
     }
     stltsa_options* options = new_mode_options(12, d, STLTSA_MODE_RECURRENT);
     stltsa_model* model = fit_mode(x, rows, cols, options);
-    assert_int_equal(model_int(model, STLTSA_MODEL_COMPONENTS), 1);
-    assert_in_range(model_int(model, STLTSA_MODEL_LINKS), 1, 12);
+    assert_int_equal(model_int(model, STLTSA_INFO_COMPONENTS), 1);
+    assert_in_range(model_int(model, STLTSA_INFO_LINKS), 1, 12);
     double* coords = new_coords(model);
     double largest = 0;
     for (int i = 0; i < rows * d; ++i)
@@ -140,7 +140,7 @@ static void links_join_clips(void** state) {
             new_mode_options(12, d, linked ? STLTSA_MODE_RECURRENT : STLTSA_MODE_TEMPORAL);
         stltsa_model* model = NULL;
         must(stltsa_fit(&in, &clips, options, &model));
-        assert_int_equal(model_int(model, STLTSA_MODEL_COMPONENTS), linked ? 1 : 2);
+        assert_int_equal(model_int(model, STLTSA_INFO_COMPONENTS), linked ? 1 : 2);
         stltsa_model_free(model);
         stltsa_options_free(options);
     }

@@ -18,7 +18,7 @@ static stltsa_model* fitted(const double* x, int64_t count, int64_t k, int64_t d
 static void map(const stltsa_model* model, const double* x, int64_t count, const int64_t* hints,
                 const stltsa_options* options, double* coords, double* distance, int64_t* nearest) {
     const stltsa_in in = packed_in(x, count, cols);
-    const stltsa_out out = packed_out(coords, count, model_int(model, STLTSA_MODEL_DIMENSION));
+    const stltsa_out out = packed_out(coords, count, model_int(model, STLTSA_INFO_DIMENSION));
     const stltsa_out far = packed_out(distance, count, 1);
     const stltsa_in near = list_in(hints, count);
     const stltsa_out found = list_out(nearest, count);
@@ -28,7 +28,7 @@ static void map(const stltsa_model* model, const double* x, int64_t count, const
 
 static void unmap(const stltsa_model* model, const double* y, int64_t count, const int64_t* hints,
                   const stltsa_options* options, double* x, double* distance, int64_t* nearest) {
-    const stltsa_in in = packed_in(y, count, model_int(model, STLTSA_MODEL_DIMENSION));
+    const stltsa_in in = packed_in(y, count, model_int(model, STLTSA_INFO_DIMENSION));
     const stltsa_out out = packed_out(x, count, cols);
     const stltsa_out far = packed_out(distance, count, 1);
     const stltsa_in near = list_in(hints, count);
@@ -204,7 +204,7 @@ static void frames_far_away_are_flagged(void** state) {
     (void)state;
     double* x = new_motion(rows, cols, 13);
     stltsa_model* model = fitted(x, rows, 25, 3);
-    const double support = model_real(model, STLTSA_MODEL_REACH);
+    const double support = model_real(model, STLTSA_INFO_REACH);
     assert_true(support > 0);
     double* between = new_between(x, rows, cols, 1, 0.5);
     double* mapped = new_matrix(rows, 3);

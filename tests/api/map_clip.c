@@ -49,10 +49,10 @@ static void assert_maps_to_itself(const stltsa_clip* clip, int64_t features) {
     int64_t* nearest = calloc((size_t)frames, sizeof *nearest);
     double* mapped = new_mapped(model, clip, distance, nearest);
     double* coords = new_coords(model);
-    const int64_t first = model_int(model, STLTSA_MODEL_FIRST_FRAME);
-    const int64_t step = model_int(model, STLTSA_MODEL_FRAME_STEP);
+    const int64_t first = model_int(model, STLTSA_INFO_FIRST_FRAME);
+    const int64_t step = model_int(model, STLTSA_INFO_FRAME_STEP);
     assert_true(step > 1);
-    for (int64_t i = 0; i < model_int(model, STLTSA_MODEL_FRAMES); ++i)
+    for (int64_t i = 0; i < model_int(model, STLTSA_INFO_ROWS); ++i)
         assert_same_bits(mapped + 3 * (first + i * step), coords + 3 * i, 3);
     /* The frames between are of the same walk. */
     for (int64_t i = first; i < frames; ++i)
@@ -126,7 +126,7 @@ static double bone(const double* positions, int64_t joint, int64_t parent) {
 
 /* Points on the whole curve, and off it. */
 static double* new_points(const stltsa_model* model, int64_t* count) {
-    const int64_t rows = model_int(model, STLTSA_MODEL_FRAMES);
+    const int64_t rows = model_int(model, STLTSA_INFO_ROWS);
     double* points = new_coords(model);
     uint64_t seed = 21;
     for (int64_t i = 0; i < 3 * rows; ++i)
@@ -145,7 +145,7 @@ static void bones_keep_their_lengths(void** state) {
     const int64_t joints = stltsa_clip_joints(clip);
     assert_int_equal(stltsa_clip_joints(poses), joints);
     assert_int_equal(stltsa_clip_frames(poses), count);
-    assert_true(stltsa_clip_fps(poses) == model_real(model, STLTSA_MODEL_FPS));
+    assert_true(stltsa_clip_fps(poses) == model_real(model, STLTSA_INFO_FPS));
     double* source = new_positions(clip);
     double* made = new_positions(poses);
     for (int64_t j = 1; j < joints; ++j) {
@@ -177,7 +177,7 @@ static void poses_have_the_rate_of_the_points(void** state) {
     const int64_t frames = stltsa_clip_frames(clip);
     double* coords = new_mapped(model, clip, NULL, NULL);
     stltsa_clip* untold = posed(model, coords, frames, NULL);
-    assert_true(stltsa_clip_fps(untold) == model_real(model, STLTSA_MODEL_FPS));
+    assert_true(stltsa_clip_fps(untold) == model_real(model, STLTSA_INFO_FPS));
     stltsa_options* options = NULL;
     must(stltsa_options_new(&options));
     must(stltsa_options_set_real(options, STLTSA_OPT_FPS, stltsa_clip_fps(clip)));
@@ -198,7 +198,7 @@ static void poses_of_the_rows_come_back(void** state) {
     (void)state;
     stltsa_clip* clip = opened();
     stltsa_model* model = fitted(clip, STLTSA_FEATURES_POSITIONS);
-    const int64_t rows = model_int(model, STLTSA_MODEL_FRAMES);
+    const int64_t rows = model_int(model, STLTSA_INFO_ROWS);
     const int64_t joints = stltsa_clip_joints(clip);
     double* coords = new_coords(model);
     stltsa_clip* poses = posed(model, coords, rows, NULL);
@@ -208,8 +208,8 @@ static void poses_of_the_rows_come_back(void** state) {
     const stltsa_out made_out = packed_out(made, rows, 4 * joints);
     must(stltsa_clip_rotations(clip, &source_out));
     must(stltsa_clip_rotations(poses, &made_out));
-    const int64_t first = model_int(model, STLTSA_MODEL_FIRST_FRAME);
-    const int64_t step = model_int(model, STLTSA_MODEL_FRAME_STEP);
+    const int64_t first = model_int(model, STLTSA_INFO_FIRST_FRAME);
+    const int64_t step = model_int(model, STLTSA_INFO_FRAME_STEP);
     for (int64_t i = 0; i < rows; ++i)
         for (int64_t j = 1; j < joints; ++j) { /* the root has no yaw */
             const double* a = source + 4 * ((first + i * step) * joints + j);
@@ -230,7 +230,7 @@ static void frames_are_features_of_the_poses(const stltsa_clip* clip, int64_t fe
     int64_t count = 0;
     double* points = new_points(model, &count);
     stltsa_clip* poses = posed(model, points, count, NULL);
-    const int64_t width = model_int(model, STLTSA_MODEL_FEATURES);
+    const int64_t width = model_int(model, STLTSA_INFO_FEATURE_COUNT);
     double* frames = new_matrix(count, width);
     double* expected = new_matrix(count, width);
     const stltsa_in in = packed_in(points, count, 3);

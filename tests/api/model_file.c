@@ -43,7 +43,7 @@ static void assert_same_model(const stltsa_model* a, const stltsa_model* b) {
     assert_string_equal(text_a, text_b);
     stltsa_free(text_a);
     stltsa_free(text_b);
-    const size_t count = (size_t)(model_int(a, STLTSA_MODEL_FRAMES) * d);
+    const size_t count = (size_t)(model_int(a, STLTSA_INFO_ROWS) * d);
     double* coords_a = new_coords(a);
     double* coords_b = new_coords(b);
     assert_memory_equal(coords_a, coords_b, count * sizeof *coords_a);
@@ -80,7 +80,7 @@ static void what_was_written_reads_back(void** state) {
     stltsa_model* again = NULL;
     must(stltsa_model_parse(f->bytes, f->size, &again));
     assert_same_model(f->model, again);
-    assert_int_equal(model_int(again, STLTSA_MODEL_COMPONENTS), 2);
+    assert_int_equal(model_int(again, STLTSA_INFO_COMPONENTS), 2);
     unsigned char* bytes = NULL;
     size_t size = 0;
     must(stltsa_model_serialize(again, &bytes, &size));
@@ -97,8 +97,8 @@ static void maps_as_before(void** state) {
     double* before = new_round_trip(f->model, f->x);
     double* after = new_round_trip(again, f->x);
     assert_memory_equal(before, after, (size_t)(rows * (d + cols)) * sizeof *before);
-    assert_true(model_real(f->model, STLTSA_MODEL_REACH) > 0);
-    assert_true(model_real(f->model, STLTSA_MODEL_REACH) == model_real(again, STLTSA_MODEL_REACH));
+    assert_true(model_real(f->model, STLTSA_INFO_REACH) > 0);
+    assert_true(model_real(f->model, STLTSA_INFO_REACH) == model_real(again, STLTSA_INFO_REACH));
     free(before);
     free(after);
     stltsa_model_free(again);

@@ -127,19 +127,19 @@ static inline stltsa_options* new_options(int64_t k, int64_t w, int64_t d) {
 
 static inline int64_t model_int(const stltsa_model* model, int32_t key) {
     int64_t value = -1;
-    must(stltsa_model_get_int(model, key, &value));
+    must(stltsa_info_int(stltsa_model_info(model), key, 0, &value));
     return value;
 }
 
 static inline double model_real(const stltsa_model* model, int32_t key) {
     double value = -1;
-    must(stltsa_model_get_real(model, key, &value));
+    must(stltsa_info_real(stltsa_model_info(model), key, 0, &value));
     return value;
 }
 
 static inline double* new_coords(const stltsa_model* model) {
-    const int64_t rows = model_int(model, STLTSA_MODEL_FRAMES);
-    const int64_t d = model_int(model, STLTSA_MODEL_DIMENSION);
+    const int64_t rows = model_int(model, STLTSA_INFO_ROWS);
+    const int64_t d = model_int(model, STLTSA_INFO_DIMENSION);
     double* coords = new_matrix(rows, d);
     const stltsa_out out = packed_out(coords, rows, d);
     must(stltsa_model_coords(model, &out));

@@ -251,9 +251,9 @@ void handles_move_and_are_not_copied(void**) {
 void a_model_has_facts_coordinates_and_components(void**) {
     const Matrix frames = helix(200);
     const Model model = stltsa::fit(frames, narrow());
-    assert_int_equal(model.integer(STLTSA_MODEL_FRAMES), 200);
-    assert_int_equal(model.integer(STLTSA_MODEL_NEIGHBORS), 12);
-    assert_true(model.real(STLTSA_MODEL_RESIDUAL) < 1e-6);
+    assert_int_equal(model.info().integer(STLTSA_INFO_ROWS), 200);
+    assert_int_equal(model.info().integer(STLTSA_INFO_NEIGHBORS), 12);
+    assert_true(model.info().real(STLTSA_INFO_RESIDUAL) < 1e-6);
     const Matrix coords = model.coords();
     assert_int_equal(coords.rows, 200);
     assert_int_equal(coords.cols, 2);
@@ -300,7 +300,7 @@ void a_model_of_a_clip_maps_clips_and_gives_poses(void**) {
     const stltsa::Mapped mapped = model.map(walker());
     assert_int_equal(mapped.values.rows, walker().frames());
     constexpr int walking = 300; // a row unlike all others
-    const auto first = static_cast<std::size_t>(model.integer(STLTSA_MODEL_FIRST_FRAME));
+    const auto first = static_cast<std::size_t>(model.info().integer(STLTSA_INFO_FIRST_FRAME));
     assert_true(mapped.values.row(static_cast<std::int64_t>(first + walking))[0] ==
                 model.coords().row(walking)[0]);
     assert_int_equal(mapped.nearest[first + walking], walking);
@@ -361,15 +361,15 @@ void a_clip_is_cut_into_units_and_cycles(void**) {
     assert_int_equal(found.cycle(2).begin, cycles[1].end);
     assert_int_equal(cycles[0].kind, STLTSA_UNIT_CYCLE);
 
-    const std::int64_t samples = found.integer(STLTSA_DECOMPOSITION_SAMPLES);
+    const std::int64_t samples = found.info().integer(STLTSA_INFO_ROWS);
     assert_true(samples > 0);
-    assert_true(found.real(STLTSA_DECOMPOSITION_PERIOD) > 0.3);
+    assert_true(found.info().real(STLTSA_INFO_PERIOD) > 0.3);
     assert_int_equal(found.curve().rows, samples);
     assert_int_equal(found.curve().cols, 1);
     assert_int_equal(found.loop().rows, samples);
     assert_int_equal(found.loop().cols, 2);
     assert_int_equal(found.coords().rows, samples);
-    assert_int_equal(found.coords().cols, found.integer(STLTSA_DECOMPOSITION_DIMENSION));
+    assert_int_equal(found.coords().cols, found.info().integer(STLTSA_INFO_DIMENSION));
     assert_string_equal(found.reason().c_str(), "");
     assert_true(is_object(found.json(), "decomposition"));
 }
@@ -392,9 +392,9 @@ void coordinates_are_denoised(void**) {
         noisy(i, 1) = i == 60 ? 1 : 0.01 * static_cast<double>(i % 3);
     }
     const stltsa::Denoising clean = stltsa::denoise(noisy);
-    assert_int_equal(clean.integer(STLTSA_DENOISING_ROWS), 120);
-    assert_true(clean.integer(STLTSA_DENOISING_MOVED, 1) >= 1);
-    assert_true(clean.real(STLTSA_DENOISING_NOISE, 1) > clean.real(STLTSA_DENOISING_NOISE, 0));
+    assert_int_equal(clean.info().integer(STLTSA_INFO_ROWS), 120);
+    assert_true(clean.info().integer(STLTSA_INFO_MOVED, 1) >= 1);
+    assert_true(clean.info().real(STLTSA_INFO_NOISE, 1) > clean.info().real(STLTSA_INFO_NOISE, 0));
     const Matrix curve = clean.curve();
     const Matrix cleaned = clean.cleaned();
     const Matrix moves = clean.moves();
@@ -409,7 +409,7 @@ void coordinates_are_denoised(void**) {
                      STLTSA_E_TOO_FEW_FRAMES);
 
     const Model model = stltsa::fit(helix(100), narrow());
-    assert_int_equal(stltsa::denoise(model).integer(STLTSA_DENOISING_ROWS), 100);
+    assert_int_equal(stltsa::denoise(model).info().integer(STLTSA_INFO_ROWS), 100);
 }
 
 void pieces_become_a_new_clip(void**) {

@@ -75,12 +75,13 @@ Fitted fit(const Frames& frames, std::int32_t mode, std::size_t k, std::size_t w
     const Model model(raw);
 
     std::int64_t components = 0;
-    must(stltsa_model_get_int(raw, STLTSA_MODEL_COMPONENTS, &components));
+    must(stltsa_info_int(stltsa_model_info(raw), STLTSA_INFO_COMPONENTS, 0, &components));
     if (components != 1)
         throw std::runtime_error("the library sees " + std::to_string(components) +
                                  " components where the reference sees one");
     Fitted result;
-    must(stltsa_model_get_real(raw, STLTSA_MODEL_ERROR_ESTIMATE, &result.error_estimate));
+    must(stltsa_info_real(stltsa_model_info(raw), STLTSA_INFO_ERROR_ESTIMATE, 0,
+                          &result.error_estimate));
     result.coords = Table<double>(d, frames.rows);
     const stltsa_out coords = transposed(result.coords);
     must(stltsa_model_coords(raw, &coords));

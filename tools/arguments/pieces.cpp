@@ -94,9 +94,9 @@ bool is_file(const std::string& path) {
 std::optional<std::int64_t> cycle_meant(const std::string& what,
                                         const stltsa::Decomposition& units) {
     if (what == "best")
-        return units.integer(STLTSA_DECOMPOSITION_BEST);
+        return units.info().integer(STLTSA_INFO_BEST);
     if (what == "representative")
-        return units.integer(STLTSA_DECOMPOSITION_REPRESENTATIVE);
+        return units.info().integer(STLTSA_INFO_REPRESENTATIVE);
     if (const auto number = cycle_in(what))
         return *number - 1;
     return std::nullopt;

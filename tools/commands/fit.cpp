@@ -17,7 +17,7 @@ Exit run_fit(const Arguments& arguments) {
         session.add_file(arguments.plot, fit_figure(session, model));
     session.finish({[&] { return model.json(); },
                     [&] { return model_report(model, session.title()); }, model.warnings()});
-    return model.integer(STLTSA_MODEL_COMPONENTS) > 1 ? Exit::untrustworthy : Exit::done;
+    return model.info().integer(STLTSA_INFO_COMPONENTS) > 1 ? Exit::untrustworthy : Exit::done;
 }
 
 } // namespace tool

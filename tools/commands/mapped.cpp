@@ -24,10 +24,11 @@ Json path_json(const std::string& path) {
 
 Json model_json(const Mapping& mapping) {
     const stltsa::Model& model = mapping.model;
-    return JsonObject(
-        "path", path_json(mapping.arguments.model), "frames", model.integer(STLTSA_MODEL_FRAMES),
-        "dimension", model.integer(STLTSA_MODEL_DIMENSION), "features",
-        model.integer(STLTSA_MODEL_FEATURES), "reach", model.real(STLTSA_MODEL_REACH));
+    return JsonObject("path", path_json(mapping.arguments.model), "frames",
+                      model.info().integer(STLTSA_INFO_ROWS), "dimension",
+                      model.info().integer(STLTSA_INFO_DIMENSION), "features",
+                      model.info().integer(STLTSA_INFO_FEATURE_COUNT), "reach",
+                      model.info().real(STLTSA_INFO_REACH));
 }
 
 Json beyond_json(const Distances& distances, std::size_t rows) {

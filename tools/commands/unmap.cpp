@@ -23,7 +23,7 @@ stltsa::Matrix points_of(const stltsa::Clip& clip) {
 
 /// Points per second: from --fps or the file, otherwise the rate of the model's rows.
 double rate_of(const stltsa::Clip& points, const stltsa::Model& model) {
-    return points.fps() > 0 ? points.fps() : model.real(STLTSA_MODEL_FPS);
+    return points.fps() > 0 ? points.fps() : model.info().real(STLTSA_INFO_FPS);
 }
 
 bool poses_wanted(const std::string& path) {
@@ -35,7 +35,7 @@ bool poses_wanted(const std::string& path) {
 std::vector<std::int64_t> followed(const Session& session, const stltsa::Model& model,
                                    const stltsa::Matrix& points) {
     const std::int64_t reach = session.options().integer(STLTSA_OPT_HINT_WINDOW);
-    const std::int64_t last = model.integer(STLTSA_MODEL_FRAMES) - 1;
+    const std::int64_t last = model.info().integer(STLTSA_INFO_ROWS) - 1;
     std::vector<std::int64_t> hints;
     std::int64_t hint = -1;
     for (std::int64_t r = 0; r < points.rows; ++r) {

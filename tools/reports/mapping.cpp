@@ -48,9 +48,9 @@ std::string mapping_report(const Mapping& mapping, const std::string& title) {
     const stltsa::Model& model = mapping.model;
     Facts facts;
     facts.add("model",
-              fmt::format("{}, {}, {}", counted(model.integer(STLTSA_MODEL_FRAMES), "sample"),
-                          counted(model.integer(STLTSA_MODEL_FEATURES), "feature"),
-                          counted(model.integer(STLTSA_MODEL_DIMENSION), "coordinate")));
+              fmt::format("{}, {}, {}", counted(model.info().integer(STLTSA_INFO_ROWS), "sample"),
+                          counted(model.info().integer(STLTSA_INFO_FEATURE_COUNT), "feature"),
+                          counted(model.info().integer(STLTSA_INFO_DIMENSION), "coordinate")));
     facts.add(mapping.is_map() ? "frames" : "points",
               rows_text(mapping.rows.distance.size(), mapping.fps));
     facts.add("distance", fmt::format("median {:.2f}, 90th percentile {:.2f}, largest {:.2f} "

@@ -17,8 +17,8 @@ int main(int argc, char** argv) {
         return 2;
     if (stltsa_clip_open(argv[1], NULL, &clip) != STLTSA_OK ||
         stltsa_fit_clip(clip, NULL, &model) != STLTSA_OK ||
-        stltsa_model_get_int(model, STLTSA_MODEL_FRAMES, &rows) != STLTSA_OK ||
-        stltsa_model_get_int(model, STLTSA_MODEL_DIMENSION, &cols) != STLTSA_OK)
+        stltsa_info_int(stltsa_model_info(model), STLTSA_INFO_ROWS, 0, &rows) != STLTSA_OK ||
+        stltsa_info_int(stltsa_model_info(model), STLTSA_INFO_DIMENSION, 0, &cols) != STLTSA_OK)
         return give_up();
     double* coords = malloc((size_t)(rows * cols) * sizeof *coords);
     const stltsa_out out = {coords, rows, cols, 0, 0, STLTSA_F64, 0};

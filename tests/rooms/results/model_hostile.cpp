@@ -91,8 +91,8 @@ void use(const stltsa_model& model) {
         stltsa_free(json);
     std::int64_t features = 0;
     std::int64_t dimension = 0;
-    stltsa_model_get_int(&model, STLTSA_MODEL_FEATURES, &features);
-    stltsa_model_get_int(&model, STLTSA_MODEL_DIMENSION, &dimension);
+    stltsa_info_int(stltsa_model_info(&model), STLTSA_INFO_FEATURE_COUNT, 0, &features);
+    stltsa_info_int(stltsa_model_info(&model), STLTSA_INFO_DIMENSION, 0, &dimension);
     if (features < 1 || features > 1000 || dimension < 1 || dimension > 1000)
         return;
     std::vector<double> frame(static_cast<std::size_t>(features), 0.5);

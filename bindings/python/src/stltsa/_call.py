@@ -85,20 +85,6 @@ def json_text(function: Any, handle: Any) -> str:
         lib.stltsa_free(out[0])
 
 
-def get_int(function: Any, handle: Any, key: int, *more: int) -> int:
-    """Read one integer fact by its key."""
-    value = ffi.new("int64_t *")
-    check(function(handle, key, *more, value))
-    return int(value[0])
-
-
-def get_real(function: Any, handle: Any, key: int, *more: int) -> float:
-    """Read one real fact by its key."""
-    value = ffi.new("double *")
-    check(function(handle, key, *more, value))
-    return float(value[0])
-
-
 def texts(count: Any, text: Any, handle: Any) -> tuple[str, ...]:
     """Return the warnings of a result."""
     return tuple(string(text(handle, i)) for i in range(count(handle)))

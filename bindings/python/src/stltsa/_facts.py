@@ -72,6 +72,14 @@ class Described:
         """Return the values of one fact, without working out the others."""
         return self._values(_KEYS[name])
 
+    def _int(self, name: str) -> int:
+        """Return an integer that the object has."""
+        return int(self._fact(name)[0])
+
+    def _real(self, name: str) -> float:
+        """Return a real number that the object has."""
+        return float(self._fact(name)[0])
+
     def _values(self, key: _Key) -> tuple[Any, ...]:
         info = getattr(lib, f"stltsa_{self._kind}_info")(self._handle)
         count = lib.stltsa_info_count(info, key.key)

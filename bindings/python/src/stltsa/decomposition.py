@@ -9,7 +9,7 @@ import numpy as np
 
 from . import _html
 from ._arrays import FloatArray, IntArray, columns, write_to
-from ._call import Call, check, get_int, get_real, owned, texts
+from ._call import Call, check, owned, texts
 from ._facts import Described
 from ._native import ffi, lib
 from ._tables import table
@@ -96,12 +96,6 @@ class Decomposition(Described):
         self._handle = handle
         self.clip = clip
 
-    def _int(self, key: int) -> int:
-        return get_int(lib.stltsa_decomposition_get_int, self._handle, key)
-
-    def _real(self, key: int) -> float:
-        return get_real(lib.stltsa_decomposition_get_real, self._handle, key)
-
     def _intervals(self, count: Any, get: Any) -> tuple[Interval, ...]:
         result, raw = [], ffi.new("stltsa_interval *")
         for index in range(count(self._handle)):
@@ -133,29 +127,29 @@ class Decomposition(Described):
         """The cycles as a table with the same columns as :attr:`units`."""
         return table(self.cycle_list, Interval)
 
-    def _cycle(self, key: int) -> Interval | None:
-        index = self._int(key)
+    def _cycle(self, name: str) -> Interval | None:
+        index = self._int(name)
         return self.cycle_list[index] if index >= 0 else None
 
     @property
     def representative_cycle(self) -> Interval | None:
         """The cycle chosen by the paper's rule: from the first margin to the third."""
-        return self._cycle(lib.STLTSA_DECOMPOSITION_REPRESENTATIVE)
+        return self._cycle("representative")
 
     @property
     def best_cycle(self) -> Interval | None:
         """The cycle that is most similar to the others."""
-        return self._cycle(lib.STLTSA_DECOMPOSITION_BEST)
+        return self._cycle("best")
 
     @property
     def frames(self) -> IntArray:
         """Source frame of each sample of the curve; shape (samples,)."""
-        first = self._int(lib.STLTSA_DECOMPOSITION_FIRST_FRAME)
-        step = self._int(lib.STLTSA_DECOMPOSITION_FRAME_STEP)
-        return first + step * np.arange(self._int(lib.STLTSA_DECOMPOSITION_SAMPLES))
+        first = self._int("first_frame")
+        step = self._int("frame_step")
+        return first + step * np.arange(self._int("rows"))
 
     def _columns(self, function: Any, count: int) -> FloatArray:
-        result = columns(self._int(lib.STLTSA_DECOMPOSITION_SAMPLES), count)
+        result = columns(self._int("rows"), count)
         check(function(self._handle, write_to(result)))
         return result
 
@@ -167,7 +161,7 @@ class Decomposition(Described):
     @property
     def coords(self) -> FloatArray:
         """All coordinates of the fit that was cut, not smoothed; shape (samples, dimension)."""
-        width = self._int(lib.STLTSA_DECOMPOSITION_DIMENSION)
+        width = self._int("dimension")
         return self._columns(lib.stltsa_decomposition_coords, width)
 
     @property
@@ -178,37 +172,37 @@ class Decomposition(Described):
     @property
     def period(self) -> float:
         """Period in seconds; 0 if none was found."""
-        return self._real(lib.STLTSA_DECOMPOSITION_PERIOD)
+        return self._real("period")
 
     @property
     def cyclicity(self) -> float:
         """How well that coordinate repeats once per period; 1 is a perfect oscillation."""
-        return self._real(lib.STLTSA_DECOMPOSITION_CYCLICITY)
+        return self._real("cyclicity")
 
     @property
     def lag_quality(self) -> float:
         """Similarity of the clip to itself one period later; 1 is perfect."""
-        return self._real(lib.STLTSA_DECOMPOSITION_LAG_QUALITY)
+        return self._real("lag_quality")
 
     @property
     def fps(self) -> float:
         """Samples of the curve per second."""
-        return self._real(lib.STLTSA_DECOMPOSITION_FPS)
+        return self._real("fps")
 
     @property
     def neighbors(self) -> int:
         """Neighbors (k), in samples."""
-        return self._int(lib.STLTSA_DECOMPOSITION_NEIGHBORS)
+        return self._int("neighbors")
 
     @property
     def window(self) -> int:
         """Window (w), in samples."""
-        return self._int(lib.STLTSA_DECOMPOSITION_WINDOW)
+        return self._int("window")
 
     @property
     def dimension(self) -> int:
         """Tangent dimension."""
-        return self._int(lib.STLTSA_DECOMPOSITION_DIMENSION)
+        return self._int("dimension")
 
     @property
     def reason(self) -> str:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ._arrays import FloatArray, IntArray, columns, write_to
-from ._call import Call, check, get_int, get_real, owned
+from ._call import Call, check, owned
 from ._clips import call_on_clips, refuse_groups
 from ._facts import Described
 from ._native import ffi, lib
@@ -86,9 +86,8 @@ class Denoising(Described):
         check(function(self._handle, write_to(result)))
         return result
 
-    def _reals(self, key: int) -> FloatArray:
-        get = lib.stltsa_denoising_get_real
-        return np.array([get_real(get, self._handle, key, c) for c in range(self.points.shape[1])])
+    def _reals(self, name: str) -> FloatArray:
+        return np.array(self._fact(name))
 
     @property
     def curve(self) -> FloatArray:
@@ -108,28 +107,27 @@ class Denoising(Described):
     @property
     def moved(self) -> IntArray:
         """Number of moved points in each column."""
-        get, key = lib.stltsa_denoising_get_int, lib.STLTSA_DENOISING_MOVED
-        return np.array([get_int(get, self._handle, key, c) for c in range(self.points.shape[1])])
+        return np.array(self._fact("moved"))
 
     @property
     def gamma(self) -> FloatArray:
         """Distance from the curve beyond which a point is noisy, for each column."""
-        return self._reals(lib.STLTSA_DENOISING_GAMMA)
+        return self._reals("gamma")
 
     @property
     def shift(self) -> FloatArray:
         """Mean distance of the noisy points, the most by which they move (d_t of the paper)."""
-        return self._reals(lib.STLTSA_DENOISING_SHIFT)
+        return self._reals("shift")
 
     @property
     def noise(self) -> FloatArray:
         """Robust standard deviation of the residuals of each column."""
-        return self._reals(lib.STLTSA_DENOISING_NOISE)
+        return self._reals("noise")
 
     @property
     def degrees_of_freedom(self) -> FloatArray:
         """Effective degrees of freedom of the curve of each column."""
-        return self._reals(lib.STLTSA_DENOISING_DEGREES_OF_FREEDOM)
+        return self._reals("degrees_of_freedom")
 
     def __repr__(self) -> str:
         rows, cols = self.points.shape

@@ -18,11 +18,11 @@ from ._arrays import (
     write_list,
     write_to,
 )
-from ._call import Call, check, get_int, get_real, owned, texts
+from ._call import Call, check, owned, texts
 from ._clips import frames_and_lengths
 from ._facts import Described
 from ._native import ffi, lib
-from ._text import c_path, names
+from ._text import c_path
 from .clip import Clip, call_on_motion, opened
 
 if TYPE_CHECKING:
@@ -31,8 +31,6 @@ if TYPE_CHECKING:
     from typing_extensions import Unpack
 
     from ._options import Options
-
-_MODES = names("STLTSA_MODE_")
 
 
 class Mapped(NamedTuple):
@@ -111,44 +109,38 @@ class Model(Described):
     def __init__(self, handle: Any) -> None:
         self._handle = handle
 
-    def _int(self, key: int) -> int:
-        return get_int(lib.stltsa_model_get_int, self._handle, key)
-
-    def _real(self, key: int) -> float:
-        return get_real(lib.stltsa_model_get_real, self._handle, key)
-
     def __len__(self) -> int:
-        return self._int(lib.STLTSA_MODEL_FRAMES)
+        return self._int("rows")
 
     @property
     def n_features(self) -> int:
         """Number of fitted columns."""
-        return self._int(lib.STLTSA_MODEL_FEATURES)
+        return self._int("feature_count")
 
     @property
     def dimension(self) -> int:
         """Number of coordinates (d)."""
-        return self._int(lib.STLTSA_MODEL_DIMENSION)
+        return self._int("dimension")
 
     @property
     def neighbors(self) -> int:
         """Neighbors of each frame (k)."""
-        return self._int(lib.STLTSA_MODEL_NEIGHBORS)
+        return self._int("neighbors")
 
     @property
     def window(self) -> int:
         """Window: frames to each side (w)."""
-        return self._int(lib.STLTSA_MODEL_WINDOW)
+        return self._int("window")
 
     @property
     def mode(self) -> str:
         """``"temporal"``, ``"spatial"`` or ``"recurrent"``."""
-        return _MODES[self._int(lib.STLTSA_MODEL_MODE)]
+        return str(self._fact("mode")[0])
 
     @property
     def n_components(self) -> int:
         """Number of components of the neighborhood graph; each has its own coordinates."""
-        return self._int(lib.STLTSA_MODEL_COMPONENTS)
+        return self._int("components")
 
     @property
     def frames(self) -> IntArray:
@@ -162,27 +154,27 @@ class Model(Described):
     @property
     def fps(self) -> float:
         """Rows per second; 0 if unknown."""
-        return self._real(lib.STLTSA_MODEL_FPS)
+        return self._real("fps")
 
     @property
     def period(self) -> float:
         """Period in seconds that determines the automatic number of neighbors; 0: none found."""
-        return self._real(lib.STLTSA_MODEL_PERIOD)
+        return self._real("period")
 
     @property
     def time_correlation(self) -> float:
         """Rank correlation of coordinate 1 with time, 0 to 1; at 1 it only follows time."""
-        return self._real(lib.STLTSA_MODEL_TIME_CORRELATION)
+        return self._real("time_correlation")
 
     @property
     def residual(self) -> float:
         """Largest relative residual of the eigenvectors."""
-        return self._real(lib.STLTSA_MODEL_RESIDUAL)
+        return float(max(self._fact("residual")))
 
     @property
     def error_estimate(self) -> float:
         """Estimated angle to the exact embedding of these neighborhoods, in radians."""
-        return self._real(lib.STLTSA_MODEL_ERROR_ESTIMATE)
+        return float(max(self._fact("error_estimate")))
 
     @property
     def coords(self) -> FloatArray:

@@ -559,6 +559,7 @@ pub const STLTSA_INFO_SOLVES: i32 = 45;
 pub const STLTSA_INFO_RESIDUAL: i32 = 46;
 pub const STLTSA_INFO_ERROR_ESTIMATE: i32 = 47;
 pub const STLTSA_INFO_GAP: i32 = 48;
+pub const STLTSA_INFO_COMPONENTS: i32 = 49;
 pub const STLTSA_INFO_COORDINATE: i32 = 60;
 pub const STLTSA_INFO_CYCLICITY: i32 = 61;
 pub const STLTSA_INFO_REPRESENTATIVE: i32 = 62;
@@ -582,6 +583,7 @@ pub const STLTSA_INFO_KNOT_ROWS: i32 = 86;
 pub const STLTSA_INFO_ROBUST: i32 = 87;
 pub const STLTSA_INFO_FIT_PERIOD_MIN: i32 = 88;
 pub const STLTSA_INFO_FIT_PERIOD_MAX: i32 = 89;
+pub const STLTSA_INFO_COLUMNS: i32 = 90;
 pub const STLTSA_INFO_CROSSFADE: i32 = 100;
 pub const STLTSA_INFO_CUT_RANGE: i32 = 101;
 pub const STLTSA_INFO_POSTURE_LIMIT: i32 = 102;
@@ -902,42 +904,6 @@ extern "C" {
 extern "C" {
     pub fn stltsa_model_info(model: *const stltsa_model) -> *const stltsa_info;
 }
-pub const STLTSA_MODEL_FRAMES: i32 = 1;
-pub const STLTSA_MODEL_FEATURES: i32 = 2;
-pub const STLTSA_MODEL_DIMENSION: i32 = 3;
-pub const STLTSA_MODEL_NEIGHBORS: i32 = 4;
-pub const STLTSA_MODEL_WINDOW: i32 = 5;
-pub const STLTSA_MODEL_MODE: i32 = 6;
-pub const STLTSA_MODEL_INCLUDE_SELF: i32 = 7;
-pub const STLTSA_MODEL_LINKS: i32 = 8;
-pub const STLTSA_MODEL_EXCLUSION: i32 = 9;
-pub const STLTSA_MODEL_COMPONENTS: i32 = 10;
-pub const STLTSA_MODEL_REPEATED: i32 = 11;
-pub const STLTSA_MODEL_RANK_DEFICIENT: i32 = 12;
-pub const STLTSA_MODEL_SOLVES: i32 = 13;
-pub const STLTSA_MODEL_FIRST_FRAME: i32 = 14;
-pub const STLTSA_MODEL_FRAME_STEP: i32 = 15;
-pub const STLTSA_MODEL_RESIDUAL: i32 = 16;
-pub const STLTSA_MODEL_ERROR_ESTIMATE: i32 = 17;
-pub const STLTSA_MODEL_GAP: i32 = 18;
-pub const STLTSA_MODEL_TIME_CORRELATION: i32 = 19;
-pub const STLTSA_MODEL_FPS: i32 = 20;
-pub const STLTSA_MODEL_PERIOD: i32 = 21;
-pub const STLTSA_MODEL_REACH: i32 = 22;
-extern "C" {
-    pub fn stltsa_model_get_int(
-        model: *const stltsa_model,
-        key: i32,
-        value: *mut i64,
-    ) -> stltsa_status;
-}
-extern "C" {
-    pub fn stltsa_model_get_real(
-        model: *const stltsa_model,
-        key: i32,
-        value: *mut f64,
-    ) -> stltsa_status;
-}
 extern "C" {
     pub fn stltsa_model_coords(
         model: *const stltsa_model,
@@ -1180,34 +1146,6 @@ extern "C" {
         cycle: *mut stltsa_interval,
     ) -> stltsa_status;
 }
-pub const STLTSA_DECOMPOSITION_SAMPLES: i32 = 1;
-pub const STLTSA_DECOMPOSITION_FIRST_FRAME: i32 = 2;
-pub const STLTSA_DECOMPOSITION_FRAME_STEP: i32 = 3;
-pub const STLTSA_DECOMPOSITION_NEIGHBORS: i32 = 4;
-pub const STLTSA_DECOMPOSITION_WINDOW: i32 = 5;
-pub const STLTSA_DECOMPOSITION_DIMENSION: i32 = 6;
-pub const STLTSA_DECOMPOSITION_COORDINATE: i32 = 7;
-pub const STLTSA_DECOMPOSITION_REPRESENTATIVE: i32 = 8;
-pub const STLTSA_DECOMPOSITION_BEST: i32 = 9;
-pub const STLTSA_DECOMPOSITION_FEATURES: i32 = 10;
-pub const STLTSA_DECOMPOSITION_PERIOD: i32 = 11;
-pub const STLTSA_DECOMPOSITION_CYCLICITY: i32 = 12;
-pub const STLTSA_DECOMPOSITION_LAG_QUALITY: i32 = 13;
-pub const STLTSA_DECOMPOSITION_FPS: i32 = 14;
-extern "C" {
-    pub fn stltsa_decomposition_get_int(
-        decomposition: *const stltsa_decomposition,
-        key: i32,
-        value: *mut i64,
-    ) -> stltsa_status;
-}
-extern "C" {
-    pub fn stltsa_decomposition_get_real(
-        decomposition: *const stltsa_decomposition,
-        key: i32,
-        value: *mut f64,
-    ) -> stltsa_status;
-}
 extern "C" {
     pub fn stltsa_decomposition_curve(
         decomposition: *const stltsa_decomposition,
@@ -1340,29 +1278,6 @@ extern "C" {
 }
 extern "C" {
     pub fn stltsa_denoising_info(denoising: *const stltsa_denoising) -> *const stltsa_info;
-}
-pub const STLTSA_DENOISING_ROWS: i32 = 1;
-pub const STLTSA_DENOISING_COLUMNS: i32 = 2;
-pub const STLTSA_DENOISING_MOVED: i32 = 3;
-pub const STLTSA_DENOISING_GAMMA: i32 = 4;
-pub const STLTSA_DENOISING_SHIFT: i32 = 5;
-pub const STLTSA_DENOISING_NOISE: i32 = 6;
-pub const STLTSA_DENOISING_DEGREES_OF_FREEDOM: i32 = 7;
-extern "C" {
-    pub fn stltsa_denoising_get_int(
-        denoising: *const stltsa_denoising,
-        key: i32,
-        column: i64,
-        value: *mut i64,
-    ) -> stltsa_status;
-}
-extern "C" {
-    pub fn stltsa_denoising_get_real(
-        denoising: *const stltsa_denoising,
-        key: i32,
-        column: i64,
-        value: *mut f64,
-    ) -> stltsa_status;
 }
 extern "C" {
     pub fn stltsa_denoising_curve(

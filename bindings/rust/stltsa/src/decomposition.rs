@@ -7,9 +7,10 @@ use stltsa_sys as sys;
 
 use crate::array::Matrix;
 use crate::clip::Clip;
-use crate::error::{check, count, got, owned_text, text, texts, Result};
+use crate::error::{check, count, owned_text, text, texts, Result};
+use crate::facts::Facts;
 use crate::handle::Owned;
-use crate::kinds::{Features, UnitKind};
+use crate::kinds::{Fact, Features, UnitKind};
 use crate::options::Options;
 
 /// Motion units and cycles of a clip, and the curve from which they were cut. Made by
@@ -110,12 +111,12 @@ impl Decomposition {
 
     /// The paper's choice of a cycle (the first to third candidate).
     pub fn representative(&self) -> Option<&Interval> {
-        self.cycle_of(sys::STLTSA_DECOMPOSITION_REPRESENTATIVE)
+        self.cycle_of(Fact::Representative)
     }
 
     /// The cycle that is most similar to the others.
     pub fn best(&self) -> Option<&Interval> {
-        self.cycle_of(sys::STLTSA_DECOMPOSITION_BEST)
+        self.cycle_of(Fact::Best)
     }
 
     /// Parameters and quality of the decomposition.
@@ -183,19 +184,14 @@ impl Decomposition {
         owned_text(|out| unsafe { sys::stltsa_decomposition_json(self.raw(), out) })
     }
 
-    fn cycle_of(&self, key: i32) -> Option<&Interval> {
-        let index = int(&self.handle, key).ok()?;
+    fn cycle_of(&self, key: Fact) -> Option<&Interval> {
+        let index = self.facts().int(key, 0).ok()?;
         self.cycles.get(usize::try_from(index).ok()?)
     }
 
     fn raw(&self) -> *const sys::stltsa_decomposition {
         self.handle.raw()
     }
-}
-
-fn int(handle: &Owned<sys::stltsa_decomposition>, key: i32) -> Result<i64> {
-    // SAFETY: a live handle.
-    got(|out| unsafe { sys::stltsa_decomposition_get_int(handle.raw(), key, out) })
 }
 
 fn units(handle: &Owned<sys::stltsa_decomposition>) -> Result<Vec<Interval>> {
@@ -229,26 +225,26 @@ fn intervals(
 
 impl DecompositionInfo {
     fn of(handle: &Owned<sys::stltsa_decomposition>) -> Result<Self> {
-        let int = |key| count(int(handle, key)?);
         // SAFETY: a live handle.
-        let real =
-            |key| got(|out| unsafe { sys::stltsa_decomposition_get_real(handle.raw(), key, out) });
-        let features = int(sys::STLTSA_DECOMPOSITION_FEATURES)? as i32;
-        let coordinate = int(sys::STLTSA_DECOMPOSITION_COORDINATE)?;
-        let period: f64 = real(sys::STLTSA_DECOMPOSITION_PERIOD)?;
+        let facts = unsafe { Facts::new(sys::stltsa_decomposition_info(handle.raw())) };
+        let int = |key| count(facts.int(key, 0)?);
+        let real = |key| facts.real(key, 0);
+        let features = int(Fact::Features)? as i32;
+        let coordinate = int(Fact::Coordinate)?;
+        let period = real(Fact::Period)?;
         Ok(Self {
-            samples: int(sys::STLTSA_DECOMPOSITION_SAMPLES)?,
-            first_frame: int(sys::STLTSA_DECOMPOSITION_FIRST_FRAME)?,
-            frame_step: int(sys::STLTSA_DECOMPOSITION_FRAME_STEP)?,
-            neighbors: int(sys::STLTSA_DECOMPOSITION_NEIGHBORS)?,
-            window: int(sys::STLTSA_DECOMPOSITION_WINDOW)?,
-            dimension: int(sys::STLTSA_DECOMPOSITION_DIMENSION)?,
+            samples: int(Fact::Rows)?,
+            first_frame: int(Fact::FirstFrame)?,
+            frame_step: int(Fact::FrameStep)?,
+            neighbors: int(Fact::Neighbors)?,
+            window: int(Fact::Window)?,
+            dimension: int(Fact::Dimension)?,
             coordinate: Some(coordinate).filter(|column| *column > 0),
             features: Features::from_raw(features),
             period: Some(period).filter(|period| *period != 0.0),
-            cyclicity: real(sys::STLTSA_DECOMPOSITION_CYCLICITY)?,
-            lag_quality: real(sys::STLTSA_DECOMPOSITION_LAG_QUALITY)?,
-            fps: real(sys::STLTSA_DECOMPOSITION_FPS)?,
+            cyclicity: real(Fact::Cyclicity)?,
+            lag_quality: real(Fact::LagQuality)?,
+            fps: real(Fact::Fps)?,
         })
     }
 }

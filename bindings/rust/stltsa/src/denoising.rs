@@ -4,8 +4,10 @@
 use stltsa_sys as sys;
 
 use crate::array::{list_in, Matrix, View};
-use crate::error::{count, got, owned_text, Result};
+use crate::error::{count, owned_text, Result};
+use crate::facts::Facts;
 use crate::handle::Owned;
+use crate::kinds::Fact;
 use crate::model::{c_lengths, Model};
 use crate::options::Options;
 
@@ -142,30 +144,23 @@ impl Denoising {
         make: impl FnOnce(*mut *mut sys::stltsa_denoising) -> sys::stltsa_status,
     ) -> Result<Self> {
         let handle = Owned::make(make)?;
-        let rows = count(int(&handle, sys::STLTSA_DENOISING_ROWS, 0)?)?;
-        let columns = 0..int(&handle, sys::STLTSA_DENOISING_COLUMNS, 0)?;
-        let columns = columns.map(|column| DenoisedColumn::of(&handle, column));
+        // SAFETY: a live handle.
+        let facts = unsafe { Facts::new(sys::stltsa_denoising_info(handle.raw())) };
+        let rows = count(facts.int(Fact::Rows, 0)?)?;
+        let columns = 0..facts.int(Fact::Columns, 0)?;
+        let columns = columns.map(|column| DenoisedColumn::of(&facts, column));
         Ok(Self { columns: columns.collect::<Result<_>>()?, rows, handle })
     }
 }
 
-fn int(handle: &Owned<sys::stltsa_denoising>, key: i32, column: i64) -> Result<i64> {
-    // SAFETY: a live handle.
-    got(|out| unsafe { sys::stltsa_denoising_get_int(handle.raw(), key, column, out) })
-}
-
 impl DenoisedColumn {
-    fn of(handle: &Owned<sys::stltsa_denoising>, column: i64) -> Result<Self> {
-        // SAFETY: a live handle.
-        let real = |key| {
-            got(|out| unsafe { sys::stltsa_denoising_get_real(handle.raw(), key, column, out) })
-        };
+    fn of(facts: &Facts, column: i64) -> Result<Self> {
         Ok(Self {
-            moved: count(int(handle, sys::STLTSA_DENOISING_MOVED, column)?)?,
-            gamma: real(sys::STLTSA_DENOISING_GAMMA)?,
-            shift: real(sys::STLTSA_DENOISING_SHIFT)?,
-            noise: real(sys::STLTSA_DENOISING_NOISE)?,
-            degrees_of_freedom: real(sys::STLTSA_DENOISING_DEGREES_OF_FREEDOM)?,
+            moved: count(facts.int(Fact::Moved, column)?)?,
+            gamma: facts.real(Fact::Gamma, column)?,
+            shift: facts.real(Fact::Shift, column)?,
+            noise: facts.real(Fact::Noise, column)?,
+            degrees_of_freedom: facts.real(Fact::DegreesOfFreedom, column)?,
         })
     }
 }

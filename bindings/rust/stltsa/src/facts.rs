@@ -30,15 +30,28 @@ unsafe impl Send for Facts<'_> {}
 unsafe impl Sync for Facts<'_> {}
 
 impl Facts<'_> {
+    /// # Safety
+    /// The object that `raw` belongs to is alive and outlives the result.
+    pub(crate) unsafe fn new(raw: *const sys::stltsa_info) -> Self {
+        Facts { raw, of: PhantomData }
+    }
+
+    pub(crate) fn int(&self, key: Fact, index: i64) -> Result<i64> {
+        // SAFETY: the info lives as long as the object.
+        got(|out| unsafe { sys::stltsa_info_int(self.raw, key.raw(), index, out) })
+    }
+
+    pub(crate) fn real(&self, key: Fact, index: i64) -> Result<f64> {
+        // SAFETY: the info lives as long as the object.
+        got(|out| unsafe { sys::stltsa_info_real(self.raw, key.raw(), index, out) })
+    }
+
     /// The integers of a key: empty if the object does not have that fact, one unless it is a list.
     ///
     /// # Errors
     /// [`Argument`](crate::ErrorKind::Argument): the key has another type.
     pub fn ints(&self, key: Fact) -> Result<Vec<i64>> {
-        // SAFETY: the info lives as long as the object.
-        self.values(key, |key, index| {
-            got(|out| unsafe { sys::stltsa_info_int(self.raw, key, index, out) })
-        })
+        self.values(key, |index| self.int(key, index))
     }
 
     /// The real numbers of a key.
@@ -46,10 +59,7 @@ impl Facts<'_> {
     /// # Errors
     /// As [`Facts::ints`].
     pub fn reals(&self, key: Fact) -> Result<Vec<f64>> {
-        // SAFETY: the info lives as long as the object.
-        self.values(key, |key, index| {
-            got(|out| unsafe { sys::stltsa_info_real(self.raw, key, index, out) })
-        })
+        self.values(key, |index| self.real(key, index))
     }
 
     /// The texts of a key.
@@ -57,20 +67,20 @@ impl Facts<'_> {
     /// # Errors
     /// As [`Facts::ints`].
     pub fn texts(&self, key: Fact) -> Result<Vec<String>> {
-        self.values(key, |key, index| {
+        self.values(key, |index| {
             let mut raw = std::ptr::null();
             // SAFETY: the info, and with it the text, lives as long as the object.
             unsafe {
-                crate::error::check(sys::stltsa_info_text(self.raw, key, index, &mut raw))?;
+                crate::error::check(sys::stltsa_info_text(self.raw, key.raw(), index, &mut raw))?;
                 Ok(text(raw))
             }
         })
     }
 
-    fn values<T>(&self, key: Fact, get: impl Fn(i32, i64) -> Result<T>) -> Result<Vec<T>> {
+    fn values<T>(&self, key: Fact, get: impl Fn(i64) -> Result<T>) -> Result<Vec<T>> {
         // SAFETY: the info lives as long as the object.
         let count = unsafe { sys::stltsa_info_count(self.raw, key.raw()) };
-        (0..count).map(|index| get(key.raw(), index)).collect()
+        (0..count).map(get).collect()
     }
 }
 
@@ -80,7 +90,7 @@ macro_rules! facts {
             /// What is known, by key.
             pub fn facts(&self) -> Facts<'_> {
                 // SAFETY: a live handle, which the result borrows.
-                Facts { raw: unsafe { sys::$info(self.handle.raw()) }, of: PhantomData }
+                unsafe { Facts::new(sys::$info(self.handle.raw())) }
             }
         }
     )*};

@@ -7,11 +7,10 @@ use stltsa_sys as sys;
 
 use crate::array::{list_in, list_out, Matrix, View};
 use crate::clip::Clip;
-use crate::error::{
-    c_count, c_path, check, count, got, owned_text, texts, Error, ErrorKind, Result,
-};
+use crate::error::{c_count, c_path, check, count, owned_text, texts, Error, ErrorKind, Result};
+use crate::facts::Facts;
 use crate::handle::Owned;
-use crate::kinds::Mode;
+use crate::kinds::{Fact, Mode};
 use crate::options::Options;
 
 /// A fitted curve (spatio-temporal LTSA): coordinates of every frame, and their quality.
@@ -274,34 +273,36 @@ impl Model {
 
 impl ModelInfo {
     fn of(model: &Owned<sys::stltsa_model>) -> Result<Self> {
-        let model = model.raw();
-        // SAFETY: a live handle, as in the next.
-        let int = |key| count(got(|out| unsafe { sys::stltsa_model_get_int(model, key, out) })?);
-        let real = |key| got(|out| unsafe { sys::stltsa_model_get_real(model, key, out) });
+        // SAFETY: a live handle.
+        let facts = unsafe { Facts::new(sys::stltsa_model_info(model.raw())) };
+        let int = |key| count(facts.int(key, 0)?);
+        let real = |key| facts.real(key, 0);
+        let sum = |key| count(facts.ints(key)?.iter().sum());
+        let largest = |key| Ok::<_, Error>(facts.reals(key)?.into_iter().fold(0.0, f64::max));
         let known = |key| Ok::<_, Error>(Some(real(key)?).filter(|value| *value != 0.0));
         Ok(Self {
-            frames: int(sys::STLTSA_MODEL_FRAMES)?,
-            features: int(sys::STLTSA_MODEL_FEATURES)?,
-            dimension: int(sys::STLTSA_MODEL_DIMENSION)?,
-            neighbors: int(sys::STLTSA_MODEL_NEIGHBORS)?,
-            window: int(sys::STLTSA_MODEL_WINDOW)?,
-            mode: Mode::from_raw(int(sys::STLTSA_MODEL_MODE)? as i32),
-            include_self: int(sys::STLTSA_MODEL_INCLUDE_SELF)? != 0,
-            links: int(sys::STLTSA_MODEL_LINKS)?,
-            exclusion: int(sys::STLTSA_MODEL_EXCLUSION)?,
-            components: int(sys::STLTSA_MODEL_COMPONENTS)?,
-            repeated: int(sys::STLTSA_MODEL_REPEATED)?,
-            rank_deficient: int(sys::STLTSA_MODEL_RANK_DEFICIENT)?,
-            solves: int(sys::STLTSA_MODEL_SOLVES)?,
-            first_frame: int(sys::STLTSA_MODEL_FIRST_FRAME)?,
-            frame_step: int(sys::STLTSA_MODEL_FRAME_STEP)?,
-            residual: real(sys::STLTSA_MODEL_RESIDUAL)?,
-            error_estimate: real(sys::STLTSA_MODEL_ERROR_ESTIMATE)?,
-            gap: real(sys::STLTSA_MODEL_GAP)?,
-            time_correlation: real(sys::STLTSA_MODEL_TIME_CORRELATION)?,
-            fps: known(sys::STLTSA_MODEL_FPS)?,
-            period: known(sys::STLTSA_MODEL_PERIOD)?,
-            reach: known(sys::STLTSA_MODEL_REACH)?,
+            frames: int(Fact::Rows)?,
+            features: int(Fact::FeatureCount)?,
+            dimension: int(Fact::Dimension)?,
+            neighbors: int(Fact::Neighbors)?,
+            window: int(Fact::Window)?,
+            mode: Mode::from_raw(int(Fact::Mode)? as i32),
+            include_self: int(Fact::IncludeSelf)? != 0,
+            links: int(Fact::Links)?,
+            exclusion: int(Fact::Exclusion)?,
+            components: int(Fact::Components)?,
+            repeated: int(Fact::Repeated)?,
+            rank_deficient: sum(Fact::RankDeficient)?,
+            solves: sum(Fact::Solves)?,
+            first_frame: int(Fact::FirstFrame)?,
+            frame_step: int(Fact::FrameStep)?,
+            residual: largest(Fact::Residual)?,
+            error_estimate: largest(Fact::ErrorEstimate)?,
+            gap: facts.reals(Fact::Gap)?.into_iter().fold(f64::INFINITY, f64::min),
+            time_correlation: real(Fact::TimeCorrelation)?,
+            fps: known(Fact::Fps)?,
+            period: known(Fact::Period)?,
+            reach: known(Fact::Reach)?,
         })
     }
 }

@@ -160,6 +160,8 @@ kinds! {
         /// `real[]`: lambda_{d+2} / lambda_{d+1} of each component; near 1: the curve is
         /// ill-defined.
         Gap = STLTSA_INFO_GAP,
+        /// `int`: components of the neighborhood graph.
+        Components = STLTSA_INFO_COMPONENTS,
         /// `int`: 1-based column that was cut; 0: none.
         Coordinate = STLTSA_INFO_COORDINATE,
         /// `real`: how well that coordinate repeats once a period; 1: perfect.
@@ -207,6 +209,8 @@ kinds! {
         FitPeriodMin = STLTSA_INFO_FIT_PERIOD_MIN,
         /// `real`: period_max of that model; 0: none.
         FitPeriodMax = STLTSA_INFO_FIT_PERIOD_MAX,
+        /// `int`: columns of the coordinates.
+        Columns = STLTSA_INFO_COLUMNS,
         /// `real`: option crossfade; -1: chosen for each seam.
         Crossfade = STLTSA_INFO_CROSSFADE,
         /// `real`: option cut_range; -1: chosen for each seam.
