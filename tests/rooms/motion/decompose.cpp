@@ -67,6 +67,25 @@ void finds_five_units(void**) {
     }
 }
 
+/// The curve is the coordinate smoothed by a Gaussian with a sigma of 0.06 cycles, which leaves
+/// exp(-(2 pi 0.06)^2 / 2) of a swing, and so takes most of the noise away.
+void the_curve_is_smoothed_by_a_share_of_the_cycle(void**) {
+    const Matrix circle = sampled(600, 2, 60, [](double t, std::int64_t c) {
+        return std::sin(turn * (t + 0.25 * static_cast<double>(c)));
+    });
+    const Decomposition d = decomposed(circle, 60);
+    assert_in_range(d.coordinate, 1, d.coords.cols());
+    double product = 0;
+    double square = 0;
+    for (std::int64_t i = 60; i < 540; ++i) {
+        const double value = d.coords(i, d.coordinate - 1);
+        product += value * d.curve[static_cast<std::size_t>(i)];
+        square += value * value;
+    }
+    const double sigma = turn * 0.06;
+    ASSERT_NEAR(product / square, std::exp(-sigma * sigma / 2), 0.01);
+}
+
 /// Starts and stops are at the same share of a cycle at any tempo.
 void tempo_does_not_move_borders(void**) {
     const auto error = [](double period) {
@@ -341,6 +360,7 @@ void can_be_cancelled(void**) {
 int main() {
     const CMUnitTest tests[] = {
         cmocka_unit_test(finds_five_units),
+        cmocka_unit_test(the_curve_is_smoothed_by_a_share_of_the_cycle),
         cmocka_unit_test(tempo_does_not_move_borders),
         cmocka_unit_test(noise_does_not_move_borders),
         cmocka_unit_test(turning_points_are_not_rests),

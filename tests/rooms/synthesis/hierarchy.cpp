@@ -74,6 +74,21 @@ void offsets_of_hips_that_travel_below_a_static_root(void**) {
                  check_same_body(traveling(here, true), traveling(there, true), "other"));
 }
 
+/// Positions of a limb only move its joint about; its offset is a bone of the body.
+void offsets_of_limbs_with_positions_count(void**) {
+    using stltsa::clip::Channel;
+    const auto positioned = [](double factor) {
+        return changed([factor](auto& joints) {
+            auto& channels = joints[left_foot].channels;
+            channels.insert(channels.begin(), {Channel::tx, Channel::ty, Channel::tz});
+            joints[left_foot].offset[1] *= factor;
+        });
+    };
+    assert_string_equal(check_same_body(positioned(1), positioned(1), "other").c_str(), "");
+    ASSERT_FAILS(Status::unsupported, "1 %",
+                 check_same_body(positioned(1), positioned(1.5), "other"));
+}
+
 void other_bodies_are_refused(void**) {
     const Clip clip = walking({});
     const auto refused = [&](const char* word, const Clip& other) {
@@ -101,6 +116,7 @@ int main() {
         cmocka_unit_test(offsets_may_differ_by_one_percent),
         cmocka_unit_test(offsets_without_information),
         cmocka_unit_test(offsets_of_hips_that_travel_below_a_static_root),
+        cmocka_unit_test(offsets_of_limbs_with_positions_count),
         cmocka_unit_test(other_bodies_are_refused),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
