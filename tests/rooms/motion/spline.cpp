@@ -210,6 +210,17 @@ void spikes_do_not_distort_the_robust_curve(void**) {
     ASSERT_NEAR(largest_difference(spline.curve, level), 0, 1e-6);
 }
 
+/// Large spikes hide small ones until they have lost their weight.
+void spikes_of_all_sizes_do_not_distort_the_robust_curve(void**) {
+    const Values truth = noisy_wave(300, 0);
+    Values values = noisy_wave(300, 0.03);
+    const double without = rms_difference(fit_spline(values, {3.3, true}).curve, truth);
+    const double heights[] = {30, 0.3, 10, -0.4, 3, 0.5, -1};
+    for (std::size_t i = 4, spike = 0; i < values.size(); i += 9, ++spike)
+        values[i] += heights[spike % std::size(heights)];
+    assert_true(rms_difference(fit_spline(values, {3.3, true}).curve, truth) < 1.5 * without);
+}
+
 /// Standing is quieter than walking, but walking is not noise.
 void a_movement_after_long_standing_is_not_a_spike(void**) {
     Values values = noisy_wave(1000, 0.05, 7);
@@ -283,6 +294,7 @@ int main() {
         cmocka_unit_test(pure_noise_becomes_nearly_a_line),
         cmocka_unit_test(cross_validation_is_near_the_best),
         cmocka_unit_test(spikes_do_not_distort_the_robust_curve),
+        cmocka_unit_test(spikes_of_all_sizes_do_not_distort_the_robust_curve),
         cmocka_unit_test(a_movement_after_long_standing_is_not_a_spike),
         cmocka_unit_test(scale_changes_no_digit),
         cmocka_unit_test(always_finite),
