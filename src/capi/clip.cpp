@@ -29,7 +29,7 @@ static_assert(same(clip::Format::bvh, STLTSA_FORMAT_BVH) &&
 
 const clip::Skeleton& skeleton_of(const stltsa_clip& clip) {
     if (!clip.clip.skeleton)
-        fail(Status::unsupported, "the clip has no skeleton: it was read from bare numbers");
+        fail(Status::unsupported, "the clip has no skeleton: it was read from a matrix of numbers");
     return *clip.clip.skeleton;
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 // ---- Where the rows come from ----
 
-/// One after the other those of all clips.
+/// The notes of all clips, one after another.
 struct Notes {
     const std::vector<ClipFacts>& clips;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What stands behind the opaque handles of stltsa.h.
+// The opaque handles of stltsa.h.
 #pragma once
 
 #include <mutex>
@@ -22,8 +22,8 @@ using namespace results;
 /// A copy of a text that the caller frees with stltsa_free.
 char* caller_string(const std::string& text);
 
-/// What looks up frames and coordinates of the model; null if it kept no frames. The first call
-/// makes it, as many models are never asked to map.
+/// The mapping of the model; null if it kept no frames. Made by the first call, because many models
+/// never map.
 const ltsa::Mapping* mapping_of(const stltsa_model& model);
 
 /// The clips that a caller passes. Throws Status::argument for none, and for NULL.
@@ -42,7 +42,7 @@ struct stltsa_model : stltsa_info, stltsa::results::Fitted {
     explicit stltsa_model(Fitted of)
         : stltsa_info{&stltsa::capi::model_table}, Fitted(std::move(of)) {}
 
-    // Follow from the rest, and look into it: see capi::mapping_of().
+    // Refer to the other members: see capi::mapping_of().
     mutable std::once_flag mapping_asked;
     mutable std::optional<stltsa::ltsa::Mapping> mapping;
 };

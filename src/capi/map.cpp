@@ -19,12 +19,12 @@ namespace {
 const ltsa::Mapping& mapping_of(const stltsa_model& model) {
     const ltsa::Mapping* mapping = capi::mapping_of(model);
     if (mapping == nullptr)
-        fail(Status::unsupported, "the model kept no frames, so that it cannot map: fit it with "
+        fail(Status::unsupported, "the model kept no frames, so it cannot map: fit it with "
                                   "the option keep_frames");
     return *mapping;
 }
 
-/// Throws unless there are `cols` numbers in each row that distances can be taken of.
+/// Throws unless each row has `cols` numbers, all finite and not too large for distances.
 void check_points(ConstMatrixView points, const char* name, std::int64_t cols, const char* what) {
     if (points.cols != cols)
         fail(Status::shape, "{} has {} columns; the model has {} {}", name, points.cols, cols,
@@ -56,7 +56,7 @@ class Hints {
     std::vector<std::int64_t> rows_;
 };
 
-/// Where the caller wants to know where rows lie; NULL where it does not ask.
+/// The optional outputs of a mapping; NULL: not wanted.
 struct PlacedOut {
     const stltsa_out* distance;
     const stltsa_out* nearest;
@@ -167,8 +167,8 @@ stltsa_status stltsa_unmap_clip(const stltsa_model* model, const stltsa_in* coor
         required(poses, "poses") = nullptr;
         const ltsa::Mapping& mapping = mapping_of(required(model, "model"));
         if (!model->kept.has_poses)
-            fail(Status::unsupported, "the model was fitted to bare numbers, which are no poses: "
-                                      "unmap to frames, which are numbers too (.csv or .npy)");
+            fail(Status::unsupported, "the model was fitted to numbers without a skeleton, so "
+                                      "it has no poses: unmap to frames (.csv or .npy)");
         const capi::OptionsReader reader(options);
         const capi::InputFrames input(coords, "coords");
         const std::int64_t rows = input.view().rows;

@@ -28,9 +28,9 @@ class SourceFrames {
             std::llround(first), std::llround(last), first / clip_.fps, last / clip_.fps, kind, 0};
     }
 
-    /// Units reach to both ends of the file: dropped frames belong to the first unit, frames after
-    /// the last sample to the last one. What rounds to no frame is no unit, and what
-    /// it kept apart is one.
+    /// Units extend to both ends of the file: dropped frames belong to the first unit, frames after
+    /// the last sample to the last one. A unit that rounds to no frame is left out, and its two
+    /// neighbors become one unit if they are of one kind.
     std::vector<stltsa_interval> units(const std::vector<motion::Unit>& found) const {
         std::vector<stltsa_interval> units;
         for (const motion::Unit& unit : found) {

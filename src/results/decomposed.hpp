@@ -19,7 +19,7 @@ struct Decomposed {
     std::vector<stltsa_interval> cycles;
 };
 
-/// The clip's frame rate is known. The fields of `options` that are for messages only are set here.
+/// The clip's frame rate must be known. Sets the fields of `options` that are for messages only.
 Decomposed decompose(const clip::Clip& clip, const clip::PrepareOptions& prepare,
                      motion::DecomposeOptions options, const Progress& progress);
 

@@ -9,7 +9,7 @@
 namespace stltsa::results {
 namespace {
 
-/// The source's period; if none was looked for, that of the longest clip's coordinates.
+/// The source's period; if it was not searched for, the period of the longest clip's coordinates.
 PeriodFacts period_of(ConstMatrixView coords, const std::vector<std::int64_t>& lengths,
                       const PeriodSearch& search, const Source& source) {
     const double fps = source.samples.fps;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Coordinates without noise, with what the smooth curve rests on.
+// Denoised coordinates, and the parameters of the smooth curve.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the rows of a result come from: clips, the choice of samples, the period.
+// The source of a result: clips, working samples, period.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace stltsa::results {
 
-/// What every result repeats of the clip that it came from.
+/// What a result says of its clip.
 struct ClipFacts {
     std::string path; ///< empty: from memory
     clip::Format format = clip::Format::matrix;
@@ -35,7 +35,7 @@ struct SampleFacts {
     double smoothing = 0;                  ///< seconds
 };
 
-/// What the choice of the neighbors rests on.
+/// The period that the number of neighbors was chosen by.
 struct PeriodFacts {
     double period = 0;      ///< seconds; 0: none found
     double lag_quality = 0; ///< 1 - D(period); 0 without a period
@@ -43,7 +43,7 @@ struct PeriodFacts {
     double longest = 0;
 };
 
-/// How a result's rows lie in the source, and what its neighbors rest on.
+/// The clips and working samples of a result, and the period.
 struct Source {
     std::vector<ClipFacts> clips; ///< none: a matrix
     SampleFacts samples;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int standard_dimension = 2;
 
-/// Several clips are several parts; more than that is a cut.
+/// Each clip is a component of its own; more components than clips mean that a clip is cut.
 void warn_of_parts(const Source& source, ltsa::Model& model) {
     if (model.components.size() <= model.lengths.size())
         return;
@@ -33,7 +33,7 @@ void warn_of_parts(const Source& source, ltsa::Model& model) {
     model.warnings.insert(model.warnings.begin(), ltsa::parts_warning(model, cut, cut_s));
 }
 
-/// The clips one after the other, as a clip like the first one.
+/// The clips, one after another, as one clip with the skeleton of the first.
 clip::Clip joined(Clips clips) {
     const clip::Clip& first = *clips.front();
     std::int64_t frames = 0;

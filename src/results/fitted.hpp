@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A fit with what it came from, and what it keeps so that it can map.
+// A fit, its source, and the data that mapping needs.
 #pragma once
 
 #include <cstdint>
@@ -13,10 +13,10 @@
 
 namespace stltsa::results {
 
-/// What a model keeps of its source so that it can map.
+/// The data that mapping needs.
 struct Kept {
     Matrix frames;          ///< as they were fitted, a row of the model each; empty: cannot map
-    bool drop_tpose = true; ///< of clips that are mapped, as it was of the one that was fitted
+    bool drop_tpose = true; ///< whether the T-pose was dropped, as it will be of mapped clips
     bool has_poses = false; ///< fitted to a clip with a skeleton: the next two are there
     clip::PoseCode code;
     Matrix poses; ///< pose vectors, a row of the model each
@@ -35,10 +35,11 @@ Fitted fit(ConstMatrixView samples, const std::vector<std::int64_t>& lengths,
 /// Keeps the samples that were fitted and, if the clips have a skeleton, their poses.
 void keep_clips(Fitted& fitted, Clips clips, Matrix samples);
 
-/// A row of features: those of one pose vector, of the kind that was fitted.
+/// The features of one pose vector, as one row; of the kind that was fitted.
 Matrix features_of_pose(const Fitted& fitted, ConstMatrixView vector);
 
-/// Rows of one clip and one component that follow each other: between others the curve breaks off.
+/// Numbers of consecutive rows of one clip and one component; the curve is interrupted between
+/// them.
 std::vector<std::int64_t> unbroken_lengths(const ltsa::Model& model);
 
 struct EstimatedDimension {

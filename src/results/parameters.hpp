@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Parameters that the caller leaves to the library, decided from the samples.
+// Chooses the parameters that the caller leaves to the library.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace stltsa::results {
 
-/// The lags of a search for the period, in seconds.
+/// The range of the search for the period, in seconds.
 struct PeriodSearch {
     double shortest = 0.3;
     double longest = 6;
@@ -30,7 +30,7 @@ struct FitOptions {
     int threads = 1;
 };
 
-/// Fills source.period if it looks for a period.
+/// Sets source.period if it searches for a period.
 ltsa::Parameters choose_parameters(ConstMatrixView samples, std::span<const std::int64_t> lengths,
                                    const FitOptions& options, int standard_dimension,
                                    Source& source, const Progress& progress);

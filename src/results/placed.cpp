@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::int64_t rows_per_block = 16;
 
-/// Finds the place of each row, on all threads, and hands it to `put`.
+/// Finds the place of each row, on all threads, and passes it to `put`.
 template <class Find, class Put>
 Placed place_rows(std::int64_t rows, const MapOptions& options, const Find& find, const Put& put) {
     const SingleThreadedBlas single;
@@ -36,7 +36,7 @@ Placed place_rows(std::int64_t rows, const MapOptions& options, const Find& find
     return placed;
 }
 
-/// The features of a pose, which is taken for itself, so that a row does not depend on the others.
+/// The features of one pose, computed alone, so that a row does not depend on the others.
 void put_pose_features(const Fitted& fitted, const ltsa::Placement& place, double* out) {
     Matrix vector(1, fitted.kept.poses.cols());
     place.apply(fitted.kept.poses.view(), vector.row(0));
@@ -90,7 +90,7 @@ Matrix clip_features(const Fitted& fitted, const clip::Clip& clip) {
         fail(Status::unsupported, "the model was fitted to a matrix: map features (stltsa_map)");
     const auto& samples = fitted.source.samples;
     if (samples.features != clip::Features::raw && !clip.skeleton)
-        fail(Status::shape, "the model was fitted to poses, and this clip is bare numbers");
+        fail(Status::shape, "the model was fitted to poses, but this clip has no skeleton");
     Matrix frames = clip::smoothed_features(clip, samples.features, samples.up, samples.smoothing,
                                             fitted.kept.drop_tpose);
     if (frames.cols() != fitted.model.features)

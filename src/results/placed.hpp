@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Rows of frames or coordinates found on a model, and what they become there.
+// Maps rows of frames to coordinates, and rows of coordinates to frames or poses.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace stltsa::results {
 
-/// How rows are placed on a model.
+/// How rows are mapped.
 struct MapOptions {
     ltsa::MapParameters maps; ///< every field set (choose_map_parameters())
     int threads = 1;
@@ -22,7 +22,7 @@ struct MapOptions {
 /// The row of the model that a row is known to be near, or ltsa::no_hint.
 using HintOf = std::function<std::int64_t(std::int64_t row)>;
 
-/// Where rows lie on the model.
+/// The places of rows on the model.
 struct Placed {
     std::vector<double> distance; ///< from the model, in units of the frames or the coordinates
     std::vector<std::int64_t> nearest; ///< row of the model
@@ -41,8 +41,8 @@ Placed unmap_poses(const Fitted& fitted, const ltsa::Mapping& mapping, ConstMatr
                    std::int64_t component, const HintOf& hint_of, const MapOptions& options,
                    MatrixView vectors);
 
-/// Features of every frame of a clip as the model's were made. Throws for a clip that does not go
-/// with the model.
+/// Features of every frame of a clip, computed as for the model. Throws if the clip does not match
+/// the model.
 Matrix clip_features(const Fitted& fitted, const clip::Clip& clip);
 
 /// The row of the model that was fitted to this very frame of a clip with these features, or

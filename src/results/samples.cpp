@@ -9,11 +9,11 @@
 namespace stltsa::results {
 namespace {
 
-/// With fewer the blame is on the decimation, not on the clip.
+/// If decimation leaves fewer samples than this, the message is about the decimation.
 constexpr std::int64_t least_samples = 4;
 
-/// Relative difference of sample rates that counts as none: 29.97 and 30 a second do. The k of the
-/// default window, 36 at 30 a second, is then off by less than one.
+/// Sample rates with a smaller relative difference are taken as equal, such as 29.97 and 30 Hz. The
+/// default k, 36 at 30 Hz, then changes by less than one.
 constexpr double same_rate = 0.01;
 
 ClipSamples prepare_clip(const clip::Clip& clip, const clip::PrepareOptions& prepare) {

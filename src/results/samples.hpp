@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From clips to the working samples that are fitted or decomposed.
+// Makes the working samples of clips, which are fitted or decomposed.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ namespace stltsa::results {
 
 using Clips = std::span<const clip::Clip* const>;
 
-/// Working samples of clips, one clip after the other, and where they come from.
+/// Working samples of clips, one clip after another, and their source.
 struct ClipSamples {
     Matrix samples;
     std::vector<std::int64_t> lengths; ///< samples of each clip
@@ -22,12 +22,11 @@ struct ClipSamples {
     std::int64_t jump = 0; ///< of a single clip: see clip::Prepared
 };
 
-/// Of at least one clip. Throws Status::shape for clips that do not go together: other joints or
-/// channels than the first one's, other features, another rate of the samples. The axis that points
-/// up is the first one's.
+/// Takes at least one clip. Throws Status::shape if joints, channels, features or the rate of the
+/// samples differ from the first clip's. The axis that points up is the first clip's.
 ClipSamples prepare_clips(Clips clips, clip::PrepareOptions options, const Progress& progress);
 
-/// The source of a matrix: no clip. fps 0: unknown.
+/// The source of a matrix, which has no clips. fps 0: unknown.
 Source matrix_source(ConstMatrixView frames, double fps);
 
 } // namespace stltsa::results

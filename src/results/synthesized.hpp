@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// New motion with the pieces that it was made of.
+// New motion, and the pieces that it was made of.
 #pragma once
 
 #include <cstdint>

@@ -170,7 +170,7 @@ class Mapping(CommandTest):
 
     def test_wrong_use(self):
         model = self.model(circle(), "--fps", "30")
-        self.assertIn("no model", self.fails(3, "map", circle(), circle()))
+        self.assertIn("not a model", self.fails(3, "map", circle(), circle()))
         self.assertIn("absent", self.fails(3, "map", "absent.stltsa", circle()))
         self.fails(2, "map", model, circle(), "-o", self.folder / "y.txt")
         self.fails(2, "unmap", model, circle())
@@ -179,7 +179,7 @@ class Mapping(CommandTest):
         self.assertIn("skeleton", self.fails(2, "unmap", model, walk(), "-o", self.folder / "x.csv"))
         self.done("fit", circle(), "--fps", "30", "--coords", self.folder / "y.csv")
         message = self.fails(1, "unmap", model, self.folder / "y.csv", "-o", self.folder / "x.bvh")
-        self.assertIn("bare numbers", message)
+        self.assertIn("without a skeleton", message)
         self.assertIn(".csv or .npy", message)
         self.assertNotIn("stltsa_", message)
         self.assertIn("--follow", self.fails(2, "unmap", model, self.folder / "y.csv", "-o",

@@ -34,7 +34,7 @@ void check_step(const char* name, const char* which, std::int64_t count, std::in
              stride, size);
 }
 
-/// The checks that both directions share; returns the strides in bytes.
+/// Checks that inputs and outputs share; returns the strides in bytes.
 template <class Array>
 Strides check_array(const Array* array, const char* name, Entries entries) {
     const Array& a = required(array, name);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Callers' arrays of any stride and type, to and from our own matrices.
+// Callers' arrays, of any stride and type, to and from matrices.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace stltsa::capi {
 
-/// The caller's frames as packed doubles; copied only where they are not that already.
+/// The caller's frames as packed doubles; copied only if they are not packed doubles already.
 class InputFrames {
   public:
     /// Throws Status::shape, argument, no_memory. `name` is the argument's name in messages.

@@ -35,7 +35,7 @@ stltsa_status guard(Body&& body) noexcept {
     }
 }
 
-/// Refuses a NULL argument by name.
+/// Throws for a NULL argument, naming it.
 template <class T>
 T& required(T* pointer, const char* name) {
     if (pointer == nullptr)

@@ -54,8 +54,8 @@ constexpr std::array<const char*, 15> status_names = {"STLTSA_OK",
                                                       "STLTSA_E_INTERNAL",
                                                       "STLTSA_E_NO_COMMON_POSTURE"};
 
-// Fixed storage: remembering that memory ran out must not ask for memory. Of trivial type, so
-// that threads may end in any order.
+// Fixed storage, because the error may be that memory ran out. A trivial type, so that threads may
+// end in any order.
 thread_local std::array<char, 1024> last_error_text{};
 
 } // namespace
@@ -63,7 +63,7 @@ thread_local std::array<char, 1024> last_error_text{};
 stltsa_status remember(Status status, const char* text) noexcept {
     auto& to = last_error_text;
     std::size_t size = std::min(std::strlen(text), to.size() - 1);
-    // A text that is too long ends before a character of UTF-8, not within one.
+    // A text that is too long is cut between two UTF-8 characters.
     if (text[size] != '\0')
         while (size > 0 && (static_cast<unsigned char>(text[size]) & 0xC0) == 0x80)
             --size;

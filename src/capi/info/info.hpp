@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Facts of handles by key: stltsa_info_int() and its like look them up in a table of each kind of
-// handle.
+// Facts of handles by key: stltsa_info_int() and similar functions look them up in a table for each
+// kind of handle.
 #pragma once
 
 #include <cstdint>
@@ -67,7 +67,7 @@ requires std::is_integral_v<T> || std::is_enum_v<T> Fact fact(T value) {
     return static_cast<std::int64_t>(value);
 }
 
-/// A fact that the handle has once. `Get`: a lambda without captures from the handle to the value.
+/// A fact with one value. `Get`: a lambda without captures from the handle to the value.
 template <class Handle, class Get>
 constexpr InfoRow one(std::int32_t key, Get) {
     return {
@@ -75,7 +75,7 @@ constexpr InfoRow one(std::int32_t key, Get) {
         [](const stltsa_info& info, std::size_t) { return fact(Get{}(handle_of<Handle>(info))); }};
 }
 
-/// A fact of something that the handle may have: `Find` gives a pointer to it.
+/// A fact of an optional part of the handle: `Find` returns a pointer to the part, or null.
 template <class Handle, class Find, class Get>
 constexpr InfoRow maybe(std::int32_t key, Find, Get) {
     return {key, false,
@@ -87,7 +87,7 @@ constexpr InfoRow maybe(std::int32_t key, Find, Get) {
             }};
 }
 
-/// A fact of each element of the vector that `List` gives.
+/// A fact of each element of the vector that `List` returns.
 template <class Handle, class List, class Get>
 constexpr InfoRow each(std::int32_t key, List, Get) {
     return {key, true,

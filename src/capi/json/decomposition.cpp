@@ -29,7 +29,7 @@ Json cycles_json(std::span<const stltsa_interval> cycles) {
     return list;
 }
 
-/// The cycle itself and its place among the cycles; null where there is none.
+/// The cycle with its index; null if there is none.
 Json chosen_cycle(std::span<const stltsa_interval> cycles, std::int64_t index) {
     if (index < 0 || index >= static_cast<std::int64_t>(cycles.size()))
         return nullptr;

@@ -16,7 +16,7 @@ using namespace results;
 JsonObject json_head(const char* kind);
 
 Json json_string_or_null(const std::string& text);
-/// null for 0: how the library says "none" or "unknown" of a rate, a period, a dimension.
+/// null for 0, which means that a rate, a period or a dimension is unknown.
 Json json_positive_or_null(double value);
 Json json_count_or_null(std::int64_t value);
 
@@ -25,12 +25,12 @@ const char* json_name(clip::Features features);
 const char* json_name(ltsa::Mode mode);
 Json json_axis(clip::Axis axis);
 
-/// `dropped`: frames at the start that are left out (T-pose).
+/// `dropped`: frames of a T-pose left out at the start.
 Json json_clip(const ClipFacts& clip, clip::Features features, std::int64_t dropped);
 /// null for a matrix and for several clips.
 Json json_clip(const Source& source);
 JsonObject json_samples(const SampleFacts& samples);
-/// The texts.
+/// Their texts.
 Json json_warnings(std::span<const Warning> warnings);
 Json json_parameters(const ltsa::Parameters& parameters, const PeriodFacts& period);
 

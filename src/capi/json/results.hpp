@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The JSON text of results, one line each, as docs/schema describes it. What does not change the
-// result (the number of threads) is left out, so that equal results are equal texts.
+// Results as JSON, one line each (docs/schema). Options that do not change the result, such as the
+// number of threads, are omitted, so that equal results give equal texts.
 #pragma once
 
 #include <string>
@@ -17,7 +17,7 @@ std::string model_json(const results::Fitted& fitted);
 std::string dimension_json(const results::EstimatedDimension& estimated);
 std::string decomposition_json(const results::Decomposed& decomposed);
 std::string denoising_json(const results::Denoised& denoised);
-/// `clip`: what was made.
+/// `clip`: the new clip.
 std::string synthesis_json(const clip::Clip& clip, const results::Synthesized& synthesized);
 
 } // namespace stltsa::capi

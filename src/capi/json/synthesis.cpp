@@ -17,7 +17,7 @@ Json pieces_json(std::span<const PieceFacts> pieces) {
     return list;
 }
 
-/// null where the value was chosen for each seam.
+/// null if the library chose a value for each seam.
 Json chosen_or(double value) {
     return value < 0 ? Json(nullptr) : Json(value);
 }

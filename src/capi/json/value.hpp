@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// JSON texts, built up from finished parts. Not by a library: the common one (nlohmann's) asks for
-// memory in its destructors, and so ends the process when there is none.
+// Builds JSON text. nlohmann's library is not used because its destructors allocate memory, so it
+// ends the process if there is none.
 #pragma once
 
 #include <concepts>
@@ -12,7 +12,7 @@
 
 namespace stltsa::capi {
 
-/// One value, written out.
+/// One value as text.
 class Json {
   public:
     Json(std::nullptr_t) : text_("null") {}
@@ -22,7 +22,7 @@ class Json {
     Json(std::int64_t value);
     /// The shortest digits that read back to the same bits; null for NaN and infinities.
     Json(double value);
-    /// Bytes that are not UTF-8 are replaced: a path must not be a reason to fail.
+    /// Bytes that are not UTF-8 are replaced: a path in another encoding must not make a call fail.
     Json(std::string_view text);
     Json(const std::string& text) : Json(std::string_view(text)) {}
     Json(const char* text) : Json(std::string_view(text)) {}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The options handle and what the rooms' parameter structs become from it.
+// The options handle, and the parameter structs that the rooms take.
 #pragma once
 
 #include <map>
@@ -15,7 +15,7 @@
 #include "stltsa.h"
 #include "synthesis/synthesis.hpp"
 
-/// Only what was set; the rest is the table's default.
+/// Holds the options that were set; the others have the defaults of the table.
 struct stltsa_options {
     std::map<int32_t, double> numbers;
     std::map<int32_t, std::string> texts;
@@ -25,7 +25,7 @@ struct stltsa_options {
 
 namespace stltsa::capi {
 
-/// Reads options; a null handle reads defaults.
+/// Reads options; a null handle gives the defaults.
 class OptionsReader {
   public:
     explicit OptionsReader(const stltsa_options* options) : options_(options) {}
@@ -33,7 +33,7 @@ class OptionsReader {
     std::int64_t integer(int32_t key) const;
     double real(int32_t key) const;
     const char* text(int32_t key) const;
-    /// Valid as long as the reader. What it tells the caller never goes back, whatever comes in.
+    /// Valid as long as the reader. The progress that the caller sees never decreases.
     Progress progress() const;
 
     clip::ReadOptions read_options() const;

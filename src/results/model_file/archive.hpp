@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Values to bytes and back: little-endian, of fixed widths, in the order in which they are named,
-// so that one function names them for both ways.
+// Values to bytes and back: little-endian, with fixed widths, in the order in which they are named,
+// so that one function serves reading and writing.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@
 
 namespace stltsa::results {
 
-/// What stands for itself: numbers, truth values and enumerations.
+/// Values of fixed width: numbers, truth values and enumerations.
 template <class T>
 concept Scalar = std::is_arithmetic_v<T> || std::is_enum_v<T>;
 
@@ -29,7 +29,7 @@ template <Scalar T>
 using BitsOf = std::conditional_t<sizeof(T) == 1, std::uint8_t,
                                   std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>>;
 
-/// Hands its bytes on in pieces; the last of them with finish().
+/// Passes its bytes to the sink in pieces; finish() passes the last.
 class ArchiveWriter {
   public:
     explicit ArchiveWriter(Sink sink) : sink_(std::move(sink)) {}
@@ -38,7 +38,7 @@ class ArchiveWriter {
     void operator()(const Values&... values) {
         (put(values), ...);
     }
-    /// Elements that are no scalars: `each(archive, element)` names their parts.
+    /// For elements that are not scalars; `each(archive, element)` names their parts.
     template <class T, class Each>
     void list(const std::vector<T>& values, const Each& each) {
         put_size(values.size());
@@ -95,8 +95,8 @@ class ArchiveWriter {
     std::string piece_;
 };
 
-/// Throws Status::format where the bytes end too early or cannot be what is named. Nothing larger
-/// than what the bytes left could fill is ever allocated.
+/// Throws Status::format if the bytes end too early or are not valid for the value. Never allocates
+/// more than the remaining bytes could fill.
 class ArchiveReader {
   public:
     explicit ArchiveReader(std::string_view bytes) : rest_(bytes) {}
@@ -143,7 +143,7 @@ class ArchiveReader {
             value = std::bit_cast<T>(bits);
         }
     }
-    /// A number of elements, each of which takes a byte at least.
+    /// A number of elements, each of at least one byte.
     std::size_t get_count() {
         std::uint64_t count = 0;
         get(count);

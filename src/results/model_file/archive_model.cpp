@@ -11,17 +11,18 @@
 namespace stltsa::results {
 namespace {
 
-/// No text begins like this, and a transfer that changes line ends or the eighth bit breaks it.
+/// No text file begins like this, and a transfer that changes line ends or the eighth bit alters
+/// it.
 constexpr std::string_view magic("\x89STLTSA\n", 8);
 
-/// Counts up whenever the fields change; older files stay readable by their number.
+/// Increases whenever the fields change.
 constexpr std::uint32_t version = 2;
 
 constexpr std::size_t head_size = magic.size() + sizeof version + sizeof(std::uint64_t);
-/// Head and checksum.
+/// Bytes of head and checksum.
 constexpr std::size_t wrapping_size = head_size + sizeof(std::uint32_t);
 
-/// CRC-32: every change of up to 32 bits in a row is seen.
+/// CRC-32, which detects every change of up to 32 consecutive bits.
 class Checksum {
   public:
     void operator()(std::string_view bytes) {
@@ -60,10 +61,11 @@ void archive_values(const Sink& sink, const Values&... values) {
 /// The parts of a file whose head and checksum are right.
 std::string_view checked_parts(std::string_view bytes) {
     if (!bytes.starts_with(magic.substr(0, std::min(magic.size(), bytes.size()))) || bytes.empty())
-        fail(Status::format, "this is no model: it does not begin as one "
+        fail(Status::format, "this is not a model file: its first bytes are different "
                              "(stltsa_model_save, or stltsa fit -o, writes models)");
     if (bytes.size() < wrapping_size)
-        fail(Status::format, "the model is cut off: {} bytes are less than its head", bytes.size());
+        fail(Status::format, "the model is cut off: {} bytes are fewer than its head has",
+             bytes.size());
     ArchiveReader head(bytes.substr(magic.size(), head_size - magic.size()));
     std::uint32_t written = 0;
     std::uint64_t size = 0;
@@ -73,7 +75,7 @@ std::string_view checked_parts(std::string_view bytes) {
              version);
     if (size != bytes.size() - wrapping_size)
         fail(Status::format,
-             "the model is cut off or has something behind it: {} bytes are here, "
+             "the model is cut off or extended: it has {} bytes, "
              "{} were written",
              bytes.size(), size + wrapping_size);
     std::uint32_t sum = 0;

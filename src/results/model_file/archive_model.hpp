@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Models as bytes: a head that says what and how long, the parts, and a checksum of all of it.
+// Models as bytes: a head with the version and the length, the fields, and a checksum of all.
 #pragma once
 
 #include <cstdint>
@@ -10,9 +10,9 @@
 
 namespace stltsa::results {
 
-/// Bytes that the archive has.
+/// The size of the archive in bytes.
 std::uint64_t archive_size(const Fitted& model);
-/// `size`: archive_size(), which goes through all of the model as well.
+/// `size`: archive_size(), which takes about as long as this.
 void archive_model(const Fitted& model, std::uint64_t size, const Sink& sink);
 
 /// Throws Status::format for bytes that are no model, are cut off, altered or of another version.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What of a model is written, in which order: one function names the fields for both ways.
+// The fields of a model file, in order. One function names them for reading and for writing.
 #pragma once
 
 #include <concepts>
@@ -9,7 +9,7 @@
 
 namespace stltsa::results {
 
-/// T, const when it is written.
+/// T; const if it is written.
 template <class T, class Of>
 concept Is = std::same_as<std::remove_const_t<T>, Of>;
 
@@ -73,8 +73,8 @@ void model_fields(Archive& archive, T& model) {
     kept_fields(archive, model.kept);
 }
 
-/// Throws Status::format where the fields contradict each other: a checksum is no proof of who
-/// wrote a file.
+/// Throws Status::format if the fields contradict each other. A checksum does not prove who wrote a
+/// file.
 void check_model_fields(const Fitted& model);
 
 } // namespace stltsa::results
