@@ -18,10 +18,10 @@ using Values = std::vector<double>;
 
 Values noisy_wave(std::size_t rows, double noise, unsigned seed = 1) {
     std::mt19937 random(seed);
-    std::normal_distribution<double> normal(0, noise);
+    std::normal_distribution<double> normal;
     Values values;
     for (std::size_t i = 0; i < rows; ++i)
-        values.push_back(std::sin(turn * static_cast<double>(i) / 33) + normal(random));
+        values.push_back(std::sin(turn * static_cast<double>(i) / 33) + noise * normal(random));
     return values;
 }
 

@@ -37,10 +37,10 @@ inline double cyclic_pose(double phase, std::int64_t c) {
 
 inline void add_noise(Matrix& samples, double deviation, unsigned seed) {
     std::mt19937 random(seed);
-    std::normal_distribution<double> normal(0, deviation);
+    std::normal_distribution<double> normal;
     for (std::int64_t i = 0; i < samples.rows(); ++i)
         for (std::int64_t c = 0; c < samples.cols(); ++c)
-            samples(i, c) += normal(random);
+            samples(i, c) += deviation * normal(random);
 }
 
 /// Stands, cycles with growing and finally shrinking amplitude, stands.
