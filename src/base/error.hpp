@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The one way a room says that it cannot go on: a status for programs, a sentence for people.
+// Errors: a status for programs and a sentence for people.
 #pragma once
 
 #include <cstdint>

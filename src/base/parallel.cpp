@@ -13,7 +13,7 @@
 namespace stltsa {
 namespace {
 
-/// The work shared by all threads of one loop.
+/// The state that all threads of a loop share.
 class BlockQueue {
   public:
     BlockQueue(std::int64_t blocks, const std::function<void(std::int64_t)>& body)

@@ -22,8 +22,8 @@ void parallel_blocks(std::int64_t blocks, int threads,
                      const std::function<void(std::int64_t block)>& body,
                      const std::function<void(std::int64_t done)>& poll = {});
 
-/// While one lives, the parallel loops of the thread that made it share their threads, which start
-/// with the first loop that needs them. One within another does nothing.
+/// During its lifetime the parallel loops of the thread that made it share their threads, which
+/// start with the first loop that needs them. A nested one has no effect.
 class SharedThreads {
   public:
     SharedThreads();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Progress and cancellation: polled on the caller's thread between pieces of work.
+// Progress and cancellation, polled on the caller's thread between blocks of work.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +29,7 @@ class Progress {
     Progress() = default;
     Progress(Callback callback, void* user) : callback_(callback), user_(user) {}
 
-    /// Of work that is part `index` of `count` equal parts of its stages.
+    /// Progress of part `index` of `count` equal parts of each stage.
     Progress part(std::int64_t index, std::int64_t count) const {
         Progress part = *this;
         part.share_ = share_ / static_cast<double>(count);
@@ -37,7 +37,8 @@ class Progress {
         return part;
     }
 
-    /// Tells the caller how far a stage has come; throws Status::cancelled when it answers nonzero.
+    /// Reports the progress of a stage to the caller; throws Status::cancelled if the callback
+    /// returns nonzero.
     void report(Stage stage, double fraction) const {
         if (callback_ != nullptr &&
             callback_(user_, static_cast<std::int32_t>(stage), begin_ + share_ * fraction) != 0)

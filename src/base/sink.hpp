@@ -6,7 +6,7 @@
 
 namespace stltsa {
 
-/// Takes bytes piece by piece, so that what is long is never all in memory.
+/// Takes bytes in pieces, so that long files are never in memory as a whole.
 using Sink = std::function<void(std::string_view piece)>;
 
 } // namespace stltsa

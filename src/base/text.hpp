@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Texts by {fmt}, whose code is compiled once, in text.cpp: instantiated in every file that makes
-// a message it would be most of the time the library takes to build.
+// Formats text with {fmt}. Its code is compiled once, in text.cpp: instantiated in every file with
+// a message, it would take most of the build time.
 #pragma once
 
 #include <string>

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Threads that wait for work between one parallel loop and the next: a fit has many loops, and
-// some take no longer than starting a thread. They end with their pool, and that with the call that
-// made it: those of OpenMP or TBB would outlive it, and a process that forks between two calls
-// would wait for them for ever.
+// Threads that wait between parallel loops: a fit has many loops, some as short as the start of a
+// thread. The pool and its threads end with the call that made it. Threads of OpenMP or TBB would
+// outlive the call, and a process that forks between two calls would then wait for them forever.
 #pragma once
 
 #include <condition_variable>
@@ -14,7 +13,7 @@
 
 namespace stltsa {
 
-/// Used by one thread at a time, from the outside.
+/// Used by one calling thread at a time.
 class ThreadPool {
   public:
     ThreadPool() = default;
@@ -22,12 +21,12 @@ class ThreadPool {
     ThreadPool& operator=(const ThreadPool&) = delete;
     ~ThreadPool();
 
-    /// Runs lead() here and meanwhile help() on up to `helpers` other threads: on fewer where
-    /// lead() is over before they come, or where no more can be started. Returns when none of
-    /// them is at it any more. Neither may throw.
+    /// Runs lead() on this thread and help() on up to `helpers` others: on fewer if lead() ends
+    /// before they start, or if no more can be started. Returns when all have ended. Neither may
+    /// throw.
     void run(std::int64_t helpers, const std::function<void()>& help,
              const std::function<void()>& lead);
-    /// Whether run() is under way.
+    /// Whether run() is running.
     bool running() const { return help_ != nullptr; }
 
   private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a user should know about a result.
+// Warnings about a result.
 #pragma once
 
 #include <cstdint>

@@ -42,19 +42,19 @@ class ArpackTurn {
     ArpackTurn& operator=(const ArpackTurn&) = delete;
 };
 
-/// A run that needs more restarts than this is repeated with twice as many Lanczos vectors: where
-/// eigenvalues lie close, a few vectors may circle for ever. The last run has all the time.
+/// A run that needs more restarts than this is repeated with twice as many Lanczos vectors: if
+/// eigenvalues are close, a few vectors may never converge. The last run has no such limit.
 constexpr a_int few_restarts = 30;
 constexpr a_int many_restarts = 10000;
 constexpr std::int64_t most_vectors = 80;
 
-/// Eigenpairs whose residual is less, relative to their eigenvalue, count as found. The last one
-/// decides; those before it, which make up the embedding, are known much better by then, and the
+/// Tolerance of the residual relative to the eigenvalue. The last eigenpair decides when ARPACK
+/// stops; the pairs before it, which form the embedding, are much more accurate by then, and the
 /// caller corrects all of them.
 constexpr double tolerance = 1e-7;
 
-/// Lanczos vectors at first: so many that motion mostly needs no restart, which is a pass over all
-/// of them, on one thread, and more steps in the end.
+/// Lanczos vectors of the first run: enough that motion rarely needs a restart, which passes over
+/// all of them on one thread and costs more steps in total.
 std::int64_t least_vectors(std::int64_t count) {
     return 2 * count + 5;
 }
@@ -74,7 +74,7 @@ class Lanczos {
         parameters_[6] = 1; // mode 1: A x = lambda x
     }
 
-    /// False where there were too few restarts.
+    /// False if it did not converge within the restarts.
     bool iterate(const Operator& apply, const Start& start, const std::function<void()>& poll,
                  std::int64_t& applications) {
         const auto length = static_cast<std::size_t>(order_);
@@ -100,7 +100,7 @@ class Lanczos {
     }
     std::int64_t converged() const { return parameters_[4]; }
 
-    /// The pairs that were found; once only.
+    /// The eigenpairs; may be called once.
     Eigenpairs extract() {
         Eigenpairs pairs{Matrix::unset(count_, order_), {}, 0};
         pairs.values.resize(static_cast<std::size_t>(count_));
@@ -129,7 +129,7 @@ class Lanczos {
     a_int pointers_[11] = {};
 };
 
-/// Below this order a dense problem is both quicker and free of Lanczos breakdown.
+/// Below this order the dense solver is faster and cannot break down.
 constexpr std::int64_t dense_order = 64;
 
 Eigenpairs dense_eigenpairs(const Operator& apply, std::int64_t order, std::int64_t count) {
@@ -174,11 +174,11 @@ Eigenpairs krylov_eigenpairs(const Operator& apply, std::int64_t order, const St
     }
 }
 
-/// Pairs are rounded relative to the largest eigenvalue: what is below this share of it is looked
-/// for on its own.
+/// Rounding is relative to the largest eigenvalue: pairs below this share of it are computed
+/// separately.
 constexpr double least_share = 1e-4;
 
-/// How many of these pairs are known well.
+/// The number of pairs above that share.
 std::int64_t known_pairs(const Eigenpairs& pairs) {
     const auto known = std::ranges::find_if(
         pairs.values, [&](double value) { return value < least_share * pairs.values[0]; });

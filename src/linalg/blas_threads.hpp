@@ -3,9 +3,9 @@
 
 namespace stltsa {
 
-/// While at least one of these lives, OpenBLAS runs single-threaded; the number of threads it had
-/// comes back with the last one. Our own loops already use every thread asked for, and results
-/// must not depend on how BLAS would split its sums. Does nothing for other BLAS libraries.
+/// During its lifetime OpenBLAS runs single-threaded; the last one to end restores the number of
+/// threads. The library's own loops already use all requested threads, and results must not depend
+/// on how BLAS splits its sums. No effect on other BLAS libraries.
 class SingleThreadedBlas {
   public:
     SingleThreadedBlas();

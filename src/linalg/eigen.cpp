@@ -34,8 +34,8 @@ void TopEigenpairs::solve() {
         solve_for_all();
 }
 
-/// False where dsyevr did not find them: near multiples of the identity it may report success and
-/// no eigenpairs.
+/// False if dsyevr did not find them: near multiples of the identity it may report success without
+/// eigenpairs.
 bool TopEigenpairs::solve_for_the_largest() {
     std::copy_n(matrix_.data(), matrix_.size(), destroyed_.data());
     lapack_int found = 0;

@@ -7,15 +7,14 @@
 
 namespace stltsa {
 
-/// What stands beyond the first and the last row, for a kernel that reaches there.
+/// How the kernel continues beyond the first and the last row.
 enum class Beyond {
     nothing, ///< the rest of the kernel is scaled to sum to 1: little noise, but the ends slow down
     reflection ///< 2 x_0 - x_i, through the end row: a steady motion stays as fast as it is
 };
 
-/// Every step-th row, from the first on, smoothed over time by a Gaussian of `sigma` rows, cut at
-/// four sigma. Rows that do not change come out bit for bit as they are, so that standing still
-/// stays that.
+/// Every step-th row, from the first on, smoothed over time by a Gaussian of `sigma` rows,
+/// truncated at four sigma. Constant rows keep their bits, so that standing stays standing.
 Matrix gaussian_smoothed(ConstMatrixView rows, double sigma, Beyond beyond, std::int64_t step = 1);
 
 } // namespace stltsa

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a computation runs on. Results do not depend on it.
+// Instruction set and threads of a computation. Results do not depend on them.
 #pragma once
 
 #include <cstdint>
@@ -14,15 +14,15 @@ struct Machine {
     int threads = 1;
 };
 
-/// Rows of a long vector or panel that are worked on together, and summed on their own before they
-/// go into the whole, which loses fewer digits.
+/// Rows of a block of a long vector or panel. Each block is summed separately, which loses fewer
+/// digits.
 inline constexpr std::int64_t row_block = 1024;
 
 constexpr std::int64_t row_blocks(std::int64_t rows) {
     return (rows + row_block - 1) / row_block;
 }
 
-/// Threads for work on rows of which `few` are not worth starting them.
+/// Threads for work on rows; one if there are at most `few` rows.
 constexpr int threads_for(std::int64_t rows, std::int64_t few, const Machine& machine) {
     return rows < few ? 1 : machine.threads;
 }

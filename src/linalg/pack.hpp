@@ -12,8 +12,8 @@
 
 namespace stltsa {
 
-/// What the loops over packs are compiled for: the least that the build asks for (SSE2 on x86-64,
-/// NEON on arm64), and what only some machines have.
+/// Instruction sets that loops over packs are compiled for: the baseline of the build (SSE2 on
+/// x86-64, NEON on arm64), and AVX2, which only some machines have.
 enum class Simd : std::int32_t { baseline, avx2 };
 
 /// The widest that this machine can run.

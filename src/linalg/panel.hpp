@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Several vectors side by side: row i of a panel holds entry i of each, so that what is done to all
-// of them reads memory once and fills packs. Columns beyond the vectors are zero.
+// Panels: several vectors side by side. Row i of a panel holds entry i of each vector, so that an
+// operation on all of them reads memory once and fills packs. Unused columns are zero.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace stltsa {
 
-/// Columns that a panel of `count` vectors has: a whole number of the widest packs.
+/// Columns of a panel of `count` vectors: a multiple of the widest pack.
 constexpr std::int64_t panel_width(std::int64_t count) {
     constexpr std::int64_t pack = simd_width(Simd::avx2);
     return (count + pack - 1) / pack * pack;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Loops over two rows, written so that the compiler turns them into vector code of the least that
-// the build asks for without being allowed to reorder sums: eight partial sums in fixed order. What
-// takes most of a fit's time is in packs (pack.hpp).
+// Loops over two rows with eight partial sums in fixed order, which the compiler vectorizes for the
+// baseline of the build without reordering sums. The most expensive loops of a fit use packs
+// (pack.hpp).
 #pragma once
 
 #include <cstdint>

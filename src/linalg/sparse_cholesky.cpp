@@ -17,9 +17,9 @@ extern "C" {
 namespace stltsa {
 namespace {
 
-/// While one lives, OpenMP starts no threads for this one. CHOLMOD's loops take a fixed number of
-/// them (4 in Debian 12), whatever is asked of it, and they would outlive the call: a process that
-/// forks after it would wait for them for ever.
+/// During its lifetime OpenMP starts no threads for the calling thread. CHOLMOD's loops use a fixed
+/// number of threads (4 in Debian 12) regardless of its settings. They would outlive the call, and
+/// a process that forks afterwards would wait for them forever.
 class WithoutOpenMp {
   public:
     WithoutOpenMp() {
@@ -71,7 +71,7 @@ double largest_diagonal(const SparseColumns& matrix) {
     return largest;
 }
 
-/// Its columns are our rows.
+/// CHOLMOD's columns are rows here.
 cholmod_dense view_of(MatrixView rows) {
     cholmod_dense view{};
     view.nrow = static_cast<std::size_t>(rows.cols);

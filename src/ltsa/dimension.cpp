@@ -12,7 +12,7 @@ namespace {
 
 /// Eigenvalues shown beyond the tangent dimension: enough to see where the gap is.
 constexpr int eigenvalues_beyond = 5;
-/// Neighborhoods looked at by local PCA: a median over more does not move.
+/// Neighborhoods used for local PCA: more of them do not change the median.
 constexpr std::int64_t sampled_neighborhoods = 1000;
 /// Directions of variance listed.
 constexpr std::int64_t listed_variances = 10;
@@ -70,7 +70,7 @@ void local_pca(const Graph& graph, const Progress& progress, Dimension& result) 
     result.local_pca = *middle;
 }
 
-/// Why the eigengap cannot tell the dimension; empty: it may.
+/// The reason why the eigengap does not determine the dimension; empty: it does.
 std::string no_eigengap(const Graph& graph, int tangents) {
     if (graph.components.count > 1)
         return format_text(

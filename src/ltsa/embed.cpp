@@ -45,9 +45,9 @@ void set_coords(const Matrix& vectors, std::span<const std::int32_t> members,
     }
 }
 
-/// What the tangents may be off by, which no correction sees, and what the eigenvectors may be: in
-/// differences the first correction undoes what rounding did to B' and its factor. Grounded, the
-/// factor is so much less exact that its own correction would say nothing.
+/// The error of the tangents, which no correction can see, plus the error of the eigenvectors: in
+/// differences, the first correction removes the rounding of B' and its factor. The grounded factor
+/// is much less accurate, so its first correction says nothing about the error.
 double error_estimate(const Spectrum& spectrum, std::size_t dimension, bool banded,
                       double rounding_of_tangents) {
     // Tangents off by this angle make eigenvalues of its square: if the first unwanted one is no

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The part of a fit that depends on how many coordinates are wanted.
+// The part of a fit that depends on the number of coordinates (Table 1, steps 4 and 5).
 #pragma once
 
 #include "base/progress.hpp"

@@ -14,7 +14,7 @@ namespace {
 /// Squares of larger numbers, and sums of squares, may not fit into a double.
 constexpr double largest_number = 1e100;
 
-/// Without a branch for each number, as nearly all rows are.
+/// No branch for each number, because nearly all rows pass.
 bool usable(const double* row, std::int64_t count) {
     std::int64_t within = 0;
     for (std::int64_t c = 0; c < count; ++c)

@@ -39,7 +39,7 @@ Graph build_graph(ConstMatrixView frames, std::span<const std::int64_t> lengths,
     graph.frames = collapse_repeats(frames, lengths, parameters.threads);
     check_parameters(parameters, graph.frames);
     scale_tiny(graph.frames);
-    // Memory is taken for as much as the window holds.
+    // A window larger than the clip would only take memory.
     Parameters within = parameters;
     within.window = std::min(parameters.window, graph.frames.x.rows);
     find_neighbors_and_tangents(within, progress, graph);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The part of a fit that does not depend on how many coordinates are wanted.
+// The part of a fit that does not depend on the number of coordinates.
 #pragma once
 
 #include <cstdint>

@@ -7,14 +7,14 @@
 
 namespace stltsa::ltsa {
 
-/// Where the neighbors of a frame are looked for. Same values as STLTSA_MODE_* (checked in capi).
+/// Which frames can be neighbors of a frame. Same values as STLTSA_MODE_* (checked in capi).
 enum class Mode : std::int32_t {
     temporal = 1,  ///< within +-window frames of the same clip (paper, section 2.1)
     spatial = 2,   ///< among all frames of all clips (classical LTSA)
     recurrent = 3, ///< temporal, plus the `links` nearest frames outside the exclusion zone
 };
 
-/// What a fit needs beside the frames; every field is set (no "auto" below this room).
+/// The parameters of a fit; every field is set ("auto" is resolved in results).
 struct Parameters {
     std::int64_t neighbors = 12; ///< k, the frame itself counted when include_self
     std::int64_t window = 12;    ///< w, frames to each side

@@ -8,16 +8,16 @@
 namespace stltsa::ltsa {
 namespace {
 
-/// Beyond this rank correlation with time a coordinate has no turning point worth the name.
+/// Above this rank correlation with time, a coordinate has no significant turning point.
 constexpr double largest_time_correlation = 0.98;
-/// Below this ratio of eigenvalues the embedding may turn within its subspace's neighbor.
+/// Below this ratio of eigenvalues the embedding may mix with the next eigenvector.
 constexpr double small_gap = 1.05;
-/// An estimated error beyond this is no longer invisible in a plot.
+/// A larger estimated error is visible in a plot.
 constexpr double large_error = 1e-6;
 /// Beyond this angle, which a share of 2e-7 of a window's first eigenvalue makes, features with
 /// different units are likely: in recorded motion it stayed below 1e-10.
 constexpr double large_rounding = 1e-9;
-/// Frames whose order in time is compared with that in the coordinate.
+/// Frames that the rank correlation is computed of.
 constexpr std::size_t most_ranked = 1 << 14;
 
 } // namespace
@@ -26,7 +26,7 @@ double time_correlation(const Graph& graph, const Matrix& coords) {
     const auto& members =
         *std::max_element(graph.components.members.begin(), graph.components.members.end(),
                           [](const auto& a, const auto& b) { return a.size() < b.size(); });
-    // Of a long clip every so many frames do: sorting would be what does not grow like n.
+    // A sample of a long clip is enough: sorting all frames would not be linear.
     const std::size_t step = (members.size() + most_ranked - 1) / most_ranked;
     std::vector<std::size_t> order((members.size() + step - 1) / step);
     std::iota(order.begin(), order.end(), std::size_t{0});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a user should know before trusting an embedding.
+// Warnings about an embedding.
 #pragma once
 
 #include <string>

@@ -26,7 +26,7 @@ class Alignment {
     std::int64_t unknowns() const { return patches_->frames() - 1; }
     const Machine& machine() const { return machine_; }
 
-    /// The right-hand side that values x at the frames, less their mean, become in the unknowns.
+    /// The right-hand side in the unknowns for values x at the frames, with their mean removed.
     virtual void restrict_to(ConstMatrixView x, MatrixView unknowns) const = 0;
     /// Values at the frames, of zero mean, from unknowns.
     virtual void prolong(ConstMatrixView unknowns, MatrixView x) const = 0;
@@ -36,7 +36,7 @@ class Alignment {
     /// out := B' in, and x^T B x for the x of the first `count` of the unknowns `in`, a panel:
     /// count rows. Through the patches, never through the rounded matrix: what refinement rests on.
     virtual Matrix apply(ConstMatrixView in, MatrixView out, std::int64_t count) const = 0;
-    /// Values of zero mean at the frames, of which restrict_to() makes this.
+    /// The inverse of restrict_to(): values of zero mean at the frames.
     virtual void at_frames(ConstMatrixView right, MatrixView x) const = 0;
 
     const Patches& patches() const { return *patches_; }

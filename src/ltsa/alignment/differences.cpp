@@ -21,9 +21,9 @@ constexpr double smallest_pivot = 1e-13;
 /// same for all of them; inverse iteration through the patches removes what it does to the vectors.
 constexpr double flat_shift = 1e-13;
 
-/// How values at a patch's frames come from differences: running sums from the middle of the patch
-/// to both sides, up to a constant. Differences of far values of x would lose their digits. The two
-/// sides take turns, as neither waits for the other.
+/// Values at a patch's frames from differences, up to a constant: running sums from the middle of
+/// the patch to both sides. Subtracting distant values of x would lose digits. The two sides
+/// alternate, because neither depends on the other.
 struct RunningSums {
     template <class P>
     STLTSA_INLINE static void gather(const std::int32_t* frames, std::int64_t k,

@@ -80,7 +80,7 @@ class ColumnSum {
             value_[row] += terms_[j];
         }
     }
-    /// What a patch adds to a column: from the column's own frame on, which comes first.
+    /// The contribution of a patch to a column, beginning with the column's own frame.
     void fill_terms(Holders::Place place, std::int64_t count) {
         terms_.assign(static_cast<std::size_t>(count), -1.0 / static_cast<double>(patches_.size()));
         terms_[0] += 1;
@@ -114,7 +114,7 @@ SparseColumns assemble(const Patches& patches) {
     return matrix;
 }
 
-/// Values at a patch's frames are unknowns themselves, but for the ground.
+/// Values at a patch's frames are the unknowns themselves, except at the grounded frame.
 struct GroundedValues {
     template <class P>
     STLTSA_INLINE static void gather(const std::int32_t* frames, std::int64_t k,

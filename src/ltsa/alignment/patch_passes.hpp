@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What goes through all patches, for panels of vectors. Access says how values at a patch's frames
-// come from the unknowns of an alignment and go back:
+// Passes over all patches, for panels of vectors. Access converts between the unknowns of an
+// alignment and the values at a patch's frames:
 //     gather<P>(frames, k, unknowns, column, values)
 //     scatter<P>(frames, k, values, unknowns, column)      the transpose of gather
 #pragma once
@@ -14,7 +14,7 @@
 
 namespace stltsa::ltsa {
 
-/// The sum of term(0) .. term(count - 1): four sums that do not wait for each other.
+/// The sum of term(0) .. term(count - 1), as four independent sums.
 template <class P, class Term>
 STLTSA_INLINE P sum_of(std::int64_t count, const Term& term) {
     P sums[4] = {};

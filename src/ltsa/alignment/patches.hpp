@@ -39,7 +39,7 @@ class Patches {
     /// Patches of fewer than `dimension` directions.
     std::int64_t rank_deficient() const { return rank_deficient_; }
 
-    /// So many patches after one another have one hull.
+    /// Consecutive patches that share one range of frames.
     static constexpr std::int64_t hull_size = 64;
     /// First and last frame of these patches.
     struct Hull {

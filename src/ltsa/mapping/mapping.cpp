@@ -16,11 +16,12 @@ namespace {
 /// is rounding.
 constexpr double flat = 1e-8;
 
-/// Of the way back: coordinates that a neighborhood hardly varies in must not throw poses about.
+/// Ridge of the map from coordinates to frames: coordinates in which a neighborhood hardly varies
+/// must not change the pose strongly.
 constexpr double inverse_ridge = 1e-3;
 
-/// The original rows of each component, each with the one that follows it. Where the order of rows
-/// means nothing every row is alone.
+/// The original rows of each component, each with the next one. If the order of rows has no
+/// meaning, every row stands alone.
 std::vector<std::vector<Stretch>> stretches_of_components(const Timeline& timeline,
                                                           const Model& model) {
     std::vector<std::vector<Stretch>> stretches(model.components.size());
@@ -46,9 +47,9 @@ std::vector<NearestRows> indexed(ConstMatrixView x,
     return parts;
 }
 
-/// Weights of the `blend` nearest, summing to 1: 1/distance^2 less what it is at the next farther
-/// one. So a stretch alone counts on itself, and one that leaves the blend has faded out. Where all
-/// are as far as the next one, all count the same.
+/// Weights of the `blend` nearest, with sum 1: 1/distance^2 minus its value at the next farther
+/// one, so that the weight of a stretch that leaves the blend has fallen to 0. If all are equally
+/// far, all weights are equal.
 std::vector<double> blend_weights(const std::vector<NearStretch>& found, std::size_t blend) {
     const double nearest = found.front().distance;
     const auto closeness = [nearest](const NearStretch& one) {
@@ -172,7 +173,7 @@ Placement Mapping::find_point(const double* coords, std::int64_t component, std:
     return find(coords_, part, coords, hint, p);
 }
 
-/// Of several rows that are equal the one that is hinted at is meant.
+/// If several rows are equal, the hint decides.
 bool Mapping::is_row(const Space& space, std::int64_t hint, const double* point) {
     return hint != no_hint && squared_distance(space.rows.row(hint), point, space.rows.cols) == 0;
 }
@@ -233,8 +234,8 @@ Placement Mapping::find(const Space& space, std::size_t component, const double*
 void Mapping::add_local_map(const Space& space, std::size_t component, std::int64_t row,
                             const double* point, double weight, const MapParameters& p,
                             std::vector<Placement::Term>& terms) const {
-    // Neighbors of the frame also on the way back: what is near in few coordinates may be far in
-    // truth, as a swing to and fro.
+    // Uses neighbors of the frame here as well: rows that are near in a few coordinates may have
+    // different frames, as in a swing forward and back.
     const auto neighborhood = frames_.parts[component].nearest(frames_.rows.row(row), p.neighbors);
     const double* origin = space.rows.row(row);
     AlignedVector<double> offset(static_cast<std::size_t>(space.rows.cols));

@@ -53,8 +53,8 @@ class Mapping {
 
     /// `hint`: row of the model near which the frame is looked for.
     Placement find_frame(const double* frame, std::int64_t hint, const MapParameters& p) const;
-    /// Coordinates of different components do not compare: `component` says which.
-    /// Throws Status::argument where no row of it is near the hint.
+    /// Coordinates of different components are not comparable: `component` selects one. Throws
+    /// Status::argument if none of its rows is near the hint.
     Placement find_point(const double* coords, std::int64_t component, std::int64_t hint,
                          const MapParameters& p) const;
 

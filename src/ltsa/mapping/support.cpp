@@ -21,7 +21,7 @@ std::int64_t search_count(std::int64_t rows) {
     return std::clamp(distances / std::max<std::int64_t>(rows, 1), least, most);
 }
 
-/// The value that a `share` of the values does not exceed; 0 where there are none.
+/// The quantile of the values at `share`; 0 if there are none.
 double quantile(std::vector<double>& values, double share) {
     if (values.empty())
         return 0;

@@ -9,9 +9,8 @@
 
 namespace stltsa::ltsa {
 
-/// The connected components of the graph in which all frames of a neighborhood are connected.
-/// The alignment matrix has one zero eigenvalue for each, so they are counted before anything is
-/// embedded.
+/// The connected components of the graph in which all frames of a neighborhood are connected. The
+/// alignment matrix has one zero eigenvalue for each, so each is embedded separately.
 struct Components {
     std::int64_t count = 0;
     UnsetVector<std::int32_t> of_frame;             ///< numbered by first frame

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Squared distances within one neighborhood after another, where they share too few to be kept.
+// Squared distances within one neighborhood at a time, for neighborhoods with few distances in
+// common.
 #pragma once
 
 #include <cstdint>

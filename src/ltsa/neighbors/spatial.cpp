@@ -31,7 +31,7 @@ std::vector<RowRange> clip_of_frame(std::span<const std::int64_t> lengths) {
 /// and all in order of time.
 void complete(Neighborhoods& neighborhoods, std::int64_t i, std::int64_t count,
               const std::vector<Candidate>& found) {
-    if (static_cast<std::int64_t>(found.size()) < count) // to a NaN nothing is near
+    if (static_cast<std::int64_t>(found.size()) < count) // nothing is near to a NaN
         fail_changed(i);
     const auto neighborhood = neighborhoods.of(i);
     std::transform(found.begin(), found.end(),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Rows that follow each other have nearly the same neighbors, so those of a leaf of the tree of
-// balls search it together.
+// Consecutive rows have nearly the same neighbors, so the rows of a leaf search the ball tree
+// together.
 #include "ltsa/search/all_nearest.hpp"
 
 #include <algorithm>

@@ -12,7 +12,7 @@
 
 namespace stltsa::ltsa {
 
-/// What is looked for, and what becomes of it.
+/// The query, and the function that takes its answers.
 struct NearestOfAll {
     std::int64_t count;                                ///< of each row
     std::function<RowRange(std::int64_t row)> zone_of; ///< rows that are not candidates

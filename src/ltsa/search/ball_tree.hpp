@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Rows of a matrix in a tree of balls, so that a search passes over most of them for the distance
-// of a ball's center alone, and exactly.
+// A ball tree over the rows of a matrix: an exact search skips most rows by the distance to the
+// centers of their balls.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace stltsa::ltsa {
 
-/// The straight way from a row to the one that follows it, or a row alone, which follows itself.
+/// The segment from a row to the next, or a single row, which is its own next.
 struct Stretch {
     std::int32_t row, next;
 };
@@ -85,7 +85,7 @@ class BallTree {
     }
 
   private:
-    /// A node that a search has still to look into.
+    /// A node that a search has not visited yet.
     struct Open {
         double distance; ///< squared, of its center
         std::int32_t node;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The nearest of what a search finds.
+// Collects the nearest results of a search.
 #pragma once
 
 #include <algorithm>
@@ -21,13 +21,13 @@ struct Candidate {
     }
 };
 
-/// The `count` least of what was offered so far, as a heap with the greatest on top.
+/// The `count` smallest of the offered elements, as a heap with the largest on top.
 template <class Found>
 class Best {
   public:
     explicit Best(std::size_t count) : count_(count) { heap_.reserve(count); }
 
-    /// What is farther is not among them.
+    /// Elements farther than this cannot be among them.
     double reach() const {
         return heap_.size() == count_ ? heap_.front().distance
                                       : std::numeric_limits<double>::infinity();

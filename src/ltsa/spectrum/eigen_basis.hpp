@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Approximate eigenvectors of an alignment matrix side by side, and what makes them exact.
+// Approximate eigenvectors of an alignment matrix, and their correction.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,8 @@
 
 namespace stltsa::ltsa {
 
-/// Vectors in both forms, as panels: x is the prolongation of the unknowns. Beside them what is
-/// computed with them, made once: fresh memory costs as much as the work on it.
+/// The vectors in both forms, as panels: x is the prolongation of the unknowns. The workspace is
+/// allocated once, because fresh memory costs as much as the work on it.
 struct EigenBasis {
     EigenBasis(const Alignment& alignment, std::int64_t vectors)
         : count(vectors), unknowns(panel(alignment.unknowns())), x(panel(alignment.frames())),

@@ -39,15 +39,17 @@ void set_start(std::span<double> x) {
 /// with two of them, the first correction turns embeddings of recorded clips by less than 1e-10.
 constexpr int first_solves = 2;
 
-/// A correction that turns the embedding by less than this is the last one: in differences the
-/// first, which is a certificate; grounded, two or three are needed.
+/// A correction that turns the embedding by less than this is the last one. In differences the
+/// first correction usually is, and so certifies the embedding; the grounded form needs two or
+/// three.
 constexpr double small_change = 1e-12;
 constexpr int most_corrections = 12;
-/// One that turns it by more than this share of what the one before did is of no use.
+/// A correction that turns the embedding by more than this share of the previous turn is the last
+/// one: it does not converge.
 constexpr double least_progress = 0.8;
 
-/// What ARPACK found, solved for twice. Once in any case, because it makes unknowns: differences of
-/// a vector's entries would lose as many digits as the entries are larger than their differences.
+/// ARPACK's vectors after two solves. The first is needed in any case, because it gives the
+/// unknowns: subtracting a vector's entries would lose digits.
 EigenBasis solved(const Alignment& alignment, const Matrix& found) {
     EigenBasis basis(alignment, found.rows());
     set_columns(found, basis.x.view(), alignment.machine());
@@ -61,7 +63,7 @@ EigenBasis solved(const Alignment& alignment, const Matrix& found) {
     return basis;
 }
 
-/// Corrects until that turns the embedding no more.
+/// Corrects until the embedding no longer turns.
 void refine(const Alignment& alignment, std::int64_t dimension, const Progress& progress,
             EigenBasis& basis, Spectrum& spectrum) {
     double before = 2;

@@ -13,30 +13,31 @@
 
 namespace stltsa::ltsa {
 
-/// Rows and columns of a product that are computed together: eight sums fit into the registers of
-/// every machine.
+/// Rows and columns of a tile of the product: eight sums fit into the registers of every machine.
 inline constexpr std::int64_t product_rows = 4;
 inline constexpr std::int64_t product_columns = 2;
 
-/// The first Rayleigh-Ritz step, and the iterations from one to the next: what takes least time for
-/// windows of 12 to 140 frames of recorded motion, which converge after 9 to 17 iterations. Neither
-/// the vectors of the window before nor polynomials in time save more than one of them.
+/// The first Rayleigh-Ritz step, and the iterations from one to the next: the fastest choice for
+/// windows of 12 to 140 frames of recorded motion, which converge after 9 to 17 iterations.
+/// Starting from the vectors of the previous window, or from polynomials in time, saves at most one
+/// of them.
 inline constexpr std::int64_t first_ritz = 9;
 inline constexpr std::int64_t ritz_interval = 3;
 
-/// Iterations before a lane is given up.
+/// Iterations after which a lane is abandoned.
 inline constexpr std::int64_t most_iterations = 60;
 
-/// A lane is given up early if, after so many iterations, the trace that the block misses is so
-/// many times the last wanted eigenvalue: noise, of which it would never be sure.
+/// A lane is abandoned after this many iterations if the trace that the block misses exceeds the
+/// last wanted eigenvalue by this factor: on noise, the iteration could never exclude a missed
+/// eigenvalue.
 inline constexpr std::int64_t iterations_for_noise = first_ritz;
 inline constexpr double hopeless_share = 2;
 
-/// Eigenvalues that are less, relative to the largest of their matrix, count as rounding noise and
-/// not as directions: deviations 3e-7 times as large, which 32-bit numbers nearly lose.
+/// Eigenvalues below this share of the largest are rounding noise, not directions: they belong to
+/// deviations smaller by 3e-7, about the precision of 32-bit numbers.
 inline constexpr double negligible_value = 1e-13;
 
-/// What rounding leaves of the residual of an eigenpair, relative to the largest eigenvalue.
+/// Residual of an eigenpair that rounding leaves, relative to the largest eigenvalue.
 inline constexpr double small_residual = 2e-15;
 
 /// Owns nothing (see EigenBatch). All arrays hold packs: entry i at [i]. The matrix is rows x rows,
@@ -51,7 +52,7 @@ struct BlockIteration {
     double* values_data; ///< count eigenvalues, then 1 where they were found, else 0 or -1
     double* vectors_data;
 
-    /// From the start, until every lane has its eigenvectors or is given up.
+    /// Iterates from the start until every lane has its eigenvectors or is abandoned.
     template <class P>
     STLTSA_INLINE void iterate() const {
         begin<P>();
@@ -66,8 +67,8 @@ struct BlockIteration {
                     return;
             }
             orthonormalize<P>(product_data);
-            // Twice before a Rayleigh-Ritz step: what one pass leaves of the large columns in small
-            // ones, beside a single large eigenvalue, would spoil the Ritz values.
+            // Twice before a Rayleigh-Ritz step: beside a single large eigenvalue, one pass leaves
+            // too much of the large columns in the small ones.
             if (is_ritz(step + 1))
                 orthonormalize<P>(block_data);
         }
@@ -174,10 +175,10 @@ struct BlockIteration {
         }
     }
 
-    /// Keeps the pairs of each lane whose residuals are small for the first time, and marks the
-    /// lane with 1, or with -1 where there is no hope; true when no lane is left. The matrix is
-    /// positive semidefinite, so an eigenvalue that the block has missed is at most what the Ritz
-    /// values leave of the trace: below the last wanted one, or negligible, none was missed.
+    /// Keeps the pairs of each lane whose residuals have become small and marks the lane with 1, or
+    /// with -1 if it is abandoned; true if no lane is left. The matrix is positive semidefinite, so
+    /// a missed eigenvalue is at most the trace minus the Ritz values: if that is below the last
+    /// wanted eigenvalue, or negligible, none was missed.
     template <class P>
     STLTSA_INLINE bool record(P trace, bool give_up) const {
         const P* block = reinterpret_cast<const P*>(block_data);

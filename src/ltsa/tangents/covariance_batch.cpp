@@ -12,11 +12,10 @@
 namespace stltsa::ltsa {
 namespace {
 
-/// Terms that go into the matrix together: it is larger than the nearest cache.
+/// Terms added to the matrix at a time, because it is larger than the first-level cache.
 constexpr std::int64_t term_group = 8;
 
-/// Columns of the block beyond those that are wanted: the more, the sooner it converges, and the
-/// longer a step takes.
+/// Additional columns of the block: more columns converge in fewer, longer steps.
 constexpr std::int64_t guard_columns = 4;
 
 constexpr std::int64_t rounded_up(std::int64_t value, std::int64_t step) {
@@ -108,7 +107,7 @@ void CovarianceBatch::begin_group(const Neighborhoods& neighborhoods, std::int64
                 1.0, centered_.data(), order, 0.0, shared_products_.data(), order);
 }
 
-/// Writes the members about their mean, which becomes the origin.
+/// Writes the members minus their mean, which becomes the origin.
 void CovarianceBatch::center(std::span<const std::int32_t> members) {
     origin_ = x_.row(members[members.size() / 2]);
     write_differences(x_, members, origin_, centered_.data());

@@ -11,7 +11,7 @@
 
 namespace stltsa::ltsa {
 
-/// A lane's results do not depend on what is in the others, nor on how many there are.
+/// A lane's results do not depend on the other lanes or their number.
 class EigenBatch {
   public:
     struct Shape {
@@ -31,8 +31,8 @@ class EigenBatch {
         return matrix_[index(a * rows_ + b, lane)];
     }
 
-    /// Whether the iteration found the eigenvectors of a lane, and they are the leading ones beyond
-    /// doubt. Where it did not, another method is needed.
+    /// Whether the iteration found the eigenvectors of a lane and proved that they are the leading
+    /// ones. If not, another method is needed.
     bool found(std::int64_t lane) const { return values_[index(shape_.count, lane)] > 0; }
     /// Eigenvalue l, descending.
     double value(std::int64_t lane, std::int64_t l) const { return values_[index(l, lane)]; }

@@ -8,8 +8,8 @@
 namespace stltsa::ltsa {
 namespace {
 
-/// Columns of the block beyond those that are wanted: what takes least time for windows of 12 to 48
-/// frames of recorded motion.
+/// Additional columns of the block: the fastest choice for windows of 12 to 48 frames of recorded
+/// motion.
 constexpr std::int64_t guard_columns = 2;
 
 /// The correlation matrix from squared distances, and its eigenvectors.

@@ -40,8 +40,9 @@ class LocalPca {
     AlignedVector<double> mean_;
 };
 
-/// Makes a direction over `size` frames exact: orthogonal to e and to the `count` directions
-/// `before` it (rows of `size` entries), of norm 1; zero stays zero.
+/// Makes a direction over `size` frames orthogonal to e and to the `count` directions `before` it
+/// (rows of `size` entries), with norm 1; zero stays zero. G_i of Table 1, step 3, without its
+/// column e / sqrt(k).
 void make_tangent(const double* before, std::int64_t count, std::int64_t size, double* direction);
 
 } // namespace stltsa::ltsa

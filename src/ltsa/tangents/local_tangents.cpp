@@ -20,11 +20,11 @@ void report(const Progress& progress, std::int64_t done, std::int64_t blocks) {
     progress.report(Stage::tangents, static_cast<double>(done) / static_cast<double>(blocks));
 }
 
-/// Frames of a long clip whose median says what size the eigenvalues have.
+/// Frames of a long clip that the median eigenvalue is taken of.
 constexpr std::int64_t most_sampled = 1 << 12;
 
-/// Directions whose eigenvalue is rounding noise are not there: the vectors that LAPACK gives for
-/// them are arbitrary. `values`: frames x those computed.
+/// Removes directions whose eigenvalue is rounding noise: their vectors are arbitrary. `values`:
+/// frames x computed directions.
 void drop_missing_directions(const Matrix& values, Tangents& tangents, const Machine& machine) {
     const std::int64_t step = (values.rows() + most_sampled - 1) / most_sampled;
     std::vector<double> first;
@@ -46,8 +46,8 @@ void drop_missing_directions(const Matrix& values, Tangents& tangents, const Mac
         });
 }
 
-/// By how much rounding may have turned the directions: a matrix of products is rounded relative to
-/// its largest eigenvalue.
+/// Estimates by how much rounding may have turned the directions: a matrix of products is rounded
+/// relative to its largest eigenvalue.
 void set_rounding(const Matrix& values, Tangents& tangents, const Machine& machine) {
     const std::int64_t blocks = row_blocks(values.rows());
     Matrix squares(blocks, values.cols()), windows(blocks, values.cols());
@@ -72,8 +72,8 @@ void set_rounding(const Matrix& values, Tangents& tangents, const Machine& machi
     }
 }
 
-/// Neighbors and tangents share distances where a window is at most so many times as large as a
-/// neighborhood: beyond, most of two windows' distances would be needed by neither.
+/// Neighbors and tangents share distances if a window is at most this many times as large as a
+/// neighborhood. In larger windows, most of the distances would be unused.
 constexpr std::int64_t widest_shared = 4;
 
 struct Range {

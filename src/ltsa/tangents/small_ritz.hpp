@@ -54,8 +54,8 @@ class SmallRitz {
     }
 
   private:
-    /// An entry off the diagonal that is less counts as zero; matrices have a trace of at most 1. A
-    /// lane where all are is not changed by the sweeps that others need.
+    /// Off-diagonal entries below this are taken as zero; matrices have a trace of at most 1. The
+    /// sweeps that other lanes need do not change a lane whose entries are all zero.
     static constexpr double negligible = 1e-18;
     static constexpr int most_sweeps = 12;
 
@@ -66,8 +66,8 @@ class SmallRitz {
         return any;
     }
 
-    /// Every pair once, in rounds of disjoint pairs, as players meet in a tournament: the machine
-    /// need not wait for one rotation before it begins the next of a round.
+    /// Rotates every pair once, in rounds of disjoint pairs as in a round-robin tournament, so that
+    /// the rotations of a round do not depend on each other.
     STLTSA_INLINE void sweep() const {
         const std::int64_t ring = order_ - 1 + order_ % 2;
         for (std::int64_t round = 0; round < ring; ++round)

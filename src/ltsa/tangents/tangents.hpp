@@ -9,16 +9,16 @@
 
 namespace stltsa::ltsa {
 
-/// For each frame i: d vectors g_l of k entries, orthonormal and orthogonal to e, entry j belonging
-/// to the j-th neighbor. A direction that is not there (fewer than d in the window) is a zero
-/// vector, so that it ties the frames together instead of letting them go.
+/// For each frame i: d vectors g_l of k entries, orthonormal and orthogonal to e; entry j belongs
+/// to the j-th neighbor. If a window varies in fewer than d directions, the others are zero
+/// vectors, which keep the frames together in B.
 struct Tangents {
     std::int64_t size = 0;  ///< k
     std::int64_t count = 0; ///< d
     UnsetVector<double> g;
     UnsetVector<std::int32_t> rank; ///< of each window: directions that are there, at most d
-    /// Root mean square, over the windows that have it, of the angle by which rounding may have
-    /// turned each direction.
+    /// For each direction, the root mean square, over the windows that have it, of the angle by
+    /// which rounding may have turned it.
     std::vector<double> rounding;
 
     const double* direction(std::int64_t frame, std::int64_t l) const {
