@@ -54,8 +54,9 @@
  * Units.      Frames count from 0 in the source file. Intervals are half-open, [begin, end).
  *             Rotations are quaternions w x y z. Lengths are in the file's own unit. Seconds are
  *             frame / fps.
- * Options.    A NULL options pointer means the defaults. Everywhere 0 means "choose for me" where
- *             the option's text says so.
+ * Options.    A NULL options pointer means the defaults. An option that is not set has its default
+ *             or, if its text says "auto", a value that the library chooses by the rule said there.
+ *             No number stands for that; stltsa_options_unset goes back to it.
  */
 #ifndef STLTSA_H
 #define STLTSA_H
@@ -160,21 +161,23 @@ typedef struct stltsa_options stltsa_options;
 /* Keys. stltsa_option_describe() gives name, type, range, default and text of each at run time;
  * the command's flags and the bindings' keywords are made from that table. */
 enum {
-    STLTSA_OPT_NEIGHBORS = 1,    /* int   k; 0: 1.2 periods where a period is found, else 1.2 s (12
-                                      where the frame rate is unknown) */
-    STLTSA_OPT_WINDOW = 2,       /* int   w, frames to each side; 0: as neighbors */
-    STLTSA_OPT_DIMENSION = 3,    /* int   d; 0: fit 2, decompose the best of 1 to 3 */
+    STLTSA_OPT_NEIGHBORS = 1,    /* int   k; auto: 1.2 periods if a period is found, otherwise
+                                      1.2 s, or 12 if the frame rate is unknown */
+    STLTSA_OPT_WINDOW = 2,       /* int   w, frames to each side; auto: as neighbors */
+    STLTSA_OPT_DIMENSION = 3,    /* int   d; auto: fit 2, decompose the best of 1 to 3 */
     STLTSA_OPT_MODE = 4,         /* int   STLTSA_MODE_* */
     STLTSA_OPT_INCLUDE_SELF = 5, /* int   1: a frame is among its own k neighbors (Zhang and Zha);
                                       0: it is not (as scikit-learn has it) */
     STLTSA_OPT_LINKS = 6,        /* int   recurrent: neighbors from outside the exclusion zone */
-    STLTSA_OPT_EXCLUSION = 7,    /* int   recurrent: half width of that zone in frames; 0: window */
-    STLTSA_OPT_THREADS = 8,      /* int   0: every core */
-    STLTSA_OPT_FEATURES = 9,     /* int   STLTSA_FEATURES_* */
-    STLTSA_OPT_UP_AXIS = 10,     /* int   0: found from the clip; 1, 2, 3: x, y, z */
+    STLTSA_OPT_EXCLUSION = 7,    /* int   recurrent: half width of that zone in frames; auto: window */
+    STLTSA_OPT_THREADS = 8,      /* int   auto: every core */
+    STLTSA_OPT_FEATURES = 9,     /* int   STLTSA_FEATURES_*; auto: positions if there is a skeleton,
+                                      otherwise raw */
+    STLTSA_OPT_UP_AXIS = 10,     /* int   1, 2, 3: x, y, z; auto: found from the skeleton */
     STLTSA_OPT_KEEP_START = 11,  /* int   1: do not drop a T-pose at the start */
-    STLTSA_OPT_FPS = 12,         /* real  frames a second, over what the file says; 0: the file's.
-                                      unmap_clip: points a second; 0: the model's rows */
+    STLTSA_OPT_FPS = 12,         /* real  frames a second, over what the file says; auto: the
+                                      file's. unmap_clip: points a second; auto: the
+                                      model's rows */
     STLTSA_OPT_SAMPLE_RATE = 13, /* real  clips: keep one frame in fps / sample_rate, rounded; 0:
                                       all */
     STLTSA_OPT_SMOOTHING = 14,   /* real  sigma in seconds of the Gaussian on the features; 0: none */
@@ -182,24 +185,25 @@ enum {
     STLTSA_OPT_PERIOD_MAX = 16,  /* real  longest period looked for, seconds */
     STLTSA_OPT_EIGENGAP = 17,    /* real  tau of section 2.3 as a fraction of k */
     STLTSA_OPT_VARIANCE = 18,    /* real  share of local variance that local PCA must hold */
-    STLTSA_OPT_SKELETON = 19,    /* text  path of the ASF file of an AMC clip; "": beside the clip */
+    STLTSA_OPT_SKELETON = 19,    /* text  path of the ASF file of an AMC clip; auto: found beside
+                                      the clip */
     STLTSA_OPT_KEEP_FRAMES = 20, /* int   1: a model keeps the frames it was fitted to, and so can map
                                       and unmap; 0: it keeps the coordinates only */
-    STLTSA_OPT_MAP_NEIGHBORS = 21, /* int rows that a local map rests on; 0: max(d + 5, 10) */
+    STLTSA_OPT_MAP_NEIGHBORS = 21, /* int rows that a local map rests on; auto: max(d + 5, 10) */
     STLTSA_OPT_MAP_BLEND = 22,   /* int   stretches of the curve whose maps are blended */
-    STLTSA_OPT_HINT_WINDOW = 23, /* int   rows to each side of a hint; 0: a fifth of k */
-    STLTSA_OPT_COMPONENT = 24,   /* int   unmap: component that the coordinates are of, 0-based; -1:
-                                      the only one there is */
-    STLTSA_OPT_GAMMA = 25,       /* real  gamma of section 3.2, in units of the coordinate; -1: one
-                                      robust standard deviation of the residuals */
-    STLTSA_OPT_KNOT_SPACING = 26, /* real denoise: seconds (rows where the rate is unknown) between
-                                      knots; 0: a tenth of the period, else 2 rows */
+    STLTSA_OPT_HINT_WINDOW = 23, /* int   rows to each side of a hint; auto: a fifth of k */
+    STLTSA_OPT_COMPONENT = 24,   /* int   unmap: component that the coordinates are of, 0-based;
+                                      auto: the only one there is */
+    STLTSA_OPT_GAMMA = 25,       /* real  gamma of section 3.2, in units of the coordinate; auto:
+                                      one robust standard deviation of the residuals */
+    STLTSA_OPT_KNOT_SPACING = 26, /* real denoise: seconds (rows if the rate is unknown) between
+                                      knots; auto: a tenth of the period, otherwise 2 rows */
     STLTSA_OPT_ROBUST = 27,      /* int   denoise: 1: spikes do not pull at the curve */
-    STLTSA_OPT_CROSSFADE = 28,   /* real  synthesize: seconds to each side of a seam; -1: a tenth of the
-                                      cycle that is repeated, 0.15 s where clips join */
+    STLTSA_OPT_CROSSFADE = 28,   /* real  synthesize: seconds to each side of a seam; auto: a tenth of
+                                      the cycle that is repeated, 0.15 s where clips join */
     STLTSA_OPT_CUT_RANGE = 29,   /* real  synthesize: seconds by which a cut may move to find a common
-                                      posture; -1: a tenth of the cycle that is repeated, half
-                                      a cycle and at least 0.5 s where clips join */
+                                      posture; auto: a tenth of the cycle that is repeated,
+                                      half a cycle and at least 0.5 s where clips join */
     STLTSA_OPT_POSTURE_LIMIT = 30, /* real synthesize: largest distance of the postures at a seam, over
                                       what is common between a motion's own repetitions; 0: none */
     STLTSA_OPT_DIMENSION_ESTIMATE = 31 /* int decompose: 1: also estimate the intrinsic dimension of
@@ -214,7 +218,6 @@ enum {
 };
 
 enum {
-    STLTSA_FEATURES_AUTO = 0,        /* positions where there is a skeleton, else raw */
     STLTSA_FEATURES_POSITIONS = 1,   /* joints and end sites, root position and yaw removed */
     STLTSA_FEATURES_ROTATIONS6D = 2, /* two columns of each rotation matrix, root yaw removed */
     STLTSA_FEATURES_EULER = 3,       /* the angles below the root in radians, unwrapped (the paper) */
@@ -231,8 +234,10 @@ typedef struct stltsa_option_info {
     const char *name;    /* "neighbors": the command's --neighbors */
     const char *text;    /* one sentence */
     const char *choices;
-    double minimum, maximum, standard; /* ints and reals; the text default is always "". Of a real
-                                          whose minimum is -1 nothing between -1 and 0 is valid */
+    double minimum, maximum; /* of ints and reals */
+    double standard;     /* the default; NaN if automatic */
+    int32_t automatic;   /* 1: there is no default, and the library chooses by the rule that the text
+                            gives after "auto"; 0: not set means `standard` */
 } stltsa_option_info;
 
 STLTSA_API int64_t stltsa_option_count(void) STLTSA_NOEXCEPT;
@@ -243,14 +248,20 @@ STLTSA_API stltsa_status stltsa_options_new(stltsa_options **options) STLTSA_NOE
 STLTSA_API void stltsa_options_free(stltsa_options *options) STLTSA_NOEXCEPT;
 
 /* Set one option. E_ARGUMENT: unknown key, key of another type, or value outside its range; the
- * text says the range. A text is copied. */
+ * text says the range. A text is copied, and must not be empty. */
 STLTSA_API stltsa_status stltsa_options_set_int(stltsa_options *options, int32_t key,
                                                 int64_t value) STLTSA_NOEXCEPT;
 STLTSA_API stltsa_status stltsa_options_set_real(stltsa_options *options, int32_t key,
                                                  double value) STLTSA_NOEXCEPT;
 STLTSA_API stltsa_status stltsa_options_set_text(stltsa_options *options, int32_t key,
                                                  const char *value) STLTSA_NOEXCEPT;
-/* Read one option back; options NULL reads the default. */
+/* Back to the default or, if there is none, to what the library chooses. E_ARGUMENT: unknown key. */
+STLTSA_API stltsa_status stltsa_options_unset(stltsa_options *options, int32_t key) STLTSA_NOEXCEPT;
+/* 1: the option was set; 0: it was not, or options is NULL, or the key is unknown. */
+STLTSA_API int32_t stltsa_options_is_set(const stltsa_options *options,
+                                         int32_t key) STLTSA_NOEXCEPT;
+/* Read one option back, or its default if it is not set or options is NULL. E_ARGUMENT: as for
+ * setting, and for an automatic option that is not set. */
 STLTSA_API stltsa_status stltsa_options_get_int(const stltsa_options *options, int32_t key,
                                                 int64_t *value) STLTSA_NOEXCEPT;
 STLTSA_API stltsa_status stltsa_options_get_real(const stltsa_options *options, int32_t key,
@@ -389,7 +400,7 @@ enum {
     STLTSA_INFO_DEGREES_OF_FREEDOM = 83, /* real[] effective degrees of freedom of the curve of
                                                    each column */
     STLTSA_INFO_MOVED = 84,             /* int[]  points that were moved in each column */
-    STLTSA_INFO_GAMMA_OPTION = 85,      /* real   option gamma; -1: chosen for each column */
+    STLTSA_INFO_GAMMA_OPTION = 85,      /* real   option gamma; none: chosen for each column */
     STLTSA_INFO_KNOT_ROWS = 86,         /* real   rows between the knots of the curve */
     STLTSA_INFO_ROBUST = 87,            /* int    1: spikes do not pull at the curve */
     STLTSA_INFO_FIT_PERIOD_MIN = 88,    /* real   period_min of the model whose coordinates
@@ -397,8 +408,8 @@ enum {
     STLTSA_INFO_FIT_PERIOD_MAX = 89,    /* real   period_max of that model; 0: none */
     STLTSA_INFO_COLUMNS = 90,           /* int    columns of the coordinates */
     /* Syntheses. */
-    STLTSA_INFO_CROSSFADE = 100,        /* real   option crossfade; -1: chosen for each seam */
-    STLTSA_INFO_CUT_RANGE = 101,        /* real   option cut_range; -1: chosen for each seam */
+    STLTSA_INFO_CROSSFADE = 100,        /* real   option crossfade; none: chosen for each seam */
+    STLTSA_INFO_CUT_RANGE = 101,        /* real   option cut_range; none: chosen for each seam */
     STLTSA_INFO_POSTURE_LIMIT = 102,    /* real   option posture_limit; 0: none */
     STLTSA_INFO_PIECE_PATH = 103,       /* text[] path of the clip of each piece; empty: from
                                                   memory */
@@ -601,7 +612,7 @@ typedef struct stltsa_dimension stltsa_dimension;
 
 /* Two estimates of the dimension of the manifold: the paper's first eigengap above tau, and the
  * median number of local principal directions that hold `variance` of a neighborhood. B is built
- * with tangent dimension `dimension` (0: 2). The eigengap counts lambda_1 = 0, and one eigenvalue
+ * with tangent dimension `dimension` (auto: 2). The eigengap counts lambda_1 = 0, and one eigenvalue
  * more than that dimension is small by construction, so it moves with what was put in: read it
  * beside local PCA. Inputs and errors as stltsa_fit; a disconnected or degenerate graph is an
  * answer ("cannot tell"), not an error. */
@@ -763,7 +774,7 @@ STLTSA_API stltsa_status stltsa_unmap(const stltsa_model *model, const stltsa_in
 /* Poses from points of the manifold, as a clip with the skeleton that was fitted: rotations of all
  * joints, height and tilt; the body stays over the origin and faces one way. A point becomes a
  * frame, so the clip's rate is that of the points: option fps, which for what stltsa_map_clip gave
- * is the rate of that clip; 0: STLTSA_INFO_FPS, the rate of the rows. Other options: as
+ * is the rate of that clip; auto: STLTSA_INFO_FPS, the rate of the rows. Other options: as
  * stltsa_unmap. E_UNSUPPORTED for a model of bare numbers, E_SHAPE for no points at all. */
 STLTSA_API stltsa_status stltsa_unmap_clip(const stltsa_model *model, const stltsa_in *coords,
                                            const stltsa_in *hints, const stltsa_options *options,

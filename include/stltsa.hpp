@@ -288,6 +288,13 @@ class Options {
         return *this;
     }
 
+    /// Back to the default, or to what the library chooses.
+    Options& unset(std::int32_t key) {
+        detail::check(stltsa_options_unset(made(), key));
+        return *this;
+    }
+    bool is_set(std::int32_t key) const noexcept { return stltsa_options_is_set(get(), key) != 0; }
+
     std::int64_t integer(std::int32_t key) const {
         return detail::got<std::int64_t>(stltsa_options_get_int, get(), key);
     }

@@ -65,10 +65,9 @@ class BlockQueue {
 
 } // namespace
 
-int thread_count(std::int64_t requested) {
-    constexpr std::int64_t most = 1024;
-    if (requested > 0)
-        return static_cast<int>(std::min(requested, most));
+int thread_count(std::optional<std::int64_t> requested) {
+    if (requested)
+        return static_cast<int>(*requested);
     // hardware_concurrency() counts the machine; a container or taskset allows fewer.
     cpu_set_t allowed;
     CPU_ZERO(&allowed);

@@ -7,13 +7,14 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "base/thread_pool.hpp"
 
 namespace stltsa {
 
-/// Threads to use for `requested` (0 = every core this process may run on); at least 1.
-int thread_count(std::int64_t requested);
+/// Threads to use: as many as requested, else one for each core that this process may run on.
+int thread_count(std::optional<std::int64_t> requested);
 
 /// Runs body(block) for block = 0 .. blocks-1 on up to `threads` threads. `poll(done)` is called on
 /// the caller's thread as blocks finish, at least once, and may throw to stop early. The first

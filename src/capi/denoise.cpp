@@ -30,7 +30,8 @@ stltsa_status stltsa_denoise(const stltsa_in* coords, const stltsa_in* lengths,
         const capi::OptionsReader reader(options);
         *denoising = new stltsa_denoising(results::denoise(
             x, capi::clip_lengths(lengths, x.rows), reader.denoise_options(),
-            results::matrix_source(x, reader.real(STLTSA_OPT_FPS)), reader.progress()));
+            results::matrix_source(x, reader.real_if_set(STLTSA_OPT_FPS).value_or(0)),
+            reader.progress()));
     });
 }
 

@@ -19,7 +19,8 @@ stltsa_status stltsa_estimate_dimension(const stltsa_in* frames, const stltsa_in
         const ConstMatrixView x = input.view();
         *dimension = new stltsa_dimension(results::estimate_dimension(
             x, capi::clip_lengths(lengths, x.rows), reader.fit_options(),
-            reader.dimension_options(), results::matrix_source(x, reader.real(STLTSA_OPT_FPS)),
+            reader.dimension_options(),
+            results::matrix_source(x, reader.real_if_set(STLTSA_OPT_FPS).value_or(0)),
             reader.progress()));
     });
 }

@@ -269,7 +269,9 @@ constexpr InfoRow denoising_rows[] = {
     of_column(STLTSA_INFO_DEGREES_OF_FREEDOM,
               [](const motion::DenoisedColumn& c) { return c.degrees_of_freedom; }),
     of_column(STLTSA_INFO_MOVED, [](const motion::DenoisedColumn& c) { return c.moved; }),
-    one<Denoising>(STLTSA_INFO_GAMMA_OPTION, [](const Denoising& d) { return d.options.gamma; }),
+    set<Denoising>(
+        STLTSA_INFO_GAMMA_OPTION,
+        [](const Denoising& d) -> const auto& { return d.options.gamma; }),
     one<Denoising>(STLTSA_INFO_KNOT_ROWS, [](const Denoising& d) { return d.options.knot_step; }),
     one<Denoising>(STLTSA_INFO_ROBUST, [](const Denoising& d) { return d.options.robust; }),
     one<Denoising>(STLTSA_INFO_FIT_PERIOD_MIN,
@@ -290,8 +292,11 @@ constexpr InfoRow of_piece(std::int32_t key, Get get) {
 }
 
 constexpr InfoRow synthesis_rows[] = {
-    one<Synthesis>(STLTSA_INFO_CROSSFADE, [](const Synthesis& s) { return s.options.crossfade; }),
-    one<Synthesis>(STLTSA_INFO_CUT_RANGE, [](const Synthesis& s) { return s.options.search; }),
+    set<Synthesis>(
+        STLTSA_INFO_CROSSFADE,
+        [](const Synthesis& s) -> const auto& { return s.options.crossfade; }),
+    set<Synthesis>(
+        STLTSA_INFO_CUT_RANGE, [](const Synthesis& s) -> const auto& { return s.options.search; }),
     one<Synthesis>(STLTSA_INFO_POSTURE_LIMIT,
                    [](const Synthesis& s) { return s.options.posture_limit; }),
     one<Synthesis>(STLTSA_INFO_UP_AXIS, [](const Synthesis& s) { return s.result.up; }),

@@ -20,7 +20,8 @@ stltsa_status stltsa_fit(const stltsa_in* frames, const stltsa_in* lengths,
         const capi::OptionsReader reader(options);
         auto fitted =
             results::fit(x, capi::clip_lengths(lengths, x.rows), reader.fit_options(),
-                         results::matrix_source(x, reader.real(STLTSA_OPT_FPS)), reader.progress());
+                         results::matrix_source(x, reader.real_if_set(STLTSA_OPT_FPS).value_or(0)),
+                         reader.progress());
         if (reader.integer(STLTSA_OPT_KEEP_FRAMES) != 0)
             fitted.kept.frames = copied(x);
         *model = new stltsa_model(std::move(fitted));

@@ -77,20 +77,19 @@ struct PlacedOut {
 
 std::int64_t component_of(const stltsa_model& model, const capi::OptionsReader& options) {
     const auto count = static_cast<std::int64_t>(model.model.components.size());
-    const std::int64_t component = options.integer(STLTSA_OPT_COMPONENT);
-    if (component >= count)
-        fail(Status::argument, "option component is {}; the model has {}", component, count);
-    if (component < 0 && count > 1)
+    const auto component = options.integer_if_set(STLTSA_OPT_COMPONENT);
+    if (component && *component >= count)
+        fail(Status::argument, "option component is {}; the model has {}", *component, count);
+    if (!component && count > 1)
         fail(Status::disconnected,
              "the model has {} components, whose coordinates do not compare: say with the option "
              "component which the points are of",
              count);
-    return std::max<std::int64_t>(component, 0);
+    return component.value_or(0);
 }
 
 double rate_of_points(const stltsa_model& model, const capi::OptionsReader& options) {
-    const double fps = options.real(STLTSA_OPT_FPS);
-    return fps > 0 ? fps : model.source.samples.fps;
+    return options.real_if_set(STLTSA_OPT_FPS).value_or(model.source.samples.fps);
 }
 
 } // namespace

@@ -59,9 +59,9 @@ struct Clip {
 };
 
 struct ReadOptions {
-    double fps = 0;       ///< overrides the file's rate; 0: does not
-    std::string skeleton; ///< ASF path for AMC; empty: searched for in the file's folder
-    Progress progress;    ///< called after a signal while a file is read
+    std::optional<double> fps; ///< overrides the file's rate
+    std::string skeleton;      ///< ASF path for AMC; empty: searched for in the file's folder
+    Progress progress;         ///< called after a signal while a file is read
 };
 
 /// Reads a file; its suffix determines the format, or its content if the suffix is unknown. Throws

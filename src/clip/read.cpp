@@ -46,8 +46,8 @@ Clip parse(std::string_view bytes, Format format, const std::string& name,
     clip.format = format;
     if (!row.needs_skeleton && !options.skeleton.empty())
         clip.notes.push_back("option skeleton is not used: it applies to AMC clips only");
-    if (options.fps > 0) {
-        clip.fps = options.fps;
+    if (options.fps) {
+        clip.fps = *options.fps;
         clip.frame_time = 0;
     }
     return clip;

@@ -67,11 +67,11 @@ double cyclicity(std::span<const double> coordinate, std::span<const double> lev
                   autocorrelation_at(coordinate, level, period / 2));
 }
 
-Coordinate choose_coordinate(const std::vector<ltsa::Model>& models, int dimension,
+Coordinate choose_coordinate(const std::vector<ltsa::Model>& models, std::optional<int> dimension,
                              std::span<const double> level, double period) {
     std::optional<Coordinate> chosen;
     for (std::size_t m = 0; m < models.size(); ++m) {
-        if (dimension > 0 && models[m].coords.cols() != dimension)
+        if (dimension && models[m].coords.cols() != *dimension)
             continue;
         const auto best = by_cyclicity(models[m].coords.view(), level, period).front();
         if (!chosen || best.cyclicity > chosen->cyclicity + clearly_better)

@@ -21,9 +21,9 @@ struct Coordinate {
     double cyclicity = -1;
 };
 
-/// The most cyclic column of all models, or of the model with `dimension` columns (0: all). A model
-/// with more columns must be clearly better. The models' rows are the samples of `level`.
-Coordinate choose_coordinate(const std::vector<ltsa::Model>& models, int dimension,
+/// The most cyclic column of all models, or of the model with `dimension` columns (empty: all). A
+/// model with more columns must be clearly better. The models' rows are the samples of `level`.
+Coordinate choose_coordinate(const std::vector<ltsa::Model>& models, std::optional<int> dimension,
                              std::span<const double> level, double period);
 
 /// Two columns of one model that form a loop when plotted against each other (paper, Fig. 1).

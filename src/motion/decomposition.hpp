@@ -38,9 +38,9 @@ struct Cycle {
 };
 
 struct DecomposeOptions {
-    std::int64_t neighbors = 0; ///< 0: 1.2 periods
-    std::int64_t window = 0;    ///< 0: same as neighbors
-    int dimension = 0;          ///< tangent dimension; 0: the best of 1 to 3
+    std::optional<std::int64_t> neighbors; ///< empty: choose_neighbors()
+    std::optional<std::int64_t> window;    ///< empty: same as neighbors
+    std::optional<int> dimension;          ///< tangent dimension; empty: the best of 1 to 3
     ltsa::Mode mode = ltsa::Mode::temporal;
     double shortest_period = 0.3; ///< seconds
     double longest_period = 6.0;  ///< seconds

@@ -75,7 +75,7 @@ Noise measure_noise(const ScaledColumn& column, const DenoiseOptions& options) {
     for (std::size_t i = 0; i < column.points.size(); ++i)
         distances.push_back(column.distance(i));
     noise.deviation = robust_deviation(distances);
-    noise.gamma = options.gamma < 0 ? noise.deviation : std::ldexp(options.gamma, -column.exponent);
+    noise.gamma = options.gamma ? std::ldexp(*options.gamma, -column.exponent) : noise.deviation;
     double sum = 0;
     for (const double distance : distances)
         if (noise.noisy(distance)) {
@@ -114,7 +114,7 @@ DenoisedColumn denoise_column(ConstMatrixView coords, std::int64_t c, const Scal
         result.cleaned(i, c) = same ? coords(i, c) : unscaled(moved, column.exponent);
         result.moves(i, c) = same ? 0 : unscaled(moved - point, column.exponent);
     }
-    return {options.gamma < 0 ? unscaled(noise.gamma, column.exponent) : options.gamma,
+    return {options.gamma ? *options.gamma : unscaled(noise.gamma, column.exponent),
             unscaled(noise.shift, column.exponent), unscaled(noise.deviation, column.exponent),
             column.degrees_of_freedom, noise.points};
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -13,9 +14,9 @@
 namespace stltsa::motion {
 
 struct DenoiseOptions {
-    double gamma = -1;    ///< distance from the curve beyond which a point is noisy; -1: `noise`
-    double knot_step = 4; ///< rows between the knots of the curve
-    bool robust = true;   ///< spikes do not distort the curve
+    std::optional<double> gamma; ///< distance beyond which a point is noisy; empty: `noise`
+    double knot_step = 4;        ///< rows between the knots of the curve
+    bool robust = true;          ///< spikes do not distort the curve
 };
 
 /// Statistics of one column, over all clips.

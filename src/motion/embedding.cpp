@@ -22,9 +22,9 @@ struct Dimensions {
 };
 
 /// A loop needs two coordinates, so at least one model has two.
-Dimensions dimensions_to_try(int asked, bool repeats, std::int64_t neighbors) {
-    if (asked > 0)
-        return {repeats ? std::min(asked, 2) : asked, std::max(asked, 2)};
+Dimensions dimensions_to_try(std::optional<int> asked, bool repeats, std::int64_t neighbors) {
+    if (asked)
+        return {repeats ? std::min(*asked, 2) : *asked, std::max(*asked, 2)};
     // d dimensions need d + 2 neighbors. Without a period: two, as in Fig. 1 of the paper.
     const auto last =
         static_cast<int>(std::clamp<std::int64_t>(neighbors - 2, 1, repeats ? most_dimensions : 2));
@@ -35,7 +35,7 @@ ltsa::Parameters parameters_for(std::int64_t neighbors, int dimension,
                                 const DecomposeOptions& options) {
     ltsa::Parameters p;
     p.neighbors = neighbors;
-    p.window = options.window > 0 ? options.window : p.neighbors;
+    p.window = options.window.value_or(p.neighbors);
     p.dimension = dimension;
     p.mode = options.mode;
     p.exclusion = p.window;
@@ -45,9 +45,9 @@ ltsa::Parameters parameters_for(std::int64_t neighbors, int dimension,
 
 /// Limits the dimensions to the number of directions in which the samples vary, but not below a
 /// requested dimension: embedding then fails.
-Dimensions varying(const ltsa::Graph& graph, Dimensions wanted, int asked) {
+Dimensions varying(const ltsa::Graph& graph, Dimensions wanted, std::optional<int> asked) {
     const int last =
-        std::max(std::min(wanted.last, ltsa::varying_directions(graph)), std::max(asked, 1));
+        std::max(std::min(wanted.last, ltsa::varying_directions(graph)), asked.value_or(1));
     return {std::min(wanted.first, last), last};
 }
 
@@ -72,15 +72,15 @@ void embed_graph(const ltsa::Graph& graph, Dimensions dimensions, const Progress
 
 void build_and_embed(ConstMatrixView samples, Dimensions dimensions,
                      const DecomposeOptions& options, const Progress& progress, Embedding& result) {
-    ltsa::check_dimension(samples.cols, std::max(options.dimension, 1));
+    ltsa::check_dimension(samples.cols, options.dimension.value_or(1));
     const SingleThreadedBlas single;
     const std::int64_t parts = options.estimate ? 2 : 1;
     const ltsa::Graph graph =
         ltsa::build_graph(samples, {&samples.rows, 1}, result.parameters, progress.part(0, parts));
     if (options.estimate)
-        result.intrinsic = ltsa::local_dimension(
-            graph, options.dimension > 0 ? options.dimension : ltsa::eigengap_tangents,
-            *options.estimate, progress.part(1, parts));
+        result.intrinsic =
+            ltsa::local_dimension(graph, options.dimension.value_or(ltsa::eigengap_tangents),
+                                  *options.estimate, progress.part(1, parts));
     dimensions = varying(graph, dimensions, options.dimension);
     result.parameters.dimension = dimensions.last;
     embed_graph(graph, dimensions, progress, result);
@@ -90,13 +90,13 @@ void build_and_embed(ConstMatrixView samples, Dimensions dimensions,
 
 Embedding embed(ConstMatrixView samples, double fps, Span span, const Period& period,
                 const DecomposeOptions& options, const Progress& progress) {
-    if (options.neighbors >= span.count)
+    if (options.neighbors.value_or(0) >= span.count)
         span = {0, samples.rows};
     const ConstMatrixView embedded = samples.block(span.first, span.count);
     const std::int64_t distinct = distinct_frames(embedded);
     const std::int64_t neighbors =
-        options.neighbors > 0 ? options.neighbors
-                              : choose_neighbors(period, fps, {distinct, 1, most_dimensions});
+        options.neighbors ? *options.neighbors
+                          : choose_neighbors(period, fps, {distinct, 1, most_dimensions});
     const Dimensions dimensions =
         dimensions_to_try(options.dimension, period.samples > 0, neighbors);
     Embedding result{span, parameters_for(neighbors, dimensions.last, options), {}, {}, {}};
@@ -110,9 +110,9 @@ Embedding embed(ConstMatrixView samples, double fps, Span span, const Period& pe
             if (error.status() != Status::degenerate && error.status() != Status::disconnected)
                 throw;
             result.models.clear();
-            result.problem = options.dimension > 0 ? format_text("no curve of {} dimensions: {}",
-                                                                 options.dimension, error.what())
-                                                   : format_text("no curve: {}", error.what());
+            result.problem = options.dimension ? format_text("no curve of {} dimensions: {}",
+                                                             *options.dimension, error.what())
+                                               : format_text("no curve: {}", error.what());
         }
     }
     if (options.estimate && !result.intrinsic)

@@ -29,8 +29,10 @@ Denoised denoise(ConstMatrixView coords, std::vector<std::int64_t> lengths,
     ltsa::check_frames(coords, lengths, "coords");
     const double fps = source.samples.fps;
     Denoised denoised;
-    denoised.options = {options.gamma, options.knot_spacing * (fps > 0 ? fps : 1), options.robust};
-    if (!(options.knot_spacing > 0)) {
+    denoised.options = {options.gamma, 0, options.robust};
+    if (options.knot_spacing) {
+        denoised.options.knot_step = *options.knot_spacing * (fps > 0 ? fps : 1);
+    } else {
         denoised.period = period_of(coords, lengths, options.search, source);
         denoised.options.knot_step =
             motion::knot_step_for({denoised.period.period * fps, denoised.period.lag_quality});

@@ -13,8 +13,9 @@
 namespace stltsa::results {
 
 struct DenoiseOptions {
-    double gamma = -1;       ///< as in motion::DenoiseOptions
-    double knot_spacing = 0; ///< seconds, rows if the rate is unknown; 0: by the period
+    std::optional<double> gamma; ///< as in motion::DenoiseOptions
+    std::optional<double>
+        knot_spacing; ///< seconds, rows if the rate is unknown; empty: by the period
     bool robust = true;
     PeriodSearch search; ///< of coordinates whose period is not known
 };

@@ -14,14 +14,13 @@ clip::Features default_features(const clip::Clip& clip) {
 }
 
 clip::Axis default_up(const clip::Clip& clip) {
-    return clip.skeleton ? clip::up_axis(clip, clip::Axis::automatic) : clip::Axis::automatic;
+    return clip.skeleton ? clip::up_axis(clip, {}) : clip::Axis::none;
 }
 
 std::int64_t default_first_frame(const clip::Clip& clip) {
     if (!clip.skeleton)
         return 0;
-    return clip::tpose_frames(
-        clip::features(clip, clip::Features::automatic, default_up(clip)).view());
+    return clip::tpose_frames(clip::features(clip, {}, default_up(clip)).view());
 }
 
 } // namespace stltsa::results

@@ -31,8 +31,8 @@ struct SampleFacts {
     double fps = 0; ///< of the samples; 0: unknown
     clip::Features features = clip::Features::raw;
     std::int64_t feature_count = 0;
-    clip::Axis up = clip::Axis::automatic; ///< automatic: none was needed
-    double smoothing = 0;                  ///< seconds
+    clip::Axis up = clip::Axis::none; ///< none: none was needed
+    double smoothing = 0;             ///< seconds
 };
 
 /// The period that the number of neighbors was chosen by.
@@ -52,7 +52,7 @@ struct Source {
 
 ClipFacts clip_facts(const clip::Clip& clip);
 
-/// How a clip is read without options: features, the axis that points up (automatic: bare
+/// How a clip is read without options: features, the axis that points up (none: bare
 /// numbers), and the first frame after a T-pose.
 clip::Features default_features(const clip::Clip& clip);
 clip::Axis default_up(const clip::Clip& clip);

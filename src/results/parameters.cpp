@@ -39,28 +39,25 @@ ltsa::Parameters choose_parameters(ConstMatrixView samples, std::span<const std:
                                    const FitOptions& options, int standard_dimension,
                                    Source& source, const Progress& progress) {
     ltsa::Parameters p;
-    p.dimension = options.dimension > 0 ? options.dimension : standard_dimension;
+    p.dimension = options.dimension.value_or(standard_dimension);
     p.mode = options.mode;
     p.include_self = options.include_self;
     p.links = options.links;
     p.threads = options.threads;
-    p.neighbors = options.neighbors;
-    if (p.neighbors == 0)
-        p.neighbors = motion::choose_neighbors(
-            find_period(samples, options.search, source, progress), source.samples.fps,
-            {distinct_in_reach(samples, lengths, p.mode), p.dimension, p.dimension});
-    p.window = options.window > 0 ? options.window : p.neighbors;
-    p.exclusion = options.exclusion > 0 ? options.exclusion : p.window;
+    p.neighbors =
+        options.neighbors
+            ? *options.neighbors
+            : motion::choose_neighbors(
+                  find_period(samples, options.search, source, progress), source.samples.fps,
+                  {distinct_in_reach(samples, lengths, p.mode), p.dimension, p.dimension});
+    p.window = options.window.value_or(p.neighbors);
+    p.exclusion = options.exclusion.value_or(p.window);
     return p;
 }
 
-ltsa::MapParameters choose_map_parameters(ltsa::MapParameters asked,
-                                          const ltsa::Parameters& fitted) {
-    if (asked.neighbors == 0)
-        asked.neighbors = std::max<std::int64_t>(fitted.dimension + 5, 10);
-    if (asked.hint_window == 0)
-        asked.hint_window = std::max<std::int64_t>(fitted.neighbors / 5, 1);
-    return asked;
+ltsa::MapParameters choose_map_parameters(const MapRequest& asked, const ltsa::Parameters& fitted) {
+    return {asked.neighbors.value_or(std::max<std::int64_t>(fitted.dimension + 5, 10)), asked.blend,
+            asked.hint_window.value_or(std::max<std::int64_t>(fitted.neighbors / 5, 1))};
 }
 
 } // namespace stltsa::results

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "base/progress.hpp"
@@ -19,11 +20,11 @@ struct PeriodSearch {
 };
 
 struct FitOptions {
-    std::int64_t neighbors = 0; ///< 0: motion::choose_neighbors()
-    std::int64_t window = 0;    ///< 0: as neighbors
-    std::int64_t exclusion = 0; ///< 0: as window
+    std::optional<std::int64_t> neighbors; ///< empty: motion::choose_neighbors()
+    std::optional<std::int64_t> window;    ///< empty: as neighbors
+    std::optional<std::int64_t> exclusion; ///< empty: as window
     std::int64_t links = 4;
-    int dimension = 0; ///< 0: the caller's `standard_dimension`
+    std::optional<int> dimension; ///< empty: the caller's `standard_dimension`
     ltsa::Mode mode = ltsa::Mode::temporal;
     bool include_self = true;
     PeriodSearch search; ///< for the choice of the neighbors
@@ -35,9 +36,11 @@ ltsa::Parameters choose_parameters(ConstMatrixView samples, std::span<const std:
                                    const FitOptions& options, int standard_dimension,
                                    Source& source, const Progress& progress);
 
-/// `asked` with each 0 replaced: local maps of the dimension and 5 more rows, at least 10; hints
-/// that reach a fifth of the neighbors.
-ltsa::MapParameters choose_map_parameters(ltsa::MapParameters asked,
-                                          const ltsa::Parameters& fitted);
+struct MapRequest {
+    std::optional<std::int64_t> neighbors; ///< empty: the dimension and 5 more, at least 10
+    std::int64_t blend = 3;
+    std::optional<std::int64_t> hint_window; ///< empty: a fifth of the neighbors of the fit
+};
+ltsa::MapParameters choose_map_parameters(const MapRequest& asked, const ltsa::Parameters& fitted);
 
 } // namespace stltsa::results

@@ -119,7 +119,8 @@ class Preparation {
 
 } // namespace
 
-Material prepare_material(std::span<const Piece> pieces, clip::Axis up, const Progress& progress) {
+Material prepare_material(std::span<const Piece> pieces, std::optional<clip::Axis> up,
+                          const Progress& progress) {
     check_pieces(pieces);
     const clip::Clip& first = *pieces[0].clip;
     const clip::Axis used = clip::up_axis(first, up);

@@ -19,6 +19,7 @@ struct Material {
 };
 
 /// Checks the pieces (at least one) and makes their tracks.
-Material prepare_material(std::span<const Piece> pieces, clip::Axis up, const Progress& progress);
+Material prepare_material(std::span<const Piece> pieces, std::optional<clip::Axis> up,
+                          const Progress& progress);
 
 } // namespace stltsa::synthesis

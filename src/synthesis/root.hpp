@@ -39,7 +39,7 @@ struct Step {
 /// The skeleton of the new clip and the joint that turns its body.
 class Body {
   public:
-    /// `root`: the joint that turns the body; joints above it do not. `up`: not automatic.
+    /// `root`: the joint that turns the body; joints above it do not.
     Body(const clip::Clip& clip, std::size_t root, clip::Axis up);
 
     const clip::Skeleton& skeleton() const { return skeleton_; }

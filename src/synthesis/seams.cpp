@@ -22,9 +22,9 @@ constexpr double velocity_share = 0.1;
 /// Assumed length of a cycle if nothing repeats: about a cycle of gait.
 constexpr double usual_cycle_s = 1;
 
-/// The option or its automatic value, in frames.
-std::int64_t frames_of(double option, double chosen, double fps) {
-    return std::llround((option < 0 ? chosen : option) * fps);
+/// The option or the value chosen in its place, in frames.
+std::int64_t frames_of(std::optional<double> option, double chosen, double fps) {
+    return std::llround(option.value_or(chosen) * fps);
 }
 
 /// Whether two tracks have the same motion, such as a clip that was read twice.

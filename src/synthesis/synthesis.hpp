@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -24,10 +25,10 @@ struct Piece {
 };
 
 struct Options {
-    double crossfade = -1;    ///< seconds to each side of a seam; below 0: automatic
-    double search = -1;       ///< seconds by which a cut may move; below 0: automatic
-    double posture_limit = 3; ///< upper limit of a seam's `posture`; 0: no limit
-    clip::Axis up = clip::Axis::automatic;
+    std::optional<double> crossfade; ///< seconds to each side of a seam; empty: chosen for each
+    std::optional<double> search;    ///< seconds by which a cut may move; empty: chosen for each
+    double posture_limit = 3;        ///< upper limit of a seam's `posture`; 0: no limit
+    std::optional<clip::Axis> up;
 };
 
 /// The transition from one piece to another, or to its own repetition. Frame numbers are those
@@ -48,7 +49,7 @@ struct Synthesis {
     clip::Clip clip;
     std::vector<Seam> seams;
     Warnings warnings;
-    clip::Axis up = clip::Axis::automatic; ///< the axis used
+    clip::Axis up = clip::Axis::none; ///< the axis used
 };
 
 /// Throws Status::argument (a piece exceeds its clip), unsupported (bare numbers, no frame rate,

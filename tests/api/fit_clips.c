@@ -200,7 +200,8 @@ static void a_body_of_another_hierarchy_is_refused(void** state) {
 
 static void the_dimension_of_two_clips_is_that_of_the_body(void** state) {
     const struct two* two = *state;
-    stltsa_options* options = new_options(k, k, 0);
+    stltsa_options* options = new_options(k, k, d);
+    must(stltsa_options_unset(options, STLTSA_OPT_DIMENSION));
     stltsa_dimension* both = NULL;
     int64_t rows[3] = {0};
     must(stltsa_estimate_dimension_clips(two->clips, 2, options, &both));

@@ -138,7 +138,8 @@ static void time_backwards_reverses_the_curve(void** state) {
 
 static double* fit_with_threads(const double* x, int64_t threads) {
     stltsa_options* options = new_options(12, 12, d);
-    must(stltsa_options_set_int(options, STLTSA_OPT_THREADS, threads));
+    if (threads > 0)
+        must(stltsa_options_set_int(options, STLTSA_OPT_THREADS, threads));
     return fit_coords_with(options, x, rows, cols);
 }
 

@@ -152,6 +152,9 @@ void options_are_set_and_read_back(void**) {
     assert_float_equal(options.real(STLTSA_OPT_FPS), 120, 0);
     assert_float_equal(options.real(STLTSA_OPT_SMOOTHING), 0.5, 0);
     assert_string_equal(options.text(STLTSA_OPT_SKELETON).c_str(), "a.asf");
+    assert_true(options.is_set(STLTSA_OPT_FPS) && !options.is_set(STLTSA_OPT_WINDOW));
+    options.unset(STLTSA_OPT_FPS);
+    assert_false(options.is_set(STLTSA_OPT_FPS));
     assert_int_equal(status_of([&] { options.set(STLTSA_OPT_LINKS, 0); }), STLTSA_E_ARGUMENT);
     assert_int_equal(status_of([&] { options.set(STLTSA_OPT_LINKS, 1.0); }), STLTSA_E_ARGUMENT);
     const Options moved = std::move(options);

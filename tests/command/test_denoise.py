@@ -160,7 +160,7 @@ class Denoise(CommandTest):
         self.assertIn(".npy, .csv", self.fails(2, "denoise", walk(), "--curve-out", "y.svg"))
         self.assertIn("--coordinates", self.fails(2, "denoise", walk(), "--coordinates"))
         self.assertIn("gamma", self.fails(2, "denoise", walk(), "--gamma", "-3"))
-        self.assertIn("-1, or from 0", self.fails(2, "denoise", walk(), "--gamma", "-0.5"))
+        self.assertIn("from 0 to", self.fails(2, "denoise", walk(), "--gamma", "-0.5"))
         short = write_csv("short.csv", [[1.0, 2.0]] * 7)
         self.assertIn("8", self.fails(4, "denoise", short, "--coordinates"))
         missing = self.folder / "missing.stltsa"

@@ -103,6 +103,9 @@ class Handle:
         (found,) = self.list(name)
         return found
 
+    def maybe(self, name):
+        return next(iter(self.list(name)), None)
+
     def choice(self, name):
         """The name of an enumerated value; None if the value 0 means "none"."""
         names = dict(pair.split("=")[::-1] for pair in KEYS[name].choices.decode().split())
@@ -332,7 +335,7 @@ FACTS = {
         "fit.period_min_s": lambda h: positive(h["fit_period_min"]),
         "fit.period_max_s": lambda h: positive(h["fit_period_max"]),
         **PERIOD,
-        "parameters.gamma": lambda h: chosen(h["gamma_option"]),
+        "parameters.gamma": lambda h: h.maybe("gamma_option"),
         "parameters.knot_rows": lambda h: h["knot_rows"],
         "parameters.knot_s": lambda h: h["knot_rows"] / h["fps"],
         "parameters.robust": lambda h: bool(h["robust"]),
@@ -353,8 +356,8 @@ FACTS = {
         "pieces.begin": lambda h: h.list("piece_begin"),
         "pieces.end": lambda h: h.list("piece_end"),
         "pieces.repeat": lambda h: h.list("piece_repeat"),
-        "parameters.crossfade_s": lambda h: chosen(h["crossfade"]),
-        "parameters.cut_range_s": lambda h: chosen(h["cut_range"]),
+        "parameters.crossfade_s": lambda h: h.maybe("crossfade"),
+        "parameters.cut_range_s": lambda h: h.maybe("cut_range"),
         "parameters.posture_limit": lambda h: positive(h["posture_limit"]),
         "parameters.up_axis": lambda h: h.choice("up_axis"),
         **{f"seams.{f}": seams(f) for f, _ in Seam._fields_[1:]},

@@ -56,7 +56,7 @@ class Schemas(CommandTest):
                 self.assertIsNone(self.check(command, circle())["clip"]["fps"])
 
     def test_dimension_of_units_is_that_of_dimension(self):
-        for tangents in ("0", "1", "3"):
+        for tangents in ("auto", "1", "3"):
             alone = self.check("dimension", walk(), "--dimension", tangents)
             self.assertIsNone(
                 self.check("decompose", walk(), "--dimension", tangents)["intrinsic_dimension"])
@@ -64,6 +64,13 @@ class Schemas(CommandTest):
                                 "--dimension-estimate")
             self.assertEqual(beside["intrinsic_dimension"],
                              {key: alone[key]["dimension"] for key in ("local_pca", "eigengap")})
+
+    def test_auto_is_the_default(self):
+        line = ("fit", walk(), "--json")
+        words = ("neighbors", "window", "dimension", "threads", "features", "up-axis", "fps",
+                 "skeleton")
+        autos = [word for name in words for word in (f"--{name}", "auto")]
+        self.assertEqual(self.done(*line, *autos), self.done(*line))
 
     def test_options(self):
         self.check("fit", walk(), "--mode", "recurrent", "--links", "3", "--no-include-self")

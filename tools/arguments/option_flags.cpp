@@ -20,6 +20,9 @@ namespace {
 
 using stltsa::OptionInfo;
 
+/// Typed for what the library chooses.
+constexpr const char* automatic = "auto";
+
 const std::vector<OptionInfo>& table() {
     static const std::vector<OptionInfo> rows = stltsa::option_table();
     return rows;
@@ -49,7 +52,7 @@ bool counts_frames(std::int32_t key) {
 }
 
 std::string choice_names(const OptionInfo& info) {
-    std::string names;
+    std::string names = info.automatic != 0 ? automatic : "";
     for (const auto& [name, value] : choices_in(info.choices))
         names += (names.empty() ? "" : "|") + name;
     return names;
@@ -59,19 +62,22 @@ std::string value_name(const OptionInfo& info) {
     if (info.choices != nullptr)
         return choice_names(info);
     if (info.type == STLTSA_TYPE_TEXT)
-        return "FILE";
-    return counts_frames(info.key) ? "N|SECONDSs" : "N";
+        return fmt::format("{}|FILE", automatic);
+    const std::string number = counts_frames(info.key) ? "N|SECONDSs" : "N";
+    return info.automatic != 0 ? fmt::format("{}|{}", automatic, number) : number;
 }
 
-/// The default where the text does not say it ("0: ...").
+/// The default.
 std::string default_text(const OptionInfo& info) {
+    if (info.automatic != 0)
+        return " Default: auto.";
     if (info.choices != nullptr) {
         for (const auto& [name, value] : choices_in(info.choices))
             if (static_cast<double>(value) == info.standard)
                 return fmt::format(" Default: {}.", name);
     } else if (is_switch(info)) {
         return info.standard != 0 ? " Default: on." : "";
-    } else if (info.type != STLTSA_TYPE_TEXT && info.standard != 0) {
+    } else if (info.standard != 0) {
         return fmt::format(" Default: {}.", info.standard);
     }
     return "";
@@ -149,7 +155,9 @@ void add_option_flags(CLI::App& app, std::span<const std::int32_t> keys,
 void set_options(stltsa::Options& options, const std::map<std::int32_t, std::string>& typed) {
     for (const auto& [key, value] : typed) {
         const OptionInfo& info = describe(key);
-        if (info.type == STLTSA_TYPE_TEXT)
+        if (info.automatic != 0 && value == automatic)
+            options.unset(key);
+        else if (info.type == STLTSA_TYPE_TEXT)
             options.set(key, value);
         else if (info.type == STLTSA_TYPE_REAL)
             set_real(options, info, value);
@@ -170,7 +178,7 @@ void set_lengths(stltsa::Options& options, const std::map<std::int32_t, std::str
                           fmt::format("{} is given in seconds, and the clip's frame rate is "
                                       "unknown: give it with --fps, or the length in frames",
                                       flag_name(info)));
-        // At least 1: 0 would mean "choose for me".
+        // At least 1, the least number of frames.
         const double frames = std::max(1.0, std::round(*seconds * rate));
         const double most = std::min(frames, info.maximum);
         options.set(key, static_cast<std::int64_t>(most));

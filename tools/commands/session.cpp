@@ -94,7 +94,7 @@ Session::Session(const Arguments& arguments)
 }
 
 void Session::set_default(std::int32_t key, std::int64_t value) {
-    if (!arguments_.options.contains(key))
+    if (!options_.is_set(key))
         options_.set(key, value);
 }
 
@@ -132,7 +132,8 @@ const std::string& Session::standard_input() const {
 }
 
 void Session::set_fps(double fps) {
-    options_.set(STLTSA_OPT_FPS, fps);
+    if (fps > 0)
+        options_.set(STLTSA_OPT_FPS, fps);
 }
 
 std::string Session::title() const {

@@ -59,7 +59,7 @@ def test_nothing_moves():
         ({"mode": "spectral"}, ValueError, "must be one of: temporal, spatial, recurrent"),
         ({"variance": 7.0}, stltsa.ArgumentError, "variance"),
         ({"neighbors": -1}, ValueError, "neighbors"),
-        ({"neighbors": 2**70}, stltsa.ArgumentError, "neighbors is .*; it must be from 0 to"),
+        ({"neighbors": 2**70}, stltsa.ArgumentError, "neighbors is .*; it must be from 1 to"),
         ({"neighbors": "50"}, ValueError, "neighbors is '50', and must be a number"),
         ({"fps": np.array([30.0, 60.0])}, TypeError, "fps is .*, and must be a number"),
     ],

@@ -5,6 +5,7 @@ import pathlib
 import re
 import typing
 
+import numpy as np
 import pytest
 
 import stltsa
@@ -55,7 +56,23 @@ def test_choices_are_the_table():
     hints = typing.get_type_hints(stltsa.Options)
     for option in stltsa.options():
         if option.choices:
-            assert set(typing.get_args(hints[option.name])) == set(option.choices)
+            hint = hints[option.name]
+            if option.default is None:  # names | "auto" | None
+                hint, auto, none = typing.get_args(hint)
+                assert (typing.get_args(auto), none) == (("auto",), type(None))
+            assert set(typing.get_args(hint)) == set(option.choices)
+
+
+def test_what_the_library_chooses_is_none_or_auto():
+    automatic = {option.name for option in stltsa.options() if option.default is None}
+    assert automatic > {"neighbors", "features", "skeleton", "gamma"}
+    frames = np.random.default_rng(0).random((60, 3))
+    default = stltsa.fit(frames).coords
+    for value in (None, "auto"):
+        options = dict.fromkeys(automatic, value)
+        assert np.array_equal(stltsa.fit(frames, **options).coords, default)
+    with pytest.raises(ValueError, match="smoothing is 'auto', and must be a number"):
+        stltsa.fit(frames, smoothing="auto")
 
 
 def test_each_status_has_a_class():

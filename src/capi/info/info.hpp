@@ -87,6 +87,14 @@ constexpr InfoRow maybe(std::int32_t key, Find, Get) {
             }};
 }
 
+/// An option that the handle has if it was set. `Get` gives the std::optional in the handle.
+template <class Handle, class Get>
+constexpr InfoRow set(std::int32_t key, Get) {
+    return maybe<Handle>(
+        key, [](const Handle& h) { return Get{}(h) ? &*Get{}(h) : nullptr; },
+        [](const auto& value) { return value; });
+}
+
 /// A fact of each element of the vector that `List` returns.
 template <class Handle, class List, class Get>
 constexpr InfoRow each(std::int32_t key, List, Get) {

@@ -25,7 +25,7 @@ std::string clip_json(const clip::Clip& clip) {
     object.set("channels", JsonObject("count", clip.values.cols(), "names", clip.channel_names));
     object.set("joints", joints(clip));
     object.set("up_axis", json_axis(default_up(clip)));
-    object.set("feature_count", clip::feature_count(clip, clip::Features::automatic));
+    object.set("feature_count", clip::feature_count(clip, {}));
     return object.text();
 }
 

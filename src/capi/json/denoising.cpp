@@ -7,11 +7,10 @@ namespace {
 Json parameters_json(const Denoised& denoised) {
     const double fps = denoised.source.samples.fps;
     const double step = denoised.options.knot_step;
-    return JsonObject(
-        "gamma", denoised.options.gamma < 0 ? Json(nullptr) : Json(denoised.options.gamma),
-        "knot_rows", step, "knot_s", fps > 0 ? Json(step / fps) : Json(nullptr), "robust",
-        denoised.options.robust, "period_min_s", json_positive_or_null(denoised.period.shortest),
-        "period_max_s", json_positive_or_null(denoised.period.longest));
+    return JsonObject("gamma", json_or_null(denoised.options.gamma), "knot_rows", step, "knot_s",
+                      fps > 0 ? Json(step / fps) : Json(nullptr), "robust", denoised.options.robust,
+                      "period_min_s", json_positive_or_null(denoised.period.shortest),
+                      "period_max_s", json_positive_or_null(denoised.period.longest));
 }
 
 Json column_json(const motion::DenoisedColumn& column) {

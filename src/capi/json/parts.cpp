@@ -17,6 +17,10 @@ Json json_positive_or_null(double value) {
     return value > 0 ? Json(value) : Json(nullptr);
 }
 
+Json json_or_null(std::optional<double> value) {
+    return value ? Json(*value) : Json(nullptr);
+}
+
 Json json_count_or_null(std::int64_t value) {
     return value > 0 ? Json(value) : Json(nullptr);
 }
@@ -29,8 +33,6 @@ const char* json_name(clip::Format format) {
 
 const char* json_name(clip::Features features) {
     switch (features) {
-    case clip::Features::automatic:
-        return "auto";
     case clip::Features::positions:
         return "positions";
     case clip::Features::rotations6d:
@@ -57,7 +59,7 @@ const char* json_name(ltsa::Mode mode) {
 
 Json json_axis(clip::Axis axis) {
     switch (axis) {
-    case clip::Axis::automatic:
+    case clip::Axis::none:
         return nullptr;
     case clip::Axis::x:
         return "x";

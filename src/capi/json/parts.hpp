@@ -2,6 +2,7 @@
 // Parts that the JSON objects of clips, models and decompositions share.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 
@@ -18,6 +19,7 @@ JsonObject json_head(const char* kind);
 Json json_string_or_null(const std::string& text);
 /// null for 0, which means that a rate, a period or a dimension is unknown.
 Json json_positive_or_null(double value);
+Json json_or_null(std::optional<double> value);
 Json json_count_or_null(std::int64_t value);
 
 const char* json_name(clip::Format format);

@@ -17,11 +17,6 @@ Json pieces_json(std::span<const PieceFacts> pieces) {
     return list;
 }
 
-/// null if the library chose a value for each seam.
-Json chosen_or(double value) {
-    return value < 0 ? Json(nullptr) : Json(value);
-}
-
 Json seams_json(const std::vector<synthesis::Seam>& seams, double fps) {
     std::vector<Json> list;
     for (const synthesis::Seam& seam : seams)
@@ -41,8 +36,8 @@ std::string synthesis_json(const clip::Clip& clip, const Synthesized& synthesize
     object.set("clip", made_clip(clip));
     object.set("pieces", pieces_json(synthesized.pieces));
     object.set("parameters",
-               JsonObject("crossfade_s", chosen_or(synthesized.options.crossfade), "cut_range_s",
-                          chosen_or(synthesized.options.search), "posture_limit",
+               JsonObject("crossfade_s", json_or_null(synthesized.options.crossfade), "cut_range_s",
+                          json_or_null(synthesized.options.search), "posture_limit",
                           json_positive_or_null(synthesized.options.posture_limit), "up_axis",
                           json_axis(made.up)));
     object.set("seams", seams_json(made.seams, clip.fps));

@@ -11,10 +11,16 @@
 namespace stltsa::capi {
 namespace {
 
+[[noreturn]] void refuse_unset(const stltsa_option_info& row) {
+    fail(Status::argument, "option {} is not set, so that the library chooses its value", row.name);
+}
+
 double number(const stltsa_options* options, const stltsa_option_info& row) {
     if (options != nullptr)
         if (const auto found = options->numbers.find(row.key); found != options->numbers.end())
             return found->second;
+    if (row.automatic != 0)
+        refuse_unset(row);
     return row.standard;
 }
 
@@ -24,18 +30,13 @@ void set_number(stltsa_options& options, int32_t key, int32_t type, double value
     if (!(value >= row.minimum && value <= row.maximum))
         fail(Status::argument, "option {} is {}; it must be from {} to {}", row.name, value,
              row.minimum, row.maximum);
-    // A real number's -1 stands alone: it means "choose for me", and its like would be a mistake.
-    if (row.type == STLTSA_TYPE_REAL && value < 0 && value != row.minimum)
-        fail(Status::argument, "option {} is {}; it must be {}, or from 0 to {}", row.name, value,
-             row.minimum, row.maximum);
     options.numbers[key] = value;
 }
 
 constexpr bool same_features(clip::Features features, int value) {
     return static_cast<int>(features) == value;
 }
-static_assert(same_features(clip::Features::automatic, STLTSA_FEATURES_AUTO) &&
-              same_features(clip::Features::positions, STLTSA_FEATURES_POSITIONS) &&
+static_assert(same_features(clip::Features::positions, STLTSA_FEATURES_POSITIONS) &&
               same_features(clip::Features::rotations6d, STLTSA_FEATURES_ROTATIONS6D) &&
               same_features(clip::Features::euler, STLTSA_FEATURES_EULER) &&
               same_features(clip::Features::raw, STLTSA_FEATURES_RAW));
@@ -48,6 +49,10 @@ static_assert(same_mode(ltsa::Mode::temporal, STLTSA_MODE_TEMPORAL) &&
 
 } // namespace
 
+bool is_set(const stltsa_options* options, int32_t key) {
+    return options != nullptr && (options->numbers.contains(key) || options->texts.contains(key));
+}
+
 std::int64_t OptionsReader::integer(int32_t key) const {
     return static_cast<std::int64_t>(number(options_, option_row(key, STLTSA_TYPE_INT)));
 }
@@ -56,12 +61,15 @@ double OptionsReader::real(int32_t key) const {
     return number(options_, option_row(key, STLTSA_TYPE_REAL));
 }
 
+std::optional<double> OptionsReader::real_if_set(int32_t key) const {
+    return is_set(options_, key) ? std::optional(real(key)) : std::nullopt;
+}
+
 const char* OptionsReader::text(int32_t key) const {
-    option_row(key, STLTSA_TYPE_TEXT);
-    if (options_ != nullptr)
-        if (const auto found = options_->texts.find(key); found != options_->texts.end())
-            return found->second.c_str();
-    return "";
+    const auto& row = option_row(key, STLTSA_TYPE_TEXT);
+    if (!is_set(options_, key))
+        refuse_unset(row);
+    return options_->texts.at(key).c_str();
 }
 
 Progress OptionsReader::progress() const {
@@ -78,21 +86,22 @@ std::int32_t OptionsReader::tell(void* reader, std::int32_t stage, double fracti
 }
 
 int OptionsReader::threads() const {
-    return thread_count(integer(STLTSA_OPT_THREADS));
+    return thread_count(integer_if_set(STLTSA_OPT_THREADS));
 }
 
 clip::ReadOptions OptionsReader::read_options() const {
     clip::ReadOptions read;
-    read.fps = real(STLTSA_OPT_FPS);
-    read.skeleton = text(STLTSA_OPT_SKELETON);
+    read.fps = real_if_set(STLTSA_OPT_FPS);
+    if (is_set(options_, STLTSA_OPT_SKELETON))
+        read.skeleton = text(STLTSA_OPT_SKELETON);
     read.progress = progress();
     return read;
 }
 
 clip::PrepareOptions OptionsReader::prepare_options() const {
     clip::PrepareOptions prepare;
-    prepare.features = static_cast<clip::Features>(integer(STLTSA_OPT_FEATURES));
-    prepare.up = static_cast<clip::Axis>(integer(STLTSA_OPT_UP_AXIS));
+    prepare.features = integer_if_set<clip::Features>(STLTSA_OPT_FEATURES);
+    prepare.up = integer_if_set<clip::Axis>(STLTSA_OPT_UP_AXIS);
     prepare.rate = real(STLTSA_OPT_SAMPLE_RATE);
     prepare.smoothing = real(STLTSA_OPT_SMOOTHING);
     prepare.drop_tpose = integer(STLTSA_OPT_KEEP_START) == 0;
@@ -105,9 +114,9 @@ ltsa::DimensionOptions OptionsReader::dimension_options() const {
 
 motion::DecomposeOptions OptionsReader::decompose_options() const {
     motion::DecomposeOptions decompose;
-    decompose.neighbors = integer(STLTSA_OPT_NEIGHBORS);
-    decompose.window = integer(STLTSA_OPT_WINDOW);
-    decompose.dimension = static_cast<int>(integer(STLTSA_OPT_DIMENSION));
+    decompose.neighbors = integer_if_set(STLTSA_OPT_NEIGHBORS);
+    decompose.window = integer_if_set(STLTSA_OPT_WINDOW);
+    decompose.dimension = integer_if_set<int>(STLTSA_OPT_DIMENSION);
     decompose.mode = static_cast<ltsa::Mode>(integer(STLTSA_OPT_MODE));
     const results::PeriodSearch search = period_search();
     decompose.shortest_period = search.shortest;
@@ -128,11 +137,11 @@ results::PeriodSearch OptionsReader::period_search() const {
 
 results::FitOptions OptionsReader::fit_options() const {
     results::FitOptions fit;
-    fit.neighbors = integer(STLTSA_OPT_NEIGHBORS);
-    fit.window = integer(STLTSA_OPT_WINDOW);
-    fit.exclusion = integer(STLTSA_OPT_EXCLUSION);
+    fit.neighbors = integer_if_set(STLTSA_OPT_NEIGHBORS);
+    fit.window = integer_if_set(STLTSA_OPT_WINDOW);
+    fit.exclusion = integer_if_set(STLTSA_OPT_EXCLUSION);
     fit.links = integer(STLTSA_OPT_LINKS);
-    fit.dimension = static_cast<int>(integer(STLTSA_OPT_DIMENSION));
+    fit.dimension = integer_if_set<int>(STLTSA_OPT_DIMENSION);
     fit.mode = static_cast<ltsa::Mode>(integer(STLTSA_OPT_MODE));
     fit.include_self = integer(STLTSA_OPT_INCLUDE_SELF) != 0;
     fit.search = period_search();
@@ -141,20 +150,20 @@ results::FitOptions OptionsReader::fit_options() const {
 }
 
 results::MapOptions OptionsReader::map_options(const ltsa::Parameters& fitted) const {
-    const ltsa::MapParameters asked = {integer(STLTSA_OPT_MAP_NEIGHBORS),
+    const results::MapRequest asked = {integer_if_set(STLTSA_OPT_MAP_NEIGHBORS),
                                        integer(STLTSA_OPT_MAP_BLEND),
-                                       integer(STLTSA_OPT_HINT_WINDOW)};
+                                       integer_if_set(STLTSA_OPT_HINT_WINDOW)};
     return {results::choose_map_parameters(asked, fitted), threads(), progress()};
 }
 
 results::DenoiseOptions OptionsReader::denoise_options() const {
-    return {real(STLTSA_OPT_GAMMA), real(STLTSA_OPT_KNOT_SPACING), integer(STLTSA_OPT_ROBUST) != 0,
-            period_search()};
+    return {real_if_set(STLTSA_OPT_GAMMA), real_if_set(STLTSA_OPT_KNOT_SPACING),
+            integer(STLTSA_OPT_ROBUST) != 0, period_search()};
 }
 
 synthesis::Options OptionsReader::synthesis_options() const {
-    return {real(STLTSA_OPT_CROSSFADE), real(STLTSA_OPT_CUT_RANGE), real(STLTSA_OPT_POSTURE_LIMIT),
-            prepare_options().up};
+    return {real_if_set(STLTSA_OPT_CROSSFADE), real_if_set(STLTSA_OPT_CUT_RANGE),
+            real(STLTSA_OPT_POSTURE_LIMIT), prepare_options().up};
 }
 
 } // namespace stltsa::capi
@@ -205,9 +214,23 @@ stltsa_status stltsa_options_set_real(stltsa_options* options, int32_t key, doub
 stltsa_status stltsa_options_set_text(stltsa_options* options, int32_t key,
                                       const char* value) noexcept {
     return guard([&] {
-        capi::option_row(key, STLTSA_TYPE_TEXT);
-        required(options, "options").texts[key] = &required(value, "value");
+        const auto& row = capi::option_row(key, STLTSA_TYPE_TEXT);
+        if (required(value, "value") == '\0')
+            fail(Status::argument, "option {} is empty; leave it unset instead", row.name);
+        required(options, "options").texts[key] = value;
     });
+}
+
+stltsa_status stltsa_options_unset(stltsa_options* options, int32_t key) noexcept {
+    return guard([&] {
+        const auto& row = capi::option_row(key);
+        required(options, "options").numbers.erase(row.key);
+        options->texts.erase(row.key);
+    });
+}
+
+int32_t stltsa_options_is_set(const stltsa_options* options, int32_t key) noexcept {
+    return capi::is_set(options, key) ? 1 : 0;
 }
 
 stltsa_status stltsa_options_get_int(const stltsa_options* options, int32_t key,

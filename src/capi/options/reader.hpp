@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -25,6 +26,8 @@ struct stltsa_options {
 
 namespace stltsa::capi {
 
+bool is_set(const stltsa_options* options, int32_t key);
+
 /// Reads options; a null handle gives the defaults.
 class OptionsReader {
   public:
@@ -33,6 +36,12 @@ class OptionsReader {
     std::int64_t integer(int32_t key) const;
     double real(int32_t key) const;
     const char* text(int32_t key) const;
+    // Of options that the library chooses if they are not set: integer() and real() throw then.
+    std::optional<double> real_if_set(int32_t key) const;
+    template <class T = std::int64_t>
+    std::optional<T> integer_if_set(int32_t key) const {
+        return is_set(options_, key) ? std::optional(static_cast<T>(integer(key))) : std::nullopt;
+    }
     /// Valid as long as the reader. The progress that the caller sees never decreases.
     Progress progress() const;
 

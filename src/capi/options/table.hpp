@@ -11,6 +11,7 @@ namespace stltsa::capi {
 std::span<const stltsa_option_info> options_table();
 
 /// The row of a key. Throws Status::argument for an unknown key or one of another type.
+const stltsa_option_info& option_row(int32_t key);
 const stltsa_option_info& option_row(int32_t key, int32_t type);
 
 } // namespace stltsa::capi

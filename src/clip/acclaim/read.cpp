@@ -163,7 +163,7 @@ class AmcReader {
 };
 
 void set_rate(Clip& clip, const ReadOptions& options) {
-    if (clip.fps > 0 || options.fps > 0)
+    if (clip.fps > 0 || options.fps)
         return;
     clip.fps = amc_fps;
     clip.notes.push_back(format_text(

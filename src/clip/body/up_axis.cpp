@@ -74,9 +74,9 @@ Axis largest(const Vec3& v) {
 
 } // namespace
 
-Axis up_axis(const Clip& clip, Axis requested) {
-    if (requested != Axis::automatic)
-        return requested;
+Axis up_axis(const Clip& clip, std::optional<Axis> requested) {
+    if (requested)
+        return *requested;
     if (!clip.skeleton || clip.format == Format::amc)
         return Axis::y;
     return largest(stance(clip));

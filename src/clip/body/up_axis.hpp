@@ -2,15 +2,17 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "clip/clip.hpp"
 
 namespace stltsa::clip {
 
-enum class Axis : std::int32_t { automatic = 0, x = 1, y = 2, z = 3 };
+/// none: of bare numbers, which have no direction.
+enum class Axis : std::int32_t { none = 0, x = 1, y = 2, z = 3 };
 
 /// The up axis used: the requested one; y for AMC; else the axis nearest to the direction from the
 /// feet to the head (joints by name), or, without these names, that of the body's largest extent.
-Axis up_axis(const Clip& clip, Axis requested);
+Axis up_axis(const Clip& clip, std::optional<Axis> requested);
 
 } // namespace stltsa::clip

@@ -105,16 +105,16 @@ bool take_time(Clip& clip, std::int64_t column, double unit, const std::string& 
     }
     const double rate = rate_of(steps.mean * unit);
     const bool plausible = rate >= least_rate && rate <= most_rate;
-    if (options.fps == 0 && !plausible && steps.count())
+    if (!options.fps && !plausible && steps.count())
         return take_count(clip, column);
-    if (options.fps == 0 && !plausible) {
+    if (!options.fps && !plausible) {
         clip.notes.push_back(format_text(
             "column {} as time would give {:.3g} frames a second: kept as a channel; if it is "
             "time, put its unit into the name, as in 'time (ms)', or set option fps",
             title, rate));
         return false;
     }
-    if (!steps.even() && options.fps == 0)
+    if (!steps.even() && !options.fps)
         fail(Status::format,
              "{}: the steps of column {} range from {} to {}: resample to a constant rate, or set "
              "option fps to treat the rows as evenly spaced",

@@ -133,15 +133,15 @@ Matrix rotations(const Clip& clip) {
     return result;
 }
 
-Features feature_kind(const Clip& clip, Features requested) {
-    if (requested == Features::automatic)
+Features feature_kind(const Clip& clip, std::optional<Features> requested) {
+    if (!requested)
         return clip.skeleton ? Features::positions : Features::raw;
-    if (requested != Features::raw)
+    if (*requested != Features::raw)
         need_skeleton(clip, "features other than raw");
-    return requested;
+    return *requested;
 }
 
-std::int64_t feature_count(const Clip& clip, Features requested) {
+std::int64_t feature_count(const Clip& clip, std::optional<Features> requested) {
     const Features kind = feature_kind(clip, requested);
     const std::size_t root = kind == Features::raw ? 0 : body_root(clip);
     std::int64_t count = clip.values.cols();
@@ -169,7 +169,7 @@ Matrix body_features(const Clip& clip, Features kind, Heading heading) {
     }
 }
 
-Matrix features(const Clip& clip, Features requested, Axis up) {
+Matrix features(const Clip& clip, std::optional<Features> requested, std::optional<Axis> up) {
     feature_count(clip, requested); // fails if there are none
     const Features kind = feature_kind(clip, requested);
     Matrix result =

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "clip/body/heading.hpp"
 #include "clip/body/up_axis.hpp"
@@ -12,7 +13,6 @@ namespace stltsa::clip {
 
 /// Same values as STLTSA_FEATURES_* (checked in capi).
 enum class Features : std::int32_t {
-    automatic = 0,   ///< positions if there is a skeleton, else raw
     positions = 1,   ///< joints and end sites, root position and root yaw removed
     rotations6d = 2, ///< two columns of each local rotation matrix, root yaw removed
     euler = 3,       ///< the file's rotation channels below the root, radians, unwrapped
@@ -25,16 +25,17 @@ Matrix positions(const Clip& clip);
 /// Local rotation of every joint: frames x (4 * joints), w x y z, continuous sign over time.
 Matrix rotations(const Clip& clip);
 
-/// The kind used: replaces `automatic`. Status::unsupported if a skeleton is needed and missing.
-Features feature_kind(const Clip& clip, Features requested);
+/// The kind used: the requested one, else positions if there is a skeleton, else raw.
+/// Status::unsupported if a skeleton is needed and missing.
+Features feature_kind(const Clip& clip, std::optional<Features> requested);
 
 /// Number of columns of these features; Status::unsupported if there are none.
-std::int64_t feature_count(const Clip& clip, Features requested);
+std::int64_t feature_count(const Clip& clip, std::optional<Features> requested);
 
 /// Features of every frame of the file, without smoothing or decimation.
-Matrix features(const Clip& clip, Features kind, Axis up);
+Matrix features(const Clip& clip, std::optional<Features> requested, std::optional<Axis> up);
 
-/// Features of a clip whose body root and heading are known; not Features::automatic.
+/// Features of a clip whose body root and heading are known.
 Matrix body_features(const Clip& clip, Features kind, Heading heading);
 
 } // namespace stltsa::clip

@@ -59,7 +59,7 @@ std::vector<std::size_t> moving_columns(const Clip& clip, std::size_t root) {
 
 class Encoder {
   public:
-    Encoder(const Clip& clip, Axis up) : clip_(clip) {
+    Encoder(const Clip& clip, std::optional<Axis> up) : clip_(clip) {
         code_.format = clip.format;
         code_.skeleton = *clip.skeleton;
         code_.channel_names = clip.channel_names;
@@ -190,7 +190,7 @@ std::int64_t PoseCode::size() const {
     return first_turn + static_cast<std::int64_t>(3 * means.size() + moves.size());
 }
 
-CodedPoses encode_poses(const Clip& clip, Axis up) {
+CodedPoses encode_poses(const Clip& clip, std::optional<Axis> up) {
     if (!clip.skeleton)
         fail(Status::unsupported, "poses need a skeleton: this clip is a bare matrix");
     return Encoder(clip, up).encode();

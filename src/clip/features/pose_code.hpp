@@ -39,7 +39,7 @@ struct CodedPoses {
     PoseCode code;
     Matrix vectors; ///< frames x code.size()
 };
-CodedPoses encode_poses(const Clip& clip, Axis up);
+CodedPoses encode_poses(const Clip& clip, std::optional<Axis> up);
 
 /// A clip of these poses, with the body root above the origin and without yaw. Angles are those
 /// nearest to the previous row; for the first row, nearest to `rest`.

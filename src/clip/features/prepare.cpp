@@ -27,7 +27,7 @@ Prepared prepare(const Clip& clip, const PrepareOptions& options) {
         fail(Status::too_few_frames, "the clip has no frames");
     Prepared prepared;
     prepared.features = feature_kind(clip, options.features);
-    prepared.up = clip.skeleton ? up_axis(clip, options.up) : Axis::automatic;
+    prepared.up = clip.skeleton ? up_axis(clip, options.up) : Axis::none;
     Matrix all = features(clip, prepared.features, prepared.up);
     prepared.first = dropped_frames(clip, all, options.drop_tpose);
     const ConstMatrixView kept = from_row(all, prepared.first);

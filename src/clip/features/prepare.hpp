@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "clip/clip.hpp"
 #include "clip/features/features.hpp"
@@ -10,11 +11,11 @@
 namespace stltsa::clip {
 
 struct PrepareOptions {
-    Features features = Features::automatic;
-    Axis up = Axis::automatic;
-    double rate = 30;        ///< keep every round(fps / rate)-th frame; 0: keep all
-    double smoothing = 0.05; ///< sigma of the Gaussian on the features in seconds; 0: none
-    bool drop_tpose = true;  ///< only if there is a skeleton
+    std::optional<Features> features; ///< empty: feature_kind() chooses
+    std::optional<Axis> up;           ///< empty: up_axis() chooses
+    double rate = 30;                 ///< keep every round(fps / rate)-th frame; 0: keep all
+    double smoothing = 0.05;          ///< sigma of the Gaussian on the features in seconds; 0: none
+    bool drop_tpose = true;           ///< only if there is a skeleton
 };
 
 /// Working samples of a clip: sample i is source frame first + i * step.
@@ -23,9 +24,9 @@ struct Prepared {
     double fps = 0;         ///< of the samples
     std::int64_t first = 0; ///< number of T-pose frames dropped at the start
     std::int64_t step = 1;
-    std::int64_t jump = 0; ///< source frame before which the pose jumps; 0: it does not
-    Features features = Features::automatic; ///< the kind used
-    Axis up = Axis::automatic;               ///< the axis used
+    std::int64_t jump = 0;             ///< source frame before which the pose jumps; 0: it does not
+    Features features = Features::raw; ///< the kind used
+    Axis up = Axis::none;              ///< the axis used
 };
 
 Prepared prepare(const Clip& clip, const PrepareOptions& options);

@@ -14,7 +14,7 @@ using namespace clip_testing;
 using namespace stltsa::clip;
 
 /// Reads AMC text with ASF text, from files in the same folder.
-Clip acclaim(const std::string& amc, const std::string& asf, double fps = 0) {
+Clip acclaim(const std::string& amc, const std::string& asf, std::optional<double> fps = {}) {
     const TemporaryFolder folder;
     folder.write("a.asf", asf);
     ReadOptions options;

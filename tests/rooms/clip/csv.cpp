@@ -6,7 +6,7 @@ namespace {
 using namespace clip_testing;
 using stltsa::clip::ReadOptions;
 
-Clip csv(std::string_view text, double fps = 0) {
+Clip csv(std::string_view text, std::optional<double> fps = {}) {
     ReadOptions options;
     options.fps = fps;
     return parse(text, Format::csv, options);

@@ -136,7 +136,7 @@ void euler_is_unwrapped_radians_below_the_root(void**) {
     for (std::int64_t i = 0; i < clip.frames(); ++i)
         for (std::int64_t c = 6; c < 21; ++c)
             clip.values(i, c) = std::remainder(20.0 * static_cast<double>(i + c), 360);
-    const Matrix angles = features(clip, Features::euler, Axis::automatic);
+    const Matrix angles = features(clip, Features::euler, {});
     assert_int_equal(angles.cols(), 15);
     for (std::int64_t i = 1; i < angles.rows(); ++i)
         for (std::int64_t c = 0; c < angles.cols(); ++c)
@@ -145,9 +145,9 @@ void euler_is_unwrapped_radians_below_the_root(void**) {
 
 void raw_is_the_file(void**) {
     const Clip clip = swinging(1);
-    check_same(features(clip, Features::raw, Axis::automatic), clip.values, 0);
+    check_same(features(clip, Features::raw, {}), clip.values, 0);
     const Clip rows = parse("1,2\n3,4\n5,7\n", Format::csv);
-    check_same(features(rows, Features::automatic, Axis::automatic), rows.values, 0);
+    check_same(features(rows, {}, {}), rows.values, 0);
     for (const Features kind : {Features::positions, Features::rotations6d, Features::euler})
         ASSERT_FAILS(Status::unsupported, "need a skeleton", features(rows, kind, Axis::y));
 }
@@ -252,16 +252,16 @@ void a_constant_root_of_several_limbs_stays_the_root(void**) {
 
 void up_is_from_feet_to_head(void**) {
     for (const std::size_t up : {0u, 1u, 2u})
-        assert_int_equal(static_cast<int>(up_axis(swinging(up), Axis::automatic)), up + 1);
+        assert_int_equal(static_cast<int>(up_axis(swinging(up), {})), up + 1);
     // Axes that point down work too.
     Clip down = swinging(2);
     for (Joint& joint : down.skeleton->joints)
         joint.offset[2] = -joint.offset[2];
-    assert_true(up_axis(down, Axis::automatic) == Axis::z);
+    assert_true(up_axis(down, {}) == Axis::z);
     // Outstretched arms wider than the body's height do not matter.
     Clip wide = swinging(1);
     wide.skeleton->joints[4].offset[2] = 40;
-    assert_true(up_axis(wide, Axis::automatic) == Axis::y);
+    assert_true(up_axis(wide, {}) == Axis::y);
     assert_true(up_axis(wide, Axis::z) == Axis::z);
 }
 
@@ -270,7 +270,7 @@ void up_is_the_largest_extent_without_names(void**) {
         Clip clip = swinging(up);
         for (Joint& joint : clip.skeleton->joints)
             joint.name = "bone";
-        assert_int_equal(static_cast<int>(up_axis(clip, Axis::automatic)), up + 1);
+        assert_int_equal(static_cast<int>(up_axis(clip, {})), up + 1);
     }
 }
 
@@ -280,9 +280,9 @@ void up_follows_the_motion_not_the_rest_pose(void**) {
     for (std::int64_t i = 0; i < clip.frames(); ++i)
         for (std::int64_t c = 3; c < 6; ++c)
             clip.values(i, c) = c == 4 ? 90 : 0;
-    assert_true(up_axis(clip, Axis::automatic) == Axis::z);
+    assert_true(up_axis(clip, {}) == Axis::z);
     clip.format = Format::amc; // y by convention
-    assert_true(up_axis(clip, Axis::automatic) == Axis::y);
+    assert_true(up_axis(clip, {}) == Axis::y);
 }
 
 void numbers_too_large_for_a_pose(void**) {
@@ -299,21 +299,22 @@ void clips_without_rotations(void**) {
                             "Frames: 2\nFrame Time: 1\n1\n2\n",
                             Format::bvh);
     ASSERT_FAILS(Status::unsupported, "no joint of this clip has rotations",
-                 features(clip, Features::euler, Axis::automatic));
+                 features(clip, Features::euler, {}));
     ASSERT_FAILS(Status::unsupported, "no joint of this clip has rotations",
-                 features(clip, Features::rotations6d, Axis::automatic));
-    assert_int_equal(features(clip, Features::positions, Axis::automatic).cols(), 3);
+                 features(clip, Features::rotations6d, {}));
+    assert_int_equal(features(clip, Features::positions, {}).cols(), 3);
 }
 
 void features_are_counted_without_being_computed(void**) {
     Clip clip = parse(small_bvh, Format::bvh);
-    for (const Features kind : {Features::automatic, Features::positions, Features::rotations6d,
-                                Features::euler, Features::raw})
+    for (const Features kind :
+         {Features::positions, Features::rotations6d, Features::euler, Features::raw})
         assert_int_equal(feature_count(clip, kind), features(clip, kind, Axis::y).cols());
+    assert_int_equal(feature_count(clip, {}), feature_count(clip, Features::positions));
     clip.values(1, 0) = std::numeric_limits<double>::infinity(); // computing a pose would fail
     assert_int_equal(feature_count(clip, Features::positions), 15);
     clip.skeleton.reset();
-    assert_int_equal(feature_count(clip, Features::automatic), 10);
+    assert_int_equal(feature_count(clip, {}), 10);
     ASSERT_FAILS(Status::unsupported, "need a skeleton", feature_count(clip, Features::euler));
 }
 

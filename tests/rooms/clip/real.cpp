@@ -51,7 +51,7 @@ void are_read(void**) {
         assert_int_equal(clip.frames(), expected.frames);
         assert_int_equal(clip.values.cols(), expected.channels);
         assert_true(clip.fps == 120);
-        assert_true(up_axis(clip, Axis::automatic) == Axis::y);
+        assert_true(up_axis(clip, {}) == Axis::y);
     }
 }
 
@@ -160,7 +160,7 @@ void amc_and_bvh_show_the_same_motion(void**) {
 void poses_come_back_from_their_vectors(void**) {
     for (const Expected& expected : clips) {
         const Clip clip = read_clip(expected.name);
-        const CodedPoses coded = encode_poses(clip, Axis::automatic);
+        const CodedPoses coded = encode_poses(clip, {});
         const Clip decoded = decode_poses(coded.code, coded.vectors.view(), clip.fps);
         const Matrix wanted = features(clip, Features::positions, Axis::y);
         const double difference =

@@ -138,10 +138,10 @@ void more_dimensions_must_be_clearly_better(void**) {
     models.push_back(model({0.8}));
     models.push_back(model({0.3, 0.85}));
     models.push_back(model({0.2, 0.3, 0.1}));
-    Coordinate chosen = choose_coordinate(models, 0, level, 40);
+    Coordinate chosen = choose_coordinate(models, {}, level, 40);
     assert_int_equal(chosen.model, 0);
     models[0] = model({0.2});
-    chosen = choose_coordinate(models, 0, level, 40);
+    chosen = choose_coordinate(models, {}, level, 40);
     assert_int_equal(chosen.model, 1);
     assert_int_equal(chosen.column, 1);
     chosen = choose_coordinate(models, 3, level, 40);

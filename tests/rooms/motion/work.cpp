@@ -76,10 +76,10 @@ void without_a_choice_there_is_one_embedding(void**) {
 void the_intrinsic_dimension_needs_no_graph_and_no_embedding(void**) {
     DecomposeOptions options;
     options.estimate.emplace();
-    for (const int dimension : {0, 2}) {
+    for (const std::optional<int> dimension : {std::optional<int>(), std::optional(2)}) {
         options.dimension = dimension;
         const Matrix samples = Exercise{}.samples(30);
-        check_once(work_of(samples, options), dimension == 0 ? 3 : 1);
+        check_once(work_of(samples, options), dimension ? 1 : 3);
         const auto with = decompose(samples.view(), 30, options, Progress{});
         assert_true(with.intrinsic && with.intrinsic->local_pca > 0);
         assert_int_equal(with.intrinsic->eigenvalues.size(), 7);

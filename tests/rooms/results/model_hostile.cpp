@@ -229,7 +229,7 @@ void contradictions(void**) {
         {"mean rotation", [](auto& m) { m.kept.code.means[0].w = 2; }},
         {"rest", [](auto& m) { m.kept.code.rest.pop_back(); }},
         {"names", [](auto& m) { m.kept.code.channel_names.pop_back(); }},
-        {"up axis", [](auto& m) { m.kept.code.up = clip::Axis::automatic; }},
+        {"up axis", [](auto& m) { m.kept.code.up = clip::Axis::none; }},
         {"no joints", [](auto& m) { m.kept.code.skeleton.joints.clear(); }},
         {"parent", [](auto& m) { m.kept.code.skeleton.joints[1].parent = 1; }},
         {"second root", [](auto& m) { m.kept.code.skeleton.joints[1].parent = -1; }},

@@ -9,8 +9,8 @@ from typing import Literal, TypeAlias, TypedDict
 
 Auto: TypeAlias = Literal["auto"]
 Mode: TypeAlias = Literal["temporal", "spatial", "recurrent"]
-Features: TypeAlias = Literal["auto", "positions", "rotations6d", "euler", "raw"]
-UpAxis: TypeAlias = Literal["auto", "x", "y", "z"]
+Features: TypeAlias = Literal["positions", "rotations6d", "euler", "raw"]
+UpAxis: TypeAlias = Literal["x", "y", "z"]
 
 
 class Keywords(TypedDict, total=False):
@@ -24,8 +24,8 @@ class Keywords(TypedDict, total=False):
     links: int
     exclusion: int | Auto | None
     threads: int | Auto | None
-    features: Features
-    up_axis: UpAxis
+    features: Features | Auto | None
+    up_axis: UpAxis | Auto | None
     keep_start: bool
     fps: float | Auto | None
     sample_rate: float
@@ -34,7 +34,7 @@ class Keywords(TypedDict, total=False):
     period_max: float
     eigengap: float
     variance: float
-    skeleton: str | os.PathLike[str]
+    skeleton: str | os.PathLike[str] | Auto | None
     keep_frames: bool
     map_neighbors: int | Auto | None
     map_blend: int

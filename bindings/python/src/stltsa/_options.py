@@ -18,16 +18,19 @@ if TYPE_CHECKING:
 class Options(Keywords, total=False):
     """Keywords of the functions of this package.
 
-    ``None`` and ``"auto"`` let the library choose. :func:`stltsa.options` gives meaning, range and
-    default of each. Functions ignore options that they do not use, except that all of them use
-    `progress`.
+    ``None`` leaves an option unset, and so does ``"auto"`` if the library can choose the value.
+    :func:`stltsa.options` gives meaning, range and default of each. Functions ignore options that
+    they do not use, except that all of them use `progress`.
     """
 
     progress: Progress
 
 
 class Option(NamedTuple):
-    """One row of the library's table of options."""
+    """One row of the library's table of options.
+
+    `default` is None if the library chooses, by the rule that the text gives after "auto".
+    """
 
     name: str
     text: str
@@ -35,7 +38,7 @@ class Option(NamedTuple):
     choices: dict[str, int]
     minimum: float
     maximum: float
-    default: int | float | str
+    default: int | float | None
     key: int
 
 
@@ -49,7 +52,9 @@ def _read_option(index: int) -> Option:
     kind = _TYPES[info.type]
     named = string(info.choices).split() if info.choices else []
     choices = {name: int(value) for name, value in (choice.split("=") for choice in named)}
-    default = info.standard if kind == "real" else int(info.standard) if kind == "int" else ""
+    default = (
+        None if info.automatic else int(info.standard) if kind == "int" else float(info.standard)
+    )
     return Option(
         string(info.name),
         string(info.text),
@@ -73,7 +78,7 @@ def options() -> tuple[Option, ...]:
     >>> import stltsa
     >>> neighbors = stltsa.options()[0]
     >>> neighbors.name, neighbors.type, neighbors.default
-    ('neighbors', 'int', 0)
+    ('neighbors', 'int', None)
     """
     return tuple(_TABLE.values())
 
@@ -81,7 +86,8 @@ def options() -> tuple[Option, ...]:
 def _number_of_choice(option: Option, value: str) -> int:
     if value in option.choices:
         return option.choices[value]
-    wanted = f"one of: {', '.join(option.choices)}" if option.choices else "a number"
+    choices = [*option.choices, *(["auto"] if option.default is None else [])]
+    wanted = f"one of: {', '.join(choices)}" if option.choices else "a number"
     raise ValueError(f"{option.name} is {value!r}, and must be {wanted}")
 
 
@@ -107,8 +113,7 @@ def set_options(handle: Any, values: Mapping[str, Any]) -> int:
         option = _TABLE.get(name)
         if option is None:
             raise TypeError(f"there is no option {name!r}; stltsa.options() lists them")
-        is_auto = isinstance(value, str) and value == "auto" and "auto" not in option.choices
-        if value is None or is_auto:
+        if value is None or (option.default is None and isinstance(value, str) and value == "auto"):
             continue
         status = _set(handle, option, value)
         if status != 0:

@@ -265,7 +265,7 @@ def call_on_motion(kind: str, motion: Any, groups: Any, options: Options, out: A
 
 def _check_rate(clip: Clip, fps: Any) -> None:
     """Refuse a rate other than the clip's, which would be ignored."""
-    if fps and fps not in ("auto", clip.fps):
+    if fps not in (None, "auto", clip.fps):
         raise ValueError(
             f"fps is {fps!r}, but a Clip has its own, {clip.fps:g} (0: unknown): give fps= to "
             "read_clip or Clip.from_array"
@@ -279,6 +279,6 @@ def as_clip(motion: Any, options: Any) -> Clip:
         _check_rate(motion, options.pop("fps", None))
         return motion
     fps = options.pop("fps", None)
-    if not fps or fps == "auto":
+    if fps in (None, "auto"):
         raise ValueError("an array has no frame rate: give fps=...")
     return Clip.from_array(motion, fps)

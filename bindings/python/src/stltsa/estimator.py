@@ -132,10 +132,10 @@ class STLTSA(Base):
         self.n_jobs = n_jobs
         self.progress = progress
 
-    def _threads(self) -> int:
+    def _threads(self) -> int | Literal["auto"]:
         if self.n_jobs is None:
             return 1
-        return 0 if self.n_jobs < 0 else self.n_jobs
+        return "auto" if self.n_jobs < 0 else self.n_jobs
 
     def _fit_options(self) -> dict[str, Any]:
         return {

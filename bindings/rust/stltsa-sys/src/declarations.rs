@@ -298,7 +298,6 @@ pub const STLTSA_OPT_DIMENSION_ESTIMATE: i32 = 31;
 pub const STLTSA_MODE_TEMPORAL: i32 = 1;
 pub const STLTSA_MODE_SPATIAL: i32 = 2;
 pub const STLTSA_MODE_RECURRENT: i32 = 3;
-pub const STLTSA_FEATURES_AUTO: i32 = 0;
 pub const STLTSA_FEATURES_POSITIONS: i32 = 1;
 pub const STLTSA_FEATURES_ROTATIONS6D: i32 = 2;
 pub const STLTSA_FEATURES_EULER: i32 = 3;
@@ -318,12 +317,13 @@ pub struct stltsa_option_info {
     pub minimum: f64,
     pub maximum: f64,
     pub standard: f64,
+    pub automatic: i32,
 }
 #[test]
 fn bindgen_test_layout_stltsa_option_info() {
     assert_eq!(
         ::std::mem::size_of::<stltsa_option_info>(),
-        64usize,
+        72usize,
         concat!("Size of: ", stringify!(stltsa_option_info))
     );
     assert_eq!(
@@ -444,6 +444,23 @@ fn bindgen_test_layout_stltsa_option_info() {
         );
     }
     test_field_standard();
+    fn test_field_automatic() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_option_info>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).automatic) as usize - ptr as usize
+            },
+            64usize,
+            concat!(
+                "Offset of field: ",
+                stringify!(stltsa_option_info),
+                "::",
+                stringify!(automatic)
+            )
+        );
+    }
+    test_field_automatic();
 }
 extern "C" {
     pub fn stltsa_option_count() -> i64;
@@ -477,6 +494,12 @@ extern "C" {
         key: i32,
         value: *const ::std::os::raw::c_char,
     ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_options_unset(options: *mut stltsa_options, key: i32) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_options_is_set(options: *const stltsa_options, key: i32) -> i32;
 }
 extern "C" {
     pub fn stltsa_options_get_int(

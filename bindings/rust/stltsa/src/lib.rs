@@ -70,7 +70,7 @@ pub use denoising::{DenoisedColumn, Denoising};
 pub use dimension::{Dimension, Estimate};
 pub use error::{Error, ErrorKind, Result};
 pub use facts::Facts;
-pub use kinds::{Axis, Fact, Features, Format, Mode, Part, Stage, UnitKind};
+pub use kinds::{Axis, Fact, Features, Format, Mode, OptionKey, Part, Stage, UnitKind};
 pub use mapping::{Mapped, Poses, Unmapped};
 pub use model::{Model, ModelInfo};
 pub use options::{options_table, OptionInfo, Options};

@@ -12,7 +12,7 @@ use stltsa_sys as sys;
 
 use crate::error::{c_path, check, text, Result};
 use crate::handle::Owned;
-use crate::kinds::{Axis, Features, Mode, Stage};
+use crate::kinds::{Axis, Features, Mode, OptionKey, Stage};
 use crate::progress::{watched, Callback};
 
 mod generated; // a method for each option
@@ -75,6 +75,26 @@ impl Options {
     ) -> Self {
         self.progress = Some(Arc::new(Mutex::new(report)));
         self
+    }
+
+    /// Back to the default or, for an option without one, to what the library chooses.
+    ///
+    /// ```
+    /// use stltsa::{OptionKey, Options};
+    ///
+    /// let mine = Options::new().neighbors(40).dimension(3);
+    /// let options = mine.clone().unset(OptionKey::Neighbors);
+    /// assert!(mine.is_set(OptionKey::Neighbors) && !options.is_set(OptionKey::Neighbors));
+    /// ```
+    #[must_use]
+    pub fn unset(mut self, key: OptionKey) -> Self {
+        self.values.remove(&key.raw());
+        self
+    }
+
+    /// Whether the option was set.
+    pub fn is_set(&self, key: OptionKey) -> bool {
+        self.values.contains_key(&key.raw())
     }
 
     fn with(mut self, key: i32, value: Value) -> Self {
@@ -144,8 +164,9 @@ pub struct OptionInfo {
     pub choices: Option<String>,
     /// Smallest and largest number; `None` for texts.
     pub range: Option<RangeInclusive<f64>>,
-    /// The default of a number.
-    pub standard: f64,
+    /// The default of a number; `None` if the library chooses, by the rule that the text gives
+    /// after "auto".
+    pub standard: Option<f64>,
 }
 
 /// Every option of the library at run time, in the order of its keys.
@@ -153,7 +174,7 @@ pub struct OptionInfo {
 /// ```
 /// let table = stltsa::options_table();
 /// let links = table.iter().find(|row| row.name == "links").unwrap();
-/// assert_eq!(links.standard, 4.0);
+/// assert_eq!(links.standard, Some(4.0));
 /// ```
 pub fn options_table() -> Vec<OptionInfo> {
     // SAFETY: it only counts.
@@ -173,6 +194,7 @@ fn describe(index: i64) -> Option<OptionInfo> {
         minimum: 0.0,
         maximum: 0.0,
         standard: 0.0,
+        automatic: 0,
     };
     // SAFETY: the struct says its size, and the texts that come back are static.
     unsafe {
@@ -183,7 +205,7 @@ fn describe(index: i64) -> Option<OptionInfo> {
             text: text(row.text),
             choices: if row.choices.is_null() { None } else { Some(text(row.choices)) },
             range: (row.type_ != sys::STLTSA_TYPE_TEXT).then_some(row.minimum..=row.maximum),
-            standard: row.standard,
+            standard: (row.automatic == 0).then_some(row.standard),
         })
     }
 }

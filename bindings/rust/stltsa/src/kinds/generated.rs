@@ -8,6 +8,82 @@ kinds! {
         /// BLAS is OpenBLAS: a fit sets it to one thread, and then back.
         Openblas = STLTSA_HAS_OPENBLAS,
     }
+    /// Options by key, with their types, for `Options::unset`.
+    OptionKey {
+        /// `int`: k; auto: 1.2 periods if a period is found, otherwise 1.2 s, or 12 if the frame
+        /// rate is unknown.
+        Neighbors = STLTSA_OPT_NEIGHBORS,
+        /// `int`: w, frames to each side; auto: as neighbors.
+        Window = STLTSA_OPT_WINDOW,
+        /// `int`: d; auto: fit 2, decompose the best of 1 to 3.
+        Dimension = STLTSA_OPT_DIMENSION,
+        /// `int`: STLTSA_MODE_*.
+        Mode = STLTSA_OPT_MODE,
+        /// `int`: 1: a frame is among its own k neighbors (Zhang and Zha); 0: it is not (as
+        /// scikit-learn has it).
+        IncludeSelf = STLTSA_OPT_INCLUDE_SELF,
+        /// `int`: recurrent: neighbors from outside the exclusion zone.
+        Links = STLTSA_OPT_LINKS,
+        /// `int`: recurrent: half width of that zone in frames; auto: window.
+        Exclusion = STLTSA_OPT_EXCLUSION,
+        /// `int`: auto: every core.
+        Threads = STLTSA_OPT_THREADS,
+        /// `int`: STLTSA_FEATURES_*; auto: positions if there is a skeleton, otherwise raw.
+        Features = STLTSA_OPT_FEATURES,
+        /// `int`: 1, 2, 3: x, y, z; auto: found from the skeleton.
+        UpAxis = STLTSA_OPT_UP_AXIS,
+        /// `int`: 1: do not drop a T-pose at the start.
+        KeepStart = STLTSA_OPT_KEEP_START,
+        /// `real`: frames a second, over what the file says; auto: the file's. unmap_clip: points a
+        /// second; auto: the model's rows.
+        Fps = STLTSA_OPT_FPS,
+        /// `real`: clips: keep one frame in fps / sample_rate, rounded; 0: all.
+        SampleRate = STLTSA_OPT_SAMPLE_RATE,
+        /// `real`: sigma in seconds of the Gaussian on the features; 0: none.
+        Smoothing = STLTSA_OPT_SMOOTHING,
+        /// `real`: shortest period looked for, seconds.
+        PeriodMin = STLTSA_OPT_PERIOD_MIN,
+        /// `real`: longest period looked for, seconds.
+        PeriodMax = STLTSA_OPT_PERIOD_MAX,
+        /// `real`: tau of section 2.3 as a fraction of k.
+        Eigengap = STLTSA_OPT_EIGENGAP,
+        /// `real`: share of local variance that local PCA must hold.
+        Variance = STLTSA_OPT_VARIANCE,
+        /// `text`: path of the ASF file of an AMC clip; auto: found beside the clip.
+        Skeleton = STLTSA_OPT_SKELETON,
+        /// `int`: 1: a model keeps the frames it was fitted to, and so can map and unmap; 0: it
+        /// keeps the coordinates only.
+        KeepFrames = STLTSA_OPT_KEEP_FRAMES,
+        /// `int`: rows that a local map rests on; auto: max(d + 5, 10).
+        MapNeighbors = STLTSA_OPT_MAP_NEIGHBORS,
+        /// `int`: stretches of the curve whose maps are blended.
+        MapBlend = STLTSA_OPT_MAP_BLEND,
+        /// `int`: rows to each side of a hint; auto: a fifth of k.
+        HintWindow = STLTSA_OPT_HINT_WINDOW,
+        /// `int`: unmap: component that the coordinates are of, 0-based; auto: the only one there
+        /// is.
+        Component = STLTSA_OPT_COMPONENT,
+        /// `real`: gamma of section 3.2, in units of the coordinate; auto: one robust standard
+        /// deviation of the residuals.
+        Gamma = STLTSA_OPT_GAMMA,
+        /// `real`: denoise: seconds (rows if the rate is unknown) between knots; auto: a tenth of
+        /// the period, otherwise 2 rows.
+        KnotSpacing = STLTSA_OPT_KNOT_SPACING,
+        /// `int`: denoise: 1: spikes do not pull at the curve.
+        Robust = STLTSA_OPT_ROBUST,
+        /// `real`: synthesize: seconds to each side of a seam; auto: a tenth of the cycle that is
+        /// repeated, 0.15 s where clips join.
+        Crossfade = STLTSA_OPT_CROSSFADE,
+        /// `real`: synthesize: seconds by which a cut may move to find a common posture; auto: a
+        /// tenth of the cycle that is repeated, half a cycle and at least 0.5 s where clips join.
+        CutRange = STLTSA_OPT_CUT_RANGE,
+        /// `real`: synthesize: largest distance of the postures at a seam, over what is common
+        /// between a motion's own repetitions; 0: none.
+        PostureLimit = STLTSA_OPT_POSTURE_LIMIT,
+        /// `int`: decompose: 1: also estimate the intrinsic dimension of what is embedded
+        /// (STLTSA_INFO_LOCAL_PCA, _EIGENGAP).
+        DimensionEstimate = STLTSA_OPT_DIMENSION_ESTIMATE,
+    }
     /// Which frames can be neighbors of a frame.
     Mode {
         /// The frames of the same clip within the window.
@@ -19,8 +95,6 @@ kinds! {
     }
     /// Which numbers describe a pose.
     Features {
-        /// Positions where there is a skeleton, else raw.
-        Auto = STLTSA_FEATURES_AUTO,
         /// Joints and end sites, root position and yaw removed.
         Positions = STLTSA_FEATURES_POSITIONS,
         /// Two columns of each rotation matrix, root yaw removed.
@@ -199,7 +273,7 @@ kinds! {
         DegreesOfFreedom = STLTSA_INFO_DEGREES_OF_FREEDOM,
         /// `int[]`: points that were moved in each column.
         Moved = STLTSA_INFO_MOVED,
-        /// `real`: option gamma; -1: chosen for each column.
+        /// `real`: option gamma; none: chosen for each column.
         GammaOption = STLTSA_INFO_GAMMA_OPTION,
         /// `real`: rows between the knots of the curve.
         KnotRows = STLTSA_INFO_KNOT_ROWS,
@@ -211,9 +285,9 @@ kinds! {
         FitPeriodMax = STLTSA_INFO_FIT_PERIOD_MAX,
         /// `int`: columns of the coordinates.
         Columns = STLTSA_INFO_COLUMNS,
-        /// `real`: option crossfade; -1: chosen for each seam.
+        /// `real`: option crossfade; none: chosen for each seam.
         Crossfade = STLTSA_INFO_CROSSFADE,
-        /// `real`: option cut_range; -1: chosen for each seam.
+        /// `real`: option cut_range; none: chosen for each seam.
         CutRange = STLTSA_INFO_CUT_RANGE,
         /// `real`: option posture_limit; 0: none.
         PostureLimit = STLTSA_INFO_POSTURE_LIMIT,

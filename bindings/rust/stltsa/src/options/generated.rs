@@ -3,20 +3,20 @@
 use super::*;
 
 impl Options {
-    /// Neighbors of each frame (k); 0: 1.2 periods where a period is found, else 1.2 seconds, or 12
-    /// where the frame rate is unknown.
+    /// Neighbors of each frame (k); auto: 1.2 periods if a period is found, otherwise 1.2 seconds,
+    /// or 12 if the frame rate is unknown.
     #[must_use]
     pub fn neighbors(self, value: usize) -> Self {
         self.with(sys::STLTSA_OPT_NEIGHBORS, int(value))
     }
 
-    /// Frames to each side that neighbors come from (w); 0: as neighbors.
+    /// Frames to each side that neighbors come from (w); auto: as neighbors.
     #[must_use]
     pub fn window(self, value: usize) -> Self {
         self.with(sys::STLTSA_OPT_WINDOW, int(value))
     }
 
-    /// Tangent dimension, the number of coordinates (d); 0: fit 2, decompose the best of 1 to 3.
+    /// Tangent dimension, the number of coordinates (d); auto: fit 2, decompose the best of 1 to 3.
     #[must_use]
     pub fn dimension(self, value: usize) -> Self {
         self.with(sys::STLTSA_OPT_DIMENSION, int(value))
@@ -42,27 +42,27 @@ impl Options {
         self.with(sys::STLTSA_OPT_LINKS, int(value))
     }
 
-    /// Recurrent: frames to each side that are not links; 0: as window.
+    /// Recurrent: frames to each side that are not links; auto: as window.
     #[must_use]
     pub fn exclusion(self, value: usize) -> Self {
         self.with(sys::STLTSA_OPT_EXCLUSION, int(value))
     }
 
-    /// Threads; 0: every core.
+    /// Threads; auto: every core.
     #[must_use]
     pub fn threads(self, value: usize) -> Self {
         self.with(sys::STLTSA_OPT_THREADS, int(value))
     }
 
     /// What a pose is described by: positions of the joints without root position and yaw,
-    /// rotations6d, euler (the file's angles), raw (the file's numbers); auto: positions where
-    /// there is a skeleton, else raw.
+    /// rotations6d, euler (the file's angles), raw (the file's numbers); auto: positions if there
+    /// is a skeleton, otherwise raw.
     #[must_use]
     pub fn features(self, value: Features) -> Self {
         self.with(sys::STLTSA_OPT_FEATURES, Value::Int(value.raw().into()))
     }
 
-    /// The axis that points up.
+    /// The axis that points up; auto: found from the skeleton.
     #[must_use]
     pub fn up_axis(self, value: Axis) -> Self {
         self.with(sys::STLTSA_OPT_UP_AXIS, Value::Int(value.raw().into()))
@@ -74,8 +74,8 @@ impl Options {
         self.with(sys::STLTSA_OPT_KEEP_START, Value::Int(value.into()))
     }
 
-    /// Frames a second, over what the file says; of unmap, points a second; 0: the file's, or the
-    /// model's.
+    /// Frames a second, over what the file says; of unmap, points a second; auto: the file's, or
+    /// the model's.
     #[must_use]
     pub fn fps(self, value: f64) -> Self {
         self.with(sys::STLTSA_OPT_FPS, Value::Real(value))
@@ -118,7 +118,7 @@ impl Options {
         self.with(sys::STLTSA_OPT_VARIANCE, Value::Real(value))
     }
 
-    /// The ASF file of an AMC clip; empty: beside the clip.
+    /// The ASF file of an AMC clip; auto: found beside the clip.
     #[must_use]
     pub fn skeleton(self, value: impl AsRef<Path>) -> Self {
         self.with(sys::STLTSA_OPT_SKELETON, Value::Path(value.as_ref().into()))
@@ -130,7 +130,7 @@ impl Options {
         self.with(sys::STLTSA_OPT_KEEP_FRAMES, Value::Int(value.into()))
     }
 
-    /// Rows that a local map rests on; 0: the dimension and 5 more, at least 10.
+    /// Rows that a local map rests on; auto: the dimension and 5 more, at least 10.
     #[must_use]
     pub fn map_neighbors(self, value: usize) -> Self {
         self.with(sys::STLTSA_OPT_MAP_NEIGHBORS, int(value))
@@ -142,27 +142,27 @@ impl Options {
         self.with(sys::STLTSA_OPT_MAP_BLEND, int(value))
     }
 
-    /// Rows to each side of a hint in which a frame is looked for; 0: a fifth of the neighbors.
+    /// Rows to each side of a hint in which a frame is looked for; auto: a fifth of the neighbors.
     #[must_use]
     pub fn hint_window(self, value: usize) -> Self {
         self.with(sys::STLTSA_OPT_HINT_WINDOW, int(value))
     }
 
-    /// Component of the model that coordinates are of, counted from 0; -1: the only one.
+    /// Component of the model that coordinates are of, counted from 0; auto: the only one.
     #[must_use]
     pub fn component(self, value: usize) -> Self {
         self.with(sys::STLTSA_OPT_COMPONENT, int(value))
     }
 
-    /// Distance from the curve beyond which a point is noisy, in units of the coordinate; -1: one
+    /// Distance from the curve beyond which a point is noisy, in units of the coordinate; auto: one
     /// robust standard deviation.
     #[must_use]
     pub fn gamma(self, value: f64) -> Self {
         self.with(sys::STLTSA_OPT_GAMMA, Value::Real(value))
     }
 
-    /// Seconds between the knots of the smooth curve, rows where the rate is unknown; 0: a tenth of
-    /// the period, else 2 rows.
+    /// Seconds between the knots of the smooth curve, rows if the rate is unknown; auto: a tenth of
+    /// the period, otherwise 2 rows.
     #[must_use]
     pub fn knot_spacing(self, value: f64) -> Self {
         self.with(sys::STLTSA_OPT_KNOT_SPACING, Value::Real(value))
@@ -174,14 +174,14 @@ impl Options {
         self.with(sys::STLTSA_OPT_ROBUST, Value::Int(value.into()))
     }
 
-    /// Seconds to each side of a seam that are blended; -1: a tenth of the cycle that is repeated,
-    /// 0.15 where clips join.
+    /// Seconds to each side of a seam that are blended; auto: a tenth of the cycle that is
+    /// repeated, 0.15 where clips join.
     #[must_use]
     pub fn crossfade(self, value: f64) -> Self {
         self.with(sys::STLTSA_OPT_CROSSFADE, Value::Real(value))
     }
 
-    /// Seconds by which a cut may move to find a common posture; -1: a tenth of the cycle that is
+    /// Seconds by which a cut may move to find a common posture; auto: a tenth of the cycle that is
     /// repeated, half a cycle and at least 0.5 where clips join.
     #[must_use]
     pub fn cut_range(self, value: f64) -> Self {
