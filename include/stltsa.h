@@ -226,6 +226,19 @@ enum {
 
 enum { STLTSA_TYPE_INT = 1, STLTSA_TYPE_REAL = 2, STLTSA_TYPE_TEXT = 3 };
 
+/* Bits of stltsa_option_info.calls: the functions that read an option. */
+enum {
+    STLTSA_CALL_OPEN = 1,         /* stltsa_clip_open, _parse */
+    STLTSA_CALL_FEATURES = 2,     /* stltsa_clip_features, _feature_count */
+    STLTSA_CALL_FIT = 4,          /* stltsa_fit, _fit_clip, _fit_clips */
+    STLTSA_CALL_DIMENSION = 8,    /* stltsa_estimate_dimension, _clip, _clips */
+    STLTSA_CALL_MAP = 16,         /* stltsa_map, _map_clip */
+    STLTSA_CALL_UNMAP = 32,       /* stltsa_unmap, _unmap_clip */
+    STLTSA_CALL_DECOMPOSE = 64,   /* stltsa_decompose */
+    STLTSA_CALL_DENOISE = 128,    /* stltsa_denoise, _denoise_model */
+    STLTSA_CALL_SYNTHESIZE = 256  /* stltsa_synthesize */
+};
+
 /* One row of the options table. Texts are static. `choices` is NULL, or "temporal=1 spatial=2"
  * for keys whose values have names. Append-only: set size to sizeof(stltsa_option_info). */
 typedef struct stltsa_option_info {
@@ -238,6 +251,7 @@ typedef struct stltsa_option_info {
     double standard;     /* the default; NaN if automatic */
     int32_t automatic;   /* 1: there is no default, and the library chooses by the rule that the text
                             gives after "auto"; 0: not set means `standard` */
+    int32_t calls;       /* STLTSA_CALL_*: the functions that read it */
 } stltsa_option_info;
 
 STLTSA_API int64_t stltsa_option_count(void) STLTSA_NOEXCEPT;

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <iterator>
+
 #include "capi/boundary/arrays.hpp"
 #include "capi/boundary/guard.hpp"
 #include "capi/handles.hpp"
@@ -11,6 +14,27 @@ using capi::required;
 
 namespace {
 
+struct UnitKind {
+    int32_t value;
+    const char* name;
+};
+constexpr UnitKind unit_kinds[] = {
+    {static_cast<int32_t>(motion::UnitKind::preparing), "preparing"},
+    {static_cast<int32_t>(motion::UnitKind::initial), "initial"},
+    {static_cast<int32_t>(motion::UnitKind::cyclic), "cyclic"},
+    {static_cast<int32_t>(motion::UnitKind::final), "final"},
+    {static_cast<int32_t>(motion::UnitKind::wind_up), "wind-up"},
+    {static_cast<int32_t>(motion::UnitKind::action), "action"},
+    {STLTSA_UNIT_CYCLE, "cycle"},
+};
+// The values of motion::UnitKind are those of the header.
+static_assert(unit_kinds[0].value == STLTSA_UNIT_PREPARING &&
+              unit_kinds[1].value == STLTSA_UNIT_INITIAL &&
+              unit_kinds[2].value == STLTSA_UNIT_CYCLIC &&
+              unit_kinds[3].value == STLTSA_UNIT_FINAL &&
+              unit_kinds[4].value == STLTSA_UNIT_WIND_UP &&
+              unit_kinds[5].value == STLTSA_UNIT_ACTION);
+
 void copy_interval(const std::vector<stltsa_interval>& from, int64_t index, const char* what,
                    stltsa_interval& to) {
     if (index < 0 || index >= static_cast<int64_t>(from.size()))
@@ -21,24 +45,8 @@ void copy_interval(const std::vector<stltsa_interval>& from, int64_t index, cons
 } // namespace
 
 const char* stltsa_unit_name(int32_t kind) noexcept {
-    switch (kind) {
-    case STLTSA_UNIT_PREPARING:
-        return "preparing";
-    case STLTSA_UNIT_INITIAL:
-        return "initial";
-    case STLTSA_UNIT_CYCLIC:
-        return "cyclic";
-    case STLTSA_UNIT_FINAL:
-        return "final";
-    case STLTSA_UNIT_WIND_UP:
-        return "wind-up";
-    case STLTSA_UNIT_ACTION:
-        return "action";
-    case STLTSA_UNIT_CYCLE:
-        return "cycle";
-    default:
-        return "unknown";
-    }
+    const auto* const row = std::ranges::find(unit_kinds, kind, &UnitKind::value);
+    return row == std::end(unit_kinds) ? "unknown" : row->name;
 }
 
 stltsa_status stltsa_decompose(const stltsa_clip* clip, const stltsa_options* options,

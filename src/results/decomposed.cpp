@@ -6,16 +6,6 @@
 namespace stltsa::results {
 namespace {
 
-constexpr bool same(motion::UnitKind kind, int value) {
-    return static_cast<int>(kind) == value;
-}
-static_assert(same(motion::UnitKind::preparing, STLTSA_UNIT_PREPARING) &&
-              same(motion::UnitKind::initial, STLTSA_UNIT_INITIAL) &&
-              same(motion::UnitKind::cyclic, STLTSA_UNIT_CYCLIC) &&
-              same(motion::UnitKind::final, STLTSA_UNIT_FINAL) &&
-              same(motion::UnitKind::wind_up, STLTSA_UNIT_WIND_UP) &&
-              same(motion::UnitKind::action, STLTSA_UNIT_ACTION));
-
 /// Maps positions among the working samples to the source file.
 class SourceFrames {
   public:

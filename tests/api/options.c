@@ -15,6 +15,7 @@ static void every_option_is_described_and_holds_its_default(void** state) {
     assert_int_equal(stltsa_option_count(), STLTSA_OPT_DIMENSION_ESTIMATE);
     for (int64_t i = 0; i < stltsa_option_count(); ++i) {
         const stltsa_option_info info = describe(i);
+        assert_true(info.calls > 0 && info.calls < 2 * STLTSA_CALL_SYNTHESIZE);
         assert_int_equal(info.key, i + 1);
         assert_true(strlen(info.name) > 1);
         assert_true(strlen(info.text) > 15 && info.text[strlen(info.text) - 1] == '.');

@@ -48,6 +48,13 @@ class Manual(CommandTest):
                             named |= set(more) & set(COMMANDS)
                     self.assertEqual(named, {c for c in COMMANDS if flag in takes[c]}, flag)
 
+    def test_help_speaks_of_its_own_command(self):
+        """Options of several commands say only what they do in this one."""
+        for command in COMMANDS:
+            text = " ".join(self.done(command, "--help").decode().split())
+            for other in set(COMMANDS) - {command}:
+                self.assertNotRegex(text, rf"auto: {other} |; {other}[: ]|, {other} the ", command)
+
     def test_exit_statuses_are_the_same(self):
         section = self.page[self.page.index(".SH EXIT STATUS") :]
         documented = re.findall(r"^\.B (\d+)$", section, re.MULTILINE)

@@ -40,14 +40,14 @@ constexpr const char* ending =
 Exit status: 0 done, 1 failed, 2 usage, 3 unreadable input, 4 no trustworthy
 result, 130 cancelled. See also: man stltsa, stltsa COMMAND --help.)";
 
-constexpr const char* about_info = R"(Says what is in a clip.
+constexpr const char* about_info = R"(Describes a clip.
 
 Examples:
   stltsa info walk.bvh
   stltsa info 35_01.amc --json)";
 
 constexpr const char* about_fit =
-    R"(Fits the manifold curve (STLTSA) and says how good it is.
+    R"(Fits the manifold curve (STLTSA) and reports its quality.
 
 Examples:
   stltsa fit walk.bvh --coords y.csv
@@ -64,10 +64,10 @@ Examples:
   stltsa map walk.stltsa other.bvh --json --curve)";
 
 constexpr const char* about_unmap =
-    R"(Makes poses, or frames, of points on the curve of a model.
+    R"(Turns points on the curve of a model into poses or frames.
 
-A point becomes a frame: say how many there are a second (--fps) where that is
-not the rate of the model's samples. For what stltsa map wrote it is the clip's.
+A point becomes a frame. Give the number of points per second (--fps) unless
+it is the rate of the model's samples.
 
 Examples:
   stltsa unmap walk.stltsa y.npy -o poses.bvh
@@ -77,8 +77,8 @@ Examples:
 std::string about_synthesize() {
     const std::string piece =
         fmt::format("A piece is CLIP[:WHAT][*TIMES]. WHAT: frames (120-240), seconds (1.0s-2.0s), "
-                    "a unit ({}), best or representative (cycle), cycleN; the whole clip if it is "
-                    "left out.",
+                    "a unit ({}), best or representative (cycle), cycleN; without it, the whole "
+                    "clip.",
                     fmt::join(unit_names(), ", "));
     return "Joins pieces of clips into new motion.\n\n" + wrapped(piece, 78) + R"(
 
@@ -131,23 +131,54 @@ class HelpFormat : public CLI::Formatter {
     }
 };
 
-using Keys = std::vector<std::int32_t>;
-const Keys reading = {STLTSA_OPT_FPS, STLTSA_OPT_SKELETON};
-const Keys timing = {STLTSA_OPT_FPS};
-const Keys preparing = {STLTSA_OPT_FEATURES,  STLTSA_OPT_UP_AXIS,     STLTSA_OPT_KEEP_START,
-                        STLTSA_OPT_SMOOTHING, STLTSA_OPT_SAMPLE_RATE, STLTSA_OPT_THREADS};
-const Keys choosing = {STLTSA_OPT_NEIGHBORS, STLTSA_OPT_WINDOW,     STLTSA_OPT_DIMENSION,
-                       STLTSA_OPT_MODE,      STLTSA_OPT_PERIOD_MIN, STLTSA_OPT_PERIOD_MAX};
-const Keys graph = {STLTSA_OPT_INCLUDE_SELF, STLTSA_OPT_LINKS, STLTSA_OPT_EXCLUSION};
-const Keys estimating = {STLTSA_OPT_EIGENGAP, STLTSA_OPT_VARIANCE};
-const Keys estimate = {STLTSA_OPT_DIMENSION_ESTIMATE};
-const Keys mapping = {STLTSA_OPT_MAP_NEIGHBORS, STLTSA_OPT_MAP_BLEND};
-const Keys unmapping = {STLTSA_OPT_COMPONENT, STLTSA_OPT_HINT_WINDOW};
-const Keys threading = {STLTSA_OPT_THREADS};
-const Keys denoising = {STLTSA_OPT_GAMMA, STLTSA_OPT_KNOT_SPACING, STLTSA_OPT_ROBUST};
-const Keys joining = {STLTSA_OPT_CROSSFADE, STLTSA_OPT_CUT_RANGE, STLTSA_OPT_POSTURE_LIMIT,
-                      STLTSA_OPT_UP_AXIS};
-const Keys cutting = {STLTSA_OPT_PERIOD_MIN, STLTSA_OPT_PERIOD_MAX};
+/// The functions that a command calls, whose options it has.
+std::int32_t calls_of(Command command) {
+    switch (command) {
+    case Command::info:
+        return STLTSA_CALL_OPEN;
+    case Command::fit:
+        return STLTSA_CALL_OPEN | STLTSA_CALL_FIT;
+    case Command::map:
+        return STLTSA_CALL_OPEN | STLTSA_CALL_MAP;
+    case Command::unmap:
+        return STLTSA_CALL_UNMAP;
+    case Command::dimension:
+        return STLTSA_CALL_OPEN | STLTSA_CALL_DIMENSION;
+    case Command::decompose:
+        return STLTSA_CALL_OPEN | STLTSA_CALL_DECOMPOSE;
+    case Command::denoise:
+        return STLTSA_CALL_OPEN | STLTSA_CALL_FIT | STLTSA_CALL_DENOISE;
+    case Command::synthesize:
+        return STLTSA_CALL_OPEN | STLTSA_CALL_SYNTHESIZE;
+    }
+    return 0;
+}
+
+/// Exceptions: map gives no hints, and denoise saves no model; synthesize decomposes clips of which
+/// it takes units.
+bool has_option(Command command, const stltsa::OptionInfo& option) {
+    if (command == Command::map && option.key == STLTSA_OPT_HINT_WINDOW)
+        return false;
+    if (command == Command::denoise && option.key == STLTSA_OPT_KEEP_FRAMES)
+        return false;
+    if (command == Command::synthesize &&
+        (option.key == STLTSA_OPT_PERIOD_MIN || option.key == STLTSA_OPT_PERIOD_MAX))
+        return true;
+    return (option.calls & calls_of(command)) != 0;
+}
+
+/// The text of an option, without what it does in other commands.
+std::string text_of(Command command, const stltsa::OptionInfo& option) {
+    if (option.key == STLTSA_OPT_DIMENSION)
+        return command == Command::decompose
+                   ? "Tangent dimension (d); auto: the best of 1 to 3."
+                   : "Tangent dimension, the number of coordinates (d); auto: 2.";
+    if (option.key == STLTSA_OPT_FPS)
+        return command == Command::unmap
+                   ? "Points per second; auto: the rate of the coordinates, or the model's."
+                   : "Frames per second; auto: the file's rate.";
+    return option.text;
+}
 
 /// Builds the parser; what it reads goes into `to`.
 class Parser {
@@ -162,40 +193,36 @@ class Parser {
                                                        STLTSA_VERSION_PATCH, stltsa::version()));
         app_.require_subcommand(1);
         const char* const a_clip = "A clip, or - for standard input.";
-        clip_command(Command::info, "info", about_info, a_clip, {reading});
-        CLI::App& fit = clip_command(Command::fit, "fit", about_fit, a_clip,
-                                     {choosing, graph, preparing, reading});
+        clip_command(Command::info, "info", about_info, a_clip);
+        CLI::App& fit = clip_command(Command::fit, "fit", about_fit, a_clip);
         fit.add_option("--coords", to_.coords,
                        "Write the coordinates, rows x d, to a .npy or\n"
                        ".csv file.")
             ->type_name("FILE");
         add_product(fit, "Write the model (.stltsa), for map, unmap and\ndenoise.");
         add_plot(fit);
-        CLI::App& map =
-            model_command(Command::map, "map", about_map, a_clip, {mapping, threading, reading});
+        CLI::App& map = model_command(Command::map, "map", about_map, a_clip);
         add_product(map, "Write the coordinates to a .npy or .csv file.");
         map.add_flag("--curve", to_.curve,
                      "Add coordinates, distances and nearest rows of\nall frames to the JSON.");
         CLI::App& unmap = model_command(Command::unmap, "unmap", about_unmap,
-                                        "Coordinates: a CSV or NPY file, or - .",
-                                        {mapping, unmapping, timing, threading});
+                                        "Coordinates: a CSV or NPY file, or - .");
         add_product(unmap, "Write poses (.bvh, .amc) or frames (.npy, .csv).")->required();
         unmap.add_flag("--follow", to_.follow,
-                       "Each point goes on where the one before was:\n"
-                       "what one coordinate alone cannot tell. Sets\n"
-                       "--hint-window to 2 where it is not given.");
-        CLI::App& dimension = clip_command(Command::dimension, "dimension", about_dimension, a_clip,
-                                           {estimating, choosing, graph, preparing, reading});
+                       "Continue from the previous point, for coordinates\n"
+                       "that do not determine the pose alone. Sets\n"
+                       "--hint-window to 2 unless it is given.");
+        CLI::App& dimension =
+            clip_command(Command::dimension, "dimension", about_dimension, a_clip);
         add_output(dimension);
-        CLI::App& decompose = clip_command(Command::decompose, "decompose", about_decompose, a_clip,
-                                           {choosing, estimate, estimating, preparing, reading});
+        CLI::App& decompose =
+            clip_command(Command::decompose, "decompose", about_decompose, a_clip);
         add_plot(decompose);
         add_output(decompose);
         decompose.add_flag("--curve", to_.curve,
                            "Add the curve and the loop, sample by sample, to\nthe JSON.");
         add_denoise();
-        CLI::App& synthesize =
-            add(Command::synthesize, "synthesize", about_synthesize(), {joining, cutting, reading});
+        CLI::App& synthesize = add(Command::synthesize, "synthesize", about_synthesize());
         synthesize.add_option("pieces", to_.pieces, "Pieces, in the order of the new motion.")
             ->required();
         add_product(synthesize, "Write the new motion to a .bvh, .amc, .csv or\n.npy file.")
@@ -248,34 +275,32 @@ class Parser {
                                                fmt::join(names, ", "), hint(first, names)));
     }
 
-    CLI::App& add(Command command, const char* name, const std::string& text,
-                  std::initializer_list<Keys> keys) {
+    CLI::App& add(Command command, const char* name, const std::string& text) {
         CLI::App& app = *app_.add_subcommand(name, text);
         app.add_flag("--json", to_.json, "Write one JSON object on one line.");
-        app.add_flag("-q,--quiet", to_.quiet, "Say nothing on stderr but errors.");
+        app.add_flag("-q,--quiet", to_.quiet, "Write only errors to standard error.");
         app.add_flag("--no-color", to_.no_color, "No colors, as with NO_COLOR set.");
-        for (const Keys& group : keys)
-            add_option_flags(app, group, to_.options);
+        for (const stltsa::OptionInfo& option : stltsa::option_table())
+            if (has_option(command, option))
+                add_option_flag(app, option, text_of(command, option), to_.options);
         app.callback([this, command] { to_.command = command; });
         return app;
     }
-    CLI::App& clip_command(Command command, const char* name, const char* text, const char* input,
-                           std::initializer_list<Keys> keys) {
-        CLI::App& app = add(command, name, text, keys);
+    CLI::App& clip_command(Command command, const char* name, const char* text, const char* input) {
+        CLI::App& app = add(command, name, text);
         app.add_option("clip", to_.input, input)->required();
         return app;
     }
-    CLI::App& model_command(Command command, const char* name, const char* text, const char* input,
-                            std::initializer_list<Keys> keys) {
-        CLI::App& app = add(command, name, text, keys);
+    CLI::App& model_command(Command command, const char* name, const char* text,
+                            const char* input) {
+        CLI::App& app = add(command, name, text);
         app.add_option("model", to_.model, "A model that stltsa fit -o wrote, or -.")->required();
         app.add_option(command == Command::map ? "clip" : "coords", to_.input, input)->required();
         return app;
     }
     void add_denoise() {
         CLI::App& denoise = clip_command(Command::denoise, "denoise", about_denoise,
-                                         "A model (.stltsa), a clip, or - for either.",
-                                         {denoising, choosing, graph, preparing, reading});
+                                         "A model (.stltsa), a clip, or - for either.");
         denoise.add_flag("--coordinates", to_.coordinates,
                          "The columns of the CSV or NPY file are\ncoordinates: do not fit.");
         add_product(denoise, "Write the cleaned coordinates to a .npy or .csv\nfile.");

@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <map>
-#include <span>
 #include <string>
 
 #include <stltsa.hpp>
@@ -15,9 +14,9 @@ class App;
 
 namespace tool {
 
-/// Adds the flags of these STLTSA_* keys to a command; what is typed goes into `typed`.
-void add_option_flags(CLI::App& app, std::span<const std::int32_t> keys,
-                      std::map<std::int32_t, std::string>& typed);
+/// Adds the flag of an option to a command, with this text; what is typed goes into `typed`.
+void add_option_flag(CLI::App& app, const stltsa::OptionInfo& info, const std::string& text,
+                     std::map<std::int32_t, std::string>& typed);
 
 /// Sets what was typed. Lengths in seconds (1.2s) need the rate of the frames that they count,
 /// so they are left for set_lengths(). Throws Failure with Exit::usage.

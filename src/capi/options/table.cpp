@@ -17,115 +17,124 @@ constexpr int32_t is_automatic(double standard) {
     return standard == standard ? 0 : 1;
 }
 
-constexpr stltsa_option_info whole(int32_t key, const char* name, const char* text, double minimum,
-                                   double maximum, double standard, const char* choices = nullptr) {
-    return {0,       key,     STLTSA_TYPE_INT, name,     text,
-            choices, minimum, maximum,         standard, is_automatic(standard)};
+constexpr stltsa_option_info whole(int32_t key, int32_t calls, const char* name, const char* text,
+                                   double minimum, double maximum, double standard,
+                                   const char* choices = nullptr) {
+    return {0,       key,      STLTSA_TYPE_INT,        name, text, choices, minimum,
+            maximum, standard, is_automatic(standard), calls};
 }
 
-constexpr stltsa_option_info real(int32_t key, const char* name, const char* text, double minimum,
-                                  double maximum, double standard) {
-    return {0,       key,     STLTSA_TYPE_REAL, name,     text,
-            nullptr, minimum, maximum,          standard, is_automatic(standard)};
+constexpr stltsa_option_info real(int32_t key, int32_t calls, const char* name, const char* text,
+                                  double minimum, double maximum, double standard) {
+    return {0,       key,      STLTSA_TYPE_REAL,       name, text, nullptr, minimum,
+            maximum, standard, is_automatic(standard), calls};
 }
 
-constexpr stltsa_option_info text(int32_t key, const char* name, const char* text) {
-    return {0, key, STLTSA_TYPE_TEXT, name, text, nullptr, 0, 0, automatic, 1};
+constexpr stltsa_option_info text(int32_t key, int32_t calls, const char* name, const char* text) {
+    return {0, key, STLTSA_TYPE_TEXT, name, text, nullptr, 0, 0, automatic, 1, calls};
 }
+
+constexpr int32_t embeds = STLTSA_CALL_FIT | STLTSA_CALL_DIMENSION; // from frames or clips
+constexpr int32_t analyzes = embeds | STLTSA_CALL_DECOMPOSE;
+constexpr int32_t maps = STLTSA_CALL_MAP | STLTSA_CALL_UNMAP;
 
 constexpr stltsa_option_info rows[] = {
-    whole(STLTSA_OPT_NEIGHBORS, "neighbors",
+    whole(STLTSA_OPT_NEIGHBORS, analyzes, "neighbors",
           "Neighbors of each frame (k); auto: 1.2 periods if a period is found, otherwise 1.2 "
           "seconds, or 12 if the frame rate is unknown.",
           1, most_frames, automatic),
-    whole(STLTSA_OPT_WINDOW, "window",
-          "Frames to each side that neighbors come from (w); auto: as neighbors.", 1, most_frames,
+    whole(STLTSA_OPT_WINDOW, analyzes, "window",
+          "Frames on each side in which neighbors may lie (w); auto: as neighbors.", 1, most_frames,
           automatic),
-    whole(STLTSA_OPT_DIMENSION, "dimension",
+    whole(STLTSA_OPT_DIMENSION, analyzes, "dimension",
           "Tangent dimension, the number of coordinates (d); auto: fit 2, decompose the best of 1 "
           "to 3.",
           1, 1000, automatic),
-    whole(STLTSA_OPT_MODE, "mode",
-          "Where neighbors are looked for: temporal, within the window of the clip; spatial, among "
-          "all frames; recurrent, within the window and, as links, among all frames outside the "
-          "exclusion zone.",
+    whole(STLTSA_OPT_MODE, analyzes, "mode",
+          "Candidates for neighbors: temporal, frames of the clip within the window; spatial, all "
+          "frames; recurrent, frames within the window and, as links, frames outside the exclusion "
+          "zone.",
           1, 3, STLTSA_MODE_TEMPORAL, "temporal=1 spatial=2 recurrent=3"),
-    whole(STLTSA_OPT_INCLUDE_SELF, "include_self", "Count a frame among its own neighbors.", 0, 1,
-          1),
-    whole(STLTSA_OPT_LINKS, "links", "Recurrent: neighbors from outside the exclusion zone.", 1,
-          most_frames, 4),
-    whole(STLTSA_OPT_EXCLUSION, "exclusion",
-          "Recurrent: frames to each side that are not links; auto: as window.", 1, most_frames,
-          automatic),
-    whole(STLTSA_OPT_THREADS, "threads", "Threads; auto: every core.", 1, 1024, automatic),
-    whole(STLTSA_OPT_FEATURES, "features",
-          "What a pose is described by: positions of the joints without root position and yaw, "
-          "rotations6d, euler (the file's angles), raw (the file's numbers); auto: positions if "
+    whole(STLTSA_OPT_INCLUDE_SELF, embeds, "include_self", "Count a frame among its own neighbors.",
+          0, 1, 1),
+    whole(STLTSA_OPT_LINKS, embeds, "links",
+          "Recurrent mode: neighbors from outside the exclusion zone.", 1, most_frames, 4),
+    whole(STLTSA_OPT_EXCLUSION, embeds, "exclusion",
+          "Recurrent mode: frames on each side that cannot be links; auto: as window.", 1,
+          most_frames, automatic),
+    whole(STLTSA_OPT_THREADS, analyzes | maps, "threads", "Threads; auto: one for each core.", 1,
+          1024, automatic),
+    whole(STLTSA_OPT_FEATURES, analyzes | STLTSA_CALL_FEATURES, "features",
+          "Description of a pose: positions (of the joints, without root position and yaw), "
+          "rotations6d, euler (the file's angles) or raw (the file's numbers); auto: positions if "
           "there is a skeleton, otherwise raw.",
           1, 4, automatic, "positions=1 rotations6d=2 euler=3 raw=4"),
-    whole(STLTSA_OPT_UP_AXIS, "up_axis", "The axis that points up; auto: found from the skeleton.",
-          1, 3, automatic, "x=1 y=2 z=3"),
-    whole(STLTSA_OPT_KEEP_START, "keep_start", "Keep a T-pose at the start instead of dropping it.",
-          0, 1, 0),
-    real(STLTSA_OPT_FPS, "fps",
-         "Frames a second, over what the file says; of unmap, points a second; auto: the file's, "
-         "or the model's.",
+    whole(STLTSA_OPT_UP_AXIS, analyzes | STLTSA_CALL_FEATURES | STLTSA_CALL_SYNTHESIZE, "up_axis",
+          "The axis that points up; auto: found from the skeleton.", 1, 3, automatic,
+          "x=1 y=2 z=3"),
+    whole(STLTSA_OPT_KEEP_START, analyzes, "keep_start",
+          "Keep a T-pose at the start instead of dropping it.", 0, 1, 0),
+    real(STLTSA_OPT_FPS, embeds | STLTSA_CALL_OPEN | STLTSA_CALL_UNMAP | STLTSA_CALL_DENOISE, "fps",
+         "Frames per second, instead of the file's rate; unmap: points per second; auto: the "
+         "file's rate, or the model's.",
          least_rate, 1e6, automatic),
-    real(STLTSA_OPT_SAMPLE_RATE, "sample_rate",
-         "Decimate a clip to about this many frames a second: one frame in fps / rate, rounded, is "
-         "kept; 0: keep all.",
+    real(STLTSA_OPT_SAMPLE_RATE, analyzes, "sample_rate",
+         "Decimate clips to about this many frames per second: keep one frame in fps / rate, "
+         "rounded; 0: keep all.",
          0, 1e6, 30),
-    real(STLTSA_OPT_SMOOTHING, "smoothing",
-         "Sigma in seconds of the Gaussian that smooths the features; 0: none.", 0, 10, 0.05),
-    real(STLTSA_OPT_PERIOD_MIN, "period_min", "Shortest period looked for, in seconds.", 0.01, 3600,
-         0.3),
-    real(STLTSA_OPT_PERIOD_MAX, "period_max", "Longest period looked for, in seconds.", 0.01, 3600,
-         6),
-    real(STLTSA_OPT_EIGENGAP, "eigengap",
-         "Gap between eigenvalues that tells the dimension, as a fraction of the neighbors.", 0, 1,
-         0.1),
-    real(STLTSA_OPT_VARIANCE, "variance",
-         "Share of a neighborhood's variance that local PCA must hold.", 0.01, 1, 0.95),
-    text(STLTSA_OPT_SKELETON, "skeleton",
+    real(STLTSA_OPT_SMOOTHING, analyzes, "smoothing",
+         "Standard deviation, in seconds, of the Gaussian that smooths the features; 0: no "
+         "smoothing.",
+         0, 10, 0.05),
+    real(STLTSA_OPT_PERIOD_MIN, analyzes | STLTSA_CALL_DENOISE, "period_min",
+         "Shortest period of the search, in seconds.", 0.01, 3600, 0.3),
+    real(STLTSA_OPT_PERIOD_MAX, analyzes | STLTSA_CALL_DENOISE, "period_max",
+         "Longest period of the search, in seconds.", 0.01, 3600, 6),
+    real(STLTSA_OPT_EIGENGAP, STLTSA_CALL_DIMENSION | STLTSA_CALL_DECOMPOSE, "eigengap",
+         "Smallest gap between eigenvalues that determines the dimension, as a fraction of the "
+         "neighbors.",
+         0, 1, 0.1),
+    real(STLTSA_OPT_VARIANCE, STLTSA_CALL_DIMENSION | STLTSA_CALL_DECOMPOSE, "variance",
+         "Share of a neighborhood's variance that local PCA must explain.", 0.01, 1, 0.95),
+    text(STLTSA_OPT_SKELETON, STLTSA_CALL_OPEN, "skeleton",
          "The ASF file of an AMC clip; auto: found beside the clip."),
-    whole(STLTSA_OPT_KEEP_FRAMES, "keep_frames",
-          "Keep in a model the frames it was fitted to, so that it can map.", 0, 1, 1),
-    whole(STLTSA_OPT_MAP_NEIGHBORS, "map_neighbors",
-          "Rows that a local map rests on; auto: the dimension and 5 more, at least 10.", 1,
-          most_frames, automatic),
-    whole(STLTSA_OPT_MAP_BLEND, "map_blend", "Stretches of the curve whose local maps are blended.",
-          1, 1000, 3),
-    whole(STLTSA_OPT_HINT_WINDOW, "hint_window",
-          "Rows to each side of a hint in which a frame is looked for; auto: a fifth of the "
-          "neighbors.",
-          1, most_frames, automatic),
-    whole(STLTSA_OPT_COMPONENT, "component",
-          "Component of the model that coordinates are of, counted from 0; auto: the only one.", 0,
-          most_frames, automatic),
-    real(STLTSA_OPT_GAMMA, "gamma",
+    whole(STLTSA_OPT_KEEP_FRAMES, STLTSA_CALL_FIT, "keep_frames",
+          "Keep the fitted frames in the model, so that it can map.", 0, 1, 1),
+    whole(STLTSA_OPT_MAP_NEIGHBORS, maps, "map_neighbors",
+          "Rows for each local map; auto: the dimension plus 5, at least 10.", 1, most_frames,
+          automatic),
+    whole(STLTSA_OPT_MAP_BLEND, maps, "map_blend",
+          "Local maps to blend, each from its own part of the curve.", 1, 1000, 3),
+    whole(STLTSA_OPT_HINT_WINDOW, maps, "hint_window",
+          "Rows to search on each side of a hint; auto: a fifth of the neighbors.", 1, most_frames,
+          automatic),
+    whole(STLTSA_OPT_COMPONENT, STLTSA_CALL_UNMAP, "component",
+          "Component of the coordinates, counted from 0; auto: the only one.", 0, most_frames,
+          automatic),
+    real(STLTSA_OPT_GAMMA, STLTSA_CALL_DENOISE, "gamma",
          "Distance from the curve beyond which a point is noisy, in units of the coordinate; auto: "
-         "one robust standard deviation.",
+         "one robust standard deviation of the residuals.",
          0, 1e15, automatic),
-    real(STLTSA_OPT_KNOT_SPACING, "knot_spacing",
-         "Seconds between the knots of the smooth curve, rows if the rate is unknown; auto: a "
-         "tenth of the period, otherwise 2 rows.",
+    real(STLTSA_OPT_KNOT_SPACING, STLTSA_CALL_DENOISE, "knot_spacing",
+         "Spacing of the curve's knots in seconds, or in rows if the rate is unknown; auto: a "
+         "tenth of the period, or 2 rows if no period is found.",
          0.001, 1e6, automatic),
-    whole(STLTSA_OPT_ROBUST, "robust", "Fit the smooth curve so that spikes do not pull at it.", 0,
-          1, 1),
-    real(STLTSA_OPT_CROSSFADE, "crossfade",
-         "Seconds to each side of a seam that are blended; auto: a tenth of the cycle that is "
-         "repeated, 0.15 where clips join.",
+    whole(STLTSA_OPT_ROBUST, STLTSA_CALL_DENOISE, "robust",
+          "Reduce the influence of spikes on the curve.", 0, 1, 1),
+    real(STLTSA_OPT_CROSSFADE, STLTSA_CALL_SYNTHESIZE, "crossfade",
+         "Seconds to blend on each side of a seam; auto: a tenth of the repeated cycle, or 0.15 "
+         "between clips.",
          0, 60, automatic),
-    real(STLTSA_OPT_CUT_RANGE, "cut_range",
-         "Seconds by which a cut may move to find a common posture; auto: a tenth of the cycle "
-         "that is repeated, half a cycle and at least 0.5 where clips join.",
+    real(STLTSA_OPT_CUT_RANGE, STLTSA_CALL_SYNTHESIZE, "cut_range",
+         "Seconds by which a cut may move to find a common posture; auto: a tenth of the repeated "
+         "cycle; between clips half a cycle, at least 0.5.",
          0, 3600, automatic),
-    real(STLTSA_OPT_POSTURE_LIMIT, "posture_limit",
-         "Largest distance of the postures at a seam, over what is common between repetitions of "
-         "one motion; 0: none.",
+    real(STLTSA_OPT_POSTURE_LIMIT, STLTSA_CALL_SYNTHESIZE, "posture_limit",
+         "Largest allowed distance between the postures at a seam, relative to the typical "
+         "distance between repetitions of one motion; 0: no limit.",
          0, 1e6, 3),
-    whole(STLTSA_OPT_DIMENSION_ESTIMATE, "dimension_estimate",
-          "Also estimate the intrinsic dimension of what is embedded.", 0, 1, 0),
+    whole(STLTSA_OPT_DIMENSION_ESTIMATE, STLTSA_CALL_DECOMPOSE, "dimension_estimate",
+          "Also estimate the intrinsic dimension of the embedded part.", 0, 1, 0),
 };
 
 } // namespace

@@ -305,6 +305,15 @@ pub const STLTSA_FEATURES_RAW: i32 = 4;
 pub const STLTSA_TYPE_INT: i32 = 1;
 pub const STLTSA_TYPE_REAL: i32 = 2;
 pub const STLTSA_TYPE_TEXT: i32 = 3;
+pub const STLTSA_CALL_OPEN: i32 = 1;
+pub const STLTSA_CALL_FEATURES: i32 = 2;
+pub const STLTSA_CALL_FIT: i32 = 4;
+pub const STLTSA_CALL_DIMENSION: i32 = 8;
+pub const STLTSA_CALL_MAP: i32 = 16;
+pub const STLTSA_CALL_UNMAP: i32 = 32;
+pub const STLTSA_CALL_DECOMPOSE: i32 = 64;
+pub const STLTSA_CALL_DENOISE: i32 = 128;
+pub const STLTSA_CALL_SYNTHESIZE: i32 = 256;
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct stltsa_option_info {
@@ -318,6 +327,7 @@ pub struct stltsa_option_info {
     pub maximum: f64,
     pub standard: f64,
     pub automatic: i32,
+    pub calls: i32,
 }
 #[test]
 fn bindgen_test_layout_stltsa_option_info() {
@@ -461,6 +471,18 @@ fn bindgen_test_layout_stltsa_option_info() {
         );
     }
     test_field_automatic();
+    fn test_field_calls() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_option_info>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).calls) as usize - ptr as usize
+            },
+            68usize,
+            concat!("Offset of field: ", stringify!(stltsa_option_info), "::", stringify!(calls))
+        );
+    }
+    test_field_calls();
 }
 extern "C" {
     pub fn stltsa_option_count() -> i64;

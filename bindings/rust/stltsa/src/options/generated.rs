@@ -10,7 +10,7 @@ impl Options {
         self.with(sys::STLTSA_OPT_NEIGHBORS, int(value))
     }
 
-    /// Frames to each side that neighbors come from (w); auto: as neighbors.
+    /// Frames on each side in which neighbors may lie (w); auto: as neighbors.
     #[must_use]
     pub fn window(self, value: usize) -> Self {
         self.with(sys::STLTSA_OPT_WINDOW, int(value))
@@ -22,8 +22,8 @@ impl Options {
         self.with(sys::STLTSA_OPT_DIMENSION, int(value))
     }
 
-    /// Where neighbors are looked for: temporal, within the window of the clip; spatial, among all
-    /// frames; recurrent, within the window and, as links, among all frames outside the exclusion
+    /// Candidates for neighbors: temporal, frames of the clip within the window; spatial, all
+    /// frames; recurrent, frames within the window and, as links, frames outside the exclusion
     /// zone.
     #[must_use]
     pub fn mode(self, value: Mode) -> Self {
@@ -36,26 +36,26 @@ impl Options {
         self.with(sys::STLTSA_OPT_INCLUDE_SELF, Value::Int(value.into()))
     }
 
-    /// Recurrent: neighbors from outside the exclusion zone.
+    /// Recurrent mode: neighbors from outside the exclusion zone.
     #[must_use]
     pub fn links(self, value: usize) -> Self {
         self.with(sys::STLTSA_OPT_LINKS, int(value))
     }
 
-    /// Recurrent: frames to each side that are not links; auto: as window.
+    /// Recurrent mode: frames on each side that cannot be links; auto: as window.
     #[must_use]
     pub fn exclusion(self, value: usize) -> Self {
         self.with(sys::STLTSA_OPT_EXCLUSION, int(value))
     }
 
-    /// Threads; auto: every core.
+    /// Threads; auto: one for each core.
     #[must_use]
     pub fn threads(self, value: usize) -> Self {
         self.with(sys::STLTSA_OPT_THREADS, int(value))
     }
 
-    /// What a pose is described by: positions of the joints without root position and yaw,
-    /// rotations6d, euler (the file's angles), raw (the file's numbers); auto: positions if there
+    /// Description of a pose: positions (of the joints, without root position and yaw),
+    /// rotations6d, euler (the file's angles) or raw (the file's numbers); auto: positions if there
     /// is a skeleton, otherwise raw.
     #[must_use]
     pub fn features(self, value: Features) -> Self {
@@ -74,45 +74,46 @@ impl Options {
         self.with(sys::STLTSA_OPT_KEEP_START, Value::Int(value.into()))
     }
 
-    /// Frames a second, over what the file says; of unmap, points a second; auto: the file's, or
-    /// the model's.
+    /// Frames per second, instead of the file's rate; unmap: points per second; auto: the file's
+    /// rate, or the model's.
     #[must_use]
     pub fn fps(self, value: f64) -> Self {
         self.with(sys::STLTSA_OPT_FPS, Value::Real(value))
     }
 
-    /// Decimate a clip to about this many frames a second: one frame in fps / rate, rounded, is
-    /// kept; 0: keep all.
+    /// Decimate clips to about this many frames per second: keep one frame in fps / rate, rounded;
+    /// 0: keep all.
     #[must_use]
     pub fn sample_rate(self, value: f64) -> Self {
         self.with(sys::STLTSA_OPT_SAMPLE_RATE, Value::Real(value))
     }
 
-    /// Sigma in seconds of the Gaussian that smooths the features; 0: none.
+    /// Standard deviation, in seconds, of the Gaussian that smooths the features; 0: no smoothing.
     #[must_use]
     pub fn smoothing(self, value: f64) -> Self {
         self.with(sys::STLTSA_OPT_SMOOTHING, Value::Real(value))
     }
 
-    /// Shortest period looked for, in seconds.
+    /// Shortest period of the search, in seconds.
     #[must_use]
     pub fn period_min(self, value: f64) -> Self {
         self.with(sys::STLTSA_OPT_PERIOD_MIN, Value::Real(value))
     }
 
-    /// Longest period looked for, in seconds.
+    /// Longest period of the search, in seconds.
     #[must_use]
     pub fn period_max(self, value: f64) -> Self {
         self.with(sys::STLTSA_OPT_PERIOD_MAX, Value::Real(value))
     }
 
-    /// Gap between eigenvalues that tells the dimension, as a fraction of the neighbors.
+    /// Smallest gap between eigenvalues that determines the dimension, as a fraction of the
+    /// neighbors.
     #[must_use]
     pub fn eigengap(self, value: f64) -> Self {
         self.with(sys::STLTSA_OPT_EIGENGAP, Value::Real(value))
     }
 
-    /// Share of a neighborhood's variance that local PCA must hold.
+    /// Share of a neighborhood's variance that local PCA must explain.
     #[must_use]
     pub fn variance(self, value: f64) -> Self {
         self.with(sys::STLTSA_OPT_VARIANCE, Value::Real(value))
@@ -124,78 +125,78 @@ impl Options {
         self.with(sys::STLTSA_OPT_SKELETON, Value::Path(value.as_ref().into()))
     }
 
-    /// Keep in a model the frames it was fitted to, so that it can map.
+    /// Keep the fitted frames in the model, so that it can map.
     #[must_use]
     pub fn keep_frames(self, value: bool) -> Self {
         self.with(sys::STLTSA_OPT_KEEP_FRAMES, Value::Int(value.into()))
     }
 
-    /// Rows that a local map rests on; auto: the dimension and 5 more, at least 10.
+    /// Rows for each local map; auto: the dimension plus 5, at least 10.
     #[must_use]
     pub fn map_neighbors(self, value: usize) -> Self {
         self.with(sys::STLTSA_OPT_MAP_NEIGHBORS, int(value))
     }
 
-    /// Stretches of the curve whose local maps are blended.
+    /// Local maps to blend, each from its own part of the curve.
     #[must_use]
     pub fn map_blend(self, value: usize) -> Self {
         self.with(sys::STLTSA_OPT_MAP_BLEND, int(value))
     }
 
-    /// Rows to each side of a hint in which a frame is looked for; auto: a fifth of the neighbors.
+    /// Rows to search on each side of a hint; auto: a fifth of the neighbors.
     #[must_use]
     pub fn hint_window(self, value: usize) -> Self {
         self.with(sys::STLTSA_OPT_HINT_WINDOW, int(value))
     }
 
-    /// Component of the model that coordinates are of, counted from 0; auto: the only one.
+    /// Component of the coordinates, counted from 0; auto: the only one.
     #[must_use]
     pub fn component(self, value: usize) -> Self {
         self.with(sys::STLTSA_OPT_COMPONENT, int(value))
     }
 
     /// Distance from the curve beyond which a point is noisy, in units of the coordinate; auto: one
-    /// robust standard deviation.
+    /// robust standard deviation of the residuals.
     #[must_use]
     pub fn gamma(self, value: f64) -> Self {
         self.with(sys::STLTSA_OPT_GAMMA, Value::Real(value))
     }
 
-    /// Seconds between the knots of the smooth curve, rows if the rate is unknown; auto: a tenth of
-    /// the period, otherwise 2 rows.
+    /// Spacing of the curve's knots in seconds, or in rows if the rate is unknown; auto: a tenth of
+    /// the period, or 2 rows if no period is found.
     #[must_use]
     pub fn knot_spacing(self, value: f64) -> Self {
         self.with(sys::STLTSA_OPT_KNOT_SPACING, Value::Real(value))
     }
 
-    /// Fit the smooth curve so that spikes do not pull at it.
+    /// Reduce the influence of spikes on the curve.
     #[must_use]
     pub fn robust(self, value: bool) -> Self {
         self.with(sys::STLTSA_OPT_ROBUST, Value::Int(value.into()))
     }
 
-    /// Seconds to each side of a seam that are blended; auto: a tenth of the cycle that is
-    /// repeated, 0.15 where clips join.
+    /// Seconds to blend on each side of a seam; auto: a tenth of the repeated cycle, or 0.15
+    /// between clips.
     #[must_use]
     pub fn crossfade(self, value: f64) -> Self {
         self.with(sys::STLTSA_OPT_CROSSFADE, Value::Real(value))
     }
 
-    /// Seconds by which a cut may move to find a common posture; auto: a tenth of the cycle that is
-    /// repeated, half a cycle and at least 0.5 where clips join.
+    /// Seconds by which a cut may move to find a common posture; auto: a tenth of the repeated
+    /// cycle; between clips half a cycle, at least 0.5.
     #[must_use]
     pub fn cut_range(self, value: f64) -> Self {
         self.with(sys::STLTSA_OPT_CUT_RANGE, Value::Real(value))
     }
 
-    /// Largest distance of the postures at a seam, over what is common between repetitions of one
-    /// motion; 0: none.
+    /// Largest allowed distance between the postures at a seam, relative to the typical distance
+    /// between repetitions of one motion; 0: no limit.
     #[must_use]
     pub fn posture_limit(self, value: f64) -> Self {
         self.with(sys::STLTSA_OPT_POSTURE_LIMIT, Value::Real(value))
     }
 
-    /// Also estimate the intrinsic dimension of what is embedded.
+    /// Also estimate the intrinsic dimension of the embedded part.
     #[must_use]
     pub fn dimension_estimate(self, value: bool) -> Self {
         self.with(sys::STLTSA_OPT_DIMENSION_ESTIMATE, Value::Int(value.into()))
