@@ -209,9 +209,9 @@ class Parser {
                                         "Coordinates: a CSV or NPY file, or - .");
         add_product(unmap, "Write poses (.bvh, .amc) or frames (.npy, .csv).")->required();
         unmap.add_flag("--follow", to_.follow,
-                       "Continue from the previous point, for coordinates\n"
-                       "that do not determine the pose alone. Sets\n"
-                       "--hint-window to 2 unless it is given.");
+                       "Continue from the previous point, for\n"
+                       "coordinates that do not determine the pose\n"
+                       "alone. Sets --hint-window to 2 unless given.");
         CLI::App& dimension =
             clip_command(Command::dimension, "dimension", about_dimension, a_clip);
         add_output(dimension);
