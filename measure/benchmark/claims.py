@@ -55,7 +55,7 @@ def _peers(result):
 
 def _neighbors(result):
     long = _found(result["neighbors"], k=140, threads=1)
-    return [_claim("k = 140: time per frame", 1e6 * long["seconds"] / long["n"], 40, fits=[long],
+    return [_claim("k = 140: time per frame", 1e6 * long["seconds"] / long["n"], 100, fits=[long],
                    spread=[1e6 * long[key] / long["n"] for key in ("least", "most")], unit="µs")]
 
 
