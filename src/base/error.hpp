@@ -41,7 +41,7 @@ class Error : public std::exception {
     std::string text_;
 };
 
-/// Throws an Error whose text says what is wrong, where, and what to do.
+/// Throws an Error whose text names the fault, its place and the remedy.
 template <class... Args>
 [[noreturn]] void fail(Status status, fmt::format_string<Args...> text, Args&&... args) {
     throw Error(status, format_text(text, std::forward<Args>(args)...));

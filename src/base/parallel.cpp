@@ -19,7 +19,7 @@ class BlockQueue {
     BlockQueue(std::int64_t blocks, const std::function<void(std::int64_t)>& body)
         : blocks_(blocks), body_(body) {}
 
-    /// Takes and runs one block; false when there is nothing left to do.
+    /// Runs the next block; false if none is left.
     bool run_one() {
         if (stopped_.load())
             return false;
@@ -35,8 +35,8 @@ class BlockQueue {
         return true;
     }
 
-    /// Keeps the exception of the lowest block, so that the error does not depend on timing
-    /// among the blocks that ran; block -1 is the poll's own.
+    /// Keeps the exception of the lowest block that failed, whichever failed first; block -1 is the
+    /// poll.
     void record(std::int64_t block, std::exception_ptr error) {
         const std::lock_guard lock(mutex_);
         if (block < error_block_) {
@@ -92,7 +92,7 @@ void parallel_blocks(std::int64_t blocks, int threads,
                     poll(queue.done());
                     polled = true;
                 }
-            if (!polled) // the others had been quicker
+            if (!polled) // the other threads took all blocks
                 poll(queue.done());
         } catch (...) {
             queue.record(-1, std::current_exception());
@@ -101,7 +101,7 @@ void parallel_blocks(std::int64_t blocks, int threads,
     const std::int64_t helpers = std::min<std::int64_t>(threads, blocks) - 1;
     if (helpers < 1)
         lead();
-    else if (ThreadPool* pool = SharedThreads::idle())
+    else if (ThreadPool* pool = SharedThreads::available_pool())
         pool->run(helpers, help, lead);
     else
         ThreadPool().run(helpers, help, lead);
@@ -124,7 +124,7 @@ SharedThreads::~SharedThreads() {
         shared_threads = nullptr;
 }
 
-ThreadPool* SharedThreads::idle() {
+ThreadPool* SharedThreads::available_pool() {
     if (shared_threads == nullptr)
         return nullptr;
     auto& pool = shared_threads->pool_;

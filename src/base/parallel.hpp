@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Parallel loops whose result does not depend on the number of threads: the work is cut into
-// blocks by the caller, each block writes only its own outputs, and sums over blocks are made
-// afterwards in block order.
+// Parallel loops whose results do not depend on the number of threads: the caller divides the work
+// into blocks, each block writes only its own outputs, and the caller adds up sums in block order.
 #pragma once
 
 #include <cstdint>
@@ -32,8 +31,8 @@ class SharedThreads {
     SharedThreads(const SharedThreads&) = delete;
     SharedThreads& operator=(const SharedThreads&) = delete;
 
-    /// What a loop of this thread has to use: nothing outside all of these, or within another loop.
-    static ThreadPool* idle();
+    /// The threads for a loop of this thread; null outside these objects, and within another loop.
+    static ThreadPool* available_pool();
 
   private:
     std::unique_ptr<ThreadPool> pool_;

@@ -48,7 +48,7 @@ class Progress {
   private:
     Callback callback_ = nullptr;
     void* user_ = nullptr;
-    double begin_ = 0; ///< of the part
+    double begin_ = 0; ///< first fraction of the part
     double share_ = 1;
 };
 

@@ -5,8 +5,7 @@
 
 namespace stltsa {
 
-/// splitmix64 (Steele, Lea, Flood 2014): the same numbers on every machine, with no state that
-/// outlives a call.
+/// splitmix64 (Steele, Lea, Flood 2014): the same numbers on every machine, without global state.
 class Random {
   public:
     explicit Random(std::uint64_t seed) : state_(seed) {}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Header-only, so that fmt is no run-time dependency and adds no symbols.
+// Header-only, so that fmt is not a run-time dependency and exports no symbols.
 #define FMT_HEADER_ONLY
 #include <fmt/format.h>
 

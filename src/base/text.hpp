@@ -11,7 +11,7 @@ namespace stltsa {
 
 std::string format_arguments(fmt::string_view text, fmt::format_args arguments);
 
-/// fmt::format, checked against the arguments when compiled.
+/// fmt::format; the format is checked at compile time.
 template <class... Args>
 std::string format_text(fmt::format_string<Args...> text, Args&&... args) {
     return format_arguments(text, fmt::make_format_args(args...));

@@ -8,9 +8,9 @@ namespace stltsa {
 ThreadPool::~ThreadPool() {
     {
         const std::lock_guard lock(mutex_);
-        ended_ = true;
+        ending_ = true;
     }
-    wanted_.notify_all();
+    wake_.notify_all();
     for (auto& thread : threads_)
         thread.join();
 }
@@ -18,17 +18,17 @@ ThreadPool::~ThreadPool() {
 void ThreadPool::run(std::int64_t helpers, const std::function<void()>& help,
                      const std::function<void()>& lead) {
     start(helpers);
-    const std::int64_t places = std::min(helpers, static_cast<std::int64_t>(threads_.size()));
+    const std::int64_t slots = std::min(helpers, static_cast<std::int64_t>(threads_.size()));
     {
         const std::lock_guard lock(mutex_);
         help_ = &help;
-        places_ = places;
+        slots_ = slots;
     }
-    for (std::int64_t i = 0; i < places; ++i)
-        wanted_.notify_one();
+    for (std::int64_t i = 0; i < slots; ++i)
+        wake_.notify_one();
     lead();
     std::unique_lock lock(mutex_);
-    places_ = 0;
+    slots_ = 0;
     idle_.wait(lock, [this] { return working_ == 0; });
     help_ = nullptr;
 }
@@ -38,17 +38,17 @@ void ThreadPool::start(std::int64_t count) {
         while (static_cast<std::int64_t>(threads_.size()) < count)
             threads_.emplace_back([this] { work(); });
     } catch (const std::exception&) {
-        // No more threads or memory for them: the ones that started do the work.
+        // No more threads can be started: those that exist do the work.
     }
 }
 
 void ThreadPool::work() {
     for (;;) {
         std::unique_lock lock(mutex_);
-        wanted_.wait(lock, [this] { return places_ > 0 || ended_; });
-        if (ended_)
+        wake_.wait(lock, [this] { return slots_ > 0 || ending_; });
+        if (ending_)
             return;
-        --places_;
+        --slots_;
         ++working_;
         lock.unlock();
         (*help_)();

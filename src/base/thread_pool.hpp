@@ -26,7 +26,7 @@ class ThreadPool {
     /// throw.
     void run(std::int64_t helpers, const std::function<void()>& help,
              const std::function<void()>& lead);
-    /// Whether run() is running.
+    /// Whether a call of run() is in progress.
     bool running() const { return help_ != nullptr; }
 
   private:
@@ -34,13 +34,13 @@ class ThreadPool {
     void work();
 
     std::vector<std::thread> threads_;
-    std::mutex mutex_; ///< held to change what is below
+    std::mutex mutex_; ///< guards the members below
     const std::function<void()>* help_ = nullptr;
-    std::int64_t places_ = 0; ///< for threads that may still come
+    std::int64_t slots_ = 0; ///< threads that may still join
     std::int64_t working_ = 0;
-    bool ended_ = false;
-    std::condition_variable wanted_; ///< a place, or the end
-    std::condition_variable idle_;   ///< none is working
+    bool ending_ = false;
+    std::condition_variable wake_; ///< a free slot, or the end
+    std::condition_variable idle_; ///< no thread is working
 };
 
 } // namespace stltsa

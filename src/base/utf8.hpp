@@ -6,7 +6,7 @@
 
 namespace stltsa {
 
-/// Bytes of the well-formed UTF-8 sequence at `at` (RFC 3629, section 4); 0: there is none.
+/// Bytes of the well-formed UTF-8 sequence at `at` (RFC 3629, section 4); 0 if there is none.
 std::size_t utf8_length(std::string_view text, std::size_t at);
 
 } // namespace stltsa

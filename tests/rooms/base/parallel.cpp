@@ -67,12 +67,12 @@ void threads_are_shared(void**) {
     threads_seen = 0;
     for (int loop = 0; loop < 100; ++loop)
         check_two_at_once();
-    std::this_thread::sleep_for(std::chrono::milliseconds(50)); // the other one sleeps by then
+    std::this_thread::sleep_for(std::chrono::milliseconds(50)); // the other thread sleeps by then
     check_two_at_once();
     assert_int_equal(threads_seen, 1);
 }
 
-void each_loop_starts_its_own(void**) {
+void each_loop_starts_its_own_threads(void**) {
     see_thread();
     threads_seen = 0;
     for (int loop = 0; loop < 10; ++loop)
@@ -108,7 +108,7 @@ void the_lowest_failure_is_thrown(void**) {
     }
 }
 
-void the_caller_is_told(void**) {
+void poll_is_called(void**) {
     const SharedThreads threads;
     for (int times = 0; times < 300; ++times) {
         int polls = 0;
@@ -121,29 +121,32 @@ void the_caller_is_told(void**) {
 }
 
 void loops_within_loops(void**) {
-    assert_null(SharedThreads::idle());
+    assert_null(SharedThreads::available_pool());
     const SharedThreads threads;
     { const SharedThreads again; }
-    assert_non_null(SharedThreads::idle());
+    assert_non_null(SharedThreads::available_pool());
     std::atomic<int> count{0};
     const auto inner = [&](std::int64_t) { ++count; };
     parallel_blocks(
         8, 2, [&](std::int64_t) { parallel_blocks(10, 2, inner); },
         [&](std::int64_t) {
-            assert_null(SharedThreads::idle()); // it is busy
+            assert_null(SharedThreads::available_pool()); // it is busy
             check_loop(10, 2);
         });
     assert_int_equal(count, 80);
-    assert_non_null(SharedThreads::idle());
+    assert_non_null(SharedThreads::available_pool());
 }
 
 } // namespace
 
 int main() {
     const CMUnitTest tests[] = {
-        cmocka_unit_test(every_block_runs_once),    cmocka_unit_test(threads_are_shared),
-        cmocka_unit_test(each_loop_starts_its_own), cmocka_unit_test(the_lowest_failure_is_thrown),
-        cmocka_unit_test(the_caller_is_told),       cmocka_unit_test(loops_within_loops),
+        cmocka_unit_test(every_block_runs_once),
+        cmocka_unit_test(threads_are_shared),
+        cmocka_unit_test(each_loop_starts_its_own_threads),
+        cmocka_unit_test(the_lowest_failure_is_thrown),
+        cmocka_unit_test(poll_is_called),
+        cmocka_unit_test(loops_within_loops),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }
