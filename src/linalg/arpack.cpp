@@ -18,32 +18,32 @@ namespace stltsa {
 namespace {
 
 std::timed_mutex arpack_mutex;
-thread_local bool arpack_is_ours = false;
+thread_local bool owns_arpack = false;
 
 /// ARPACK keeps state between its reverse-communication calls (Fortran SAVE), so one eigenproblem
-/// runs at a time: a thread waits for its turn, and polls meanwhile. One that has it already would
-/// wait forever.
-class ArpackTurn {
+/// runs at a time: other threads wait and poll meanwhile. A thread that already holds the lock
+/// would wait forever.
+class ArpackLock {
   public:
-    explicit ArpackTurn(const std::function<void()>& poll) {
-        if (arpack_is_ours)
+    explicit ArpackLock(const std::function<void()>& poll) {
+        if (owns_arpack)
             fail(Status::argument,
-                 "a progress callback that is called in stage spectrum must not fit or decompose: "
-                 "do that before or after the call that reports, or in another stage");
+                 "a progress callback must not fit or decompose during stage spectrum: do so in "
+                 "another stage, or before or after the call that reports progress");
         while (!arpack_mutex.try_lock_for(std::chrono::milliseconds(50)))
             poll();
-        arpack_is_ours = true;
+        owns_arpack = true;
     }
-    ~ArpackTurn() {
-        arpack_is_ours = false;
+    ~ArpackLock() {
+        owns_arpack = false;
         arpack_mutex.unlock();
     }
-    ArpackTurn(const ArpackTurn&) = delete;
-    ArpackTurn& operator=(const ArpackTurn&) = delete;
+    ArpackLock(const ArpackLock&) = delete;
+    ArpackLock& operator=(const ArpackLock&) = delete;
 };
 
-/// A run that needs more restarts than this is repeated with twice as many Lanczos vectors: if
-/// eigenvalues are close, a few vectors may never converge. The last run has no such limit.
+/// An attempt that needs more restarts than this is repeated with twice as many Lanczos vectors: if
+/// eigenvalues are close, a few vectors may never converge. The last attempt has a large limit.
 constexpr a_int few_restarts = 30;
 constexpr a_int many_restarts = 10000;
 constexpr std::int64_t most_vectors = 80;
@@ -53,13 +53,13 @@ constexpr std::int64_t most_vectors = 80;
 /// caller corrects all of them.
 constexpr double tolerance = 1e-7;
 
-/// Lanczos vectors of the first run: enough that motion rarely needs a restart, which passes over
-/// all of them on one thread and costs more steps in total.
+/// Lanczos vectors of the first attempt: enough that motion rarely needs a restart, which passes
+/// over all of them on one thread and costs more steps in total.
 std::int64_t least_vectors(std::int64_t count) {
     return 2 * count + 5;
 }
 
-/// One run of dsaupd's reverse communication.
+/// One attempt: a sequence of reverse-communication calls of dsaupd.
 class Lanczos {
   public:
     Lanczos(std::int64_t order, std::int64_t count, std::int64_t vectors, a_int most_restarts)
@@ -100,20 +100,20 @@ class Lanczos {
     }
     std::int64_t converged() const { return parameters_[4]; }
 
-    /// The eigenpairs; may be called once.
+    /// The eigenpairs; call it only once.
     Eigenpairs extract() {
         Eigenpairs pairs{Matrix::unset(count_, order_), {}, 0};
         pairs.values.resize(static_cast<std::size_t>(count_));
         std::vector<a_int> select(static_cast<std::size_t>(subspace_));
         a_int info = 0;
-        // The vectors take the place of the basis.
+        // The eigenvectors overwrite the basis.
         dseupd_c(1, "A", select.data(), pairs.values.data(), basis_.data(), order_, 0, "I", order_,
                  "LA", count_, tolerance, residual_.data(), subspace_, basis_.data(), order_,
                  parameters_, pointers_, work_.data(), small_work_.data(), small_work_size(),
                  &info);
         if (info != 0)
             fail(Status::internal, "ARPACK dseupd failed (info {})", info);
-        std::ranges::reverse(pairs.values); // dseupd has them ascending
+        std::ranges::reverse(pairs.values); // dseupd returns them ascending
         for (a_int j = 0; j < count_; ++j)
             std::copy_n(basis_.row(count_ - 1 - j), order_, pairs.vectors.row(j));
         return pairs;
@@ -154,7 +154,7 @@ Eigenpairs dense_eigenpairs(const Operator& apply, std::int64_t order, std::int6
 
 Eigenpairs krylov_eigenpairs(const Operator& apply, std::int64_t order, const Start& start,
                              std::int64_t count, const std::function<void()>& poll) {
-    const ArpackTurn turn(poll);
+    const ArpackLock lock(poll);
     std::int64_t applications = 0;
     for (std::int64_t vectors = least_vectors(count);; vectors *= 2) {
         const bool last = vectors >= std::min(most_vectors, order);
@@ -166,11 +166,12 @@ Eigenpairs krylov_eigenpairs(const Operator& apply, std::int64_t order, const St
             return pairs;
         }
         if (last)
-            fail(Status::not_converged,
-                 "the eigensolver found {} of {} eigenvalues in {} iterations; the smallest "
-                 "eigenvalues may not be separated: try another number of neighbors or a lower "
-                 "dimension",
-                 lanczos.converged(), count, applications);
+            fail(
+                Status::not_converged,
+                "the eigensolver found {} of {} eigenvalues in {} iterations; the smallest "
+                "eigenvalues may be too close together: use another number of neighbors or a lower "
+                "dimension",
+                lanczos.converged(), count, applications);
     }
 }
 
@@ -185,7 +186,7 @@ std::int64_t known_pairs(const Eigenpairs& pairs) {
     return std::max<std::int64_t>(1, known - pairs.values.begin());
 }
 
-/// Subtracts the components along these orthonormal rows from x.
+/// Subtracts from x its components along these orthonormal rows.
 void project_out(ConstMatrixView rows, std::span<double> x) {
     for (std::int64_t j = 0; j < rows.rows; ++j)
         axpy(-dot(rows.row(j), x.data(), rows.cols), rows.row(j), x.data(), rows.cols);
@@ -202,18 +203,19 @@ Eigenpairs largest_eigenpairs(const Operator& apply, std::int64_t order, const S
     if (known == count)
         return pairs;
     const ConstMatrixView found = std::as_const(pairs.vectors).view().block(0, known);
-    AlignedVector<double> rest(static_cast<std::size_t>(order));
-    const Operator beside = [&](std::span<const double> x, std::span<double> y) {
-        std::ranges::copy(x, rest.begin());
-        project_out(found, rest);
-        apply(rest, y);
+    AlignedVector<double> projected(static_cast<std::size_t>(order));
+    const Operator deflated = [&](std::span<const double> x, std::span<double> y) {
+        std::ranges::copy(x, projected.begin());
+        project_out(found, projected);
+        apply(projected, y);
         project_out(found, y);
     };
-    const Start start_beside = [&](std::span<double> x) {
+    const Start deflated_start = [&](std::span<double> x) {
         start(x);
         project_out(found, x);
     };
-    const Eigenpairs others = largest_eigenpairs(beside, order, start_beside, count - known, poll);
+    const Eigenpairs others =
+        largest_eigenpairs(deflated, order, deflated_start, count - known, poll);
     std::ranges::copy(others.values, pairs.values.begin() + known);
     std::copy_n(others.vectors.data(), others.vectors.rows() * order, pairs.vectors.row(known));
     pairs.applications += others.applications;

@@ -20,16 +20,16 @@ struct Eigenpairs {
 /// y = A x, both of the operator's order.
 using Operator = std::function<void(std::span<const double> x, std::span<double> y)>;
 
-/// Writes a vector, the same one each time.
+/// Writes the start vector, the same one each time.
 using Start = std::function<void(std::span<double> x)>;
 
-/// The `count` algebraically largest eigenpairs of a symmetric operator, with residuals of at most
-/// 1e-7 of their eigenvalue, also where this is many powers of ten below the largest (but not below
-/// 1e-10, where ARPACK's tolerance ends). `start` writes ARPACK's start vector, which decides, with
-/// the operator, every bit of the result; it must not be an eigenvector. `poll` is called between
-/// applications, and while another thread has ARPACK, and may throw. Small orders are solved
-/// densely, by LAPACK. Needs count < order. Throws Status::not_converged, and Status::argument if
-/// called from `apply` or `poll` of a call that is under way.
+/// The `count` algebraically largest eigenpairs of a symmetric operator (count < order). Residuals
+/// are at most 1e-7 of the eigenvalue, even if it is many powers of ten below the largest (but not
+/// below 1e-10, the limit of ARPACK's tolerance). `start` writes ARPACK's start vector, which with
+/// the operator determines every bit of the result; it must not be an eigenvector. `poll` is called
+/// between applications, and while another thread uses ARPACK, and may throw. Small orders are
+/// solved densely by LAPACK. Throws Status::not_converged, and Status::argument if called from
+/// `apply` or `poll`.
 Eigenpairs largest_eigenpairs(const Operator& apply, std::int64_t order, const Start& start,
                               std::int64_t count, const std::function<void()>& poll);
 

@@ -11,24 +11,24 @@ namespace stltsa {
 
 class BandMatrix {
   public:
-    /// Entries (i, j) with |i - j| > reach are zero; the others have no value yet.
-    BandMatrix(std::int64_t order, std::int64_t reach);
+    /// Entries (i, j) with |i - j| > bandwidth are zero; the others are not initialized.
+    BandMatrix(std::int64_t order, std::int64_t bandwidth);
 
     std::int64_t order() const { return order_; }
-    std::int64_t reach() const { return reach_; }
-    /// Entries (j, j), (j + 1, j), .. of the lower triangle: reach() + 1, those of rows beyond the
-    /// last one unused.
-    double* column(std::int64_t j) { return entries_.data() + j * (reach_ + 1); }
+    std::int64_t bandwidth() const { return bandwidth_; }
+    /// The bandwidth() + 1 entries (j, j), (j + 1, j), .. of the lower triangle; those of rows
+    /// beyond the last are unused.
+    double* column(std::int64_t j) { return entries_.data() + j * (bandwidth_ + 1); }
 
-    /// L L^T = matrix, in place; false, with the matrix destroyed, if a pivot is at or below
-    /// `smallest` times its diagonal entry: the matrix is singular to working precision.
+    /// Factors L L^T = matrix in place. Returns false and destroys the matrix if a pivot is at most
+    /// `smallest` times its diagonal entry, that is, if it is singular to working precision.
     bool factor(double smallest);
 
     /// After factor(): each row x := (L L^T)^-1 x.
     void solve(MatrixView rows, const Machine& machine) const;
 
   private:
-    std::int64_t order_, reach_;
+    std::int64_t order_, bandwidth_;
     UnsetVector<double> entries_;
 };
 

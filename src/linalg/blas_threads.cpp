@@ -15,7 +15,7 @@ namespace stltsa {
 #ifdef STLTSA_OPENBLAS
 namespace {
 
-// OpenBLAS's setting is one per process, so the count of those who need it is too.
+// OpenBLAS has one setting per process, so its users are counted per process.
 std::mutex mutex;
 int users = 0;
 int threads_before = 1;

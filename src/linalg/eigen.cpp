@@ -12,7 +12,7 @@ namespace stltsa {
 TopEigenpairs::TopEigenpairs(std::int64_t order, std::int64_t count)
     : order_(static_cast<std::int32_t>(order)), count_(static_cast<std::int32_t>(count)),
       matrix_(checked_size(order, order)), values_(static_cast<std::size_t>(order)),
-      vectors_(checked_size(order, count)), destroyed_(order, order),
+      vectors_(checked_size(order, count)), scratch_(order, order),
       support_(2 * static_cast<std::size_t>(order)) {
     double work_size = 0;
     lapack_int integer_work_size = 0;
@@ -30,36 +30,36 @@ TopEigenpairs::TopEigenpairs(std::int64_t order, std::int64_t count)
 }
 
 void TopEigenpairs::solve() {
-    if (!solve_for_the_largest())
-        solve_for_all();
+    if (!solve_largest())
+        solve_all();
 }
 
 /// False if dsyevr did not find them: near multiples of the identity it may report success without
 /// eigenpairs.
-bool TopEigenpairs::solve_for_the_largest() {
-    std::copy_n(matrix_.data(), matrix_.size(), destroyed_.data());
+bool TopEigenpairs::solve_largest() {
+    std::copy_n(matrix_.data(), matrix_.size(), scratch_.data());
     lapack_int found = 0;
     const lapack_int info = LAPACKE_dsyevr_work(
-        LAPACK_COL_MAJOR, 'V', 'I', 'L', order_, destroyed_.data(), order_, 0, 0,
-        order_ - count_ + 1, order_, 0, &found, values_.data(), vectors_.data(), order_,
-        support_.data(), work_.data(), static_cast<lapack_int>(work_.size()), integer_work_.data(),
+        LAPACK_COL_MAJOR, 'V', 'I', 'L', order_, scratch_.data(), order_, 0, 0, order_ - count_ + 1,
+        order_, 0, &found, values_.data(), vectors_.data(), order_, support_.data(), work_.data(),
+        static_cast<lapack_int>(work_.size()), integer_work_.data(),
         static_cast<lapack_int>(integer_work_.size()));
     return info == 0 && found == count_;
 }
 
-void TopEigenpairs::solve_for_all() {
-    std::copy_n(matrix_.data(), matrix_.size(), destroyed_.data());
+void TopEigenpairs::solve_all() {
+    std::copy_n(matrix_.data(), matrix_.size(), scratch_.data());
     std::vector<double> values;
-    symmetric_eigen(destroyed_, values);
+    symmetric_eigen(scratch_, values);
     const std::int64_t first = order_ - count_;
     std::copy_n(values.begin() + first, count_, values_.begin());
-    std::copy_n(destroyed_.row(first), count_ * std::int64_t{order_}, vectors_.data());
+    std::copy_n(scratch_.row(first), count_ * std::int64_t{order_}, vectors_.data());
 }
 
 void TopEigenpairs::solve_values() {
-    std::copy_n(matrix_.data(), matrix_.size(), destroyed_.data());
+    std::copy_n(matrix_.data(), matrix_.size(), scratch_.data());
     const lapack_int info =
-        LAPACKE_dsyevd_work(LAPACK_COL_MAJOR, 'N', 'L', order_, destroyed_.data(), order_,
+        LAPACKE_dsyevd_work(LAPACK_COL_MAJOR, 'N', 'L', order_, scratch_.data(), order_,
                             values_.data(), work_.data(), static_cast<lapack_int>(work_.size()),
                             integer_work_.data(), static_cast<lapack_int>(integer_work_.size()));
     if (info != 0)
@@ -80,7 +80,7 @@ void symmetric_eigen(Matrix& matrix, std::vector<double>& values) {
     values.assign(static_cast<std::size_t>(order), 0);
     if (order == 0)
         return;
-    // A symmetric matrix is its own transpose, so LAPACK's columns are our rows.
+    // A symmetric matrix is its own transpose, so LAPACK's columns are rows here.
     const auto solve = [&](double* work, lapack_int work_size, lapack_int* integer_work,
                            lapack_int integer_work_size) {
         const lapack_int info =

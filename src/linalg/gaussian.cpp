@@ -8,7 +8,7 @@
 namespace stltsa {
 namespace {
 
-/// Half of the kernel, its middle first; just 1 without smoothing.
+/// Half of the kernel from its center on; only the weight 1 without smoothing.
 std::vector<double> half_kernel(double sigma, std::int64_t rows) {
     std::vector<double> weights{1};
     const double reach = std::min(4 * sigma, static_cast<double>(rows - 1));
@@ -17,7 +17,8 @@ std::vector<double> half_kernel(double sigma, std::int64_t rows) {
     return weights;
 }
 
-/// Adds the weighted difference of row `r` from `center`; reflected through the end row beyond it.
+/// Adds the weighted difference of row `r` from `center`; rows beyond an end are reflections
+/// through the end row.
 void add_difference(ConstMatrixView rows, std::int64_t r, const double* center, double weight,
                     double* out) {
     const std::int64_t end = std::clamp<std::int64_t>(r, 0, rows.rows - 1);
@@ -27,7 +28,7 @@ void add_difference(ConstMatrixView rows, std::int64_t r, const double* center, 
         out[c] += weight * ((at_end[c] - reflected[c]) + (at_end[c] - center[c]));
 }
 
-/// The middle row plus the weighted differences from it: exact where there are none.
+/// The middle row plus the weighted differences from it: exact if there are none.
 void smooth_row(ConstMatrixView rows, std::int64_t middle, const std::vector<double>& weights,
                 Beyond beyond, double* out) {
     const bool reflect = beyond == Beyond::reflection;

@@ -9,8 +9,8 @@ namespace stltsa {
 
 /// How the kernel continues beyond the first and the last row.
 enum class Beyond {
-    nothing, ///< the rest of the kernel is scaled to sum to 1: little noise, but the ends slow down
-    reflection ///< 2 x_0 - x_i, through the end row: a steady motion stays as fast as it is
+    nothing,   ///< truncated and normalized: little noise, but a motion slows down at the ends
+    reflection ///< 2 x_0 - x_i, through the end row: a steady motion keeps its speed
 };
 
 /// Every step-th row, from the first on, smoothed over time by a Gaussian of `sigma` rows,

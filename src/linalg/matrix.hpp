@@ -14,7 +14,7 @@
 
 namespace stltsa {
 
-/// 64-byte alignment: BLAS kernels take the same path, so give the same bits, on every run.
+/// 64-byte alignment, so that BLAS kernels take the same path and give the same bits on every run.
 template <class T>
 struct AlignedAllocator {
     using value_type = T;
@@ -37,8 +37,8 @@ struct AlignedAllocator {
 template <class T>
 using AlignedVector = std::vector<T, AlignedAllocator<T>>;
 
-/// Leaves entries without a value. The first touch of fresh memory costs as much as the work on it:
-/// for large arrays that threads write as a whole, so that they touch it, not the constructor.
+/// Leaves entries uninitialized. The first access to fresh memory costs as much as the work on it:
+/// for large arrays the threads that write them should do it, not the constructor.
 template <class T>
 struct UnsetAllocator : AlignedAllocator<T> {
     using AlignedAllocator<T>::AlignedAllocator;
@@ -55,7 +55,7 @@ struct UnsetAllocator : AlignedAllocator<T> {
 template <class T>
 using UnsetVector = std::vector<T, UnsetAllocator<T>>;
 
-/// rows x cols, row r starts at data + r * stride, columns are adjacent. Owns nothing.
+/// A rows x cols matrix owned by others: row r starts at data + r * stride, columns are adjacent.
 template <class T>
 struct View {
     T* data = nullptr;
@@ -76,24 +76,24 @@ struct View {
 using MatrixView = View<double>;
 using ConstMatrixView = View<const double>;
 
-/// rows * cols as a size, or Status::no_memory when the product does not fit.
+/// rows * cols as a size. Throws Status::no_memory if the product is too large.
 inline std::size_t checked_size(std::int64_t rows, std::int64_t cols) {
     constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max() / 8;
     if (rows < 0 || cols < 0)
-        fail(Status::internal, "a matrix of {} x {} was asked for", rows, cols);
+        fail(Status::internal, "a matrix of {} x {} was requested", rows, cols);
     if (cols != 0 && rows > most / cols)
         fail(Status::no_memory, "a matrix of {} x {} does not fit into memory", rows, cols);
     return static_cast<std::size_t>(rows) * static_cast<std::size_t>(cols);
 }
 
-/// A dense matrix that owns its entries, zero when made unless unset() makes it.
+/// A dense matrix that owns its entries, initially zero except for unset().
 class Matrix {
   public:
     Matrix() = default;
     Matrix(std::int64_t rows, std::int64_t cols) : Matrix(unset(rows, cols)) {
         std::fill(data_.begin(), data_.end(), 0.0);
     }
-    /// The entries have no value yet.
+    /// Entries are not initialized.
     static Matrix unset(std::int64_t rows, std::int64_t cols) {
         Matrix matrix;
         matrix.rows_ = rows;
@@ -123,7 +123,7 @@ class Matrix {
     UnsetVector<double> data_;
 };
 
-/// Of packed rows.
+/// Copies packed rows.
 inline Matrix copied(ConstMatrixView packed) {
     Matrix copy = Matrix::unset(packed.rows, packed.cols);
     std::copy_n(packed.data, packed.rows * packed.cols, copy.data());

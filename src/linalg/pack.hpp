@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Vectors of doubles as wide as the machine's registers, the width chosen at run time from one
-// source. Each element gets the operations that a single number would, in the same order, and the
-// compiler may not contract them: results do not depend on the width, to the last bit.
+// Vectors of doubles as wide as the machine's registers; one source, the width chosen at run time.
+// Each element undergoes the operations of a scalar in the same order, and the compiler may not
+// contract them: results have the same bits for every width.
 #pragma once
 
 #include <cstdint>
 
-// Code that runs at a chosen width must be compiled as part of the function that chose it.
+// Code for a width must be inlined into the function that is compiled for it.
 #define STLTSA_INLINE [[gnu::always_inline]] inline
 #define STLTSA_INLINE_LAMBDA __attribute__((always_inline))
 
@@ -16,7 +16,7 @@ namespace stltsa {
 /// x86-64, NEON on arm64), and AVX2, which only some machines have.
 enum class Simd : std::int32_t { baseline, avx2 };
 
-/// The widest that this machine can run.
+/// The widest instruction set of this machine.
 inline Simd widest_simd() {
 #ifdef __x86_64__
     if (__builtin_cpu_supports("avx2") != 0)
@@ -54,7 +54,7 @@ template <class Kernel>
 template <int W>
 using Pack = typename detail::PackOf<W>::type;
 
-/// A pack, or one number, at an address that need not be a multiple of its size.
+/// Loads a pack or a single number from an unaligned address.
 template <class P>
 STLTSA_INLINE P load(const double* from) {
     P pack;
@@ -66,8 +66,8 @@ STLTSA_INLINE void store(P pack, double* to) {
     __builtin_memcpy(to, &pack, sizeof pack);
 }
 
-/// Calls kernel.run<W>() compiled for `simd`, which must be available. run() and what it calls with
-/// packs are STLTSA_INLINE.
+/// Calls kernel.run<W>() compiled for `simd`, which must be available. run() and the functions that
+/// it calls with packs are STLTSA_INLINE.
 template <class Kernel>
 void run_simd([[maybe_unused]] Simd simd, const Kernel& kernel) {
 #ifdef __x86_64__

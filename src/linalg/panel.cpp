@@ -41,7 +41,7 @@ struct ColumnProduct {
 };
 
 /// out := right - left * factor
-struct Rest {
+struct Residual {
     ConstMatrixView left, factor, right;
     MatrixView out;
 
@@ -70,14 +70,14 @@ struct Sum {
     }
 };
 
-/// rows(r) -= what(0, .)
+/// rows(r) -= subtrahend
 struct Subtraction {
     MatrixView rows;
-    const double* what;
+    const double* subtrahend;
 
     template <class P>
     STLTSA_INLINE void columns(std::int64_t c) const {
-        const P value = pack_at<P>(what + c);
+        const P value = pack_at<P>(subtrahend + c);
         for (std::int64_t row = 0; row < rows.rows; ++row)
             pack_at<P>(rows.row(row) + c) -= value;
     }
@@ -93,15 +93,15 @@ struct RunningSums {
     template <class P>
     STLTSA_INLINE void columns(std::int64_t c) const {
         P sum{};
-        const P less = pack_at<P>(shift + c), before = pack_at<P>(start + c);
+        const P offset = pack_at<P>(shift + c), before = pack_at<P>(start + c);
         for (std::int64_t row = 0; row < rows.rows; ++row) {
-            sum += sign * (pack_at<P>(rows.row(row) + c) - less);
+            sum += sign * (pack_at<P>(rows.row(row) + c) - offset);
             pack_at<P>(sums.row(row) + c) = before + sum;
         }
     }
 };
 
-/// Sums of each block of rows: a row of the result each.
+/// The sum of each block of rows, one row per block.
 Matrix block_sums(ConstMatrixView panel, const Machine& machine) {
     Matrix sums(row_blocks(panel.rows), panel.cols);
     for_row_blocks(panel.rows, machine,
@@ -122,40 +122,41 @@ void clear(MatrixView panel, const Machine& machine) {
 }
 
 Matrix inner_products(ConstMatrixView a, ConstMatrixView b, const Machine& machine) {
-    Matrix parts(row_blocks(a.rows) * a.cols, b.cols);
+    Matrix block_products(row_blocks(a.rows) * a.cols, b.cols);
     for_row_blocks(a.rows, machine, [&](std::int64_t block, std::int64_t first, std::int64_t rows) {
         run_columns(b.cols, machine.simd,
                     InnerProducts{a.block(first, rows), b.block(first, rows),
-                                  parts.view().block(block * a.cols, a.cols)});
+                                  block_products.view().block(block * a.cols, a.cols)});
     });
     Matrix sum(a.cols, b.cols);
-    for (std::int64_t row = 0; row < parts.rows(); ++row)
+    for (std::int64_t row = 0; row < block_products.rows(); ++row)
         for (std::int64_t c = 0; c < b.cols; ++c)
-            sum(row % a.cols, c) += parts(row, c);
+            sum(row % a.cols, c) += block_products(row, c);
     return sum;
 }
 
-RestProducts rest_products(ConstMatrixView left, const Matrix& factor, ConstMatrixView right,
-                           const Machine& machine) {
+ResidualProducts residual_products(ConstMatrixView left, const Matrix& factor,
+                                   ConstMatrixView right, const Machine& machine) {
     const std::int64_t cols = right.cols;
-    Matrix parts(row_blocks(right.rows) * 2 * cols, cols);
+    Matrix block_products(row_blocks(right.rows) * 2 * cols, cols);
     for_row_blocks(
         right.rows, machine, [&](std::int64_t block, std::int64_t first, std::int64_t rows) {
-            Matrix rest(rows, cols);
+            Matrix residual(rows, cols);
             run_columns(cols, machine.simd,
-                        Rest{left.block(first, rows), factor.view(), right.block(first, rows),
-                             rest.view()});
-            const MatrixView part = parts.view().block(2 * block * cols, 2 * cols);
+                        Residual{left.block(first, rows), factor.view(), right.block(first, rows),
+                                 residual.view()});
+            const MatrixView out = block_products.view().block(2 * block * cols, 2 * cols);
+            run_columns(
+                cols, machine.simd,
+                InnerProducts{left.block(first, rows), residual.view(), out.block(0, cols)});
             run_columns(cols, machine.simd,
-                        InnerProducts{left.block(first, rows), rest.view(), part.block(0, cols)});
-            run_columns(cols, machine.simd,
-                        InnerProducts{rest.view(), rest.view(), part.block(cols, cols)});
+                        InnerProducts{residual.view(), residual.view(), out.block(cols, cols)});
         });
-    RestProducts products{Matrix(cols, cols), Matrix(cols, cols)};
-    for (std::int64_t row = 0; row < parts.rows(); ++row) {
-        Matrix& sum = row / cols % 2 == 0 ? products.left : products.rest;
+    ResidualProducts products{Matrix(cols, cols), Matrix(cols, cols)};
+    for (std::int64_t row = 0; row < block_products.rows(); ++row) {
+        Matrix& sum = row / cols % 2 == 0 ? products.left : products.residual;
         for (std::int64_t c = 0; c < cols; ++c)
-            sum(row % cols, c) += parts(row, c);
+            sum(row % cols, c) += block_products(row, c);
     }
     return products;
 }
@@ -217,7 +218,7 @@ void center(MatrixView panel, const Machine& machine) {
 
 void running_sums(ConstMatrixView panel, double sign, const Matrix& shift, MatrixView sums,
                   const Machine& machine) {
-    Matrix starts = block_sums(panel, machine); // made sums of the blocks before each
+    Matrix starts = block_sums(panel, machine); // replaced by the sums of the previous blocks
     Matrix sum(1, panel.cols);
     for (std::int64_t block = 0; block < starts.rows(); ++block) {
         const std::int64_t rows = std::min(row_block, panel.rows - block * row_block);

@@ -36,14 +36,13 @@ struct ColumnWise {
 
 } // namespace detail
 
-/// Calls kernel.columns<P>(c) for each pack P of columns c .. of a panel of `cols`, or for the
-/// column of a single vector; columns() is STLTSA_INLINE.
+/// Calls kernel.columns<P>(c) for each pack P of columns from c on, or with P = double for a single
+/// column; columns() is STLTSA_INLINE.
 template <class Kernel>
 void run_columns(std::int64_t cols, Simd simd, const Kernel& kernel) {
     run_simd(simd, detail::ColumnWise<Kernel>{kernel, cols});
 }
 
-/// The pack at an entry of a panel.
 template <class P>
 STLTSA_INLINE P& pack_at(double* entry) {
     return *reinterpret_cast<P*>(entry);
@@ -59,17 +58,17 @@ void clear(MatrixView panel, const Machine& machine);
 /// Inner products of each column of a with each of b.
 Matrix inner_products(ConstMatrixView a, ConstMatrixView b, const Machine& machine);
 
-/// left^T rest and rest^T rest, where rest = right - left * factor is not stored.
-struct RestProducts {
-    Matrix left, rest;
+/// left^T residual and residual^T residual, with residual = right - left * factor never stored.
+struct ResidualProducts {
+    Matrix left, residual;
 };
-RestProducts rest_products(ConstMatrixView left, const Matrix& factor, ConstMatrixView right,
-                           const Machine& machine);
+ResidualProducts residual_products(ConstMatrixView left, const Matrix& factor,
+                                   ConstMatrixView right, const Machine& machine);
 
-/// The first columns, one per row.
+/// The first `count` columns as rows.
 Matrix rows_of(ConstMatrixView panel, std::int64_t count, const Machine& machine);
 
-/// The other way round; columns beyond the rows are zero.
+/// Writes rows as columns; further columns become zero.
 void set_columns(const Matrix& rows, MatrixView panel, const Machine& machine);
 
 /// panel := panel * factor
@@ -79,14 +78,14 @@ void multiply_columns(MatrixView panel, const Matrix& factor, const Machine& mac
 void subtract_scaled(ConstMatrixView source, const Matrix& factors, MatrixView target,
                      const Machine& machine);
 
-/// The mean of each column: one row.
+/// The mean of each column, as one row.
 Matrix column_means(ConstMatrixView panel, const Machine& machine);
 
 /// sums(r) := sign * the sum of panel(0) - shift, .. panel(r) - shift
 void running_sums(ConstMatrixView panel, double sign, const Matrix& shift, MatrixView sums,
                   const Machine& machine);
 
-/// Subtracts a row from each row.
+/// Subtracts `row` from each row.
 void subtract_row(MatrixView panel, const Matrix& row, const Machine& machine);
 
 /// Subtracts its mean from each column.

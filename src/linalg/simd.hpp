@@ -27,7 +27,7 @@ double sum_of(std::int64_t count, const Term& term) {
     return sum_lanes(s);
 }
 
-/// |a - b|^2 by subtraction: exact zero for equal frames, no cancellation of large norms.
+/// |a - b|^2 by subtraction: exactly zero for equal frames, without cancellation of large norms.
 inline double squared_distance(const double* a, const double* b, std::int64_t count) {
     return sum_of(count, [=](std::int64_t i) {
         const double d = a[i] - b[i];

@@ -8,7 +8,7 @@
 
 #include "base/error.hpp"
 
-// Of the OpenMP runtime that CHOLMOD may bring along, whichever it is.
+// From the OpenMP runtime that CHOLMOD may be linked with; null without one.
 extern "C" {
 [[gnu::weak]] int omp_get_max_active_levels();
 [[gnu::weak]] void omp_set_max_active_levels(int levels);
@@ -40,12 +40,13 @@ class WithoutOpenMp {
     int levels_ = 0;
 };
 
-/// Shift for a singular matrix, as a share of its largest diagonal entry.
+/// Shift of a singular matrix, relative to its largest diagonal entry.
 constexpr double tiny_shift = 1e-13;
-/// Pivots this far apart mean a singular matrix: rounding alone leaves them about 1e-16 apart.
+/// A smaller ratio of pivots means a singular matrix; in exactly singular ones rounding leaves
+/// about 1e-16.
 constexpr double smallest_rcond = 1e-14;
 
-/// CHOLMOD's own view of our arrays: nothing is copied.
+/// The matrix for CHOLMOD, without copying.
 cholmod_sparse view_of(SparseColumns& matrix) {
     cholmod_sparse view{};
     view.nrow = view.ncol = static_cast<std::size_t>(matrix.order);
@@ -86,26 +87,26 @@ cholmod_dense view_of(MatrixView rows) {
 
 } // namespace
 
-struct SparseCholesky::Parts {
+struct SparseCholesky::State {
     cholmod_common common{};
     cholmod_factor* factor = nullptr;
     cholmod_dense *result = nullptr, *work_y = nullptr, *work_e = nullptr;
 
-    Parts() {
+    State() {
         cholmod_l_start(&common);
         common.print = 0; // the library never prints
-        // AMD is the best ordering on these graphs and always there.
+        // AMD is the best ordering for these graphs and always available.
         common.nmethods = 1;
         common.method[0].ordering = CHOLMOD_AMD;
     }
-    ~Parts() {
+    ~State() {
         cholmod_l_free_dense(&result, &common);
         cholmod_l_free_dense(&work_y, &common);
         cholmod_l_free_dense(&work_e, &common);
         cholmod_l_free_factor(&factor, &common);
         cholmod_l_finish(&common);
     }
-    Parts(const Parts&) = delete;
+    State(const State&) = delete;
 
     void check() const {
         if (common.status == CHOLMOD_OUT_OF_MEMORY || common.status == CHOLMOD_TOO_LARGE)
@@ -122,17 +123,17 @@ struct SparseCholesky::Parts {
     }
 };
 
-SparseCholesky::SparseCholesky(SparseColumns matrix) : parts_(std::make_unique<Parts>()) {
+SparseCholesky::SparseCholesky(SparseColumns matrix) : state_(std::make_unique<State>()) {
     const WithoutOpenMp one_thread;
     cholmod_sparse view = view_of(matrix);
-    parts_->factor = cholmod_l_analyze(&view, &parts_->common);
-    parts_->check();
-    if (parts_->factorize(view, 0))
+    state_->factor = cholmod_l_analyze(&view, &state_->common);
+    state_->check();
+    if (state_->factorize(view, 0))
         return;
-    parts_->factorize(view, tiny_shift * largest_diagonal(matrix));
-    if (parts_->factor->minor != parts_->factor->n)
-        fail(Status::degenerate, "the alignment matrix is singular beyond repair: the frames do "
-                                 "not vary in enough directions");
+    state_->factorize(view, tiny_shift * largest_diagonal(matrix));
+    if (state_->factor->minor != state_->factor->n)
+        fail(Status::degenerate, "the alignment matrix is singular: the frames vary in too few "
+                                 "directions");
 }
 
 SparseCholesky::~SparseCholesky() = default;
@@ -140,10 +141,10 @@ SparseCholesky::~SparseCholesky() = default;
 void SparseCholesky::solve(MatrixView rows) const {
     const WithoutOpenMp one_thread;
     cholmod_dense right = view_of(rows);
-    cholmod_l_solve2(CHOLMOD_A, parts_->factor, &right, nullptr, &parts_->result, nullptr,
-                     &parts_->work_y, &parts_->work_e, &parts_->common);
-    parts_->check();
-    const auto* solution = static_cast<const double*>(parts_->result->x);
+    cholmod_l_solve2(CHOLMOD_A, state_->factor, &right, nullptr, &state_->result, nullptr,
+                     &state_->work_y, &state_->work_e, &state_->common);
+    state_->check();
+    const auto* solution = static_cast<const double*>(state_->result->x);
     for (std::int64_t r = 0; r < rows.rows; ++r)
         std::copy_n(solution + r * rows.cols, rows.cols, rows.row(r));
 }

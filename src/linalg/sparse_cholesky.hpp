@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sparse symmetric systems by SuiteSparse CHOLMOD. Only in builds that have it.
+// Sparse symmetric systems by SuiteSparse CHOLMOD; only in builds with CHOLMOD.
 #pragma once
 
 #include <cstdint>
@@ -20,18 +20,18 @@ struct SparseColumns {
 
 class SparseCholesky {
   public:
-    /// Orders (AMD) and factors. A matrix that is singular to working precision is factored with
-    /// a tiny shift. Throws Status::degenerate.
+    /// Orders (AMD) and factors the matrix. If it is singular to working precision, a tiny shift is
+    /// added first. Throws Status::degenerate.
     explicit SparseCholesky(SparseColumns matrix);
     ~SparseCholesky();
     SparseCholesky(SparseCholesky&&) = delete;
 
-    /// x := A^-1 x for each row x. One thread at a time: the workspace is kept.
+    /// x := A^-1 x for each row x. One thread at a time, because the workspace is shared.
     void solve(MatrixView rows) const;
 
   private:
-    struct Parts;
-    std::unique_ptr<Parts> parts_;
+    struct State;
+    std::unique_ptr<State> state_;
 };
 
 } // namespace stltsa

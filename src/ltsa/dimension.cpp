@@ -10,15 +10,14 @@
 namespace stltsa::ltsa {
 namespace {
 
-/// Eigenvalues shown beyond the tangent dimension: enough to see where the gap is.
+/// Eigenvalues beyond the tangent dimension: enough to show the gap.
 constexpr int eigenvalues_beyond = 5;
 /// Neighborhoods used for local PCA: more of them do not change the median.
 constexpr std::int64_t sampled_neighborhoods = 1000;
-/// Directions of variance listed.
+/// Directions whose variance is reported.
 constexpr std::int64_t listed_variances = 10;
 
-/// The paper's rule: the smallest d whose gap lambda_{d+1} - lambda_d is above tau. Eigenvalues
-/// count from lambda_1 = 0.
+/// The smallest d with lambda_{d+1} - lambda_d > tau, with lambda_1 = 0 (paper, section 2.3).
 int first_gap(const std::vector<double>& scaled, double threshold) {
     for (std::size_t d = 1; d < scaled.size(); ++d)
         if (scaled[d] - scaled[d - 1] > threshold)
@@ -26,15 +25,16 @@ int first_gap(const std::vector<double>& scaled, double threshold) {
     return 0;
 }
 
-/// Directions that hold `share` of the sum of one spectrum (descending); 0 for a zero spectrum.
-int directions_holding(const double* spectrum, std::int64_t count, double share) {
+/// The number of directions that explain `share` of the sum of a descending spectrum; 0 if it is
+/// zero.
+int explaining_directions(const double* spectrum, std::int64_t count, double share) {
     double total = 0;
     for (std::int64_t l = 0; l < count; ++l)
         total += spectrum[l];
-    double held = 0;
+    double explained = 0;
     for (std::int64_t l = 0; l < count && total > 0; ++l) {
-        held += spectrum[l];
-        if (held >= share * total)
+        explained += spectrum[l];
+        if (explained >= share * total)
             return static_cast<int>(l + 1);
     }
     return 0;
@@ -49,7 +49,7 @@ void local_pca(const Graph& graph, const Progress& progress, Dimension& result) 
     std::vector<int> dimensions;
     result.local_variances.assign(static_cast<std::size_t>(std::min(count, listed_variances)), 0);
     for (std::int64_t i = 0; i < spectra.rows(); ++i) {
-        const int d = directions_holding(spectra.row(i), count, result.local_variance);
+        const int d = explaining_directions(spectra.row(i), count, result.local_variance);
         if (d == 0)
             continue;
         dimensions.push_back(d);
@@ -60,7 +60,7 @@ void local_pca(const Graph& graph, const Progress& progress, Dimension& result) 
             result.local_variances[l] += spectra(i, static_cast<std::int64_t>(l)) / total;
     }
     if (dimensions.empty()) {
-        result.local_pca_reason = "no neighborhood varies at all";
+        result.local_pca_reason = "no neighborhood varies";
         return;
     }
     for (double& share : result.local_variances)
@@ -74,8 +74,8 @@ void local_pca(const Graph& graph, const Progress& progress, Dimension& result) 
 std::string no_eigengap(const Graph& graph, int tangents) {
     if (graph.components.count > 1)
         return format_text(
-            "the neighborhood graph has {} parts, each with a zero eigenvalue of its own: their "
-            "number would be counted, not the dimension",
+            "the neighborhood graph has {} parts, each with its own zero eigenvalue: the gap would "
+            "count the parts, not the dimension",
             graph.components.count);
     if (varying_directions(graph) < tangents)
         return format_text("every window varies in fewer than {} directions", tangents);
@@ -114,7 +114,7 @@ void set_eigengap(const Graph& graph, std::span<const double> eigenvalues, Dimen
         result.eigenvalues.push_back(value / k);
     result.eigengap = first_gap(result.eigenvalues, result.threshold);
     if (result.eigengap == 0)
-        result.eigengap_reason = format_text("no gap between the first {} eigenvalues exceeds {} k",
+        result.eigengap_reason = format_text("no gap among the first {} eigenvalues exceeds {} k",
                                              result.eigenvalues.size(), result.threshold);
 }
 

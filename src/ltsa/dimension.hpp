@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Intrinsic dimension of the frames (paper, section 2.3), and local PCA beside it.
+// Two estimates of the intrinsic dimension: eigengap (paper, section 2.3) and local PCA.
 #pragma once
 
 #include <cstdint>
@@ -14,18 +14,18 @@
 
 namespace stltsa::ltsa {
 
-/// Tangent dimension D of the B whose eigengap is looked at if the caller names none.
+/// Default tangent dimension D of the matrix B whose eigengap is used.
 inline constexpr int eigengap_tangents = 2;
 
 struct DimensionOptions {
     double threshold = 0.1;       ///< tau of the eigengap, as a fraction of k
-    double local_variance = 0.95; ///< share of a neighborhood's variance that local PCA must hold
+    double local_variance = 0.95; ///< share of variance that local PCA must explain
 };
 
 struct Dimension {
     Parameters parameters;
-    int eigengap = 0;  ///< 0: cannot tell, see eigengap_reason
-    int local_pca = 0; ///< 0: cannot tell, see local_pca_reason
+    int eigengap = 0;  ///< 0: undetermined, see eigengap_reason
+    int local_pca = 0; ///< 0: undetermined, see local_pca_reason
     std::string eigengap_reason;
     std::string local_pca_reason;
     std::vector<double> eigenvalues;     ///< of B / k, ascending, the zero one first
@@ -34,19 +34,19 @@ struct Dimension {
     double local_variance = 0;
 };
 
-/// parameters.dimension is the tangent dimension D that B is built with. Frames too degenerate to
-/// work with are an answer: the reason stands for both estimates.
+/// parameters.dimension is the tangent dimension D that B is built with. If the frames are
+/// degenerate, both estimates are undetermined, with the reason.
 Dimension intrinsic_dimension(ConstMatrixView frames, std::span<const std::int64_t> lengths,
                               const Parameters& parameters, const DimensionOptions& options,
                               const Progress& progress);
 
-// The same in steps, for a graph that is there and is embedded anyway.
+// The same in steps, for an existing graph whose embedding is needed anyway.
 
 /// The estimate by local PCA. `tangents`: D.
 Dimension local_dimension(const Graph& graph, int tangents, const DimensionOptions& options,
                           const Progress& progress);
 int eigenvalues_of_gap(const Graph& graph, int tangents);
-/// Adds the estimate by the eigengap, from the first eigenvalues_of_gap() of B built with D.
+/// Adds the estimate by the eigengap, from the first eigenvalues_of_gap() eigenvalues of B.
 void set_eigengap(const Graph& graph, std::span<const double> eigenvalues, Dimension& result);
 Dimension unknown_dimension(const Parameters& parameters, const DimensionOptions& options,
                             const std::string& reason);

@@ -16,7 +16,7 @@ namespace stltsa::ltsa {
 
 namespace {
 
-/// Of the entry of largest size, the first of equals.
+/// The sign of the entry of largest magnitude; of equal ones, the first.
 double sign_of(std::span<const double> values, const Machine& machine) {
     const auto largest_of = [](std::span<const double> some) {
         return *std::ranges::max_element(some, {}, [](double v) { return std::abs(v); });
@@ -30,8 +30,8 @@ double sign_of(std::span<const double> values, const Machine& machine) {
     return largest_of(largest) < 0 ? -1 : 1;
 }
 
-/// Fills the rows of `coords` that these members are. A vector's sign means nothing: its entry of
-/// largest size is made positive.
+/// Writes the eigenvectors to the members' rows of `coords` (Y, the output of Table 1). The sign of
+/// a vector is arbitrary: its entry of largest magnitude is made positive.
 void set_coords(const Matrix& vectors, std::span<const std::int32_t> members,
                 const Machine& machine, Matrix& coords) {
     for (std::int64_t l = 0; l < vectors.rows(); ++l) {
@@ -50,9 +50,9 @@ void set_coords(const Matrix& vectors, std::span<const std::int32_t> members,
 /// is much less accurate, so its first correction says nothing about the error.
 double error_estimate(const Spectrum& spectrum, std::size_t dimension, bool banded,
                       double rounding_of_tangents) {
-    // Tangents off by this angle make eigenvalues of its square: if the first unwanted one is no
-    // larger, nothing tells the wanted eigenvectors from others. Nor does anything if corrections
-    // do not converge; those of recorded clips end below 1e-12.
+    // Tangents turned by this angle cause eigenvalues of its square. If the first unwanted one is
+    // not larger, or if corrections do not converge (on recorded clips they end below 1e-12),
+    // nothing distinguishes the wanted eigenvectors from others.
     constexpr double largest_last_change = 1e-6;
     const bool is_noise = spectrum.values.size() > dimension &&
                           spectrum.values[dimension] < rounding_of_tangents * rounding_of_tangents;
@@ -82,7 +82,8 @@ Component summarize(const Patches& patches, const Spectrum& spectrum, int dimens
     return component;
 }
 
-/// Fills the rows of `coords` (distinct frames x dimension) that belong to a component.
+/// Table 1, step 4; Table 1, step 5: embeds a component and writes its rows of `coords` (distinct
+/// frames x dimension).
 Component embed_component(const Graph& graph, std::int64_t index, int dimension, int eigenvalues,
                           const Progress& progress, Matrix& coords) {
     const auto& members = graph.components.members[static_cast<std::size_t>(index)];
@@ -115,7 +116,7 @@ Component embed_component(const Graph& graph, std::int64_t index, int dimension,
     return component;
 }
 
-/// The coordinates and the component of each frame, from those of the distinct frames.
+/// Copies coordinates and components from the distinct frames to all frames.
 void set_frames(const Graph& graph, const Matrix& coords, Model& model) {
     const auto& row_of = graph.frames.row_of;
     const auto frames = static_cast<std::int64_t>(row_of.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The part of a fit that depends on the number of coordinates (Table 1, steps 4 and 5).
+// The part of a fit that depends on the number of coordinates (Table 1, step 4; Table 1, step 5).
 #pragma once
 
 #include "base/progress.hpp"
@@ -8,14 +8,14 @@
 
 namespace stltsa::ltsa {
 
-/// Eigenvalues of each component that a fit of `dimension` coordinates reports: the zero one, those
-/// of the coordinates, and the next one, which shows the gap.
+/// Eigenvalues per component that a fit reports: the zero one, those of the coordinates, and the
+/// next one, which shows the gap.
 constexpr int eigenvalues_of_fit(int dimension) {
     return dimension + 2;
 }
 
-/// Embeds every component with the graph's first `dimension` tangents. `eigenvalues`: how many
-/// per component, the zero one counted.
+/// Embeds every component with the graph's first `dimension` tangents. `eigenvalues`: number per
+/// component, including the zero one.
 Model embed(const Graph& graph, int dimension, int eigenvalues, const Progress& progress);
 
 } // namespace stltsa::ltsa

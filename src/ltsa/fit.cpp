@@ -20,10 +20,11 @@ std::int64_t first_cut(const Model& model) {
 
 void check_dimension(std::int64_t features, int dimension) {
     if (dimension > features)
-        fail(Status::degenerate,
-             "{} coordinates were asked for and the frames have {} features; use a dimension of at "
-             "most {}",
-             dimension, features, features);
+        fail(
+            Status::degenerate,
+            "{} coordinates were requested, but the frames have {} features; use a dimension of at "
+            "most {}",
+            dimension, features, features);
 }
 
 Model fit(ConstMatrixView frames, std::span<const std::int64_t> lengths,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A fit from frames to coordinates (paper, Table 1).
+// A fit from frames X to coordinates Y: all steps of Table 1.
 #pragma once
 
 #include <cstdint>
@@ -11,14 +11,13 @@
 
 namespace stltsa::ltsa {
 
-/// Fits STLTSA to `frames` (rows = frames of all clips one after another; lengths sum to rows).
-/// They passed check_frames(). Throws Error for frames that are too few, parameters out of range,
-/// no memory, cancelled.
+/// Fits STLTSA to `frames` (the rows of all clips in succession; lengths sum to rows), which have
+/// passed check_frames(). Throws if frames are too few or degenerate, parameters are out of range,
+/// memory runs out, or the call is cancelled.
 Model fit(ConstMatrixView frames, std::span<const std::int64_t> lengths,
           const Parameters& parameters, const Progress& progress);
 
-/// Throws for more coordinates than features, before the work: windows have fewer directions
-/// everywhere.
+/// Throws, before any work, if there are more coordinates than features.
 void check_dimension(std::int64_t features, int dimension);
 
 } // namespace stltsa::ltsa

@@ -11,7 +11,7 @@ namespace stltsa::ltsa {
 
 namespace {
 
-/// Squares of larger numbers, and sums of squares, may not fit into a double.
+/// Sums of squares of larger numbers may overflow.
 constexpr double largest_number = 1e100;
 
 /// No branch for each number, because nearly all rows pass.
@@ -25,11 +25,11 @@ bool usable(const double* row, std::int64_t count) {
 void check_row(const double* row, std::int64_t cols, std::int64_t r, const char* name) {
     for (std::int64_t c = 0; c < cols; ++c) {
         if (!std::isfinite(row[c]))
-            fail(Status::not_finite, "{}: row {}, column {} is {}; fill or cut gaps first", name, r,
-                 c, std::isnan(row[c]) ? "NaN" : "infinite");
+            fail(Status::not_finite, "{}: row {}, column {} is {}; fill or remove gaps first", name,
+                 r, c, std::isnan(row[c]) ? "NaN" : "infinite");
         if (std::abs(row[c]) > largest_number)
             fail(Status::not_finite,
-                 "{}: row {}, column {} is {}; beyond {} distances are infinite: use another unit",
+                 "{}: row {}, column {} is {}; beyond {} distances are infinite; use another unit",
                  name, r, c, row[c], largest_number);
     }
 }
@@ -51,26 +51,26 @@ void check_frames(ConstMatrixView frames, std::span<const std::int64_t> lengths,
         fail(Status::shape, "{} frames of {} features were given; at least one of each is needed",
              frames.rows, frames.cols);
     if (frames.rows > std::numeric_limits<std::int32_t>::max())
-        fail(Status::unsupported, "{} frames are more than the {} that can be numbered",
-             frames.rows, std::numeric_limits<std::int32_t>::max());
-    std::int64_t rest = frames.rows;
+        fail(Status::unsupported, "{} frames are too many; the limit is {}", frames.rows,
+             std::numeric_limits<std::int32_t>::max());
+    std::int64_t left = frames.rows;
     for (std::size_t c = 0; c < lengths.size(); ++c) {
-        if (lengths[c] < 1 || lengths[c] > rest)
+        if (lengths[c] < 1 || lengths[c] > left)
             fail(Status::shape,
                  "clip {} has length {}, with {} frames left of {}; lengths must be "
                  "positive and sum to the number of frames",
-                 c, lengths[c], rest, frames.rows);
-        rest -= lengths[c];
+                 c, lengths[c], left, frames.rows);
+        left -= lengths[c];
     }
-    if (rest != 0)
+    if (left != 0)
         fail(Status::shape, "the clips' lengths sum to {}, not to the {} frames given",
-             frames.rows - rest, frames.rows);
+             frames.rows - left, frames.rows);
     check_numbers(frames, name, threads);
 }
 
 namespace {
 
-/// Of each frame, 1 where it equals the one before it, else 0.
+/// For each frame, 1 if it equals the previous one, else 0.
 std::vector<std::uint8_t> repeats(ConstMatrixView frames, int threads) {
     std::vector<std::uint8_t> result(static_cast<std::size_t>(frames.rows));
     for_row_blocks(
@@ -106,7 +106,7 @@ DistinctFrames collapse_repeats(ConstMatrixView frames, std::span<const std::int
     distinct.x = frames;
     if (distinct.repeated > 0) {
         distinct.storage = Matrix(kept, frames.cols);
-        for (std::int64_t i = frames.rows; i-- > 0;) // the first of equals is the last to be copied
+        for (std::int64_t i = frames.rows; i-- > 0;) // of equal frames, the first is copied last
             std::copy_n(frames.row(i), frames.cols,
                         distinct.storage.row(distinct.row_of[static_cast<std::size_t>(i)]));
         distinct.x = distinct.storage.view();
@@ -116,19 +116,19 @@ DistinctFrames collapse_repeats(ConstMatrixView frames, std::span<const std::int
 
 void fail_changed(std::int64_t frame) {
     fail(Status::not_finite,
-         "distances to frame {} became NaN during the call: the frames were changed meanwhile; do "
-         "not write into an array that a call reads",
+         "distances to frame {} became NaN during the call, so the frames were changed; do not "
+         "write to an array while a call reads it",
          frame);
 }
 
 namespace {
 
-/// Frames farther apart than this are not scaled. Windows see distances that are smaller than those
-/// of the whole clip, in columns that may be smaller than others, and their fourth powers: fits
-/// were exact down to 1e-70 with columns of 1e-11 to 1.
+/// Frames farther apart than this are not scaled. The limit has a wide margin, because distances
+/// within a window are smaller, columns differ in size, and fourth powers occur: fits were accurate
+/// down to 1e-70 with columns of sizes 1e-11 to 1.
 constexpr double tiny_spread = 0x1p-100;
 
-/// The largest difference of an entry from that of the first frame, or some above tiny_spread.
+/// The largest difference of an entry from the first frame's; any value if above tiny_spread.
 double spread_of(ConstMatrixView x) {
     double spread = 0;
     for (std::int64_t i = 1; i < x.rows && spread <= tiny_spread; ++i)
@@ -160,13 +160,13 @@ void check_clip_lengths(const Parameters& parameters, const DistinctFrames& fram
     for (std::size_t c = 0; c < frames.lengths.size(); ++c)
         if (frames.lengths[c] < needed)
             fail(Status::too_few_frames,
-                 "{} has {} distinct frames, and {} neighbors need at least "
+                 "{} has {} distinct frames, but {} neighbors need at least "
                  "{}; use fewer neighbors{}",
                  one ? "the clip" : format_text("clip {}", c), frames.lengths[c],
-                 parameters.neighbors, needed, one ? "" : " or leave it out");
+                 parameters.neighbors, needed, one ? "" : " or omit this clip");
 }
 
-/// One distinct frame where several were given.
+/// Throws if each clip has one distinct frame but several were given.
 void check_variation(const DistinctFrames& frames) {
     if (frames.repeated > 0 && frames.x.rows == static_cast<std::int64_t>(frames.lengths.size()))
         fail(Status::degenerate, "nothing moves: {}",
@@ -196,7 +196,7 @@ void check_parameters(const Parameters& p, const DistinctFrames& frames) {
     }
     if (p.neighbors > p.window + self)
         fail(Status::argument,
-             "{} neighbors do not fit into the window of {} frames to each side, "
+             "{} neighbors do not fit into the window of {} frames on each side, "
              "which leaves {} at the ends of a clip; use a window of at least {}",
              p.neighbors, p.window, p.window + self, p.neighbors - self);
     check_variation(frames);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Checks of the frames before any work, and frames that repeat the one before.
+// Checks of the frames before any work, and removal of repeated frames.
 #pragma once
 
 #include <cstdint>
@@ -11,15 +11,15 @@
 
 namespace stltsa::ltsa {
 
-/// Throws for a number that is NaN or infinite, or so large that distances would be.
+/// Throws if a number is NaN, infinite, or so large that distances would be infinite.
 void check_numbers(ConstMatrixView numbers, const char* name, int threads = 1);
 
-/// The same for frames, and for none of them and for lengths that do not sum to the rows.
+/// Checks the numbers, that there are frames, and that the lengths sum to the rows.
 void check_frames(ConstMatrixView frames, std::span<const std::int64_t> lengths,
                   const char* name = "frames", int threads = 1);
 
-/// The frames without those that equal their predecessor in every feature. A window of held
-/// frames has no tangent, and a hold longer than the window would cut the clip in two.
+/// The frames without those that equal their predecessor in every feature: a window of equal frames
+/// has no tangent, and a hold longer than the window would split the clip.
 struct DistinctFrames {
     Matrix storage; ///< used only if something repeats or is scaled
     ConstMatrixView x;
@@ -31,16 +31,15 @@ struct DistinctFrames {
 DistinctFrames collapse_repeats(ConstMatrixView frames, std::span<const std::int64_t> lengths,
                                 int threads);
 
-/// Throws for a frame whose numbers are no longer those that check_frames() passed: another thread
-/// of the caller's may write into an array that is read in place.
+/// Throws for a frame that has changed since check_frames(): another thread may write to the
+/// caller's array, which is read in place.
 [[noreturn]] void fail_changed(std::int64_t frame);
 
-/// Scales frames that all lie so close together that squares of their distances would underflow, by
-/// a power of two, which is exact; the embedding does not depend on it. They vary, which
-/// check_parameters() has made sure of.
+/// If squared distances would underflow, scales the frames by a power of two, which is exact; the
+/// embedding does not depend on the scale. check_parameters() has ensured that the frames vary.
 void scale_tiny(DistinctFrames& frames);
 
-/// Throws for parameters that do not fit each other or the distinct frames.
+/// Throws if parameters contradict each other or do not fit the distinct frames.
 void check_parameters(const Parameters& parameters, const DistinctFrames& frames);
 
 } // namespace stltsa::ltsa

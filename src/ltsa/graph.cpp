@@ -10,11 +10,12 @@ namespace stltsa::ltsa {
 
 namespace {
 
+/// Table 1, step 1; Table 1, step 2; Table 1, step 3.
 void find_neighbors_and_tangents(const Parameters& parameters, const Progress& progress,
                                  Graph& graph) {
     const ConstMatrixView x = graph.frames.x;
     const std::vector<std::int64_t>& lengths = graph.frames.lengths;
-    // The first half of the stage "neighbors" is the choice of k.
+    // The first half of stage "neighbors" is the choice of k.
     const Progress search = progress.part(1, 2);
     switch (parameters.mode) {
     case Mode::temporal:

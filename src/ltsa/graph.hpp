@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The part of a fit that does not depend on the number of coordinates.
+// The part of a fit that does not depend on the number of coordinates:
+// Table 1, step 1; Table 1, step 2; Table 1, step 3.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +14,7 @@
 
 namespace stltsa::ltsa {
 
-/// Frames, neighborhoods, components and tangents of parameters.dimension dimensions.
+/// Distinct frames, their neighborhoods and components, and parameters.dimension tangents of each.
 struct Graph {
     DistinctFrames frames;
     Neighborhoods neighborhoods;
@@ -22,11 +23,12 @@ struct Graph {
     Parameters parameters;
 };
 
-/// `frames` and `lengths` passed check_frames().
+/// `frames` and `lengths` have passed check_frames().
 Graph build_graph(ConstMatrixView frames, std::span<const std::int64_t> lengths,
                   const Parameters& parameters, const Progress& progress);
 
-/// Directions in which some window of each component varies: no more coordinates can be embedded.
+/// The largest number of coordinates that can be embedded: in every component, some window varies
+/// in so many directions.
 int varying_directions(const Graph& graph);
 
 } // namespace stltsa::ltsa

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The result of STLTSA and what is known about its quality.
+// The result of a fit and measures of its quality.
 #pragma once
 
 #include <cstdint>
@@ -13,10 +13,10 @@
 
 namespace stltsa::ltsa {
 
-/// The error estimate of an embedding about whose error nothing is known: a right angle.
+/// The error estimate of an embedding with unknown error: a right angle.
 inline constexpr double unknown_error = 0.5 * std::numbers::pi;
 
-/// One connected part of the neighborhood graph; each is embedded on its own.
+/// A connected component of the neighborhood graph; each is embedded separately.
 struct Component {
     std::int64_t frames = 0;         ///< distinct frames in it
     std::vector<double> eigenvalues; ///< ascending, the zero one first: 0, lambda_2, lambda_3, ...
@@ -34,13 +34,13 @@ struct Model {
     Matrix coords;                     ///< frames x d; per component: centered, unit norm columns
     UnsetVector<std::int64_t> component_of; ///< per frame, 0-based, numbered by first frame
     std::vector<Component> components;
-    std::int64_t repeated_frames = 0; ///< frames equal to the one before, collapsed before the fit
+    std::int64_t repeated_frames = 0; ///< frames equal to the previous one, removed before the fit
     /// |Rank correlation| of coordinate 1 with time; near 1: the coordinate only follows time.
     double time_correlation = 0;
     Warnings warnings;
 };
 
-/// The first frame that is in another part than the frame before it in its clip; -1: none.
+/// The first frame in another component than the previous frame of its clip; -1: none.
 std::int64_t first_cut(const Model& model);
 
 } // namespace stltsa::ltsa

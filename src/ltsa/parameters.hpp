@@ -16,13 +16,13 @@ enum class Mode : std::int32_t {
 
 /// The parameters of a fit; every field is set ("auto" is resolved in results).
 struct Parameters {
-    std::int64_t neighbors = 12; ///< k, the frame itself counted when include_self
-    std::int64_t window = 12;    ///< w, frames to each side
+    std::int64_t neighbors = 12; ///< k, including the frame itself if include_self
+    std::int64_t window = 12;    ///< w, frames on each side
     int dimension = 2;           ///< d
     Mode mode = Mode::temporal;
     bool include_self = true;
     std::int64_t links = 4;     ///< recurrent: neighbors from outside the exclusion zone
-    std::int64_t exclusion = 0; ///< recurrent: frames to each side that are not links
+    std::int64_t exclusion = 0; ///< recurrent: frames on each side that are not links
     int threads = 1;
     Simd simd = widest_simd(); ///< for tests: results are the same for all
 };

@@ -14,10 +14,10 @@ constexpr double largest_time_correlation = 0.98;
 constexpr double small_gap = 1.05;
 /// A larger estimated error is visible in a plot.
 constexpr double large_error = 1e-6;
-/// Beyond this angle, which a share of 2e-7 of a window's first eigenvalue makes, features with
-/// different units are likely: in recorded motion it stayed below 1e-10.
+/// Above this angle, which corresponds to 2e-7 of a window's first eigenvalue, features probably
+/// have different units: in recorded motion it stayed below 1e-10.
 constexpr double large_rounding = 1e-9;
-/// Frames that the rank correlation is computed of.
+/// Frames whose rank correlation is computed.
 constexpr std::size_t most_ranked = 1 << 14;
 
 } // namespace
@@ -49,12 +49,12 @@ Warnings warnings_of(const Graph& graph, const Model& model) {
     };
     if (model.parameters.mode == Mode::temporal &&
         model.time_correlation > largest_time_correlation)
-        warn(
-            WarningCode::follows_time,
-            format_text("coordinate 1 only follows time (rank correlation {:.3f}): the motion does "
-                        "not turn back within {} neighbors; if it has cycles, use about 1.2 cycles "
-                        "of neighbors",
-                        model.time_correlation, model.parameters.neighbors));
+        warn(WarningCode::follows_time,
+             format_text(
+                 "coordinate 1 only follows time (rank correlation {:.3f}): the motion does "
+                 "not turn back within {} neighbors; if it is cyclic, use as many neighbors as "
+                 "there are frames in 1.2 cycles",
+                 model.time_correlation, model.parameters.neighbors));
     std::int64_t deficient = 0;
     double gap = INFINITY;
     double error = 0;
@@ -71,21 +71,22 @@ Warnings warnings_of(const Graph& graph, const Model& model) {
     if (gap < small_gap)
         warn(WarningCode::small_gap,
              format_text(
-                 "the eigenvalues on both sides of dimension {} differ by {:.2g} % only: another "
+                 "the eigenvalues on both sides of dimension {} differ by only {:.2g} %: another "
                  "dimension is better defined",
                  model.parameters.dimension, 100 * (gap - 1)));
     const auto last = static_cast<std::size_t>(model.parameters.dimension - 1);
     if (graph.tangents.rounding[last] > large_rounding)
-        warn(WarningCode::unscaled,
-             format_text(
-                 "direction {} of the windows is so small beside the first that rounding may turn "
-                 "it by "
-                 "{:.1g} radians: if features have different units, scale them to similar ranges",
-                 last + 1, graph.tangents.rounding[last]));
+        warn(
+            WarningCode::unscaled,
+            format_text(
+                "direction {} of the windows is so small compared with the first that rounding may "
+                "turn it by {:.1g} radians: if features have different units, scale them to "
+                "similar ranges",
+                last + 1, graph.tangents.rounding[last]));
     if (error >= unknown_error)
         warn(WarningCode::inaccurate,
              "the error of the embedding is unknown: its eigenvalues are rounding noise; if "
-             "features differ much in size, scale them");
+             "features differ greatly in magnitude, scale them");
     else if (error > large_error)
         warn(WarningCode::inaccurate,
              format_text("the embedding may be off by {:.1g} radians: the eigenvalues "
@@ -96,8 +97,8 @@ Warnings warnings_of(const Graph& graph, const Model& model) {
 
 Warning parts_warning(const Model& model, const std::string& cut, double cut_s) {
     return {WarningCode::disconnected,
-            format_text("the neighborhood graph falls apart into {} parts{}; each part has "
-                        "coordinates of its own (a cut in the clip? try recurrent, or more "
+            format_text("the neighborhood graph splits into {} parts{}; each part has its own "
+                        "coordinates (is there a cut in the clip? try recurrent, or more "
                         "neighbors)",
                         model.components.size(), cut.empty() ? "" : ", cut at " + cut),
             cut_s, cut_s};

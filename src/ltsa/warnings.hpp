@@ -14,10 +14,10 @@ namespace stltsa::ltsa {
 /// 1 if the coordinate only follows time. `coords`: distinct frames x d.
 double time_correlation(const Graph& graph, const Matrix& coords);
 
-/// All but that of the parts: only the caller knows what its frames are called.
+/// All warnings except parts_warning(), because only the caller can name the cut.
 Warnings warnings_of(const Graph& graph, const Model& model);
 
-/// `cut`: where first_cut(model) lies; empty: nowhere. `cut_s`: when; no_time: unknown.
+/// `cut`: a name for first_cut(model); empty: no cut. `cut_s`: its time; no_time: unknown.
 Warning parts_warning(const Model& model, const std::string& cut, double cut_s);
 
 } // namespace stltsa::ltsa

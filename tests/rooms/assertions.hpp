@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Shared by all tests of single rooms: cmocka for C++, and comparing numbers.
+// Shared by all tests of single rooms: cmocka for C++, and comparison of numbers.
 #pragma once
 
 // cmocka.h needs these headers first.

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The alignment matrix B of one component in a basis where it has no null vector, factored.
-//
-// B e = 0 holds exactly, and the eigenvalues that are wanted are tiny (1e-13 for a million
-// frames), so B plus a shift, factored, keeps few digits or none. Both classes below solve with
-// B on the complement of e instead.
+// The alignment matrix B of one component (Table 1, step 4), factored in a basis without its null
+// vector: B e = 0 exactly, and the wanted eigenvalues are tiny (1e-13 for a million frames), so a
+// factor of B plus a shift would lose most of their digits.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +13,7 @@
 
 namespace stltsa::ltsa {
 
-/// Vectors come as panels, or as one column each.
+/// Solves with B on the complement of e. Vectors are panels, or single columns.
 class Alignment {
   public:
     Alignment(const Patches& patches, const Machine& machine)
@@ -28,32 +26,32 @@ class Alignment {
 
     /// The right-hand side in the unknowns for values x at the frames, with their mean removed.
     virtual void restrict_to(ConstMatrixView x, MatrixView unknowns) const = 0;
-    /// Values at the frames, of zero mean, from unknowns.
+    /// Values at the frames, with zero mean, from unknowns.
     virtual void prolong(ConstMatrixView unknowns, MatrixView x) const = 0;
-    /// Solves with the factor, in place, for the first `count` columns.
+    /// Solves in place for the first `count` columns.
     void solve(MatrixView unknowns, std::int64_t count) const;
 
-    /// out := B' in, and x^T B x for the x of the first `count` of the unknowns `in`, a panel:
-    /// count rows. Through the patches, never through the rounded matrix: what refinement rests on.
+    /// out := B' in. Returns the first `count` rows of x^T B x, with x the prolongation of `in`.
+    /// Computed from the patches, not from the rounded matrix, which makes refinement possible.
     virtual Matrix apply(ConstMatrixView in, MatrixView out, std::int64_t count) const = 0;
-    /// The inverse of restrict_to(): values of zero mean at the frames.
+    /// The inverse of restrict_to(): values at the frames with zero mean.
     virtual void at_frames(ConstMatrixView right, MatrixView x) const = 0;
 
     const Patches& patches() const { return *patches_; }
 
   protected:
-    /// The same for right-hand sides that are rows.
+    /// Solves for right-hand sides that are rows.
     virtual void solve_rows(MatrixView rows) const = 0;
 
     const Patches* patches_;
     Machine machine_;
 };
 
-/// For temporal neighborhoods: unknowns z_c = x_{c+1} - x_c, banded, LAPACK.
+/// For temporal neighborhoods: B' in differences z_c = x_{c+1} - x_c, banded, factored by LAPACK.
 std::unique_ptr<Alignment> difference_alignment(const Patches& patches, const Machine& machine);
 
-/// For neighborhoods that are not banded: the last frame grounded, CHOLMOD.
-/// Throws Status::unsupported in a build without CHOLMOD.
+/// For any neighborhoods: B without its last row and column (the frame is grounded), sparse,
+/// factored by CHOLMOD. Throws Status::unsupported in a build without CHOLMOD.
 std::unique_ptr<Alignment> grounded_alignment(const Patches& patches, const Machine& machine);
 
 } // namespace stltsa::ltsa

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// B of Table 1, step 4, in differences z_c = x_{c+1} - x_c: B' = S^T B S, with S the running sum.
+// Builds the alignment matrix B (Table 1, step 4) in differences z_c = x_{c+1} - x_c as a band
+// matrix: B' = S^T B S, with S the running sum.
 #pragma once
 
 #include <cstdint>
@@ -9,10 +10,10 @@
 
 namespace stltsa::ltsa {
 
-/// How far B' reaches beside its diagonal.
-std::int64_t reach_of(const Patches& patches);
+/// Subdiagonals of B'.
+std::int64_t bandwidth_of(const Patches& patches);
 
-/// b := B'. Every entry is summed in the same order for any number of threads.
-void assemble(const Patches& patches, int threads, BandMatrix& b);
+/// Table 1, step 4: b := B'. Sums are in the same order for any number of threads.
+void assemble_b(const Patches& patches, int threads, BandMatrix& b);
 
 } // namespace stltsa::ltsa

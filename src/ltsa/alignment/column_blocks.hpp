@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The columns of B' in blocks for threads, each with the patches that add to it.
+// Blocks of columns of B' for threads, each with the patches that contribute to it.
 #pragma once
 
 #include <algorithm>
@@ -11,8 +11,8 @@
 
 namespace stltsa::ltsa {
 
-/// For each block of columns a range of patches with all that touch it: patches are in order of
-/// their center frame, not of their first.
+/// A range of patches that includes all that touch a block of columns, and maybe others: patches
+/// are ordered by their center frame, not by their first.
 struct PatchRange {
     std::int64_t begin, end;
 };
@@ -21,10 +21,10 @@ inline std::vector<PatchRange> patches_by_block(const Patches& patches, std::int
                                                 std::int64_t blocks) {
     std::vector<PatchRange> ranges(static_cast<std::size_t>(blocks), {patches.count(), 0});
     std::int64_t begin = 0;
-    for (const Patches::Hull& hull : patches.hulls()) {
-        const std::int64_t end = std::min(begin + Patches::hull_size, patches.count());
-        const std::int64_t last = std::max(hull.first, hull.last - 1) / column_block;
-        for (std::int64_t b = hull.first / column_block; b <= std::min(last, blocks - 1); ++b) {
+    for (const Patches::FrameRange& frames : patches.group_ranges()) {
+        const std::int64_t end = std::min(begin + Patches::group_size, patches.count());
+        const std::int64_t last = std::max(frames.first, frames.last - 1) / column_block;
+        for (std::int64_t b = frames.first / column_block; b <= std::min(last, blocks - 1); ++b) {
             auto& range = ranges[static_cast<std::size_t>(b)];
             range.begin = std::min(range.begin, begin);
             range.end = std::max(range.end, end);
@@ -34,8 +34,7 @@ inline std::vector<PatchRange> patches_by_block(const Patches& patches, std::int
     return ranges;
 }
 
-/// Calls work(begin, end, patches) for all columns [begin, end) and the patches that may touch
-/// them.
+/// Calls work(begin, end, patches) for each block of columns [begin, end).
 template <class Work>
 void for_column_blocks(const Patches& patches, std::int64_t order, std::int64_t column_block,
                        int threads, const Work& work) {

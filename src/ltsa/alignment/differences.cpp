@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Alignment in differences. With x = S z (S the running sum), B' = S^T B S keeps the band of B, has
-// no null vector, and its smallest eigenvalues are larger by about n^2.
+// Alignment in differences: with x = S z (S the running sum), B' = S^T B S keeps the band of B but
+// has no null vector, and its smallest eigenvalues are larger by about n^2.
 #include "ltsa/alignment/alignment.hpp"
 
 #include <algorithm>
@@ -12,13 +12,13 @@
 namespace stltsa::ltsa {
 namespace {
 
-/// Pivots this small against their diagonal entry mean a flat direction: regular ones stay above
-/// 5e-5 on motion and on smooth synthetic curves, flat ones are below 1e-16.
+/// A pivot below this share of its diagonal entry means a flat direction. Others stay above 5e-5 on
+/// motion and on smooth synthetic curves; flat ones are below 1e-16.
 constexpr double smallest_pivot = 1e-13;
 
 /// Frames in a flat space of d dimensions make B' singular: the embedding is its null space. A
-/// shift of this share of the largest diagonal entry then stands in for the zero eigenvalues, the
-/// same for all of them; inverse iteration through the patches removes what it does to the vectors.
+/// shift of this share of the largest diagonal entry then replaces the zero eigenvalues, and
+/// inverse iteration through the patches removes its effect on the vectors.
 constexpr double flat_shift = 1e-13;
 
 /// Values at a patch's frames from differences, up to a constant: running sums from the middle of
@@ -71,17 +71,17 @@ void shift_diagonal(BandMatrix& b, double share) {
         *b.column(c) += share * largest;
 }
 
-class DifferenceAlignment final : public PassingAlignment<RunningSums> {
+class DifferenceAlignment final : public PatchwiseAlignment<RunningSums> {
   public:
     DifferenceAlignment(const Patches& patches, const Machine& machine)
-        : PassingAlignment(patches, machine), b_(patches.frames() - 1, reach_of(patches)) {
-        assemble(patches, machine.threads, b_);
+        : PatchwiseAlignment(patches, machine), b_(patches.frames() - 1, bandwidth_of(patches)) {
+        assemble_b(patches, machine.threads, b_);
         if (b_.factor(smallest_pivot))
             return;
-        assemble(patches, machine.threads, b_);
+        assemble_b(patches, machine.threads, b_);
         shift_diagonal(b_, flat_shift);
         if (!b_.factor(0))
-            fail(Status::degenerate, "the frames do not vary in {} directions",
+            fail(Status::degenerate, "the frames vary in fewer than {} directions",
                  patches.dimension());
     }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Alignment for neighborhoods that reach anywhere: the value of the last frame is set to zero, so
-// the remaining rows and columns of B are regular, and a solution, centered, is that of the
-// pseudo-inverse. Differences would fill the matrix here.
+// Alignment for neighborhoods without a band. The value of the last frame is fixed at zero (it is
+// grounded): the remaining rows and columns of B are regular, and a centered solution is that of
+// the pseudo-inverse. Differences would fill the matrix here.
 #include "ltsa/alignment/alignment.hpp"
 
 #ifdef STLTSA_CHOLMOD
@@ -17,48 +17,50 @@ namespace stltsa::ltsa {
 #ifdef STLTSA_CHOLMOD
 namespace {
 
-/// Which patches hold a frame, and where: the patches of frame f are entries
-/// begin[f] .. begin[f + 1] - 1, ascending.
-struct Holders {
-    struct Place {
+/// The patches that contain each frame, and the frame's position there: entries begin[f] ..
+/// begin[f + 1] - 1 for frame f, with patches ascending.
+struct PatchesByFrame {
+    struct Occurrence {
         std::int32_t patch, position;
     };
     std::vector<std::int64_t> begin;
-    std::vector<Place> places;
+    std::vector<Occurrence> occurrences;
 };
 
-Holders holders_of(const Patches& patches) {
-    Holders holders;
-    holders.begin.assign(static_cast<std::size_t>(patches.frames()) + 1, 0);
+PatchesByFrame patches_by_frame(const Patches& patches) {
+    PatchesByFrame by_frame;
+    by_frame.begin.assign(static_cast<std::size_t>(patches.frames()) + 1, 0);
     for (std::int64_t p = 0; p < patches.count(); ++p)
         for (const std::int32_t frame : patches.of(p))
-            ++holders.begin[static_cast<std::size_t>(frame) + 1];
-    for (std::size_t f = 1; f < holders.begin.size(); ++f)
-        holders.begin[f] += holders.begin[f - 1];
-    holders.places.resize(static_cast<std::size_t>(holders.begin.back()));
-    auto next = holders.begin;
+            ++by_frame.begin[static_cast<std::size_t>(frame) + 1];
+    for (std::size_t f = 1; f < by_frame.begin.size(); ++f)
+        by_frame.begin[f] += by_frame.begin[f - 1];
+    by_frame.occurrences.resize(static_cast<std::size_t>(by_frame.begin.back()));
+    auto next = by_frame.begin;
     for (std::int64_t p = 0; p < patches.count(); ++p) {
         std::int32_t position = 0;
-        for (const std::int32_t frame : patches.of(p))
-            holders.places[static_cast<std::size_t>(next[static_cast<std::size_t>(frame)]++)] = {
-                static_cast<std::int32_t>(p), position++};
+        for (const std::int32_t frame : patches.of(p)) {
+            const auto at = static_cast<std::size_t>(next[static_cast<std::size_t>(frame)]++);
+            by_frame.occurrences[at] = {static_cast<std::int32_t>(p), position++};
+        }
     }
-    return holders;
+    return by_frame;
 }
 
-/// Column `column` of B from its diagonal down, summed patch by patch in fixed order.
-class ColumnSum {
+/// A column of B from its diagonal down, summed over the patches in fixed order.
+class ColumnOfB {
   public:
-    ColumnSum(const Patches& patches, const Holders& holders)
-        : patches_(patches), holders_(holders), value_(static_cast<std::size_t>(patches.frames())),
+    ColumnOfB(const Patches& patches, const PatchesByFrame& by_frame)
+        : patches_(patches), by_frame_(by_frame),
+          value_(static_cast<std::size_t>(patches.frames())),
           seen_(static_cast<std::size_t>(patches.frames()), -1) {}
 
     void compute(std::int64_t column) {
         rows.clear();
-        const auto begin = holders_.begin[static_cast<std::size_t>(column)];
-        const auto end = holders_.begin[static_cast<std::size_t>(column) + 1];
+        const auto begin = by_frame_.begin[static_cast<std::size_t>(column)];
+        const auto end = by_frame_.begin[static_cast<std::size_t>(column) + 1];
         for (auto at = begin; at < end; ++at)
-            add(holders_.places[static_cast<std::size_t>(at)], column);
+            add(by_frame_.occurrences[static_cast<std::size_t>(at)], column);
         std::sort(rows.begin(), rows.end());
     }
 
@@ -66,10 +68,10 @@ class ColumnSum {
     double value(std::int32_t row) const { return value_[static_cast<std::size_t>(row)]; }
 
   private:
-    void add(Holders::Place place, std::int64_t column) {
+    void add(PatchesByFrame::Occurrence occurrence, std::int64_t column) {
         const auto frames =
-            patches_.of(place.patch).subspan(static_cast<std::size_t>(place.position));
-        fill_terms(place, static_cast<std::int64_t>(frames.size()));
+            patches_.of(occurrence.patch).subspan(static_cast<std::size_t>(occurrence.position));
+        fill_terms(occurrence, static_cast<std::int64_t>(frames.size()));
         for (std::size_t j = 0; j < frames.size(); ++j) {
             const auto row = static_cast<std::size_t>(frames[j]);
             if (seen_[row] != column) {
@@ -81,37 +83,38 @@ class ColumnSum {
         }
     }
     /// The contribution of a patch to a column, beginning with the column's own frame.
-    void fill_terms(Holders::Place place, std::int64_t count) {
+    void fill_terms(PatchesByFrame::Occurrence occurrence, std::int64_t count) {
         terms_.assign(static_cast<std::size_t>(count), -1.0 / static_cast<double>(patches_.size()));
         terms_[0] += 1;
         for (std::int64_t l = 0; l < patches_.dimension(); ++l) {
-            const double* g = patches_.direction(place.patch, l) + place.position;
+            const double* g = patches_.direction(occurrence.patch, l) + occurrence.position;
             axpy(-*g, g, terms_.data(), count);
         }
     }
 
     const Patches& patches_;
-    const Holders& holders_;
+    const PatchesByFrame& by_frame_;
     std::vector<double> value_;
-    std::vector<std::int64_t> seen_; ///< column for which a value was started
+    std::vector<std::int64_t> seen_; ///< the column that the value belongs to
     AlignedVector<double> terms_;
 };
 
-SparseColumns assemble(const Patches& patches) {
-    const Holders holders = holders_of(patches);
-    ColumnSum sum(patches, holders);
-    const std::int64_t order = patches.frames() - 1; // the last frame is the ground
-    SparseColumns matrix{order, {0}, {}, {}};
+/// Table 1, step 4: B without the last row and column, which belong to the grounded frame.
+SparseColumns assemble_b(const Patches& patches) {
+    const PatchesByFrame by_frame = patches_by_frame(patches);
+    ColumnOfB entries(patches, by_frame);
+    const std::int64_t order = patches.frames() - 1;
+    SparseColumns b{order, {0}, {}, {}};
     for (std::int64_t column = 0; column < order; ++column) {
-        sum.compute(column);
-        for (const std::int32_t row : sum.rows)
+        entries.compute(column);
+        for (const std::int32_t row : entries.rows)
             if (row < order) {
-                matrix.rows.push_back(row);
-                matrix.values.push_back(sum.value(row));
+                b.rows.push_back(row);
+                b.values.push_back(entries.value(row));
             }
-        matrix.begin.push_back(static_cast<std::int64_t>(matrix.rows.size()));
+        b.begin.push_back(static_cast<std::int64_t>(b.rows.size()));
     }
-    return matrix;
+    return b;
 }
 
 /// Values at a patch's frames are the unknowns themselves, except at the grounded frame.
@@ -132,10 +135,10 @@ struct GroundedValues {
     }
 };
 
-class GroundedAlignment final : public PassingAlignment<GroundedValues> {
+class GroundedAlignment final : public PatchwiseAlignment<GroundedValues> {
   public:
     GroundedAlignment(const Patches& patches, const Machine& machine)
-        : PassingAlignment(patches, machine), factor_(assemble(patches)) {}
+        : PatchwiseAlignment(patches, machine), factor_(assemble_b(patches)) {}
 
     void restrict_to(ConstMatrixView x, MatrixView unknowns) const override {
         std::copy_n(x.data, unknowns.rows * unknowns.cols, unknowns.data);

@@ -17,22 +17,22 @@ void Alignment::solve(MatrixView unknowns, std::int64_t count) const {
 
 namespace {
 
-/// A whole number of hulls.
+/// Patches of a block: a multiple of the group size.
 std::int64_t block_size(const Patches& patches) {
-    constexpr std::int64_t hull = Patches::hull_size;
-    return hull * std::max<std::int64_t>(8, (4 * patches.size() + hull - 1) / hull);
+    constexpr std::int64_t group = Patches::group_size;
+    return group * std::max<std::int64_t>(8, (4 * patches.size() + group - 1) / group);
 }
 
-/// Whether no two blocks of one parity can have a frame in common, as far as hulls tell.
-bool are_apart(std::span<const Patches::Hull> hulls, std::size_t hulls_in_block) {
-    std::int32_t before[2] = {-1, -1}; // last frame so far, at the end of a block of each parity
+/// Whether, by the frame ranges of the groups, no two blocks of one parity share a frame.
+bool are_apart(std::span<const Patches::FrameRange> ranges, std::size_t groups_in_block) {
+    std::int32_t before[2] = {-1, -1}; // last frame of the earlier blocks of each parity
     std::int32_t last = -1;
-    for (std::size_t h = 0; h < hulls.size(); ++h) {
-        const std::size_t parity = h / hulls_in_block % 2;
-        if (hulls[h].first <= before[parity])
+    for (std::size_t g = 0; g < ranges.size(); ++g) {
+        const std::size_t parity = g / groups_in_block % 2;
+        if (ranges[g].first <= before[parity])
             return false;
-        last = std::max(last, hulls[h].last);
-        if ((h + 1) % hulls_in_block == 0)
+        last = std::max(last, ranges[g].last);
+        if ((g + 1) % groups_in_block == 0)
             before[parity] = last;
     }
     return true;
@@ -43,7 +43,7 @@ bool are_apart(std::span<const Patches::Hull> hulls, std::size_t hulls_in_block)
 PatchBlocks::PatchBlocks(const Patches& patches)
     : patches_(patches.count()), size_(block_size(patches)),
       count_((patches.count() + size_ - 1) / size_) {
-    if (!are_apart(patches.hulls(), static_cast<std::size_t>(size_ / Patches::hull_size))) {
+    if (!are_apart(patches.group_ranges(), static_cast<std::size_t>(size_ / Patches::group_size))) {
         size_ = patches_;
         count_ = 1;
     }

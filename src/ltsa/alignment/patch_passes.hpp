@@ -16,12 +16,12 @@ namespace stltsa::ltsa {
 
 /// The sum of term(0) .. term(count - 1), as four independent sums.
 template <class P, class Term>
-STLTSA_INLINE P sum_of(std::int64_t count, const Term& term) {
+STLTSA_INLINE P sum_of_terms(std::int64_t count, const Term& term) {
     P sums[4] = {};
     std::int64_t j = 0;
     for (; j + 4 <= count; j += 4)
-        for (std::int64_t part = 0; part < 4; ++part)
-            sums[part] += term(j + part);
+        for (std::int64_t i = 0; i < 4; ++i)
+            sums[i] += term(j + i);
     for (; j < count; ++j)
         sums[0] += term(j);
     return (sums[0] + sums[1]) + (sums[2] + sums[3]);
@@ -30,11 +30,11 @@ STLTSA_INLINE P sum_of(std::int64_t count, const Term& term) {
 /// v := (I - e e^T/k - G G^T) v for `count` directions G.
 template <std::int64_t count, class P>
 STLTSA_INLINE void project_on(const double* g, std::int64_t k, P* v) {
-    P sums[2][1 + count] = {}; // of even and of odd entries, which do not wait for each other
-    const auto add = [&](std::int64_t part, std::int64_t j) STLTSA_INLINE_LAMBDA {
-        sums[part][0] += v[j];
+    P sums[2][1 + count] = {}; // of even and odd entries, which are independent
+    const auto add = [&](std::int64_t parity, std::int64_t j) STLTSA_INLINE_LAMBDA {
+        sums[parity][0] += v[j];
         for (std::int64_t l = 0; l < count; ++l)
-            sums[part][1 + l] += g[l * k + j] * v[j];
+            sums[parity][1 + l] += g[l * k + j] * v[j];
     };
     std::int64_t j = 0;
     for (; j + 2 <= k; j += 2) {
@@ -48,14 +48,14 @@ STLTSA_INLINE void project_on(const double* g, std::int64_t k, P* v) {
     for (std::int64_t l = 0; l < count; ++l)
         overlaps[l] = sums[0][1 + l] + sums[1][1 + l];
     for (j = 0; j < k; ++j) {
-        P part = mean;
+        P projection = mean;
         for (std::int64_t l = 0; l < count; ++l)
-            part += overlaps[l] * g[l * k + j];
-        v[j] -= part;
+            projection += overlaps[l] * g[l * k + j];
+        v[j] -= projection;
     }
 }
 
-/// The same for any number of directions, some at a time.
+/// The same for any number of directions, at most three at a time.
 template <class P>
 STLTSA_INLINE void project_once(const double* g, std::int64_t k, std::int64_t dimension, P* v) {
     for (; dimension > 3; dimension -= 2, g += 2 * k)
@@ -68,9 +68,9 @@ STLTSA_INLINE void project_once(const double* g, std::int64_t k, std::int64_t di
         project_on<1>(g, k, v);
 }
 
-/// Values at one patch's frames, gathered and projected. Projected twice: g is orthonormal to
-/// rounding only, and what one pass leaves in its span would limit the corrections that rest on
-/// this (by a factor of 10 on motion, of 1000 on smooth curves; measure/accuracy).
+/// Gathers the values at a patch's frames and projects them twice: g is orthonormal only up to
+/// rounding, and the remainder of one projection would limit the accuracy of corrections (by a
+/// factor of 10 on motion, 1000 on smooth curves; see measure/accuracy).
 template <class Access, class P>
 STLTSA_INLINE void project_patch(const Patches& patches, std::int64_t patch,
                                  ConstMatrixView unknowns, std::int64_t column, P* values) {
@@ -81,42 +81,42 @@ STLTSA_INLINE void project_patch(const Patches& patches, std::int64_t patch,
     project_once(g, k, patches.dimension(), values);
 }
 
-/// out += S^T B x for x of the unknowns, and form += x^T B x as sums over patches of squares, so
-/// that small eigenvalues keep their digits.
+/// out += S^T B x for the x of the unknowns, and form += x^T B x as a sum of squares over patches,
+/// so that small eigenvalues keep their digits.
 template <class Access>
 struct ProductPass {
     const Patches& patches;
     std::int64_t begin, end; ///< patches
     ConstMatrixView in;
     MatrixView out;
-    MatrixView form;   ///< a row for each vector in the panel
+    MatrixView form;   ///< one row per vector of the panel
     double* workspace; ///< k rows of a panel, then k packs
 
     template <int W>
     STLTSA_INLINE void run() const {
         const std::int64_t k = patches.size();
         const MatrixView values{workspace, k, in.cols, in.cols};
-        Pack<W>* part = reinterpret_cast<Pack<W>*>(workspace + k * in.cols);
+        Pack<W>* projected = reinterpret_cast<Pack<W>*>(workspace + k * in.cols);
         for (std::int64_t p = begin; p < end; ++p) {
             for (std::int64_t c = 0; c < in.cols; c += W) {
-                project_patch<Access>(patches, p, in, c, part);
-                Access::scatter(patches.of(p).data(), k, part, out, c);
+                project_patch<Access>(patches, p, in, c, projected);
+                Access::scatter(patches.of(p).data(), k, projected, out, c);
                 for (std::int64_t j = 0; j < k; ++j)
-                    pack_at<Pack<W>>(values.row(j) + c) = part[j];
+                    pack_at<Pack<W>>(values.row(j) + c) = projected[j];
             }
             for (std::int64_t i = 0; i < form.rows; ++i)
                 for (std::int64_t c = 0; c < in.cols; c += W)
                     pack_at<Pack<W>>(form.row(i) + c) +=
-                        sum_of<Pack<W>>(k, [&](std::int64_t j) STLTSA_INLINE_LAMBDA {
+                        sum_of_terms<Pack<W>>(k, [&](std::int64_t j) STLTSA_INLINE_LAMBDA {
                             return values(j, i) * pack_at<Pack<W>>(values.row(j) + c);
                         });
         }
     }
 };
 
-/// Patches that are worked on together. Blocks of one parity touch no frame in common, so what they
-/// add to the frames can be added by several threads, first by one parity and then by the other;
-/// where that cannot be had, as neighborhoods reach anywhere, there is one block.
+/// Blocks of patches. Blocks of one parity share no frame, so several threads may add to the frames
+/// at once, first for one parity and then for the other. If that is impossible, because
+/// neighborhoods have distant frames, there is one block.
 class PatchBlocks {
   public:
     explicit PatchBlocks(const Patches& patches);
@@ -129,11 +129,11 @@ class PatchBlocks {
     std::int64_t patches_, size_, count_;
 };
 
-/// An alignment whose passes use Access.
+/// An alignment that is applied patch by patch, with Access.
 template <class Access>
-class PassingAlignment : public Alignment {
+class PatchwiseAlignment : public Alignment {
   public:
-    PassingAlignment(const Patches& patches, const Machine& machine)
+    PatchwiseAlignment(const Patches& patches, const Machine& machine)
         : Alignment(patches, machine), blocks_(patches) {}
 
     Matrix apply(ConstMatrixView in, MatrixView out, std::int64_t count) const override {

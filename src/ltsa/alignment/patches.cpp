@@ -14,33 +14,33 @@ Patches::Patches(const Neighborhoods& neighborhoods, const Tangents& tangents,
       size_(neighborhoods.size), dimension_(dimension), tangents_(&tangents),
       source_(components.windows[static_cast<std::size_t>(component)]),
       index_(neighborhoods.index.data()) {
-    if (components.count > 1) { // else every frame keeps its number
+    if (components.count > 1) { // otherwise frames keep their numbers
         renumbered_.reserve(source_.size() * static_cast<std::size_t>(size_));
         for (const std::int32_t frame : source_)
             for (const std::int32_t member : neighborhoods.of(frame))
                 renumbered_.push_back(components.position[static_cast<std::size_t>(member)]);
         index_ = renumbered_.data();
     }
-    static_assert(row_block % hull_size == 0);
-    hulls_.resize(static_cast<std::size_t>((count() + hull_size - 1) / hull_size));
+    static_assert(row_block % group_size == 0);
+    group_ranges_.resize(static_cast<std::size_t>((count() + group_size - 1) / group_size));
     std::vector<std::int64_t> deficient(static_cast<std::size_t>(row_blocks(count())));
     for_row_blocks(
         count(), machine, [&](std::int64_t block, std::int64_t first, std::int64_t rows) {
-            for (std::int64_t p = first; p < first + rows; p += hull_size)
-                hulls_[static_cast<std::size_t>(p / hull_size)] =
-                    hull_of(p, std::min(p + hull_size, first + rows));
+            for (std::int64_t p = first; p < first + rows; p += group_size)
+                group_ranges_[static_cast<std::size_t>(p / group_size)] =
+                    range_of(p, std::min(p + group_size, first + rows));
             deficient[static_cast<std::size_t>(block)] = count_rank_deficient(first, first + rows);
         });
     rank_deficient_ = std::accumulate(deficient.begin(), deficient.end(), std::int64_t{0});
 }
 
-Patches::Hull Patches::hull_of(std::int64_t begin, std::int64_t end) const {
-    Hull hull{of(begin).front(), of(begin).back()};
+Patches::FrameRange Patches::range_of(std::int64_t begin, std::int64_t end) const {
+    FrameRange range{of(begin).front(), of(begin).back()};
     for (std::int64_t p = begin + 1; p < end; ++p) {
-        hull.first = std::min(hull.first, of(p).front());
-        hull.last = std::max(hull.last, of(p).back());
+        range.first = std::min(range.first, of(p).front());
+        range.last = std::max(range.last, of(p).back());
     }
-    return hull;
+    return range;
 }
 
 std::int64_t Patches::count_rank_deficient(std::int64_t begin, std::int64_t end) const {

@@ -12,9 +12,8 @@
 namespace stltsa::ltsa {
 namespace {
 
-/// A direction along which a neighborhood varies by less than this share of its largest variance
-/// is rounding.
-constexpr double flat = 1e-8;
+/// Directions whose variance is below this share of the neighborhood's largest are rounding noise.
+constexpr double negligible_variance = 1e-8;
 
 /// Ridge of the map from coordinates to frames: coordinates in which a neighborhood hardly varies
 /// must not change the pose strongly.
@@ -22,9 +21,9 @@ constexpr double inverse_ridge = 1e-3;
 
 /// The original rows of each component, each with the next one. If the order of rows has no
 /// meaning, every row stands alone.
-std::vector<std::vector<Stretch>> stretches_of_components(const Timeline& timeline,
-                                                          const Model& model) {
-    std::vector<std::vector<Stretch>> stretches(model.components.size());
+std::vector<std::vector<Segment>> segments_of_components(const Timeline& timeline,
+                                                         const Model& model) {
+    std::vector<std::vector<Segment>> segments(model.components.size());
     const auto component_of = [&](std::int64_t row) {
         return static_cast<std::size_t>(model.component_of[static_cast<std::size_t>(row)]);
     };
@@ -32,34 +31,34 @@ std::vector<std::vector<Stretch>> stretches_of_components(const Timeline& timeli
         const std::int64_t next = timeline.next(row);
         const bool follows = next >= 0 && model.parameters.mode != Mode::spatial &&
                              component_of(next) == component_of(row);
-        stretches[component_of(row)].push_back(
+        segments[component_of(row)].push_back(
             {row, follows ? static_cast<std::int32_t>(next) : row});
     }
-    return stretches;
+    return segments;
 }
 
 std::vector<NearestRows> indexed(ConstMatrixView x,
-                                 const std::vector<std::vector<Stretch>>& stretches) {
-    std::vector<NearestRows> parts;
-    parts.reserve(stretches.size());
-    for (const auto& part : stretches)
-        parts.emplace_back(x, part);
-    return parts;
+                                 const std::vector<std::vector<Segment>>& segments) {
+    std::vector<NearestRows> trees;
+    trees.reserve(segments.size());
+    for (const auto& of_component : segments)
+        trees.emplace_back(x, of_component);
+    return trees;
 }
 
 /// Weights of the `blend` nearest, with sum 1: 1/distance^2 minus its value at the next farther
-/// one, so that the weight of a stretch that leaves the blend has fallen to 0. If all are equally
+/// one, so that the weight of a segment that leaves the blend has fallen to 0. If all are equally
 /// far, all weights are equal.
-std::vector<double> blend_weights(const std::vector<NearStretch>& found, std::size_t blend) {
+std::vector<double> blend_weights(const std::vector<NearSegment>& found, std::size_t blend) {
     const double nearest = found.front().distance;
-    const auto closeness = [nearest](const NearStretch& one) {
+    const auto closeness = [nearest](const NearSegment& one) {
         return one.distance > nearest ? nearest / one.distance : 1;
     };
-    const double faded = found.size() > blend ? closeness(found[blend]) : 0;
+    const double cutoff = found.size() > blend ? closeness(found[blend]) : 0;
     std::vector<double> weights;
     double sum = 0;
     for (std::size_t i = 0; i < std::min(blend, found.size()); ++i) {
-        weights.push_back(closeness(found[i]) - faded);
+        weights.push_back(closeness(found[i]) - cutoff);
         sum += weights.back();
     }
     for (double& weight : weights)
@@ -67,15 +66,15 @@ std::vector<double> blend_weights(const std::vector<NearStretch>& found, std::si
     return weights;
 }
 
-/// The rows whose local maps are blended: both ends of each stretch, by how near its nearest point
-/// is to them.
-std::vector<Placement::Term> blended_rows(const std::vector<NearStretch>& found,
+/// The rows whose local maps are blended, with weights: both ends of each segment, interpolated at
+/// its nearest point.
+std::vector<Placement::Term> blended_rows(const std::vector<NearSegment>& found,
                                           std::size_t blend) {
     const std::vector<double> weights = blend_weights(found, blend);
     std::vector<Placement::Term> ends;
     for (std::size_t i = 0; i < weights.size(); ++i) {
-        ends.push_back({found[i].stretch.row, weights[i] * (1 - found[i].share)});
-        ends.push_back({found[i].stretch.next, weights[i] * found[i].share});
+        ends.push_back({found[i].segment.row, weights[i] * (1 - found[i].share)});
+        ends.push_back({found[i].segment.next, weights[i] * found[i].share});
     }
     std::stable_sort(ends.begin(), ends.end(),
                      [](const auto& a, const auto& b) { return a.row < b.row; });
@@ -88,13 +87,13 @@ std::vector<Placement::Term> blended_rows(const std::vector<NearStretch>& found,
     return rows;
 }
 
-/// A neighborhood about its mean.
+/// The rows of a neighborhood minus their mean.
 Matrix centered_rows(ConstMatrixView x, const std::vector<Candidate>& neighborhood,
                      const double* origin) {
     Matrix rows(static_cast<std::int64_t>(neighborhood.size()), x.cols);
     AlignedVector<double> mean(static_cast<std::size_t>(x.cols));
     for (std::int64_t a = 0; a < rows.rows(); ++a) {
-        // From the middle, so that a large common offset costs no digits.
+        // Relative to the origin first, so that a large common offset costs no digits.
         const double* row = x.row(neighborhood[static_cast<std::size_t>(a)].frame);
         for (std::int64_t c = 0; c < x.cols; ++c)
             rows(a, c) = row[c] - origin[c];
@@ -105,9 +104,9 @@ Matrix centered_rows(ConstMatrixView x, const std::vector<Candidate>& neighborho
     return rows;
 }
 
-/// The least-squares linear map from centered rows Z to anything that has a value per row, applied
-/// to `offset`: the weights of those values. With Z Z^T = sum of lambda_l v_l v_l^T they are
-/// the sum over the first `dimension` of v_l (v_l . Z offset) / (lambda_l + ridge).
+/// Applies to `offset` the least-squares linear map from centered rows Z to any values of the rows
+/// and returns the weights of these values. With Z Z^T = sum of lambda_l v_l v_l^T they are the sum
+/// over the first `dimension` terms v_l (v_l . Z offset) / (lambda_l + ridge).
 std::vector<double> least_squares_weights(const Matrix& z, const double* offset,
                                           std::int64_t dimension, double relative_ridge) {
     const std::int64_t count = z.rows();
@@ -126,7 +125,7 @@ std::vector<double> least_squares_weights(const Matrix& z, const double* offset,
     eigen.solve();
     const double ridge = relative_ridge * trace / static_cast<double>(dimension);
     for (std::int64_t l = 0; l < std::min(dimension, count); ++l)
-        if (eigen.value(l) > flat * eigen.value(0))
+        if (eigen.value(l) > negligible_variance * eigen.value(0))
             axpy(dot(eigen.vector(l), along.data(), count) / (eigen.value(l) + ridge),
                  eigen.vector(l), weights.data(), count);
     return weights;
@@ -146,31 +145,31 @@ void Placement::apply(ConstMatrixView targets, double* out) const {
 
 Mapping::Mapping(ConstMatrixView frames, const Model& model, double period)
     : timeline_(frames, model.lengths) {
-    const auto stretches = stretches_of_components(timeline_, model);
+    const auto segments = segments_of_components(timeline_, model);
     const Mode mode = model.parameters.mode;
-    frames_ = {frames, indexed(frames, stretches), {}, 0, false};
-    frames_.limits.assign(stretches.size(),
-                          support_limit(frames, frames_.parts, timeline_, mode, period));
+    frames_ = {frames, indexed(frames, segments), {}, 0, false};
+    frames_.limits.assign(segments.size(),
+                          support_limit(frames, frames_.trees, timeline_, mode, period));
     const ConstMatrixView coords = model.coords.view();
-    coords_ = {coords, indexed(coords, stretches), {}, inverse_ridge, true};
-    for (const NearestRows& part : coords_.parts)
-        coords_.limits.push_back(support_limit(coords, {&part, 1}, timeline_, mode, period));
+    coords_ = {coords, indexed(coords, segments), {}, inverse_ridge, true};
+    for (const NearestRows& tree : coords_.trees)
+        coords_.limits.push_back(support_limit(coords, {&tree, 1}, timeline_, mode, period));
 }
 
 Placement Mapping::find_frame(const double* frame, std::int64_t hint,
                               const MapParameters& p) const {
     if (is_row(frames_, hint, frame))
         return {timeline_.original(hint), 0, {}};
-    const std::size_t component = frames_.parts.size() == 1 ? 0 : nearest_component(frame, hint, p);
+    const std::size_t component = frames_.trees.size() == 1 ? 0 : nearest_component(frame, hint, p);
     return find(frames_, component, frame, hint, p);
 }
 
 Placement Mapping::find_point(const double* coords, std::int64_t component, std::int64_t hint,
                               const MapParameters& p) const {
-    const auto part = static_cast<std::size_t>(component);
-    if (is_row(coords_, hint, coords) && coords_.parts[part].holds(timeline_.original(hint)))
+    const auto index = static_cast<std::size_t>(component);
+    if (is_row(coords_, hint, coords) && coords_.trees[index].contains(timeline_.original(hint)))
         return {timeline_.original(hint), 0, {}};
-    return find(coords_, part, coords, hint, p);
+    return find(coords_, index, coords, hint, p);
 }
 
 /// If several rows are equal, the hint decides.
@@ -178,19 +177,19 @@ bool Mapping::is_row(const Space& space, std::int64_t hint, const double* point)
     return hint != no_hint && squared_distance(space.rows.row(hint), point, space.rows.cols) == 0;
 }
 
-std::vector<Candidate> Mapping::nearest_row(const NearestRows& part, const double* point,
+std::vector<Candidate> Mapping::nearest_row(const NearestRows& tree, const double* point,
                                             std::int64_t hint, const MapParameters& p) const {
-    return hint == no_hint ? part.nearest(point, 1)
-                           : part.nearest_within(point, 1, timeline_.around(hint, p.hint_window));
+    return hint == no_hint ? tree.nearest(point, 1)
+                           : tree.nearest_within(point, 1, timeline_.around(hint, p.hint_window));
 }
 
-/// One more than are blended.
-std::vector<NearStretch> Mapping::nearest_stretches(const NearestRows& part, const double* point,
-                                                    std::int64_t hint,
-                                                    const MapParameters& p) const {
-    return hint == no_hint ? part.nearest_stretches(point, p.blend + 1)
-                           : part.nearest_stretches_within(point, p.blend + 1,
-                                                           timeline_.around(hint, p.hint_window));
+/// The segments to blend and one more, for blend_weights().
+std::vector<NearSegment> Mapping::nearest_segments(const NearestRows& tree, const double* point,
+                                                   std::int64_t hint,
+                                                   const MapParameters& p) const {
+    return hint == no_hint ? tree.nearest_segments(point, p.blend + 1)
+                           : tree.nearest_segments_within(point, p.blend + 1,
+                                                          timeline_.around(hint, p.hint_window));
 }
 
 std::size_t Mapping::nearest_component(const double* frame, std::int64_t hint,
@@ -198,8 +197,8 @@ std::size_t Mapping::nearest_component(const double* frame, std::int64_t hint,
     std::size_t nearest = 0;
     Candidate best{std::numeric_limits<double>::infinity(),
                    std::numeric_limits<std::int32_t>::max()};
-    for (std::size_t c = 0; c < frames_.parts.size(); ++c)
-        for (const Candidate& found : nearest_row(frames_.parts[c], frame, hint, p))
+    for (std::size_t c = 0; c < frames_.trees.size(); ++c)
+        for (const Candidate& found : nearest_row(frames_.trees[c], frame, hint, p))
             if (found < best) {
                 best = found;
                 nearest = c;
@@ -209,8 +208,8 @@ std::size_t Mapping::nearest_component(const double* frame, std::int64_t hint,
 
 Placement Mapping::find(const Space& space, std::size_t component, const double* point,
                         std::int64_t hint, const MapParameters& p) const {
-    const NearestRows& part = space.parts[component];
-    const auto rows = nearest_row(part, point, hint, p);
+    const NearestRows& tree = space.trees[component];
+    const auto rows = nearest_row(tree, point, hint, p);
     if (rows.empty())
         fail(Status::argument, "no row of component {} is within {} rows of the hint {}", component,
              p.hint_window, hint);
@@ -222,8 +221,8 @@ Placement Mapping::find(const Space& space, std::size_t component, const double*
     placement.distance = distance / space.limits[component];
     if (!std::isfinite(rows.front().distance))
         return placement;
-    const auto found = nearest_stretches(part, point, hint, p);
-    if (space.passes_itself)
+    const auto found = nearest_segments(tree, point, hint, p);
+    if (space.crosses_itself)
         placement.nearest = found.front().nearer_end();
     for (const auto& [row, weight] : blended_rows(found, static_cast<std::size_t>(p.blend)))
         if (weight > 0)
@@ -236,7 +235,7 @@ void Mapping::add_local_map(const Space& space, std::size_t component, std::int6
                             std::vector<Placement::Term>& terms) const {
     // Uses neighbors of the frame here as well: rows that are near in a few coordinates may have
     // different frames, as in a swing forward and back.
-    const auto neighborhood = frames_.parts[component].nearest(frames_.rows.row(row), p.neighbors);
+    const auto neighborhood = frames_.trees[component].nearest(frames_.rows.row(row), p.neighbors);
     const double* origin = space.rows.row(row);
     AlignedVector<double> offset(static_cast<std::size_t>(space.rows.cols));
     for (std::size_t c = 0; c < offset.size(); ++c)

@@ -13,7 +13,7 @@ namespace {
 /// Rows closer in time than this share of a period belong to the same repetition.
 constexpr double same_repetition = 0.3;
 
-/// Searches made: enough for a quantile, and a small part of the time that a fit takes.
+/// Number of searches: enough for a quantile, and short compared with a fit.
 std::int64_t search_count(std::int64_t rows) {
     constexpr std::int64_t most = 300;
     constexpr std::int64_t least = 30;
@@ -34,26 +34,26 @@ double distance(ConstMatrixView x, std::int64_t a, std::int64_t b) {
     return std::sqrt(squared_distance(x.row(a), x.row(b), x.cols));
 }
 
-/// From each row to the one that follows in the same part.
-std::vector<double> steps(ConstMatrixView x, const NearestRows& part, const Timeline& timeline) {
+/// Distances from each row to the next of the same component.
+std::vector<double> steps(ConstMatrixView x, const NearestRows& tree, const Timeline& timeline) {
     std::vector<double> result;
-    const auto& rows = part.rows();
+    const auto& rows = tree.rows();
     for (std::size_t i = 0; i + 1 < rows.size(); ++i)
         if (timeline.next(rows[i]) == rows[i + 1])
             result.push_back(distance(x, rows[i], rows[i + 1]));
     return result;
 }
 
-/// From evenly spaced rows to the nearest one outside the zone of each, where there is one.
+/// Distances from evenly spaced rows to the nearest row outside their zone, if there is one.
 template <class ZoneOf>
-std::vector<double> distances_outside(ConstMatrixView x, const NearestRows& part,
+std::vector<double> distances_outside(ConstMatrixView x, const NearestRows& tree,
                                       const ZoneOf& zone_of) {
     std::vector<double> result;
-    const auto count = static_cast<std::int64_t>(part.rows().size());
+    const auto count = static_cast<std::int64_t>(tree.rows().size());
     const std::int64_t stride = 1 + (count - 1) / search_count(count);
     for (std::int64_t i = 0; i < count; i += stride) {
-        const std::int64_t row = part.rows()[static_cast<std::size_t>(i)];
-        const auto found = part.nearest_outside(x.row(row), 1, zone_of(row));
+        const std::int64_t row = tree.rows()[static_cast<std::size_t>(i)];
+        const auto found = tree.nearest_outside(x.row(row), 1, zone_of(row));
         if (!found.empty())
             result.push_back(std::sqrt(found.front().distance));
     }
@@ -66,22 +66,22 @@ void append(std::vector<double>& all, const std::vector<double>& more) {
 
 } // namespace
 
-double support_limit(ConstMatrixView x, std::span<const NearestRows> parts,
+double support_limit(ConstMatrixView x, std::span<const NearestRows> trees,
                      const Timeline& timeline, Mode mode, double period) {
     std::vector<double> following, spacing, repetition;
     const auto vicinity = static_cast<std::int64_t>(same_repetition * period);
-    for (const NearestRows& part : parts) {
-        append(following, steps(x, part, timeline));
+    for (const NearestRows& tree : trees) {
+        append(following, steps(x, tree, timeline));
         if (mode == Mode::spatial)
-            append(spacing, distances_outside(x, part, [](std::int64_t row) {
+            append(spacing, distances_outside(x, tree, [](std::int64_t row) {
                        return RowRange{row, row + 1};
                    }));
         if (vicinity > 0)
-            append(repetition, distances_outside(x, part, [&](std::int64_t row) {
+            append(repetition, distances_outside(x, tree, [&](std::int64_t row) {
                        return timeline.around(row, vicinity);
                    }));
     }
-    // Rows that all have an equal one elsewhere are 0 apart: then as where order means something.
+    // If nearly every row equals another, the spacing is 0: then the steps decide here, too.
     double limit = mode == Mode::spatial ? quantile(spacing, 0.99) : 0;
     if (!(limit > 0))
         limit = quantile(following, 0.99);

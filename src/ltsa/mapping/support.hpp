@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How far from the rows of a model a new one may be and still count as one of their kind.
+// The reach of a model: the distance from its rows up to which a new row is like them.
 #pragma once
 
 #include <cstdint>
@@ -12,13 +12,12 @@
 
 namespace stltsa::ltsa {
 
-/// A distance learned from the rows themselves, so that it follows from how densely they lie and
-/// how much a motion differs from its own repetitions. The larger of
-/// - what 99 % of the rows are at most from the one that follows (from the nearest other one where
-///   their order means nothing: spatial neighborhoods), and,
-/// - where a motion repeats itself every `period` rows (0: it does not), the median distance of a
-///   row from the nearest one of another repetition.
-double support_limit(ConstMatrixView x, std::span<const NearestRows> parts,
+/// Follows from the density of the rows and the variability of the motion. The larger of
+/// - the 99th percentile of the distance from a row to the next (for spatial neighborhoods, whose
+///   rows have no order, to the nearest other row), and
+/// - if the motion repeats every `period` rows (0: it does not), the median distance from a row to
+///   the nearest one of another repetition.
+double support_limit(ConstMatrixView x, std::span<const NearestRows> trees,
                      const Timeline& timeline, Mode mode, double period);
 
 } // namespace stltsa::ltsa

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The rows of a model in order of time, without those that repeat the row before.
+// The rows of a model in order of time, without those that repeat the previous row.
 #pragma once
 
 #include <cstdint>
@@ -17,13 +17,13 @@ class Timeline {
     /// `lengths`: rows of each clip, summing to the rows.
     Timeline(ConstMatrixView frames, std::span<const std::int64_t> lengths);
 
-    /// Rows that differ from the one before, or begin a clip; ascending.
+    /// Rows that differ from the previous row or begin a clip; ascending.
     const std::vector<std::int32_t>& distinct() const { return distinct_; }
-    /// The row itself, or the one that it repeats.
+    /// The row itself, or the row that it repeats.
     std::int64_t original(std::int64_t row) const { return distinct_[position(row)]; }
-    /// The original that follows in the same clip, -1 at its end.
+    /// The next original row of the same clip; -1 at its end.
     std::int64_t next(std::int64_t row) const;
-    /// What lies within `reach` originals to each side, in the same clip.
+    /// The rows within `reach` originals on each side, in the same clip.
     RowRange around(std::int64_t row, std::int64_t reach) const;
 
   private:
@@ -34,8 +34,8 @@ class Timeline {
 
     std::vector<std::int32_t> distinct_;
     std::vector<std::int32_t> clip_;     ///< of each distinct row
-    std::vector<std::int32_t> position_; ///< of each row among the distinct ones
-    std::vector<std::int32_t> begin_;    ///< of each clip among the distinct ones, and their end
+    std::vector<std::int32_t> position_; ///< index of each row in distinct_
+    std::vector<std::int32_t> begin_;    ///< index of each clip in distinct_, and its size
 };
 
 } // namespace stltsa::ltsa

@@ -7,15 +7,15 @@ namespace stltsa::ltsa {
 
 namespace {
 
-/// squared_distance() of linalg/simd.hpp in packs: the same eight sums.
+/// squared_distance() of linalg/simd.hpp with packs: the same eight sums, the same bits.
 template <int W>
 STLTSA_INLINE double distance_in_packs(const double* a, const double* b, std::int64_t count) {
     Pack<W> sums[lanes / W] = {};
     std::int64_t i = 0;
     for (; i + lanes <= count; i += lanes)
-        for (std::int64_t part = 0; part < lanes / W; ++part) {
-            const Pack<W> d = load<Pack<W>>(a + i + part * W) - load<Pack<W>>(b + i + part * W);
-            sums[part] += d * d;
+        for (std::int64_t p = 0; p < lanes / W; ++p) {
+            const Pack<W> d = load<Pack<W>>(a + i + p * W) - load<Pack<W>>(b + i + p * W);
+            sums[p] += d * d;
         }
     double s[lanes];
     for (std::int64_t l = 0; l < lanes; ++l)

@@ -8,14 +8,14 @@
 namespace stltsa::ltsa {
 namespace {
 
-/// Union-find with path halving; a root is the smallest frame of its set, and a parent never a
-/// later frame.
+/// Union-find with path halving. The root of a set is its smallest frame, and no parent is a later
+/// frame.
 class DisjointSets {
   public:
     explicit DisjointSets(std::int64_t count) : parent_(static_cast<std::size_t>(count)) {
         std::iota(parent_.begin(), parent_.end(), 0);
     }
-    /// Of each frame; in the end, when no set is asked for any more.
+    /// The parent of each frame; ends the use of the sets.
     UnsetVector<std::int32_t> release() { return std::move(parent_); }
     std::int32_t find(std::int32_t frame) {
         while (parent(frame) != frame) {
@@ -26,7 +26,7 @@ class DisjointSets {
     }
     /// Unites the set of a frame with that of a root; returns the root of both.
     std::int32_t unite(std::int32_t root, std::int32_t frame) {
-        if (parent(frame) == root) // nearly always
+        if (parent(frame) == root) // the usual case
             return root;
         const std::int32_t other = find(frame);
         parent(std::max(root, other)) = std::min(root, other);
@@ -38,19 +38,19 @@ class DisjointSets {
     UnsetVector<std::int32_t> parent_;
 };
 
-/// Whether each frame but the first is in its own neighborhood, and an earlier one with it. Then
-/// all are connected: the temporal neighborhoods of one clip are, nearly always.
-bool each_has_an_earlier_one(const Neighborhoods& neighborhoods, const Machine& machine) {
+/// Whether the neighborhood of each frame but the first contains the frame and an earlier one. Then
+/// all frames are connected, which is the usual case for temporal neighborhoods of one clip.
+bool each_frame_joins_an_earlier_one(const Neighborhoods& neighborhoods, const Machine& machine) {
     const std::int64_t n = neighborhoods.frames();
-    std::vector<char> has(static_cast<std::size_t>(row_blocks(n)));
+    std::vector<char> block_joins(static_cast<std::size_t>(row_blocks(n)));
     for_row_blocks(n, machine, [&](std::int64_t block, std::int64_t first, std::int64_t rows) {
         std::int64_t i = std::max<std::int64_t>(first, 1);
         while (i < first + rows && neighborhoods.of(i).front() < i &&
                std::ranges::binary_search(neighborhoods.of(i), i))
             ++i;
-        has[static_cast<std::size_t>(block)] = i == first + rows ? 1 : 0;
+        block_joins[static_cast<std::size_t>(block)] = i == first + rows ? 1 : 0;
     });
-    return std::ranges::all_of(has, [](char all) { return all != 0; });
+    return std::ranges::all_of(block_joins, [](char all) { return all != 0; });
 }
 
 Components one_component(std::int64_t n, const Machine& machine) {
@@ -75,19 +75,19 @@ Components one_component(std::int64_t n, const Machine& machine) {
 
 Components connected_components(const Neighborhoods& neighborhoods, const Machine& machine) {
     const std::int64_t n = neighborhoods.frames();
-    if (each_has_an_earlier_one(neighborhoods, machine))
+    if (each_frame_joins_an_earlier_one(neighborhoods, machine))
         return one_component(n, machine);
     DisjointSets sets(n);
     for (std::int64_t i = 0; i < n; ++i) {
-        // Frame i may be missing from its own neighborhood (include_self off): its window still
-        // describes the motion around it, but it does not tie i.
+        // Without include_self, frame i may be in no neighborhood: its own window describes the
+        // motion around it but does not connect it.
         const auto members = neighborhoods.of(i);
         std::int32_t root = sets.find(members.front());
         for (const std::int32_t member : members)
             root = sets.unite(root, member);
     }
     Components components;
-    components.of_frame = sets.release(); // parents, made numbers of components one after another
+    components.of_frame = sets.release(); // parents, replaced below by numbers of components
     std::vector<std::int32_t> sizes;
     components.position.resize(static_cast<std::size_t>(n));
     for (std::int32_t i = 0; i < n; ++i) {

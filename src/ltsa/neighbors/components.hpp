@@ -15,9 +15,9 @@ struct Components {
     std::int64_t count = 0;
     UnsetVector<std::int32_t> of_frame;             ///< numbered by first frame
     std::vector<UnsetVector<std::int32_t>> members; ///< ascending
-    UnsetVector<std::int32_t> position;             ///< of a frame within its component
-    /// Frames whose neighborhoods lie in a component, ascending: its members, but for a frame that
-    /// is not in its own neighborhood.
+    UnsetVector<std::int32_t> position;             ///< of each frame within its component
+    /// Frames whose neighborhoods lie in a component, ascending: its members, except that a frame
+    /// outside its own neighborhood may be in another component.
     std::vector<UnsetVector<std::int32_t>> windows;
 };
 

@@ -18,7 +18,7 @@ void NeighborhoodDistances::measure(std::span<const std::int32_t> members) {
     for (std::int64_t first = 0; first < size_; first += lanes) {
         const std::int64_t count = std::min(lanes, size_ - first);
         fill_leaf(rows_.data() + first, count, x_.cols, columns_.data());
-        // Those before a member of the block.
+        // Distances to the members before the last one of the block.
         run_simd(simd_, LeafDistances{columns_.data(), rows_.data(), first + count - 1, x_.cols,
                                       distances_.row(first / lanes * size_)});
     }

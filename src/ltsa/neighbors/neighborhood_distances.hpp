@@ -17,11 +17,12 @@ class NeighborhoodDistances {
   public:
     NeighborhoodDistances(ConstMatrixView x, std::int64_t size, Simd simd);
 
-    /// Of two frames.
+    /// The distance between two frames.
     double operator()(std::int64_t p, std::int64_t q) const {
         return squared_distance(x_.row(p), x_.row(q), x_.cols);
     }
-    /// Of the members a < b of a neighborhood, by their positions; until the next one.
+    /// Distances between members a < b of a neighborhood, given by their positions; valid until the
+    /// next call.
     auto among(std::span<const std::int32_t> members) {
         measure(members);
         return [this](std::int64_t a, std::int64_t b) {
@@ -35,7 +36,7 @@ class NeighborhoodDistances {
     ConstMatrixView x_;
     std::int64_t size_;
     Simd simd_;
-    AlignedVector<double> columns_; ///< eight members at a time, as LeafDistances takes them
+    AlignedVector<double> columns_; ///< eight members at a time, laid out for LeafDistances
     std::vector<const double*> rows_;
     Matrix distances_; ///< row a of block g: from member a to members 8 g ..
 };

@@ -14,9 +14,9 @@ namespace stltsa::ltsa {
 
 namespace {
 
-/// The nearest of the frames first, first + 1, ... at these distances, ties going to the earlier
-/// one: ascending, without sorting frames. There are as many (check_parameters()), and none of the
-/// distances is NaN.
+/// Selects the nearest of the frames first, first + 1, ... with these distances, in ascending order
+/// and ties to the earlier frame, without sorting frames. There are enough (check_parameters()),
+/// and no distance is NaN.
 void select_in_order(std::span<const double> distances, std::int64_t first,
                      std::vector<double>& scratch, std::span<std::int32_t> out) {
     scratch.assign(distances.begin(), distances.end());
@@ -32,8 +32,8 @@ void select_in_order(std::span<const double> distances, std::int64_t first,
             out[found++] = static_cast<std::int32_t>(first + static_cast<std::int64_t>(j));
 }
 
-/// The widest window whose distances are kept, so that each is computed once: a thread has room for
-/// about 48 w^2 bytes of them.
+/// The widest window whose distances are stored, so that each is computed once: they take about
+/// 48 w^2 bytes per thread.
 constexpr std::int64_t widest_band = 1024;
 
 } // namespace
@@ -48,7 +48,7 @@ WindowNeighbors::WindowNeighbors(std::span<const std::int64_t> lengths,
 template <class Distance>
 void WindowNeighbors::select(const Distance& distance, std::int64_t first, std::int64_t last,
                              Neighborhoods& neighborhoods) const {
-    constexpr double never = std::numeric_limits<double>::infinity();
+    constexpr double excluded = std::numeric_limits<double>::infinity();
     std::vector<double> window, scratch;
     auto clip_end = std::ranges::upper_bound(begins_, first);
     for (std::int64_t i = first; i < last; ++i) {
@@ -58,7 +58,7 @@ void WindowNeighbors::select(const Distance& distance, std::int64_t first, std::
         window.clear();
         double sum = 0;
         for (std::int64_t j = begin; j < std::min(*clip_end, i + window_ + 1); ++j)
-            sum += window.emplace_back(j != i || include_self_ ? distance(i, j) : never);
+            sum += window.emplace_back(j != i || include_self_ ? distance(i, j) : excluded);
         if (std::isnan(sum))
             fail_changed(i);
         select_in_order(window, begin, scratch, neighborhoods.of(i));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which frames are neighbors of which (paper, section 2.1; Table 1, step 1).
+// The neighborhoods of all frames (Table 1, step 1; paper, section 2.1).
 #pragma once
 
 #include <cstdint>
@@ -26,35 +26,35 @@ struct Neighborhoods {
     }
 };
 
-/// Selects the k nearest within +-window frames of the same clip. The window is cut off at the
-/// ends.
+/// Table 1, step 1: selects the k nearest frames within +-window frames of the same clip. The
+/// window is truncated at the ends of the clip.
 class WindowNeighbors {
   public:
     WindowNeighbors(std::span<const std::int64_t> lengths, const Parameters& parameters);
-    /// Of the frames [first, last). distance(p, q): squared distance of frames of one window; for
-    /// BandDistances and NeighborhoodDistances.
+    /// For the frames [first, last). distance(p, q): squared distance of frames of one window, a
+    /// BandDistances or NeighborhoodDistances.
     template <class Distance>
     void select(const Distance& distance, std::int64_t first, std::int64_t last,
                 Neighborhoods& neighborhoods) const;
-    /// The same, with distances of its own.
+    /// The same, computing the distances.
     void select(ConstMatrixView x, Simd simd, std::int64_t first, std::int64_t last,
                 Neighborhoods& neighborhoods) const;
 
   private:
-    std::vector<std::int64_t> begins_{0}; ///< of the clips, and the end of the last one
+    std::vector<std::int64_t> begins_{0}; ///< first frames of the clips, and the end of the last
     std::int64_t window_;
     bool include_self_;
 };
 
-// Neighborhoods of all frames, the clips one after another.
+// Table 1, step 1: the neighborhoods of all frames, by mode.
 
-/// As WindowNeighbors selects them.
+/// The k nearest within the window (WindowNeighbors).
 Neighborhoods temporal_neighbors(ConstMatrixView x, std::span<const std::int64_t> lengths,
                                  const Parameters& parameters, const Progress& progress);
 /// The k nearest among all frames.
 Neighborhoods spatial_neighbors(ConstMatrixView x, const Parameters& parameters,
                                 const Progress& progress);
-/// The temporal ones, plus the `links` nearest frames outside the exclusion zone, which is
+/// The temporal neighbors, plus the `links` nearest frames outside the exclusion zone of
 /// +-exclusion frames of the same clip.
 Neighborhoods recurrent_neighbors(ConstMatrixView x, std::span<const std::int64_t> lengths,
                                   const Parameters& parameters, const Progress& progress);

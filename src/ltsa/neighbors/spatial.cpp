@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Neighbors among all frames.
+// Neighbors among all frames (Table 1, step 1).
 #include "ltsa/neighbors/neighbors.hpp"
 
 #include <algorithm>
@@ -10,12 +10,11 @@
 namespace stltsa::ltsa {
 namespace {
 
-/// Reports the share of the search that is done.
 std::function<void(double)> reporting(const Progress& progress) {
     return [&progress](double share) { progress.report(Stage::neighbors, share); };
 }
 
-/// First frame and end of the clip of each frame.
+/// The clip of each frame, as its first frame and its end.
 std::vector<RowRange> clip_of_frame(std::span<const std::int64_t> lengths) {
     std::vector<RowRange> clips;
     std::int64_t first = 0;
@@ -27,8 +26,8 @@ std::vector<RowRange> clip_of_frame(std::span<const std::int64_t> lengths) {
     return clips;
 }
 
-/// Puts the frames that were found for frame i into the last `count` places of its neighborhood,
-/// and all in order of time.
+/// Writes the frames found for frame i to the last `count` places of its neighborhood and sorts the
+/// neighborhood by time.
 void complete(Neighborhoods& neighborhoods, std::int64_t i, std::int64_t count,
               const std::vector<Candidate>& found) {
     if (static_cast<std::int64_t>(found.size()) < count) // nothing is near to a NaN

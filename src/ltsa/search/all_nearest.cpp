@@ -18,28 +18,28 @@ namespace {
 constexpr std::size_t leaf_rows = BallTree::leaf_size;
 static_assert(leaf_rows == lanes);
 
-/// The tree, and its rows leaf by leaf, as LeafDistances takes them.
+/// The tree, and its rows leaf by leaf, laid out for LeafDistances.
 struct Leaves {
     ConstMatrixView x;
     BallTree tree;
-    std::vector<std::int32_t> nodes;  ///< which are leaves
-    std::vector<std::int32_t> number; ///< of the leaf that a node is
+    std::vector<std::int32_t> nodes;  ///< the leaves
+    std::vector<std::int32_t> number; ///< of each node among the leaves
     AlignedVector<double> columns;
 
     explicit Leaves(ConstMatrixView rows);
 
-    std::span<const Stretch> rows_of(std::int32_t node) const { return tree.stretches_of(node); }
+    std::span<const Segment> rows_of(std::int32_t node) const { return tree.segments_of(node); }
     const double* columns_of(std::int32_t node) const {
         return columns.data() + number[static_cast<std::size_t>(node)] * x.cols * lanes;
     }
 };
 
-std::vector<Stretch> every_row(std::int64_t rows) {
-    std::vector<Stretch> stretches;
-    stretches.reserve(static_cast<std::size_t>(rows));
+std::vector<Segment> every_row(std::int64_t rows) {
+    std::vector<Segment> segments;
+    segments.reserve(static_cast<std::size_t>(rows));
     for (std::int32_t r = 0; r < rows; ++r)
-        stretches.push_back({r, r});
-    return stretches;
+        segments.push_back({r, r});
+    return segments;
 }
 
 Leaves::Leaves(ConstMatrixView rows) : x(rows), tree(x, every_row(x.rows)) {
@@ -52,14 +52,14 @@ Leaves::Leaves(ConstMatrixView rows) : x(rows), tree(x, every_row(x.rows)) {
     std::array<const double*, leaf_rows> row;
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         std::int64_t count = 0;
-        for (const Stretch& stretch : rows_of(nodes[i]))
-            row[static_cast<std::size_t>(count++)] = x.row(stretch.row);
+        for (const Segment& segment : rows_of(nodes[i]))
+            row[static_cast<std::size_t>(count++)] = x.row(segment.row);
         fill_leaf(row.data(), count, x.cols,
                   columns.data() + static_cast<std::int64_t>(i) * x.cols * lanes);
     }
 }
 
-/// The rows of one leaf looking for their neighbors.
+/// A joint search for the neighbors of all rows of a leaf.
 class Group {
   public:
     Group(const Leaves& leaves, const NearestOfAll& wanted) : leaves_(leaves), wanted_(wanted) {}
@@ -87,24 +87,24 @@ class Group {
         largest_reach_ = best_.front().reach();
     }
 
-    /// Offers the rows of a leaf to those rows of the group that its ball is not too far from.
+    /// Offers the rows of a leaf to those rows of the group that are within reach of its ball.
     void visit(std::int32_t leaf) {
         std::array<double, leaf_rows> to_center;
         const double* center = leaves_.tree.center(leaf);
         measure(columns_, &center, 1, to_center.data());
         const double radius = leaves_.tree.nodes()[static_cast<std::size_t>(leaf)].radius;
         std::array<const double*, leaf_rows> points;
-        std::array<std::size_t, leaf_rows> askers;
+        std::array<std::size_t, leaf_rows> queries;
         std::size_t count = 0;
         for (std::size_t q = 0; q < rows_.size(); ++q)
             if (leaves_.tree.within(to_center[q], reach_[q] + radius)) {
                 points[count] = leaves_.x.row(rows_[q].row);
-                askers[count++] = q;
+                queries[count++] = q;
             }
         std::array<double, leaf_rows * leaf_rows> distances;
         measure(leaves_.columns_of(leaf), points.data(), count, distances.data());
         for (std::size_t i = 0; i < count; ++i)
-            offer(askers[i], leaves_.rows_of(leaf), distances.data() + i * leaf_rows);
+            offer(queries[i], leaves_.rows_of(leaf), distances.data() + i * leaf_rows);
         largest_reach_ = *std::max_element(reach_.begin(), reach_.begin() + rows_.size());
     }
 
@@ -114,25 +114,25 @@ class Group {
                                              leaves_.x.cols, out});
     }
 
-    void offer(std::size_t asker, std::span<const Stretch> rows, const double* distances) {
-        const RowRange zone = zones_[asker];
-        Best<Candidate>& best = best_[asker];
+    void offer(std::size_t query, std::span<const Segment> rows, const double* distances) {
+        const RowRange zone = zones_[query];
+        Best<Candidate>& best = best_[query];
         double limit = best.reach();
         for (std::size_t i = 0; i < rows.size(); ++i)
             if (distances[i] <= limit && (rows[i].row < zone.begin || rows[i].row >= zone.end)) {
                 best.offer({distances[i], rows[i].row});
                 limit = best.reach();
             }
-        reach_[asker] = std::sqrt(limit);
+        reach_[query] = std::sqrt(limit);
     }
 
     const Leaves& leaves_;
     const NearestOfAll& wanted_;
-    std::span<const Stretch> rows_;
+    std::span<const Segment> rows_;
     const double* columns_ = nullptr;
     std::vector<Best<Candidate>> best_;
     std::array<RowRange, leaf_rows> zones_;
-    std::array<double, leaf_rows> reach_; ///< farther rows are none of the nearest
+    std::array<double, leaf_rows> reach_; ///< rows farther away are not among the nearest
     double largest_reach_ = 0;
 };
 
@@ -140,16 +140,16 @@ class Group {
 
 void find_nearest_of_all(ConstMatrixView x, const NearestOfAll& wanted,
                          const std::function<void(double share)>& poll) {
-    constexpr std::int64_t together = 8; // leaves whose rows one thread takes
+    constexpr std::int64_t leaves_per_block = 8; // of a block of the parallel loop
     const Leaves leaves(x);
     const auto count = static_cast<std::int64_t>(leaves.nodes.size());
-    const std::int64_t blocks = (count + together - 1) / together;
+    const std::int64_t blocks = (count + leaves_per_block - 1) / leaves_per_block;
     parallel_blocks(
         blocks, wanted.threads,
         [&](std::int64_t block) {
             Group group(leaves, wanted);
-            for (std::int64_t i = block * together; i < std::min((block + 1) * together, count);
-                 ++i)
+            for (std::int64_t i = block * leaves_per_block;
+                 i < std::min((block + 1) * leaves_per_block, count); ++i)
                 group.search(leaves.nodes[static_cast<std::size_t>(i)]);
         },
         [&](std::int64_t done) { poll(static_cast<double>(done) / static_cast<double>(blocks)); });

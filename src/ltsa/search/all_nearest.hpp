@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The exact nearest rows of every row of a matrix among all of them.
+// For every row of a matrix, the exact nearest rows among all rows.
 #pragma once
 
 #include <cstdint>
@@ -14,15 +14,15 @@ namespace stltsa::ltsa {
 
 /// The query, and the function that takes its answers.
 struct NearestOfAll {
-    std::int64_t count;                                ///< of each row
+    std::int64_t count;                                ///< nearest rows per row
     std::function<RowRange(std::int64_t row)> zone_of; ///< rows that are not candidates
-    /// Takes the nearest of a row: nearest first, ties by row. Called on any thread, once a row.
+    /// Takes the result for a row: nearest first, ties by row. Called once per row, on any thread.
     std::function<void(std::int64_t row, std::vector<Candidate> found)> store;
     int threads;
     Simd simd;
 };
 
-/// `poll` gets the share that is done.
+/// `poll` receives the completed share.
 void find_nearest_of_all(ConstMatrixView x, const NearestOfAll& wanted,
                          const std::function<void(double share)>& poll);
 

@@ -11,47 +11,47 @@
 namespace stltsa::ltsa {
 namespace {
 
-/// Whether rows that follow each other are much nearer to each other than any two.
-bool in_order(ConstMatrixView x, const std::vector<Stretch>& stretches) {
-    const std::size_t count = stretches.size();
-    double steps = 0, leaps = 0;
+/// Whether consecutive rows are much nearer to each other than other pairs of rows.
+bool in_order(ConstMatrixView x, const std::vector<Segment>& segments) {
+    const std::size_t count = segments.size();
+    double steps = 0, jumps = 0;
     for (std::size_t i = 0; i + 1 < count; ++i) {
-        const double* row = x.row(stretches[i].row);
-        steps += squared_distance(row, x.row(stretches[i + 1].row), x.cols);
-        leaps += squared_distance(row, x.row(stretches[(i + count / 2) % count].row), x.cols);
+        const double* row = x.row(segments[i].row);
+        steps += squared_distance(row, x.row(segments[i + 1].row), x.cols);
+        jumps += squared_distance(row, x.row(segments[(i + count / 2) % count].row), x.cols);
     }
-    return steps <= leaps / 4;
+    return steps <= jumps / 4;
 }
 
-/// How many of these rows the first half of a node gets: whole leaves.
+/// Rows of the first child of a node: a multiple of the leaf size.
 std::int32_t first_half(std::int32_t rows) {
     constexpr std::int32_t size = BallTree::leaf_size;
     return (rows / 2 + size - 1) / size * size;
 }
 
-/// Nodes of the tree over so many rows.
+/// Nodes of a tree of this many rows.
 std::int64_t node_count(std::int32_t rows) {
     return 2 * ((static_cast<std::int64_t>(rows) + BallTree::leaf_size - 1) / BallTree::leaf_size) -
            1;
 }
 
-/// Pieces that follow each other stay together unless they would vary by so much more: a search
-/// begins with them. Of 1 to 2, what searches take least time with, of 9000 recorded frames and of
-/// 30 000 made-up ones that repeat for long.
-constexpr double favor_for_time = 1.1;
+/// A node is split in time order unless its halves would vary by this factor more, because a search
+/// begins with nearby times. The fastest of 1 to 2 for 9000 recorded frames and for 30 000
+/// synthetic frames with many repetitions.
+constexpr double time_order_bonus = 1.1;
 
-/// Puts stretches in the order in which they lie in the tree: what is halved are pieces of motion
-/// as long as a leaf, each taken for the row in its middle, or single rows.
+/// Arranges segments in the order of the tree. The units are pieces of motion as long as a leaf,
+/// each represented by its middle row, or single rows.
 class Arrangement {
   public:
-    Arrangement(ConstMatrixView x, const std::vector<Stretch>& stretches)
-        : x_(x), stretches_(stretches), length_(in_order(x, stretches) ? BallTree::leaf_size : 1),
-          pieces_((stretches.size() + length_ - 1) / length_) {
+    Arrangement(ConstMatrixView x, const std::vector<Segment>& segments)
+        : x_(x), segments_(segments), length_(in_order(x, segments) ? BallTree::leaf_size : 1),
+          pieces_((segments.size() + length_ - 1) / length_) {
         std::iota(pieces_.begin(), pieces_.end(), std::size_t{0});
     }
 
-    /// Puts the pieces of a node in order about the one with which its second half begins: in order
-    /// of time, or of the column in which they differ most where that leaves halves that vary less.
+    /// Partitions the pieces of a node at `middle`: by time, or by the column in which they differ
+    /// most if that makes the halves vary less.
     void halve(std::int32_t begin, std::int32_t middle, std::int32_t end) {
         const auto first = piece_at(begin);
         const auto half = piece_at(middle);
@@ -63,17 +63,17 @@ class Arrangement {
         in_time();
         const double of_time = variation();
         order_by_column(first, half, last);
-        if (of_time < favor_for_time * variation())
+        if (of_time < time_order_bonus * variation())
             in_time();
     }
 
-    std::vector<Stretch> arranged() const {
-        std::vector<Stretch> order;
-        order.reserve(stretches_.size());
+    std::vector<Segment> arranged() const {
+        std::vector<Segment> order;
+        order.reserve(segments_.size());
         for (const std::size_t piece : pieces_)
             for (std::size_t i = piece * length_;
-                 i < std::min((piece + 1) * length_, stretches_.size()); ++i)
-                order.push_back(stretches_[i]);
+                 i < std::min((piece + 1) * length_, segments_.size()); ++i)
+                order.push_back(segments_[i]);
         return order;
     }
 
@@ -92,17 +92,16 @@ class Arrangement {
     Piece piece_at(std::int32_t place) {
         return pieces_.begin() + place / static_cast<std::int32_t>(length_);
     }
-    bool is_short(std::size_t piece) const { return (piece + 1) * length_ > stretches_.size(); }
+    bool is_short(std::size_t piece) const { return (piece + 1) * length_ > segments_.size(); }
     const double* row_of(std::size_t piece) const {
-        return x_.row(
-            stretches_[std::min(piece * length_ + length_ / 2, stretches_.size() - 1)].row);
+        return x_.row(segments_[std::min(piece * length_ + length_ / 2, segments_.size() - 1)].row);
     }
 
-    /// In order of the column in which they differ most, but the short one stays at the end: the
+    /// By the column in which they differ most; the incomplete piece stays at the end, because the
     /// others are whole leaves.
     void order_by_column(Piece first, Piece half, Piece last) {
         const std::int64_t column = widest_column(std::span(first, last));
-        // Read once: whoever changes x meanwhile must not change the order while it is made.
+        // Reads values once: if another thread changes x, the order must stay consistent.
         std::vector<Key> keys;
         for (auto piece = first; piece < last; ++piece) {
             const double value = row_of(*piece)[column];
@@ -114,7 +113,7 @@ class Arrangement {
         std::ranges::transform(keys, first, [](const Key& key) { return key.piece; });
     }
 
-    /// The column in which these differ most.
+    /// The column in which these pieces differ most.
     std::int64_t widest_column(std::span<const std::size_t> pieces) const {
         const double* first = row_of(pieces.front());
         std::vector<double> least(first, first + x_.cols);
@@ -132,7 +131,7 @@ class Arrangement {
         return static_cast<std::int64_t>(widest);
     }
 
-    /// The sum of squared distances from their mean.
+    /// The sum of squared distances of these pieces from their mean.
     double variation_of(std::span<const std::size_t> pieces) const {
         AlignedVector<double> mean(static_cast<std::size_t>(x_.cols));
         for (const std::size_t piece : pieces)
@@ -144,20 +143,20 @@ class Arrangement {
     }
 
     ConstMatrixView x_;
-    const std::vector<Stretch>& stretches_;
+    const std::vector<Segment>& segments_;
     std::size_t length_; ///< of a piece
     std::vector<std::size_t> pieces_;
 };
 
 } // namespace
 
-BallTree::BallTree(ConstMatrixView x, const std::vector<Stretch>& stretches) : x_(x) {
+BallTree::BallTree(ConstMatrixView x, const std::vector<Segment>& segments) : x_(x) {
     rounding_ = 4e-12 + static_cast<double>(x.cols) * std::numeric_limits<double>::epsilon();
-    if (stretches.empty())
+    if (segments.empty())
         return;
-    const auto size = static_cast<std::int32_t>(stretches.size());
+    const auto size = static_cast<std::int32_t>(segments.size());
     nodes_.reserve(static_cast<std::size_t>(node_count(size)));
-    Arrangement arrangement(x, stretches);
+    Arrangement arrangement(x, segments);
     nodes_.push_back({0, size});
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
         const auto [begin, end, radius, left] = nodes_[i];
@@ -184,14 +183,14 @@ BallTree::BallTree(ConstMatrixView x, const std::vector<Stretch>& stretches) : x
     }
 }
 
-/// The ball of a leaf: about the mean of its rows.
+/// Computes the ball of a leaf, around the mean of its rows.
 void BallTree::enclose_rows(std::int32_t index) {
     double* center = centers_.row(index);
-    const auto stretches = stretches_of(index);
-    for (const Stretch& stretch : stretches)
-        axpy(1 / static_cast<double>(stretches.size()), x_.row(stretch.row), center, x_.cols);
+    const auto segments = segments_of(index);
+    for (const Segment& segment : segments)
+        axpy(1 / static_cast<double>(segments.size()), x_.row(segment.row), center, x_.cols);
     double square = 0;
-    for (const auto [row, next] : stretches) {
+    for (const auto [row, next] : segments) {
         square = std::max(square, squared_distance(x_.row(row), center, x_.cols));
         if (next != row)
             square = std::max(square, squared_distance(x_.row(next), center, x_.cols));
@@ -199,8 +198,8 @@ void BallTree::enclose_rows(std::int32_t index) {
     nodes_[static_cast<std::size_t>(index)].radius = std::sqrt(square);
 }
 
-/// The ball of another node: about the mean of its leaves. Their balls are small, so that the ball
-/// about them is hardly larger than that about their rows.
+/// Computes the ball of another node, around the mean of its leaves' centers. Their balls are
+/// small, so it is hardly larger than a ball around the rows.
 void BallTree::enclose_leaves(std::int32_t index, std::span<const std::int32_t> leaves) {
     double* mean = centers_.row(index);
     for (const std::int32_t leaf : leaves)

@@ -14,59 +14,57 @@
 namespace stltsa::ltsa {
 
 /// The segment from a row to the next, or a single row, which is its own next.
-struct Stretch {
+struct Segment {
     std::int32_t row, next;
 };
 
-/// Each half of a ball's rows is a ball again. A leaf of rows in order of time is a short piece of
-/// motion, which is smaller than what cuts across the features leave side by side. What is larger
-/// is halved in time or along the column in which the pieces differ most, whichever keeps them
-/// nearer together.
+/// Each half of a ball's rows is a ball again. A leaf is a short piece of motion, which has a
+/// smaller ball than rows that are neighbors in a column. Larger nodes are split in time or along
+/// the column in which the pieces differ most, whichever gives smaller halves.
 class BallTree {
   public:
-    /// Most rows of a leaf; all but the last one have as many.
+    /// Rows of a leaf; the last one may have fewer.
     static constexpr std::int32_t leaf_size = 8;
 
-    /// Stretches [begin, end) of the order lie within the radius of the center.
+    /// Segments [begin, end) of the order lie within the radius of the center.
     struct Node {
         std::int32_t begin, end;
         double radius = 0;
-        std::int32_t left = 0; ///< the right one follows; 0: this one is a leaf
+        std::int32_t left = 0; ///< the right child is next; 0: this node is a leaf
     };
 
     BallTree() = default;
-    /// Stretches between rows of x, ascending, one from each row that is to be found. The entries
-    /// of x are not copied.
-    BallTree(ConstMatrixView x, const std::vector<Stretch>& stretches);
+    /// `segments`: one from each row to index, ascending. The entries of x are not copied.
+    BallTree(ConstMatrixView x, const std::vector<Segment>& segments);
 
     const std::vector<Node>& nodes() const { return nodes_; }
     const double* center(std::int32_t node) const { return centers_.row(node); }
-    std::span<const Stretch> stretches_of(std::int32_t index) const {
+    std::span<const Segment> segments_of(std::int32_t index) const {
         const Node& node = nodes_[static_cast<std::size_t>(index)];
         return std::span(order_).subspan(static_cast<std::size_t>(node.begin),
                                          static_cast<std::size_t>(node.end - node.begin));
     }
 
-    /// Whether points may be within `reach` of each other in spite of the squared distance of the
-    /// centers of their balls: the triangle inequality, where `reach` has the radii in it, with
-    /// room for what rounding and squares that underflow take from either side.
+    /// Whether points of two balls can be close enough, by the triangle inequality: `squared` is
+    /// the squared distance of the centers, and `reach` includes the radii. Allows for rounding and
+    /// for squares that underflow.
     bool within(double squared, double reach) const {
         const double bound = reach + 1e-150;
         return !(squared > bound * bound * (1 + rounding_));
     }
 
-    /// Calls visit(leaf) for each leaf that may hold a point within reach() of one in a ball, from
-    /// that which holds the stretch at `start` of the order outwards, or the nearest first without
-    /// one (-1).
+    /// Calls visit(leaf) for each leaf that may contain a point within reach() of the ball with
+    /// this center and radius: beginning with the leaf of segment `start` of the order, or, if that
+    /// is -1, with the nearest.
     template <class Reach, class Visit>
     void search(const double* center, double radius, std::int32_t start, const Reach& reach,
                 const Visit& visit) const {
         if (nodes_.empty())
             return;
-        std::vector<Open> open{opened(center, 0)};
-        while (!open.empty()) {
-            const Open next = open.back();
-            open.pop_back();
+        std::vector<Unvisited> stack{unvisited(center, 0)};
+        while (!stack.empty()) {
+            const Unvisited next = stack.back();
+            stack.pop_back();
             const Node& node = nodes_[static_cast<std::size_t>(next.node)];
             if (!within(next.distance, reach() + radius + node.radius))
                 continue;
@@ -74,24 +72,24 @@ class BallTree {
                 visit(next.node);
                 continue;
             }
-            const Open left = opened(center, node.left);
-            const Open right = opened(center, node.left + 1);
+            const Unvisited left = unvisited(center, node.left);
+            const Unvisited right = unvisited(center, node.left + 1);
             const std::int32_t middle = nodes_[static_cast<std::size_t>(right.node)].begin;
             const bool holds_start = start >= node.begin && start < node.end;
             const bool left_first = holds_start ? start < middle : left.distance <= right.distance;
-            open.push_back(left_first ? right : left);
-            open.push_back(left_first ? left : right);
+            stack.push_back(left_first ? right : left);
+            stack.push_back(left_first ? left : right);
         }
     }
 
   private:
     /// A node that a search has not visited yet.
-    struct Open {
+    struct Unvisited {
         double distance; ///< squared, of its center
         std::int32_t node;
     };
 
-    Open opened(const double* from, std::int32_t node) const {
+    Unvisited unvisited(const double* from, std::int32_t node) const {
         return {squared_distance(from, center(node), x_.cols), node};
     }
     void enclose_rows(std::int32_t index);
@@ -99,7 +97,7 @@ class BallTree {
 
     ConstMatrixView x_;
     double rounding_ = 0;
-    std::vector<Stretch> order_; ///< those of a node side by side
+    std::vector<Segment> order_; ///< the segments of a node are adjacent
     std::vector<Node> nodes_;    ///< the root first
     Matrix centers_;
 };

@@ -43,7 +43,7 @@ class Best {
         }
         std::push_heap(heap_.begin(), heap_.end());
     }
-    /// Ends the search: the least first.
+    /// Ends the search; smallest first.
     std::vector<Found> sorted() {
         std::sort_heap(heap_.begin(), heap_.end());
         return std::move(heap_);

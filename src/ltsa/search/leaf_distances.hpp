@@ -17,14 +17,13 @@ inline void fill_leaf(const double* const* rows, std::int64_t count, std::int64_
             leaf[c * lanes + lane] = rows[lane][c];
 }
 
-/// squared_distance() of linalg/simd.hpp, to the last bit, for a row in each lane: the same eight
-/// sums of each.
+/// squared_distance() of linalg/simd.hpp for one row per lane, with the same eight sums and bits.
 struct LeafDistances {
-    const double* leaf;          ///< as fill_leaf() writes it
+    const double* leaf;          ///< written by fill_leaf()
     const double* const* points; ///< `count` of them
     std::int64_t count;
     std::int64_t cols;
-    double* out; ///< eight for each point
+    double* out; ///< eight per point
 
     template <int W>
     STLTSA_INLINE void run() const {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The exact nearest rows of a matrix, and the nearest stretches between them, for one query at a
-// time.
+// The exact nearest rows of a matrix, and the nearest segments between rows, for one query.
 #pragma once
 
 #include <algorithm>
@@ -21,36 +20,35 @@ struct RowRange {
     std::int64_t end = std::numeric_limits<std::int64_t>::max();
 };
 
-/// A stretch, and the point of it that is nearest to a query.
-struct NearStretch {
+/// A segment and its point nearest to a query.
+struct NearSegment {
     double distance; ///< squared, of that point
-    Stretch stretch;
-    double share; ///< of the way from the row to the next, at that point
+    Segment segment;
+    double share; ///< position of that point: 0 at the row, 1 at the next
 
-    std::int32_t nearer_end() const { return share <= 0.5 ? stretch.row : stretch.next; }
+    std::int32_t nearer_end() const { return share <= 0.5 ? segment.row : segment.next; }
     /// Nearer first, ties by row.
-    bool operator<(const NearStretch& other) const {
+    bool operator<(const NearSegment& other) const {
         return distance < other.distance ||
-               (distance == other.distance && stretch.row < other.stretch.row);
+               (distance == other.distance && segment.row < other.segment.row);
     }
 };
 
-/// Some rows of a matrix, in a tree of balls, which hold the stretches that begin at their rows.
-/// Any number of threads may search at once.
+/// Rows of a matrix in a ball tree, with the segments that begin there. Any number of threads may
+/// search at once.
 class NearestRows {
   public:
     NearestRows() = default;
-    /// Stretches between rows of x, ascending, one from each row that is to be found. The entries
-    /// of x are not copied.
-    NearestRows(ConstMatrixView x, const std::vector<Stretch>& stretches);
+    /// `segments`: one from each row to index, ascending. The entries of x are not copied.
+    NearestRows(ConstMatrixView x, const std::vector<Segment>& segments);
 
     const std::vector<std::int32_t>& rows() const { return rows_; }
-    bool holds(std::int64_t row) const {
+    bool contains(std::int64_t row) const {
         return std::binary_search(rows_.begin(), rows_.end(), row);
     }
 
-    // Squared distances to the `count` nearest rows, or to as many as there are: nearest first,
-    // ties by row.
+    // The `count` nearest rows, or fewer if there are not enough, with squared distances: nearest
+    // first, ties by row.
     std::vector<Candidate> nearest(const double* query, std::int64_t count) const {
         return nearest_outside(query, count, {0, 0});
     }
@@ -58,21 +56,21 @@ class NearestRows {
                                           RowRange range) const;
     std::vector<Candidate> nearest_outside(const double* query, std::int64_t count,
                                            RowRange zone) const;
-    // The same for stretches. Within a range they end at its last row.
-    std::vector<NearStretch> nearest_stretches(const double* query, std::int64_t count) const;
-    std::vector<NearStretch> nearest_stretches_within(const double* query, std::int64_t count,
-                                                      RowRange range) const;
+    // The same for segments. Within a range, segments end at its last row.
+    std::vector<NearSegment> nearest_segments(const double* query, std::int64_t count) const;
+    std::vector<NearSegment> nearest_segments_within(const double* query, std::int64_t count,
+                                                     RowRange range) const;
 
   private:
-    NearStretch nearest_point(const double* query, Stretch stretch) const;
-    /// The `count` nearest of what `offer_leaf` offers from the leaves.
+    NearSegment nearest_point(const double* query, Segment segment) const;
+    /// The `count` nearest of the elements that `offer_leaf` offers from the leaves.
     template <class Found, class OfferLeaf>
     std::vector<Found> search(const double* query, std::int64_t count,
                               const OfferLeaf& offer_leaf) const;
 
     ConstMatrixView x_;
     std::vector<std::int32_t> rows_;
-    std::vector<Stretch> stretches_; ///< of the rows, in the same order
+    std::vector<Segment> segments_; ///< of the rows, in the same order
     BallTree tree_;
 };
 

@@ -10,10 +10,10 @@
 namespace stltsa::ltsa {
 namespace {
 
-/// The upper triangular T that makes columns with these inner products orthonormal; those that are
-/// nearly parallel come nearer to it only.
+/// The upper triangular T that makes columns with these inner products orthonormal, or, if they are
+/// nearly parallel, closer to orthonormal.
 Matrix orthonormalizing(const Matrix& products, std::int64_t count) {
-    // Floors the share of a column that is not in the span of those before it.
+    // Lower bound of the share of a column outside the span of the previous ones.
     constexpr double smallest_share = 1e-14;
     Matrix t(products.rows(), products.cols());
     for (std::int64_t j = 0; j < count; ++j) {
@@ -47,7 +47,7 @@ double largest_cosine(const Matrix& products, std::int64_t count) {
     return largest;
 }
 
-/// T^T form T of the first `count` columns.
+/// T^T form T for the first `count` columns.
 Matrix congruent(const Matrix& form, const Matrix& t, std::int64_t count) {
     Matrix product(count, count), result(count, count); // form T, then T^T of it
     for (std::int64_t i = 0; i < count; ++i)
@@ -61,7 +61,7 @@ Matrix congruent(const Matrix& form, const Matrix& t, std::int64_t count) {
     return result;
 }
 
-/// As many factors as a panel has columns.
+/// The values as one row, padded with zeros to the width of a panel.
 Matrix padded(const std::vector<double>& values, std::int64_t width) {
     Matrix result(1, width);
     std::copy(values.begin(), values.end(), result.data());
@@ -116,21 +116,21 @@ void correct(const Alignment& alignment, EigenBasis& basis) {
     alignment.prolong(basis.unknowns.view(), basis.x.view());
 }
 
-// The largest singular value of what projection leaves: both are orthonormal.
+// The largest singular value of the residual of x projected onto `before`; both are orthonormal.
 double last_turn(const EigenBasis& basis, std::int64_t count, const Machine& machine) {
     const auto first_rows = [count](Matrix products) {
         std::fill(products.row(count), products.row(products.rows()), 0.0);
         return products;
     };
     Matrix overlaps = first_rows(inner_products(basis.before.view(), basis.x.view(), machine));
-    // What rounding left of the overlaps in the rest goes as well.
+    // Adds the overlaps that rounding left in the residual.
     const Matrix left =
-        first_rows(rest_products(basis.before.view(), overlaps, basis.x.view(), machine).left);
+        first_rows(residual_products(basis.before.view(), overlaps, basis.x.view(), machine).left);
     for (std::int64_t i = 0; i < count; ++i)
         for (std::int64_t j = 0; j < overlaps.cols(); ++j)
             overlaps(i, j) += left(i, j);
     const Matrix products =
-        rest_products(basis.before.view(), overlaps, basis.x.view(), machine).rest;
+        residual_products(basis.before.view(), overlaps, basis.x.view(), machine).residual;
     Matrix gram(count, count);
     for (std::int64_t i = 0; i < count; ++i)
         std::copy_n(products.row(i), count, gram.row(i));

@@ -11,7 +11,7 @@
 namespace stltsa::ltsa {
 namespace {
 
-/// y := B^+ x for the first `count` columns of a panel, x or another; their unknowns are left, too.
+/// y := B^+ x for the first `count` columns of a panel, also in place; `unknowns` gets those of y.
 void multiply_by_inverse(const Alignment& alignment, ConstMatrixView x, std::int64_t count,
                          MatrixView unknowns, MatrixView y) {
     alignment.restrict_to(x, unknowns);
@@ -19,7 +19,7 @@ void multiply_by_inverse(const Alignment& alignment, ConstMatrixView x, std::int
     alignment.prolong(unknowns, y);
 }
 
-/// x -> B^+ x: the wanted eigenpairs are its largest, so no shift is needed.
+/// x -> B^+ x. The wanted eigenpairs of B are its largest, so no shift is needed.
 Operator pseudo_inverse(const Alignment& alignment) {
     return [&alignment, unknowns = Matrix::unset(alignment.unknowns(), 1)](
                std::span<const double> x, std::span<double> y) mutable {
@@ -28,15 +28,15 @@ Operator pseudo_inverse(const Alignment& alignment) {
     };
 }
 
-/// ARPACK always gets this start vector: its own are different on every call.
+/// ARPACK's start vector, always the same: those that it chooses differ from call to call.
 void set_start(std::span<double> x) {
     Random random(1);
     for (double& value : x)
         value = random.symmetric();
 }
 
-/// Solves of what ARPACK found, before the first correction. A solve is cheaper than a correction:
-/// with two of them, the first correction turns embeddings of recorded clips by less than 1e-10.
+/// Solves with ARPACK's vectors before the first correction, because a solve is cheaper: after two,
+/// the first correction turns embeddings of recorded clips by less than 1e-10.
 constexpr int first_solves = 2;
 
 /// A correction that turns the embedding by less than this is the last one. In differences the
@@ -54,7 +54,7 @@ EigenBasis solved(const Alignment& alignment, const Matrix& found) {
     EigenBasis basis(alignment, found.rows());
     set_columns(found, basis.x.view(), alignment.machine());
     for (int i = 0; i < first_solves; ++i) {
-        if (i > 0) // else the largest eigenvalue would soon leave one vector in all of them
+        if (i > 0) // else the vectors would approach the one of the largest eigenvalue
             multiply_columns(basis.x.view(), orthonormal_factor(alignment, basis),
                              alignment.machine());
         multiply_by_inverse(alignment, basis.x.view(), basis.count, basis.unknowns.view(),

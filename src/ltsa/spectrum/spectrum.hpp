@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The smallest eigenpairs of an alignment matrix (paper, Table 1, step 5).
+// The smallest eigenpairs of the alignment matrix B (Table 1, step 5).
 #pragma once
 
 #include <cstdint>
@@ -13,15 +13,15 @@ namespace stltsa::ltsa {
 
 struct Spectrum {
     std::vector<double> values; ///< lambda_2, lambda_3, ... ascending (lambda_1 = 0 is left out)
-    Matrix vectors;             ///< the first `dimension`, one per row, orthonormal, of zero mean
-    double residual = 0;        ///< max ||B u - lambda u|| / k over the first `dimension`
+    Matrix vectors;             ///< u_2 .. u_{d+1}, one per row, orthonormal, with zero mean
+    double residual = 0;        ///< max ||B u - lambda u|| / k over these vectors
     double first_change = 0; ///< largest principal angle by which the first correction turned them
-    double last_change = 0;  ///< and the last one
+    double last_change = 0;  ///< the same for the last correction
     std::int64_t solves = 0;
 };
 
-/// The `count` smallest eigenpairs beside the constant one (count < frames), the first `dimension`
-/// of them corrected and certified.
+/// Table 1, step 5: the `count` smallest eigenpairs of B except the constant one (count < frames).
+/// All are corrected; changes and residual are those of the first `dimension`.
 Spectrum smallest_eigenpairs(const Alignment& alignment, std::int64_t count, std::int64_t dimension,
                              const Progress& progress);
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Block iteration for the leading eigenvectors of positive semidefinite matrices, one matrix in
-// each lane of a pack: V := orthonormal basis of A V, and now and then the best eigenvectors in the
-// span of V (Rayleigh-Ritz), as in H. Rutishauser, "Computational aspects of F. L. Bauer's
-// simultaneous iteration method", Numer. Math. 13 (1969). Compiled once for each width of packs.
+// Block iteration for the leading eigenvectors of positive semidefinite matrices (Table 1, step 2),
+// one matrix per lane of a pack: V := orthonormal basis of A V, with an occasional Rayleigh-Ritz
+// step (the best eigenvectors in the span of V), as in H. Rutishauser, "Computational aspects of
+// F. L. Bauer's simultaneous iteration method", Numer. Math. 13 (1969). Compiled once for each
+// width of packs.
 #pragma once
 
 #include <algorithm>
@@ -32,7 +33,7 @@ inline constexpr std::int64_t most_iterations = 60;
 /// last wanted eigenvalue by this factor: on noise, the iteration could never exclude a missed
 /// eigenvalue.
 inline constexpr std::int64_t iterations_for_noise = first_ritz;
-inline constexpr double hopeless_share = 2;
+inline constexpr double abandon_factor = 2;
 
 /// Eigenvalues below this share of the largest are rounding noise, not directions: they belong to
 /// deviations smaller by 3e-7, about the precision of 32-bit numbers.
@@ -41,16 +42,16 @@ inline constexpr double negligible_value = 1e-13;
 /// Residual of an eigenpair that rounding leaves, relative to the largest eigenvalue.
 inline constexpr double small_residual = 2e-15;
 
-/// Owns nothing (see EigenBatch). All arrays hold packs: entry i at [i]. The matrix is rows x rows,
-/// zero beyond `size`; vectors are stored column after column, `rows` entries each.
+/// Works on the arrays of an EigenBatch, whose entries are packs. The matrix is rows x rows, zero
+/// beyond `size`; vectors are stored in columns of `rows` entries.
 struct BlockIteration {
     std::int64_t size, rows, columns, count;
-    const double* start_data; ///< not packs: the block that all lanes start from
+    const double* start_data; ///< the initial block of all lanes, as numbers
     double* matrix_data;
     double* block_data;
     double* product_data;
     double* small_data;
-    double* values_data; ///< count eigenvalues, then 1 where they were found, else 0 or -1
+    double* values_data; ///< count eigenvalues, then a state: 0 iterating, 1 found, -1 abandoned
     double* vectors_data;
 
     /// Iterates from the start until every lane has its eigenvectors or is abandoned.
@@ -68,7 +69,7 @@ struct BlockIteration {
                     return;
             }
             orthonormalize<P>(product_data);
-            // Twice before a Rayleigh-Ritz step: beside a single large eigenvalue, one pass leaves
+            // Twice before a Rayleigh-Ritz step: with a single large eigenvalue, one pass leaves
             // too much of the large columns in the small ones.
             if (is_ritz(step + 1))
                 orthonormalize<P>(block_data);
@@ -97,8 +98,7 @@ struct BlockIteration {
                (step >= first_ritz && (step - first_ritz) % ritz_interval == 0);
     }
 
-    /// product := scale A block. Scaled, so that squares of its entries neither over- nor
-    /// underflow.
+    /// product := scale A block. The scale keeps squares of entries from over- and underflow.
     template <class P>
     STLTSA_INLINE void multiply(P scale) const {
         for (std::int64_t a = 0; a < rows; a += product_rows)
@@ -133,8 +133,8 @@ struct BlockIteration {
         return even + odd;
     }
 
-    /// block := orthonormal basis of these columns, the product's or its own (modified
-    /// Gram-Schmidt). A column of zeros stays one.
+    /// block := orthonormal basis of these columns, of the product or of the block itself, by
+    /// modified Gram-Schmidt. A zero column stays zero.
     template <class P>
     STLTSA_INLINE void orthonormalize(const double* columns_data) const {
         const P* from = reinterpret_cast<const P*>(columns_data);
@@ -161,7 +161,7 @@ struct BlockIteration {
             column[a] *= factor;
     }
 
-    /// Turns block and product so that the columns are the best eigenvectors in their span.
+    /// Replaces the block by the best eigenvectors in its span, and the product accordingly.
     template <class P>
     STLTSA_INLINE void rotate_to_ritz_vectors() const {
         P* block = reinterpret_cast<P*>(block_data);
@@ -182,7 +182,7 @@ struct BlockIteration {
     /// a missed eigenvalue is at most the trace minus the Ritz values: if that is below the last
     /// wanted eigenvalue, or negligible, none was missed.
     template <class P>
-    STLTSA_INLINE bool record(P trace, bool give_up) const {
+    STLTSA_INLINE bool record(P trace, bool may_abandon) const {
         const P* block = reinterpret_cast<const P*>(block_data);
         const P* product = reinterpret_cast<const P*>(product_data);
         P* values = reinterpret_cast<P*>(values_data);
@@ -192,8 +192,8 @@ struct BlockIteration {
         for (std::int64_t l = 0; l < count; ++l) {
             P square{};
             for (std::int64_t a = 0; a < rows; ++a) {
-                const P rest = product[l * rows + a] - ritz.value(l) * block[l * rows + a];
-                square += rest * rest;
+                const P residual = product[l * rows + a] - ritz.value(l) * block[l * rows + a];
+                square += residual * residual;
             }
             worst = square > worst ? square : worst;
         }
@@ -201,26 +201,27 @@ struct BlockIteration {
         for (std::int64_t l = 0; l < columns; ++l)
             missed -= ritz.value(l);
         const P limit = small_residual * ritz.value(0);
-        const P good = worst <= limit * limit ? P{} + 1.0 : P{};
+        const P converged = worst <= limit * limit ? P{} + 1.0 : P{};
         const P last = ritz.value(count - 1);
         const P noise = negligible_value * ritz.value(0);
         const P least = last > noise ? last : noise;
-        const P sure = missed <= least ? good : P{};
+        const P complete = missed <= least ? converged : P{};
         const P state = values[count];
-        const P fresh = state == 0.0 ? sure : P{};
+        const P newly_found = state == 0.0 ? complete : P{};
         for (std::int64_t l = 0; l < count; ++l)
-            values[l] = fresh > 0 ? ritz.value(l) * trace : values[l];
+            values[l] = newly_found > 0 ? ritz.value(l) * trace : values[l];
         for (std::int64_t i = 0; i < count * rows; ++i)
-            vectors[i] = fresh > 0 ? block[i] : vectors[i];
-        P ended = fresh > 0 ? fresh : state;
-        if (give_up)
-            ended = ended == 0.0 ? (missed > hopeless_share * least ? P{} - 1.0 : ended) : ended;
-        values[count] = ended;
-        return none_open(ended);
+            vectors[i] = newly_found > 0 ? block[i] : vectors[i];
+        P updated = newly_found > 0 ? newly_found : state;
+        if (may_abandon)
+            updated =
+                updated == 0.0 ? (missed > abandon_factor * least ? P{} - 1.0 : updated) : updated;
+        values[count] = updated;
+        return all_done(updated);
     }
 
     template <class P>
-    STLTSA_INLINE static bool none_open(P v) {
+    STLTSA_INLINE static bool all_done(P v) {
         bool none = true;
         for (unsigned l = 0; l < sizeof(P) / sizeof(double); ++l)
             none = none && v[l] != 0.0;

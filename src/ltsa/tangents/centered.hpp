@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Frames of a neighborhood about their mean. A frame is subtracted first, and then the mean of the
-// differences: the mean itself would lose the digits that a large common offset has.
+// Centers the frames of a neighborhood. One frame is subtracted first and then the mean of the
+// differences, because subtracting the mean alone would lose digits to a large common offset.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace stltsa::ltsa {
 
-/// Writes frame - origin for some frames, one after another.
+/// Writes frame - origin for each member.
 inline void write_differences(ConstMatrixView x, std::span<const std::int32_t> members,
                               const double* origin, double* out) {
     for (const std::int32_t member : members)

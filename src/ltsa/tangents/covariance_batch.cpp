@@ -22,8 +22,8 @@ constexpr std::int64_t rounded_up(std::int64_t value, std::int64_t step) {
     return (value + step - 1) / step * step;
 }
 
-/// Covariance matrices times the size, from the products of the shared members and from terms, the
-/// other members: with S their sum about the origin, S S^T / k leaves the matrix.
+/// Covariance matrices times k, as the products of the shared members plus those of the terms (the
+/// other members) minus S S^T / k, with S the sum of the terms.
 struct CovarianceKernel {
     BlockIteration iteration;
     ConstMatrixView shared;   ///< upper triangle

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Principal directions of neighborhoods with more frames than features, several at once, one in
-// each lane of a pack.
+// Table 1, step 2 for neighborhoods with more frames than features: several at once, one per lane
+// of a pack.
 #pragma once
 
 #include <cstdint>
@@ -12,16 +12,16 @@
 
 namespace stltsa::ltsa {
 
-/// Finds the leading eigenvectors of covariance matrices, over the features. Neighborhoods of
-/// successive frames have most of their members in common: what these add to the matrices is
-/// computed once for a group of frames.
+/// Finds the leading eigenvectors of covariance matrices of the features. Neighborhoods of
+/// successive frames share most of their members, whose contribution is computed once for a group
+/// of frames.
 class CovarianceBatch {
   public:
     /// Frames of a group: a multiple of the lanes of every machine, so that results do not depend
-    /// on it.
+    /// on the machine.
     static constexpr std::int64_t group = 8;
 
-    /// Whether matrices of this many features are small enough beside neighborhoods of this size.
+    /// Whether matrices of this many features are small enough for neighborhoods of this size.
     static bool worth_while(std::int64_t size, std::int64_t features) {
         return features <= std::min<std::int64_t>(2 * size, 512);
     }
@@ -30,16 +30,17 @@ class CovarianceBatch {
     CovarianceBatch(ConstMatrixView x, std::int64_t size, std::int64_t count, Simd simd);
 
     std::int64_t lanes() const { return eigen_.lanes(); }
-    /// The neighborhoods of frames [first, last) come next.
+    /// Prepares for the neighborhoods of frames [first, last).
     void begin_group(const Neighborhoods& neighborhoods, std::int64_t first, std::int64_t last);
     void set_members(std::int64_t lane, std::span<const std::int32_t> members);
-    /// Every lane must have its members.
+    /// Needs the members of every lane.
     void solve();
 
     bool found(std::int64_t lane) const { return eigen_.found(lane); }
     /// Eigenvalue l of the covariance matrix times the size, descending.
     double value(std::int64_t lane, std::int64_t l) const { return eigen_.value(lane, l); }
-    /// Writes what the members of a lane have in each direction: `count` rows of `size` entries.
+    /// Writes the components of a lane's members along each direction: `count` rows of `size`
+    /// entries.
     void directions(std::int64_t lane, std::span<const std::int32_t> members, double* out);
 
   private:
@@ -48,14 +49,14 @@ class CovarianceBatch {
     ConstMatrixView x_;
     std::int64_t features_, size_, count_;
     EigenBatch eigen_;
-    std::vector<std::int32_t> shared_; ///< members that all neighborhoods of the group have
-    std::vector<std::int32_t> own_;    ///< the others of one neighborhood
-    Matrix shared_products_;           ///< of the features, summed over the shared members
-    const double* origin_ = nullptr;   ///< subtracted from frames, and then the offset
+    std::vector<std::int32_t> shared_; ///< members common to all neighborhoods of the group
+    std::vector<std::int32_t> own_;    ///< the other members of one neighborhood
+    Matrix shared_products_;           ///< products of features, summed over the shared members
+    const double* origin_ = nullptr;   ///< subtracted from frames before the offset
     AlignedVector<double> offset_;
-    AlignedVector<double> vector_; ///< of one direction
-    Matrix centered_;              ///< frames of one neighborhood about the origin
-    AlignedVector<double> terms_;  ///< own members of all lanes
+    AlignedVector<double> vector_; ///< one direction
+    Matrix centered_;              ///< frames of one neighborhood minus the origin
+    AlignedVector<double> terms_;  ///< the other members of all lanes
     std::int64_t terms_in_use_;
 };
 

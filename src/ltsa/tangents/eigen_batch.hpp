@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Leading eigenvectors of several positive semidefinite matrices at once, one in each lane of a
-// pack: the arrays that BlockIteration works on, and what it found.
+// Leading eigenvectors of several positive semidefinite matrices at once, one per lane of a pack:
+// the arrays of a BlockIteration, and its results.
 #pragma once
 
 #include <cstdint>
@@ -16,8 +16,8 @@ class EigenBatch {
   public:
     struct Shape {
         std::int64_t size;    ///< order of the matrices
-        std::int64_t count;   ///< eigenvectors that are wanted
-        std::int64_t columns; ///< of the block, at least count; more of them converge sooner
+        std::int64_t count;   ///< wanted eigenvectors
+        std::int64_t columns; ///< of the block, at least count; more converge sooner
     };
 
     EigenBatch(const Shape& shape, Simd simd);
@@ -36,7 +36,7 @@ class EigenBatch {
     bool found(std::int64_t lane) const { return values_[index(shape_.count, lane)] > 0; }
     /// Eigenvalue l, descending.
     double value(std::int64_t lane, std::int64_t l) const { return values_[index(l, lane)]; }
-    /// An entry of its eigenvector.
+    /// An entry of eigenvector l.
     double vector(std::int64_t lane, std::int64_t l, std::int64_t row) const {
         return vectors_[index(l * rows_ + row, lane)];
     }
@@ -49,14 +49,14 @@ class EigenBatch {
     }
 
     Shape shape_;
-    std::int64_t rows_;    ///< size, rounded up to what the product takes at a time
-    std::int64_t columns_; ///< likewise
+    std::int64_t rows_;    ///< size, rounded up to whole tiles of the product
+    std::int64_t columns_; ///< columns, rounded up likewise
     Simd simd_;
     std::int64_t lanes_;
     AlignedVector<double> matrix_, block_, product_;
     AlignedVector<double> small_; ///< Ritz values and two matrices of order `columns`
     AlignedVector<double> values_, vectors_;
-    AlignedVector<double> start_; ///< the block that every lane starts from; not in packs
+    AlignedVector<double> start_; ///< the initial block of all lanes, as numbers
 };
 
 } // namespace stltsa::ltsa

@@ -60,7 +60,7 @@ void TangentFinder::find_by_covariances(std::int64_t first, std::int64_t last) {
     }
 }
 
-/// Writes what a lane has found of frame i.
+/// Table 1, step 3: writes the directions that a lane has found for frame i.
 template <class Batch>
 void TangentFinder::take(Batch& batch, std::int64_t lane, std::int64_t i) {
     if (!batch.found(lane)) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The tangents of some frames' neighborhoods: several at a time by block iteration, and by LAPACK
-// one at a time if that does not find them or the neighborhoods are too large for it.
+// Finds the tangents of neighborhoods (Table 1, step 2; Table 1, step 3): several at a time by
+// block iteration; one at a time by LAPACK if the iteration fails or the matrices are too large.
 #pragma once
 
 #include <cstdint>
@@ -21,13 +21,12 @@ class TangentFinder {
     TangentFinder(ConstMatrixView x, const Neighborhoods& neighborhoods, std::int64_t computed,
                   Simd simd, Matrix& values, Tangents& tangents);
 
-    /// Whether it needs the distances within all neighborhoods.
+    /// Whether the distances within neighborhoods are used.
     static bool takes_distances(std::int64_t size, std::int64_t features) {
         return size <= std::min(features, GramBatch::largest_size);
     }
 
-    /// distance.among(members): squared distances of these, as BandDistances and
-    /// NeighborhoodDistances have them.
+    /// For the frames [first, last). `distance`: a BandDistances or NeighborhoodDistances.
     template <class Distance>
     void find(std::int64_t first, std::int64_t last, Distance& distance);
 

@@ -12,7 +12,7 @@ namespace {
 /// motion.
 constexpr std::int64_t guard_columns = 2;
 
-/// The correlation matrix from squared distances, and its eigenvectors.
+/// Computes the correlation matrix from squared distances, and its eigenvectors.
 struct CorrelationKernel {
     BlockIteration iteration;
 

@@ -33,7 +33,7 @@ void LocalPca::compute_values(std::span<const std::int32_t> neighborhood) {
 }
 
 void LocalPca::correlate(std::span<const std::int32_t> neighborhood) {
-    // X^T X and X X^T have the same nonzero eigenvalues: take the smaller one.
+    // X^T X and X X^T have the same nonzero eigenvalues: use the smaller one.
     if (frame_side())
         gram(neighborhood);
     else
@@ -42,12 +42,12 @@ void LocalPca::correlate(std::span<const std::int32_t> neighborhood) {
     double trace = 0;
     for (std::int64_t a = 0; a < order; ++a)
         trace += eigen_.matrix()[a * (order + 1)];
-    if (!std::isfinite(trace)) // LAPACK must not see it
+    if (!std::isfinite(trace)) // LAPACK does not accept NaN
         fail_changed(neighborhood.front());
 }
 
-/// The correlation matrix from distances, -1/2 J D J with J = I - e e^T / k: exact zeros for
-/// equal frames and no loss from large means.
+/// The correlation matrix of Table 1, step 2 from squared distances: -1/2 J D J with
+/// J = I - e e^T / k. Equal frames give exact zeros, and large means lose no digits.
 void LocalPca::gram(std::span<const std::int32_t> neighborhood) {
     const auto among = distances_.among(neighborhood);
     const std::int64_t k = size_;

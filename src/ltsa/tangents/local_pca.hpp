@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Principal directions of one neighborhood at a time; keeps its workspace.
+// Table 1, step 2 by LAPACK: principal directions of one neighborhood at a time.
 #pragma once
 
 #include <cstdint>
@@ -17,13 +17,13 @@ class LocalPca {
     LocalPca(ConstMatrixView x, std::int64_t size, std::int64_t count, Simd simd);
 
     void compute(std::span<const std::int32_t> neighborhood);
-    /// The values alone, all of them: `count` is min(size, features).
+    /// All eigenvalues, without directions; needs count = min(size, features).
     void compute_values(std::span<const std::int32_t> neighborhood);
 
     /// Eigenvalue l of the correlation matrix, descending from l = 0.
     double value(std::int64_t l) const { return eigen_.value(l); }
-    /// Writes the unit vector over the neighborhood's frames that belongs to value(l), orthogonal
-    /// to e and to the directions `before` it (rows of `size` entries).
+    /// Writes the direction g of value(l), a unit vector orthogonal to e and to the directions
+    /// `before` it (rows of `size` entries).
     void direction(std::int64_t l, double* out, const double* before) const;
 
   private:
@@ -36,13 +36,13 @@ class LocalPca {
     std::int64_t size_;
     TopEigenpairs eigen_;
     NeighborhoodDistances distances_;
-    Matrix centered_; ///< size x features, only on the feature side
+    Matrix centered_; ///< size x features; empty if frame_side()
     AlignedVector<double> mean_;
 };
 
-/// Makes a direction over `size` frames orthogonal to e and to the `count` directions `before` it
-/// (rows of `size` entries), with norm 1; zero stays zero. G_i of Table 1, step 3, without its
-/// column e / sqrt(k).
+/// Table 1, step 3: makes a direction over `size` frames a column of G_i, orthogonal to the column
+/// e / sqrt(k) and to the `count` directions `before` it (rows of `size` entries), with norm 1.
+/// Zero stays zero.
 void make_tangent(const double* before, std::int64_t count, std::int64_t size, double* direction);
 
 } // namespace stltsa::ltsa

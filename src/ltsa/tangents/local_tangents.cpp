@@ -20,7 +20,7 @@ void report(const Progress& progress, std::int64_t done, std::int64_t blocks) {
     progress.report(Stage::tangents, static_cast<double>(done) / static_cast<double>(blocks));
 }
 
-/// Frames of a long clip that the median eigenvalue is taken of.
+/// Frames of a long clip whose median eigenvalue is taken.
 constexpr std::int64_t most_sampled = 1 << 12;
 
 /// Removes directions whose eigenvalue is rounding noise: their vectors are arbitrary. `values`:
@@ -80,8 +80,8 @@ struct Range {
     std::int64_t first, last;
 };
 
-/// Blocks of at most so many frames. They begin anew with each clip, so that its tangents do not
-/// depend on the clips before it: CovarianceBatch sums in groups of frames of a block.
+/// Blocks of at most `block` frames. Each clip begins a new block, so that its tangents do not
+/// depend on the previous clips: CovarianceBatch sums in groups of frames of a block.
 std::vector<Range> blocks_of(std::span<const std::int64_t> lengths, std::int64_t block) {
     std::vector<Range> blocks;
     std::int64_t end = 0;
@@ -94,7 +94,7 @@ std::vector<Range> blocks_of(std::span<const std::int64_t> lengths, std::int64_t
     return blocks;
 }
 
-/// find(finder, first, last) for each block of frames.
+/// Calls find(finder, first, last) for each block of frames.
 template <class Find>
 Tangents find_in_blocks(ConstMatrixView x, const Neighborhoods& neighborhoods,
                         const Parameters& parameters, const Progress& progress,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Finds the local tangent coordinates of all neighborhoods (paper, Table 1, steps 2 and 3).
+// Local tangent coordinates of all neighborhoods.
 #pragma once
 
 #include <cstdint>
@@ -13,18 +13,18 @@
 
 namespace stltsa::ltsa {
 
-/// Tangents of parameters.dimension dimensions, of neighborhoods that are there.
+/// Table 1, step 2; Table 1, step 3: parameters.dimension tangents of existing neighborhoods.
 Tangents local_tangents(ConstMatrixView x, const Neighborhoods& neighborhoods,
                         const Parameters& parameters, const Progress& progress);
 
-/// Temporal neighborhoods and their tangents in one pass: a block of frames goes from distances to
-/// neighbors, and from these and the same distances to tangents, before the next one.
+/// Table 1, step 1; Table 1, step 2; Table 1, step 3 in one pass: the temporal neighborhoods of a
+/// block of frames and, from the same distances, their tangents.
 Tangents temporal_tangents(ConstMatrixView x, std::span<const std::int64_t> lengths,
                            const Parameters& parameters, const Progress& progress,
                            Neighborhoods& neighborhoods);
 
-/// Eigenvalues of every `stride`-th neighborhood's correlation matrix, descending: one row each,
-/// `count` columns. For local PCA.
+/// For local PCA: the `count` largest eigenvalues of every `stride`-th neighborhood's correlation
+/// matrix, descending, one row each.
 Matrix local_spectra(ConstMatrixView x, const Neighborhoods& neighborhoods, std::int64_t count,
                      std::int64_t stride, int threads, const Progress& progress);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Eigenpairs of very small symmetric matrices by Jacobi's method, one matrix in each lane of P.
+// Eigenpairs of very small symmetric matrices by Jacobi's method, one matrix per lane of P.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace stltsa::ltsa {
 
-/// Owns nothing: `data` has room for order values and two matrices of that order.
+/// Works on `data`, which has room for `order` values and two matrices of that order.
 template <class P>
 class SmallRitz {
   public:
@@ -43,7 +43,7 @@ class SmallRitz {
 
     /// Multiplies the row whose entries are `stride` apart by the eigenvectors.
     STLTSA_INLINE void rotate(P* row, std::int64_t stride) const {
-        P* turned = matrix_; // of no use any more
+        P* turned = matrix_; // no longer needed
         for (std::int64_t j = 0; j < order_; ++j)
             turned[j] = row[0] * vectors_[j];
         for (std::int64_t i = 1; i < order_; ++i)
@@ -74,12 +74,12 @@ class SmallRitz {
             for (std::int64_t pair = 0; pair <= ring / 2; ++pair) {
                 const std::int64_t a = pair == 0 ? ring : (round + pair) % ring;
                 const std::int64_t b = (round + ring - pair) % ring;
-                if (a < order_) // else b is left out in this round
+                if (a < order_) // else b has no partner in this round
                     annihilate(std::min(a, b), std::max(a, b));
             }
     }
 
-    /// One rotation: the entry (i, j) becomes zero.
+    /// Rotates so that the entry (i, j) becomes zero.
     STLTSA_INLINE void annihilate(std::int64_t i, std::int64_t j) const {
         const P one = P{} + 1.0;
         const P entry = matrix_[i * order_ + j];
@@ -107,18 +107,18 @@ class SmallRitz {
     STLTSA_INLINE void sort() const {
         for (std::int64_t i = 0; i < order_; ++i)
             for (std::int64_t j = i + 1; j < order_; ++j) {
-                const auto wrong = values_[i] < values_[j];
-                exchange(wrong, values_[i], values_[j]);
+                const auto out_of_order = values_[i] < values_[j];
+                exchange(out_of_order, values_[i], values_[j]);
                 for (std::int64_t l = 0; l < order_; ++l)
-                    exchange(wrong, vectors_[l * order_ + i], vectors_[l * order_ + j]);
+                    exchange(out_of_order, vectors_[l * order_ + i], vectors_[l * order_ + j]);
             }
     }
 
     template <class Mask>
-    STLTSA_INLINE static void exchange(Mask wrong, P& a, P& b) {
+    STLTSA_INLINE static void exchange(Mask out_of_order, P& a, P& b) {
         const P before = a;
-        a = wrong ? b : a;
-        b = wrong ? before : b;
+        a = out_of_order ? b : a;
+        b = out_of_order ? before : b;
     }
 
     std::int64_t order_;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Local tangent coordinates of each neighborhood (paper, Table 1, steps 2 and 3).
+// Local tangent coordinates of each neighborhood: G_i of Table 1, step 3 without its column
+// e / sqrt(k).
 #pragma once
 
 #include <cstdint>
@@ -16,7 +17,7 @@ struct Tangents {
     std::int64_t size = 0;  ///< k
     std::int64_t count = 0; ///< d
     UnsetVector<double> g;
-    UnsetVector<std::int32_t> rank; ///< of each window: directions that are there, at most d
+    UnsetVector<std::int32_t> rank; ///< directions in which each window varies, at most d
     /// For each direction, the root mean square, over the windows that have it, of the angle by
     /// which rounding may have turned it.
     std::vector<double> rounding;

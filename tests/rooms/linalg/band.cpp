@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Cholesky of band matrices: solved for a known solution, and small pivots refused.
+// Cholesky factors of band matrices: known solutions are found, and small pivots are refused.
 #include "linalg/band.hpp"
 
 #include <algorithm>
@@ -16,13 +16,13 @@ using stltsa::Machine;
 using stltsa::Matrix;
 using stltsa::Random;
 
-/// Diagonally dominant.
-BandMatrix made_matrix(std::int64_t order, std::int64_t reach) {
-    Random random(static_cast<std::uint64_t>(100 * order + reach));
-    BandMatrix matrix(order, reach);
+/// A random, diagonally dominant matrix.
+BandMatrix made_matrix(std::int64_t order, std::int64_t bandwidth) {
+    Random random(static_cast<std::uint64_t>(100 * order + bandwidth));
+    BandMatrix matrix(order, bandwidth);
     for (std::int64_t j = 0; j < order; ++j) {
-        matrix.column(j)[0] = 0.1 + 2 * static_cast<double>(reach);
-        for (std::int64_t i = 1; i <= reach; ++i)
+        matrix.column(j)[0] = 0.1 + 2 * static_cast<double>(bandwidth);
+        for (std::int64_t i = 1; i <= bandwidth; ++i)
             matrix.column(j)[i] = random.symmetric();
     }
     return matrix;
@@ -33,7 +33,8 @@ Matrix product(BandMatrix& matrix, const Matrix& x) {
     Matrix y(x.rows(), x.cols());
     for (std::int64_t r = 0; r < x.rows(); ++r)
         for (std::int64_t j = 0; j < matrix.order(); ++j)
-            for (std::int64_t i = j; i <= std::min(j + matrix.reach(), matrix.order() - 1); ++i) {
+            for (std::int64_t i = j; i <= std::min(j + matrix.bandwidth(), matrix.order() - 1);
+                 ++i) {
                 const double entry = matrix.column(j)[i - j];
                 y(r, i) += entry * x(r, j);
                 if (i > j)
@@ -42,8 +43,8 @@ Matrix product(BandMatrix& matrix, const Matrix& x) {
     return y;
 }
 
-void check_solution(std::int64_t order, std::int64_t reach) {
-    BandMatrix matrix = made_matrix(order, reach);
+void check_solution(std::int64_t order, std::int64_t bandwidth) {
+    BandMatrix matrix = made_matrix(order, bandwidth);
     Random random(1);
     Matrix x(3, order);
     for (std::int64_t i = 0; i < 3 * order; ++i)
@@ -58,29 +59,29 @@ void check_solution(std::int64_t order, std::int64_t reach) {
 }
 
 void systems_are_solved(void**) {
-    for (const std::int64_t reach : {0, 1, 10, 33, 100})
+    for (const std::int64_t bandwidth : {0, 1, 10, 33, 100})
         for (const std::int64_t order : {1, 2, 40, 5000})
-            check_solution(order, reach);
+            check_solution(order, bandwidth);
 }
 
-/// The identity, but for one entry beside the diagonal and the scale of its row: one pivot is left
+/// The identity, except for one off-diagonal entry and the scale of its row, which leave one pivot
 /// with this share of its diagonal entry.
-bool factors_with_pivot(std::int64_t reach, double share, double scale) {
-    BandMatrix matrix(50, reach);
+bool factors_with_pivot(std::int64_t bandwidth, double share, double scale) {
+    BandMatrix matrix(50, bandwidth);
     for (std::int64_t j = 0; j < matrix.order(); ++j) {
-        std::fill_n(matrix.column(j), reach + 1, 0.0);
+        std::fill_n(matrix.column(j), bandwidth + 1, 0.0);
         *matrix.column(j) = 1;
     }
-    *matrix.column(20 + reach) = scale * scale;
-    matrix.column(20)[reach] = std::sqrt(1 - share) * scale;
+    *matrix.column(20 + bandwidth) = scale * scale;
+    matrix.column(20)[bandwidth] = std::sqrt(1 - share) * scale;
     return matrix.factor(1e-13);
 }
 
 void small_pivots_are_refused(void**) {
-    for (const std::int64_t reach : {1, 10, 29})
+    for (const std::int64_t bandwidth : {1, 10, 29})
         for (const double scale : {1e-4, 1.0, 1e4}) {
-            assert_true(factors_with_pivot(reach, 1e-12, scale));
-            assert_false(factors_with_pivot(reach, 1e-14, scale));
+            assert_true(factors_with_pivot(bandwidth, 1e-12, scale));
+            assert_false(factors_with_pivot(bandwidth, 1e-14, scale));
         }
 }
 

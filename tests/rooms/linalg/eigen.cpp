@@ -20,7 +20,7 @@ using stltsa::TopEigenpairs;
 constexpr std::int64_t order = 39;
 constexpr std::int64_t count = 3;
 
-/// Orthonormal vectors; the matrix (lower triangle, by columns) times each is its value times it.
+/// Checks that vectors are orthonormal and eigenvectors of the matrix (lower triangle, by columns).
 void check_pairs(const TopEigenpairs& pairs, const double* matrix, double tolerance) {
     for (std::int64_t p = 0; p < count; ++p) {
         const double* v = pairs.vector(p);
@@ -59,7 +59,7 @@ void a_known_spectrum(void**) {
     check_pairs(pairs, pairs.matrix(), 1e-11);
 }
 
-void values_alone(void**) {
+void values_without_vectors(void**) {
     TopEigenpairs all(order, order);
     fill_known(all.matrix());
     all.solve_values();
@@ -78,21 +78,21 @@ void nearly_the_identity(void**) {
     }
 }
 
-/// Two decoupled parts: 200 values from 1 / 2 to 1, and as many from 2 to 4.
-void two_parts(std::span<const double> x, std::span<double> y) {
+/// Two decoupled blocks: 200 eigenvalues from 1 / 2 to 1, and as many from 2 to 4.
+void two_ranges(std::span<const double> x, std::span<double> y) {
     const std::size_t half = x.size() / 2;
     for (std::size_t i = 0; i < x.size(); ++i)
         y[i] = (i < half ? 0.5 : 2) * (1 + static_cast<double>(i % half) / 199) * x[i];
 }
 
-/// The start vector determines where ARPACK searches: only in its own part.
-void the_start_is_ours(void**) {
+/// ARPACK searches only the blocks that the start vector touches.
+void the_start_vector_decides(void**) {
     const auto largest = [](std::size_t entries) {
         const auto start = [entries](std::span<double> x) {
             std::fill(x.begin(), x.end(), 0.0);
             std::fill_n(x.begin(), entries, 1.0);
         };
-        return stltsa::largest_eigenpairs(two_parts, 400, start, 2, [] {}).values[0];
+        return stltsa::largest_eigenpairs(two_ranges, 400, start, 2, [] {}).values[0];
     };
     ASSERT_NEAR(largest(400), 4, 1e-8);
     ASSERT_NEAR(largest(200), 1, 1e-8);
@@ -145,17 +145,17 @@ void small_eigenvalues_are_found_beside_large_ones(void**) {
 struct Stop {};
 
 /// ARPACK serves one thread at a time; a waiting thread polls, and can be cancelled.
-void a_thread_that_waits_can_be_stopped(void**) {
+void a_waiting_thread_can_be_stopped(void**) {
     const auto start = [](std::span<double> x) { std::fill(x.begin(), x.end(), 1.0); };
     bool stopped = false;
     const auto wait = [&] {
         try {
-            stltsa::largest_eigenpairs(two_parts, 400, start, 2, [] { throw Stop{}; });
+            stltsa::largest_eigenpairs(two_ranges, 400, start, 2, [] { throw Stop{}; });
         } catch (const Stop&) {
             stopped = true;
         }
     };
-    const auto pairs = stltsa::largest_eigenpairs(two_parts, 400, start, 2, [&] {
+    const auto pairs = stltsa::largest_eigenpairs(two_ranges, 400, start, 2, [&] {
         if (!stopped)
             std::thread(wait).join();
     });
@@ -168,12 +168,12 @@ void a_thread_that_waits_can_be_stopped(void**) {
 int main() {
     const stltsa::SingleThreadedBlas single;
     const CMUnitTest tests[] = {
-        cmocka_unit_test(the_start_is_ours),
+        cmocka_unit_test(the_start_vector_decides),
         cmocka_unit_test(pairs_are_eigenpairs),
         cmocka_unit_test(small_eigenvalues_are_found_beside_large_ones),
-        cmocka_unit_test(a_thread_that_waits_can_be_stopped),
+        cmocka_unit_test(a_waiting_thread_can_be_stopped),
         cmocka_unit_test(a_known_spectrum),
-        cmocka_unit_test(values_alone),
+        cmocka_unit_test(values_without_vectors),
         cmocka_unit_test(nearly_the_identity),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Compares the alignment matrix in its unknowns, applied and factored, with its definition.
+// Compares the alignment matrix B, applied and factored in its unknowns, with its definition.
 #include <algorithm>
 
 #include "linalg/panel.hpp"
@@ -17,7 +17,7 @@ using stltsa::ltsa::Alignment;
 using stltsa::ltsa::Neighborhoods;
 using stltsa::ltsa::Patches;
 
-/// Windows; with `links`, their first frame is replaced by one elsewhere.
+/// Windows; with `links`, their first frame is replaced by a distant one.
 Neighborhoods neighborhoods(std::int64_t frames, std::int64_t size, bool links) {
     Neighborhoods result{size, {}};
     for (std::int64_t i = 0; i < frames; ++i) {
@@ -37,29 +37,29 @@ Neighborhoods neighborhoods(std::int64_t frames, std::int64_t size, bool links) 
     return result;
 }
 
-/// B y by its definition in the paper: the sum of each patch's residuals.
+/// B y by its definition (Table 1, step 4): the sum of the residuals of all patches.
 Matrix defined_product(const Patches& patches, const Matrix& y) {
     Matrix product(y.rows(), y.cols());
     const std::int64_t k = patches.size();
     for (std::int64_t p = 0; p < patches.count(); ++p)
         for (std::int64_t c = 0; c < y.cols(); ++c) {
-            std::vector<double> rest;
+            std::vector<double> local;
             double mean = 0;
             for (const std::int32_t frame : patches.of(p)) {
-                rest.push_back(y(frame, c));
+                local.push_back(y(frame, c));
                 mean += y(frame, c) / static_cast<double>(k);
             }
-            std::vector<double> part(rest.size(), mean);
+            std::vector<double> projection(local.size(), mean);
             for (std::int64_t l = 0; l < patches.dimension(); ++l) {
                 const double* g = patches.direction(p, l);
                 double overlap = 0;
-                for (std::size_t j = 0; j < rest.size(); ++j)
-                    overlap += g[j] * rest[j];
-                for (std::size_t j = 0; j < rest.size(); ++j)
-                    part[j] += g[j] * overlap;
+                for (std::size_t j = 0; j < local.size(); ++j)
+                    overlap += g[j] * local[j];
+                for (std::size_t j = 0; j < local.size(); ++j)
+                    projection[j] += g[j] * overlap;
             }
-            for (std::size_t j = 0; j < rest.size(); ++j)
-                product(patches.of(p)[j], c) += rest[j] - part[j];
+            for (std::size_t j = 0; j < local.size(); ++j)
+                product(patches.of(p)[j], c) += local[j] - projection[j];
         }
     return product;
 }
@@ -118,11 +118,11 @@ void check_alignment_of(MakeAlignment make, const Matrix& x, const Neighborhoods
     const auto components = connected_components(found, {});
     assert_int_equal(components.count, 1);
     const Patches patches(found, tangents, components, 0, d, {stltsa::widest_simd(), 3});
-    for (const Simd simd : machine_codes())
+    for (const Simd simd : instruction_sets())
         check_alignment(*make(patches, {simd, 1}), found.size, d);
 }
 
-/// Even and odd sizes, narrow and wide bands, as many directions as are summed together and more.
+/// Even and odd sizes, narrow and wide bands, and more directions than are summed at a time.
 void check_alignments(MakeAlignment make, bool links) {
     const Matrix x = noise(150, 12);
     for (const std::int64_t k : {8, 9, 11, 12, 15, 33, 40, 70, 71})
@@ -149,7 +149,7 @@ void differences_of_many_frames(void**) {
     }
 }
 
-/// The frames' own values, which need nothing else.
+/// The unknowns are the values at the frames.
 struct FrameValues {
     template <class P>
     static void gather(const std::int32_t* frames, std::int64_t k, stltsa::ConstMatrixView values,
@@ -161,7 +161,7 @@ struct FrameValues {
 
 /// Values that are nearly a multiple of a direction: the residual is orthogonal to it, to rounding
 /// of the residual, not of the values. After one projection it would contain 1e-9.
-void what_is_left_is_orthogonal_to_directions(void**) {
+void residuals_are_orthogonal_to_directions(void**) {
     constexpr std::int64_t k = 30, d = 2;
     const Matrix x = noise(150, 12);
     const Neighborhoods found = neighborhoods(x.rows(), k, false);
@@ -182,7 +182,7 @@ void what_is_left_is_orthogonal_to_directions(void**) {
     }
 }
 
-void all_frames_but_one(void**) {
+void all_but_the_grounded_frame(void**) {
 #ifdef STLTSA_CHOLMOD
     check_alignments(stltsa::ltsa::grounded_alignment, true);
 #else
@@ -196,8 +196,8 @@ int main() {
     const CMUnitTest tests[] = {
         cmocka_unit_test(differences_of_frames),
         cmocka_unit_test(differences_of_many_frames),
-        cmocka_unit_test(what_is_left_is_orthogonal_to_directions),
-        cmocka_unit_test(all_frames_but_one),
+        cmocka_unit_test(residuals_are_orthogonal_to_directions),
+        cmocka_unit_test(all_but_the_grounded_frame),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Blends of rows at points, and the reach of distances.
+// Points as combinations of rows, and the reach of a model.
 #include "ltsa/mapping/mapping.hpp"
 #include "linalg/simd.hpp"
 #include "motion/testing.hpp"
@@ -34,7 +34,7 @@ struct Given {
     Mapping mapping(double period = 0) const { return {frames.view(), model, period}; }
 };
 
-/// Rows i on a line in three dimensions, coordinate 2 i.
+/// Rows on a line in three dimensions; row i has coordinate 2 i.
 Given line(std::int64_t rows, std::vector<std::int64_t> lengths) {
     Matrix x(rows, 3);
     Matrix y(rows, 1);
@@ -53,7 +53,7 @@ double coordinate(const Given& given, const Placement& placement) {
     return y;
 }
 
-void line_goes_on(void**) {
+void lines_are_extrapolated(void**) {
     const Given given = line(30, {30});
     const Mapping mapping = given.mapping();
     for (const double at : {-3.0, 0.25, 11.5, 28.9, 35.0}) {
@@ -99,8 +99,8 @@ void weights_fade_out_with_the_blend(void**) {
     ASSERT_NEAR(after, 1, 1e-7);
 }
 
-/// A curve that crosses itself where two rows of one part are farther apart than one of the other.
-void point_belongs_to_the_stretch_it_is_on(void**) {
+/// A curve that crosses itself halfway between two rows of one branch, near a row of the other.
+void point_belongs_to_the_segment_it_is_on(void**) {
     // Coordinates move right along one line and, 40 rows later, up along another one that crosses
     // it halfway between two rows; the frames distinguish the two.
     Matrix x(80, 2);
@@ -124,13 +124,13 @@ void point_belongs_to_the_stretch_it_is_on(void**) {
     placement.apply(given.frames.view(), frame);
     ASSERT_NEAR(frame[0], 20.55, 0.01);
     ASSERT_NEAR(frame[1], 0, 1e-9);
-    // If the order of rows is arbitrary, there are no stretches.
+    // If the order of rows is arbitrary, there are no segments.
     Given spatial = given;
     spatial.model.parameters.mode = Mode::spatial;
     assert_int_equal(spatial.mapping().find_point(point, 0, no_hint, {10, 1, 2}).nearest, 60);
 }
 
-void rows_that_are_all_as_far_count_the_same(void**) {
+void equidistant_rows_have_equal_weights(void**) {
     Matrix x(4, 2);
     Matrix y(4, 1);
     for (std::int64_t i = 0; i < 4; ++i) {
@@ -162,7 +162,7 @@ void hint_may_be_a_repeat(void**) {
     assert_int_equal(mapping.find_frame(given.frames.row(25), 12, p).nearest, 20);
 }
 
-void equal_rows_are_told_by_the_hint(void**) {
+void the_hint_selects_among_equal_rows(void**) {
     Given given = line(30, {20, 10});
     std::copy_n(given.frames.row(4), 3, given.frames.row(12));
     std::copy_n(given.frames.row(4), 3, given.frames.row(25));
@@ -212,18 +212,18 @@ double step_of(const Given& given, std::int64_t row) {
         stltsa::squared_distance(given.frames.row(row), given.frames.row(row + 1), 10));
 }
 
-void support_is_the_step_where_cycles_are_equal(void**) {
+void reach_is_the_step_if_cycles_are_equal(void**) {
     const Given given = cycles(6, 0);
     double largest = 0;
     for (std::int64_t i = 0; i < 20; ++i)
         largest = std::max(largest, step_of(given, i));
-    // Exact repetitions do not make other frames unlikely.
+    // Exact repetitions do not reduce the reach.
     for (const double period : {0.0, 20.0}) {
         ASSERT_NEAR(given.mapping(period).reach(), largest, 0.05 * largest);
     }
 }
 
-void support_grows_with_what_repetitions_differ_by(void**) {
+void reach_grows_with_the_difference_of_repetitions(void**) {
     // 100 times as many rows as distinct phases, so that the step is small.
     const Given fine = [] {
         Matrix x = sampled(1200, 10, 200, [](double t, std::int64_t c) {
@@ -238,7 +238,7 @@ void support_grows_with_what_repetitions_differ_by(void**) {
     ASSERT_NEAR(with, 0.5, 0.02); // from one repetition to the next
 }
 
-void support_of_rows_without_order_is_their_spacing(void**) {
+void reach_of_unordered_rows_is_their_spacing(void**) {
     // Rows of a grid in random order.
     Matrix x(400, 2);
     for (std::int64_t i = 0; i < 400; ++i) {
@@ -255,16 +255,16 @@ void support_of_rows_without_order_is_their_spacing(void**) {
 
 int main() {
     const CMUnitTest tests[] = {
-        cmocka_unit_test(line_goes_on),
+        cmocka_unit_test(lines_are_extrapolated),
         cmocka_unit_test(weights_fade_out_with_the_blend),
-        cmocka_unit_test(point_belongs_to_the_stretch_it_is_on),
-        cmocka_unit_test(rows_that_are_all_as_far_count_the_same),
+        cmocka_unit_test(point_belongs_to_the_segment_it_is_on),
+        cmocka_unit_test(equidistant_rows_have_equal_weights),
         cmocka_unit_test(hint_may_be_a_repeat),
-        cmocka_unit_test(equal_rows_are_told_by_the_hint),
+        cmocka_unit_test(the_hint_selects_among_equal_rows),
         cmocka_unit_test(neighborhoods_stay_in_their_component),
-        cmocka_unit_test(support_is_the_step_where_cycles_are_equal),
-        cmocka_unit_test(support_grows_with_what_repetitions_differ_by),
-        cmocka_unit_test(support_of_rows_without_order_is_their_spacing),
+        cmocka_unit_test(reach_is_the_step_if_cycles_are_equal),
+        cmocka_unit_test(reach_grows_with_the_difference_of_repetitions),
+        cmocka_unit_test(reach_of_unordered_rows_is_their_spacing),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

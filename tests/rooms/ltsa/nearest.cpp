@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Compares the nearest rows and stretches with a search over all pairs, and the order in time.
+// Compares the nearest rows and segments with a search over all pairs, and tests the timeline.
 #include <numeric>
 
 #include "linalg/simd.hpp"
@@ -12,9 +12,9 @@ namespace {
 using namespace ltsa_testing;
 using stltsa::ltsa::Candidate;
 using stltsa::ltsa::NearestRows;
-using stltsa::ltsa::NearStretch;
+using stltsa::ltsa::NearSegment;
 using stltsa::ltsa::RowRange;
-using stltsa::ltsa::Stretch;
+using stltsa::ltsa::Segment;
 using stltsa::ltsa::Timeline;
 
 /// A wandering curve, like motion; every seventh row equals an earlier one.
@@ -36,23 +36,23 @@ std::vector<std::int32_t> every(std::int64_t rows, std::int64_t step) {
 }
 
 /// These rows, each separately.
-std::vector<Stretch> alone(const std::vector<std::int32_t>& rows) {
-    std::vector<Stretch> stretches;
+std::vector<Segment> alone(const std::vector<std::int32_t>& rows) {
+    std::vector<Segment> segments;
     for (const std::int32_t row : rows)
-        stretches.push_back({row, row});
-    return stretches;
+        segments.push_back({row, row});
+    return segments;
 }
 
 /// From each row to the next, except every fifth.
-std::vector<Stretch> chained(const std::vector<std::int32_t>& rows) {
-    std::vector<Stretch> stretches = alone(rows);
+std::vector<Segment> chained(const std::vector<std::int32_t>& rows) {
+    std::vector<Segment> segments = alone(rows);
     for (std::size_t i = 0; i + 1 < rows.size(); ++i)
         if (i % 5 != 4)
-            stretches[i].next = rows[i + 1];
-    return stretches;
+            segments[i].next = rows[i + 1];
+    return segments;
 }
 
-/// The same by sorting all allowed rows.
+/// The nearest rows by sorting all allowed rows.
 template <class Allowed>
 std::vector<Candidate> by_sorting(ConstMatrixView x, const std::vector<std::int32_t>& rows,
                                   const double* query, std::int64_t count, const Allowed& allowed) {
@@ -109,86 +109,86 @@ void same_rows_as_comparing_all(void**) {
         }
 }
 
-/// The squared distance from a stretch: the least over 1000 points on it.
-double sampled_distance(ConstMatrixView x, const double* query, Stretch stretch) {
+/// The squared distance from a segment: the least of 1000 points on it.
+double sampled_distance(ConstMatrixView x, const double* query, Segment segment) {
     double least = std::numeric_limits<double>::infinity();
     std::vector<double> point(static_cast<std::size_t>(x.cols));
     for (int i = 0; i <= 1000; ++i) {
         for (std::int64_t c = 0; c < x.cols; ++c)
             point[static_cast<std::size_t>(c)] =
-                x(stretch.row, c) + i / 1000.0 * (x(stretch.next, c) - x(stretch.row, c));
+                x(segment.row, c) + i / 1000.0 * (x(segment.next, c) - x(segment.row, c));
         least = std::min(least, stltsa::squared_distance(query, point.data(), x.cols));
     }
     return least;
 }
 
 /// The point at the returned share has the returned distance, and no sampled point is nearer.
-void assert_nearest_point(ConstMatrixView x, const double* query, const NearStretch& found) {
+void assert_nearest_point(ConstMatrixView x, const double* query, const NearSegment& found) {
     std::vector<double> point(static_cast<std::size_t>(x.cols));
-    const auto [row, next] = found.stretch;
+    const auto [row, next] = found.segment;
     assert_true(found.share >= 0 && found.share <= 1);
     for (std::int64_t c = 0; c < x.cols; ++c)
         point[static_cast<std::size_t>(c)] = x(row, c) + found.share * (x(next, c) - x(row, c));
     const double step = stltsa::squared_distance(x.row(row), x.row(next), x.cols);
     ASSERT_NEAR(stltsa::squared_distance(query, point.data(), x.cols), found.distance,
                 1e-12 * (1 + found.distance));
-    const double sampled = sampled_distance(x, query, found.stretch);
+    const double sampled = sampled_distance(x, query, found.segment);
     assert_true(found.distance <= sampled + 1e-12 && sampled <= found.distance + 1e-6 * step);
     assert_int_equal(found.nearer_end(), found.share <= 0.5 ? row : next);
 }
 
-void assert_same(const std::vector<NearStretch>& found, const std::vector<NearStretch>& expected) {
+void assert_same(const std::vector<NearSegment>& found, const std::vector<NearSegment>& expected) {
     assert_int_equal(found.size(), expected.size());
     for (std::size_t i = 0; i < found.size(); ++i) {
-        assert_int_equal(found[i].stretch.row, expected[i].stretch.row);
-        assert_int_equal(found[i].stretch.next, expected[i].stretch.next);
+        assert_int_equal(found[i].segment.row, expected[i].segment.row);
+        assert_int_equal(found[i].segment.next, expected[i].segment.next);
         assert_true(found[i].distance == expected[i].distance &&
                     found[i].share == expected[i].share);
     }
 }
 
-void nearest_stretches_of_all(void**) {
+void nearest_segments_of_all(void**) {
     const Matrix x = curve(700, 7, 8);
-    const std::vector<Stretch> stretches = chained(every(700, 2));
-    const NearestRows nearest(x.view(), stretches);
-    const auto count = static_cast<std::int64_t>(stretches.size());
+    const std::vector<Segment> segments = chained(every(700, 2));
+    const NearestRows nearest(x.view(), segments);
+    const auto count = static_cast<std::int64_t>(segments.size());
     stltsa::Random random(3);
     std::vector<double> query(7);
     for (std::int64_t q = 0; q < 700; q += 23) {
         for (std::size_t c = 0; c < 7; ++c)
             query[c] = x.row(q)[c] + (q % 2 == 0 ? 0.05 : 3) * random.symmetric();
-        const auto all = nearest.nearest_stretches(query.data(), 2 * count);
+        const auto all = nearest.nearest_segments(query.data(), 2 * count);
         assert_int_equal(all.size(), count);
         assert_true(std::is_sorted(all.begin(), all.end()));
-        for (const NearStretch& found : all)
+        for (const NearSegment& found : all)
             assert_nearest_point(x.view(), query.data(), found);
         for (const std::size_t few : {1u, 4u, 40u})
-            assert_same(nearest.nearest_stretches(query.data(), static_cast<std::int64_t>(few)),
+            assert_same(nearest.nearest_segments(query.data(), static_cast<std::int64_t>(few)),
                         {all.begin(), all.begin() + static_cast<std::ptrdiff_t>(few)});
-        assert_same(nearest.nearest_stretches_within(query.data(), count, {}), all);
+        assert_same(nearest.nearest_segments_within(query.data(), count, {}), all);
     }
 }
 
-void stretches_end_with_their_range(void**) {
+void segments_end_with_their_range(void**) {
     Matrix x(5, 1);
     for (std::int64_t r = 0; r < 5; ++r)
         x(r, 0) = static_cast<double>(r);
     const NearestRows nearest(x.view(), {{0, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 4}});
     const double query = 2.6;
-    const auto found = nearest.nearest_stretches_within(&query, 9, {0, 3});
+    const auto found = nearest.nearest_segments_within(&query, 9, {0, 3});
     assert_int_equal(found.size(), 3);
     for (std::size_t i = 0; i < 2; ++i) // [1, 2] and [2], both 0.6 away
         ASSERT_NEAR(found[i].distance, 0.36, 1e-12);
-    assert_true(found[1].stretch.row == 2 && found[1].stretch.next == 2);
-    const auto inside = nearest.nearest_stretches_within(&query, 1, {2, 4});
-    assert_true(inside[0].stretch.row == 2 && inside[0].stretch.next == 3);
+    assert_true(found[1].segment.row == 2 && found[1].segment.next == 2);
+    const auto inside = nearest.nearest_segments_within(&query, 1, {2, 4});
+    assert_true(inside[0].segment.row == 2 && inside[0].segment.next == 3);
     ASSERT_NEAR(inside[0].share, 0.6, 1e-12);
     assert_int_equal(inside[0].nearer_end(), 3);
-    assert_true(nearest.nearest_stretches_within(&query, 1, {3, 3}).empty());
-    assert_true(nearest.nearest_stretches(&query, 0).empty());
+    assert_true(nearest.nearest_segments_within(&query, 1, {3, 3}).empty());
+    assert_true(nearest.nearest_segments(&query, 0).empty());
 }
 
-void none_asked_or_none_there(void**) {
+void no_rows_requested_or_indexed(void**) {
     const Matrix x = curve(50, 4, 1);
     const NearestRows nearest(x.view(), alone(every(50, 1)));
     const NearestRows empty(x.view(), {});
@@ -196,11 +196,11 @@ void none_asked_or_none_there(void**) {
     assert_true(nearest.nearest_within(x.row(3), 0, {0, 9}).empty());
     assert_true(empty.nearest(x.row(3), 5).empty());
     assert_true(empty.nearest_within(x.row(3), 5, {0, 9}).empty());
-    assert_true(nearest.holds(49) && !nearest.holds(50) && !empty.holds(0));
+    assert_true(nearest.contains(49) && !nearest.contains(50) && !empty.contains(0));
 }
 
 /// Squares that overflow: all rows are infinitely far, and the first ones are the nearest.
-void rows_beyond_measure(void**) {
+void infinite_distances(void**) {
     Matrix x = lattice(100, 3, 2);
     for (std::int64_t i = 0; i < 300; ++i)
         x.data()[i] *= 1e200;
@@ -208,8 +208,8 @@ void rows_beyond_measure(void**) {
     const double query[] = {3e200, 3e200, 3e200};
     const auto found = nearest.nearest(query, 4);
     assert_int_equal(found.size(), 4);
-    for (const NearStretch& stretch : nearest.nearest_stretches(query, 4))
-        assert_true(std::isinf(stretch.distance) && stretch.share == 0);
+    for (const NearSegment& segment : nearest.nearest_segments(query, 4))
+        assert_true(std::isinf(segment.distance) && segment.share == 0);
     for (std::size_t i = 0; i < 4; ++i) {
         assert_int_equal(found[i].frame, i);
         assert_true(std::isinf(found[i].distance));
@@ -225,10 +225,10 @@ Timeline with_repeats() {
     return {x.view(), lengths};
 }
 
-/// As a caller's may become while a tree is made of them: to put them in order is impossible.
+/// A caller's frames may become NaN while the tree is built; they cannot be sorted.
 void frames_that_are_nan_are_refused(void**) {
     const Matrix x = changed(noise(100, 3), [](double) { return NAN; });
-    std::vector<stltsa::ltsa::Stretch> rows;
+    std::vector<stltsa::ltsa::Segment> rows;
     for (std::int32_t r = 0; r < x.rows(); ++r)
         rows.push_back({r, r});
     try {
@@ -272,10 +272,10 @@ void windows_count_originals_and_end_with_the_clip(void**) {
 int main() {
     const CMUnitTest tests[] = {
         cmocka_unit_test(same_rows_as_comparing_all),
-        cmocka_unit_test(nearest_stretches_of_all),
-        cmocka_unit_test(stretches_end_with_their_range),
-        cmocka_unit_test(none_asked_or_none_there),
-        cmocka_unit_test(rows_beyond_measure),
+        cmocka_unit_test(nearest_segments_of_all),
+        cmocka_unit_test(segments_end_with_their_range),
+        cmocka_unit_test(no_rows_requested_or_indexed),
+        cmocka_unit_test(infinite_distances),
         cmocka_unit_test(frames_that_are_nan_are_refused),
         cmocka_unit_test(repeats_have_an_original),
         cmocka_unit_test(windows_count_originals_and_end_with_the_clip),

@@ -65,7 +65,7 @@ Lists sorted_for_each(const Matrix& x) {
     return lists;
 }
 
-/// The expected subset of these.
+/// The expected rows among these.
 Lists nearest_in(const Lists& sorted, const NearestOfAll& wanted) {
     Lists lists;
     for (const std::vector<Candidate>& all : sorted) {
@@ -102,7 +102,7 @@ RowRange vicinity(std::int64_t row) {
                      : RowRange{std::max(100L, row - 60), row + 61};
 }
 
-/// In any zone, with every machine code.
+/// With any zone and every instruction set.
 void compare(const Matrix& x) {
     const Lists sorted = sorted_for_each(x);
     const auto check = [&](const NearestOfAll& wanted) {
@@ -111,7 +111,7 @@ void compare(const Matrix& x) {
     for (const std::int64_t count : {1, 12, 50})
         for (const auto zone_of : {nothing, itself, vicinity}) {
             check({count, zone_of, {}, 1, stltsa::widest_simd()});
-            for (const Simd simd : machine_codes())
+            for (const Simd simd : instruction_sets())
                 check({count, zone_of, {}, 2, simd});
         }
 }
@@ -129,7 +129,7 @@ void few_rows(void**) {
         compare(cycles(rows, 5, 0));
 }
 
-void equal_rows_come_by_number(void**) {
+void equal_rows_are_ordered_by_number(void**) {
     compare(Matrix(200, 4));
     compare(repetition(500, 4));
     compare(shuffled(repetition(500, 4)));
@@ -154,7 +154,7 @@ int main() {
     const CMUnitTest tests[] = {
         cmocka_unit_test(motion_and_noise),
         cmocka_unit_test(few_rows),
-        cmocka_unit_test(equal_rows_come_by_number),
+        cmocka_unit_test(equal_rows_are_ordered_by_number),
         cmocka_unit_test(numbers_at_the_limits),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);

@@ -53,7 +53,7 @@ Parameters parameters_of(const Case& c) {
     return parameters;
 }
 
-/// All frames of the window, sorted, nearest first, ties by number; the first of them.
+/// The definition: the first of all frames of the window, sorted by distance, ties by number.
 std::vector<std::int32_t> defined(const Matrix& x, std::int64_t begin, std::int64_t end,
                                   std::int64_t frame, const Case& c) {
     std::vector<stltsa::ltsa::Candidate> candidates;

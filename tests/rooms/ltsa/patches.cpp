@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Properties of patches before the work on them, and their grouping.
+// Patches: their frame ranges, rank and blocks.
 #include <algorithm>
 #include <set>
 
@@ -45,28 +45,28 @@ struct Fixture {
     Components components;
 };
 
-/// Enough frames for several threads, the last hull smaller than the others.
+/// Enough frames for several threads, with a smaller last group.
 constexpr std::int64_t many = 50 * stltsa::row_block + 7;
 
-void hulls_are_those_of_their_patches(void**) {
+void group_ranges_are_those_of_their_patches(void**) {
     const Fixture fixture(scattered(many));
     const Patches patches = fixture.patches();
     std::int64_t begin = 0;
-    for (const Patches::Hull& hull : patches.hulls()) {
-        const std::int64_t end = std::min(begin + Patches::hull_size, patches.count());
+    for (const Patches::FrameRange& group : patches.group_ranges()) {
+        const std::int64_t end = std::min(begin + Patches::group_size, patches.count());
         std::int32_t first = patches.of(begin).front(), last = patches.of(begin).back();
         for (std::int64_t p = begin; p < end; ++p) {
             first = std::min(first, patches.of(p).front());
             last = std::max(last, patches.of(p).back());
         }
-        assert_int_equal(hull.first, first);
-        assert_int_equal(hull.last, last);
+        assert_int_equal(group.first, first);
+        assert_int_equal(group.last, last);
         begin = end;
     }
     assert_int_equal(begin, patches.count());
 }
 
-void patches_of_fewer_directions_are_counted(void**) {
+void rank_deficient_patches_are_counted(void**) {
     Fixture fixture(scattered(many));
     for (std::size_t i = 0; i < fixture.tangents.rank.size(); i += 1000)
         fixture.tangents.rank[i] = 1;
@@ -87,7 +87,7 @@ void every_column_has_the_patches_that_touch_it(void**) {
     }
 }
 
-/// Frames of the blocks of each parity, and whether two blocks share one.
+/// Whether no two blocks of one parity share a frame.
 bool blocks_are_apart(const Patches& patches, const PatchBlocks& blocks) {
     std::vector<std::int64_t> block_of[2];
     for (auto& of_frame : block_of)
@@ -103,7 +103,7 @@ bool blocks_are_apart(const Patches& patches, const PatchBlocks& blocks) {
     return true;
 }
 
-/// With the `j`-th frame of a patch replaced.
+/// Replaces the `j`-th frame of a patch, and expects a single block.
 void check_one_block(Neighborhoods found, std::int64_t patch, std::int64_t j, std::int64_t frame) {
     found.index[static_cast<std::size_t>(patch * found.size + j)] =
         static_cast<std::int32_t>(frame);
@@ -123,7 +123,7 @@ void blocks_of_one_parity_share_no_frame(void**) {
         assert_int_equal(blocks.end(blocks.count() - 1), patches.count());
         assert_true(blocks_are_apart(patches, blocks));
 
-        // One frame that two blocks of one parity have, at any place of a hull and of a block.
+        // A frame shared by two blocks of one parity, at several places of a group and of a block.
         for (const std::int64_t p : {2 * block, 2 * block + 76, 3 * block - 1, 4 * block - 1})
             check_one_block(near.found, p, 0, p - 2 * block);
         for (const std::int64_t p : {std::int64_t{0}, std::int64_t{77}, block - 1, 2 * block - 1})
@@ -135,8 +135,8 @@ void blocks_of_one_parity_share_no_frame(void**) {
 
 int main() {
     const CMUnitTest tests[] = {
-        cmocka_unit_test(hulls_are_those_of_their_patches),
-        cmocka_unit_test(patches_of_fewer_directions_are_counted),
+        cmocka_unit_test(group_ranges_are_those_of_their_patches),
+        cmocka_unit_test(rank_deficient_patches_are_counted),
         cmocka_unit_test(every_column_has_the_patches_that_touch_it),
         cmocka_unit_test(blocks_of_one_parity_share_no_frame),
     };

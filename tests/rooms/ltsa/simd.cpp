@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The same bits with every machine code and number of threads; the same numbers with other kernels
-// of OpenBLAS.
+// The same bits with every instruction set and number of threads; the same numbers with other
+// kernels of OpenBLAS.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -52,21 +52,21 @@ bool same_bits(const Model& a, const Model& b) {
     return same;
 }
 
-/// Whether all fits have the bits of the fit with one thread and the most basic machine code.
+/// Whether all fits have the bits of the fit with one thread and the baseline instruction set.
 void check_bits(const char* name, const Matrix& x, Parameters parameters,
                 const std::vector<int>& thread_counts) {
     const Model expected = fitted(x, parameters);
-    for (const Simd simd : machine_codes())
+    for (const Simd simd : instruction_sets())
         for (const int threads : thread_counts) {
             parameters.simd = simd;
             parameters.threads = threads;
             if (!same_bits(fitted(x, parameters), expected))
-                FAIL("%s: k = %ld, code %d, %d threads: other bits", name, parameters.neighbors,
-                     static_cast<int>(simd), threads);
+                FAIL("%s: k = %ld, instruction set %d, %d threads: other bits", name,
+                     parameters.neighbors, static_cast<int>(simd), threads);
         }
 }
 
-/// More than two blocks of frames, the units that threads share.
+/// More than two blocks of frames, which threads share.
 constexpr std::int64_t frames = 1100;
 
 void temporal_fits_have_the_same_bits(void**) {
@@ -118,8 +118,8 @@ int print_coords(const char* size) {
     return std::fwrite(model.coords.data(), sizeof(double), count, stdout) == count ? 0 : 1;
 }
 
-/// The same from a process whose OpenBLAS, which chooses its kernels when it is loaded, was told to
-/// use those of another machine.
+/// The same from a process whose OpenBLAS was told, when it was loaded, to use the kernels of
+/// another machine.
 std::vector<double> coords_with(const char* machine, std::int64_t size) {
     const std::string self = std::filesystem::read_symlink("/proc/self/exe").string();
     const char* emulator = std::getenv("MESON_EXE_WRAPPER"); // set for the code of another machine

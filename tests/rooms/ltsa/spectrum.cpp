@@ -10,12 +10,12 @@ namespace {
 using namespace ltsa_testing;
 using stltsa::Machine;
 
-/// sums(x) with every machine code of this machine, on one and more threads: the same bits.
+/// Checks that sums(x) has the same bits with every instruction set and number of threads.
 template <class Sums>
 Matrix same_everywhere(std::int64_t rows, std::int64_t cols, const Sums& sums) {
     Matrix first(rows, cols);
     sums(first, Machine{Simd::baseline, 1});
-    for (const Simd simd : machine_codes())
+    for (const Simd simd : instruction_sets())
         for (const int threads : {1, 3}) {
             Matrix x(rows, cols);
             sums(x, Machine{simd, threads});
@@ -50,9 +50,9 @@ stltsa::ltsa::Model fitted(const Matrix& x, int dimension, std::int64_t neighbor
     return fit(x.view(), lengths, parameters, {});
 }
 
-/// If the spectrum falls slowly, as with noise, ARPACK's vectors get two solves, so that the first
-/// correction is small. After one solve it turns them by 6e-12.
-void slow_spectra_are_solved_for_again(void**) {
+/// The spectrum of noise falls slowly: after one solve with ARPACK's vectors, the first correction
+/// turns them by 6e-12, after two by less.
+void slow_spectra_are_solved_twice(void**) {
     const double error = fitted(noise(500, 6), 3, 12).components[0].error_estimate;
     if (!(error < 3e-12))
         FAIL("%.1e", error);
@@ -78,7 +78,7 @@ void the_error_of_rounding_noise_is_unknown(void**) {
     assert_true(fitted(uneven(1), 1, 3).components[0].error_estimate < 1e-8);
 }
 
-/// Noise, whose columns differ so much in size that corrections turn the embedding without end.
+/// Noise whose columns differ so much in size that corrections never converge.
 void the_error_is_unknown_if_corrections_do_not_converge(void**) {
     constexpr double sizes[] = {1e2, 4e-6, 2, 0.3, 5e-3, 4e5};
     Matrix x = noise(127, 6, 9);
@@ -101,7 +101,7 @@ int main() {
     const stltsa::SingleThreadedBlas single;
     const CMUnitTest tests[] = {
         cmocka_unit_test(running_sums_are_those_of_their_definition),
-        cmocka_unit_test(slow_spectra_are_solved_for_again),
+        cmocka_unit_test(slow_spectra_are_solved_twice),
         cmocka_unit_test(the_error_of_rounding_noise_is_unknown),
         cmocka_unit_test(the_error_is_unknown_if_corrections_do_not_converge),
     };

@@ -98,8 +98,8 @@ Matrix polynomials(std::int64_t degrees, std::int64_t size) {
     return rows;
 }
 
-/// Polynomials of time, each in separate features: they are the principal directions. The loss of
-/// the small ones in products of frames is known.
+/// Polynomials of time in separate features, which are the principal directions. The rounding of
+/// the small ones is known.
 void features_of_uneven_size(void**) {
     constexpr std::int64_t count = 3;
     constexpr double epsilon = std::numeric_limits<double>::epsilon();
@@ -191,7 +191,7 @@ void check_found(std::int64_t size, const Square& square, double second) {
     }
 }
 
-/// They need more iterations than noise gets.
+/// These need more iterations than noise is allowed.
 void slow_lanes_are_found(void**) {
     check_found(
         37, [](std::int64_t a) { return a < 2 ? 1 / double(1 + a) : 0.12 * std::pow(0.8, a - 2); },
@@ -204,7 +204,7 @@ void distances_within_a_neighborhood_are_those_of_frames(void**) {
         std::vector<std::int32_t> members;
         for (std::int32_t i = 0; i < size; ++i)
             members.push_back(2 * i + i % 2);
-        for (const Simd simd : machine_codes()) {
+        for (const Simd simd : instruction_sets()) {
             stltsa::ltsa::NeighborhoodDistances distances(x.view(), size, simd);
             const auto among = distances.among(members);
             for (std::int64_t b = 1; b < size; ++b)
@@ -215,7 +215,7 @@ void distances_within_a_neighborhood_are_those_of_frames(void**) {
     }
 }
 
-// Hard motions for covariance matrices that share parts of their neighborhoods.
+// Hard motions for covariance matrices of overlapping neighborhoods.
 constexpr std::int64_t length = 400;
 
 /// Moves, holds still except for a drift in one direction, and moves again.
@@ -250,7 +250,7 @@ Matrix moved(double offset) {
     return changed(cyclic(length, features), [offset](double value) { return value + offset; });
 }
 
-/// Windows that the lanes leave to LAPACK.
+/// The number of windows that are left to LAPACK.
 std::int64_t not_found(const Matrix& x, std::int64_t size, int dimension) {
     const Neighborhoods neighborhoods = windows(x.rows(), size);
     CovarianceBatch batch(x.view(), size, dimension, stltsa::widest_simd());
@@ -266,8 +266,8 @@ std::int64_t not_found(const Matrix& x, std::int64_t size, int dimension) {
     return count;
 }
 
-/// `tolerance` of the first direction and of the first two, limited by the digits that any method
-/// loses relative to the largest eigenvalue.
+/// `tolerance`: of the first direction and of the first two; any method rounds relative to the
+/// largest eigenvalue.
 void check_hard(const Matrix& x, double tolerance, double tolerance_of_two) {
     for (const std::int64_t size : {50, 60, 140}) {
         ASSERT_NEAR(largest_difference(x, size, 1), 0, tolerance);
@@ -276,7 +276,7 @@ void check_hard(const Matrix& x, double tolerance, double tolerance_of_two) {
     }
 }
 
-void hard_motions_are_found_together(void**) {
+void hard_motions_are_found_in_batches(void**) {
     check_hard(stopping(), 1e-13, 1e-11);
     check_hard(line(), 1e-13, 1e-13);
     check_hard(jumping(), 1e-13, 1e-9);
@@ -299,7 +299,7 @@ int main() {
         cmocka_unit_test(lanes_that_converge_are_known),
         cmocka_unit_test(slow_lanes_are_found),
         cmocka_unit_test(distances_within_a_neighborhood_are_those_of_frames),
-        cmocka_unit_test(hard_motions_are_found_together),
+        cmocka_unit_test(hard_motions_are_found_in_batches),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Shared by the tests of src/ltsa: frames of every kind, and the machine codes to compare.
+// Shared by the tests of src/ltsa: frames of every kind, and the instruction sets to compare.
 #pragma once
 
 #include <vector>
@@ -44,14 +44,14 @@ inline Matrix lattice(std::int64_t rows, std::int64_t cols, std::uint64_t seed) 
     return changed(noise(rows, cols, seed), [](double value) { return std::round(1.5 * value); });
 }
 
-/// The codes that this machine can run; prints the others once.
-inline const std::vector<Simd>& machine_codes() {
+/// The instruction sets of this machine; prints once what is skipped.
+inline const std::vector<Simd>& instruction_sets() {
     static const std::vector<Simd> codes = [] {
         std::vector<Simd> available = {Simd::baseline};
         if (stltsa::widest_simd() == Simd::avx2)
             available.push_back(Simd::avx2);
         else
-            print_message("SKIPPED: AVX2 is not on this machine\n");
+            print_message("SKIPPED: this machine has no AVX2\n");
         return available;
     }();
     return codes;
