@@ -195,6 +195,7 @@ fn describe(index: i64) -> Option<OptionInfo> {
         maximum: 0.0,
         standard: 0.0,
         automatic: 0,
+        calls: 0,
     };
     // SAFETY: the struct says its size, and the texts that come back are static.
     unsafe {
