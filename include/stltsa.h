@@ -5,9 +5,9 @@
  * The method is spatio-temporal local tangent space alignment (STLTSA): Li, Niu, Zhang, Hu,
  * "Spatio-temporal LTSA and Its Application to Motion Decomposition", ICONIP 2012; LTSA itself:
  * Zhang, Zha, "Principal Manifolds and Nonlinear Dimension Reduction via Local Tangent Space
- * Alignment", SIAM J. Sci. Comput. 26, 2004. "Section" and "equation" below are the former's.
+ * Alignment", SIAM J. Sci. Comput. 26, 2004. "Section" and "equation" below refer to the first.
  *
- * The short way, three calls:
+ * The shortest use takes three calls:
  *
  *     stltsa_clip *clip = NULL;
  *     stltsa_decomposition *units = NULL;
@@ -23,40 +23,38 @@
  *     stltsa_decomposition_free(units);
  *     stltsa_clip_free(clip);
  *
- * The library runs on Linux, and is built by GCC or Clang.
+ * The library supports Linux, with GCC or Clang.
  *
- * Rules that hold for every function:
+ * These rules apply to every function:
  *
- * Errors.     A function that can fail returns stltsa_status: STLTSA_OK (0) or a negative
- *             STLTSA_E_*. stltsa_last_error() then says in words what was wrong, where, and what
- *             to do. On failure a handle output is set to NULL, arrays are left as they were, and
- *             the handles passed in stay usable. Nothing is ever printed, no signal handler is
- *             installed, the environment is not read, the floating-point mode is not changed, and
- *             the process is never ended.
- * Ownership.  Handles are made by the library and belong to the caller, who ends them with the
- *             matching _free, which takes NULL. Texts and bytes that a function puts into a
- *             char ** or unsigned char ** belong to the caller, too, who ends them with
- *             stltsa_free. Inputs are read during the call only; if another thread changes them
- *             meanwhile, the call may fail (E_NOT_FINITE), and what it returns otherwise means
- *             nothing. A returned const char * belongs to the handle it came from and lives as
- *             long.
- * Threads.    Any number of threads may use const handles at once, and different calls may run at
- *             once (ARPACK is not reentrant: the library lets one eigenproblem run at a time; it
- *             cannot know of other users of the same libarpack in the process). A handle that is
- *             not const in a signature is used by one thread at a time. Progress callbacks run on
- *             the thread that made the call. Threads that a call starts end with it (so a process
- *             may fork between calls; what is forked off within a progress callback has to exec
- *             or _exit). While a fit runs, OpenBLAS is set to one thread for the whole process,
- *             then back.
- * Sameness.   Same input, options and build give the same bits on every run, for any number of
- *             threads. The sign of each coordinate is such that its entry of largest size is
- *             positive.
- * Units.      Frames count from 0 in the source file. Intervals are half-open, [begin, end).
- *             Rotations are quaternions w x y z. Lengths are in the file's own unit. Seconds are
- *             frame / fps.
- * Options.    A NULL options pointer means the defaults. An option that is not set has its default
- *             or, if its text says "auto", a value that the library chooses by the rule said there.
- *             No number stands for that; stltsa_options_unset goes back to it.
+ * Errors.      A function that can fail returns stltsa_status: STLTSA_OK (0) or a negative
+ *              STLTSA_E_*. stltsa_last_error() then says what was wrong, where, and what to do.
+ *              After a failure a handle output is NULL, arrays are unchanged, and the handles
+ *              passed in remain usable. The library does not print, install signal handlers, read
+ *              the environment, change the floating-point mode, or end the process.
+ * Ownership.   The caller owns every handle that a function creates, and frees it with the
+ *              matching _free, which accepts NULL. The caller also owns texts and bytes returned
+ *              through a char ** or unsigned char **, and frees them with stltsa_free. Inputs are
+ *              read during the call only; if another thread changes them meanwhile, the call may
+ *              fail (E_NOT_FINITE), and its results are meaningless otherwise. A returned
+ *              const char * belongs to the handle it came from and is valid as long as that handle.
+ * Threads.     Any number of threads may use const handles at once, and different calls may run at
+ *              once. ARPACK is not reentrant: the library solves one eigenproblem at a time, but
+ *              cannot know of other users of the same libarpack in the process. Only one thread at
+ *              a time may use a handle that is not const in the signature. Progress callbacks run
+ *              on the thread that made the call. The threads that a call starts end with it, so a
+ *              process may fork between calls; a child forked within a progress callback must exec
+ *              or _exit. During a fit, OpenBLAS is set to one thread for the whole process, and
+ *              then restored.
+ * Determinism. The same input, options and build give the same bits on every run, for any number
+ *              of threads. The sign of each coordinate is chosen so that its entry of largest
+ *              magnitude is positive.
+ * Units.       Frames count from 0 in the source file. Intervals are half-open, [begin, end).
+ *              Rotations are quaternions w x y z. Lengths are in the unit of the file. Seconds are
+ *              frame / fps.
+ * Options.     A NULL options pointer means the defaults. An option that is not set has its default
+ *              or, if its text says "auto", a value that the library chooses by the rule given
+ *              there. No number means "auto": stltsa_options_unset restores it.
  */
 #ifndef STLTSA_H
 #define STLTSA_H
@@ -90,56 +88,56 @@ typedef int32_t stltsa_status;
 enum {
     STLTSA_OK = 0,
     STLTSA_E_ARGUMENT = -1,      /* NULL where not allowed, unknown key, value out of range */
-    STLTSA_E_SHAPE = -2,         /* rows, columns or strides do not fit */
-    STLTSA_E_NOT_FINITE = -3,    /* a NaN or an infinity among the numbers, or one beyond 1e100,
-                                    where distances would be infinite */
-    STLTSA_E_TOO_FEW_FRAMES = -4, /* fewer (distinct) frames than the neighbors ask for */
+    STLTSA_E_SHAPE = -2,         /* rows, columns or strides do not match */
+    STLTSA_E_NOT_FINITE = -3,    /* a NaN, an infinity, or a number beyond 1e100, for which
+                                    distances would overflow */
+    STLTSA_E_TOO_FEW_FRAMES = -4, /* fewer (distinct) frames than k requires */
     STLTSA_E_NO_MEMORY = -5,     /* no memory, or rows * cols overflows */
     STLTSA_E_IO = -6,            /* a file cannot be opened, read or written */
-    STLTSA_E_FORMAT = -7,        /* a file is not what its format says; text has the line */
-    STLTSA_E_DISCONNECTED = -8,  /* the neighborhood graph falls apart and one was needed */
+    STLTSA_E_FORMAT = -7,        /* a file violates its format; the text names the line */
+    STLTSA_E_DISCONNECTED = -8,  /* a connected neighborhood graph was needed */
     STLTSA_E_DEGENERATE = -9,    /* the frames do not vary, or not in enough directions */
-    STLTSA_E_NOT_CONVERGED = -10, /* the eigensolver gave up */
+    STLTSA_E_NOT_CONVERGED = -10, /* the eigensolver did not converge */
     STLTSA_E_CANCELLED = -11,    /* the progress callback asked to stop */
-    STLTSA_E_UNSUPPORTED = -12,  /* not in this build (CHOLMOD), or not for this clip */
-    STLTSA_E_INTERNAL = -13,     /* a defect of the library: please report */
-    STLTSA_E_NO_COMMON_POSTURE = -14 /* two pieces of motion have no posture at which to join */
+    STLTSA_E_UNSUPPORTED = -12,  /* not in this build (CHOLMOD), or not for this clip or model */
+    STLTSA_E_INTERNAL = -13,     /* a bug in the library: please report it */
+    STLTSA_E_NO_COMMON_POSTURE = -14 /* two pieces have no common posture at which to join */
 };
 
 /* "STLTSA_E_SHAPE" and so on; "STLTSA_E_UNKNOWN" for values that this version does not know. */
 STLTSA_API const char *stltsa_status_name(stltsa_status status) STLTSA_NOEXCEPT;
 
-/* The text of the last failure on this thread; "" before any. Valid until this thread's next
- * call that fails. Never NULL. */
+/* The text of the last failure on this thread, "" before any; never NULL. Valid until the next
+ * failing call of this thread. */
 STLTSA_API const char *stltsa_last_error(void) STLTSA_NOEXCEPT;
 
-/* "0.1.0". The version of the library that runs, not of this header. */
+/* The version of the library at run time, such as "0.1.0"; the header's may differ. */
 STLTSA_API const char *stltsa_version(void) STLTSA_NOEXCEPT;
 
-/* The same as a number that compares: STLTSA_VERSION_NUMBER as it was when the library was built. */
+/* The same as a number: STLTSA_VERSION_NUMBER of the library's build. */
 STLTSA_API int32_t stltsa_version_number(void) STLTSA_NOEXCEPT;
 
-/* Parts that a build of the library may be without. */
+/* Optional parts of a build. */
 enum {
     STLTSA_HAS_CHOLMOD = 1, /* modes spatial and recurrent; without it: E_UNSUPPORTED */
-    STLTSA_HAS_OPENBLAS = 2 /* BLAS is OpenBLAS: a fit sets it to one thread, and then back */
+    STLTSA_HAS_OPENBLAS = 2 /* BLAS is OpenBLAS, which a fit sets to one thread and restores */
 };
-/* 1: this build has the part; 0: it does not, or does not know the part. */
+/* 1: this build has the part; 0: it does not, or the part is unknown. */
 STLTSA_API int32_t stltsa_has(int32_t part) STLTSA_NOEXCEPT;
 
-/* Ends a text or bytes that a function put into a char ** or unsigned char ** of the caller, such
- * as JSON; takes NULL. Handles have a _free of their own. */
+/* Frees a text or bytes that a function returned through a char ** or unsigned char **, such as
+ * JSON; accepts NULL. Handles have their own _free. */
 STLTSA_API void stltsa_free(void *memory) STLTSA_NOEXCEPT;
 
 /* ---- Arrays ----------------------------------------------------------------------------- */
 
-/* dtype: IEEE float32, IEEE float64, 64-bit integers, in native byte order. Numbers are F32 or F64,
- * whichever the caller has; rows, counts and labels are I64. E_ARGUMENT: another dtype. */
+/* dtype: IEEE float32, IEEE float64 or 64-bit integers, in native byte order. Real numbers may be
+ * F32 or F64; rows, counts and labels are I64. E_ARGUMENT: another dtype. */
 enum { STLTSA_F32 = 1, STLTSA_F64 = 2, STLTSA_I64 = 3 };
 
-/* A caller's array, rows x cols: frames are rows, and a list is rows x 1. Strides are in bytes, may be negative, and need
- * not be multiples of the entry size; both 0 means packed rows. The entries of an output must not
- * overlap. Set reserved to 0. These two structs are frozen. */
+/* The caller's array, rows x cols. Frames are rows; a list is rows x 1. Strides are in bytes, may
+ * be negative, and need not be multiples of the entry size; both 0 means packed rows. The entries
+ * of an output must not overlap. Set reserved to 0. These two structs are frozen. */
 typedef struct stltsa_in {
     const void *data;
     int64_t rows, cols;
@@ -159,7 +157,7 @@ typedef struct stltsa_out {
 typedef struct stltsa_options stltsa_options;
 
 /* Keys. stltsa_option_describe() gives name, type, range, default and text of each at run time;
- * the command's flags and the bindings' keywords are made from that table. */
+ * the command's flags and the bindings' keywords are generated from that table. */
 enum {
     STLTSA_OPT_NEIGHBORS = 1,    /* int   k; auto: 1.2 periods if a period is found, otherwise
                                       1.2 s, or 12 if the frame rate is unknown */
@@ -169,28 +167,30 @@ enum {
     STLTSA_OPT_INCLUDE_SELF = 5, /* int   1: a frame is among its own k neighbors (Zhang and Zha);
                                       0: it is not (as scikit-learn has it) */
     STLTSA_OPT_LINKS = 6,        /* int   recurrent: neighbors from outside the exclusion zone */
-    STLTSA_OPT_EXCLUSION = 7,    /* int   recurrent: half width of that zone in frames; auto: window */
+    STLTSA_OPT_EXCLUSION = 7,    /* int   recurrent: half width of that zone in frames; auto:
+                                      window */
     STLTSA_OPT_THREADS = 8,      /* int   auto: every core */
     STLTSA_OPT_FEATURES = 9,     /* int   STLTSA_FEATURES_*; auto: positions if there is a skeleton,
                                       otherwise raw */
     STLTSA_OPT_UP_AXIS = 10,     /* int   1, 2, 3: x, y, z; auto: found from the skeleton */
     STLTSA_OPT_KEEP_START = 11,  /* int   1: do not drop a T-pose at the start */
-    STLTSA_OPT_FPS = 12,         /* real  frames a second, over what the file says; auto: the
+    STLTSA_OPT_FPS = 12,         /* real  frames a second, instead of the file's rate; auto: the
                                       file's. unmap_clip: points a second; auto: the
                                       model's rows */
     STLTSA_OPT_SAMPLE_RATE = 13, /* real  clips: keep one frame in fps / sample_rate, rounded; 0:
                                       all */
-    STLTSA_OPT_SMOOTHING = 14,   /* real  sigma in seconds of the Gaussian on the features; 0: none */
+    STLTSA_OPT_SMOOTHING = 14,   /* real  sigma in seconds of the Gaussian on the features;
+                                      0: none */
     STLTSA_OPT_PERIOD_MIN = 15,  /* real  shortest period looked for, seconds */
     STLTSA_OPT_PERIOD_MAX = 16,  /* real  longest period looked for, seconds */
     STLTSA_OPT_EIGENGAP = 17,    /* real  tau of section 2.3 as a fraction of k */
-    STLTSA_OPT_VARIANCE = 18,    /* real  share of local variance that local PCA must hold */
+    STLTSA_OPT_VARIANCE = 18,    /* real  share of local variance that local PCA must explain */
     STLTSA_OPT_SKELETON = 19,    /* text  path of the ASF file of an AMC clip; auto: found beside
                                       the clip */
-    STLTSA_OPT_KEEP_FRAMES = 20, /* int   1: a model keeps the frames it was fitted to, and so can map
-                                      and unmap; 0: it keeps the coordinates only */
-    STLTSA_OPT_MAP_NEIGHBORS = 21, /* int rows that a local map rests on; auto: max(d + 5, 10) */
-    STLTSA_OPT_MAP_BLEND = 22,   /* int   stretches of the curve whose maps are blended */
+    STLTSA_OPT_KEEP_FRAMES = 20, /* int   1: a model keeps its fitted frames, so it can map and
+                                      unmap; 0: it keeps only the coordinates */
+    STLTSA_OPT_MAP_NEIGHBORS = 21, /* int rows for each local map; auto: max(d + 5, 10) */
+    STLTSA_OPT_MAP_BLEND = 22,   /* int   segments of the curve whose maps are blended */
     STLTSA_OPT_HINT_WINDOW = 23, /* int   rows to each side of a hint; auto: a fifth of k */
     STLTSA_OPT_COMPONENT = 24,   /* int   unmap: component that the coordinates are of, 0-based;
                                       auto: the only one there is */
@@ -198,14 +198,15 @@ enum {
                                       one robust standard deviation of the residuals */
     STLTSA_OPT_KNOT_SPACING = 26, /* real denoise: seconds (rows if the rate is unknown) between
                                       knots; auto: a tenth of the period, otherwise 2 rows */
-    STLTSA_OPT_ROBUST = 27,      /* int   denoise: 1: spikes do not pull at the curve */
-    STLTSA_OPT_CROSSFADE = 28,   /* real  synthesize: seconds to each side of a seam; auto: a tenth of
-                                      the cycle that is repeated, 0.15 s where clips join */
-    STLTSA_OPT_CUT_RANGE = 29,   /* real  synthesize: seconds by which a cut may move to find a common
-                                      posture; auto: a tenth of the cycle that is repeated,
-                                      half a cycle and at least 0.5 s where clips join */
-    STLTSA_OPT_POSTURE_LIMIT = 30, /* real synthesize: largest distance of the postures at a seam, over
-                                      what is common between a motion's own repetitions; 0: none */
+    STLTSA_OPT_ROBUST = 27,      /* int   denoise: 1: reduce the influence of spikes */
+    STLTSA_OPT_CROSSFADE = 28,   /* real  synthesize: seconds to each side of a seam; auto: a tenth
+                                      of the cycle that is repeated, 0.15 s if clips are joined */
+    STLTSA_OPT_CUT_RANGE = 29,   /* real  synthesize: seconds by which a cut may move to find a
+                                      common posture; auto: a tenth of the repeated cycle,
+                                      half a cycle and at least 0.5 s if clips are joined */
+    STLTSA_OPT_POSTURE_LIMIT = 30, /* real synthesize: largest distance of the postures at a seam,
+                                      divided by the usual distance between repetitions of a
+                                      motion; 0: none */
     STLTSA_OPT_DIMENSION_ESTIMATE = 31 /* int decompose: 1: also estimate the intrinsic dimension of
                                       what is embedded (STLTSA_INFO_LOCAL_PCA, _EIGENGAP) */
 };
@@ -220,7 +221,7 @@ enum {
 enum {
     STLTSA_FEATURES_POSITIONS = 1,   /* joints and end sites, root position and yaw removed */
     STLTSA_FEATURES_ROTATIONS6D = 2, /* two columns of each rotation matrix, root yaw removed */
-    STLTSA_FEATURES_EULER = 3,       /* the angles below the root in radians, unwrapped (the paper) */
+    STLTSA_FEATURES_EULER = 3,       /* angles below the root in radians, unwrapped (the paper) */
     STLTSA_FEATURES_RAW = 4          /* the file's numbers */
 };
 
@@ -240,7 +241,7 @@ enum {
 };
 
 /* One row of the options table. Texts are static. `choices` is NULL, or "temporal=1 spatial=2"
- * for keys whose values have names. Append-only: set size to sizeof(stltsa_option_info). */
+ * for keys with named values. Append-only: set size to sizeof(stltsa_option_info). */
 typedef struct stltsa_option_info {
     size_t size;
     int32_t key, type;
@@ -249,9 +250,9 @@ typedef struct stltsa_option_info {
     const char *choices;
     double minimum, maximum; /* of ints and reals */
     double standard;     /* the default; NaN if automatic */
-    int32_t automatic;   /* 1: there is no default, and the library chooses by the rule that the text
-                            gives after "auto"; 0: not set means `standard` */
-    int32_t calls;       /* STLTSA_CALL_*: the functions that read it */
+    int32_t automatic;   /* 1: no default; if not set, the library chooses by the rule that the text
+                            gives after "auto"; 0: the default is `standard` */
+    int32_t calls;       /* STLTSA_CALL_*: the functions that read the option */
 } stltsa_option_info;
 
 STLTSA_API int64_t stltsa_option_count(void) STLTSA_NOEXCEPT;
@@ -261,21 +262,21 @@ STLTSA_API stltsa_status stltsa_option_describe(int64_t index,
 STLTSA_API stltsa_status stltsa_options_new(stltsa_options **options) STLTSA_NOEXCEPT;
 STLTSA_API void stltsa_options_free(stltsa_options *options) STLTSA_NOEXCEPT;
 
-/* Set one option. E_ARGUMENT: unknown key, key of another type, or value outside its range; the
- * text says the range. A text is copied, and must not be empty. */
+/* Set one option. E_ARGUMENT: unknown key, key of another type, empty text, or value outside the
+ * range, which the error text gives. A text is copied. */
 STLTSA_API stltsa_status stltsa_options_set_int(stltsa_options *options, int32_t key,
                                                 int64_t value) STLTSA_NOEXCEPT;
 STLTSA_API stltsa_status stltsa_options_set_real(stltsa_options *options, int32_t key,
                                                  double value) STLTSA_NOEXCEPT;
 STLTSA_API stltsa_status stltsa_options_set_text(stltsa_options *options, int32_t key,
                                                  const char *value) STLTSA_NOEXCEPT;
-/* Back to the default or, if there is none, to what the library chooses. E_ARGUMENT: unknown key. */
+/* Restores the default or the automatic choice. E_ARGUMENT: unknown key. */
 STLTSA_API stltsa_status stltsa_options_unset(stltsa_options *options, int32_t key) STLTSA_NOEXCEPT;
-/* 1: the option was set; 0: it was not, or options is NULL, or the key is unknown. */
+/* 1: the option is set; 0: it is not, or options is NULL, or the key is unknown. */
 STLTSA_API int32_t stltsa_options_is_set(const stltsa_options *options,
                                          int32_t key) STLTSA_NOEXCEPT;
-/* Read one option back, or its default if it is not set or options is NULL. E_ARGUMENT: as for
- * setting, and for an automatic option that is not set. */
+/* Read an option, or its default if it is not set or options is NULL. E_ARGUMENT: unknown key, key
+ * of another type, or an automatic option that is not set. */
 STLTSA_API stltsa_status stltsa_options_get_int(const stltsa_options *options, int32_t key,
                                                 int64_t *value) STLTSA_NOEXCEPT;
 STLTSA_API stltsa_status stltsa_options_get_real(const stltsa_options *options, int32_t key,
@@ -283,28 +284,27 @@ STLTSA_API stltsa_status stltsa_options_get_real(const stltsa_options *options, 
 STLTSA_API stltsa_status stltsa_options_get_text(const stltsa_options *options, int32_t key,
                                                  const char **value) STLTSA_NOEXCEPT;
 
-/* Stages of the work as the progress callback sees them; a call passes through some of them, in
- * this order. */
+/* Stages that a progress callback receives. A call passes through some of them, in this order. */
 enum {
     STLTSA_STAGE_READ = 0,      /* reading a clip */
     STLTSA_STAGE_FEATURES = 1,  /* features of its poses */
-    STLTSA_STAGE_NEIGHBORS = 2, /* choice of k and neighbors; temporal ones come with the tangents */
+    STLTSA_STAGE_NEIGHBORS = 2, /* choice of k, neighbors; temporal ones are found with tangents */
     STLTSA_STAGE_TANGENTS = 3,  /* local tangents */
     STLTSA_STAGE_ALIGNMENT = 4, /* the alignment matrix */
     STLTSA_STAGE_SPECTRUM = 5,  /* its smallest eigenvectors */
     STLTSA_STAGE_UNITS = 6,     /* units and cycles */
-    STLTSA_STAGE_MAP = 7,       /* mapping, either way */
+    STLTSA_STAGE_MAP = 7,       /* mapping, in either direction */
     STLTSA_STAGE_DENOISE = 8,   /* denoising */
     STLTSA_STAGE_SYNTHESIS = 9  /* new motion */
 };
 
-/* `fraction` of the stage is done, 0 to 1; within a call neither the stage nor its fraction goes
- * back, but both may be the same as before, as while a decomposition makes its next fit. The rate of
- * the calls is not limited: a fit of 300 frames makes about 20 of them, one of 300 000 about 300.
- * Nonzero cancels: the call returns E_CANCELLED. It runs on the caller's thread and must not
- * throw or long-jump through the library. In the stage SPECTRUM it must not fit, decompose or
- * estimate a dimension, which returns E_ARGUMENT, nor wait for a thread that does, which never ends:
- * ARPACK works on one problem at a time. */
+/* `fraction` is the completed part of the stage, 0 to 1. Within a call neither the stage nor its
+ * fraction decreases, but both may repeat, for example during the next fit of a decomposition. The
+ * rate of callbacks is not limited: a fit of 300 frames makes about 20, one of 300 000 about 300.
+ * A nonzero return cancels: the call returns E_CANCELLED. The callback runs on the caller's thread,
+ * and must not throw or long-jump through the library. In the stage SPECTRUM it must not fit,
+ * decompose or estimate a dimension, which returns E_ARGUMENT, nor wait for a thread that does,
+ * which deadlocks: ARPACK solves one problem at a time. */
 typedef int32_t (*stltsa_progress_fn)(void *user, int32_t stage, double fraction);
 
 STLTSA_API stltsa_status stltsa_options_set_progress(stltsa_options *options,
@@ -313,13 +313,13 @@ STLTSA_API stltsa_status stltsa_options_set_progress(stltsa_options *options,
 
 /* ---- Facts ------------------------------------------------------------------------------ */
 
-/* What a clip or a result says about itself, by key. Together with the arrays, intervals and seams
- * that have functions of their own these are all the facts of its JSON. An info belongs to the
- * handle that it came from and lives as long; it is NULL for NULL. */
+/* The facts of a clip or a result, by key: every fact of its JSON except the arrays, intervals and
+ * seams, which have their own functions. An info belongs to the handle it came from and is valid as
+ * long as that handle; NULL for a NULL handle. */
 typedef struct stltsa_info stltsa_info;
 
 /* Keys. stltsa_info_describe() gives name, type and text of each at run time. A key with [] has any
- * number of values, any other has one, or none if the handle does not have that fact. */
+ * number of values; any other has one, or none if the handle lacks that fact. */
 enum {
     /* Where the frames come from. Of these four a result of a matrix has none. */
     STLTSA_INFO_PATH = 1,               /* text[] path of the clip as given; empty: from memory */
@@ -401,7 +401,7 @@ enum {
     STLTSA_INFO_LOCAL_PCA_REASON = 70,  /* text   why local PCA cannot tell; empty if it can */
     STLTSA_INFO_EIGENGAP_REASON = 71,   /* text   why the eigengap cannot tell; empty if it can */
     STLTSA_INFO_VARIANCE = 72,          /* real   share of local variance that local PCA must
-                                                  hold */
+                                                  explain */
     STLTSA_INFO_EIGENGAP_THRESHOLD = 73, /* real   tau of section 2.3 as a fraction of k */
     STLTSA_INFO_LOCAL_VARIANCE = 74,    /* real[] mean share of a neighborhood's variance along
                                                   each of its principal directions */
@@ -416,7 +416,7 @@ enum {
     STLTSA_INFO_MOVED = 84,             /* int[]  points that were moved in each column */
     STLTSA_INFO_GAMMA_OPTION = 85,      /* real   option gamma; none: chosen for each column */
     STLTSA_INFO_KNOT_ROWS = 86,         /* real   rows between the knots of the curve */
-    STLTSA_INFO_ROBUST = 87,            /* int    1: spikes do not pull at the curve */
+    STLTSA_INFO_ROBUST = 87,            /* int    1: the influence of spikes is reduced */
     STLTSA_INFO_FIT_PERIOD_MIN = 88,    /* real   period_min of the model whose coordinates
                                                   these are; 0: none */
     STLTSA_INFO_FIT_PERIOD_MAX = 89,    /* real   period_max of that model; 0: none */
@@ -438,16 +438,16 @@ enum {
     STLTSA_INFO_WARNING_END = 123       /* real[] end of that time; the begin for a moment */
 };
 
-/* Kinds of warnings; new ones may be added. Those of a synthesis have the time of the seam. */
+/* Kinds of warnings; new ones may be added. Those of a synthesis have the time of their seam. */
 enum {
     STLTSA_WARNING_FOLLOWS_TIME = 1,    /* coordinate 1 only follows time */
     STLTSA_WARNING_RANK_DEFICIENT = 2,  /* windows vary in fewer than d directions */
     STLTSA_WARNING_SMALL_GAP = 3,       /* another dimension is better defined */
-    STLTSA_WARNING_UNSCALED = 4,        /* rounding may turn a direction: scale the features */
+    STLTSA_WARNING_UNSCALED = 4,        /* rounding may rotate a direction: scale the features */
     STLTSA_WARNING_INACCURATE = 5,      /* eigenvalues at the limit of double precision */
-    STLTSA_WARNING_DISCONNECTED = 6,    /* the neighborhood graph falls apart */
+    STLTSA_WARNING_DISCONNECTED = 6,    /* the neighborhood graph has several components */
     STLTSA_WARNING_JUMP = 7,            /* the pose jumps */
-    STLTSA_WARNING_SEPARATE_MOTION = 8, /* a motion in which no cycle was looked for */
+    STLTSA_WARNING_SEPARATE_MOTION = 8, /* a motion that was not searched for cycles */
     STLTSA_WARNING_OFFSETS_DIFFER = 9,  /* clips joined have slightly different skeletons */
     STLTSA_WARNING_RESAMPLED = 10,      /* a clip was resampled to the first one's frame rate */
     STLTSA_WARNING_SEAM_POSTURE = 11,   /* postures at a seam are far apart */
@@ -456,11 +456,11 @@ enum {
     STLTSA_WARNING_NOT_BLENDED = 14     /* no frames beyond the cuts of a seam to blend */
 };
 
-/* How many values a key has here; 0: none, or an unknown key. */
+/* Number of values of a key; 0: none, or an unknown key. */
 STLTSA_API int64_t stltsa_info_count(const stltsa_info *info, int32_t key) STLTSA_NOEXCEPT;
 
-/* One value; index 0 if there is one only. A text lives as long as the handle. E_ARGUMENT: the
- * handle does not have that fact or that many values, or the key is of another type. */
+/* One value; index 0 if the key has a single value. A text is valid as long as the handle.
+ * E_ARGUMENT: the handle lacks that fact or value, or the key is of another type. */
 STLTSA_API stltsa_status stltsa_info_int(const stltsa_info *info, int32_t key, int64_t index,
                                          int64_t *value) STLTSA_NOEXCEPT;
 STLTSA_API stltsa_status stltsa_info_real(const stltsa_info *info, int32_t key, int64_t index,
@@ -478,8 +478,8 @@ enum {
     STLTSA_HANDLE_SYNTHESIS = 32
 };
 
-/* One row of the table of facts. Texts are static. `choices` is NULL, or "temporal=1 spatial=2" for
- * keys whose values have names. Append-only: set size to sizeof(stltsa_info_key). */
+/* One row of the table of facts. Texts are static. `choices` is NULL, or "temporal=1 spatial=2"
+ * for keys with named values. Append-only: set size to sizeof(stltsa_info_key). */
 typedef struct stltsa_info_key {
     size_t size;
     int32_t key, type;   /* STLTSA_INFO_*, STLTSA_TYPE_* */
@@ -487,7 +487,7 @@ typedef struct stltsa_info_key {
     const char *text;    /* one sentence */
     const char *choices;
     int32_t is_list;     /* 1: any number of values */
-    int32_t handles;     /* handles that can have it: STLTSA_HANDLE_*, added up */
+    int32_t handles;     /* handles that can have the fact: sum of STLTSA_HANDLE_* */
 } stltsa_info_key;
 
 STLTSA_API int64_t stltsa_info_key_count(void) STLTSA_NOEXCEPT;
@@ -502,21 +502,21 @@ enum {
     STLTSA_FORMAT_AMC = 2, /* AMC; needs its ASF: option skeleton, or found by subject number */
     STLTSA_FORMAT_CSV = 3, /* numbers split by , ; tab or blanks; a header line is optional */
     STLTSA_FORMAT_NPY = 4, /* NumPy 1.0 to 3.0, 1-D or 2-D, float32 or float64, C or Fortran;
-                              others, as frames x joints x 3, are refused: reshape them */
+                              other shapes, such as frames x joints x 3, must be reshaped */
     STLTSA_FORMAT_MATRIX = 5 /* no file: stltsa_clip_from_matrix */
 };
 
-/* Reads a clip; the format is told by the suffix, else by the content. Options used: fps,
- * skeleton, progress. E_IO, E_FORMAT (text: path, line, what to do), E_NOT_FINITE. */
+/* Reads a clip. The suffix decides the format, or the content if the suffix is unknown. Options:
+ * fps, skeleton, progress. E_IO, E_FORMAT (the text has path, line and remedy), E_NOT_FINITE. */
 STLTSA_API stltsa_status stltsa_clip_open(const char *path, const stltsa_options *options,
                                           stltsa_clip **clip) STLTSA_NOEXCEPT;
 
-/* The same from memory; format 0: told by the content. */
+/* The same from memory; if format is 0, the content decides. */
 STLTSA_API stltsa_status stltsa_clip_parse(const void *bytes, size_t size, int32_t format,
                                            const stltsa_options *options,
                                            stltsa_clip **clip) STLTSA_NOEXCEPT;
 
-/* A clip of bare features, rows = frames; copied. fps > 0. */
+/* A clip without a skeleton from a matrix, rows = frames, which is copied. fps > 0. */
 STLTSA_API stltsa_status stltsa_clip_from_matrix(const stltsa_in *frames, double fps,
                                                  stltsa_clip **clip) STLTSA_NOEXCEPT;
 STLTSA_API void stltsa_clip_free(stltsa_clip *clip) STLTSA_NOEXCEPT;
@@ -527,9 +527,9 @@ STLTSA_API int64_t stltsa_clip_frames(const stltsa_clip *clip) STLTSA_NOEXCEPT;
 STLTSA_API double stltsa_clip_fps(const stltsa_clip *clip) STLTSA_NOEXCEPT; /* 0: unknown */
 STLTSA_API int32_t stltsa_clip_format(const stltsa_clip *clip) STLTSA_NOEXCEPT;
 STLTSA_API int64_t stltsa_clip_channels(const stltsa_clip *clip) STLTSA_NOEXCEPT;
-/* Joints and end sites in file order, parents first; 0 for a bare matrix. */
+/* Joints and end sites in file order, parents first; 0 without a skeleton. */
 STLTSA_API int64_t stltsa_clip_joints(const stltsa_clip *clip) STLTSA_NOEXCEPT;
-/* Index of the parent, -1 for the root. */
+/* `parent` is the index of the parent, -1 for the root. */
 STLTSA_API stltsa_status stltsa_clip_joint(const stltsa_clip *clip, int64_t joint,
                                            const char **name, int64_t *parent,
                                            int32_t *is_end_site) STLTSA_NOEXCEPT;
@@ -538,12 +538,11 @@ STLTSA_API stltsa_status stltsa_clip_joint(const stltsa_clip *clip, int64_t join
  * E_UNSUPPORTED without a skeleton. */
 STLTSA_API stltsa_status stltsa_clip_positions(const stltsa_clip *clip,
                                                const stltsa_out *positions) STLTSA_NOEXCEPT;
-/* Local rotations: frames x (4 * joints), w x y z, of continuous sign over time. */
+/* Local rotations: frames x (4 * joints), w x y z, with signs continuous over time. */
 STLTSA_API stltsa_status stltsa_clip_rotations(const stltsa_clip *clip,
                                                const stltsa_out *rotations) STLTSA_NOEXCEPT;
 
-/* Features of every source frame, unsmoothed: frames x the count below. Options: features, up
- * axis. */
+/* Features of every source frame, not smoothed: frames x count. Options: features, up axis. */
 STLTSA_API stltsa_status stltsa_clip_feature_count(const stltsa_clip *clip,
                                                    const stltsa_options *options,
                                                    int64_t *count) STLTSA_NOEXCEPT;
@@ -551,16 +550,15 @@ STLTSA_API stltsa_status stltsa_clip_features(const stltsa_clip *clip,
                                               const stltsa_options *options,
                                               const stltsa_out *features) STLTSA_NOEXCEPT;
 
-/* One JSON object that says all of the above (schema: stltsa-clip/1); end it with
- * stltsa_free. */
+/* All of the above as one JSON object (schema: stltsa-clip/1); free it with stltsa_free. */
 STLTSA_API stltsa_status stltsa_clip_json(const stltsa_clip *clip, char **json) STLTSA_NOEXCEPT;
 
-/* Writes a clip, whole or not at all. The format is told by the suffix: .bvh (any skeleton: its
- * hierarchy, channel order, units and frame time), .amc (only what was read from AMC; the ASF file
- * stays as it is), .csv, .npy (the numbers of any clip; CSV with a first column of time where the
+/* Writes a clip, completely or not at all. The suffix decides the format: .bvh (any skeleton, with
+ * its hierarchy, channel order, units and frame time), .amc (only clips read from AMC; the ASF file
+ * is not changed), .csv, .npy (the numbers of any clip; CSV begins with a column of time if the
  * frame rate is known). Numbers read back to the same bits.
- * E_ARGUMENT (another suffix), E_UNSUPPORTED (the clip has no skeleton, or none of that kind, or no
- * frame rate where the format needs one), E_IO. */
+ * E_ARGUMENT (another suffix), E_UNSUPPORTED (the clip lacks a skeleton, the kind of skeleton or
+ * the frame rate that the format needs), E_IO. */
 STLTSA_API stltsa_status stltsa_clip_save(const stltsa_clip *clip,
                                           const char *path) STLTSA_NOEXCEPT;
 
@@ -568,35 +566,36 @@ STLTSA_API stltsa_status stltsa_clip_save(const stltsa_clip *clip,
 
 typedef struct stltsa_model stltsa_model;
 
-/* Fits a model to frames x features (finite; at least k + 1 distinct frames in a row). Several
- * clips: one after another in `frames`; `lengths`, clips x 1, I64, has the frames of each, which
- * sum to rows; NULL: one clip. Temporal neighbors never cross clips. Every connected component of the
- * neighborhood graph is embedded on its own (columns centered, of unit norm); ask
- * STLTSA_INFO_COMPONENTS before you compare coordinates across clips or cuts.
- * Numbers may be as small as they like, but not beyond 1e100.
+/* Fits a model to frames x features (finite, at most 1e100 but arbitrarily small; at least k + 1
+ * distinct frames in a row). Section 2.2. Several clips follow one another in `frames`; `lengths`,
+ * clips x 1, I64, gives the frames of each, which sum to rows; NULL: one clip. Temporal neighbors
+ * never cross clips. Each connected component of the neighborhood graph is embedded separately
+ * (columns centered, of unit norm); check STLTSA_INFO_COMPONENTS before you compare coordinates
+ * across clips or cuts. Repeated frames are collapsed first and get the coordinates of the frame
+ * they repeat.
  * Options: neighbors, window, dimension, mode, include_self, links, exclusion, threads, fps (for
- * the automatic k), period_min, period_max, progress. Repeated frames are collapsed first and
- * get the coordinates of the one they repeat.
- * Memory: packed rows of float64 are read where they lie, so a mapped file will do; others are
- * copied. Beside them temporal neighbors take about 4k + 8kd bytes a frame, 8 for each column of
- * the band (between w and 2w), and 250; each thread up to 100 w^2 + 9000 w for distances, at most
- * 55 MB. Option keep_frames off spares the model its copy.
- * E_SHAPE, E_NOT_FINITE, E_TOO_FEW_FRAMES, E_ARGUMENT (needs d + 2 <= k <= w + 1), E_DEGENERATE,
- * E_NOT_CONVERGED, E_UNSUPPORTED (spatial, recurrent without CHOLMOD), E_CANCELLED,
- * E_NO_MEMORY. Section 2.2. */
+ * the automatic k), period_min, period_max, keep_frames, progress.
+ * Memory: packed rows of float64 are read in place, so a mapped file works; others are copied. In
+ * addition temporal neighbors take about 4k + 8kd + 250 bytes a frame, and 8 for each column of the
+ * band (between w and 2w); each thread takes up to 100 w^2 + 9000 w bytes for distances, at most
+ * 55 MB. If option keep_frames is 0, the model makes no copy of the frames.
+ * E_SHAPE, E_NOT_FINITE, E_TOO_FEW_FRAMES, E_ARGUMENT (d + 2 <= k <= w + 1 is required),
+ * E_DEGENERATE, E_NOT_CONVERGED, E_UNSUPPORTED (spatial or recurrent without CHOLMOD),
+ * E_CANCELLED, E_NO_MEMORY. */
 STLTSA_API stltsa_status stltsa_fit(const stltsa_in *frames, const stltsa_in *lengths,
                                     const stltsa_options *options,
                                     stltsa_model **model) STLTSA_NOEXCEPT;
 
-/* The same from a clip: its features, T-pose start dropped, smoothed and (option sample_rate)
- * decimated. Row i of the model is source frame STLTSA_INFO_FIRST_FRAME + i * STLTSA_INFO_FRAME_STEP. */
+/* The same from the features of a clip, without a T-pose at its start, smoothed and (option
+ * sample_rate) decimated. Row i of the model is source frame
+ * STLTSA_INFO_FIRST_FRAME + i * STLTSA_INFO_FRAME_STEP. */
 STLTSA_API stltsa_status stltsa_fit_clip(const stltsa_clip *clip, const stltsa_options *options,
                                          stltsa_model **model) STLTSA_NOEXCEPT;
 
-/* The same from several clips, one after another, each prepared as by itself. STLTSA_INFO_LENGTH,
- * _FIRST_FRAME, _FRAME_STEP, _PATH and so on then have a value for each clip. The axis that points
- * up, and the skeleton of stltsa_unmap_clip, are those of the first. E_SHAPE: a clip has other joints
- * or channels than the first one, other features, or another rate after decimation. */
+/* The same from several clips, each prepared separately. STLTSA_INFO_LENGTH, _FIRST_FRAME,
+ * _FRAME_STEP, _PATH and so on then have a value for each clip. The up axis, and the skeleton of
+ * stltsa_unmap_clip, are those of the first clip. E_SHAPE: a clip differs from the first in joints,
+ * channels, features, or rate after decimation. */
 STLTSA_API stltsa_status stltsa_fit_clips(const stltsa_clip *const *clips, int64_t count,
                                           const stltsa_options *options,
                                           stltsa_model **model) STLTSA_NOEXCEPT;
@@ -606,15 +605,15 @@ STLTSA_API const stltsa_info *stltsa_model_info(const stltsa_model *model) STLTS
 /* rows x d. */
 STLTSA_API stltsa_status stltsa_model_coords(const stltsa_model *model,
                                              const stltsa_out *coords) STLTSA_NOEXCEPT;
-/* components x (d + 2): lambda_1 = 0, lambda_2, ... lambda_{d+2} of each, ascending; NaN where a
- * component is too small to have as many. */
+/* components x (d + 2): lambda_1 = 0, lambda_2, ... lambda_{d+2} of each, ascending; NaN if a
+ * component is too small to have that many. */
 STLTSA_API stltsa_status stltsa_model_eigenvalues(const stltsa_model *model,
                                                   const stltsa_out *values) STLTSA_NOEXCEPT;
-/* rows x 1, I64: component of each row, counted from 0 in the order of their first rows. */
+/* rows x 1, I64: component of each row, numbered from 0 in the order of their first rows. */
 STLTSA_API stltsa_status stltsa_model_components(const stltsa_model *model,
                                                  const stltsa_out *labels) STLTSA_NOEXCEPT;
-/* What a user should know: a coordinate that only follows time, a disconnected graph,
- * rank-deficient windows, a small gap, features of very different sizes. */
+/* Warnings: a coordinate that only follows time, a disconnected graph, rank-deficient windows, a
+ * small gap, features of very different scales. */
 STLTSA_API int64_t stltsa_model_warning_count(const stltsa_model *model) STLTSA_NOEXCEPT;
 STLTSA_API const char *stltsa_model_warning(const stltsa_model *model,
                                             int64_t index) STLTSA_NOEXCEPT; /* "" past the end */
@@ -625,11 +624,12 @@ STLTSA_API stltsa_status stltsa_model_json(const stltsa_model *model, char **jso
 typedef struct stltsa_dimension stltsa_dimension;
 
 /* Two estimates of the dimension of the manifold: the paper's first eigengap above tau, and the
- * median number of local principal directions that hold `variance` of a neighborhood. B is built
- * with tangent dimension `dimension` (auto: 2). The eigengap counts lambda_1 = 0, and one eigenvalue
- * more than that dimension is small by construction, so it moves with what was put in: read it
- * beside local PCA. Inputs and errors as stltsa_fit; a disconnected or degenerate graph is an
- * answer ("cannot tell"), not an error. */
+ * median number of local principal directions that explain the share `variance` of a
+ * neighborhood. B is built with tangent dimension `dimension` (auto: 2). The eigengap counts
+ * lambda_1 = 0, and one eigenvalue more than that dimension is small by construction, so the
+ * estimate depends on the dimension given: compare it with local PCA. Inputs and errors as
+ * stltsa_fit; for a disconnected or degenerate graph the answer is "cannot tell", which is not
+ * an error. */
 STLTSA_API stltsa_status stltsa_estimate_dimension(const stltsa_in *frames,
                                                    const stltsa_in *lengths,
                                                    const stltsa_options *options,
@@ -637,7 +637,7 @@ STLTSA_API stltsa_status stltsa_estimate_dimension(const stltsa_in *frames,
 STLTSA_API stltsa_status
 stltsa_estimate_dimension_clip(const stltsa_clip *clip, const stltsa_options *options,
                                stltsa_dimension **dimension) STLTSA_NOEXCEPT;
-/* Clips as stltsa_fit_clips takes them. */
+/* Clips as in stltsa_fit_clips. */
 STLTSA_API stltsa_status
 stltsa_estimate_dimension_clips(const stltsa_clip *const *clips, int64_t count,
                                 const stltsa_options *options,
@@ -646,17 +646,17 @@ STLTSA_API void stltsa_dimension_free(stltsa_dimension *dimension) STLTSA_NOEXCE
 STLTSA_API const stltsa_info *
 stltsa_dimension_info(const stltsa_dimension *dimension) STLTSA_NOEXCEPT;
 
-/* 0: cannot tell; the reason then is the text ("" otherwise). */
+/* 0: cannot tell, and `reason` says why ("" otherwise). */
 STLTSA_API int64_t stltsa_dimension_eigengap(const stltsa_dimension *dimension,
                                              const char **reason) STLTSA_NOEXCEPT;
 STLTSA_API int64_t stltsa_dimension_local_pca(const stltsa_dimension *dimension,
                                               const char **reason) STLTSA_NOEXCEPT;
-/* Eigenvalues of B / k, ascending, the zero one first: as many rows as STLTSA_INFO_EIGENVALUE has
- * values (stltsa_info_count), one column. */
+/* Eigenvalues of B / k, ascending, the zero one first: n x 1, n = stltsa_info_count() of
+ * STLTSA_INFO_EIGENVALUE. */
 STLTSA_API stltsa_status stltsa_dimension_eigenvalues(const stltsa_dimension *dimension,
                                                       const stltsa_out *values) STLTSA_NOEXCEPT;
-/* Mean share of a neighborhood's variance along its principal direction 1, 2, ...: as many rows as
- * STLTSA_INFO_LOCAL_VARIANCE has values, one column. */
+/* Mean share of a neighborhood's variance along principal direction 1, 2, ...: n x 1,
+ * n = stltsa_info_count() of STLTSA_INFO_LOCAL_VARIANCE. */
 STLTSA_API stltsa_status
 stltsa_dimension_local_variances(const stltsa_dimension *dimension,
                                  const stltsa_out *shares) STLTSA_NOEXCEPT;
@@ -673,42 +673,42 @@ enum {
     STLTSA_UNIT_CYCLIC = 3,    /* the cycles */
     STLTSA_UNIT_FINAL = 4,     /* from the last cycle to standing */
     STLTSA_UNIT_WIND_UP = 5,   /* standing after a motion */
-    STLTSA_UNIT_ACTION = 6,    /* moving, and no cycle is claimed there */
+    STLTSA_UNIT_ACTION = 6,    /* motion for which no cycles are reported */
     STLTSA_UNIT_CYCLE = 7      /* one cycle of the cyclic unit */
 };
-/* "preparing", "initial", "cyclic", "final", "wind-up", "action", "cycle"; "unknown" for
- * others. */
+/* "preparing", "initial", "cyclic", "final", "wind-up", "action", "cycle"; "unknown" otherwise. */
 STLTSA_API const char *stltsa_unit_name(int32_t kind) STLTSA_NOEXCEPT;
 
-/* [begin, end) in source frames, rounded; in seconds with fractions of a frame kept. Frozen. */
+/* [begin, end) in source frames, rounded, and in seconds, with fractions of a frame. Frozen. */
 typedef struct stltsa_interval {
     int64_t begin, end;
     double begin_s, end_s;
     int32_t kind, reserved;
 } stltsa_interval;
 
-/* Cuts a clip into units and cycles. The period is found first, k and w follow from it, the
- * coordinate that swings once per cycle is chosen among tangent dimensions 1 to 3, smoothed, and
- * cut at its steepest points between peaks and valleys (the second derivative's zeros). Units
- * that are absent are left out; what moves apart from the one run of cycles, with standing
- * between, is an action, and a warning says when. A clip without trustworthy cycles gets activity
- * segments and a reason. That is an answer (STLTSA_OK), not an error.
- * Options: all of features, up axis, keep_start, sample_rate, smoothing, period_*, neighbors,
- * window, dimension, mode, dimension_estimate (with eigengap and variance), threads, progress. A clip
- * of unknown fps: E_ARGUMENT (set option fps when opening it). Other errors as stltsa_fit. */
+/* Divides a clip into units and cycles. It finds the period, derives k and w from it, chooses the
+ * coordinate that oscillates once per cycle among tangent dimensions 1 to 3, smooths it, and cuts
+ * it at its steepest points between peaks and valleys (zeros of the second derivative). Absent
+ * units are omitted. Motion that standing separates from the sequence of cycles is an action, and a
+ * warning gives its time. A clip without reliable cycles gets activity segments and a reason; this
+ * is not an error.
+ * Options: features, up axis, keep_start, sample_rate, smoothing, period_*, neighbors, window,
+ * dimension, mode, dimension_estimate (with eigengap and variance), threads, progress.
+ * E_ARGUMENT: the clip's fps is unknown (set option fps when you open it). Other errors as
+ * stltsa_fit. */
 STLTSA_API stltsa_status stltsa_decompose(const stltsa_clip *clip, const stltsa_options *options,
                                           stltsa_decomposition **decomposition) STLTSA_NOEXCEPT;
 STLTSA_API void stltsa_decomposition_free(stltsa_decomposition *decomposition) STLTSA_NOEXCEPT;
 STLTSA_API const stltsa_info *
 stltsa_decomposition_info(const stltsa_decomposition *decomposition) STLTSA_NOEXCEPT;
 
-/* Units in order of time; they cover [0, frames of the clip) without gap or overlap. */
+/* Units in temporal order; they cover [0, frames of the clip) without gap or overlap. */
 STLTSA_API int64_t
 stltsa_decomposition_unit_count(const stltsa_decomposition *decomposition) STLTSA_NOEXCEPT;
 STLTSA_API stltsa_status stltsa_decomposition_unit(const stltsa_decomposition *decomposition,
                                                    int64_t index,
                                                    stltsa_interval *unit) STLTSA_NOEXCEPT;
-/* Cycles in order of time, each from margin i to margin i + 2, back to back. */
+/* Cycles in temporal order, each from margin i to margin i + 2, without gaps. */
 STLTSA_API int64_t
 stltsa_decomposition_cycle_count(const stltsa_decomposition *decomposition) STLTSA_NOEXCEPT;
 STLTSA_API stltsa_status stltsa_decomposition_cycle(const stltsa_decomposition *decomposition,
@@ -718,15 +718,15 @@ STLTSA_API stltsa_status stltsa_decomposition_cycle(const stltsa_decomposition *
 /* The smoothed coordinate that was cut: samples x 1. */
 STLTSA_API stltsa_status stltsa_decomposition_curve(const stltsa_decomposition *decomposition,
                                                     const stltsa_out *curve) STLTSA_NOEXCEPT;
-/* All coordinates of the fit that was cut, not smoothed: samples x STLTSA_INFO_DIMENSION;
- * zeros if there was nothing to fit (STLTSA_INFO_COORDINATE 0). Samples outside the moving
- * part of the clip have the coordinates of its nearest end. */
+/* All coordinates of the fit that was cut, not smoothed: samples x STLTSA_INFO_DIMENSION; zeros if
+ * there was nothing to fit (STLTSA_INFO_COORDINATE 0). Samples outside the moving part of the clip
+ * have the coordinates of its nearest end. */
 STLTSA_API stltsa_status stltsa_decomposition_coords(const stltsa_decomposition *decomposition,
                                                      const stltsa_out *coords) STLTSA_NOEXCEPT;
 /* The two coordinates of the loop (Fig. 1): samples x 2. */
 STLTSA_API stltsa_status stltsa_decomposition_loop(const stltsa_decomposition *decomposition,
                                                    const stltsa_out *loop) STLTSA_NOEXCEPT;
-/* Why no cycle is claimed, in words with the numbers; "" where cycles are. */
+/* Why no cycles are reported, with the numbers; "" if cycles are. */
 STLTSA_API const char *
 stltsa_decomposition_reason(const stltsa_decomposition *decomposition) STLTSA_NOEXCEPT;
 STLTSA_API int64_t
@@ -734,27 +734,27 @@ stltsa_decomposition_warning_count(const stltsa_decomposition *decomposition) ST
 STLTSA_API const char *
 stltsa_decomposition_warning(const stltsa_decomposition *decomposition,
                              int64_t index) STLTSA_NOEXCEPT;
-/* The object of schema stltsa-decomposition/1; end it with stltsa_free. */
+/* The object of schema stltsa-decomposition/1; free it with stltsa_free. */
 STLTSA_API stltsa_status stltsa_decomposition_json(const stltsa_decomposition *decomposition,
                                                    char **json) STLTSA_NOEXCEPT;
 
-/* ---- Mapping, both ways (section 2.4) ---------------------------------------------------- */
+/* ---- Mapping in both directions (section 2.4) ----------------------------------------- */
 
-/* Places new frames on the curve. Near each frame of the model the map is linear, as LTSA assumes,
- * resting on STLTSA_OPT_MAP_NEIGHBORS frames of the whole model. Between a frame and the next the maps
- * of both are blended, and the STLTSA_OPT_MAP_BLEND nearest such stretches of the curve are blended in
- * turn (the nearest frames, for spatial neighborhoods). A frame that was fitted gets its own
- * coordinates, to the bit; where equal frames come back after others, a hint must say which one is
- * meant, else it is the first of them.
+/* Maps new frames onto the curve. Near each frame of the model the map is linear, as LTSA assumes,
+ * and is fitted to STLTSA_OPT_MAP_NEIGHBORS frames of the whole model. Between consecutive frames
+ * the maps of both are blended, and then those of the STLTSA_OPT_MAP_BLEND nearest such segments of
+ * the curve (the nearest frames, for spatial neighborhoods). A fitted frame gets its own
+ * coordinates, to the bit. If equal frames recur after others, a hint selects one of them; without
+ * a hint the first is used.
  *
  * frames    rows x features of the model, finite
- * hints     NULL, or rows x 1, I64: the model row near which each row is looked for (within
- *           STLTSA_OPT_HINT_WINDOW rows of the same clip), -1: everywhere. For a stream: the
- *           nearest row of the frame before, plus a small STLTSA_OPT_HINT_WINDOW, so that time
- *           never runs back.
+ * hints     NULL, or rows x 1, I64: the model row near which each row is searched (within
+ *           STLTSA_OPT_HINT_WINDOW rows of the same clip); -1: everywhere. For a stream, give the
+ *           nearest row of the previous frame and a small STLTSA_OPT_HINT_WINDOW, so that time
+ *           does not jump back.
  * coords    rows x d
- * distance  NULL, or rows x 1: distance from the fitted frames over STLTSA_INFO_REACH. Beyond 1
- *           the frame is unlike what was learned, and its coordinates mean little.
+ * distance  NULL, or rows x 1: distance from the fitted frames divided by STLTSA_INFO_REACH. Beyond
+ *           1 the frame is unlike the fitted ones, and its coordinates mean little.
  * nearest   NULL, or rows x 1, I64: the nearest model row of each row; the coordinates belong to
  *           the component of that row (stltsa_model_components)
  * Options: map_neighbors, map_blend, hint_window, threads, progress. E_SHAPE, E_NOT_FINITE,
@@ -764,32 +764,32 @@ STLTSA_API stltsa_status stltsa_map(const stltsa_model *model, const stltsa_in *
                                     const stltsa_out *coords, const stltsa_out *distance,
                                     const stltsa_out *nearest) STLTSA_NOEXCEPT;
 
-/* The same for every source frame of a clip: rows = stltsa_clip_frames(clip). Features, up axis and
- * smoothing are the model's; so a clip that was fitted gets its own coordinates at its model rows.
- * The model must be fitted to a clip; E_SHAPE where the two have other features. */
+/* The same for every source frame of a clip: rows = stltsa_clip_frames(clip). Features, up axis
+ * and smoothing are those of the model, so a fitted clip gets its own coordinates at its model
+ * rows. The model must be fitted to a clip. E_SHAPE: the features of the two differ. */
 STLTSA_API stltsa_status stltsa_map_clip(const stltsa_model *model, const stltsa_clip *clip,
                                          const stltsa_options *options, const stltsa_out *coords,
                                          const stltsa_out *distance,
                                          const stltsa_out *nearest) STLTSA_NOEXCEPT;
 
-/* The way back: frames (rows x features) from points of the manifold (rows x d). Distance is the
- * point's from the rows of the model, over what is common between neighboring ones; beyond 1 the
- * frame is a guess. Nearest is the nearer end of the stretch of the curve that the point is on:
- * where the curve passes itself by, a row of another stretch may be nearer. One coordinate alone
- * cannot tell a swing to from the swing fro: give hints, or fit more. For a model of a clip with a
- * skeleton the frames are the features of the poses that stltsa_unmap_clip gives, so that bones keep
- * their lengths. Options: as stltsa_map, and component. E_DISCONNECTED: the model has several
- * components, and option component does not say which. */
+/* The inverse: frames (rows x features) from points of the manifold (rows x d). Distance is from
+ * the point to the rows of the model, divided by the usual distance of neighboring rows; beyond
+ * 1 the frame is a guess. Nearest is the nearer end of the segment of the curve that contains
+ * the point: if the curve comes close to itself, a row of another segment may be nearer. A
+ * single coordinate cannot distinguish the two directions of a swing: give hints, or fit more
+ * coordinates. For a model of a clip with a skeleton the frames are the features of the poses of
+ * stltsa_unmap_clip, so bones keep their lengths. Options: as stltsa_map, and component.
+ * E_DISCONNECTED: the model has several components, and option component is not set. */
 STLTSA_API stltsa_status stltsa_unmap(const stltsa_model *model, const stltsa_in *coords,
                                       const stltsa_in *hints, const stltsa_options *options,
                                       const stltsa_out *frames, const stltsa_out *distance,
                                       const stltsa_out *nearest) STLTSA_NOEXCEPT;
 
-/* Poses from points of the manifold, as a clip with the skeleton that was fitted: rotations of all
- * joints, height and tilt; the body stays over the origin and faces one way. A point becomes a
- * frame, so the clip's rate is that of the points: option fps, which for what stltsa_map_clip gave
- * is the rate of that clip; auto: STLTSA_INFO_FPS, the rate of the rows. Other options: as
- * stltsa_unmap. E_UNSUPPORTED for a model of bare numbers, E_SHAPE for no points at all. */
+/* Poses from points of the manifold, as a clip with the fitted skeleton: rotations of all joints,
+ * height and tilt; the body stays above the origin and keeps one heading. Each point becomes a
+ * frame, so the clip's rate is that of the points: option fps (for the coordinates of
+ * stltsa_map_clip, the rate of that clip); auto: STLTSA_INFO_FPS, the rate of the rows. Other
+ * options: as stltsa_unmap. E_UNSUPPORTED: the model is of a matrix. E_SHAPE: no points. */
 STLTSA_API stltsa_status stltsa_unmap_clip(const stltsa_model *model, const stltsa_in *coords,
                                            const stltsa_in *hints, const stltsa_options *options,
                                            const stltsa_out *distance, const stltsa_out *nearest,
@@ -797,15 +797,15 @@ STLTSA_API stltsa_status stltsa_unmap_clip(const stltsa_model *model, const stlt
 
 /* ---- Model files ------------------------------------------------------------------------- */
 
-/* A model as bytes: versioned, little-endian, checksummed, the same on every machine; what comes
- * back has the same bits. Parsing takes hostile bytes: E_FORMAT says what is wrong with them. End
- * the bytes with stltsa_free. */
+/* A model as bytes: versioned, little-endian, checksummed, the same on every machine; a parsed
+ * model has the same bits. Parsing is safe for untrusted bytes: E_FORMAT says what is wrong.
+ * Free the bytes with stltsa_free. */
 STLTSA_API stltsa_status stltsa_model_serialize(const stltsa_model *model, unsigned char **bytes,
                                                 size_t *size) STLTSA_NOEXCEPT;
 STLTSA_API stltsa_status stltsa_model_parse(const void *bytes, size_t size,
                                             stltsa_model **model) STLTSA_NOEXCEPT;
 
-/* The same to and from a file, which is written whole or not at all. E_IO, E_FORMAT. */
+/* The same to and from a file, which is written completely or not at all. E_IO, E_FORMAT. */
 STLTSA_API stltsa_status stltsa_model_save(const stltsa_model *model,
                                            const char *path) STLTSA_NOEXCEPT;
 STLTSA_API stltsa_status stltsa_model_load(const char *path, stltsa_model **model) STLTSA_NOEXCEPT;
@@ -814,16 +814,17 @@ STLTSA_API stltsa_status stltsa_model_load(const char *path, stltsa_model **mode
 
 typedef struct stltsa_denoising stltsa_denoising;
 
-/* Cleans coordinates, rows x columns, each column for itself. The curve is a penalized least-squares
- * cubic spline over time, its smoothing chosen by generalized cross-validation; points farther than
- * gamma from it are moved towards it by their mean distance, as in equation (1), but never across
- * it. Several clips: as in stltsa_fit; each has a spline of its own. Look for extrema and margins on
- * the curve, never on the moved points. Options: gamma, knot_spacing, robust, fps, period_min,
- * period_max, progress. E_SHAPE, E_NOT_FINITE, E_TOO_FEW_FRAMES (fewer than 8 rows in a clip). */
+/* Denoises coordinates, rows x columns, each column separately. The curve is a penalized
+ * least-squares cubic spline over time; generalized cross-validation chooses its smoothing. Points
+ * farther than gamma from it are moved towards it by their mean distance, as in equation (1), but
+ * never across it. Several clips: as in stltsa_fit; each has its own spline. Locate extrema and
+ * margins on the curve, not on the moved points. Options: gamma, knot_spacing, robust, fps,
+ * period_min, period_max, progress. E_SHAPE, E_NOT_FINITE, E_TOO_FEW_FRAMES (fewer than 8 rows in a
+ * clip). */
 STLTSA_API stltsa_status stltsa_denoise(const stltsa_in *coords, const stltsa_in *lengths,
                                         const stltsa_options *options,
                                         stltsa_denoising **denoising) STLTSA_NOEXCEPT;
-/* The coordinates of a model, component by component; rate and period are the model's. */
+/* The coordinates of a model, component by component; rate and period are those of the model. */
 STLTSA_API stltsa_status stltsa_denoise_model(const stltsa_model *model,
                                               const stltsa_options *options,
                                               stltsa_denoising **denoising) STLTSA_NOEXCEPT;
@@ -831,8 +832,8 @@ STLTSA_API void stltsa_denoising_free(stltsa_denoising *denoising) STLTSA_NOEXCE
 STLTSA_API const stltsa_info *
 stltsa_denoising_info(const stltsa_denoising *denoising) STLTSA_NOEXCEPT;
 
-/* rows x columns: the fitted curve f_c; the points after equation (1); by how much each was moved
- * (0: it was not). */
+/* rows x columns: the fitted curve f_c; the points after equation (1); the displacement of each
+ * point (0: not moved). */
 STLTSA_API stltsa_status stltsa_denoising_curve(const stltsa_denoising *denoising,
                                                 const stltsa_out *curve) STLTSA_NOEXCEPT;
 STLTSA_API stltsa_status stltsa_denoising_cleaned(const stltsa_denoising *denoising,
@@ -854,16 +855,16 @@ typedef struct stltsa_piece {
 
 typedef struct stltsa_synthesis stltsa_synthesis;
 
-/* Joins pieces, in order, into one clip. Where a piece does not go on where the one before ended,
- * the cuts are moved (option cut_range) to the pair of frames whose postures and velocities are most
- * alike, and the two are crossfaded; the body goes on from where it stood, facing the way it faced, and
- * repetitions do not add up what is no turn of the body but the swing of its heading.
- * Pieces that follow each other in their clip are joined as they were, so the units of a clip give
- * the clip back; of what is left out between pieces of one clip, or played twice, at least half
- * stays so. All clips need one hierarchy; the first one gives hierarchy, channels, units and
- * frame rate, to which others are resampled. Options: crossfade, cut_range, posture_limit, up axis,
- * progress. E_ARGUMENT, E_UNSUPPORTED (bare numbers, other hierarchies, no frame rate),
- * E_NO_COMMON_POSTURE (beyond posture_limit; the text says at which seam and by how much). */
+/* Joins pieces, in order, into one clip. If a piece does not continue the one before, the cuts move
+ * (option cut_range) to the pair of frames with the most similar postures and velocities, and the
+ * two are crossfaded. The body continues from its position and heading; repetitions do not
+ * accumulate the swing of the heading, only real turns of the body. Pieces that follow each other
+ * in their clip are joined unchanged, so the units of a clip give the clip back; of the frames left
+ * out between pieces of one clip, or played twice, at least half remain so. All clips need the same
+ * hierarchy. The first clip determines hierarchy, channels, units and frame rate; the others are
+ * resampled. Options: crossfade, cut_range, posture_limit, up axis, progress. E_ARGUMENT,
+ * E_UNSUPPORTED (no skeleton, different hierarchies, no frame rate), E_NO_COMMON_POSTURE (beyond
+ * posture_limit; the text says at which seam and by how much). */
 STLTSA_API stltsa_status stltsa_synthesize(const stltsa_piece *pieces, int64_t count,
                                            const stltsa_options *options,
                                            stltsa_synthesis **synthesis) STLTSA_NOEXCEPT;
@@ -874,19 +875,20 @@ stltsa_synthesis_info(const stltsa_synthesis *synthesis) STLTSA_NOEXCEPT;
 STLTSA_API const stltsa_clip *
 stltsa_synthesis_clip(const stltsa_synthesis *synthesis) STLTSA_NOEXCEPT;
 
-/* A place where one piece gives way to another (or to its own repetition). Append-only: set size
- * to sizeof(stltsa_seam). */
+/* The place at which one piece is followed by another, or by its own repetition. Append-only: set
+ * size to sizeof(stltsa_seam). */
 typedef struct stltsa_seam {
     size_t size;
-    int64_t frame;           /* first frame of the new clip that is the later piece's */
-    int64_t piece, next;     /* indices of the pieces that meet there */
-    int64_t cut_end, cut_begin; /* the cuts, in frames of their clips (resampled, where they were):
-                                   the earlier piece ends before cut_end, the later begins there */
+    int64_t frame;           /* first frame of the new clip that belongs to the later piece */
+    int64_t piece, next;     /* indices of the pieces that meet */
+    int64_t cut_end, cut_begin; /* the cuts, in frames of their clips (after any resampling): the
+                                   earlier piece ends before cut_end, the later starts at
+                                   cut_begin */
     int64_t crossfade;       /* frames to each side that are blended; 0: none */
-    double posture;          /* distance of postures and velocities at the cuts over what is common
-                                between repetitions of the same motion; 1: as alike as those */
-    double step, acceleration; /* largest pose step, and second difference, near the seam over the
-                                95th percentile of the pieces': 1 and below is not to be seen */
+    double posture;          /* distance of postures and velocities at the cuts, divided by the
+                                usual distance between repetitions of the same motion */
+    double step, acceleration; /* largest pose step, and second difference, near the seam, divided
+                                by the 95th percentile in the pieces; invisible up to 1 */
 } stltsa_seam;
 STLTSA_API int64_t stltsa_synthesis_seam_count(const stltsa_synthesis *synthesis) STLTSA_NOEXCEPT;
 STLTSA_API stltsa_status stltsa_synthesis_seam(const stltsa_synthesis *synthesis, int64_t index,

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // libstltsa for C++20: stltsa.h with move-only handles, exceptions, std::string and std::span.
-// What each function does, and the options that it takes, is said there.
+// stltsa.h documents each function and its options.
 //
 //     const stltsa::Clip clip = stltsa::Clip::open("walk.bvh");
 //     for (const stltsa::Interval& unit : stltsa::decompose(clip).units())
 //         std::cout << stltsa::unit_name(unit.kind) << ' ' << unit.begin_s << " s\n";
 //
-// A failure is thrown as stltsa::Error. Keys and kinds are the constants of stltsa.h, and get() of
-// each object is its handle there. An Options object that nothing was set in means the defaults.
+// Failures are thrown as stltsa::Error. Keys and kinds are the constants of stltsa.h; get() of each
+// object returns its C handle. An Options object without settings means the defaults.
 #ifndef STLTSA_HPP
 #define STLTSA_HPP
 
@@ -49,7 +49,7 @@ using Piece = stltsa_piece; ///< see Clip::piece()
 using OptionInfo = stltsa_option_info;
 using InfoKey = stltsa_info_key;
 
-/// Numbers row by row, as the library returns them.
+/// Numbers in row order, as the library returns them.
 struct Matrix {
     std::int64_t rows = 0;
     std::int64_t cols = 0;
@@ -72,13 +72,13 @@ struct Matrix {
     }
 };
 
-/// A caller's numbers, read where they lie. Strides and their like: make it from a stltsa_in.
+/// The caller's numbers, read in place. For strides, construct it from a stltsa_in.
 class MatrixView {
   public:
     MatrixView(const stltsa_in& in) : in_(in) {}
     MatrixView(const Matrix& matrix)
         : in_{matrix.values.data(), matrix.rows, matrix.cols, 0, 0, STLTSA_F64, 0} {}
-    /// Packed rows of so many columns. Throws Error where the values are not whole rows.
+    /// Packed rows of the given number of columns. Throws Error if the values are not whole rows.
     MatrixView(std::span<const double> values, std::int64_t cols)
         : in_{values.data(), rows_of(values.size(), cols), cols, 0, 0, STLTSA_F64, 0} {}
     MatrixView(std::span<const float> values, std::int64_t cols)
@@ -100,7 +100,7 @@ class MatrixView {
 
 namespace detail {
 
-/// What a progress callback threw on this thread, until the call that it ran in returns.
+/// The exception of a progress callback on this thread, kept until its call returns.
 inline std::exception_ptr& thrown() noexcept {
     thread_local std::exception_ptr thrown_by_callback;
     return thrown_by_callback;
@@ -176,7 +176,7 @@ Matrix matrix(Fill fill, const T* handle, std::int64_t rows, std::int64_t cols,
     return result;
 }
 
-/// The items 0 to count - 1, as item(index) gives them.
+/// The results of item(index) for 0 to count - 1.
 template <class Item>
 auto list(std::int64_t count, Item item) {
     std::vector<decltype(item(count))> items;
@@ -229,7 +229,7 @@ inline std::vector<InfoKey> info_table() {
     });
 }
 
-/// Facts by key, as info() of an object gives them; they live as long as the object.
+/// Facts by key, as info() of an object gives them; they are valid as long as the object.
 class Info {
   public:
     explicit Info(const stltsa_info* of) : info_(of) {}
@@ -261,8 +261,8 @@ class Info {
 class Options {
   public:
     using Pointer = stltsa_options*;
-    /// Told the stage and how much of it is done, 0 to 1; true cancels the call. What it throws
-    /// comes out of the call.
+    /// Receives the stage and its completed part, 0 to 1; returning true cancels the call. Its
+    /// exceptions propagate from the call.
     using Progress = std::function<bool(std::int32_t stage, double fraction)>;
 
     /// A whole number, a switch, or one of the constants.
@@ -288,7 +288,7 @@ class Options {
         return *this;
     }
 
-    /// Back to the default, or to what the library chooses.
+    /// Restores the default or the automatic choice.
     Options& unset(std::int32_t key) {
         detail::check(stltsa_options_unset(made(), key));
         return *this;
@@ -341,7 +341,7 @@ class Clip {
     static Clip open(const std::string& path, const Options& options = {}) {
         return detail::made<Clip>(stltsa_clip_open, path.c_str(), options.get());
     }
-    /// `format` 0: told by the content.
+    /// If `format` is 0, the content decides.
     static Clip parse(std::span<const std::byte> bytes, std::int32_t format = 0,
                       const Options& options = {}) {
         return detail::made<Clip>(stltsa_clip_parse, bytes.data(), bytes.size(), format,
@@ -385,7 +385,7 @@ class Clip {
         detail::check(stltsa_clip_save(get(), path.c_str()));
     }
 
-    /// Frames [begin, end) of this clip, for synthesize(); the clip has to live until then.
+    /// Frames [begin, end) of this clip, for synthesize(); the clip must outlive that call.
     Piece piece(std::int64_t begin, std::int64_t end, std::int64_t repeat = 1) const noexcept {
         return {get(), begin, end, repeat, 0};
     }
@@ -395,7 +395,7 @@ class Clip {
   private:
     friend class Synthesis;
     struct Free {
-        stltsa_clip* owned = nullptr; ///< nullptr: the clip is another object's
+        stltsa_clip* owned = nullptr; ///< nullptr: another object owns the clip
         void operator()(const stltsa_clip*) const noexcept { stltsa_clip_free(owned); }
     };
     explicit Clip(const stltsa_clip* borrowed) : handle_(borrowed, Free{}) {}
@@ -403,7 +403,7 @@ class Clip {
     std::unique_ptr<const stltsa_clip, Free> handle_;
 };
 
-/// What Model::map() and Model::unmap() say of each row.
+/// Results of Model::map() and Model::unmap() for each row.
 struct Mapped {
     Matrix values; ///< coordinates, or frames
     std::vector<double> distance;
@@ -513,12 +513,12 @@ class Model {
     detail::Handle<stltsa_model, stltsa_model_free> handle_;
 };
 
-/// Frames of each clip, where several clips follow each other in a matrix; empty: one clip.
+/// Frames of each clip, if several follow each other in a matrix; empty: one clip.
 using Lengths = std::span<const std::int64_t>;
 
 namespace detail {
 
-/// Calls make(in, lengths, options, ...) as the C functions of several clips have it.
+/// Calls make(in, lengths, options, ...), a C function that takes several clips.
 template <class T, class Make>
 T made_of_rows(Make make, const MatrixView& rows, const Options& options, Lengths lengths) {
     return made<T>(make, rows.get(), List(lengths).get(), options.get());
@@ -540,7 +540,7 @@ inline Model fit(const MatrixView& frames, const Options& options = {}, Lengths 
 inline Model fit(const Clip& clip, const Options& options = {}) {
     return detail::made<Model>(stltsa_fit_clip, clip.get(), options.get());
 }
-/// Several clips, each prepared as by itself.
+/// Several clips, each prepared separately.
 inline Model fit(std::span<const Clip> clips, const Options& options = {}) {
     return detail::made_of_clips<Model>(stltsa_fit_clips, clips, options);
 }
@@ -681,7 +681,7 @@ class Synthesis {
     explicit Synthesis(stltsa_synthesis* owned)
         : handle_(owned), clip_(stltsa_synthesis_clip(owned)) {}
 
-    /// The new clip; it lives as long as this object.
+    /// The new clip; valid as long as this object.
     const Clip& clip() const noexcept { return clip_; }
     std::int64_t seam_count() const noexcept { return stltsa_synthesis_seam_count(get()); }
     Seam seam(std::int64_t index) const {
