@@ -5,7 +5,7 @@ kinds! {
     Part {
         /// Modes spatial and recurrent; without it: E_UNSUPPORTED.
         Cholmod = STLTSA_HAS_CHOLMOD,
-        /// BLAS is OpenBLAS: a fit sets it to one thread, and then back.
+        /// BLAS is OpenBLAS, which a fit sets to one thread and restores.
         Openblas = STLTSA_HAS_OPENBLAS,
     }
     /// Options by key, with their types, for `Options::unset`.
@@ -34,8 +34,8 @@ kinds! {
         UpAxis = STLTSA_OPT_UP_AXIS,
         /// `int`: 1: do not drop a T-pose at the start.
         KeepStart = STLTSA_OPT_KEEP_START,
-        /// `real`: frames a second, over what the file says; auto: the file's. unmap_clip: points a
-        /// second; auto: the model's rows.
+        /// `real`: frames a second, instead of the file's rate; auto: the file's. unmap_clip:
+        /// points a second; auto: the model's rows.
         Fps = STLTSA_OPT_FPS,
         /// `real`: clips: keep one frame in fps / sample_rate, rounded; 0: all.
         SampleRate = STLTSA_OPT_SAMPLE_RATE,
@@ -47,16 +47,16 @@ kinds! {
         PeriodMax = STLTSA_OPT_PERIOD_MAX,
         /// `real`: tau of section 2.3 as a fraction of k.
         Eigengap = STLTSA_OPT_EIGENGAP,
-        /// `real`: share of local variance that local PCA must hold.
+        /// `real`: share of local variance that local PCA must explain.
         Variance = STLTSA_OPT_VARIANCE,
         /// `text`: path of the ASF file of an AMC clip; auto: found beside the clip.
         Skeleton = STLTSA_OPT_SKELETON,
-        /// `int`: 1: a model keeps the frames it was fitted to, and so can map and unmap; 0: it
-        /// keeps the coordinates only.
+        /// `int`: 1: a model keeps its fitted frames, so it can map and unmap; 0: it keeps only the
+        /// coordinates.
         KeepFrames = STLTSA_OPT_KEEP_FRAMES,
-        /// `int`: rows that a local map rests on; auto: max(d + 5, 10).
+        /// `int`: rows for each local map; auto: max(d + 5, 10).
         MapNeighbors = STLTSA_OPT_MAP_NEIGHBORS,
-        /// `int`: stretches of the curve whose maps are blended.
+        /// `int`: segments of the curve whose maps are blended.
         MapBlend = STLTSA_OPT_MAP_BLEND,
         /// `int`: rows to each side of a hint; auto: a fifth of k.
         HintWindow = STLTSA_OPT_HINT_WINDOW,
@@ -69,16 +69,16 @@ kinds! {
         /// `real`: denoise: seconds (rows if the rate is unknown) between knots; auto: a tenth of
         /// the period, otherwise 2 rows.
         KnotSpacing = STLTSA_OPT_KNOT_SPACING,
-        /// `int`: denoise: 1: spikes do not pull at the curve.
+        /// `int`: denoise: 1: reduce the influence of spikes.
         Robust = STLTSA_OPT_ROBUST,
         /// `real`: synthesize: seconds to each side of a seam; auto: a tenth of the cycle that is
-        /// repeated, 0.15 s where clips join.
+        /// repeated, 0.15 s if clips are joined.
         Crossfade = STLTSA_OPT_CROSSFADE,
         /// `real`: synthesize: seconds by which a cut may move to find a common posture; auto: a
-        /// tenth of the cycle that is repeated, half a cycle and at least 0.5 s where clips join.
+        /// tenth of the repeated cycle, half a cycle and at least 0.5 s if clips are joined.
         CutRange = STLTSA_OPT_CUT_RANGE,
-        /// `real`: synthesize: largest distance of the postures at a seam, over what is common
-        /// between a motion's own repetitions; 0: none.
+        /// `real`: synthesize: largest distance of the postures at a seam, divided by the usual
+        /// distance between repetitions of a motion; 0: none.
         PostureLimit = STLTSA_OPT_POSTURE_LIMIT,
         /// `int`: decompose: 1: also estimate the intrinsic dimension of what is embedded
         /// (STLTSA_INFO_LOCAL_PCA, _EIGENGAP).
@@ -99,7 +99,7 @@ kinds! {
         Positions = STLTSA_FEATURES_POSITIONS,
         /// Two columns of each rotation matrix, root yaw removed.
         Rotations6d = STLTSA_FEATURES_ROTATIONS6D,
-        /// The angles below the root in radians, unwrapped (the paper).
+        /// Angles below the root in radians, unwrapped (the paper).
         Euler = STLTSA_FEATURES_EULER,
         /// The file's numbers.
         Raw = STLTSA_FEATURES_RAW,
@@ -112,8 +112,8 @@ kinds! {
         Amc = STLTSA_FORMAT_AMC,
         /// Numbers split by , ; tab or blanks; a header line is optional.
         Csv = STLTSA_FORMAT_CSV,
-        /// NumPy 1.0 to 3.0, 1-D or 2-D, float32 or float64, C or Fortran; others, as frames x
-        /// joints x 3, are refused: reshape them.
+        /// NumPy 1.0 to 3.0, 1-D or 2-D, float32 or float64, C or Fortran; other shapes, such as
+        /// frames x joints x 3, must be reshaped.
         Npy = STLTSA_FORMAT_NPY,
         /// No file: stltsa_clip_from_matrix.
         Matrix = STLTSA_FORMAT_MATRIX,
@@ -124,7 +124,7 @@ kinds! {
         Read = STLTSA_STAGE_READ,
         /// Features of its poses.
         Features = STLTSA_STAGE_FEATURES,
-        /// Choice of k and neighbors; temporal ones come with the tangents.
+        /// Choice of k, neighbors; temporal ones are found with tangents.
         Neighbors = STLTSA_STAGE_NEIGHBORS,
         /// Local tangents.
         Tangents = STLTSA_STAGE_TANGENTS,
@@ -134,7 +134,7 @@ kinds! {
         Spectrum = STLTSA_STAGE_SPECTRUM,
         /// Units and cycles.
         Units = STLTSA_STAGE_UNITS,
-        /// Mapping, either way.
+        /// Mapping, in either direction.
         Map = STLTSA_STAGE_MAP,
         /// Denoising.
         Denoise = STLTSA_STAGE_DENOISE,
@@ -153,7 +153,7 @@ kinds! {
         Final = STLTSA_UNIT_FINAL,
         /// Standing after a motion.
         WindUp = STLTSA_UNIT_WIND_UP,
-        /// Moving, and no cycle is claimed there.
+        /// Motion for which no cycles are reported.
         Action = STLTSA_UNIT_ACTION,
         /// One cycle of the cyclic unit.
         Cycle = STLTSA_UNIT_CYCLE,
@@ -256,7 +256,7 @@ kinds! {
         LocalPcaReason = STLTSA_INFO_LOCAL_PCA_REASON,
         /// `text`: why the eigengap cannot tell; empty if it can.
         EigengapReason = STLTSA_INFO_EIGENGAP_REASON,
-        /// `real`: share of local variance that local PCA must hold.
+        /// `real`: share of local variance that local PCA must explain.
         Variance = STLTSA_INFO_VARIANCE,
         /// `real`: tau of section 2.3 as a fraction of k.
         EigengapThreshold = STLTSA_INFO_EIGENGAP_THRESHOLD,
@@ -277,7 +277,7 @@ kinds! {
         GammaOption = STLTSA_INFO_GAMMA_OPTION,
         /// `real`: rows between the knots of the curve.
         KnotRows = STLTSA_INFO_KNOT_ROWS,
-        /// `int`: 1: spikes do not pull at the curve.
+        /// `int`: 1: the influence of spikes is reduced.
         Robust = STLTSA_INFO_ROBUST,
         /// `real`: period_min of the model whose coordinates these are; 0: none.
         FitPeriodMin = STLTSA_INFO_FIT_PERIOD_MIN,
@@ -312,32 +312,31 @@ kinds! {
     ErrorKind {
         /// NULL where not allowed, unknown key, value out of range.
         Argument = STLTSA_E_ARGUMENT,
-        /// Rows, columns or strides do not fit.
+        /// Rows, columns or strides do not match.
         Shape = STLTSA_E_SHAPE,
-        /// A NaN or an infinity among the numbers, or one beyond 1e100, where distances would be
-        /// infinite.
+        /// A NaN, an infinity, or a number beyond 1e100, for which distances would overflow.
         NotFinite = STLTSA_E_NOT_FINITE,
-        /// Fewer (distinct) frames than the neighbors ask for.
+        /// Fewer (distinct) frames than k requires.
         TooFewFrames = STLTSA_E_TOO_FEW_FRAMES,
         /// No memory, or rows * cols overflows.
         NoMemory = STLTSA_E_NO_MEMORY,
         /// A file cannot be opened, read or written.
         Io = STLTSA_E_IO,
-        /// A file is not what its format says; text has the line.
+        /// A file violates its format; the text names the line.
         Format = STLTSA_E_FORMAT,
-        /// The neighborhood graph falls apart and one was needed.
+        /// A connected neighborhood graph was needed.
         Disconnected = STLTSA_E_DISCONNECTED,
         /// The frames do not vary, or not in enough directions.
         Degenerate = STLTSA_E_DEGENERATE,
-        /// The eigensolver gave up.
+        /// The eigensolver did not converge.
         NotConverged = STLTSA_E_NOT_CONVERGED,
         /// The progress callback asked to stop.
         Cancelled = STLTSA_E_CANCELLED,
-        /// Not in this build (CHOLMOD), or not for this clip.
+        /// Not in this build (CHOLMOD), or not for this clip or model.
         Unsupported = STLTSA_E_UNSUPPORTED,
-        /// A defect of the library: please report.
+        /// A bug in the library: please report it.
         Internal = STLTSA_E_INTERNAL,
-        /// Two pieces of motion have no posture at which to join.
+        /// Two pieces have no common posture at which to join.
         NoCommonPosture = STLTSA_E_NO_COMMON_POSTURE,
     }
 }
