@@ -171,8 +171,9 @@ enum {
                                       window */
     STLTSA_OPT_THREADS = 8,      /* int   auto: every core */
     STLTSA_OPT_FEATURES = 9,     /* int   STLTSA_FEATURES_*; auto: positions if there is a skeleton,
-                                      otherwise raw */
-    STLTSA_OPT_UP_AXIS = 10,     /* int   1, 2, 3: x, y, z; auto: found from the skeleton */
+                                      points if the columns are named so, otherwise raw */
+    STLTSA_OPT_UP_AXIS = 10,     /* int   1, 2, 3: x, y, z; auto: found from the skeleton, guessed
+                                      from points (a note says so) */
     STLTSA_OPT_KEEP_START = 11,  /* int   1: do not drop a T-pose at the start */
     STLTSA_OPT_FPS = 12,         /* real  frames a second, instead of the file's rate; auto: the
                                       file's. unmap_clip: points a second; auto: the
@@ -222,7 +223,17 @@ enum {
     STLTSA_FEATURES_POSITIONS = 1,   /* joints and end sites, root position and yaw removed */
     STLTSA_FEATURES_ROTATIONS6D = 2, /* two columns of each rotation matrix, root yaw removed */
     STLTSA_FEATURES_EULER = 3,       /* angles below the root in radians, unwrapped (the paper) */
-    STLTSA_FEATURES_RAW = 4          /* the file's numbers */
+    STLTSA_FEATURES_RAW = 4,         /* the file's numbers */
+    STLTSA_FEATURES_POINTS = 5       /* points in space, such as markers, of a clip without a
+                                        skeleton, three columns each; auto if all columns are
+                                        named as those of at least three points (heel_x, heel_y,
+                                        heel_z, or heelX, heel.x, heel:x, "heel x"). A point that
+                                        is at exactly (0, 0, 0) or, in a CSV file so named, has
+                                        no value is missing: filled linearly over time; left out
+                                        if missing in more than half of the frames (its features
+                                        are 0). Removed: the path of the mean along the ground,
+                                        slow changes of its height, the heading. Notes say what
+                                        was done */
 };
 
 enum { STLTSA_TYPE_INT = 1, STLTSA_TYPE_REAL = 2, STLTSA_TYPE_TEXT = 3 };
@@ -326,7 +337,8 @@ enum {
     STLTSA_INFO_FORMAT = 2,             /* int[]  STLTSA_FORMAT_* of the clip */
     STLTSA_INFO_CLIP_FRAMES = 3,        /* int[]  frames of the clip */
     STLTSA_INFO_CLIP_FPS = 4,           /* real[] frames a second of the clip; 0: unknown */
-    STLTSA_INFO_NOTE = 5,               /* text[] what the reader of the clip assumed */
+    STLTSA_INFO_NOTE = 5,               /* text[] what was assumed of the clip, and removed from
+                                                  it */
     STLTSA_INFO_CHANNEL = 6,            /* text[] names of the clip's channels; none if the
                                                   file has no names */
     STLTSA_INFO_FEATURES = 7,           /* int    STLTSA_FEATURES_* used */

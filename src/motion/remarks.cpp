@@ -79,8 +79,8 @@ void report_obstacles(ConstMatrixView samples, const DecomposeOptions& options,
              options.in_space && !result.reason.empty() && share > much_drift)
         text = format_text(
             "{:.0f} % of the variance is a linear drift, which hides any repetition: subtract the "
-            "body's position (for markers, their mean in each frame), or, if the clip has a "
-            "skeleton, set option features to positions",
+            "body's position, or set option features to points (markers, three columns each) or, "
+            "if the clip has a skeleton, to positions",
             100 * share);
     if (text.empty())
         return;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "results/facts.hpp"
 
+#include "clip/features/points.hpp"
 #include "clip/features/tpose.hpp"
 
 namespace stltsa::results {
@@ -10,10 +11,12 @@ ClipFacts clip_facts(const clip::Clip& clip) {
 }
 
 clip::Features default_features(const clip::Clip& clip) {
-    return clip.skeleton ? clip::Features::positions : clip::Features::raw;
+    return clip::feature_kind(clip, {});
 }
 
 clip::Axis default_up(const clip::Clip& clip) {
+    if (default_features(clip) == clip::Features::points)
+        return clip::points_up(clip);
     return clip.skeleton ? clip::up_axis(clip, {}) : clip::Axis::none;
 }
 

@@ -89,7 +89,10 @@ Matrix clip_features(const Fitted& fitted, const clip::Clip& clip) {
     if (fitted.source.clips.empty())
         fail(Status::unsupported, "the model was fitted to a matrix: map features (stltsa_map)");
     const auto& samples = fitted.source.samples;
-    if (samples.features != clip::Features::raw && !clip.skeleton)
+    const bool of_points = samples.features == clip::Features::points;
+    if (of_points && clip.skeleton)
+        fail(Status::shape, "the model was fitted to points, but this clip has a skeleton");
+    if (samples.features != clip::Features::raw && !of_points && !clip.skeleton)
         fail(Status::shape, "the model was fitted to poses, but this clip has no skeleton");
     Matrix frames = clip::smoothed_features(clip, samples.features, samples.up, samples.smoothing,
                                             fitted.kept.drop_tpose);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "clip/body/skeleton.hpp"
 
@@ -27,6 +28,7 @@ ClipSamples prepare_clip(const clip::Clip& clip, const clip::PrepareOptions& pre
     result.source.clips = {clip_facts(clip)};
     result.source.clips.front().first = prepared.first;
     result.source.clips.front().step = prepared.step;
+    std::ranges::move(prepared.notes, std::back_inserter(result.source.clips.front().notes));
     result.source.samples = {prepared.samples.rows(),
                              prepared.first,
                              prepared.step,
@@ -81,6 +83,7 @@ ClipSamples prepare_clips(Clips clips, clip::PrepareOptions options, const Progr
     report(1);
     if (clips.size() == 1)
         return all;
+    options.features = all.source.samples.features;
     options.up = all.source.samples.up;
     std::vector<Matrix> parts;
     parts.push_back(std::move(all.samples));

@@ -23,7 +23,8 @@ struct ClipSamples {
 };
 
 /// Takes at least one clip. Throws Status::shape if joints, channels, features or the rate of the
-/// samples differ from the first clip's. The axis that points up is the first clip's.
+/// samples differ from the first clip's. The kind of features and the axis that points up are the
+/// first clip's.
 ClipSamples prepare_clips(Clips clips, clip::PrepareOptions options, const Progress& progress);
 
 /// The source of a matrix, which has no clips. fps 0: unknown.

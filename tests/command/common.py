@@ -116,6 +116,24 @@ def circle():
 
 
 @functools.cache
+def markers(heading=0.0):
+    """Eight markers of a body that walks through the room, ten strides of 1 s; one drops out."""
+    names = ",".join(f"m{p}_{axis}" for p in range(8) for axis in "xyz")
+    rows = []
+    for i in range(600):
+        t, row = i / 60, []
+        for p in range(8):
+            side, level = 2 * (p % 2) - 1, p // 2
+            ahead = 1.3 * t + 0.1 * (3 - level) * side * math.sin(2 * math.pi * t)
+            across = 0.15 * side + 0.02 * level
+            x = ahead * math.cos(heading) - across * math.sin(heading)
+            y = ahead * math.sin(heading) + across * math.cos(heading)
+            row += [0.0, 0.0, 0.0] if p == 3 and 90 <= i < 100 else [x, y, 0.1 + 0.5 * level]
+        rows.append([t, *row])
+    return write_csv(f"markers{heading}.csv", rows, f"time,{names}\n")
+
+
+@functools.cache
 def crowd():
     """Many turns of one loop, so that round frame numbers coincide."""
     turns = [2 * math.pi * i / 50 for i in range(1500)]

@@ -10,7 +10,7 @@ import unittest
 import jsonschema
 import numpy
 
-from common import CLIPS, SCHEMAS, CommandTest, circle, cut, drift, run, walk
+from common import CLIPS, SCHEMAS, CommandTest, circle, cut, drift, markers, run, walk
 
 KINDS = {"info": "clip", "fit": "model", "dimension": "dimension", "decompose": "decomposition",
          "denoise": "denoising"}
@@ -214,6 +214,21 @@ class Content(CommandTest):
         self.assertEqual(found["samples"]["smoothing_s"], 0)
         self.assertEqual(found["samples"]["frame_step"], 2)
         self.assertEqual(found["samples"]["up_axis"], "z")
+
+    def test_markers(self):
+        found = self.json("decompose", markers())
+        self.assertEqual(found["clip"]["features"], "points")
+        self.assertEqual(found["samples"]["up_axis"], "z")
+        self.assertIn(len(found["cycles"]), (8, 9))
+        notes = " ".join(found["clip"]["notes"])
+        for part in ("'m3' (10 in all)", "up axis guessed: z", "removed the horizontal path"):
+            self.assertIn(part, notes)
+        raw = self.json("decompose", markers(), "--features", "raw")
+        self.assertIn("features to points", raw["reason"])
+        self.assertEqual(self.json("info", markers())["up_axis"], "z")
+        self.json("decompose", markers(), "--features", "points", "--up-axis", "z")
+        message = self.fails(1, "decompose", walk(), "--features", "points")
+        self.assertIn("use positions", message)
 
     def test_same_text_for_any_number_of_threads(self):
         for command in KINDS:

@@ -9,7 +9,7 @@ import unittest
 import jsonschema
 import numpy
 
-from common import SCHEMAS, CommandTest, circle, cut, run, walk, write_csv
+from common import SCHEMAS, CommandTest, circle, cut, markers, run, walk, write_csv
 
 
 class Mapping(CommandTest):
@@ -45,6 +45,12 @@ class Mapping(CommandTest):
         found = self.json("map", model, far, "--fps", "30")
         self.assertEqual(found["beyond"]["stretches"], [{"begin": 0, "end": 40}])
         self.assertIn("40 outside", self.done("map", model, far, "--fps", "30").decode())
+
+    def test_markers_in_another_direction_are_near(self):
+        model = self.model(markers())
+        for path in (markers(), markers(2.0)):
+            self.assertLess(self.json("map", model, path)["beyond"]["share"], 0.05)
+        self.assertIn("skeleton", self.fails(1, "map", model, walk()))
 
     def test_rows_in_the_json(self):
         model = self.model(circle(), "--fps", "30")

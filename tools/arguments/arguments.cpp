@@ -25,7 +25,7 @@ constexpr const char* about = R"(Motion clips as low-dimensional curves, motion 
 Examples:
   stltsa decompose walk.bvh                        units and cycles, as a table
   stltsa decompose walk.bvh --json --plot walk.svg
-  stltsa decompose markers.csv --fps 100 --features raw
+  stltsa decompose markers.csv --fps 100 --features points
   stltsa decompose 35_01.amc --skeleton 35.asf
   stltsa fit walk.bvh -o walk.stltsa --dimension 3
   stltsa map walk.stltsa other.bvh -o y.npy        other frames, same curve

@@ -41,6 +41,8 @@ const char* json_name(clip::Features features) {
         return "euler";
     case clip::Features::raw:
         return "raw";
+    case clip::Features::points:
+        return "points";
     }
     fail(Status::internal, "features of the unknown kind {}", static_cast<int>(features));
 }

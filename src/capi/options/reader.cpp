@@ -39,7 +39,8 @@ constexpr bool same_features(clip::Features features, int value) {
 static_assert(same_features(clip::Features::positions, STLTSA_FEATURES_POSITIONS) &&
               same_features(clip::Features::rotations6d, STLTSA_FEATURES_ROTATIONS6D) &&
               same_features(clip::Features::euler, STLTSA_FEATURES_EULER) &&
-              same_features(clip::Features::raw, STLTSA_FEATURES_RAW));
+              same_features(clip::Features::raw, STLTSA_FEATURES_RAW) &&
+              same_features(clip::Features::points, STLTSA_FEATURES_POINTS));
 constexpr bool same_mode(ltsa::Mode mode, int value) {
     return static_cast<int>(mode) == value;
 }

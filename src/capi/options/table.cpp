@@ -66,12 +66,14 @@ constexpr stltsa_option_info rows[] = {
           1024, automatic),
     whole(STLTSA_OPT_FEATURES, analyzes | STLTSA_CALL_FEATURES, "features",
           "Description of a pose: positions (of the joints, without root position and yaw), "
-          "rotations6d, euler (the file's angles) or raw (the file's numbers); auto: positions if "
-          "there is a skeleton, otherwise raw.",
-          1, 4, automatic, "positions=1 rotations6d=2 euler=3 raw=4"),
+          "rotations6d, euler (the file's angles), raw (the file's numbers) or points (such as "
+          "markers, three columns each, without path and heading); auto: positions if there is a "
+          "skeleton, points if the columns are named so (heel_x, heel_y, heel_z, ...), otherwise "
+          "raw.",
+          1, 5, automatic, "positions=1 rotations6d=2 euler=3 raw=4 points=5"),
     whole(STLTSA_OPT_UP_AXIS, analyzes | STLTSA_CALL_FEATURES | STLTSA_CALL_SYNTHESIZE, "up_axis",
-          "The axis that points up; auto: found from the skeleton.", 1, 3, automatic,
-          "x=1 y=2 z=3"),
+          "The axis that points up; auto: found from the skeleton, guessed from points.", 1, 3,
+          automatic, "x=1 y=2 z=3"),
     whole(STLTSA_OPT_KEEP_START, analyzes, "keep_start",
           "Keep a T-pose at the start instead of dropping it.", 0, 1, 0),
     real(STLTSA_OPT_FPS, embeds | STLTSA_CALL_OPEN | STLTSA_CALL_UNMAP | STLTSA_CALL_DENOISE, "fps",

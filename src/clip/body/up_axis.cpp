@@ -62,7 +62,8 @@ Vec3 stance(const Clip& clip) {
     return sum;
 }
 
-/// The axis along which v is largest; y if others are not larger.
+} // namespace
+
 Axis largest(const Vec3& v) {
     const auto size = [&v](Axis axis) { return std::abs(v[static_cast<std::size_t>(axis) - 1]); };
     Axis result = Axis::y;
@@ -71,8 +72,6 @@ Axis largest(const Vec3& v) {
             result = axis;
     return result;
 }
-
-} // namespace
 
 Axis up_axis(const Clip& clip, std::optional<Axis> requested) {
     if (requested)

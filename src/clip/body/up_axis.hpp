@@ -15,4 +15,7 @@ enum class Axis : std::int32_t { none = 0, x = 1, y = 2, z = 3 };
 /// feet to the head (joints by name), or, without these names, that of the body's largest extent.
 Axis up_axis(const Clip& clip, std::optional<Axis> requested);
 
+/// The axis along which v is largest; y if others are not larger.
+Axis largest(const Vec3& v);
+
 } // namespace stltsa::clip

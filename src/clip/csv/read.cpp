@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <span>
 
 #include "clip/csv/cells.hpp"
 #include "clip/csv/time_column.hpp"
+#include "clip/features/point_names.hpp"
 #include "clip/text/number.hpp"
 #include "clip/text/text_cursor.hpp"
 
@@ -66,7 +69,24 @@ class CsvReader {
         clip_.values = std::move(values);
     }
 
+    /// Only points may have gaps. The columns are known to be points when time is removed.
+    void check_gaps() const {
+        if (gap_ && !names_points(clip_.channel_names))
+            refuse_gap();
+    }
+
   private:
+    /// The first cell without a value.
+    struct Gap {
+        std::int64_t line;
+        std::string column;
+    };
+
+    [[noreturn]] void refuse_gap() const {
+        in_.fail_at(gap_->line, Status::not_finite,
+                    "column {} has no value: fill the gaps before reading", gap_->column);
+    }
+
     Cells split(std::string_view line) const {
         auto cells = split_cells(line, separator_);
         if (!cells)
@@ -86,6 +106,8 @@ class CsvReader {
             cells.pop_back();
         clip_.channel_names.assign(cells.begin(), cells.end());
         columns_ = cells.size();
+        for (std::size_t c = 0; c < columns_; ++c)
+            coordinate_.push_back(names_coordinate(clip_.channel_names, c));
     }
 
     void row(Cells cells) {
@@ -101,10 +123,14 @@ class CsvReader {
         ++rows_;
     }
 
-    double number(std::string_view cell, std::size_t c) const {
-        if (is_gap(cell))
-            in_.fail(Status::not_finite, "column {} has no value: fill the gaps before reading",
-                     title(c));
+    double number(std::string_view cell, std::size_t c) {
+        if (is_gap(cell)) {
+            if (!gap_)
+                gap_ = Gap{in_.line_number(), title(c)};
+            if (coordinate_.empty() || !coordinate_[c])
+                refuse_gap();
+            return std::numeric_limits<double>::quiet_NaN();
+        }
         const auto value = parse_cell(cell);
         if (!value)
             in_.fail(Status::format, "column {}: {} is not a number", title(c), quoted(cell));
@@ -125,6 +151,8 @@ class CsvReader {
     std::size_t columns_ = 0;
     std::int64_t rows_ = 0;
     std::vector<double> values_;
+    std::vector<bool> coordinate_; ///< names_coordinate() of each column; empty: no names
+    std::optional<Gap> gap_;
 };
 
 } // namespace
@@ -132,8 +160,10 @@ class CsvReader {
 Clip parse_csv(std::string_view bytes, const std::string& name, const ReadOptions& options) {
     TextCursor in(bytes, name);
     Clip clip;
-    CsvReader(in, clip).read();
+    CsvReader reader(in, clip);
+    reader.read();
     extract_time(clip, name, options);
+    reader.check_gaps();
     return clip;
 }
 

@@ -7,6 +7,9 @@
 #include "clip/body/heading.hpp"
 #include "clip/body/kinematics.hpp"
 #include "clip/body/skeleton.hpp"
+#include "clip/features/point_names.hpp"
+#include "clip/features/points.hpp"
+#include "clip/text/text_cursor.hpp"
 
 namespace stltsa::clip {
 namespace {
@@ -14,6 +17,16 @@ namespace {
 void need_skeleton(const Clip& clip, std::string_view what) {
     if (!clip.skeleton)
         fail(Status::unsupported, "{} need a skeleton, and this clip is a bare matrix", what);
+}
+
+void need_points(const Clip& clip) {
+    if (clip.skeleton)
+        fail(Status::unsupported, "points are features of clips without a skeleton: use positions");
+    if (clip.values.cols() % 3 != 0)
+        fail(Status::unsupported,
+             "points have three columns each, and this clip has {} columns: remove those that are "
+             "no coordinates",
+             clip.values.cols());
 }
 
 /// Calls body(pose, back, row) for every frame; `back` reverses the yaw of the body root.
@@ -97,6 +110,18 @@ void check_finite(const Matrix& matrix) {
                  "the values in frame {} are too large: the features are not finite", i);
 }
 
+/// The reader leaves gaps in the columns of points.
+void check_gaps(const Clip& clip) {
+    for (std::int64_t i = 0; i < clip.frames(); ++i)
+        for (std::int64_t c = 0; c < clip.values.cols(); ++c)
+            if (std::isnan(clip.values(i, c)))
+                fail(
+                    Status::not_finite,
+                    "column {} ({}) has no value in frame {}: fill the gaps before reading, or set "
+                    "option features to points",
+                    c + 1, quoted(clip.channel_names[static_cast<std::size_t>(c)]), i);
+}
+
 } // namespace
 
 Matrix positions(const Clip& clip) {
@@ -134,16 +159,21 @@ Matrix rotations(const Clip& clip) {
 }
 
 Features feature_kind(const Clip& clip, std::optional<Features> requested) {
+    if (!requested && clip.skeleton)
+        return Features::positions;
     if (!requested)
-        return clip.skeleton ? Features::positions : Features::raw;
-    if (*requested != Features::raw)
-        need_skeleton(clip, "features other than raw");
+        return names_points(clip.channel_names) ? Features::points : Features::raw;
+    if (*requested == Features::points)
+        need_points(clip);
+    else if (*requested != Features::raw)
+        need_skeleton(clip, "features other than raw and points");
     return *requested;
 }
 
 std::int64_t feature_count(const Clip& clip, std::optional<Features> requested) {
     const Features kind = feature_kind(clip, requested);
-    const std::size_t root = kind == Features::raw ? 0 : body_root(clip);
+    const bool of_joints = kind != Features::raw && kind != Features::points;
+    const std::size_t root = of_joints ? body_root(clip) : 0;
     std::int64_t count = clip.values.cols();
     if (kind == Features::positions)
         count = 3 * static_cast<std::int64_t>(clip.skeleton->joints.size() - root);
@@ -169,15 +199,28 @@ Matrix body_features(const Clip& clip, Features kind, Heading heading) {
     }
 }
 
-Matrix features(const Clip& clip, std::optional<Features> requested, std::optional<Axis> up) {
+FeatureRows feature_rows(const Clip& clip, std::optional<Features> requested,
+                         std::optional<Axis> up) {
     feature_count(clip, requested); // fails if there are none
     const Features kind = feature_kind(clip, requested);
-    Matrix result =
-        kind == Features::raw
-            ? clip.values
-            : body_features(clip, kind, Heading(clip, body_root(clip), up_axis(clip, up)));
-    check_finite(result);
-    return result;
+    FeatureRows made;
+    if (kind == Features::points) {
+        made = points(clip, up);
+    } else if (!clip.skeleton) {
+        check_gaps(clip);
+        made.rows = clip.values;
+    } else {
+        made.up = up_axis(clip, up);
+        made.rows = kind == Features::raw
+                        ? clip.values
+                        : body_features(clip, kind, Heading(clip, body_root(clip), made.up));
+    }
+    check_finite(made.rows);
+    return made;
+}
+
+Matrix features(const Clip& clip, std::optional<Features> requested, std::optional<Axis> up) {
+    return feature_rows(clip, requested, up).rows;
 }
 
 } // namespace stltsa::clip

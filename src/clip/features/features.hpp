@@ -17,6 +17,7 @@ enum class Features : std::int32_t {
     rotations6d = 2, ///< two columns of each local rotation matrix, root yaw removed
     euler = 3,       ///< the file's rotation channels below the root, radians, unwrapped
     raw = 4,         ///< the values of the file, unchanged
+    points = 5,      ///< points of a bare matrix, relative to the body (points.hpp)
 };
 
 /// World positions of every joint and end site: frames x (3 * joints), file units.
@@ -25,14 +26,21 @@ Matrix positions(const Clip& clip);
 /// Local rotation of every joint: frames x (4 * joints), w x y z, continuous sign over time.
 Matrix rotations(const Clip& clip);
 
-/// The kind used: the requested one, else positions if there is a skeleton, else raw.
-/// Status::unsupported if a skeleton is needed and missing.
+/// The kind used: the requested one, else positions if there is a skeleton, else points if the
+/// columns are named so, else raw. Status::unsupported if the clip lacks a skeleton or points.
 Features feature_kind(const Clip& clip, std::optional<Features> requested);
 
 /// Number of columns of these features; Status::unsupported if there are none.
 std::int64_t feature_count(const Clip& clip, std::optional<Features> requested);
 
 /// Features of every frame of the file, without smoothing or decimation.
+struct FeatureRows {
+    Matrix rows;
+    Axis up = Axis::none;           ///< the axis used
+    std::vector<std::string> notes; ///< what was filled, assumed and removed
+};
+FeatureRows feature_rows(const Clip& clip, std::optional<Features> requested,
+                         std::optional<Axis> up);
 Matrix features(const Clip& clip, std::optional<Features> requested, std::optional<Axis> up);
 
 /// Features of a clip whose body root and heading are known.

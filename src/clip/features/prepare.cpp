@@ -27,8 +27,10 @@ Prepared prepare(const Clip& clip, const PrepareOptions& options) {
         fail(Status::too_few_frames, "the clip has no frames");
     Prepared prepared;
     prepared.features = feature_kind(clip, options.features);
-    prepared.up = clip.skeleton ? up_axis(clip, options.up) : Axis::none;
-    Matrix all = features(clip, prepared.features, prepared.up);
+    FeatureRows made = feature_rows(clip, prepared.features, options.up);
+    prepared.up = made.up;
+    prepared.notes = std::move(made.notes);
+    Matrix& all = made.rows;
     prepared.first = dropped_frames(clip, all, options.drop_tpose);
     const ConstMatrixView kept = from_row(all, prepared.first);
     if (const std::int64_t jump = find_jump(kept); jump > 0)

@@ -4,6 +4,8 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "clip/clip.hpp"
 #include "clip/features/features.hpp"
@@ -27,6 +29,7 @@ struct Prepared {
     std::int64_t jump = 0;             ///< source frame before which the pose jumps; 0: it does not
     Features features = Features::raw; ///< the kind used
     Axis up = Axis::none;              ///< the axis used
+    std::vector<std::string> notes;    ///< of feature_rows()
 };
 
 Prepared prepare(const Clip& clip, const PrepareOptions& options);

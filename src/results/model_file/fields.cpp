@@ -90,7 +90,7 @@ void check_source(const Source& source, const std::vector<std::int64_t>& lengths
     const ClipFacts first = source.clips.empty() ? ClipFacts() : source.clips.front();
     expect(samples.count == rows && samples.first == first.first && samples.step == first.step &&
                amount(samples.fps) && amount(samples.smoothing) &&
-               in_range(samples.features, clip::Features::positions, clip::Features::raw) &&
+               in_range(samples.features, clip::Features::positions, clip::Features::points) &&
                in_range(samples.up, clip::Axis::none, clip::Axis::z),
            "samples");
     expect(amount(source.period.period) &&

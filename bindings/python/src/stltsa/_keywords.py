@@ -9,7 +9,7 @@ from typing import Literal, TypeAlias, TypedDict
 
 Auto: TypeAlias = Literal["auto"]
 Mode: TypeAlias = Literal["temporal", "spatial", "recurrent"]
-Features: TypeAlias = Literal["positions", "rotations6d", "euler", "raw"]
+Features: TypeAlias = Literal["positions", "rotations6d", "euler", "raw", "points"]
 UpAxis: TypeAlias = Literal["x", "y", "z"]
 
 

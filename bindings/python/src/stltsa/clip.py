@@ -154,11 +154,13 @@ class Clip(Described):
 
         Parameters
         ----------
-        kind : {"auto", "positions", "rotations6d", "euler", "raw"}
+        kind : {"auto", "positions", "rotations6d", "euler", "raw", "points"}
             ``"positions"``: joint positions without the root's position and yaw; ``"rotations6d"``:
             two columns of each rotation matrix; ``"euler"``: the angles below the root in radians,
-            as in the paper; ``"raw"``: the file's numbers. ``"auto"``: positions if there is a
-            skeleton, otherwise raw.
+            as in the paper; ``"raw"``: the file's numbers; ``"points"``: points such as markers,
+            three columns each, gaps filled, without path and heading. ``"auto"``: positions if
+            there is a skeleton, points if the columns are named so (heel_x, heel_y, heel_z, ...),
+            otherwise raw.
         up_axis : {"auto", "x", "y", "z"}
             The axis that points up.
         """

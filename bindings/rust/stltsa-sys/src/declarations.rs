@@ -302,6 +302,7 @@ pub const STLTSA_FEATURES_POSITIONS: i32 = 1;
 pub const STLTSA_FEATURES_ROTATIONS6D: i32 = 2;
 pub const STLTSA_FEATURES_EULER: i32 = 3;
 pub const STLTSA_FEATURES_RAW: i32 = 4;
+pub const STLTSA_FEATURES_POINTS: i32 = 5;
 pub const STLTSA_TYPE_INT: i32 = 1;
 pub const STLTSA_TYPE_REAL: i32 = 2;
 pub const STLTSA_TYPE_TEXT: i32 = 3;

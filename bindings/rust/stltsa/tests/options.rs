@@ -62,6 +62,7 @@ fn names_of_values_are_the_librarys() {
         ("rotations6d", Features::Rotations6d),
         ("euler", Features::Euler),
         ("raw", Features::Raw),
+        ("points", Features::Points),
     ];
     let axes = [("x", Axis::X), ("y", Axis::Y), ("z", Axis::Z)];
     let shown = modes.map(|(name, mode)| ("mode", name, Options::new().mode(mode)));

@@ -28,9 +28,11 @@ kinds! {
         Exclusion = STLTSA_OPT_EXCLUSION,
         /// `int`: auto: every core.
         Threads = STLTSA_OPT_THREADS,
-        /// `int`: STLTSA_FEATURES_*; auto: positions if there is a skeleton, otherwise raw.
+        /// `int`: STLTSA_FEATURES_*; auto: positions if there is a skeleton, points if the columns
+        /// are named so, otherwise raw.
         Features = STLTSA_OPT_FEATURES,
-        /// `int`: 1, 2, 3: x, y, z; auto: found from the skeleton.
+        /// `int`: 1, 2, 3: x, y, z; auto: found from the skeleton, guessed from points (a note says
+        /// so).
         UpAxis = STLTSA_OPT_UP_AXIS,
         /// `int`: 1: do not drop a T-pose at the start.
         KeepStart = STLTSA_OPT_KEEP_START,
@@ -103,6 +105,13 @@ kinds! {
         Euler = STLTSA_FEATURES_EULER,
         /// The file's numbers.
         Raw = STLTSA_FEATURES_RAW,
+        /// Points in space, such as markers, of a clip without a skeleton, three columns each; auto
+        /// if all columns are named as those of at least three points (heel_x, heel_y, heel_z, or
+        /// heelX, heel.x, heel:x, "heel x"). A point that is at exactly (0, 0, 0) or, in a CSV file
+        /// so named, has no value is missing: filled linearly over time; left out if missing in
+        /// more than half of the frames (its features are 0). Removed: the path of the mean along
+        /// the ground, slow changes of its height, the heading. Notes say what was done.
+        Points = STLTSA_FEATURES_POINTS,
     }
     /// The format that a clip was read from.
     Format {
@@ -168,7 +177,7 @@ kinds! {
         ClipFrames = STLTSA_INFO_CLIP_FRAMES,
         /// `real[]`: frames a second of the clip; 0: unknown.
         ClipFps = STLTSA_INFO_CLIP_FPS,
-        /// `text[]`: what the reader of the clip assumed.
+        /// `text[]`: what was assumed of the clip, and removed from it.
         Note = STLTSA_INFO_NOTE,
         /// `text[]`: names of the clip's channels; none if the file has no names.
         Channel = STLTSA_INFO_CHANNEL,

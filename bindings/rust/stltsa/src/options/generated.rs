@@ -55,14 +55,15 @@ impl Options {
     }
 
     /// Description of a pose: positions (of the joints, without root position and yaw),
-    /// rotations6d, euler (the file's angles) or raw (the file's numbers); auto: positions if there
-    /// is a skeleton, otherwise raw.
+    /// rotations6d, euler (the file's angles), raw (the file's numbers) or points (such as markers,
+    /// three columns each, without path and heading); auto: positions if there is a skeleton,
+    /// points if the columns are named so (heel_x, heel_y, heel_z, ...), otherwise raw.
     #[must_use]
     pub fn features(self, value: Features) -> Self {
         self.with(sys::STLTSA_OPT_FEATURES, Value::Int(value.raw().into()))
     }
 
-    /// The axis that points up; auto: found from the skeleton.
+    /// The axis that points up; auto: found from the skeleton, guessed from points.
     #[must_use]
     pub fn up_axis(self, value: Axis) -> Self {
         self.with(sys::STLTSA_OPT_UP_AXIS, Value::Int(value.raw().into()))

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "clip/body/up_axis.hpp"
+#include "linalg/matrix.hpp"
+
+namespace stltsa::clip {
+
+/// Turns the points of each frame about the up axis so that they keep one heading, which depends on
+/// their shape but not on the heading in the file. Their horizontal mean must be at the origin.
+/// False, and nothing is changed, if they have no heading: they stand above each other, or in one
+/// vertical plane.
+bool remove_heading(Matrix& points, Axis up, double fps);
+
+} // namespace stltsa::clip

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "clip/features/point_names.hpp"
+
+#include <algorithm>
+#include <string_view>
+
+#include "clip/text/text_cursor.hpp"
+
+namespace stltsa::clip {
+namespace {
+
+/// The name of the point in lower case; empty if the coordinate is not the one along `axis`.
+std::string stem_of(std::string_view name, char axis) {
+    const std::string lower = to_lower(trim(name));
+    return lower.ends_with(axis) ? std::string(point_name(lower)) : std::string();
+}
+
+/// The common stem of three columns; empty if they are not named x, y, z.
+std::string stem_at(const std::vector<std::string>& names, std::size_t first) {
+    if (first + 3 > names.size())
+        return {};
+    const std::string stem = stem_of(names[first], 'x');
+    const bool same =
+        stem == stem_of(names[first + 1], 'y') && stem == stem_of(names[first + 2], 'z');
+    return same ? stem : std::string();
+}
+
+/// Whether one of the words of the stem is the word.
+bool has_word(const std::string& stem, std::string_view word) {
+    const auto is_letter = [](char c) { return c >= 'a' && c <= 'z'; };
+    const std::size_t at = stem.find(word);
+    if (at == stem.npos)
+        return false;
+    const std::size_t end = at + word.size();
+    return (at == 0 || !is_letter(stem[at - 1])) && (end == stem.size() || !is_letter(stem[end]));
+}
+
+/// Sensors and results of models name their columns as points do.
+bool is_other_quantity(const std::string& stem) {
+    constexpr std::string_view parts[] = {"angle", "rotation", "euler",  "accel", "gyr",  "magn",
+                                          "veloc", "torque",   "moment", "force", "power"};
+    constexpr std::string_view words[] = {"acc", "ang", "mag", "rot", "vel"};
+    return std::any_of(std::begin(parts), std::end(parts),
+                       [&](std::string_view part) { return stem.find(part) != stem.npos; }) ||
+           std::any_of(std::begin(words), std::end(words),
+                       [&](std::string_view word) { return has_word(stem, word); });
+}
+
+} // namespace
+
+std::string_view point_name(std::string_view coordinate) {
+    std::string_view name = trim(coordinate);
+    name.remove_suffix(1);
+    if (!name.empty() && std::string_view("_. :-").find(name.back()) != name.npos)
+        name.remove_suffix(1);
+    return name;
+}
+
+bool names_coordinate(const std::vector<std::string>& names, std::size_t column) {
+    for (std::size_t back = 0; back < 3 && back <= column; ++back)
+        if (!stem_at(names, column - back).empty())
+            return true;
+    return false;
+}
+
+bool names_points(const std::vector<std::string>& names) {
+    if (names.size() % 3 != 0 || names.size() < 3 * least_points)
+        return false;
+    for (std::size_t first = 0; first < names.size(); first += 3) {
+        const std::string stem = stem_at(names, first);
+        if (stem.empty() || is_other_quantity(stem))
+            return false;
+    }
+    return true;
+}
+
+} // namespace stltsa::clip
