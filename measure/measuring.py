@@ -72,16 +72,19 @@ class Table:
 
     def __init__(self, width=44):
         self.width = width
-        self.failed = 0
+        self.heading = ""
+        self.missed = []
         self.rows = 0
 
     def title(self, text):
+        self.heading = text.split(":")[0]
         print(f"\n{text}")
 
     def figure(self, name, text, passed=None):
         """Prints one row; `passed` is None for a figure without a limit."""
         self.rows += passed is not None
-        self.failed += passed is False
+        if passed is False:
+            self.missed.append(f"{self.heading}: {name}")
         verdict = {None: "    ", True: "pass", False: "FAIL"}[passed]
         print(f"{verdict}  {name:<{self.width}} {text}".rstrip(), flush=True)
 
@@ -91,9 +94,11 @@ class Table:
         self.figure(name, f"{'  '.join(texts)}  {remark}", bool(all(ok for _, ok in checks)))
 
     def end(self):
-        """Prints the count of rows and returns the exit status."""
-        print(f"\n{self.rows - self.failed} passed, {self.failed} failed")
-        return 1 if self.failed else 0
+        """Prints the count of rows and the failed ones, and returns the exit status."""
+        print(f"\n{self.rows - len(self.missed)} passed, {len(self.missed)} failed")
+        for name in self.missed:
+            print(f"FAIL  {name}")
+        return 1 if self.missed else 0
 
 
 def skipped_real_clips():
