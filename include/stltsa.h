@@ -402,7 +402,7 @@ enum {
                                                   candidate); -1: none */
     STLTSA_INFO_BEST = 63,              /* int    index of the cycle most like the others; -1:
                                                   none */
-    STLTSA_INFO_REASON = 64,            /* text   why no cycle is claimed; empty if cycles are */
+    STLTSA_INFO_REASON = 64,            /* text   why nothing repeats; empty if anything does */
     STLTSA_INFO_EIGENVALUE = 65,        /* real[] eigenvalues, ascending, the zero one first:
                                                   of B, and of B / k in a dimension */
     STLTSA_INFO_LOCAL_PCA = 66,         /* int    intrinsic dimension by local PCA; 0: cannot
@@ -686,24 +686,79 @@ enum {
     STLTSA_UNIT_FINAL = 4,     /* from the last cycle to standing */
     STLTSA_UNIT_WIND_UP = 5,   /* standing after a motion */
     STLTSA_UNIT_ACTION = 6,    /* motion for which no cycles are reported */
-    STLTSA_UNIT_CYCLE = 7      /* one cycle of the cyclic unit */
+    STLTSA_UNIT_CYCLE = 7,     /* one cycle of the cyclic unit */
+    STLTSA_UNIT_HOLD = 8       /* keeping another posture than the one at rest */
 };
-/* "preparing", "initial", "cyclic", "final", "wind-up", "action", "cycle"; "unknown" otherwise. */
+/* "preparing", "initial", "cyclic", "final", "wind-up", "action", "cycle", "hold"; "unknown"
+ * otherwise. */
 STLTSA_API const char *stltsa_unit_name(int32_t kind) STLTSA_NOEXCEPT;
 
 /* [begin, end) in source frames, rounded, and in seconds, with fractions of a frame. Frozen. */
 typedef struct stltsa_interval {
     int64_t begin, end;
     double begin_s, end_s;
-    int32_t kind, reserved;
+    int32_t kind, segment; /* STLTSA_UNIT_*, index of the segment; 0 where there are none */
 } stltsa_interval;
 
-/* Divides a clip into units and cycles. It finds the period, derives k and w from it, chooses the
- * coordinate that oscillates once per cycle among tangent dimensions 1 to 3, smooths it, and cuts
- * it at its steepest points between peaks and valleys (zeros of the second derivative). Absent
- * units are omitted. Motion that standing separates from the sequence of cycles is an action, and a
- * warning gives its time. A clip without reliable cycles gets activity segments and a reason; this
- * is not an error.
+enum {
+    STLTSA_SEGMENT_CYCLIC = 1,      /* cycles back to back */
+    STLTSA_SEGMENT_REPETITIONS = 2, /* the same action again and again, with pauses */
+    STLTSA_SEGMENT_ACTION = 3,      /* a motion that is seen once */
+    STLTSA_SEGMENT_REST = 4
+};
+/* "cyclic", "repetitions", "action", "rest"; "unknown" otherwise. */
+STLTSA_API const char *stltsa_segment_name(int32_t kind) STLTSA_NOEXCEPT;
+
+/* A stretch of one behaviour, [begin, end) as in stltsa_interval. Frozen. */
+typedef struct stltsa_segment {
+    int64_t begin, end;
+    double begin_s, end_s;
+    int64_t count;             /* cycles or repetitions; 1 for an action, 0 for a rest */
+    double likeness;           /* mean likeness to the others of its label, 0 to 1; NaN: none */
+    double period_s;           /* median length of the cycles; 0: not cyclic */
+    double candidate_period_s; /* a period that was seen but is not claimed; 0: none */
+    double confidence;         /* share of such answers that are right, 0 to 1 */
+    double begin_confidence;   /* the same of the border at its begin; NaN for the first */
+    int32_t kind, label;       /* STLTSA_SEGMENT_*; 0, 1, ... in order of appearance, -1: a rest */
+    int32_t open_begin, open_end; /* 1: the clip begins, ends within this motion */
+} stltsa_segment;
+
+/* A cycle, a step or a repetition, [begin, end) as in stltsa_interval. Frozen. */
+typedef struct stltsa_part {
+    int64_t begin, end;
+    double begin_s, end_s;
+    int64_t segment, parent; /* index of its segment; of a step also of its cycle, else -1 */
+    double likeness;         /* of a cycle to the mean cycle of its segment, of a repetition to
+                                the others, 0 to 1; NaN: unknown */
+    double confidence;       /* share of such answers that are right, 0 to 1 */
+    int32_t side, reserved;  /* which side of the body leads: 0 or 1, the same in all clips of a
+                                skeleton; -1: unknown */
+} stltsa_part;
+
+enum {
+    STLTSA_PART_CYCLE = 1,
+    STLTSA_PART_STEP = 2,      /* half of a cycle; none unless both sides alternate */
+    STLTSA_PART_REPETITION = 3 /* one action of a segment of repetitions */
+};
+
+/* Of the cycles or repetitions of one label. Frozen. */
+typedef struct stltsa_summary {
+    int64_t count;
+    double per_minute; /* within the time from the first to the last of each segment */
+    double mean_s, sd_s, cv; /* of their lengths in seconds; cv = sd / mean; sd is 0 for one */
+    double trend;      /* relative change of the length per minute */
+    int32_t label, reserved;
+} stltsa_summary;
+
+/* Says what is done when in a recording of any length, and what of it repeats. It finds where the
+ * body rests and where its behaviour changes, follows the period over time, and cuts each segment
+ * that repeats into cycles: at the steepest points, between peaks and valleys (zeros of the second
+ * derivative), of a coordinate that oscillates once per cycle (section 3.1). Actions between
+ * rests that are one motion are repetitions. Segments of one motion share a label. A clip of one
+ * motion is a single segment between rests. Segments without cycles have a reason; this is not an
+ * error.
+ * If one of the options neighbors, window, dimension or mode is set, the clip is taken as one
+ * motion and embedded with it.
  * Options: features, up axis, keep_start, sample_rate, smoothing, period_*, neighbors, window,
  * dimension, mode, dimension_estimate (with eigengap and variance), threads, progress.
  * E_ARGUMENT: the clip's fps is unknown (set option fps when you open it). Other errors as
@@ -714,20 +769,51 @@ STLTSA_API void stltsa_decomposition_free(stltsa_decomposition *decomposition) S
 STLTSA_API const stltsa_info *
 stltsa_decomposition_info(const stltsa_decomposition *decomposition) STLTSA_NOEXCEPT;
 
+/* Segments in temporal order; they cover [0, frames of the clip) without gap or overlap. */
+STLTSA_API int64_t
+stltsa_decomposition_segment_count(const stltsa_decomposition *decomposition) STLTSA_NOEXCEPT;
+STLTSA_API stltsa_status stltsa_decomposition_segment(const stltsa_decomposition *decomposition,
+                                                      int64_t index,
+                                                      stltsa_segment *segment) STLTSA_NOEXCEPT;
+/* Why a segment has no cycles, with the numbers; "" if it has, and for an index out of range. */
+STLTSA_API const char *
+stltsa_decomposition_segment_reason(const stltsa_decomposition *decomposition,
+                                    int64_t index) STLTSA_NOEXCEPT;
+/* Names of the joints, markers or columns that carry half of the motion of a segment, those that
+ * move most first; "" for an index out of range. */
+STLTSA_API int64_t
+stltsa_decomposition_carrier_count(const stltsa_decomposition *decomposition,
+                                   int64_t segment) STLTSA_NOEXCEPT;
+STLTSA_API const char *
+stltsa_decomposition_carrier(const stltsa_decomposition *decomposition, int64_t segment,
+                             int64_t index) STLTSA_NOEXCEPT;
+/* Parts of one kind (STLTSA_PART_*) in temporal order; there are none of an unknown kind. */
+STLTSA_API int64_t stltsa_decomposition_part_count(const stltsa_decomposition *decomposition,
+                                                   int32_t kind) STLTSA_NOEXCEPT;
+STLTSA_API stltsa_status stltsa_decomposition_part(const stltsa_decomposition *decomposition,
+                                                   int32_t kind, int64_t index,
+                                                   stltsa_part *part) STLTSA_NOEXCEPT;
+/* How often and how fast, for each label of which there are cycles or repetitions. */
+STLTSA_API int64_t
+stltsa_decomposition_summary_count(const stltsa_decomposition *decomposition) STLTSA_NOEXCEPT;
+STLTSA_API stltsa_status stltsa_decomposition_summary(const stltsa_decomposition *decomposition,
+                                                      int64_t index,
+                                                      stltsa_summary *summary) STLTSA_NOEXCEPT;
 /* Units in temporal order; they cover [0, frames of the clip) without gap or overlap. */
 STLTSA_API int64_t
 stltsa_decomposition_unit_count(const stltsa_decomposition *decomposition) STLTSA_NOEXCEPT;
 STLTSA_API stltsa_status stltsa_decomposition_unit(const stltsa_decomposition *decomposition,
                                                    int64_t index,
                                                    stltsa_interval *unit) STLTSA_NOEXCEPT;
-/* Cycles in temporal order, each from margin i to margin i + 2, without gaps. */
+/* Cycles in temporal order, each from margin i to margin i + 2: the parts STLTSA_PART_CYCLE. */
 STLTSA_API int64_t
 stltsa_decomposition_cycle_count(const stltsa_decomposition *decomposition) STLTSA_NOEXCEPT;
 STLTSA_API stltsa_status stltsa_decomposition_cycle(const stltsa_decomposition *decomposition,
                                                     int64_t index,
                                                     stltsa_interval *cycle) STLTSA_NOEXCEPT;
 
-/* The smoothed coordinate that was cut: samples x 1. */
+/* The smoothed coordinate that was cut: samples x 1. In a recording of several segments it is 0
+ * outside those that are cyclic. */
 STLTSA_API stltsa_status stltsa_decomposition_curve(const stltsa_decomposition *decomposition,
                                                     const stltsa_out *curve) STLTSA_NOEXCEPT;
 /* All coordinates of the fit that was cut, not smoothed: samples x STLTSA_INFO_DIMENSION; zeros if
@@ -738,7 +824,7 @@ STLTSA_API stltsa_status stltsa_decomposition_coords(const stltsa_decomposition 
 /* The two coordinates of the loop (Fig. 1): samples x 2. */
 STLTSA_API stltsa_status stltsa_decomposition_loop(const stltsa_decomposition *decomposition,
                                                    const stltsa_out *loop) STLTSA_NOEXCEPT;
-/* Why no cycles are reported, with the numbers; "" if cycles are. */
+/* Why nothing repeats, with the numbers; "" if anything does. */
 STLTSA_API const char *
 stltsa_decomposition_reason(const stltsa_decomposition *decomposition) STLTSA_NOEXCEPT;
 STLTSA_API int64_t
@@ -746,7 +832,7 @@ stltsa_decomposition_warning_count(const stltsa_decomposition *decomposition) ST
 STLTSA_API const char *
 stltsa_decomposition_warning(const stltsa_decomposition *decomposition,
                              int64_t index) STLTSA_NOEXCEPT;
-/* The object of schema stltsa-decomposition/1; free it with stltsa_free. */
+/* The object of schema stltsa-decomposition/2; free it with stltsa_free. */
 STLTSA_API stltsa_status stltsa_decomposition_json(const stltsa_decomposition *decomposition,
                                                    char **json) STLTSA_NOEXCEPT;
 

@@ -44,6 +44,9 @@ class Error : public std::runtime_error {
 };
 
 using Interval = stltsa_interval;
+using Segment = stltsa_segment;
+using Part = stltsa_part;
+using Summary = stltsa_summary;
 using Seam = stltsa_seam;
 using Piece = stltsa_piece; ///< see Clip::piece()
 using OptionInfo = stltsa_option_info;
@@ -204,6 +207,9 @@ inline bool has(std::int32_t part) noexcept {
 }
 inline std::string status_name(stltsa_status status) {
     return stltsa_status_name(status);
+}
+inline std::string segment_name(std::int32_t kind) {
+    return stltsa_segment_name(kind);
 }
 inline std::string unit_name(std::int32_t kind) {
     return stltsa_unit_name(kind);
@@ -606,6 +612,47 @@ class Decomposition {
     }
     std::vector<Interval> units() const {
         return detail::list(unit_count(), [this](std::int64_t index) { return unit(index); });
+    }
+    std::int64_t segment_count() const noexcept {
+        return stltsa_decomposition_segment_count(get());
+    }
+    Segment segment(std::int64_t index) const {
+        return detail::got<Segment>(stltsa_decomposition_segment, get(), index);
+    }
+    std::vector<Segment> segments() const {
+        return detail::list(segment_count(), [this](std::int64_t index) { return segment(index); });
+    }
+    /// Why the segment has no cycles; empty if it has.
+    std::string segment_reason(std::int64_t index) const {
+        return stltsa_decomposition_segment_reason(get(), index);
+    }
+    /// What moves in the segment, most first.
+    std::vector<std::string> carriers(std::int64_t segment) const {
+        return detail::list(stltsa_decomposition_carrier_count(get(), segment),
+                            [this, segment](std::int64_t index) {
+                                return std::string(
+                                    stltsa_decomposition_carrier(get(), segment, index));
+                            });
+    }
+    std::int64_t part_count(std::int32_t kind) const noexcept {
+        return stltsa_decomposition_part_count(get(), kind);
+    }
+    Part part(std::int32_t kind, std::int64_t index) const {
+        return detail::got<Part>(stltsa_decomposition_part, get(), kind, index);
+    }
+    /// STLTSA_PART_*
+    std::vector<Part> parts(std::int32_t kind) const {
+        return detail::list(part_count(kind),
+                            [this, kind](std::int64_t index) { return part(kind, index); });
+    }
+    std::int64_t summary_count() const noexcept {
+        return stltsa_decomposition_summary_count(get());
+    }
+    Summary summary(std::int64_t index) const {
+        return detail::got<Summary>(stltsa_decomposition_summary, get(), index);
+    }
+    std::vector<Summary> summaries() const {
+        return detail::list(summary_count(), [this](std::int64_t index) { return summary(index); });
     }
     std::int64_t cycle_count() const noexcept { return stltsa_decomposition_cycle_count(get()); }
     Interval cycle(std::int64_t index) const {

@@ -14,11 +14,11 @@ using capi::required;
 
 namespace {
 
-struct UnitKind {
+struct KindName {
     int32_t value;
     const char* name;
 };
-constexpr UnitKind unit_kinds[] = {
+constexpr KindName unit_kinds[] = {
     {static_cast<int32_t>(motion::UnitKind::preparing), "preparing"},
     {static_cast<int32_t>(motion::UnitKind::initial), "initial"},
     {static_cast<int32_t>(motion::UnitKind::cyclic), "cyclic"},
@@ -26,6 +26,7 @@ constexpr UnitKind unit_kinds[] = {
     {static_cast<int32_t>(motion::UnitKind::wind_up), "wind-up"},
     {static_cast<int32_t>(motion::UnitKind::action), "action"},
     {STLTSA_UNIT_CYCLE, "cycle"},
+    {static_cast<int32_t>(motion::UnitKind::hold), "hold"},
 };
 // The values of motion::UnitKind are those of the header.
 static_assert(unit_kinds[0].value == STLTSA_UNIT_PREPARING &&
@@ -33,20 +34,61 @@ static_assert(unit_kinds[0].value == STLTSA_UNIT_PREPARING &&
               unit_kinds[2].value == STLTSA_UNIT_CYCLIC &&
               unit_kinds[3].value == STLTSA_UNIT_FINAL &&
               unit_kinds[4].value == STLTSA_UNIT_WIND_UP &&
-              unit_kinds[5].value == STLTSA_UNIT_ACTION);
+              unit_kinds[5].value == STLTSA_UNIT_ACTION && unit_kinds[7].value == STLTSA_UNIT_HOLD);
+constexpr KindName segment_kinds[] = {
+    {static_cast<int32_t>(recording::SegmentKind::cyclic), "cyclic"},
+    {static_cast<int32_t>(recording::SegmentKind::repetitions), "repetitions"},
+    {static_cast<int32_t>(recording::SegmentKind::action), "action"},
+    {static_cast<int32_t>(recording::SegmentKind::rest), "rest"},
+};
+static_assert(segment_kinds[0].value == STLTSA_SEGMENT_CYCLIC &&
+              segment_kinds[1].value == STLTSA_SEGMENT_REPETITIONS &&
+              segment_kinds[2].value == STLTSA_SEGMENT_ACTION &&
+              segment_kinds[3].value == STLTSA_SEGMENT_REST);
 
-void copy_interval(const std::vector<stltsa_interval>& from, int64_t index, const char* what,
-                   stltsa_interval& to) {
+template <class T>
+void copy_one(const std::vector<T>& from, int64_t index, const char* what, T& to) {
     if (index < 0 || index >= static_cast<int64_t>(from.size()))
         fail(Status::argument, "{} {} does not exist: there are {}", what, index, from.size());
     to = from[static_cast<std::size_t>(index)];
 }
 
+template <std::size_t Count>
+const char* name_in(const KindName (&kinds)[Count], int32_t kind) {
+    const auto* const row = std::ranges::find(kinds, kind, &KindName::value);
+    return row == std::end(kinds) ? "unknown" : row->name;
+}
+
+/// Null for an unknown kind.
+const std::vector<stltsa_part>* parts_of(const stltsa_decomposition& decomposition, int32_t kind) {
+    switch (kind) {
+    case STLTSA_PART_CYCLE:
+        return &decomposition.cycle_parts;
+    case STLTSA_PART_STEP:
+        return &decomposition.steps;
+    case STLTSA_PART_REPETITION:
+        return &decomposition.repetitions;
+    default:
+        return nullptr;
+    }
+}
+
+/// The element of a list of lists; null if an index is out of range.
+template <class T>
+const T* element(const std::vector<T>& list, int64_t index) {
+    return index >= 0 && index < static_cast<int64_t>(list.size())
+               ? &list[static_cast<std::size_t>(index)]
+               : nullptr;
+}
+
 } // namespace
 
 const char* stltsa_unit_name(int32_t kind) noexcept {
-    const auto* const row = std::ranges::find(unit_kinds, kind, &UnitKind::value);
-    return row == std::end(unit_kinds) ? "unknown" : row->name;
+    return name_in(unit_kinds, kind);
+}
+
+const char* stltsa_segment_name(int32_t kind) noexcept {
+    return name_in(segment_kinds, kind);
 }
 
 stltsa_status stltsa_decompose(const stltsa_clip* clip, const stltsa_options* options,
@@ -66,6 +108,70 @@ void stltsa_decomposition_free(stltsa_decomposition* decomposition) noexcept {
     delete decomposition;
 }
 
+int64_t stltsa_decomposition_segment_count(const stltsa_decomposition* decomposition) noexcept {
+    return decomposition == nullptr ? 0 : static_cast<int64_t>(decomposition->segments.size());
+}
+
+stltsa_status stltsa_decomposition_segment(const stltsa_decomposition* decomposition, int64_t index,
+                                           stltsa_segment* segment) noexcept {
+    return guard([&] {
+        copy_one(required(decomposition, "decomposition").segments, index, "segment",
+                 required(segment, "segment"));
+    });
+}
+
+const char* stltsa_decomposition_segment_reason(const stltsa_decomposition* decomposition,
+                                                int64_t index) noexcept {
+    const std::string* reason =
+        decomposition == nullptr ? nullptr : element(decomposition->reasons, index);
+    return reason == nullptr ? "" : reason->c_str();
+}
+
+int64_t stltsa_decomposition_carrier_count(const stltsa_decomposition* decomposition,
+                                           int64_t segment) noexcept {
+    const auto* names =
+        decomposition == nullptr ? nullptr : element(decomposition->carriers, segment);
+    return names == nullptr ? 0 : static_cast<int64_t>(names->size());
+}
+
+const char* stltsa_decomposition_carrier(const stltsa_decomposition* decomposition, int64_t segment,
+                                         int64_t index) noexcept {
+    const auto* names =
+        decomposition == nullptr ? nullptr : element(decomposition->carriers, segment);
+    const std::string* name = names == nullptr ? nullptr : element(*names, index);
+    return name == nullptr ? "" : name->c_str();
+}
+
+int64_t stltsa_decomposition_part_count(const stltsa_decomposition* decomposition,
+                                        int32_t kind) noexcept {
+    const auto* parts = decomposition == nullptr ? nullptr : parts_of(*decomposition, kind);
+    return parts == nullptr ? 0 : static_cast<int64_t>(parts->size());
+}
+
+stltsa_status stltsa_decomposition_part(const stltsa_decomposition* decomposition, int32_t kind,
+                                        int64_t index, stltsa_part* part) noexcept {
+    return guard([&] {
+        required(part, "part");
+        const auto* parts = parts_of(required(decomposition, "decomposition"), kind);
+        if (parts == nullptr)
+            fail(Status::argument, "kind is {}; it must be STLTSA_PART_CYCLE, _STEP or _REPETITION",
+                 kind);
+        copy_one(*parts, index, "part", *part);
+    });
+}
+
+int64_t stltsa_decomposition_summary_count(const stltsa_decomposition* decomposition) noexcept {
+    return decomposition == nullptr ? 0 : static_cast<int64_t>(decomposition->summaries.size());
+}
+
+stltsa_status stltsa_decomposition_summary(const stltsa_decomposition* decomposition, int64_t index,
+                                           stltsa_summary* summary) noexcept {
+    return guard([&] {
+        copy_one(required(decomposition, "decomposition").summaries, index, "summary",
+                 required(summary, "summary"));
+    });
+}
+
 int64_t stltsa_decomposition_unit_count(const stltsa_decomposition* decomposition) noexcept {
     return decomposition == nullptr ? 0 : static_cast<int64_t>(decomposition->units.size());
 }
@@ -73,8 +179,8 @@ int64_t stltsa_decomposition_unit_count(const stltsa_decomposition* decompositio
 stltsa_status stltsa_decomposition_unit(const stltsa_decomposition* decomposition, int64_t index,
                                         stltsa_interval* unit) noexcept {
     return guard([&] {
-        copy_interval(required(decomposition, "decomposition").units, index, "unit",
-                      required(unit, "unit"));
+        copy_one(required(decomposition, "decomposition").units, index, "unit",
+                 required(unit, "unit"));
     });
 }
 
@@ -85,8 +191,8 @@ int64_t stltsa_decomposition_cycle_count(const stltsa_decomposition* decompositi
 stltsa_status stltsa_decomposition_cycle(const stltsa_decomposition* decomposition, int64_t index,
                                          stltsa_interval* cycle) noexcept {
     return guard([&] {
-        copy_interval(required(decomposition, "decomposition").cycles, index, "cycle",
-                      required(cycle, "cycle"));
+        copy_one(required(decomposition, "decomposition").cycles, index, "cycle",
+                 required(cycle, "cycle"));
     });
 }
 

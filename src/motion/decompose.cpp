@@ -72,6 +72,7 @@ void set_cycles(const std::vector<double>& margins, ConstMatrixView samples, dou
     result.period = period;
     result.units =
         cyclic_units(margins, pose_speed(samples, border_smoothing(period, fps)), period);
+    result.margins = margins;
     result.cycles = cycles_between(margins);
     result.representative = 0;
     result.best = most_typical(result.cycles, samples);

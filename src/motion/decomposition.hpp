@@ -23,6 +23,7 @@ enum class UnitKind : std::int32_t {
     final = 4,
     wind_up = 5,
     action = 6, ///< motion without claimed cycles
+    hold = 8,   ///< keeping a posture between motions that is not the one at rest
 };
 
 /// [begin, end) in samples, not rounded.
@@ -56,8 +57,9 @@ struct DecomposeOptions {
 
 struct Decomposition {
     // Units and cycles.
-    double period = 0;       ///< samples; 0: no cycle is claimed
-    std::vector<Unit> units; ///< cover [0, samples) without gap or overlap
+    double period = 0;           ///< samples; 0: no cycle is claimed
+    std::vector<Unit> units;     ///< cover [0, samples) without gap or overlap
+    std::vector<double> margins; ///< of the cycles: cycle i lasts from margin 2 i to 2 i + 2
     std::vector<Cycle> cycles;
     std::int64_t representative = -1; ///< index of the cycle from the first to the third candidate
     std::int64_t best = -1;           ///< index of the cycle most similar to the others

@@ -1,46 +1,49 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "results/decomposed.hpp"
 
+#include <algorithm>
 #include <cmath>
+
+#include "clip/features/column_owners.hpp"
+#include "results/summary.hpp"
 
 namespace stltsa::results {
 namespace {
+
+using recording::Recording;
+
+/// The joints that carry a segment have this share of its motion, and are at most so many.
+constexpr double carried_share = 0.5;
+constexpr std::size_t most_carriers = 8;
 
 /// Maps positions among the working samples to the source file.
 class SourceFrames {
   public:
     SourceFrames(const Source& source) : samples_(source.samples), clip_(source.clips.front()) {}
 
-    stltsa_interval interval(double begin, double end, int32_t kind) const {
-        const double first = frame(begin);
-        const double last = frame(end);
-        return {
-            std::llround(first), std::llround(last), first / clip_.fps, last / clip_.fps, kind, 0};
+    template <class To>
+    void set(double begin, double end, To& to) const {
+        const double first = frame(begin), last = frame(end);
+        to.begin = std::llround(first);
+        to.end = std::llround(last);
+        to.begin_s = first / clip_.fps;
+        to.end_s = last / clip_.fps;
     }
 
-    /// Units extend to both ends of the file: dropped frames belong to the first unit, frames after
-    /// the last sample to the last one. A unit that rounds to no frame is left out, and its two
-    /// neighbors become one unit if they are of one kind.
-    std::vector<stltsa_interval> units(const std::vector<motion::Unit>& found) const {
-        std::vector<stltsa_interval> units;
-        for (const motion::Unit& unit : found) {
-            auto next = interval(unit.begin, unit.end, static_cast<int32_t>(unit.kind));
-            next.begin = units.empty() ? 0 : units.back().end;
-            next.begin_s = units.empty() ? 0 : units.back().end_s;
-            if (next.end <= next.begin)
-                continue;
-            if (!units.empty() && units.back().kind == next.kind) {
-                units.back().end = next.end;
-                units.back().end_s = next.end_s;
-            } else {
-                units.push_back(next);
-            }
-        }
-        if (!units.empty()) {
-            units.back().end = clip_.frames;
-            units.back().end_s = static_cast<double>(clip_.frames) / clip_.fps;
-        }
-        return units;
+    /// Extends the first one to the start of the file and the last one to its end: dropped frames
+    /// belong to the first, frames after the last sample to the last.
+    template <class To>
+    void cover_file(std::vector<To>& intervals) const {
+        if (intervals.empty())
+            return;
+        intervals.front().begin = 0;
+        intervals.front().begin_s = 0;
+        intervals.back().end = clip_.frames;
+        intervals.back().end_s = static_cast<double>(clip_.frames) / clip_.fps;
+    }
+
+    double seconds(double samples) const {
+        return samples * static_cast<double>(samples_.step) / clip_.fps;
     }
 
   private:
@@ -62,6 +65,107 @@ void set_messages(const ClipSamples& prepared, motion::DecomposeOptions& options
     }
 }
 
+/// Units in frames. A unit that rounds to no frame is left out, and its two neighbors become one
+/// unit if they are of one kind and segment.
+std::vector<stltsa_interval> units_of(const Recording& found, const SourceFrames& frames) {
+    std::vector<stltsa_interval> units;
+    for (const recording::Unit& unit : found.units) {
+        stltsa_interval next{};
+        frames.set(unit.begin, unit.end, next);
+        next.kind = static_cast<int32_t>(unit.kind);
+        next.segment = static_cast<int32_t>(unit.segment);
+        next.begin = units.empty() ? 0 : units.back().end;
+        next.begin_s = units.empty() ? 0 : units.back().end_s;
+        if (next.end <= next.begin)
+            continue;
+        if (!units.empty() && units.back().kind == next.kind &&
+            units.back().segment == next.segment) {
+            units.back().end = next.end;
+            units.back().end_s = next.end_s;
+        } else {
+            units.push_back(next);
+        }
+    }
+    frames.cover_file(units);
+    return units;
+}
+
+stltsa_segment segment_of(const recording::Segment& found, const SourceFrames& frames) {
+    stltsa_segment segment{};
+    frames.set(found.begin, found.end, segment);
+    segment.kind = static_cast<int32_t>(found.kind);
+    segment.label = found.label;
+    segment.count = found.count;
+    segment.likeness = found.likeness;
+    segment.period_s = frames.seconds(found.period);
+    segment.candidate_period_s = frames.seconds(found.candidate_period);
+    segment.confidence = found.confidence;
+    segment.begin_confidence = found.begin_confidence;
+    segment.open_begin = found.open_begin ? 1 : 0;
+    segment.open_end = found.open_end ? 1 : 0;
+    return segment;
+}
+
+/// The names that own most of the motion, in decreasing order.
+std::vector<std::string> carriers_of(const std::vector<double>& energy,
+                                     const std::vector<std::string>& owners) {
+    std::vector<std::pair<double, std::string>> shares;
+    double total = 0;
+    for (std::size_t c = 0; c < energy.size() && c < owners.size(); ++c) {
+        if (shares.empty() || shares.back().second != owners[c])
+            shares.emplace_back(0, owners[c]);
+        shares.back().first -= energy[c];
+        total += energy[c];
+    }
+    std::stable_sort(shares.begin(), shares.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<std::string> carriers;
+    double carried = 0;
+    for (const auto& [share, name] : shares) {
+        if (!(carried < carried_share * total) || carriers.size() == most_carriers)
+            break;
+        carriers.push_back(name);
+        carried -= share;
+    }
+    return carriers;
+}
+
+stltsa_part part_of(const SourceFrames& frames, std::int64_t segment, double begin, double end) {
+    stltsa_part part{};
+    frames.set(begin, end, part);
+    part.segment = segment;
+    part.parent = -1;
+    part.side = -1;
+    return part;
+}
+
+void set_parts(const Recording& found, const SourceFrames& frames, Decomposed& made) {
+    for (const recording::Cycle& cycle : found.cycles) {
+        stltsa_part part = part_of(frames, cycle.segment, cycle.begin, cycle.end);
+        part.side = cycle.side;
+        part.likeness = cycle.likeness;
+        part.confidence = cycle.confidence;
+        made.cycle_parts.push_back(part);
+        made.cycles.push_back({part.begin, part.end, part.begin_s, part.end_s, STLTSA_UNIT_CYCLE,
+                               static_cast<int32_t>(cycle.segment)});
+    }
+    for (const recording::Step& step : found.steps) {
+        stltsa_part part = part_of(frames, step.segment, step.begin, step.end);
+        part.parent = step.cycle;
+        part.side = step.side;
+        const stltsa_part& cycle = made.cycle_parts[static_cast<std::size_t>(step.cycle)];
+        part.likeness = cycle.likeness;
+        part.confidence = cycle.confidence;
+        made.steps.push_back(part);
+    }
+    for (const recording::Repetition& repetition : found.repetitions) {
+        stltsa_part part = part_of(frames, repetition.segment, repetition.begin, repetition.end);
+        part.likeness = repetition.likeness;
+        part.confidence = repetition.confidence;
+        made.repetitions.push_back(part);
+    }
+}
+
 } // namespace
 
 Decomposed decompose(const clip::Clip& clip, const clip::PrepareOptions& prepare,
@@ -69,17 +173,28 @@ Decomposed decompose(const clip::Clip& clip, const clip::PrepareOptions& prepare
     const clip::Clip* single = &clip;
     ClipSamples prepared = prepare_clips({&single, 1}, prepare, progress);
     set_messages(prepared, options);
-    const double fps = prepared.source.samples.fps;
-    Decomposed made{motion::decompose(prepared.samples.view(), fps, options, progress),
-                    std::move(prepared.source),
-                    {},
-                    {}};
-    made.source.period = {made.result.period / fps, made.result.lag_quality,
+    const SampleFacts& samples = prepared.source.samples;
+    const double fps = samples.fps;
+    recording::Options wanted{
+        options, clip::side_weights(clip, samples.features, samples.up, prepared.samples.view())};
+    Recording found = recording::analyze(prepared.samples.view(), fps, wanted, progress);
+    Decomposed made;
+    made.source = std::move(prepared.source);
+    made.source.period = {found.shown.period / fps, found.shown.lag_quality,
                           options.shortest_period, options.longest_period};
     const SourceFrames frames(made.source);
-    made.units = frames.units(made.result.units);
-    for (const motion::Cycle& cycle : made.result.cycles)
-        made.cycles.push_back(frames.interval(cycle.begin, cycle.end, STLTSA_UNIT_CYCLE));
+    const auto owners = clip::column_owners(clip, made.source.samples.features);
+    for (const recording::Segment& segment : found.segments) {
+        made.segments.push_back(segment_of(segment, frames));
+        made.carriers.push_back(carriers_of(segment.energy, owners));
+        made.reasons.push_back(segment.reason);
+    }
+    frames.cover_file(made.segments);
+    made.units = units_of(found, frames);
+    set_parts(found, frames, made);
+    made.period_s = made.source.period.period;
+    made.summaries = summaries_of(made.segments, made.cycle_parts, made.repetitions);
+    made.result = std::move(found.shown);
     return made;
 }
 

@@ -2,21 +2,30 @@
 // A decomposition in frames and seconds of the source file.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "base/progress.hpp"
-#include "motion/decompose.hpp"
+#include "recording/analyze.hpp"
 #include "results/samples.hpp"
 #include "stltsa.h"
 
 namespace stltsa::results {
 
 struct Decomposed {
-    motion::Decomposition result; ///< in samples
+    motion::Decomposition result; ///< embedding, curve, reason, warnings; in samples
     Source source;
-    std::vector<stltsa_interval>
-        units; ///< in frames of the source file, from its first to its last
+    // In frames of the source file.
+    std::vector<stltsa_segment> segments;           ///< cover the file, as the units do
+    std::vector<std::vector<std::string>> carriers; ///< of each segment, what moves most first
+    std::vector<std::string> reasons;               ///< of each segment; empty: it repeats
+    std::vector<stltsa_interval> units;
     std::vector<stltsa_interval> cycles;
+    std::vector<stltsa_part> cycle_parts;
+    std::vector<stltsa_part> steps;
+    std::vector<stltsa_part> repetitions;
+    std::vector<stltsa_summary> summaries; ///< by label, of labels that repeat
+    double period_s = 0; ///< of the cyclic segment that lasts longest; 0: there is none
 };
 
 /// The clip's frame rate must be known. Sets the fields of `options` that are for messages only.

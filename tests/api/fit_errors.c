@@ -309,6 +309,7 @@ static void assert_survives_nan(int32_t mode, int64_t k) {
     const stltsa_in in = packed_in(changing, many, cols);
     stltsa_options* options = new_options(k, k, 2);
     must(stltsa_options_set_int(options, STLTSA_OPT_MODE, mode));
+    must(stltsa_options_set_int(options, STLTSA_OPT_THREADS, 1)); /* the same order of reads */
     struct writer w = {changing, many * cols, 0};
     int noticed = 0;
     for (int call = 0; w.calls_left <= 0; ++call) {

@@ -147,6 +147,20 @@ def drift():
 
 
 @functools.cache
+def bursts():
+    """Four equal motions with pauses, and then one of another kind."""
+    rows = []
+    for _ in range(4):
+        rows += [[0.0, 0.0, 0.0]] * 30
+        rows += [[1 - math.cos(math.pi * i / 20), math.sin(math.pi * i / 20) ** 3, 0.0]
+                 for i in range(40)]
+    rows += [[0.0, 0.0, 0.0]] * 30
+    rows += [[0.0, 0.0, 1 - math.cos(math.pi * i / 30)] for i in range(60)]
+    rows += [[0.0, 0.0, 0.0]] * 30
+    return write_csv("bursts.csv", rows)
+
+
+@functools.cache
 def still():
     """Nothing moves."""
     return write_csv("still.csv", [[1.0, 2.0, 3.0]] * 100)

@@ -101,7 +101,7 @@ class Files(CommandTest):
         self.done("decompose", walk(), "--json", "-o", link)
         self.assertTrue(link.is_symlink())
         self.assertEqual(path.stat().st_mode & 0o777, 0o640)
-        self.assertEqual(json.loads(path.read_text())["format"], "stltsa-decomposition/1")
+        self.assertEqual(json.loads(path.read_text())["format"], "stltsa-decomposition/2")
         self.assertEqual(len(list(self.folder.iterdir())), 2)
 
     def test_link_to_nothing_yet_leads_to_the_new_file(self):

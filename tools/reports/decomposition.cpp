@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "arguments/option_flags.hpp"
@@ -40,19 +42,71 @@ Table interval_table(const std::string& name) {
     return table;
 }
 
-std::string units_table(const std::vector<stltsa::Interval>& units) {
+/// Longer lists are cut, with a line that says how many rows are left out.
+constexpr std::int64_t most_rows = 60;
+
+std::string left_out(std::int64_t count, const char* what) {
+    return count > most_rows ? fmt::format("  ... and {} more {}; all are in the JSON (--json)\n",
+                                           count - most_rows, what)
+                             : "";
+}
+
+/// A, B, ... Z, AA, AB, ...
+std::string label_text(std::int32_t label) {
+    std::string text;
+    for (std::int32_t rest = label; rest >= 0; rest = rest / 26 - 1)
+        text.insert(text.begin(), static_cast<char>('A' + rest % 26));
+    return text;
+}
+
+/// How often the segment repeats, or what was seen, and what moves.
+std::string segment_remark(const stltsa::Decomposition& result, std::int64_t index,
+                           const stltsa::Segment& segment) {
+    std::string remark;
+    if (segment.kind == STLTSA_SEGMENT_CYCLIC)
+        remark = fmt::format("{} of {:.2f} s", counted(segment.count, "cycle"), segment.period_s);
+    else if (segment.kind == STLTSA_SEGMENT_REPETITIONS)
+        remark = fmt::format("{} times", segment.count);
+    else if (segment.candidate_period_s > 0)
+        remark = fmt::format("perhaps every {:.2f} s", segment.candidate_period_s);
+    if (segment.kind != STLTSA_SEGMENT_REST)
+        remark +=
+            fmt::format("{}confidence {:.2f}", remark.empty() ? "" : ", ", segment.confidence);
+    if (const auto carriers = result.carriers(index); !carriers.empty())
+        remark += "; " + carriers.front();
+    return remark;
+}
+
+/// Several segments, or one that repeats with pauses.
+std::string segments_table(const stltsa::Decomposition& result) {
+    using enum Align;
+    Table table({left, left, right, left, right, right, left});
+    table.add({"segment", "label", "seconds", "", "", "length (s)", ""});
+    const std::int64_t count = result.segment_count();
+    for (std::int64_t i = 0; i < std::min(count, most_rows); ++i) {
+        const stltsa::Segment segment = result.segment(i);
+        table.add({stltsa::segment_name(segment.kind), label_text(segment.label),
+                   seconds(segment.begin_s), "-", seconds(segment.end_s),
+                   seconds(segment.end_s - segment.begin_s), segment_remark(result, i, segment)});
+    }
+    return table.text() + left_out(count, "segments") + '\n';
+}
+
+std::string units_table(const stltsa::Decomposition& result) {
     Table table = interval_table("unit");
-    for (const stltsa::Interval& unit : units)
-        add_row(table, {stltsa::unit_name(unit.kind)}, unit, "");
-    return table.text();
+    const std::int64_t count = result.unit_count();
+    for (std::int64_t i = 0; i < std::min(count, most_rows); ++i)
+        add_row(table, {stltsa::unit_name(result.unit(i).kind)}, result.unit(i), "");
+    return table.text() + left_out(count, "units");
 }
 
 std::string cycles_table(const stltsa::Decomposition& result) {
-    if (result.cycle_count() == 0)
+    const std::int64_t count = result.cycle_count();
+    if (count == 0)
         return "";
     const stltsa::Info info = result.info();
     Table table = interval_table("cycle");
-    for (std::int64_t i = 0; i < result.cycle_count(); ++i) {
+    for (std::int64_t i = 0; i < std::min(count, most_rows); ++i) {
         std::string remark;
         if (info.integer(STLTSA_INFO_REPRESENTATIVE) == i)
             remark = "representative";
@@ -60,7 +114,7 @@ std::string cycles_table(const stltsa::Decomposition& result) {
             remark += remark.empty() ? "best" : ", best";
         add_row(table, {std::to_string(i + 1)}, result.cycle(i), remark);
     }
-    return '\n' + table.text();
+    return '\n' + table.text() + left_out(count, "cycles");
 }
 
 std::string dimension_text(const stltsa::Info& info) {
@@ -93,9 +147,15 @@ Facts facts_of(const stltsa::Info& info) {
 } // namespace
 
 std::string decomposition_summary(const stltsa::Decomposition& result) {
+    const std::int64_t repetitions = result.part_count(STLTSA_PART_REPETITION);
+    const std::string repeated =
+        repetitions > 0 ? counted(repetitions, "repetition") + " with pauses" : "";
     if (result.cycle_count() > 0)
-        return fmt::format("{}, period {:.2f} s", counted(result.cycle_count(), "cycle"),
-                           result.info().real(STLTSA_INFO_PERIOD));
+        return fmt::format("{}, period {:.2f} s{}", counted(result.cycle_count(), "cycle"),
+                           result.info().real(STLTSA_INFO_PERIOD),
+                           repeated.empty() ? "" : "; " + repeated);
+    if (!repeated.empty())
+        return repeated;
     const std::string reason = with_flags(result.reason());
     return reason.empty() ? "no cycle" : "no cycle; " + reason;
 }
@@ -103,8 +163,9 @@ std::string decomposition_summary(const stltsa::Decomposition& result) {
 std::string decomposition_report(const stltsa::Decomposition& result, const std::string& title) {
     const stltsa::Info info = result.info();
     const std::string first = wrapped(title + ": " + decomposition_summary(result), 80);
-    return bold(first) + "\n\n" + units_table(result.units()) + cycles_table(result) + '\n' +
-           facts_of(info).text() + listed("note:", info.texts(STLTSA_INFO_NOTE)) +
+    return bold(first) + "\n\n" + segments_table(result) + units_table(result) +
+           cycles_table(result) + '\n' + facts_of(info).text() +
+           listed("note:", info.texts(STLTSA_INFO_NOTE)) +
            listed("warning:", info.texts(STLTSA_INFO_WARNING));
 }
 

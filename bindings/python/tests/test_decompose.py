@@ -47,7 +47,7 @@ def test_curve(result):
 
 def test_json_and_html(result):
     told = json.loads(result.to_json())
-    assert told["format"] == "stltsa-decomposition/1"
+    assert told["format"] == "stltsa-decomposition/2"
     assert [u["begin"] for u in told["units"]] == list(result.units["begin"])
     html = result._repr_html_()
     assert html.count("<rect") == 5

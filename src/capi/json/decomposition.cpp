@@ -4,28 +4,106 @@
 namespace stltsa::capi {
 namespace {
 
-void set_span(JsonObject& object, const stltsa_interval& interval) {
+template <class Interval>
+void set_span(JsonObject& object, const Interval& interval) {
     object.set("begin", interval.begin, "end", interval.end, "begin_s", interval.begin_s, "end_s",
                interval.end_s);
+}
+
+/// A, B, ... Z, AA, AB, ...; null for a rest.
+Json label_json(int label) {
+    if (label < 0)
+        return nullptr;
+    std::string text;
+    for (int rest = label; rest >= 0; rest = rest / 26 - 1)
+        text.insert(text.begin(), static_cast<char>('A' + rest % 26));
+    return text;
+}
+
+Json segments_json(const Decomposed& decomposed) {
+    std::vector<Json> list;
+    for (std::size_t i = 0; i < decomposed.segments.size(); ++i) {
+        const stltsa_segment& segment = decomposed.segments[i];
+        JsonObject object("kind", stltsa_segment_name(segment.kind), "label",
+                          label_json(segment.label), "likeness", segment.likeness);
+        set_span(object, segment);
+        object.set("period_s", json_positive_or_null(segment.period_s), "candidate_period_s",
+                   json_positive_or_null(segment.candidate_period_s), "count", segment.count,
+                   "carried_by", decomposed.carriers[i], "open_begin", segment.open_begin == 1,
+                   "open_end", segment.open_end == 1, "confidence", segment.confidence,
+                   "begin_confidence", segment.begin_confidence, "reason",
+                   json_string_or_null(decomposed.reasons[i]));
+        list.push_back(object);
+    }
+    return list;
 }
 
 Json units_json(std::span<const stltsa_interval> units) {
     std::vector<Json> list;
     for (const stltsa_interval& unit : units) {
-        JsonObject object("kind", stltsa_unit_name(unit.kind));
+        JsonObject object("kind", stltsa_unit_name(unit.kind), "segment", unit.segment);
         set_span(object, unit);
         list.push_back(object);
     }
     return list;
 }
 
-Json cycles_json(std::span<const stltsa_interval> cycles) {
+Json side_json(int32_t side) {
+    return side < 0 ? Json(nullptr) : Json(side);
+}
+
+Json cycles_json(std::span<const stltsa_part> cycles) {
     std::vector<Json> list;
-    for (const stltsa_interval& cycle : cycles) {
-        JsonObject object;
+    for (const stltsa_part& cycle : cycles) {
+        JsonObject object("segment", cycle.segment);
         set_span(object, cycle);
+        object.set("side", side_json(cycle.side), "likeness", cycle.likeness, "confidence",
+                   cycle.confidence);
         list.push_back(object);
     }
+    return list;
+}
+
+Json steps_json(std::span<const stltsa_part> steps) {
+    std::vector<Json> list;
+    for (const stltsa_part& step : steps) {
+        JsonObject object("segment", step.segment, "cycle", step.parent);
+        set_span(object, step);
+        object.set("side", side_json(step.side));
+        list.push_back(object);
+    }
+    return list;
+}
+
+Json repetitions_json(const Decomposed& decomposed) {
+    std::vector<Json> list;
+    for (const stltsa_part& repetition : decomposed.repetitions) {
+        const auto segment = static_cast<std::size_t>(repetition.segment);
+        JsonObject object("segment", repetition.segment, "label",
+                          label_json(decomposed.segments[segment].label));
+        set_span(object, repetition);
+        object.set("likeness", repetition.likeness, "confidence", repetition.confidence);
+        list.push_back(object);
+    }
+    return list;
+}
+
+Json summary_json(std::span<const stltsa_summary> summaries) {
+    std::vector<Json> list;
+    for (const stltsa_summary& summary : summaries)
+        list.push_back(JsonObject("label", label_json(summary.label), "count", summary.count,
+                                  "cycles_per_min", summary.per_minute, "cycle_time_s",
+                                  JsonObject("mean", summary.mean_s, "sd", summary.sd_s, "cv",
+                                             summary.cv, "trend", summary.trend)));
+    return list;
+}
+
+Json timed_warnings_json(std::span<const Warning> warnings) {
+    std::vector<Json> list;
+    for (const Warning& warning : warnings)
+        list.push_back(JsonObject("code", static_cast<std::int64_t>(warning.code), "text",
+                                  warning.text, "begin_s", warning.begin_s, "end_s",
+                                  warning.end_s));
     return list;
 }
 
@@ -55,20 +133,24 @@ Json intrinsic_json(const std::optional<ltsa::Dimension>& dimension) {
 
 std::string decomposition_json(const Decomposed& decomposed) {
     const motion::Decomposition& found = decomposed.result;
-    JsonObject object = json_head("decomposition");
+    JsonObject object = json_head("decomposition", 2);
     object.set("clip", json_clip(decomposed.source));
     object.set("samples", json_samples(decomposed.source.samples));
     object.set("parameters", json_parameters(found.parameters, decomposed.source.period));
     object.set("embedding", embedding_json(found));
     object.set("intrinsic_dimension", intrinsic_json(found.intrinsic));
-    object.set("period_s", json_positive_or_null(decomposed.source.period.period));
+    object.set("period_s", json_positive_or_null(decomposed.period_s));
     object.set("lag_quality", decomposed.source.period.lag_quality);
+    object.set("segments", segments_json(decomposed));
     object.set("units", units_json(decomposed.units));
-    object.set("cycles", cycles_json(decomposed.cycles));
+    object.set("cycles", cycles_json(decomposed.cycle_parts));
+    object.set("steps", steps_json(decomposed.steps));
+    object.set("repetitions", repetitions_json(decomposed));
+    object.set("summary", summary_json(decomposed.summaries));
     object.set("representative_cycle", chosen_cycle(decomposed.cycles, found.representative));
     object.set("best_cycle", chosen_cycle(decomposed.cycles, found.best));
     object.set("reason", json_string_or_null(found.reason));
-    object.set("warnings", json_warnings(found.warnings));
+    object.set("warnings", timed_warnings_json(found.warnings));
     return object.text();
 }
 

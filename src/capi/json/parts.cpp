@@ -5,8 +5,9 @@
 
 namespace stltsa::capi {
 
-JsonObject json_head(const char* kind) {
-    return JsonObject("format", std::string("stltsa-") + kind + "/1", "library", stltsa_version());
+JsonObject json_head(const char* kind, int schema) {
+    return JsonObject("format", format_text("stltsa-{}/{}", kind, schema), "library",
+                      stltsa_version());
 }
 
 Json json_string_or_null(const std::string& text) {

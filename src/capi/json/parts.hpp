@@ -13,8 +13,8 @@ namespace stltsa::capi {
 
 using namespace results;
 
-/// {"format": "stltsa-<kind>/1", "library": "<version>"}: the head of every object.
-JsonObject json_head(const char* kind);
+/// {"format": "stltsa-<kind>/<schema>", "library": "<version>"}: the head of every object.
+JsonObject json_head(const char* kind, int schema = 1);
 
 Json json_string_or_null(const std::string& text);
 /// null for 0, which means that a rate, a period or a dimension is unknown.

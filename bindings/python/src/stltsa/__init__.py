@@ -24,7 +24,7 @@ from ._options import Option, Options, options
 from ._text import names as _names
 from ._text import string as _string
 from .clip import Clip, read_clip
-from .decomposition import Decomposition, Interval, decompose
+from .decomposition import Decomposition, Interval, Part, Segment, Summary, decompose
 from .denoising import Denoising, denoise
 from .dimensions import Dimension, dimension
 from .errors import *  # noqa: F403
@@ -66,6 +66,9 @@ __all__ = [  # noqa: PLE0604
     "Denoising",
     "Dimension",
     "Interval",
+    "Part",
+    "Segment",
+    "Summary",
     "Mapped",
     "Model",
     "Option",

@@ -21,16 +21,24 @@ def table(rows: Sequence[NamedTuple], kind: type[NamedTuple]) -> Any:
         import pandas as pd
     except ImportError:
         return _records(fields, kind)
-    dtypes = {n: t for n, t in _dtypes(kind).items() if t != "U"}
+    dtypes = {n: t for n, t in _dtypes(kind).items() if t not in "UO"}
     return pd.DataFrame(fields).astype(dtypes)
 
 
 def _dtypes(kind: type[NamedTuple]) -> dict[str, str]:
-    codes = {int: "i8", float: "f8", str: "U"}
-    return {name: codes[type_] for name, type_ in get_type_hints(kind).items()}
+    codes = {int: "i8", float: "f8", str: "U", bool: "?"}
+    return {name: codes.get(type_, "O") for name, type_ in get_type_hints(kind).items()}
 
 
 def _records(fields: dict[str, list[Any]], kind: type[NamedTuple]) -> Any:
-    arrays = [np.array(fields[name], dtype=code) for name, code in _dtypes(kind).items()]
+    arrays = [_array(fields[name], code) for name, code in _dtypes(kind).items()]
     dtype = [(name, array.dtype) for name, array in zip(fields, arrays, strict=True)]
     return np.rec.fromarrays(arrays, dtype=np.dtype(dtype))
+
+
+def _array(values: list[Any], code: str) -> Any:
+    if code != "O":
+        return np.array(values, dtype=code)
+    array = np.empty(len(values), dtype=object)  # np.array would make tuples a second dimension
+    array[:] = values
+    return array

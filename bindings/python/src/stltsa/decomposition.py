@@ -36,12 +36,80 @@ class Interval(NamedTuple):
     end_s: float
 
 
-def decompose(motion: Any, **options: Unpack[Options]) -> Decomposition:
-    """Cut a clip into motion units and cycles.
+class Segment(NamedTuple):
+    """A stretch of one behaviour: ``[begin, end)`` in source frames, and in seconds.
 
-    The library finds the period first and derives the neighborhoods from it, so nothing needs
-    tuning. A clip without trustworthy cycles is not an error: it is cut into activity and rest, and
-    :attr:`Decomposition.reason` explains why.
+    `kind` is ``"cyclic"``, ``"repetitions"``, ``"action"`` or ``"rest"``. Segments of the same
+    motion share a `label`, "A", "B", ... in order of appearance; that of a rest is empty.
+    `carried_by` names the joints, markers or columns that move most. Numbers that do not apply are
+    NaN.
+    """
+
+    kind: str
+    label: str
+    begin: int
+    end: int
+    begin_s: float
+    end_s: float
+    count: int
+    period_s: float
+    candidate_period_s: float
+    likeness: float
+    confidence: float
+    begin_confidence: float
+    open_begin: bool
+    open_end: bool
+    carried_by: tuple[str, ...]
+    reason: str
+
+
+class Part(NamedTuple):
+    """A cycle, a step or a repetition: ``[begin, end)`` in source frames, and in seconds.
+
+    `segment` is an index into the segments; `cycle`, of a step, one into the cycles, else -1.
+    `side` tells which side of the body leads, 0 or 1, and -1 if it is unknown.
+    """
+
+    segment: int
+    cycle: int
+    begin: int
+    end: int
+    begin_s: float
+    end_s: float
+    side: int
+    likeness: float
+    confidence: float
+
+
+class Summary(NamedTuple):
+    """The cycles or repetitions of one label: how many, how often, how long (seconds).
+
+    `cv` is ``sd_s / mean_s``; `trend` the relative change of the length per minute.
+    """
+
+    label: str
+    count: int
+    per_minute: float
+    mean_s: float
+    sd_s: float
+    cv: float
+    trend: float
+
+
+def _letters(label: int) -> str:
+    """A, B, ... Z, AA, AB, ...; empty for -1."""
+    text = ""
+    while label >= 0:
+        text = chr(ord("A") + label % 26) + text
+        label = label // 26 - 1
+    return text
+
+
+def decompose(motion: Any, **options: Unpack[Options]) -> Decomposition:
+    """Divide a recording into segments, units and cycles.
+
+    The library finds what is done when and follows the period over time, so nothing needs tuning.
+    A recording in which nothing repeats is not an error: :attr:`Decomposition.reason` explains why.
 
     Parameters
     ----------
@@ -111,8 +179,101 @@ class Decomposition(Described):
 
     @property
     def cycle_list(self) -> tuple[Interval, ...]:
-        """The cycles in temporal order, back to back."""
+        """The cycles in temporal order, back to back within a segment."""
         return self._intervals(lib.stltsa_decomposition_cycle_count, lib.stltsa_decomposition_cycle)
+
+    @property
+    def segment_list(self) -> tuple[Segment, ...]:
+        """The segments in temporal order; they cover the clip without gap or overlap."""
+        result, raw = [], ffi.new("stltsa_segment *")
+        for index in range(lib.stltsa_decomposition_segment_count(self._handle)):
+            check(lib.stltsa_decomposition_segment(self._handle, index, raw))
+            result.append(
+                Segment(
+                    kind=string(lib.stltsa_segment_name(raw.kind)),
+                    label=_letters(raw.label),
+                    begin=raw.begin,
+                    end=raw.end,
+                    begin_s=raw.begin_s,
+                    end_s=raw.end_s,
+                    count=raw.count,
+                    period_s=raw.period_s or np.nan,
+                    candidate_period_s=raw.candidate_period_s or np.nan,
+                    likeness=raw.likeness,
+                    confidence=raw.confidence,
+                    begin_confidence=raw.begin_confidence,
+                    open_begin=bool(raw.open_begin),
+                    open_end=bool(raw.open_end),
+                    carried_by=self._carriers(index),
+                    reason=string(lib.stltsa_decomposition_segment_reason(self._handle, index)),
+                )
+            )
+        return tuple(result)
+
+    def _carriers(self, segment: int) -> tuple[str, ...]:
+        count = lib.stltsa_decomposition_carrier_count(self._handle, segment)
+        return tuple(
+            string(lib.stltsa_decomposition_carrier(self._handle, segment, index))
+            for index in range(count)
+        )
+
+    def _parts(self, kind: int) -> tuple[Part, ...]:
+        result, raw = [], ffi.new("stltsa_part *")
+        for index in range(lib.stltsa_decomposition_part_count(self._handle, kind)):
+            check(lib.stltsa_decomposition_part(self._handle, kind, index, raw))
+            result.append(
+                Part(
+                    segment=raw.segment,
+                    cycle=raw.parent,
+                    begin=raw.begin,
+                    end=raw.end,
+                    begin_s=raw.begin_s,
+                    end_s=raw.end_s,
+                    side=raw.side,
+                    likeness=raw.likeness,
+                    confidence=raw.confidence,
+                )
+            )
+        return tuple(result)
+
+    @property
+    def segments(self) -> Any:
+        """The segments as a table: a DataFrame with pandas, otherwise a NumPy record array."""
+        return table(self.segment_list, Segment)
+
+    @property
+    def steps(self) -> Any:
+        """Halves of cycles in which both sides of the body alternate, as a table."""
+        return table(self._parts(lib.STLTSA_PART_STEP), Part)
+
+    @property
+    def repetitions(self) -> Any:
+        """The actions of the segments that repeat with pauses, as a table."""
+        return table(self._parts(lib.STLTSA_PART_REPETITION), Part)
+
+    @property
+    def cycle_facts(self) -> Any:
+        """Segment, side, likeness and confidence of each cycle, as a table."""
+        return table(self._parts(lib.STLTSA_PART_CYCLE), Part)
+
+    @property
+    def summary(self) -> Any:
+        """How often and how fast, for each label that repeats, as a table."""
+        result, raw = [], ffi.new("stltsa_summary *")
+        for index in range(lib.stltsa_decomposition_summary_count(self._handle)):
+            check(lib.stltsa_decomposition_summary(self._handle, index, raw))
+            result.append(
+                Summary(
+                    _letters(raw.label),
+                    raw.count,
+                    raw.per_minute,
+                    raw.mean_s,
+                    raw.sd_s,
+                    raw.cv,
+                    raw.trend,
+                )
+            )
+        return table(tuple(result), Summary)
 
     @property
     def units(self) -> Any:
@@ -206,7 +367,7 @@ class Decomposition(Described):
 
     @property
     def reason(self) -> str:
-        """Why there are no cycles, with the numbers; empty if there are cycles."""
+        """Why nothing repeats, with the numbers; empty if anything does."""
         return string(lib.stltsa_decomposition_reason(self._handle))
 
     @property

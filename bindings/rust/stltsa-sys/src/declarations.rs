@@ -1059,6 +1059,7 @@ pub const STLTSA_UNIT_FINAL: i32 = 4;
 pub const STLTSA_UNIT_WIND_UP: i32 = 5;
 pub const STLTSA_UNIT_ACTION: i32 = 6;
 pub const STLTSA_UNIT_CYCLE: i32 = 7;
+pub const STLTSA_UNIT_HOLD: i32 = 8;
 extern "C" {
     pub fn stltsa_unit_name(kind: i32) -> *const ::std::os::raw::c_char;
 }
@@ -1070,7 +1071,7 @@ pub struct stltsa_interval {
     pub begin_s: f64,
     pub end_s: f64,
     pub kind: i32,
-    pub reserved: i32,
+    pub segment: i32,
 }
 #[test]
 fn bindgen_test_layout_stltsa_interval() {
@@ -1144,15 +1145,502 @@ fn bindgen_test_layout_stltsa_interval() {
         );
     }
     test_field_kind();
-    fn test_field_reserved() {
+    fn test_field_segment() {
         assert_eq!(
             unsafe {
                 let uninit = ::std::mem::MaybeUninit::<stltsa_interval>::uninit();
                 let ptr = uninit.as_ptr();
-                ::std::ptr::addr_of!((*ptr).reserved) as usize - ptr as usize
+                ::std::ptr::addr_of!((*ptr).segment) as usize - ptr as usize
             },
             36usize,
-            concat!("Offset of field: ", stringify!(stltsa_interval), "::", stringify!(reserved))
+            concat!("Offset of field: ", stringify!(stltsa_interval), "::", stringify!(segment))
+        );
+    }
+    test_field_segment();
+}
+pub const STLTSA_SEGMENT_CYCLIC: i32 = 1;
+pub const STLTSA_SEGMENT_REPETITIONS: i32 = 2;
+pub const STLTSA_SEGMENT_ACTION: i32 = 3;
+pub const STLTSA_SEGMENT_REST: i32 = 4;
+extern "C" {
+    pub fn stltsa_segment_name(kind: i32) -> *const ::std::os::raw::c_char;
+}
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct stltsa_segment {
+    pub begin: i64,
+    pub end: i64,
+    pub begin_s: f64,
+    pub end_s: f64,
+    pub count: i64,
+    pub likeness: f64,
+    pub period_s: f64,
+    pub candidate_period_s: f64,
+    pub confidence: f64,
+    pub begin_confidence: f64,
+    pub kind: i32,
+    pub label: i32,
+    pub open_begin: i32,
+    pub open_end: i32,
+}
+#[test]
+fn bindgen_test_layout_stltsa_segment() {
+    assert_eq!(
+        ::std::mem::size_of::<stltsa_segment>(),
+        96usize,
+        concat!("Size of: ", stringify!(stltsa_segment))
+    );
+    assert_eq!(
+        ::std::mem::align_of::<stltsa_segment>(),
+        8usize,
+        concat!("Alignment of ", stringify!(stltsa_segment))
+    );
+    fn test_field_begin() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_segment>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).begin) as usize - ptr as usize
+            },
+            0usize,
+            concat!("Offset of field: ", stringify!(stltsa_segment), "::", stringify!(begin))
+        );
+    }
+    test_field_begin();
+    fn test_field_end() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_segment>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).end) as usize - ptr as usize
+            },
+            8usize,
+            concat!("Offset of field: ", stringify!(stltsa_segment), "::", stringify!(end))
+        );
+    }
+    test_field_end();
+    fn test_field_begin_s() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_segment>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).begin_s) as usize - ptr as usize
+            },
+            16usize,
+            concat!("Offset of field: ", stringify!(stltsa_segment), "::", stringify!(begin_s))
+        );
+    }
+    test_field_begin_s();
+    fn test_field_end_s() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_segment>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).end_s) as usize - ptr as usize
+            },
+            24usize,
+            concat!("Offset of field: ", stringify!(stltsa_segment), "::", stringify!(end_s))
+        );
+    }
+    test_field_end_s();
+    fn test_field_count() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_segment>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).count) as usize - ptr as usize
+            },
+            32usize,
+            concat!("Offset of field: ", stringify!(stltsa_segment), "::", stringify!(count))
+        );
+    }
+    test_field_count();
+    fn test_field_likeness() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_segment>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).likeness) as usize - ptr as usize
+            },
+            40usize,
+            concat!("Offset of field: ", stringify!(stltsa_segment), "::", stringify!(likeness))
+        );
+    }
+    test_field_likeness();
+    fn test_field_period_s() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_segment>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).period_s) as usize - ptr as usize
+            },
+            48usize,
+            concat!("Offset of field: ", stringify!(stltsa_segment), "::", stringify!(period_s))
+        );
+    }
+    test_field_period_s();
+    fn test_field_candidate_period_s() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_segment>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).candidate_period_s) as usize - ptr as usize
+            },
+            56usize,
+            concat!(
+                "Offset of field: ",
+                stringify!(stltsa_segment),
+                "::",
+                stringify!(candidate_period_s)
+            )
+        );
+    }
+    test_field_candidate_period_s();
+    fn test_field_confidence() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_segment>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).confidence) as usize - ptr as usize
+            },
+            64usize,
+            concat!("Offset of field: ", stringify!(stltsa_segment), "::", stringify!(confidence))
+        );
+    }
+    test_field_confidence();
+    fn test_field_begin_confidence() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_segment>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).begin_confidence) as usize - ptr as usize
+            },
+            72usize,
+            concat!(
+                "Offset of field: ",
+                stringify!(stltsa_segment),
+                "::",
+                stringify!(begin_confidence)
+            )
+        );
+    }
+    test_field_begin_confidence();
+    fn test_field_kind() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_segment>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).kind) as usize - ptr as usize
+            },
+            80usize,
+            concat!("Offset of field: ", stringify!(stltsa_segment), "::", stringify!(kind))
+        );
+    }
+    test_field_kind();
+    fn test_field_label() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_segment>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).label) as usize - ptr as usize
+            },
+            84usize,
+            concat!("Offset of field: ", stringify!(stltsa_segment), "::", stringify!(label))
+        );
+    }
+    test_field_label();
+    fn test_field_open_begin() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_segment>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).open_begin) as usize - ptr as usize
+            },
+            88usize,
+            concat!("Offset of field: ", stringify!(stltsa_segment), "::", stringify!(open_begin))
+        );
+    }
+    test_field_open_begin();
+    fn test_field_open_end() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_segment>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).open_end) as usize - ptr as usize
+            },
+            92usize,
+            concat!("Offset of field: ", stringify!(stltsa_segment), "::", stringify!(open_end))
+        );
+    }
+    test_field_open_end();
+}
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct stltsa_part {
+    pub begin: i64,
+    pub end: i64,
+    pub begin_s: f64,
+    pub end_s: f64,
+    pub segment: i64,
+    pub parent: i64,
+    pub likeness: f64,
+    pub confidence: f64,
+    pub side: i32,
+    pub reserved: i32,
+}
+#[test]
+fn bindgen_test_layout_stltsa_part() {
+    assert_eq!(
+        ::std::mem::size_of::<stltsa_part>(),
+        72usize,
+        concat!("Size of: ", stringify!(stltsa_part))
+    );
+    assert_eq!(
+        ::std::mem::align_of::<stltsa_part>(),
+        8usize,
+        concat!("Alignment of ", stringify!(stltsa_part))
+    );
+    fn test_field_begin() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_part>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).begin) as usize - ptr as usize
+            },
+            0usize,
+            concat!("Offset of field: ", stringify!(stltsa_part), "::", stringify!(begin))
+        );
+    }
+    test_field_begin();
+    fn test_field_end() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_part>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).end) as usize - ptr as usize
+            },
+            8usize,
+            concat!("Offset of field: ", stringify!(stltsa_part), "::", stringify!(end))
+        );
+    }
+    test_field_end();
+    fn test_field_begin_s() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_part>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).begin_s) as usize - ptr as usize
+            },
+            16usize,
+            concat!("Offset of field: ", stringify!(stltsa_part), "::", stringify!(begin_s))
+        );
+    }
+    test_field_begin_s();
+    fn test_field_end_s() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_part>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).end_s) as usize - ptr as usize
+            },
+            24usize,
+            concat!("Offset of field: ", stringify!(stltsa_part), "::", stringify!(end_s))
+        );
+    }
+    test_field_end_s();
+    fn test_field_segment() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_part>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).segment) as usize - ptr as usize
+            },
+            32usize,
+            concat!("Offset of field: ", stringify!(stltsa_part), "::", stringify!(segment))
+        );
+    }
+    test_field_segment();
+    fn test_field_parent() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_part>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).parent) as usize - ptr as usize
+            },
+            40usize,
+            concat!("Offset of field: ", stringify!(stltsa_part), "::", stringify!(parent))
+        );
+    }
+    test_field_parent();
+    fn test_field_likeness() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_part>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).likeness) as usize - ptr as usize
+            },
+            48usize,
+            concat!("Offset of field: ", stringify!(stltsa_part), "::", stringify!(likeness))
+        );
+    }
+    test_field_likeness();
+    fn test_field_confidence() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_part>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).confidence) as usize - ptr as usize
+            },
+            56usize,
+            concat!("Offset of field: ", stringify!(stltsa_part), "::", stringify!(confidence))
+        );
+    }
+    test_field_confidence();
+    fn test_field_side() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_part>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).side) as usize - ptr as usize
+            },
+            64usize,
+            concat!("Offset of field: ", stringify!(stltsa_part), "::", stringify!(side))
+        );
+    }
+    test_field_side();
+    fn test_field_reserved() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_part>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).reserved) as usize - ptr as usize
+            },
+            68usize,
+            concat!("Offset of field: ", stringify!(stltsa_part), "::", stringify!(reserved))
+        );
+    }
+    test_field_reserved();
+}
+pub const STLTSA_PART_CYCLE: i32 = 1;
+pub const STLTSA_PART_STEP: i32 = 2;
+pub const STLTSA_PART_REPETITION: i32 = 3;
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct stltsa_summary {
+    pub count: i64,
+    pub per_minute: f64,
+    pub mean_s: f64,
+    pub sd_s: f64,
+    pub cv: f64,
+    pub trend: f64,
+    pub label: i32,
+    pub reserved: i32,
+}
+#[test]
+fn bindgen_test_layout_stltsa_summary() {
+    assert_eq!(
+        ::std::mem::size_of::<stltsa_summary>(),
+        56usize,
+        concat!("Size of: ", stringify!(stltsa_summary))
+    );
+    assert_eq!(
+        ::std::mem::align_of::<stltsa_summary>(),
+        8usize,
+        concat!("Alignment of ", stringify!(stltsa_summary))
+    );
+    fn test_field_count() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_summary>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).count) as usize - ptr as usize
+            },
+            0usize,
+            concat!("Offset of field: ", stringify!(stltsa_summary), "::", stringify!(count))
+        );
+    }
+    test_field_count();
+    fn test_field_per_minute() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_summary>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).per_minute) as usize - ptr as usize
+            },
+            8usize,
+            concat!("Offset of field: ", stringify!(stltsa_summary), "::", stringify!(per_minute))
+        );
+    }
+    test_field_per_minute();
+    fn test_field_mean_s() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_summary>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).mean_s) as usize - ptr as usize
+            },
+            16usize,
+            concat!("Offset of field: ", stringify!(stltsa_summary), "::", stringify!(mean_s))
+        );
+    }
+    test_field_mean_s();
+    fn test_field_sd_s() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_summary>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).sd_s) as usize - ptr as usize
+            },
+            24usize,
+            concat!("Offset of field: ", stringify!(stltsa_summary), "::", stringify!(sd_s))
+        );
+    }
+    test_field_sd_s();
+    fn test_field_cv() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_summary>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).cv) as usize - ptr as usize
+            },
+            32usize,
+            concat!("Offset of field: ", stringify!(stltsa_summary), "::", stringify!(cv))
+        );
+    }
+    test_field_cv();
+    fn test_field_trend() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_summary>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).trend) as usize - ptr as usize
+            },
+            40usize,
+            concat!("Offset of field: ", stringify!(stltsa_summary), "::", stringify!(trend))
+        );
+    }
+    test_field_trend();
+    fn test_field_label() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_summary>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).label) as usize - ptr as usize
+            },
+            48usize,
+            concat!("Offset of field: ", stringify!(stltsa_summary), "::", stringify!(label))
+        );
+    }
+    test_field_label();
+    fn test_field_reserved() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_summary>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).reserved) as usize - ptr as usize
+            },
+            52usize,
+            concat!("Offset of field: ", stringify!(stltsa_summary), "::", stringify!(reserved))
         );
     }
     test_field_reserved();
@@ -1171,6 +1659,59 @@ extern "C" {
     pub fn stltsa_decomposition_info(
         decomposition: *const stltsa_decomposition,
     ) -> *const stltsa_info;
+}
+extern "C" {
+    pub fn stltsa_decomposition_segment_count(decomposition: *const stltsa_decomposition) -> i64;
+}
+extern "C" {
+    pub fn stltsa_decomposition_segment(
+        decomposition: *const stltsa_decomposition,
+        index: i64,
+        segment: *mut stltsa_segment,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_decomposition_segment_reason(
+        decomposition: *const stltsa_decomposition,
+        index: i64,
+    ) -> *const ::std::os::raw::c_char;
+}
+extern "C" {
+    pub fn stltsa_decomposition_carrier_count(
+        decomposition: *const stltsa_decomposition,
+        segment: i64,
+    ) -> i64;
+}
+extern "C" {
+    pub fn stltsa_decomposition_carrier(
+        decomposition: *const stltsa_decomposition,
+        segment: i64,
+        index: i64,
+    ) -> *const ::std::os::raw::c_char;
+}
+extern "C" {
+    pub fn stltsa_decomposition_part_count(
+        decomposition: *const stltsa_decomposition,
+        kind: i32,
+    ) -> i64;
+}
+extern "C" {
+    pub fn stltsa_decomposition_part(
+        decomposition: *const stltsa_decomposition,
+        kind: i32,
+        index: i64,
+        part: *mut stltsa_part,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_decomposition_summary_count(decomposition: *const stltsa_decomposition) -> i64;
+}
+extern "C" {
+    pub fn stltsa_decomposition_summary(
+        decomposition: *const stltsa_decomposition,
+        index: i64,
+        summary: *mut stltsa_summary,
+    ) -> stltsa_status;
 }
 extern "C" {
     pub fn stltsa_decomposition_unit_count(decomposition: *const stltsa_decomposition) -> i64;

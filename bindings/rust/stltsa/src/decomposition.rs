@@ -10,7 +10,7 @@ use crate::clip::Clip;
 use crate::error::{check, count, owned_text, text, texts, Result};
 use crate::facts::Facts;
 use crate::handle::Owned;
-use crate::kinds::{Fact, Features, UnitKind};
+use crate::kinds::{Fact, Features, SegmentKind, UnitKind};
 use crate::options::Options;
 
 /// Motion units and cycles of a clip, and the curve from which they were cut. Made by
@@ -51,6 +51,112 @@ impl Interval {
             end: count(raw.end)?,
             begin_s: raw.begin_s,
             end_s: raw.end_s,
+        })
+    }
+}
+
+/// A stretch of one behaviour: half-open, in frames of the source and in seconds.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Segment {
+    /// Kind of segment.
+    pub kind: SegmentKind,
+    /// 0, 1, ... in order of appearance: the same number is the same motion; `None`: a rest.
+    pub label: Option<usize>,
+    /// First frame, rounded.
+    pub begin: usize,
+    /// The frame after the last one, rounded.
+    pub end: usize,
+    /// Begin in seconds, fractions of a frame kept.
+    pub begin_s: f64,
+    /// End in seconds, fractions of a frame kept.
+    pub end_s: f64,
+    /// Cycles or repetitions.
+    pub count: usize,
+    /// Median length of the cycles in seconds.
+    pub period: Option<f64>,
+    /// A period that was seen, but is not claimed, in seconds.
+    pub candidate_period: Option<f64>,
+    /// Mean likeness to the others of its label, 0 to 1.
+    pub likeness: Option<f64>,
+    /// Share of such answers that are right, 0 to 1.
+    pub confidence: f64,
+    /// The same of the border at its begin; `None` for the first segment.
+    pub begin_confidence: Option<f64>,
+    /// Whether the clip begins within this motion.
+    pub open_begin: bool,
+    /// Whether the clip ends within this motion.
+    pub open_end: bool,
+    /// Joints, markers or columns that move most.
+    pub carried_by: Vec<String>,
+    /// Why there are no cycles, with the numbers.
+    pub reason: Option<String>,
+}
+
+/// A cycle, a step or a repetition: half-open, in frames of the source and in seconds.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Part {
+    /// Index of its segment.
+    pub segment: usize,
+    /// Of a step the index of its cycle.
+    pub cycle: Option<usize>,
+    /// First frame, rounded.
+    pub begin: usize,
+    /// The frame after the last one, rounded.
+    pub end: usize,
+    /// Begin in seconds, fractions of a frame kept.
+    pub begin_s: f64,
+    /// End in seconds, fractions of a frame kept.
+    pub end_s: f64,
+    /// Which side of the body leads: 0 or 1, the same in all clips of a skeleton.
+    pub side: Option<usize>,
+    /// To the mean cycle of its segment, or to the other repetitions, 0 to 1.
+    pub likeness: Option<f64>,
+    /// Share of such answers that are right, 0 to 1.
+    pub confidence: f64,
+}
+
+/// The cycles or repetitions of one label; seconds.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Summary {
+    /// See [`Segment::label`].
+    pub label: usize,
+    /// Cycles or repetitions.
+    pub count: usize,
+    /// Within the time from the first to the last of each segment.
+    pub per_minute: f64,
+    /// Mean length.
+    pub mean: f64,
+    /// Standard deviation of the lengths; 0 for a single one.
+    pub sd: f64,
+    /// `sd / mean`.
+    pub cv: f64,
+    /// Relative change of the length per minute.
+    pub trend: f64,
+}
+
+fn positive(value: f64) -> Option<f64> {
+    Some(value).filter(|value| *value > 0.0)
+}
+
+fn number(value: f64) -> Option<f64> {
+    Some(value).filter(|value| value.is_finite())
+}
+
+impl Part {
+    fn of(raw: sys::stltsa_part) -> Result<Self> {
+        Ok(Self {
+            segment: count(raw.segment)?,
+            cycle: usize::try_from(raw.parent).ok(),
+            begin: count(raw.begin)?,
+            end: count(raw.end)?,
+            begin_s: raw.begin_s,
+            end_s: raw.end_s,
+            side: usize::try_from(raw.side).ok(),
+            likeness: number(raw.likeness),
+            confidence: raw.confidence,
         })
     }
 }
@@ -99,12 +205,119 @@ impl Decomposition {
         })
     }
 
+    /// Segments in temporal order; they cover the clip without gap or overlap.
+    ///
+    /// # Errors
+    /// None in practice: the numbers of a live handle are valid.
+    pub fn segments(&self) -> Result<Vec<Segment>> {
+        // SAFETY: a live handle.
+        let count = unsafe { sys::stltsa_decomposition_segment_count(self.raw()) };
+        (0..count).map(|index| self.segment(index)).collect()
+    }
+
+    fn segment(&self, index: i64) -> Result<Segment> {
+        let mut raw = std::mem::MaybeUninit::zeroed();
+        // SAFETY: a live handle; a struct of numbers, which the call fills.
+        let (raw, reason, carried_by) = unsafe {
+            check(sys::stltsa_decomposition_segment(self.raw(), index, raw.as_mut_ptr()))?;
+            let carriers = sys::stltsa_decomposition_carrier_count(self.raw(), index);
+            (
+                raw.assume_init(),
+                text(sys::stltsa_decomposition_segment_reason(self.raw(), index)),
+                texts(carriers, |i| sys::stltsa_decomposition_carrier(self.raw(), index, i)),
+            )
+        };
+        Ok(Segment {
+            kind: SegmentKind::from_raw(raw.kind),
+            label: usize::try_from(raw.label).ok(),
+            begin: count(raw.begin)?,
+            end: count(raw.end)?,
+            begin_s: raw.begin_s,
+            end_s: raw.end_s,
+            count: count(raw.count)?,
+            period: positive(raw.period_s),
+            candidate_period: positive(raw.candidate_period_s),
+            likeness: number(raw.likeness),
+            confidence: raw.confidence,
+            begin_confidence: number(raw.begin_confidence),
+            open_begin: raw.open_begin == 1,
+            open_end: raw.open_end == 1,
+            carried_by,
+            reason: Some(reason).filter(|reason| !reason.is_empty()),
+        })
+    }
+
+    fn parts(&self, kind: i32) -> Result<Vec<Part>> {
+        // SAFETY: a live handle.
+        let count = unsafe { sys::stltsa_decomposition_part_count(self.raw(), kind) };
+        let part = |index| {
+            let mut raw = std::mem::MaybeUninit::zeroed();
+            // SAFETY: a live handle; a struct of numbers, which the call fills.
+            Part::of(unsafe {
+                check(sys::stltsa_decomposition_part(self.raw(), kind, index, raw.as_mut_ptr()))?;
+                raw.assume_init()
+            })
+        };
+        (0..count).map(part).collect()
+    }
+
+    /// Segment, side, likeness and confidence of each cycle.
+    ///
+    /// # Errors
+    /// None in practice: the numbers of a live handle are valid.
+    pub fn cycle_facts(&self) -> Result<Vec<Part>> {
+        self.parts(sys::STLTSA_PART_CYCLE)
+    }
+
+    /// Halves of cycles in which both sides of the body alternate; none if they do not.
+    ///
+    /// # Errors
+    /// None in practice: the numbers of a live handle are valid.
+    pub fn steps(&self) -> Result<Vec<Part>> {
+        self.parts(sys::STLTSA_PART_STEP)
+    }
+
+    /// The actions of the segments that repeat with pauses.
+    ///
+    /// # Errors
+    /// None in practice: the numbers of a live handle are valid.
+    pub fn repetitions(&self) -> Result<Vec<Part>> {
+        self.parts(sys::STLTSA_PART_REPETITION)
+    }
+
+    /// How often and how fast, for each label that repeats.
+    ///
+    /// # Errors
+    /// None in practice: the numbers of a live handle are valid.
+    pub fn summary(&self) -> Result<Vec<Summary>> {
+        // SAFETY: a live handle.
+        let labels = unsafe { sys::stltsa_decomposition_summary_count(self.raw()) };
+        let summary = |index| {
+            let mut raw = std::mem::MaybeUninit::zeroed();
+            // SAFETY: a live handle; a struct of numbers, which the call fills.
+            let raw = unsafe {
+                check(sys::stltsa_decomposition_summary(self.raw(), index, raw.as_mut_ptr()))?;
+                raw.assume_init()
+            };
+            Ok(Summary {
+                label: count(raw.label.into())?,
+                count: count(raw.count)?,
+                per_minute: raw.per_minute,
+                mean: raw.mean_s,
+                sd: raw.sd_s,
+                cv: raw.cv,
+                trend: raw.trend,
+            })
+        };
+        (0..labels).map(summary).collect()
+    }
+
     /// Units in temporal order; they cover the clip without gap or overlap.
     pub fn units(&self) -> &[Interval] {
         &self.units
     }
 
-    /// Cycles in temporal order, back to back.
+    /// Cycles in temporal order, back to back within a segment.
     pub fn cycles(&self) -> &[Interval] {
         &self.cycles
     }
@@ -159,7 +372,7 @@ impl Decomposition {
         })
     }
 
-    /// Why there are no cycles, with the numbers; `None` if there are cycles.
+    /// Why nothing repeats, with the numbers; `None` if anything does.
     pub fn reason(&self) -> Option<String> {
         // SAFETY: a live handle, to which the text belongs until it is copied.
         let reason = unsafe { text(sys::stltsa_decomposition_reason(self.raw())) };
@@ -175,7 +388,7 @@ impl Decomposition {
         }
     }
 
-    /// One JSON object (schema: stltsa-decomposition/1).
+    /// One JSON object (schema: stltsa-decomposition/2).
     ///
     /// # Errors
     /// [`NoMemory`](crate::ErrorKind::NoMemory).
@@ -215,7 +428,7 @@ fn intervals(
     get: impl Fn(i64, &mut sys::stltsa_interval) -> sys::stltsa_status,
 ) -> Result<Vec<Interval>> {
     let mut raw =
-        sys::stltsa_interval { begin: 0, end: 0, begin_s: 0.0, end_s: 0.0, kind: 0, reserved: 0 };
+        sys::stltsa_interval { begin: 0, end: 0, begin_s: 0.0, end_s: 0.0, kind: 0, segment: 0 };
     let interval = |index| {
         check(get(index, &mut raw))?;
         Interval::of(raw)

@@ -47,6 +47,13 @@ impl fmt::Display for UnitKind {
     }
 }
 
+impl fmt::Display for SegmentKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        // SAFETY: a static text for any number.
+        f.pad(&unsafe { crate::error::text(sys::stltsa_segment_name(self.raw())) })
+    }
+}
+
 /// An axis of the world.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Axis {

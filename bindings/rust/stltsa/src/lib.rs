@@ -65,12 +65,14 @@ mod with_ndarray;
 
 pub use array::{Element, Matrix, View};
 pub use clip::{Clip, Joint};
-pub use decomposition::{Decomposition, DecompositionInfo, Interval};
+pub use decomposition::{Decomposition, DecompositionInfo, Interval, Part, Segment, Summary};
 pub use denoising::{DenoisedColumn, Denoising};
 pub use dimension::{Dimension, Estimate};
 pub use error::{Error, ErrorKind, Result};
 pub use facts::Facts;
-pub use kinds::{Axis, Fact, Features, Format, Mode, OptionKey, Part, Stage, UnitKind};
+pub use kinds::{
+    Axis, Component, Fact, Features, Format, Mode, OptionKey, SegmentKind, Stage, UnitKind,
+};
 pub use mapping::{Mapped, Poses, Unmapped};
 pub use model::{Model, ModelInfo};
 pub use options::{options_table, OptionInfo, Options};
@@ -90,10 +92,10 @@ pub fn version() -> String {
 /// Whether this build of the library has an optional part.
 ///
 /// ```
-/// let can_fit_recurrent = stltsa::has(stltsa::Part::Cholmod);
+/// let can_fit_recurrent = stltsa::has(stltsa::Component::Cholmod);
 /// # let _ = can_fit_recurrent;
 /// ```
-pub fn has(part: Part) -> bool {
+pub fn has(part: Component) -> bool {
     // SAFETY: it takes any number.
     unsafe { stltsa_sys::stltsa_has(part.raw()) != 0 }
 }

@@ -4,7 +4,7 @@
 mod common;
 
 use common::{circle, circle_model, circle_options};
-use stltsa::{has, Clip, Denoising, ErrorKind, Mode, Model, Options, Part};
+use stltsa::{has, Clip, Component, Denoising, ErrorKind, Mode, Model, Options};
 
 #[test]
 fn the_words_are_the_librarys() {
@@ -81,6 +81,6 @@ fn each_thread_has_its_own_words() {
 fn a_part_is_there_or_its_modes_are_unsupported() {
     let spatial = Model::fit(&circle(), &circle_options().mode(Mode::Spatial));
     let refused = matches!(&spatial, Err(error) if error.kind() == ErrorKind::Unsupported);
-    assert_eq!(has(Part::Cholmod), !refused, "{spatial:?}");
-    assert!(!has(Part::Other(12345)));
+    assert_eq!(has(Component::Cholmod), !refused, "{spatial:?}");
+    assert!(!has(Component::Other(12345)));
 }

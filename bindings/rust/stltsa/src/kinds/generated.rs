@@ -2,7 +2,7 @@
 // Made by scripts/generate-bindings: do not edit.
 kinds! {
     /// Parts that a build of the library may be without.
-    Part {
+    Component {
         /// Modes spatial and recurrent; without it: E_UNSUPPORTED.
         Cholmod = STLTSA_HAS_CHOLMOD,
         /// BLAS is OpenBLAS, which a fit sets to one thread and restores.
@@ -150,6 +150,17 @@ kinds! {
         /// New motion.
         Synthesis = STLTSA_STAGE_SYNTHESIS,
     }
+    /// Kinds of segments. `Display` gives the library's names.
+    SegmentKind {
+        /// Cycles back to back.
+        Cyclic = STLTSA_SEGMENT_CYCLIC,
+        /// The same action again and again, with pauses.
+        Repetitions = STLTSA_SEGMENT_REPETITIONS,
+        /// A motion that is seen once.
+        Action = STLTSA_SEGMENT_ACTION,
+        /// `STLTSA_SEGMENT_REST`.
+        Rest = STLTSA_SEGMENT_REST,
+    }
     /// Kinds of motion units. `Display` gives the library's names.
     UnitKind {
         /// Standing before a motion.
@@ -166,6 +177,8 @@ kinds! {
         Action = STLTSA_UNIT_ACTION,
         /// One cycle of the cyclic unit.
         Cycle = STLTSA_UNIT_CYCLE,
+        /// Keeping another posture than the one at rest.
+        Hold = STLTSA_UNIT_HOLD,
     }
     /// Facts by key, with their types; those with `[]` are lists.
     Fact {
@@ -253,7 +266,7 @@ kinds! {
         Representative = STLTSA_INFO_REPRESENTATIVE,
         /// `int`: index of the cycle most like the others; -1: none.
         Best = STLTSA_INFO_BEST,
-        /// `text`: why no cycle is claimed; empty if cycles are.
+        /// `text`: why nothing repeats; empty if anything does.
         Reason = STLTSA_INFO_REASON,
         /// `real[]`: eigenvalues, ascending, the zero one first: of B, and of B / k in a dimension.
         Eigenvalue = STLTSA_INFO_EIGENVALUE,

@@ -1,0 +1,368 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "recording/answer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <iterator>
+
+#include "linalg/simd.hpp"
+#include "motion/curve/statistics.hpp"
+#include "motion/cycles.hpp"
+#include "recording/evidence.hpp"
+#include "recording/repetitions.hpp"
+#include "recording/sides.hpp"
+#include "recording/traced.hpp"
+
+namespace stltsa::recording {
+namespace {
+
+constexpr std::int64_t phases = 24;
+/// A recording that begins or ends faster than this share of the usual speed does so in motion.
+constexpr double moving = 0.4;
+/// Others of a label with which a segment or a repetition is compared.
+constexpr std::size_t most_compared = 24;
+
+/// Shared while the answer is assembled.
+struct Work {
+    const Signal& signal;
+    const KernelFeatures* features; ///< null for a clip of one motion
+    ConstMatrixView samples;
+    std::vector<double> side_motion; ///< empty: unknown
+    Recording result;
+
+    double sample(double row) const {
+        return std::min(row * static_cast<double>(signal.step), static_cast<double>(samples.rows));
+    }
+};
+
+/// The squared motion of each column of the samples.
+std::vector<double> energy_of(const Work& work, const Draft& draft) {
+    std::vector<double> energy(static_cast<std::size_t>(work.samples.cols));
+    const Rows rows = draft.rows();
+    const std::int64_t step = work.signal.step;
+    for (std::int64_t i = rows.begin; i + 1 < rows.end && (i + 1) * step < work.samples.rows; ++i)
+        for (std::int64_t c = 0; c < work.samples.cols; ++c) {
+            const double moved = work.samples((i + 1) * step, c) - work.samples(i * step, c);
+            energy[static_cast<std::size_t>(c)] += moved * moved;
+        }
+    return energy;
+}
+
+/// Likeness of each cycle to their mean: 1 less the squared deviation in units of twice the swing.
+std::vector<double> likenesses(const Signal& signal, const std::vector<Interval>& cycles) {
+    Matrix mean(phases, signal.cols());
+    const std::int64_t size = phases * signal.cols();
+    for (const Interval& cycle : cycles)
+        axpy(1 / static_cast<double>(cycles.size()),
+             rows_at(signal.poses.view(), cycle.begin, cycle.end, phases).data(), mean.data(),
+             size);
+    double swing = 0;
+    std::vector<double> center(static_cast<std::size_t>(signal.cols()));
+    for (std::int64_t p = 0; p < phases; ++p)
+        axpy(1.0 / phases, mean.row(p), center.data(), signal.cols());
+    for (std::int64_t p = 0; p < phases; ++p)
+        swing += squared_distance(mean.row(p), center.data(), signal.cols());
+    std::vector<double> result;
+    for (const Interval& cycle : cycles) {
+        const Matrix own = rows_at(signal.poses.view(), cycle.begin, cycle.end, phases);
+        const double apart = squared_distance(own.data(), mean.data(), size);
+        result.push_back(swing > 0 ? std::clamp(1 - apart / (2 * swing), 0.0, 1.0) : 0);
+    }
+    return result;
+}
+
+double mean_of(const std::vector<double>& values) {
+    return values.empty() ? 0
+                          : sum(values.data(), static_cast<std::int64_t>(values.size())) /
+                                static_cast<double>(values.size());
+}
+
+void append_steps(Work& work, std::int64_t segment, const CyclicStretch& cut,
+                  std::int64_t first_cycle, const std::vector<int>& sides) {
+    std::size_t cycle = 0;
+    for (const std::vector<double>& margins : cut.margins)
+        for (std::size_t i = 0; i + 2 < margins.size(); i += 2, ++cycle)
+            for (std::size_t half = 0; half < 2; ++half)
+                work.result.steps.push_back(
+                    {segment, first_cycle + static_cast<std::int64_t>(cycle),
+                     work.sample(margins[i + half]), work.sample(margins[i + half + 1]),
+                     half == 0 ? sides[cycle] : 1 - sides[cycle]});
+}
+
+void append_cyclic(Work& work, Draft& draft, Segment& segment) {
+    const auto index = static_cast<std::int64_t>(work.result.segments.size());
+    std::vector<int> sides;
+    std::vector<double> confidences;
+    auto first = static_cast<std::int64_t>(work.result.cycles.size());
+    for (CyclicStretch& cut : draft.stretches) {
+        const bool steps = !work.side_motion.empty() && sides_alternate(work.side_motion, cut);
+        const std::vector<int> own =
+            steps ? turn_to_side(work.side_motion, cut) : std::vector<int>(cut.cycles.size(), -1);
+        if (steps)
+            append_steps(work, index, cut, first, own);
+        first += static_cast<std::int64_t>(own.size());
+        sides.insert(sides.end(), own.begin(), own.end());
+        std::ranges::copy(cycle_confidences(work.signal, cut), std::back_inserter(confidences));
+    }
+    const std::vector<Interval> cycles = draft.cycles();
+    const std::vector<double> like = likenesses(work.signal, cycles);
+    std::vector<double> lengths;
+    for (std::size_t i = 0; i < cycles.size(); ++i) {
+        work.result.cycles.push_back({index, work.sample(cycles[i].begin),
+                                      work.sample(cycles[i].end), sides[i], like[i],
+                                      confidences[i]});
+        lengths.push_back(cycles[i].length());
+    }
+    segment.count = static_cast<std::int64_t>(cycles.size());
+    segment.period = motion::median(lengths) * static_cast<double>(work.signal.step);
+    segment.confidence = mean_of(confidences);
+}
+
+void append_repetitions(Work& work, const Draft& draft, Segment& segment) {
+    const auto index = static_cast<std::int64_t>(work.result.segments.size());
+    const std::size_t count = draft.motions.size();
+    const std::size_t stride = (count + most_compared - 1) / most_compared;
+    std::vector<double> confidences;
+    for (std::size_t i = 0; i < count; ++i) {
+        std::vector<double> unlike;
+        for (std::size_t k = 0; k < count; k += stride)
+            if (k != i)
+                unlike.push_back(unlikeness(work.signal, draft.motions[i], draft.motions[k]));
+        const double mean = mean_of(unlike);
+        confidences.push_back(repetition_confidence(mean));
+        work.result.repetitions.push_back({index,
+                                           work.sample(static_cast<double>(draft.motions[i].begin)),
+                                           work.sample(static_cast<double>(draft.motions[i].end)),
+                                           std::clamp(1 - mean, 0.0, 1.0), confidences.back()});
+    }
+    segment.count = static_cast<std::int64_t>(count);
+    segment.confidence = mean_of(confidences);
+}
+
+bool in_motion(const Signal& signal, std::int64_t row) {
+    const auto at = static_cast<std::size_t>(row);
+    return signal.usual[at] > 0 && signal.speed[at] > moving * signal.usual[at];
+}
+
+double border_confidence_of(const Draft& before, const Draft& draft) {
+    constexpr double at_rest = 0.93;
+    const auto acts = [](const Draft& d) { return d.kind == SegmentKind::action ? 1 : 0; };
+    if (before.kind == SegmentKind::rest || draft.kind == SegmentKind::rest || draft.gain <= 0)
+        return at_rest;
+    return border_confidence(draft.gain, acts(before) + acts(draft));
+}
+
+void append_segment(Work& work, const Draft* before, Draft& draft) {
+    Segment segment;
+    segment.kind = draft.kind;
+    segment.begin = work.sample(draft.begin);
+    segment.end = work.sample(draft.end);
+    segment.label = draft.label;
+    segment.reason = draft.reason;
+    segment.candidate_period = draft.candidate_period * static_cast<double>(work.signal.step);
+    segment.begin_confidence = before == nullptr ? unknown : border_confidence_of(*before, draft);
+    const double seconds = (draft.end - draft.begin) / work.signal.rate;
+    switch (draft.kind) {
+    case SegmentKind::cyclic:
+        append_cyclic(work, draft, segment);
+        break;
+    case SegmentKind::repetitions:
+        append_repetitions(work, draft, segment);
+        break;
+    case SegmentKind::action:
+        segment.count = 1;
+        segment.confidence = action_confidence(seconds);
+        break;
+    case SegmentKind::rest:
+        segment.confidence = rest_confidence(seconds);
+        break;
+    }
+    if (draft.kind != SegmentKind::rest) {
+        segment.energy = energy_of(work, draft);
+        segment.open_begin = draft.begin <= 0 && in_motion(work.signal, 0);
+        segment.open_end = draft.end >= static_cast<double>(work.signal.rows()) &&
+                           in_motion(work.signal, work.signal.rows() - 1);
+    }
+    work.result.segments.push_back(std::move(segment));
+}
+
+void append_unit(Work& work, motion::UnitKind kind, double begin, double end) {
+    if (end > begin)
+        work.result.units.push_back({kind,
+                                     static_cast<std::int64_t>(work.result.segments.size()) - 1,
+                                     work.sample(begin), work.sample(end)});
+}
+
+/// What a rest is called: before a motion, after the last, or in another posture than home.
+using RestKind = std::function<motion::UnitKind(double begin, double end)>;
+
+void append_units(Work& work, const Draft& draft, const RestKind& rest_kind) {
+    using enum motion::UnitKind;
+    if (draft.kind == SegmentKind::rest) {
+        append_unit(work, rest_kind(draft.begin, draft.end), draft.begin, draft.end);
+    } else if (draft.kind == SegmentKind::cyclic) {
+        const double first = draft.stretches.front().margins.front().front();
+        const double last = draft.stretches.back().margins.back().back();
+        append_unit(work, initial, draft.begin, first);
+        append_unit(work, cyclic, first, last);
+        append_unit(work, final, last, draft.end);
+    } else if (draft.kind == SegmentKind::repetitions) {
+        double at = draft.begin;
+        for (const Rows& motion : draft.motions) {
+            const auto begin = static_cast<double>(motion.begin);
+            append_unit(work, rest_kind(at, begin), at, begin);
+            at = std::min(draft.end, static_cast<double>(motion.end));
+            append_unit(work, action, begin, at);
+        }
+        append_unit(work, action, at, draft.end);
+    } else {
+        append_unit(work, action, draft.begin, draft.end);
+    }
+}
+
+/// The mean likeness of each segment to the others of its label.
+void set_likeness(Work& work, const std::vector<Draft>& drafts) {
+    if (work.features == nullptr)
+        return;
+    std::vector<std::vector<std::size_t>> of_label;
+    for (std::size_t i = 0; i < drafts.size(); ++i)
+        if (drafts[i].label >= 0) {
+            of_label.resize(
+                std::max(of_label.size(), static_cast<std::size_t>(drafts[i].label) + 1));
+            of_label[static_cast<std::size_t>(drafts[i].label)].push_back(i);
+        }
+    for (const auto& members : of_label) {
+        const std::size_t stride = (members.size() + most_compared - 1) / most_compared;
+        for (const std::size_t i : members) {
+            std::vector<double> like;
+            for (std::size_t k = 0; k < members.size(); k += stride)
+                if (members[k] != i)
+                    like.push_back(
+                        work.features->likeness(work.features->moments(drafts[i].rows()),
+                                                work.features->moments(drafts[members[k]].rows())));
+            if (!like.empty())
+                work.result.segments[i].likeness = mean_of(like);
+        }
+    }
+}
+
+void append_all(Work& work, std::vector<Draft>& drafts, const RestKind& rest_kind) {
+    for (std::size_t i = 0; i < drafts.size(); ++i) {
+        Draft& draft = drafts[i];
+        append_segment(work, i == 0 ? nullptr : &drafts[i - 1], draft);
+        append_units(work, draft, rest_kind);
+    }
+    const auto end = static_cast<double>(work.samples.rows);
+    work.result.segments.back().end = end;
+    work.result.units.back().end = end;
+    set_likeness(work, drafts);
+}
+
+/// Of the cyclic segment that lasts longest: the first cycle, and the one most like their mean.
+void set_typical(Work& work) {
+    motion::Decomposition& shown = work.result.shown;
+    if (work.result.cycles.size() == shown.cycles.size())
+        return; // those of the whole clip
+    const Segment* longest = nullptr;
+    for (const Segment& segment : work.result.segments)
+        if (segment.kind == SegmentKind::cyclic &&
+            (longest == nullptr || segment.end - segment.begin > longest->end - longest->begin))
+            longest = &segment;
+    shown.representative = shown.best = -1;
+    const auto& cycles = work.result.cycles;
+    for (std::size_t i = 0; i < cycles.size(); ++i) {
+        if (&work.result.segments[static_cast<std::size_t>(cycles[i].segment)] != longest)
+            continue;
+        const auto index = static_cast<std::int64_t>(i);
+        if (shown.representative < 0)
+            shown.representative = shown.best = index;
+        else if (cycles[i].likeness > cycles[static_cast<std::size_t>(shown.best)].likeness)
+            shown.best = index;
+    }
+}
+
+/// The segments of a clip of one motion, from its units.
+std::vector<Draft> drafts_of(const motion::Decomposition& single, const Signal& signal) {
+    const auto row = [&](double sample) { return sample / static_cast<double>(signal.step); };
+    std::vector<Draft> drafts;
+    int label = 0;
+    for (const motion::Unit& unit : single.units) {
+        using enum motion::UnitKind;
+        const bool rests = unit.kind == preparing || unit.kind == wind_up;
+        const bool beside_cycles =
+            unit.kind == initial || unit.kind == cyclic || unit.kind == final;
+        if (beside_cycles && !drafts.empty() && drafts.back().kind == SegmentKind::cyclic) {
+            drafts.back().end = row(unit.end);
+        } else {
+            Draft draft;
+            draft.kind = rests           ? SegmentKind::rest
+                         : beside_cycles ? SegmentKind::cyclic
+                                         : SegmentKind::action;
+            draft.begin = row(unit.begin);
+            draft.end = row(unit.end);
+            draft.label = rests ? -1 : label++;
+            if (unit.kind == action)
+                draft.reason = single.reason;
+            drafts.push_back(std::move(draft));
+        }
+        if (unit.kind != cyclic)
+            continue;
+        CyclicStretch cut;
+        cut.cyclicity = single.cyclicity;
+        cut.stretch.quality = single.lag_quality;
+        cut.margins = {{}};
+        for (const double margin : single.margins)
+            cut.margins.front().push_back(row(margin));
+        for (const motion::Cycle& cycle : single.cycles)
+            cut.cycles.push_back({row(cycle.begin), row(cycle.end)});
+        drafts.back().stretches = {std::move(cut)};
+    }
+    return drafts;
+}
+
+} // namespace
+
+Recording answer_of(const Signal& signal, motion::Decomposition single, ConstMatrixView samples,
+                    const Options& options) {
+    Work work{signal, nullptr, samples, {}, {}};
+    if (!options.side.empty())
+        work.side_motion = side_motion(signal, options.side);
+    std::vector<Draft> drafts = drafts_of(single, signal);
+    const auto kind_of = [&](double begin, double end) {
+        const double middle = work.sample((begin + end) / 2);
+        for (const motion::Unit& unit : single.units)
+            if (middle >= unit.begin && middle < unit.end)
+                return unit.kind;
+        return motion::UnitKind::preparing;
+    };
+    append_all(work, drafts, kind_of);
+    work.result.shown = std::move(single);
+    set_typical(work);
+    return std::move(work.result);
+}
+
+Recording answer_of(const Context& context, std::vector<Draft> drafts, motion::Decomposition single,
+                    ConstMatrixView samples, const Options& options) {
+    Work work{context.signal, &context.features, samples, {}, {}};
+    if (!options.side.empty())
+        work.side_motion = side_motion(context.signal, options.side);
+    double last = 0;
+    for (const Draft& draft : drafts)
+        if (draft.kind != SegmentKind::rest)
+            last = draft.end;
+    const Pauses& pauses = context.pauses;
+    const auto kind_of = [&](double begin, double end) {
+        for (std::size_t i = 0; i < pauses.rests.size(); ++i)
+            if (static_cast<double>(pauses.rests[i].begin) < end &&
+                static_cast<double>(pauses.rests[i].end) > begin && !pauses.home[i])
+                return motion::UnitKind::hold;
+        return begin >= last && last > 0 ? motion::UnitKind::wind_up : motion::UnitKind::preparing;
+    };
+    append_all(work, drafts, kind_of);
+    work.result.shown = shown_of(context.signal, drafts, std::move(single), samples.rows);
+    set_typical(work);
+    return std::move(work.result);
+}
+
+} // namespace stltsa::recording

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where the behaviour changes: the cheapest division of the moments, with a price for each border
+// (kernel change points: Harchaoui, Cappe, 2007; pruned search: Killick, Fearnhead, Eckley, JASA
+// 107, 2012).
+#pragma once
+
+#include <vector>
+
+#include "recording/kernel_features.hpp"
+
+namespace stltsa::recording {
+
+/// A price for each border, not for the length of the recording: with log n, a fifth of the
+/// behaviours of ten minutes was lost.
+constexpr double border_price = 9;
+
+/// Moments at which the behaviour changes, ascending, without the ends.
+std::vector<std::int64_t> change_points(const KernelFeatures& features);
+
+} // namespace stltsa::recording

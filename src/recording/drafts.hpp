@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// From the parts of a recording to its segments, in rows: cyclic stretches with the motion into and
+// out of them, repetitions, single actions, and rests between them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "recording/parts.hpp"
+#include "recording/recording.hpp"
+#include "recording/repetitions.hpp"
+
+namespace stltsa::recording {
+
+/// A segment in rows.
+struct Draft {
+    SegmentKind kind = SegmentKind::action;
+    double begin = 0;
+    double end = 0;
+    std::vector<CyclicStretch> stretches; ///< cyclic: claimed
+    std::vector<Rows> motions;            ///< repetitions; of an action, itself
+    int group = -1;                       ///< of the motions; -1: cyclic or a rest
+    bool known_motion = false;            ///< it is seen elsewhere between pauses
+    int label = -1;
+    double gain = 0;             ///< of the first border in prices; 0: at a rest, or at the start
+    double candidate_period = 0; ///< rows
+    double best_match = 0;
+    std::string reason;
+
+    Rows rows() const;
+    std::vector<Interval> cycles() const;
+};
+
+/// Cover all rows of the signal.
+std::vector<Draft> make_drafts(const Signal& signal, const std::vector<Part>& parts,
+                               const Pauses& pauses);
+
+/// Sets the labels of all that moves: the same motions share one.
+void set_labels(const Signal& signal, const KernelFeatures& features, std::vector<Draft>& drafts);
+
+} // namespace stltsa::recording

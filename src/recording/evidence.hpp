@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How sure the answer is, as a share of right answers. The weights are measured: see
+// measure/recordings.
+#pragma once
+
+#include "recording/stretch_cycles.hpp"
+
+namespace stltsa::recording {
+
+/// Of each cycle of the stretch.
+std::vector<double> cycle_confidences(const Signal& signal, const CyclicStretch& cut);
+
+/// Of a border that saves so many times its price, between this number of single actions: in one
+/// free motion behaviour changes all the time.
+double border_confidence(double gain, int actions);
+
+/// Of one of several repetitions, by its mean unlikeness to the others.
+double repetition_confidence(double unlikeness);
+
+/// Of a single action: the longer it is, the more it consists of several.
+double action_confidence(double seconds);
+
+/// Of a rest: short ones may be part of a motion.
+double rest_confidence(double seconds);
+
+} // namespace stltsa::recording

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "recording/parts.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <set>
+
+#include "linalg/simd.hpp"
+#include "motion/curve/statistics.hpp"
+#include "recording/evidence.hpp"
+
+namespace stltsa::recording {
+namespace {
+
+/// Neighbors are joined if their kernel means have this cosine and their cycles do not differ.
+constexpr double like_neighbors = 0.8;
+/// Share of a refused lag up to which shorter ones are tried.
+constexpr double shorter_lags = 0.6;
+constexpr double least_confidence = 0.5;
+constexpr double least_confidence_of_few = 0.8;
+constexpr double least_quality_of_few = 0.65;
+constexpr std::size_t few_cycles = 2;
+constexpr double long_recording_s = 30;
+/// Cycles of two motions: their lengths differ by this ratio, or their mean cycles by so many
+/// deviations and so much of how far they move.
+constexpr double most_length_ratio = 1.2;
+constexpr double most_deviations = 3;
+constexpr double least_difference = 0.15;
+constexpr std::int64_t phases = 16;
+/// Cycles nearest to a border that are compared over it, and of whole segments.
+constexpr std::size_t cycles_compared = 12;
+constexpr std::size_t most_compared = 24;
+
+/// Refuses cycles that are more probably wrong than right. In a long recording of noise, one or two
+/// cycles are seen by chance, so that these must be surer.
+void weigh(const Signal& signal, CyclicStretch& cut) {
+    if (!cut.claimed())
+        return;
+    const bool by_chance = cut.cycles.size() <= few_cycles &&
+                           static_cast<double>(signal.rows()) > long_recording_s * signal.rate;
+    const double typical = motion::median(cycle_confidences(signal, cut));
+    if (typical < (by_chance ? least_confidence_of_few : least_confidence) ||
+        (by_chance && cut.stretch.quality < least_quality_of_few))
+        cut.doubt = format_text("cycles unlike each other: the motion repeats after {:.2f} s "
+                                "(quality {:.2f}), but the confidence of its {} is only {:.2f}",
+                                cut.period() / signal.rate, cut.stretch.quality,
+                                cut.cycles.size() == 1 ? "cycle" : "cycles", typical);
+}
+
+/// What is claimed with shorter lags where the best one is no period: of a way there and back, seen
+/// twice, the strides.
+std::vector<CyclicStretch> cut_with_shorter(const Signal& signal, const CyclicStretch& refused,
+                                            const StillRows& still, PeriodRange periods,
+                                            RowProgress& progress) {
+    std::vector<CyclicStretch> claimed;
+    periods.longest_s = shorter_lags * motion::median(refused.stretch.period) / signal.rate;
+    for (const Stretch& stretch : track_period(signal, refused.stretch.rows, periods).stretches) {
+        CyclicStretch cut = cut_stretch(signal, stretch, still, nullptr, progress);
+        weigh(signal, cut);
+        if (cut.claimed())
+            claimed.push_back(std::move(cut));
+    }
+    return claimed;
+}
+
+Part decide(const Signal& signal, Rows rows, const StillRows& still, const PeriodRange& periods,
+            RowProgress& progress) {
+    progress.reached(static_cast<double>(rows.begin));
+    Part part;
+    part.rows = rows;
+    PeriodTrack track = track_period(signal, rows, periods);
+    part.best_match = track.best_match;
+    part.best_lag_s = track.best_lag_s;
+    for (const Stretch& stretch : track.stretches) {
+        CyclicStretch cut = cut_stretch(signal, stretch, still, nullptr, progress);
+        weigh(signal, cut);
+        std::vector<CyclicStretch> shorter;
+        if (!cut.claimed())
+            shorter = cut_with_shorter(signal, cut, still, periods, progress);
+        if (shorter.empty())
+            shorter.push_back(std::move(cut));
+        std::ranges::move(shorter, std::back_inserter(part.stretches));
+    }
+    return part;
+}
+
+/// The mean poses of cycles at equal phases, and the mean squared deviation of one from it.
+struct MeanCycle {
+    Matrix poses;
+    double deviation = 0;
+    double swing = 0;
+};
+
+MeanCycle mean_cycle(const Signal& signal, std::vector<Interval> cycles) {
+    if (cycles.size() > most_compared) { // evenly over time
+        std::vector<Interval> some;
+        for (std::size_t i = 0; i < most_compared; ++i)
+            some.push_back(cycles[i * (cycles.size() - 1) / (most_compared - 1)]);
+        cycles.swap(some);
+    }
+    MeanCycle mean{Matrix(phases, signal.cols()), 0, 0};
+    std::vector<Matrix> all;
+    const std::int64_t size = phases * signal.cols();
+    for (const Interval& cycle : cycles) {
+        all.push_back(rows_at(signal.poses.view(), cycle.begin, cycle.end, phases));
+        axpy(1 / static_cast<double>(cycles.size()), all.back().data(), mean.poses.data(), size);
+    }
+    for (const Matrix& poses : all)
+        mean.deviation += squared_distance(poses.data(), mean.poses.data(), size) /
+                          static_cast<double>(all.size() - 1);
+    std::vector<double> center(static_cast<std::size_t>(signal.cols()));
+    for (std::int64_t p = 0; p < phases; ++p)
+        axpy(1.0 / phases, mean.poses.row(p), center.data(), signal.cols());
+    // Without the mean pose, which sways: whether two motions have another is up to the features.
+    for (std::int64_t p = 0; p < phases; ++p) {
+        axpy(-1, center.data(), mean.poses.row(p), signal.cols());
+        mean.swing += dot(mean.poses.row(p), mean.poses.row(p), signal.cols());
+    }
+    return mean;
+}
+
+double median_length(const std::vector<Interval>& cycles) {
+    std::vector<double> lengths;
+    for (const Interval& cycle : cycles)
+        lengths.push_back(cycle.length());
+    return motion::median(lengths);
+}
+
+std::vector<Interval> last_of(std::vector<Interval> cycles) {
+    if (cycles.size() > cycles_compared)
+        cycles.erase(cycles.begin(), cycles.end() - static_cast<std::ptrdiff_t>(cycles_compared));
+    return cycles;
+}
+
+std::vector<Interval> first_of(std::vector<Interval> cycles) {
+    if (cycles.size() > cycles_compared)
+        cycles.resize(cycles_compared);
+    return cycles;
+}
+
+/// Joins neighboring parts of one behaviour, the most alike first.
+class Joiner {
+  public:
+    Joiner(const Signal& signal, const KernelFeatures& features, const StillRows& still,
+           const PeriodRange& periods, RowProgress& progress, std::vector<Part>& parts)
+        : signal_(signal), features_(features), still_(still), periods_(periods),
+          progress_(progress), parts_(parts) {}
+
+    void run() {
+        while (const std::size_t border = next()) {
+            Part joined = decide(signal_, {parts_[border - 1].rows.begin, parts_[border].rows.end},
+                                 still_, periods_, progress_);
+            if (!keeps(parts_[border - 1], parts_[border], joined))
+                continue;
+            parts_[border - 1] = std::move(joined);
+            parts_.erase(parts_.begin() + static_cast<std::ptrdiff_t>(border));
+        }
+    }
+
+  private:
+    /// The border to try next, each only once; 0: none.
+    std::size_t next() {
+        std::size_t best = 0;
+        double score = 0;
+        for (std::size_t i = 1; i < parts_.size(); ++i) {
+            const Rows a = parts_[i - 1].rows, b = parts_[i].rows;
+            if (tried_.contains({a.begin, b.begin, b.end}))
+                continue;
+            const double like = features_.likeness(features_.moments(a), features_.moments(b));
+            if (like < like_neighbors)
+                continue;
+            const Verdict verdict = compare_cycles(signal_, last_of(parts_[i - 1].cycles()),
+                                                   first_of(parts_[i].cycles()));
+            const double own = like + (verdict == Verdict::same ? 1 : 0);
+            if (verdict != Verdict::different && own > score) {
+                score = own;
+                best = i;
+            }
+        }
+        if (best > 0)
+            tried_.insert(
+                {parts_[best - 1].rows.begin, parts_[best].rows.begin, parts_[best].rows.end});
+        return best;
+    }
+
+    /// Whether a join loses no cycle, and the motion runs on over the border.
+    static bool keeps(const Part& a, const Part& b, const Part& joined) {
+        const std::size_t before = a.cycles().size(), after = b.cycles().size();
+        const auto border = static_cast<double>(b.rows.begin);
+        bool across = false, run_on = false;
+        for (const CyclicStretch& cut : joined.stretches) {
+            if (!cut.claimed() || static_cast<double>(cut.stretch.rows.begin) >= border ||
+                static_cast<double>(cut.stretch.rows.end) <= border)
+                continue;
+            across = true;
+            run_on = run_on || std::ranges::any_of(cut.cycles, [&](const Interval& cycle) {
+                         return cycle.begin < border + cycle.length() / 2 &&
+                                cycle.end > border - cycle.length() / 2;
+                     });
+        }
+        const std::size_t now = joined.cycles().size();
+        if (before + after == 0)
+            return now == 0 || across;
+        return now >= before + after && (run_on || before == 0 || after == 0);
+    }
+
+    const Signal& signal_;
+    const KernelFeatures& features_;
+    const StillRows& still_;
+    const PeriodRange& periods_;
+    RowProgress& progress_;
+    std::vector<Part>& parts_;
+    std::set<std::array<std::int64_t, 3>> tried_;
+};
+
+} // namespace
+
+std::vector<Interval> Part::cycles() const {
+    std::vector<Interval> all;
+    for (const CyclicStretch& cut : stretches)
+        if (cut.claimed())
+            all.insert(all.end(), cut.cycles.begin(), cut.cycles.end());
+    return all;
+}
+
+Verdict compare_cycles(const Signal& signal, const std::vector<Interval>& a,
+                       const std::vector<Interval>& b) {
+    if (a.size() < 2 || b.size() < 2)
+        return Verdict::undecided;
+    const auto [less, more] = std::minmax(median_length(a), median_length(b));
+    if (more > most_length_ratio * less)
+        return Verdict::different;
+    const MeanCycle x = mean_cycle(signal, a), y = mean_cycle(signal, b);
+    double least = -1;
+    for (std::int64_t shift = 0; shift < phases; ++shift) {
+        double difference = 0;
+        for (std::int64_t p = 0; p < phases; ++p)
+            difference +=
+                squared_distance(x.poses.row(p), y.poses.row((p + shift) % phases), signal.cols());
+        if (least < 0 || difference < least)
+            least = difference;
+    }
+    const double deviation = (x.deviation + y.deviation) / 2;
+    const double swing = (x.swing + y.swing) / 2;
+    return least > most_deviations * most_deviations * deviation && least > least_difference * swing
+               ? Verdict::different
+               : Verdict::same;
+}
+
+std::vector<Part> divide(const Signal& signal, const KernelFeatures* features,
+                         const StillRows& still, const PeriodRange& periods,
+                         const Progress& progress) {
+    RowProgress reported(progress, signal.rows());
+    std::vector<std::int64_t> borders{0};
+    if (features != nullptr)
+        for (const std::int64_t moment : change_points(*features))
+            borders.push_back(moment * features->step());
+    borders.push_back(signal.rows());
+    std::vector<Part> parts;
+    for (std::size_t i = 0; i + 1 < borders.size(); ++i)
+        parts.push_back(decide(signal, {borders[i], borders[i + 1]}, still, periods, reported));
+    if (features == nullptr)
+        return parts;
+    Joiner(signal, *features, still, periods, reported, parts).run();
+    for (std::size_t i = 1; i < parts.size(); ++i)
+        parts[i].gain =
+            features->gain(
+                parts[i - 1].rows.begin / features->step(), parts[i].rows.begin / features->step(),
+                std::max(parts[i].rows.begin / features->step() + 1,
+                         std::min(parts[i].rows.end / features->step(), features->count()))) /
+            border_price;
+    return parts;
+}
+
+} // namespace stltsa::recording

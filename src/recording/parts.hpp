@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A recording divided where its behaviour changes, with the cycles of each part. Borders within one
+// behaviour are removed again.
+#pragma once
+
+#include <vector>
+
+#include "base/progress.hpp"
+#include "recording/change_points.hpp"
+#include "recording/stretch_cycles.hpp"
+
+namespace stltsa::recording {
+
+/// Rows of one behaviour.
+struct Part {
+    Rows rows;
+    std::vector<CyclicStretch> stretches; ///< claimed or not
+    double best_match = 0;                ///< see PeriodTrack
+    double best_lag_s = 0;
+    double gain = 0; ///< of its first border in prices of a border; 0: the recording begins there
+
+    std::vector<Interval> cycles() const; ///< of the claimed stretches
+};
+
+std::vector<Part> divide(const Signal& signal, const KernelFeatures* features,
+                         const StillRows& still, const PeriodRange& periods,
+                         const Progress& progress);
+
+enum class Verdict { same, different, undecided };
+
+/// Whether the cycles are of one motion, whatever the phase at which they begin.
+Verdict compare_cycles(const Signal& signal, const std::vector<Interval>& a,
+                       const std::vector<Interval>& b);
+
+} // namespace stltsa::recording

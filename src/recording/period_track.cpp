@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "recording/period_track.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "linalg/gaussian.hpp"
+#include "motion/curve/statistics.hpp"
+#include "recording/lag_map.hpp"
+
+namespace stltsa::recording {
+namespace {
+
+// Scores are per second.
+/// The match of repeated motion; below it, none is the better state.
+constexpr double none_score = 0.35;
+/// A lag must match better than some shorter lag by this: slow motion matches at any short lag.
+constexpr double least_rise = 0.5;
+/// Price for each doubling of the lag, since multiples of a period match as well.
+constexpr double price_of_doubling = 0.05;
+/// Prices of a change of the lag by a factor of e, of a jump to any lag, and of beginning or
+/// ending.
+constexpr double price_of_change = 0.6;
+constexpr double price_of_jump = 0.4;
+constexpr double price_of_border = 0.2;
+/// Most lags of the grid that the track moves at a time without a jump: 12 % in an eighth of a
+/// second.
+constexpr int most_move = 4;
+/// A shorter lag is the period if it matches nearly as well, after a clear minimum.
+constexpr double about_as_good = 0.2;
+constexpr double clear_minimum = 0.3;
+constexpr double shortest_fraction = 0.15;
+constexpr double longest_fraction = 0.9;
+/// Shorter lags than the shortest period are needed to see the match fall before it rises.
+constexpr double lags_below = 0.5;
+constexpr double least_lag_rows = 3;
+/// Longest lag as a share of the range: one stride and a little more.
+constexpr double longest_share = 0.6;
+constexpr double shortest_range_s = 1.2;
+/// Sigma of the smoothing of the track in periods.
+constexpr double track_smoothing = 0.5;
+
+/// The most probable sequence of lags, or no lag, over time (Viterbi).
+class Tracker {
+  public:
+    Tracker(const LagMap& map, std::size_t first, double dt)
+        : map_(map), first_(first), states_(map.lags.size() - first), dt_(dt),
+          from_(static_cast<std::size_t>(map.times) * (states_ + 1)) {
+        for (std::size_t s = 0; s < states_; ++s)
+            logs_.push_back(std::log(map.lags[first + s]));
+    }
+
+    /// For each time the index of the lag from `first` on, or states() for none.
+    std::vector<std::size_t> path();
+    std::size_t states() const { return states_; }
+
+  private:
+    void score(std::int64_t time, std::vector<double>& scores) const;
+    void step(std::int64_t time);
+
+    const LagMap& map_;
+    std::size_t first_;
+    std::size_t states_;
+    double dt_;
+    std::vector<double> logs_;
+    std::vector<std::uint16_t> from_; ///< times x (states + none): the state before
+    std::vector<double> total_, next_, scores_;
+};
+
+void Tracker::score(std::int64_t time, std::vector<double>& scores) const {
+    scores.resize(states_);
+    float lowest = 9;
+    for (std::size_t l = 0; l < map_.lags.size(); ++l) {
+        const float match = map_.at(time, l);
+        lowest = std::min(lowest, match);
+        if (l < first_)
+            continue;
+        const double rise = static_cast<double>(match) - static_cast<double>(lowest);
+        scores[l - first_] =
+            dt_ * (static_cast<double>(match) - std::max(0.0, least_rise - rise) -
+                   price_of_doubling * std::log2(map_.lags[l] / map_.lags[first_]));
+    }
+}
+
+void Tracker::step(std::int64_t time) {
+    score(time, scores_);
+    const auto best = static_cast<std::size_t>(
+        std::max_element(total_.begin(), total_.begin() + static_cast<std::ptrdiff_t>(states_)) -
+        total_.begin());
+    const double from_none = total_[states_] - price_of_border;
+    const double from_jump = total_[best] - price_of_jump;
+    std::uint16_t* from = &from_[static_cast<std::size_t>(time) * (states_ + 1)];
+    for (std::size_t s = 0; s < states_; ++s) {
+        double value = total_[s];
+        std::size_t source = s;
+        const std::size_t low = s < most_move ? 0 : s - most_move;
+        for (std::size_t o = low; o <= std::min(states_ - 1, s + most_move); ++o) {
+            const double moved = total_[o] - price_of_change * std::abs(logs_[s] - logs_[o]);
+            if (moved > value) {
+                value = moved;
+                source = o;
+            }
+        }
+        if (std::max(from_none, from_jump) > value) {
+            value = std::max(from_none, from_jump);
+            source = from_none >= from_jump ? states_ : best;
+        }
+        next_[s] = value + scores_[s];
+        from[s] = static_cast<std::uint16_t>(source);
+    }
+    const double ended = total_[best] - price_of_border;
+    from[states_] = static_cast<std::uint16_t>(total_[states_] >= ended ? states_ : best);
+    next_[states_] = std::max(total_[states_], ended) + none_score * dt_;
+    total_.swap(next_);
+}
+
+std::vector<std::size_t> Tracker::path() {
+    score(0, total_);
+    total_.push_back(none_score * dt_);
+    next_.resize(total_.size());
+    for (std::int64_t t = 1; t < map_.times; ++t)
+        step(t);
+    std::vector<std::size_t> path(static_cast<std::size_t>(map_.times));
+    path.back() =
+        static_cast<std::size_t>(std::max_element(total_.begin(), total_.end()) - total_.begin());
+    for (std::size_t t = path.size() - 1; t > 0; --t)
+        path[t - 1] = from_[t * (states_ + 1) + path[t]];
+    return path;
+}
+
+/// The match at a lag between those of the grid; NaN below the shortest.
+double match_at(const LagMap& map, std::int64_t time, double lag) {
+    if (lag < map.lags.front())
+        return std::nan("");
+    if (lag >= map.lags.back())
+        return map.at(time, map.lags.size() - 1);
+    const auto above = static_cast<std::size_t>(
+        std::upper_bound(map.lags.begin(), map.lags.end(), lag) - map.lags.begin());
+    const double part =
+        std::log(lag / map.lags[above - 1]) / std::log(map.lags[above] / map.lags[above - 1]);
+    return (1 - part) * static_cast<double>(map.at(time, above - 1)) +
+           part * static_cast<double>(map.at(time, above));
+}
+
+/// The part of the tracked lags that is the period: 1, or less if a shorter one matches about as
+/// well over the whole stretch.
+double octave(const LagMap& map, std::int64_t first, const std::vector<double>& lags) {
+    const auto mean_match = [&](double fraction) {
+        double sum = 0;
+        for (std::size_t i = 0; i < lags.size(); ++i)
+            sum += match_at(map, first + static_cast<std::int64_t>(i), fraction * lags[i]);
+        return sum / static_cast<double>(lags.size());
+    };
+    constexpr double step = 0.03;
+    const double needed = mean_match(1) - about_as_good;
+    double before = std::nan(""), here = before, lowest = 9, here_fraction = 0;
+    for (double x = std::log(shortest_fraction); x <= std::log(longest_fraction) + 2 * step;
+         x += step) {
+        const double after = mean_match(std::exp(x));
+        if (here_fraction > 0 && here_fraction <= longest_fraction && here >= before &&
+            here >= after && here >= needed && here - lowest >= clear_minimum)
+            return here_fraction;
+        before = here;
+        here = after;
+        here_fraction = std::exp(x);
+        if (!std::isnan(here))
+            lowest = std::min(lowest, here);
+    }
+    return 1;
+}
+
+/// The lags at the map's times, linear between them and smoothed.
+std::vector<double> per_row(const std::vector<double>& lags, std::int64_t hop, std::int64_t rows) {
+    Matrix period(rows, 1);
+    for (std::int64_t i = 0; i < rows; ++i) {
+        const double place = static_cast<double>(i) / static_cast<double>(hop);
+        row_at({lags.data(), static_cast<std::int64_t>(lags.size()), 1, 1}, place, period.row(i));
+    }
+    const Matrix smoothed = gaussian_smoothed(period.view(), track_smoothing * motion::median(lags),
+                                              Beyond::reflection);
+    std::vector<double> result(smoothed.data(), smoothed.data() + rows);
+    const auto [least, most] = std::minmax_element(lags.begin(), lags.end());
+    for (double& value : result) // a reflected ramp may overshoot
+        value = std::clamp(value, *least, *most);
+    return result;
+}
+
+Stretch make_stretch(const LagMap& map, std::size_t first_state, std::int64_t begin,
+                     std::int64_t end, const std::vector<std::size_t>& path, Rows range) {
+    std::vector<double> lags, matches;
+    for (std::int64_t t = begin; t < end; ++t) {
+        const std::size_t lag = first_state + path[static_cast<std::size_t>(t)];
+        lags.push_back(map.lags[lag]);
+        matches.push_back(static_cast<double>(map.at(t, lag)));
+    }
+    const double fraction = octave(map, begin, lags);
+    for (double& lag : lags)
+        lag *= fraction;
+    Stretch stretch;
+    stretch.quality = motion::median(matches);
+    stretch.rows = {range.begin + begin * map.hop,
+                    end == map.times ? range.end : range.begin + end * map.hop};
+    stretch.period = per_row(lags, map.hop, stretch.rows.count());
+    return stretch;
+}
+
+/// For messages: the lag that matches best over the whole range, after its match has risen.
+void set_best(const LagMap& map, std::size_t first, double rate, PeriodTrack& track) {
+    double lowest = 9;
+    for (std::size_t l = 0; l < map.lags.size(); ++l) {
+        double mean = 0;
+        for (std::int64_t t = 0; t < map.times; ++t)
+            mean += static_cast<double>(map.at(t, l)) / static_cast<double>(map.times);
+        lowest = std::min(lowest, mean);
+        if (l >= first && mean - lowest >= clear_minimum && mean > track.best_match) {
+            track.best_match = mean;
+            track.best_lag_s = map.lags[l] / rate;
+        }
+    }
+}
+
+} // namespace
+
+PeriodTrack track_period(const Signal& signal, Rows range, const PeriodRange& periods) {
+    PeriodTrack track;
+    const double rate = signal.rate;
+    const double longest =
+        std::min(periods.longest_s * rate, longest_share * static_cast<double>(range.count()));
+    const double shortest = periods.shortest_s * rate;
+    if (static_cast<double>(range.count()) < shortest_range_s * rate || longest <= 1.2 * shortest)
+        return track;
+    const LagMap map =
+        make_lag_map(signal, range, std::max(lags_below * shortest, least_lag_rows), longest);
+    const auto first = static_cast<std::size_t>(
+        std::lower_bound(map.lags.begin(), map.lags.end(), shortest) - map.lags.begin());
+    if (first >= map.lags.size())
+        return track;
+    set_best(map, first, rate, track);
+    Tracker tracker(map, first, static_cast<double>(map.hop) / rate);
+    const auto path = tracker.path();
+    for (std::int64_t t = 0; t < map.times;) {
+        std::int64_t end = t;
+        while (end < map.times && path[static_cast<std::size_t>(end)] < tracker.states())
+            ++end;
+        if (end > t)
+            track.stretches.push_back(make_stretch(map, first, t, end, path, range));
+        t = end + 1;
+    }
+    return track;
+}
+
+} // namespace stltsa::recording

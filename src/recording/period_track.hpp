@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where the motion repeats, and its period there, which may change over time.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "recording/signal.hpp"
+
+namespace stltsa::recording {
+
+struct PeriodRange {
+    double shortest_s = 0.3;
+    double longest_s = 6;
+};
+
+/// Rows in which the motion repeats.
+struct Stretch {
+    Rows rows;
+    std::vector<double> period; ///< rows, for each of the rows
+    double quality = 0;         ///< median match one period apart, at most 1
+};
+
+struct PeriodTrack {
+    std::vector<Stretch> stretches;
+    /// The best match of any lag and that lag in seconds, for messages; 0: the range is too short.
+    double best_match = 0;
+    double best_lag_s = 0;
+};
+
+PeriodTrack track_period(const Signal& signal, Rows range, const PeriodRange& periods);
+
+} // namespace stltsa::recording

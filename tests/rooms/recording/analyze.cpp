@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Whole recordings: what is found of cycles, repetitions, actions and rests that were put in.
+#include "testing.hpp"
+
+#include <algorithm>
+
+#include "motion/decompose.hpp"
+
+namespace {
+
+using namespace recording_testing;
+
+void kinds_labels_and_counts_are_found(void**) {
+    const Matrix samples = Recorder()
+                               .cycles(20, 1.1, 0)
+                               .rest(2)
+                               .action(1.5, 4)
+                               .rest(1.2)
+                               .action(1.5, 4)
+                               .rest(0.8)
+                               .action(1.5, 4)
+                               .rest(2)
+                               .cycles(15, 1.1, 0)
+                               .rest(2)
+                               .cycles(12, 0.7, 6)
+                               .samples();
+    const Recording found = answer(samples);
+    check_cover(found, samples);
+    using enum SegmentKind;
+    const std::vector<SegmentKind> expected{cyclic, repetitions, cyclic, cyclic};
+    assert_true(moving_kinds(found) == expected);
+    std::vector<int> labels;
+    std::vector<std::int64_t> counts;
+    for (const Segment& segment : found.segments)
+        if (segment.kind != rest) {
+            labels.push_back(segment.label);
+            counts.push_back(segment.count);
+        }
+    assert_true((labels == std::vector<int>{0, 1, 0, 2}));
+    assert_true(counts[0] >= 17 && counts[0] <= 18);
+    assert_int_equal(counts[1], 3);
+    assert_int_equal(found.repetitions.size(), 3);
+    assert_true(counts[2] >= 12 && counts[2] <= 13);
+    assert_true(counts[3] >= 15 && counts[3] <= 17);
+    ASSERT_NEAR(found.segments[0].period, 1.1 * fps, 0.5);
+    assert_true(found.segments.back().open_end);
+    for (const Cycle& cycle : found.cycles)
+        assert_true(cycle.confidence > 0.5 && cycle.likeness > 0.9);
+}
+
+/// 2000 strides: every one is found, at the same phase from the first to the last.
+void nothing_is_lost_because_a_recording_is_long(void**) {
+    const Matrix samples = Recorder().cycles(2000, 1, 0).samples();
+    const Recording found = answer(samples);
+    check_cover(found, samples);
+    assert_int_equal(found.segments.size(), 1);
+    assert_true(found.cycles.size() >= 1999);
+    const double first = found.cycles.front().begin / fps;
+    for (std::size_t i = 0; i < found.cycles.size(); ++i) {
+        const double phase = found.cycles[i].begin / fps - first;
+        ASSERT_NEAR(phase, std::round(phase), 0.02);
+        ASSERT_NEAR(found.cycles[i].end - found.cycles[i].begin, fps, 1);
+    }
+}
+
+void the_period_is_followed(void**) {
+    const Matrix samples = Recorder().cycles(60, 1.6, 0, 2).samples();
+    const Recording found = answer(samples);
+    assert_int_equal(moving_kinds(found).size(), 1);
+    // The phase is the integral of 1 / 1.6 (1 + t / 60).
+    const double whole = std::floor(60 / 1.6 * 1.5);
+    assert_true(static_cast<double>(found.cycles.size()) >= whole - 2);
+    assert_true(found.cycles.front().end - found.cycles.front().begin > 1.45 * fps);
+    assert_true(found.cycles.back().end - found.cycles.back().begin < 0.9 * fps);
+}
+
+void noise_and_single_actions_have_no_cycles(void**) {
+    Random random(7);
+    Matrix noise(9000, 12);
+    for (std::int64_t i = 0; i < noise.rows() * noise.cols(); ++i)
+        noise.data()[i] = random.symmetric();
+    assert_true(answer(noise).cycles.empty());
+    const Matrix samples = Recorder().rest(20).action(2, 0).rest(20).action(1, 3).rest(5).samples();
+    const Recording found = answer(samples);
+    check_cover(found, samples);
+    assert_true(found.cycles.empty() && found.repetitions.empty());
+    assert_int_equal(moving_kinds(found).size(), 2);
+    assert_true(!found.shown.reason.empty());
+    assert_true(found.segments[1].label != found.segments[3].label);
+}
+
+/// A small wave counts beside a large run.
+void a_small_motion_beside_a_large_one_is_found(void**) {
+    Matrix samples = Recorder().cycles(20, 0.8, 0).rest(3).cycles(20, 0.6, 4).samples();
+    for (std::int64_t i = 0; i < 20 * static_cast<std::int64_t>(fps); ++i)
+        for (std::int64_t c = 0; c < 3; ++c)
+            samples(i, c) *= 5;
+    const Recording found = answer(samples);
+    assert_int_equal(moving_kinds(found).size(), 2);
+    const Segment& last = found.segments.back();
+    assert_true(last.kind == SegmentKind::cyclic && last.count >= 30);
+    const auto most = std::ranges::max_element(last.energy) - last.energy.begin();
+    assert_true(most >= 4 && most <= 6);
+}
+
+/// A clip of one motion keeps the answer of the method for one motion.
+void a_clip_of_one_motion_is_one_segment(void**) {
+    const Matrix samples = Recorder().cycles(8, 1.1, 0).samples();
+    const Recording found = answer(samples);
+    const auto single = stltsa::motion::decompose(samples.view(), fps, {}, Progress());
+    assert_int_equal(found.segments.size(), 1);
+    assert_int_equal(found.cycles.size(), single.cycles.size());
+    for (std::size_t i = 0; i < single.cycles.size(); ++i)
+        ASSERT_NEAR(found.cycles[i].begin, single.cycles[i].begin, 1e-9);
+}
+
+/// One stride that was cut to be played in a loop.
+void a_closed_clip_is_one_cycle(void**) {
+    const Matrix samples = Recorder().cycles(1.1 - 0.5 / fps, 1.1, 0).samples(0);
+    const Recording found = answer(samples);
+    assert_int_equal(found.cycles.size(), 1);
+    ASSERT_NEAR(found.cycles[0].end, static_cast<double>(samples.rows()), 0);
+    assert_true(answer(Recorder().action(1.1, 0).samples(0)).cycles.empty());
+}
+
+void it_can_be_cancelled(void**) {
+    const Matrix samples = Recorder().cycles(200, 1, 0).samples();
+    int calls = 0;
+    const auto stop = [](void* user, std::int32_t, double) {
+        return static_cast<std::int32_t>(++*static_cast<int*>(user) >= 10);
+    };
+    try {
+        analyze(samples.view(), fps, {}, Progress(stop, &calls));
+        assert_true(false);
+    } catch (const stltsa::Error& error) {
+        assert_true(error.status() == stltsa::Status::cancelled);
+    }
+    assert_int_equal(calls, 10);
+}
+
+} // namespace
+
+int main() {
+    const CMUnitTest tests[] = {
+        cmocka_unit_test(kinds_labels_and_counts_are_found),
+        cmocka_unit_test(nothing_is_lost_because_a_recording_is_long),
+        cmocka_unit_test(the_period_is_followed),
+        cmocka_unit_test(noise_and_single_actions_have_no_cycles),
+        cmocka_unit_test(a_small_motion_beside_a_large_one_is_found),
+        cmocka_unit_test(a_clip_of_one_motion_is_one_segment),
+        cmocka_unit_test(a_closed_clip_is_one_cycle),
+        cmocka_unit_test(it_can_be_cancelled),
+    };
+    return cmocka_run_group_tests(tests, nullptr, nullptr);
+}
