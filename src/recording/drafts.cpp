@@ -300,37 +300,6 @@ std::vector<Draft> with_rests(std::vector<Draft> drafts, const std::vector<Rows>
     return all;
 }
 
-/// The windows of the statistics reach over a border from its louder side: it moves there by up to
-/// so many seconds, by the ratio of the speeds beside it.
-void sharpen(const Signal& signal, std::vector<Draft>& drafts) {
-    constexpr double most_shift_s = 0.2, near_s = 0.4, far_s = 2.5;
-    const auto speed = [&](double from, double to) {
-        double squares = 0, count = 0;
-        for (auto i = static_cast<std::int64_t>(std::max(from, 0.0));
-             i < static_cast<std::int64_t>(to) && i < signal.rows(); ++i, ++count)
-            squares += signal.speed[static_cast<std::size_t>(i)] *
-                       signal.speed[static_cast<std::size_t>(i)];
-        return count > 0 ? std::sqrt(squares / count) : 0;
-    };
-    for (std::size_t i = 1; i < drafts.size(); ++i) {
-        Draft &a = drafts[i - 1], &b = drafts[i];
-        if (a.kind == SegmentKind::rest || b.kind == SegmentKind::rest || b.gain <= 0 ||
-            !a.motions.empty() || !b.motions.empty())
-            continue; // ends of motions are where the body rests, or matches the others
-        const double at = b.begin, near = near_s * signal.rate, far = far_s * signal.rate;
-        const double before = speed(std::max(a.begin, at - far), at - near);
-        const double after = speed(at + near, std::min(b.end, at + far));
-        if (!(before > 0) || !(after > 0))
-            continue;
-        double moved = at - most_shift_s * signal.rate * std::tanh(std::log(before / after));
-        if (!a.stretches.empty())
-            moved = std::max(moved, a.stretches.back().cycles.back().end);
-        if (!b.stretches.empty())
-            moved = std::min(moved, b.stretches.front().cycles.front().begin);
-        a.end = b.begin = std::clamp(moved, a.begin + 1, b.end - 1);
-    }
-}
-
 } // namespace
 
 Rows Draft::rows() const {
@@ -358,7 +327,6 @@ std::vector<Draft> make_drafts(const Signal& signal, const std::vector<Part>& pa
     drafts = with_rests(std::move(drafts), pauses.rests, static_cast<double>(signal.rows()));
     absorb_short(signal, drafts);
     find_end_repetitions(signal, drafts);
-    sharpen(signal, drafts);
     return drafts;
 }
 

@@ -146,6 +146,11 @@ Rows KernelFeatures::moments(Rows rows) const {
     return {begin, std::clamp((rows.end + step_ - 1) / step_, begin + 1, count())};
 }
 
+void KernelFeatures::add_sum(Rows moments, double* sum) const {
+    for (std::int64_t f = 0; f < sums_.cols(); ++f)
+        sum[f] += sums_(moments.end, f) - sums_(moments.begin, f);
+}
+
 double KernelFeatures::cost(std::int64_t begin, std::int64_t end) const {
     return squares_[static_cast<std::size_t>(end)] - squares_[static_cast<std::size_t>(begin)] -
            squared_distance(sums_.row(end), sums_.row(begin), sums_.cols()) /

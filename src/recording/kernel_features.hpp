@@ -22,6 +22,10 @@ class KernelFeatures {
     /// The moments of rows of the signal, at least one.
     Rows moments(Rows rows) const;
 
+    std::int64_t size() const { return sums_.cols(); } ///< features of a moment
+    /// Adds the features of the moments.
+    void add_sum(Rows moments, double* sum) const;
+
     /// Sum of squared distances from the mean of moments [begin, end).
     double cost(std::int64_t begin, std::int64_t end) const;
     /// How much two ranges cost less than the whole.

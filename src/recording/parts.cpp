@@ -255,8 +255,8 @@ std::vector<Part> divide(const Signal& signal, const KernelFeatures* features,
     RowProgress reported(progress, signal.rows());
     std::vector<std::int64_t> borders{0};
     if (features != nullptr)
-        for (const std::int64_t moment : change_points(*features))
-            borders.push_back(moment * features->step());
+        for (const std::int64_t row : behavior_borders(signal, *features))
+            borders.push_back(row);
     borders.push_back(signal.rows());
     std::vector<Part> parts;
     for (std::size_t i = 0; i + 1 < borders.size(); ++i)

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/progress.hpp"
-#include "recording/change_points.hpp"
+#include "recording/behaviors.hpp"
 #include "recording/stretch_cycles.hpp"
 
 namespace stltsa::recording {
