@@ -709,7 +709,7 @@ enum {
 /* "cyclic", "repetitions", "action", "rest"; "unknown" otherwise. */
 STLTSA_API const char *stltsa_segment_name(int32_t kind) STLTSA_NOEXCEPT;
 
-/* A stretch of one behaviour, [begin, end) as in stltsa_interval. Frozen. */
+/* A stretch of one behavior, [begin, end) as in stltsa_interval. Frozen. */
 typedef struct stltsa_segment {
     int64_t begin, end;
     double begin_s, end_s;
@@ -751,7 +751,7 @@ typedef struct stltsa_summary {
 } stltsa_summary;
 
 /* Says what is done when in a recording of any length, and what of it repeats. It finds where the
- * body rests and where its behaviour changes, follows the period over time, and cuts each segment
+ * body rests and where its behavior changes, follows the period over time, and cuts each segment
  * that repeats into cycles: at the steepest points, between peaks and valleys (zeros of the second
  * derivative), of a coordinate that oscillates once per cycle (section 3.1). Actions between
  * rests that are one motion are repetitions. Segments of one motion share a label. A clip of one

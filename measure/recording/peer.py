@@ -7,7 +7,7 @@ import numpy as np
 
 from .score import matches
 
-RATE = 10  # frames per second, as is usual for behaviours
+RATE = 10  # frames per second, as is usual for behaviors
 
 
 def installed():

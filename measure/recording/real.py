@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Real recordings whose behaviours, periods or heel strikes a person or a device has set."""
+"""Real recordings whose behaviors, periods or heel strikes a person or a device has set."""
 
 import csv
 import dataclasses
@@ -24,10 +24,10 @@ def run_all(run):
     markers(run)
 
 
-# ---- Behaviours ----
+# ---- Behaviors ----
 
 def parts_of(path, fps):
-    """The behaviours of a table; ends only, or begins and ends, in frames."""
+    """The behaviors of a table; ends only, or begins and ends, in frames."""
     rows = list(csv.DictReader(path.read_text().splitlines()))
     ends = [int(row.get("end_typical") or row["end"]) for row in rows]
     return [Part("cyclic", row["behaviour"], begin / fps, end / fps)
@@ -35,7 +35,7 @@ def parts_of(path, fps):
 
 
 def labeled(run):
-    run.table.title("Behaviours set by a person: F1 within 1 s not below that of kernel change-point "
+    run.table.title("Behaviors set by a person: F1 within 1 s not below that of kernel change-point "
                     "detection (ruptures) on the same features and on the pose")
     for name, skeleton in LABELED.items():
         options = {"skeleton": str(run.data / "cmu" / skeleton)} if skeleton else {}

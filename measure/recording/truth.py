@@ -8,7 +8,7 @@ import numpy as np
 
 @dataclass
 class Part:
-    """A stretch of one behaviour. A part with cycles has pieces: each a pair of rising times and the
+    """A stretch of one behavior. A part with cycles has pieces: each a pair of rising times and the
     phases (in cycles) at these times. Between two pieces the phase jumps."""
 
     kind: str  # cyclic, repetitions, action, rest, or free: motion without a claim

@@ -14,7 +14,7 @@ namespace {
 
 /// Clips up to this length are also taken as one motion, whose answer stands if it explains them.
 constexpr double longest_single_s = 30;
-/// Shorter recordings are not searched for changes of behaviour.
+/// Shorter recordings are not searched for changes of behavior.
 constexpr double shortest_divided_s = 6;
 /// Motion before or after the cycles that a single motion may have, in periods and seconds.
 constexpr double most_initial_periods = 1.2;
@@ -166,7 +166,8 @@ Recording analyze(ConstMatrixView samples, double fps, const Options& options,
         divide(signal, seconds > shortest_divided_s ? &features : nullptr, {rests, pauses.rests},
                {options.single.shortest_period, options.single.longest_period}, progress);
     for (Part& part : parts)
-        if (is_short && parts.size() > 1) // a single part was decided above
+        // A single part was decided above.
+        if (seconds <= long_recording_s && !(is_short && parts.size() == 1))
             decide_as_single(samples, fps, options, signal, pauses, part);
     std::vector<Draft> drafts = make_drafts(signal, parts, pauses);
     if (is_short && repeats_in(drafts) < single.cycles.size())

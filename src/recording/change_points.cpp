@@ -8,7 +8,7 @@
 namespace stltsa::recording {
 namespace {
 
-constexpr double shortest_behaviour_s = 0.8;
+constexpr double shortest_behavior_s = 0.8;
 /// Makes the search linear; the borders that this forces do not pay for themselves and are dropped.
 constexpr double longest_search_s = 120;
 /// Borders that save less than this share of their price are dropped.
@@ -16,8 +16,8 @@ constexpr double pays = 0.97;
 
 std::vector<std::int64_t> search(const KernelFeatures& features) {
     const std::int64_t n = features.count();
-    const auto least = std::max<std::int64_t>(
-        2, static_cast<std::int64_t>(shortest_behaviour_s * features.rate()));
+    const auto least =
+        std::max<std::int64_t>(2, static_cast<std::int64_t>(shortest_behavior_s * features.rate()));
     const auto most = static_cast<std::int64_t>(longest_search_s * features.rate());
     std::vector<double> best(static_cast<std::size_t>(n + 1),
                              std::numeric_limits<double>::infinity());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the behaviour changes: the cheapest division of the moments, with a price for each border
+// Where the behavior changes: the cheapest division of the moments, with a price for each border
 // (kernel change points: Harchaoui, Cappe, 2007; pruned search: Killick, Fearnhead, Eckley, JASA
 // 107, 2012).
 #pragma once
@@ -11,10 +11,10 @@
 namespace stltsa::recording {
 
 /// A price for each border, not for the length of the recording: with log n, a fifth of the
-/// behaviours of ten minutes was lost.
+/// behaviors of ten minutes was lost.
 constexpr double border_price = 9;
 
-/// Moments at which the behaviour changes, ascending, without the ends.
+/// Moments at which the behavior changes, ascending, without the ends.
 std::vector<std::int64_t> change_points(const KernelFeatures& features);
 
 } // namespace stltsa::recording

@@ -14,7 +14,7 @@ namespace {
 constexpr double least_motion_s = 1;
 /// Claimed stretches are one segment if the motion between them is shorter than this.
 constexpr double most_gap_periods = 2;
-/// Least length of a piece that a change of behaviour cuts off a motion.
+/// Least length of a piece that a change of behavior cuts off a motion.
 constexpr double least_piece_s = 0.8;
 /// Actions up to this long beside cycles belong to them.
 constexpr double longest_absorbed_s = 1.5;
@@ -135,7 +135,7 @@ void set_reason(const Signal& signal, const std::vector<Part>& parts, Draft& dra
                                    (draft.end - draft.begin) / signal.rate);
 }
 
-/// The motion, cut where the behaviour changes within it.
+/// The motion, cut where the behavior changes within it.
 std::vector<Rows> pieces_of(const Signal& signal, const std::vector<Part>& parts, Rows motion) {
     const auto least = static_cast<std::int64_t>(least_piece_s * signal.rate);
     std::vector<Rows> pieces;
@@ -155,7 +155,7 @@ struct Motions {
     std::vector<bool> whole; ///< between pauses; else a piece
 
     std::int64_t like(std::size_t i) const { return std::ranges::count(groups, groups[i]); }
-    /// Whether another motion of its group is whole: pieces of other behaviours are alike as well,
+    /// Whether another motion of its group is whole: pieces of other behaviors are alike as well,
     /// such as arms that fall after each wave.
     bool known(std::size_t i) const {
         for (std::size_t k = 0; k < groups.size(); ++k)
@@ -176,7 +176,7 @@ bool between_pauses(const Signal& signal, const Pauses& pauses, Rows motion) {
            (motion.end == signal.rows() || begins(motion.end));
 }
 
-/// Motions between pauses. One that is like no other is cut where the behaviour changes: no pause
+/// Motions between pauses. One that is like no other is cut where the behavior changes: no pause
 /// may lie between the last repetition of one action and the first of the next.
 Motions grouped_motions(const Signal& signal, const std::vector<Part>& parts, const Pauses& pauses,
                         const std::vector<Rows>& ranges) {

@@ -11,7 +11,7 @@ namespace stltsa::recording {
 std::vector<double> cycle_confidences(const Signal& signal, const CyclicStretch& cut);
 
 /// Of a border that saves so many times its price, between this number of single actions: in one
-/// free motion behaviour changes all the time.
+/// free motion behavior changes all the time.
 double border_confidence(double gain, int actions);
 
 /// Of one of several repetitions, by its mean unlikeness to the others.

@@ -9,7 +9,7 @@ namespace stltsa::recording {
 namespace {
 
 /// Segments are one motion if the cosine of their kernel means is at least this, on the average.
-constexpr double same_behaviour = 0.8;
+constexpr double same_behavior = 0.8;
 /// Distance of motions that are known to differ.
 constexpr double different = 1;
 
@@ -23,7 +23,7 @@ double distance(const Signal& signal, const KernelFeatures& features, const Draf
         return different;
     const double apart =
         1 - features.likeness(features.moments(a.rows()), features.moments(b.rows()));
-    if (apart <= 1 - same_behaviour && !a.stretches.empty() && !b.stretches.empty() &&
+    if (apart <= 1 - same_behavior && !a.stretches.empty() && !b.stretches.empty() &&
         compare_cycles(signal, a.cycles(), b.cycles()) == Verdict::different)
         return different;
     return apart;
@@ -57,7 +57,7 @@ void set_labels(const Signal& signal, const KernelFeatures& features, std::vecto
         if (draft.kind != SegmentKind::rest)
             moving.push_back(&draft);
     const std::vector<int> labels =
-        group(static_cast<std::int64_t>(moving.size()), 1 - same_behaviour,
+        group(static_cast<std::int64_t>(moving.size()), 1 - same_behavior,
               [&](std::int64_t i, std::int64_t k) {
                   return distance(signal, features, *moving[static_cast<std::size_t>(i)],
                                   *moving[static_cast<std::size_t>(k)]);

@@ -22,7 +22,6 @@ constexpr double least_confidence = 0.5;
 constexpr double least_confidence_of_few = 0.8;
 constexpr double least_quality_of_few = 0.65;
 constexpr std::size_t few_cycles = 2;
-constexpr double long_recording_s = 30;
 /// Cycles of two motions: their lengths differ by this ratio, or their mean cycles by so many
 /// deviations and so much of how far they move.
 constexpr double most_length_ratio = 1.2;
@@ -33,16 +32,15 @@ constexpr std::int64_t phases = 16;
 constexpr std::size_t cycles_compared = 12;
 constexpr std::size_t most_compared = 24;
 
-/// Refuses cycles that are more probably wrong than right. In a long recording of noise, one or two
-/// cycles are seen by chance, so that these must be surer.
+/// Refuses unsure cycles in a long recording: in noise, something repeats by chance now and then,
+/// most often once or twice.
 void weigh(const Signal& signal, CyclicStretch& cut) {
-    if (!cut.claimed())
+    if (!cut.claimed() || static_cast<double>(signal.rows()) <= long_recording_s * signal.rate)
         return;
-    const bool by_chance = cut.cycles.size() <= few_cycles &&
-                           static_cast<double>(signal.rows()) > long_recording_s * signal.rate;
+    const bool few = cut.cycles.size() <= few_cycles;
     const double typical = motion::median(cycle_confidences(signal, cut));
-    if (typical < (by_chance ? least_confidence_of_few : least_confidence) ||
-        (by_chance && cut.stretch.quality < least_quality_of_few))
+    if (typical < (few ? least_confidence_of_few : least_confidence) ||
+        (few && cut.stretch.quality < least_quality_of_few))
         cut.doubt = format_text("cycles unlike each other: the motion repeats after {:.2f} s "
                                 "(quality {:.2f}), but the confidence of its {} is only {:.2f}",
                                 cut.period() / signal.rate, cut.stretch.quality,
@@ -140,7 +138,7 @@ std::vector<Interval> first_of(std::vector<Interval> cycles) {
     return cycles;
 }
 
-/// Joins neighboring parts of one behaviour, the most alike first.
+/// Joins neighboring parts of one behavior, the most alike first.
 class Joiner {
   public:
     Joiner(const Signal& signal, const KernelFeatures& features, const StillRows& still,

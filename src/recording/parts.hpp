@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A recording divided where its behaviour changes, with the cycles of each part. Borders within one
-// behaviour are removed again.
+// A recording divided where its behavior changes, with the cycles of each part. Borders within one
+// behavior are removed again.
 #pragma once
 
 #include <vector>
@@ -11,7 +11,10 @@
 
 namespace stltsa::recording {
 
-/// Rows of one behaviour.
+/// Longer recordings need surer cycles, because noise repeats by chance now and then.
+constexpr double long_recording_s = 120;
+
+/// Rows of one behavior.
 struct Part {
     Rows rows;
     std::vector<CyclicStretch> stretches; ///< claimed or not

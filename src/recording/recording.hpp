@@ -22,7 +22,7 @@ enum class SegmentKind : std::int32_t {
 
 inline constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-/// A stretch of one behaviour, [begin, end) in samples, not rounded.
+/// A stretch of one behavior, [begin, end) in samples, not rounded.
 struct Segment {
     SegmentKind kind = SegmentKind::action;
     double begin = 0;

@@ -64,7 +64,7 @@ void groups_are_those_of_average_linkage(void**) {
         assert_int_equal(many[i], i % 3);
 }
 
-void behaviours_are_divided_where_they_change(void**) {
+void behaviors_are_divided_where_they_change(void**) {
     const Matrix samples = Recorder().cycles(15, 1, 0).cycles(15, 1, 3).cycles(15, 1, 6).samples();
     const Signal signal = make_signal(samples.view(), fps);
     const KernelFeatures features(signal);
@@ -159,7 +159,7 @@ int main() {
     const CMUnitTest tests[] = {
         cmocka_unit_test(least_squares_are_exact_for_a_line),
         cmocka_unit_test(groups_are_those_of_average_linkage),
-        cmocka_unit_test(behaviours_are_divided_where_they_change),
+        cmocka_unit_test(behaviors_are_divided_where_they_change),
         cmocka_unit_test(the_period_is_tracked),
         cmocka_unit_test(the_curve_keeps_phase_and_sign),
         cmocka_unit_test(rests_and_motions_between_them),

@@ -37,7 +37,7 @@ class Interval(NamedTuple):
 
 
 class Segment(NamedTuple):
-    """A stretch of one behaviour: ``[begin, end)`` in source frames, and in seconds.
+    """A stretch of one behavior: ``[begin, end)`` in source frames, and in seconds.
 
     `kind` is ``"cyclic"``, ``"repetitions"``, ``"action"`` or ``"rest"``. Segments of the same
     motion share a `label`, "A", "B", ... in order of appearance; that of a rest is empty.

@@ -55,7 +55,7 @@ impl Interval {
     }
 }
 
-/// A stretch of one behaviour: half-open, in frames of the source and in seconds.
+/// A stretch of one behavior: half-open, in frames of the source and in seconds.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Segment {
