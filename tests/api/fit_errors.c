@@ -93,6 +93,14 @@ static void numbers_too_large_to_square(void** state) {
     free(x);
 }
 
+static void strides_that_reach_beyond_memory(void** state) {
+    const struct fixture* f = *state;
+    stltsa_in in = packed_in(f->x, rows, cols);
+    in.row_stride = INT64_MAX;
+    in.col_stride = sizeof(double);
+    assert_fails(&in, NULL, f->options, STLTSA_E_SHAPE, "do not fit into memory");
+}
+
 static void assert_parameters_fail(const double* x, int64_t k, int64_t w, int64_t d) {
     stltsa_options* options = new_options(k, w, d);
     const stltsa_in in = packed_in(x, rows, cols);
@@ -432,6 +440,7 @@ int main(void) {
         cmocka_unit_test(the_first_nan_of_a_long_matrix_is_named),
         cmocka_unit_test(nan_in_float32_and_in_the_last_entry),
         cmocka_unit_test(numbers_too_large_to_square),
+        cmocka_unit_test(strides_that_reach_beyond_memory),
         cmocka_unit_test(neighbors_fit_window_and_dimension),
         cmocka_unit_test(too_few_frames),
         cmocka_unit_test(lengths_must_sum_to_the_rows),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "capi/boundary/arrays.hpp"
 
+#include <cmath>
 #include <cstring>
 #include <limits>
 
@@ -48,6 +49,13 @@ Strides check_array(const Array* array, const char* name, Entries entries) {
         fail(Status::argument, "{}: data is NULL", name);
     if (a.row_stride == 0 && a.col_stride == 0)
         return {a.cols * size, size};
+    const auto reach = [](std::int64_t count, std::int64_t stride) {
+        return static_cast<double>(count) * std::abs(static_cast<double>(stride));
+    };
+    constexpr double most = 0x1p62; // bytes
+    if (reach(a.rows, a.row_stride) + reach(a.cols, a.col_stride) > most)
+        fail(Status::shape, "{}: {} x {} entries with strides {} and {} do not fit into memory",
+             name, a.rows, a.cols, a.row_stride, a.col_stride);
     return {a.row_stride, a.col_stride};
 }
 
