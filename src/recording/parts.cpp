@@ -84,21 +84,15 @@ Part decide(const Signal& signal, Rows rows, const StillRows& still, const Perio
     return part;
 }
 
-/// The mean poses of cycles at equal phases, and the mean squared deviation of one from it.
-struct MeanCycle {
-    Matrix poses;
-    double deviation = 0;
-    double swing = 0;
-};
-
-MeanCycle mean_cycle(const Signal& signal, std::vector<Interval> cycles) {
+TypicalCycle mean_cycle(const Signal& signal, std::vector<Interval> cycles) {
     if (cycles.size() > most_compared) { // evenly over time
         std::vector<Interval> some;
         for (std::size_t i = 0; i < most_compared; ++i)
             some.push_back(cycles[i * (cycles.size() - 1) / (most_compared - 1)]);
         cycles.swap(some);
     }
-    MeanCycle mean{Matrix(phases, signal.cols()), 0, 0};
+    TypicalCycle mean;
+    mean.poses = Matrix(phases, signal.cols());
     std::vector<Matrix> all;
     const std::int64_t size = phases * signal.cols();
     for (const Interval& cycle : cycles) {
@@ -223,28 +217,39 @@ std::vector<Interval> Part::cycles() const {
     return all;
 }
 
-Verdict compare_cycles(const Signal& signal, const std::vector<Interval>& a,
-                       const std::vector<Interval>& b) {
-    if (a.size() < 2 || b.size() < 2)
+TypicalCycle typical_cycle(const Signal& signal, const std::vector<Interval>& cycles) {
+    if (cycles.size() < 2)
+        return {};
+    TypicalCycle typical = mean_cycle(signal, cycles);
+    typical.length = median_length(cycles);
+    return typical;
+}
+
+Verdict compare_cycles(const TypicalCycle& a, const TypicalCycle& b) {
+    if (!(a.length > 0) || !(b.length > 0))
         return Verdict::undecided;
-    const auto [less, more] = std::minmax(median_length(a), median_length(b));
+    const auto [less, more] = std::minmax({a.length, b.length});
     if (more > most_length_ratio * less)
         return Verdict::different;
-    const MeanCycle x = mean_cycle(signal, a), y = mean_cycle(signal, b);
     double least = -1;
     for (std::int64_t shift = 0; shift < phases; ++shift) {
         double difference = 0;
         for (std::int64_t p = 0; p < phases; ++p)
             difference +=
-                squared_distance(x.poses.row(p), y.poses.row((p + shift) % phases), signal.cols());
+                squared_distance(a.poses.row(p), b.poses.row((p + shift) % phases), a.poses.cols());
         if (least < 0 || difference < least)
             least = difference;
     }
-    const double deviation = (x.deviation + y.deviation) / 2;
-    const double swing = (x.swing + y.swing) / 2;
+    const double deviation = (a.deviation + b.deviation) / 2;
+    const double swing = (a.swing + b.swing) / 2;
     return least > most_deviations * most_deviations * deviation && least > least_difference * swing
                ? Verdict::different
                : Verdict::same;
+}
+
+Verdict compare_cycles(const Signal& signal, const std::vector<Interval>& a,
+                       const std::vector<Interval>& b) {
+    return compare_cycles(typical_cycle(signal, a), typical_cycle(signal, b));
 }
 
 std::vector<Part> divide(const Signal& signal, const KernelFeatures* features,

@@ -150,7 +150,7 @@ double unlikeness_of(const Matrix& a, const Matrix& b) {
 }
 
 bool lengths_differ(Rows a, Rows b) {
-    const auto [less, more] = std::minmax(a.count(), b.count());
+    const auto [less, more] = std::minmax({a.count(), b.count()});
     return static_cast<double>(more) > most_length_ratio * static_cast<double>(less);
 }
 
