@@ -5,7 +5,7 @@ import shutil
 import unittest
 import xml.etree.ElementTree as ET
 
-from common import CommandTest, circle, crowd, drift, walk
+from common import CommandTest, bursts, circle, crowd, drift, walk
 
 SVG = "{http://www.w3.org/2000/svg}"
 
@@ -70,6 +70,19 @@ class Figure(CommandTest):
         root = self.figure("decompose", circle(), "--fps", "30")
         self.assertEqual(self.of_class(root, "posture"), [])
         self.assertTrue(self.of_class(root, "unit"))
+
+    def test_segments_have_a_band(self):
+        """One bar for each segment, none if only one moves."""
+        found = self.json("decompose", bursts(), "--fps", "30")["segments"]
+        root = self.figure("decompose", bursts(), "--fps", "30")
+        bars = self.of_class(root, "segment")
+        self.assertEqual(len(bars), len(found))
+        widths = [float(bar.get("width")) for bar in bars]
+        lengths = [segment["end"] - segment["begin"] for segment in found]
+        for width, length in zip(widths, lengths):
+            self.assertAlmostEqual(width / sum(widths), length / sum(lengths), delta=0.01)
+        self.assertIn("A 4x", self.texts(root))
+        self.assertEqual(self.of_class(self.figure("decompose", walk()), "segment"), [])
 
     def test_no_cycle_tells_why(self):
         reason = self.json("decompose", drift(), "--fps", "30")["reason"]

@@ -80,7 +80,7 @@ void draw_margins(Svg& svg, const Figure& figure, const Layout& layout) {
                  {{"fill", color}, {"fill-opacity", 0.12}});
     }
     svg.open("g", {{"stroke", color}, {"stroke-width", 0.8}, {"stroke-dasharray", "3 2.5"}});
-    for (std::size_t i = 0; i < figure.cycles.size(); ++i)
+    for (std::size_t i = 0; i < figure.cycles.size() && cycles_fit(figure, layout.frame); ++i)
         for (const std::int64_t frame : {figure.cycles[i].begin, figure.cycles[i].end})
             if (i == 0 || frame != figure.cycles[i - 1].end) {
                 const double x = layout.time(static_cast<double>(frame));

@@ -27,6 +27,7 @@ struct Figure {
     std::vector<std::int64_t> pieces; ///< per sample: pieces are not connected; empty: one piece
     std::vector<std::string> loop_names;
     stltsa::Matrix loop; ///< samples x 2; empty: no second panel
+    std::vector<stltsa::Segment> segments;
     std::vector<stltsa::Interval> units;
     std::vector<stltsa::Interval> cycles;
     std::int64_t representative = -1; ///< index into cycles

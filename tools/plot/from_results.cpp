@@ -121,6 +121,7 @@ std::string decomposition_figure(const Session& session,
     figure.curve = decomposition.curve().values;
     figure.loop_names = {"first coordinate of the loop", "second coordinate of the loop"};
     figure.loop = decomposition.loop();
+    figure.segments = decomposition.segments();
     figure.units = decomposition.units();
     figure.cycles = decomposition.cycles();
     figure.representative = info.integer(STLTSA_INFO_REPRESENTATIVE);

@@ -16,6 +16,9 @@ struct UnitColors {
 /// Colors of a STLTSA_UNIT_*; any other value: those of a curve without units.
 UnitColors unit_colors(std::int32_t kind);
 
+/// Colors of the segments with a label; -1: of a rest. They begin again after seven labels.
+UnitColors label_colors(std::int32_t label);
+
 inline constexpr const char* ink = "#222222";
 inline constexpr const char* faint_ink = "#767676";
 inline constexpr const char* hairline = "#b8b8b8";

@@ -23,8 +23,11 @@ void draw_curve_panel(Svg& svg, const Figure& figure, const Rect& area);
 void draw_loop_panel(Svg& svg, const Figure& figure, const Rect& area);
 void draw_key(Svg& svg, const Figure& figure, const Rect& area);
 
-/// The two bars above the curve: units with their names, cycles with their numbers. Returns the
-/// height used.
+/// Whether the cycles are wide enough to be drawn one by one.
+bool cycles_fit(const Figure& figure, const Rect& row);
+
+/// The bars above the curve: segments with their labels if more than one moves, units with their
+/// names, cycles with their numbers. Returns the height used.
 double draw_unit_bars(Svg& svg, const Figure& figure, const Rect& area);
 
 } // namespace tool::plot

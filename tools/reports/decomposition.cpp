@@ -51,14 +51,6 @@ std::string left_out(std::int64_t count, const char* what) {
                              : "";
 }
 
-/// A, B, ... Z, AA, AB, ...
-std::string label_text(std::int32_t label) {
-    std::string text;
-    for (std::int32_t rest = label; rest >= 0; rest = rest / 26 - 1)
-        text.insert(text.begin(), static_cast<char>('A' + rest % 26));
-    return text;
-}
-
 /// How often the segment repeats, or what was seen, and what moves.
 std::string segment_remark(const stltsa::Decomposition& result, std::int64_t index,
                            const stltsa::Segment& segment) {

@@ -76,6 +76,13 @@ std::size_t characters(std::string_view text) {
     return static_cast<std::size_t>(std::ranges::count_if(text, first_byte));
 }
 
+std::string label_text(std::int32_t label) {
+    std::string text;
+    for (std::int32_t rest = label; rest >= 0; rest = rest / 26 - 1)
+        text.insert(text.begin(), static_cast<char>('A' + rest % 26));
+    return text;
+}
+
 std::string counted(std::int64_t count, std::string_view noun) {
     return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }

@@ -26,6 +26,9 @@ std::string hint(std::string_view word, const std::vector<std::string>& names);
 /// Number of characters in UTF-8 text.
 std::size_t characters(std::string_view text);
 
+/// The label of a segment: A, B, ... Z, AA, AB, ...; empty for -1.
+std::string label_text(std::int32_t label);
+
 /// "1 cycle", "2 cycles".
 std::string counted(std::int64_t count, std::string_view noun);
 

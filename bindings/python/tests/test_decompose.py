@@ -26,6 +26,36 @@ def test_what_does_not_move_is_standing():
     assert result.reason
 
 
+def test_segments_cycles_and_steps(result):
+    moving = [segment for segment in result.segment_list if segment.kind != "rest"]
+    assert [segment.kind for segment in moving] == ["cyclic"]
+    assert moving[0].label == "A"
+    assert moving[0].number == 3
+    assert moving[0].carried_by
+    assert moving[0].reason == ""
+    assert not moving[0].open_begin
+    assert np.isnan(moving[0].likeness)
+    assert list(result.cycle_facts["begin"]) == [cycle.begin for cycle in result.cycle_list]
+    assert list(result.steps["side"]) == [0, 1] * 3
+    assert list(result.steps["cycle"]) == [0, 0, 1, 1, 2, 2]
+    assert len(result.repetitions) == 0
+    assert list(result.summary["label"]) == ["A"]
+    assert result.summary["mean_s"][0] == pytest.approx(result.period, abs=0.1)
+    assert list(result.segments["kind"]) == [segment.kind for segment in result.segment_list]
+
+
+def test_the_same_motion_after_pauses():
+    motion = 1 - np.cos(np.linspace(0, 2 * np.pi, 45))
+    still = np.zeros(40)
+    column = np.concatenate([still, *[motion, still] * 4])
+    frames = np.stack([column, 0.5 * column**2, np.zeros_like(column)], axis=1)
+    found = stltsa.decompose(frames, fps=30)
+    assert [one.kind for one in found.segment_list] == ["rest", "repetitions", "rest"]
+    assert len(found.repetitions) == 4
+    assert found.summary["number"][0] == 4
+    assert found.reason == ""
+
+
 def test_tables_are_frames(result):
     pandas = pytest.importorskip("pandas")
     for table in (result.units, result.cycles):

@@ -40,9 +40,9 @@ class Segment(NamedTuple):
     """A stretch of one behavior: ``[begin, end)`` in source frames, and in seconds.
 
     `kind` is ``"cyclic"``, ``"repetitions"``, ``"action"`` or ``"rest"``. Segments of the same
-    motion share a `label`, "A", "B", ... in order of appearance; that of a rest is empty.
-    `carried_by` names the joints, markers or columns that move most. Numbers that do not apply are
-    NaN.
+    motion share a `label`, "A", "B", ... in order of appearance; that of a rest is empty. `number`
+    is that of cycles or repetitions. `carried_by` names the joints, markers or columns that move
+    most. Numbers that do not apply are NaN.
     """
 
     kind: str
@@ -51,7 +51,7 @@ class Segment(NamedTuple):
     end: int
     begin_s: float
     end_s: float
-    count: int
+    number: int
     period_s: float
     candidate_period_s: float
     likeness: float
@@ -82,13 +82,13 @@ class Part(NamedTuple):
 
 
 class Summary(NamedTuple):
-    """The cycles or repetitions of one label: how many, how often, how long (seconds).
+    """The cycles or repetitions of one label: their number, how often, how long (seconds).
 
     `cv` is ``sd_s / mean_s``; `trend` the relative change of the length per minute.
     """
 
     label: str
-    count: int
+    number: int
     per_minute: float
     mean_s: float
     sd_s: float
@@ -97,7 +97,7 @@ class Summary(NamedTuple):
 
 
 def _letters(label: int) -> str:
-    """A, B, ... Z, AA, AB, ...; empty for -1."""
+    """Return A, B, ... Z, AA, AB, ...; an empty text for -1."""
     text = ""
     while label >= 0:
         text = chr(ord("A") + label % 26) + text
@@ -196,7 +196,7 @@ class Decomposition(Described):
                     end=raw.end,
                     begin_s=raw.begin_s,
                     end_s=raw.end_s,
-                    count=raw.count,
+                    number=raw.count,
                     period_s=raw.period_s or np.nan,
                     candidate_period_s=raw.candidate_period_s or np.nan,
                     likeness=raw.likeness,

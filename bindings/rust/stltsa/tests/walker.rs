@@ -5,7 +5,8 @@ mod common;
 
 use common::{same_bits, scratch, walker, walker_path};
 use stltsa::{
-    Clip, Dimension, ErrorKind, Fact, Format, Model, Options, Piece, Synthesis, UnitKind,
+    Clip, Dimension, ErrorKind, Fact, Format, Model, Options, Piece, SegmentKind, Synthesis,
+    UnitKind,
 };
 
 #[test]
@@ -24,6 +25,36 @@ fn a_clip_says_what_is_in_it() {
     let w_x_y_z = &rotations.row(clip.frames() / 2)[..4];
     assert!((w_x_y_z.iter().map(|q| q * q).sum::<f64>() - 1.0).abs() < 1e-12);
     assert!(clip.channels() > 0 && clip.json().unwrap().contains("stltsa-clip/1"));
+}
+
+#[test]
+#[ignore = "needs STLTSA_TEST_CLIP"]
+fn a_recording_has_segments_steps_and_a_summary() {
+    let found = walker().decompose(&Options::new()).unwrap();
+    let segments = found.segments().unwrap();
+    assert_eq!(segments.first().unwrap().begin, 0);
+    assert_eq!(segments.last().unwrap().end, walker().frames());
+    let moving: Vec<_> =
+        segments.iter().filter(|segment| segment.kind != SegmentKind::Rest).collect();
+    assert_eq!(moving.len(), 1);
+    assert_eq!(
+        (moving[0].kind, moving[0].label, moving[0].count),
+        (SegmentKind::Cyclic, Some(0), 3)
+    );
+    assert_eq!(moving[0].kind.to_string(), "cyclic");
+    assert!(!moving[0].carried_by.is_empty());
+    assert_eq!((moving[0].reason.as_deref(), moving[0].likeness), (None, None));
+    let facts = found.cycle_facts().unwrap();
+    assert_eq!(facts.len(), 3);
+    assert_eq!(facts[2].begin, found.cycles()[2].begin);
+    let steps = found.steps().unwrap();
+    let sides: Vec<_> = steps.iter().map(|step| step.side).collect();
+    assert_eq!(sides, [Some(0), Some(1)].repeat(3));
+    assert_eq!(steps[5].cycle, Some(2));
+    assert!(found.repetitions().unwrap().is_empty());
+    let summary = found.summary().unwrap();
+    assert_eq!((summary.len(), summary[0].label, summary[0].count), (1, 0, 3));
+    assert!((summary[0].mean - found.info().period.unwrap()).abs() < 0.1);
 }
 
 #[test]
