@@ -817,8 +817,9 @@ STLTSA_API stltsa_status stltsa_decomposition_cycle(const stltsa_decomposition *
 STLTSA_API stltsa_status stltsa_decomposition_curve(const stltsa_decomposition *decomposition,
                                                     const stltsa_out *curve) STLTSA_NOEXCEPT;
 /* All coordinates of the fit that was cut, not smoothed: samples x STLTSA_INFO_DIMENSION; zeros if
- * there was nothing to fit (STLTSA_INFO_COORDINATE 0). Samples outside the moving part of the clip
- * have the coordinates of its nearest end. */
+ * there was nothing to fit (STLTSA_INFO_COORDINATE 0). Samples outside the moving part of a clip of
+ * one motion have the coordinates of its nearest end; in a recording of several segments, those
+ * outside the cyclic ones are zero. */
 STLTSA_API stltsa_status stltsa_decomposition_coords(const stltsa_decomposition *decomposition,
                                                      const stltsa_out *coords) STLTSA_NOEXCEPT;
 /* The two coordinates of the loop (Fig. 1): samples x 2. */
