@@ -140,7 +140,7 @@ Facts facts_of(const stltsa::Info& info) {
 
 std::string decomposition_summary(const stltsa::Decomposition& result) {
     const std::int64_t repetitions = result.part_count(STLTSA_PART_REPETITION);
-    const std::string repeated =
+    std::string repeated =
         repetitions > 0 ? counted(repetitions, "repetition") + " with pauses" : "";
     if (result.cycle_count() > 0)
         return fmt::format("{}, period {:.2f} s{}", counted(result.cycle_count(), "cycle"),
