@@ -19,6 +19,8 @@ constexpr double shortest_divided_s = 6;
 /// Motion before or after the cycles that a single motion may have, in periods and seconds.
 constexpr double most_initial_periods = 1.2;
 constexpr double most_initial_s = 0.5;
+/// Longer time before or after it at rest must be still for this share.
+constexpr double least_still = 0.7;
 /// A part without cycles is taken as one motion if it is at most so long.
 constexpr double longest_part_s = 12;
 /// Fewer samples are one motion.
@@ -30,8 +32,17 @@ constexpr double most_apart = 0.8;
 constexpr double most_gap = 0.1;
 constexpr double in_motion = 0.4;
 
-bool explains(const motion::Decomposition& single, const Signal& signal, const Pauses& pauses,
-              double fps) {
+/// Whether the body keeps still for most of the samples.
+bool rests_within(const std::vector<Rows>& rests, double begin, double end, std::int64_t step) {
+    double still = 0;
+    for (const Rows& rest : rests)
+        still += std::max(0.0, std::min(end, static_cast<double>(rest.end * step)) -
+                                   std::max(begin, static_cast<double>(rest.begin * step)));
+    return still >= least_still * (end - begin);
+}
+
+bool explains(const motion::Decomposition& single, const Signal& signal,
+              const std::vector<Rows>& rests, const Pauses& pauses, double fps) {
     std::vector<Interval> cycles;
     for (const motion::Cycle& cycle : single.cycles)
         cycles.push_back({cycle.begin / static_cast<double>(signal.step),
@@ -41,9 +52,12 @@ bool explains(const motion::Decomposition& single, const Signal& signal, const P
     return std::ranges::none_of(single.units, [&](const motion::Unit& unit) {
         using enum motion::UnitKind;
         const bool beside = unit.kind == initial || unit.kind == final;
+        const bool is_long =
+            unit.end - unit.begin > most_initial_periods * single.period + most_initial_s * fps;
+        if (beside || unit.kind == cyclic)
+            return beside && is_long;
         return unit.kind == action ||
-               (beside && unit.end - unit.begin >
-                              most_initial_periods * single.period + most_initial_s * fps);
+               (is_long && !rests_within(rests, unit.begin, unit.end, signal.step));
     });
 }
 
@@ -150,13 +164,13 @@ Recording analyze(ConstMatrixView samples, double fps, const Options& options,
     const double seconds = static_cast<double>(samples.rows) / fps;
     const bool whole = wants_one_embedding(options.single);
     const bool is_short = seconds <= longest_single_s;
-    const Signal signal = make_signal(samples, fps);
+    const Signal signal = make_signal(samples, fps, options.smoothed_s);
     const std::vector<Rows> rests = find_rests(signal);
     const Pauses pauses = find_pauses(signal, rests);
     motion::Decomposition single;
     if (whole || is_short || options.single.estimate) {
         single = motion::decompose(samples, fps, options.single, progress);
-        if (whole || explains(single, signal, pauses, fps) || samples.rows < least_rows)
+        if (whole || explains(single, signal, rests, pauses, fps) || samples.rows < least_rows)
             return answer_of(signal, std::move(single), samples, options);
         if (single.cycles.empty() && is_closed(signal, options.single))
             return answer_of(signal, one_cycle(std::move(single)), samples, options);

@@ -97,10 +97,14 @@ void append_cyclic(Work& work, Draft& draft, Segment& segment) {
     auto first = static_cast<std::int64_t>(work.result.cycles.size());
     for (CyclicStretch& cut : draft.stretches) {
         const bool steps = !work.side_motion.empty() && sides_alternate(work.side_motion, cut);
-        const std::vector<int> own =
-            steps ? turn_to_side(work.side_motion, cut) : std::vector<int>(cut.cycles.size(), -1);
-        if (steps)
+        std::vector<int> own;
+        if (steps) {
+            own = turn_to_side(work.side_motion, cut);
             append_steps(work, index, cut, first, own);
+        } else {
+            turn_to_rise(work.signal, cut);
+            own.assign(cut.cycles.size(), -1);
+        }
         first += static_cast<std::int64_t>(own.size());
         sides.insert(sides.end(), own.begin(), own.end());
         std::ranges::copy(cycle_confidences(work.signal, cut), std::back_inserter(confidences));

@@ -75,6 +75,7 @@ struct Unit {
 
 struct Options {
     motion::DecomposeOptions single; ///< of a clip of one motion
+    double smoothed_s = 0;           ///< sigma of the Gaussian that smoothed the samples
     /// One weight for each column of the samples: positive where the sum of weighted velocities is,
     /// one side of the body moves forward. Empty: the body is unknown.
     std::vector<double> side;

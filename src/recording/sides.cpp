@@ -10,8 +10,13 @@ namespace stltsa::recording {
 namespace {
 
 constexpr std::size_t margins_of_a_cycle = 3;
+/// Fewer margins, of one or two cycles, are kept whichever half comes first.
+constexpr std::size_t most_kept = 6;
 /// Correlation of the sides' motion with itself half a cycle later, below which they alternate.
 constexpr double alternating = -0.6;
+/// Share of the speed of the samples along the weights of the sides, below which the sides do not
+/// move: 0.25 and more in walks and runs, at most 0.2 in waves and claps.
+constexpr double least_share = 0.22;
 
 double at(const std::vector<double>& motion, double row) {
     double value = 0;
@@ -29,6 +34,30 @@ double preference(const std::vector<double>& motion, const std::vector<double>& 
     return sums[0] / counts[0] - sums[1] / counts[1];
 }
 
+/// How much more the columns rise at every second margin from the first than at the others. Their
+/// weights differ, so that it is not zero for columns that mirror each other.
+double rise(const Signal& signal, const std::vector<double>& margins) {
+    std::vector<double> velocity(static_cast<std::size_t>(signal.cols())), difference = velocity;
+    const auto count = static_cast<double>(margins.size());
+    for (std::size_t i = 0; i < margins.size(); ++i) {
+        row_at(signal.velocity.view(), margins[i], velocity.data());
+        const double of_kind = i % 2 == 0 ? std::ceil(count / 2) : -std::floor(count / 2);
+        axpy(1 / of_kind, velocity.data(), difference.data(), signal.cols());
+    }
+    const std::int64_t columns = signal.directions.rows();
+    double sum = 0;
+    for (std::int64_t c = 0; c < columns; ++c) {
+        const double d = dot(difference.data(), signal.directions.row(c), signal.cols());
+        sum += (2 - static_cast<double>(c) / static_cast<double>(columns)) * d * std::abs(d);
+    }
+    return sum;
+}
+
+void append_cycles(const std::vector<double>& margins, std::vector<Interval>& cycles) {
+    for (std::size_t i = 0; i + 2 < margins.size(); i += 2)
+        cycles.push_back({margins[i], margins[i + 2]});
+}
+
 } // namespace
 
 std::vector<double> side_motion(const Signal& signal, const std::vector<double>& side) {
@@ -36,9 +65,13 @@ std::vector<double> side_motion(const Signal& signal, const std::vector<double>&
     for (std::size_t c = 0; c < side.size(); ++c)
         axpy(side[c], signal.directions.row(static_cast<std::int64_t>(c)), weights.data(),
              signal.cols());
+    const double length = std::sqrt(dot(weights.data(), weights.data(), signal.cols()));
     std::vector<double> motion;
-    for (std::int64_t i = 0; i < signal.rows(); ++i)
-        motion.push_back(dot(signal.velocity.row(i), weights.data(), signal.cols()));
+    for (std::int64_t i = 0; i < signal.rows(); ++i) {
+        const double scale = length * signal.usual[static_cast<std::size_t>(i)];
+        motion.push_back(
+            scale > 0 ? dot(signal.velocity.row(i), weights.data(), signal.cols()) / scale : 0);
+    }
     return motion;
 }
 
@@ -51,17 +84,25 @@ std::vector<int> turn_to_side(const std::vector<double>& motion, CyclicStretch& 
             margins.erase(margins.begin());
             first = true;
         }
-        for (std::size_t i = 0; i + 2 < margins.size(); i += 2) {
-            cut.cycles.push_back({margins[i], margins[i + 2]});
-            sides.push_back(first ? 0 : 1);
-        }
+        append_cycles(margins, cut.cycles);
+        sides.resize(cut.cycles.size(), first ? 0 : 1);
     }
     return sides;
 }
 
+void turn_to_rise(const Signal& signal, CyclicStretch& cut) {
+    cut.cycles.clear();
+    for (std::vector<double>& margins : cut.margins) {
+        const bool loses_one_of_few = margins.size() % 2 == 1 && margins.size() < most_kept;
+        if (!loses_one_of_few && rise(signal, margins) < 0)
+            margins.erase(margins.begin());
+        append_cycles(margins, cut.cycles);
+    }
+}
+
 bool sides_alternate(const std::vector<double>& motion, const CyclicStretch& cut) {
     constexpr int phases = 12;
-    double both = 0, energy = 0;
+    double both = 0, energy = 0, count = 0;
     for (const Interval& cycle : cut.cycles)
         for (int p = 0; p < phases; ++p) {
             const double step = cycle.length() / (2 * phases);
@@ -69,8 +110,9 @@ bool sides_alternate(const std::vector<double>& motion, const CyclicStretch& cut
             const double b = at(motion, cycle.begin + (p + phases) * step);
             both += a * b;
             energy += (a * a + b * b) / 2;
+            ++count;
         }
-    return energy > 0 && both < alternating * energy;
+    return energy > least_share * least_share * count && both < alternating * energy;
 }
 
 } // namespace stltsa::recording

@@ -7,8 +7,13 @@
 
 namespace stltsa::recording {
 
-/// Weighted sums of the velocities at each row: `side` in terms of the samples' columns.
+/// Weighted sums of the velocities at each row, in units of the usual speed: `side` in terms of the
+/// samples' columns.
 std::vector<double> side_motion(const Signal& signal, const std::vector<double>& side);
+
+/// Begins the cycles of a motion without two like sides at the same half everywhere: that in which
+/// the columns rise.
+void turn_to_rise(const Signal& signal, CyclicStretch& cut);
 
 /// Whether the two halves of the cycles are alike but for the side.
 bool sides_alternate(const std::vector<double>& motion, const CyclicStretch& cut);

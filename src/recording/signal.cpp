@@ -9,6 +9,7 @@
 #include "linalg/eigen.hpp"
 #include "linalg/gaussian.hpp"
 #include "linalg/simd.hpp"
+#include "motion/curve/statistics.hpp"
 
 namespace stltsa::recording {
 namespace {
@@ -19,6 +20,16 @@ constexpr double rows_per_second = 30;
 constexpr double variance_share = 0.995;
 constexpr std::int64_t most_directions = 16;
 constexpr double velocity_smoothing_s = 0.04;
+/// Poses are smoothed if noise is more than this share of the typical speed.
+constexpr double pose_smoothing_s[] = {0, 0.045, 0.08};
+constexpr double most_noise = 0.2;
+/// Noise is measured where there is least: in the quietest tenth of spans of so many rows. Its
+/// variance is larger by this factor on the average.
+constexpr std::int64_t quiet_rows = 10;
+constexpr double quiet_share = 0.1;
+constexpr double quiet_bias = 1.4;
+/// Times the noise, which is also what is left of it.
+constexpr double above_noise = 4;
 constexpr double speed_smoothing_s = 0.1;
 /// A wave beside a run must count: speeds are compared with those of this time to each side.
 /// Whether the body rests depends on less time, but noise beside a run is no motion.
@@ -62,6 +73,50 @@ Matrix differences(ConstMatrixView x) {
             d(i, c) = (x(after, c) - x(before, c)) / static_cast<double>(after - before);
     }
     return d;
+}
+
+Matrix velocities(const Matrix& poses, double sigma) {
+    return differences(gaussian_smoothed(poses.view(), sigma, Beyond::nothing).view());
+}
+
+double third_difference(const Matrix& x, std::int64_t i, std::int64_t c) {
+    return x(i + 3, c) - x(i, c) - 3 * (x(i + 2, c) - x(i + 1, c));
+}
+
+/// Sum of the squared third differences of the rows from `first` on.
+double roughness(const Matrix& x, std::int64_t first, std::int64_t count) {
+    double total = 0;
+    for (std::int64_t i = first; i < first + count; ++i)
+        for (std::int64_t c = 0; c < x.cols(); ++c)
+            total += third_difference(x, i, c) * third_difference(x, i, c);
+    return total;
+}
+
+/// A single one, smoothed: what becomes of white noise.
+Matrix impulse(double sigma, std::int64_t reach) {
+    Matrix one(2 * reach + 1, 1);
+    one(reach, 0) = 1;
+    return sigma > 0 ? gaussian_smoothed(one.view(), sigma, Beyond::nothing) : one;
+}
+
+/// The variance of velocities() of smoothed noise, in mean squared third differences before the
+/// smoothing by `more`.
+double noise_in_velocities(double smoothed, double more, double sigma) {
+    const double all = std::hypot(smoothed, more);
+    const auto reach = static_cast<std::int64_t>(std::ceil(6 * (all + sigma))) + 3;
+    const Matrix before = impulse(smoothed, reach);
+    const Matrix velocity = velocities(impulse(all, reach), sigma);
+    return dot(velocity.data(), velocity.data(), velocity.rows()) /
+           roughness(before, 0, before.rows() - 3);
+}
+
+/// Mean squared third difference where it is least: of noise alone, since smooth motion hardly has
+/// any.
+double least_roughness(const Matrix& x) {
+    std::vector<double> means;
+    for (std::int64_t i = 0; i + quiet_rows + 3 <= x.rows(); i += quiet_rows)
+        means.push_back(roughness(x, i, quiet_rows) / static_cast<double>(quiet_rows));
+    return means.empty() ? 0 : quiet_bias * motion::quantile(means, quiet_share);
 }
 
 std::vector<double> speeds(const Matrix& velocity, double sigma) {
@@ -174,7 +229,7 @@ Matrix every(ConstMatrixView samples, std::int64_t step) {
 
 } // namespace
 
-Signal make_signal(ConstMatrixView samples, double fps) {
+Signal make_signal(ConstMatrixView samples, double fps, double smoothed_s) {
     Signal signal;
     signal.step = std::max<std::int64_t>(
         1, std::llround(std::min(fps / rows_per_second, static_cast<double>(samples.rows))));
@@ -182,18 +237,28 @@ Signal make_signal(ConstMatrixView samples, double fps) {
     const Matrix thinned = signal.step > 1 ? every(samples, signal.step) : Matrix();
     const ConstMatrixView rows = signal.step > 1 ? thinned.view() : samples;
     signal.directions = directions_of(rows, signal.rate);
-    signal.poses = projected(rows, signal.directions);
-    signal.velocity = differences(
-        gaussian_smoothed(signal.poses.view(), velocity_smoothing_s * signal.rate, Beyond::nothing)
-            .view());
-    signal.speed = speeds(signal.velocity, speed_smoothing_s * signal.rate);
+    const Matrix poses = projected(rows, signal.directions);
+    const double rough = least_roughness(poses), sigma = velocity_smoothing_s * signal.rate;
+    double noise = 0, all = 0;
+    for (const double seconds : pose_smoothing_s) {
+        const double more = seconds * signal.rate;
+        signal.poses = more > 0 ? gaussian_smoothed(poses.view(), more, Beyond::reflection) : poses;
+        signal.velocity = velocities(signal.poses, sigma);
+        signal.speed = speeds(signal.velocity, speed_smoothing_s * signal.rate);
+        noise = std::sqrt(rough * noise_in_velocities(smoothed_s * signal.rate, more, sigma));
+        all = typical(signal.speed);
+        if (noise <= most_noise * all)
+            break;
+    }
     signal.usual = usual_speeds(signal.speed, signal.rate, neighborhood_s);
+    for (double& speed : signal.speed)
+        speed = std::sqrt(std::max(0.0, speed * speed - noise * noise));
     signal.near_usual = usual_speeds(signal.speed, signal.rate, near_s);
-    const double least = least_usual * typical(signal.speed);
+    const double least = least_usual * all;
     for (std::size_t i = 0; i < signal.usual.size(); ++i) {
         signal.usual[i] = std::max(signal.usual[i], least);
-        signal.near_usual[i] =
-            std::max(signal.near_usual[i], std::max(least_near * signal.usual[i], 2 * least));
+        signal.near_usual[i] = std::max(
+            {signal.near_usual[i], least_near * signal.usual[i], 2 * least, above_noise * noise});
     }
     return signal;
 }

@@ -176,7 +176,8 @@ Decomposed decompose(const clip::Clip& clip, const clip::PrepareOptions& prepare
     const SampleFacts& samples = prepared.source.samples;
     const double fps = samples.fps;
     recording::Options wanted{
-        options, clip::side_weights(clip, samples.features, samples.up, prepared.samples.view())};
+        options, samples.smoothing,
+        clip::side_weights(clip, samples.features, samples.up, prepared.samples.view())};
     Recording found = recording::analyze(prepared.samples.view(), fps, wanted, progress);
     Decomposed made;
     made.source = std::move(prepared.source);

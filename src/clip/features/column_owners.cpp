@@ -14,6 +14,8 @@ namespace {
 
 /// Joints nearer to the middle than this share of the median distance belong to no side.
 constexpr double middle = 0.25;
+/// Joints higher than this share of the highest are of the trunk.
+constexpr double trunk = 0.25;
 
 std::string name_of(const Clip& clip, std::size_t joint) {
     const Joint& owner = clip.skeleton->joints[joint];
@@ -91,6 +93,22 @@ std::vector<Vec3> mean_positions(ConstMatrixView samples) {
     return means;
 }
 
+/// Whether each joint of the body is above its root, or hangs from one that is: hands may hang
+/// lower than the hips, and swing against the feet.
+std::vector<bool> on_trunk(const Skeleton& skeleton, std::size_t root,
+                           const std::vector<Vec3>& means, std::size_t above) {
+    double highest = 0;
+    for (const Vec3& mean : means)
+        highest = std::max(highest, mean[above]);
+    std::vector<bool> upper;
+    for (std::size_t j = 0; j < means.size(); ++j) {
+        const int parent = skeleton.joints[root + j].parent - static_cast<int>(root);
+        upper.push_back((parent >= 0 && upper[static_cast<std::size_t>(parent)]) ||
+                        means[j][above] > trunk * highest);
+    }
+    return upper;
+}
+
 } // namespace
 
 std::vector<std::string> column_owners(const Clip& clip, Features kind) {
@@ -126,10 +144,11 @@ std::vector<double> side_weights(const Clip& clip, Features kind, Axis up,
     std::vector<double> sorted = distances;
     std::sort(sorted.begin(), sorted.end());
     const double least = middle * sorted[sorted.size() / 2];
+    const std::vector<bool> of_trunk = on_trunk(*clip.skeleton, body_root(clip), means, above);
     std::vector<double> weights(static_cast<std::size_t>(samples.cols));
     int sides[2] = {};
     for (std::size_t j = 0; j < means.size(); ++j) {
-        if (means[j][above] >= 0 || !(distances[j] > least))
+        if (of_trunk[j] || means[j][above] >= 0 || !(distances[j] > least))
             continue;
         const bool positive = means[j][axes.lateral] > 0;
         weights[3 * j + axes.forward] = positive ? 1 : -1;
