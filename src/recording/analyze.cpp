@@ -3,10 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "linalg/simd.hpp"
 #include "motion/decompose.hpp"
 #include "recording/answer.hpp"
+#include "recording/change_points.hpp"
+#include "recording/merging.hpp"
 #include "recording/repetitions.hpp"
 
 namespace stltsa::recording {
@@ -31,6 +34,9 @@ constexpr std::int64_t least_rows = 12;
 constexpr double most_apart = 0.8;
 constexpr double most_gap = 0.1;
 constexpr double in_motion = 0.4;
+/// If more segments are wanted, the price of a border falls by this factor, down to the least.
+constexpr double cheaper = 0.5;
+constexpr double least_price = 0.1;
 
 /// Whether the body keeps still for most of the samples.
 bool rests_within(const std::vector<Rows>& rests, double begin, double end, std::int64_t step) {
@@ -157,6 +163,27 @@ std::size_t repeats_in(const std::vector<Draft>& drafts) {
     return count;
 }
 
+/// As many segments in motion as wanted: finer divisions, of which neighbors are merged.
+void fit_number(const KernelFeatures& features, std::int64_t wanted,
+                const std::function<std::vector<Draft>(double price)>& drafts_at,
+                std::vector<Draft>& drafts) {
+    std::int64_t most = moving(drafts);
+    for (double price = border_price; most < wanted && price > least_price;) {
+        price *= cheaper;
+        std::vector<Draft> finer = drafts_at(price);
+        if (const std::int64_t found = moving(finer); found > most) {
+            most = found;
+            drafts.swap(finer);
+        }
+    }
+    if (most < wanted)
+        fail(Status::argument,
+             "option segments is {}, but only {} segments in motion could be told apart: ask for "
+             "at most {}",
+             wanted, most, most);
+    merge_to(features, wanted, drafts);
+}
+
 } // namespace
 
 Recording analyze(ConstMatrixView samples, double fps, const Options& options,
@@ -170,21 +197,28 @@ Recording analyze(ConstMatrixView samples, double fps, const Options& options,
     motion::Decomposition single;
     if (whole || is_short || options.single.estimate) {
         single = motion::decompose(samples, fps, options.single, progress);
-        if (whole || explains(single, signal, rests, pauses, fps) || samples.rows < least_rows)
+        if (whole || (!options.segments && explains(single, signal, rests, pauses, fps)) ||
+            samples.rows < least_rows)
             return answer_of(signal, std::move(single), samples, options);
-        if (single.cycles.empty() && is_closed(signal, options.single))
+        if (!options.segments && single.cycles.empty() && is_closed(signal, options.single))
             return answer_of(signal, one_cycle(std::move(single)), samples, options);
     }
     const KernelFeatures features(signal);
-    std::vector<Part> parts =
-        divide(signal, seconds > shortest_divided_s ? &features : nullptr, {rests, pauses.rests},
-               {options.single.shortest_period, options.single.longest_period}, progress);
-    for (Part& part : parts)
-        // A single part was decided above.
-        if (seconds <= long_recording_s && !(is_short && parts.size() == 1))
-            decide_as_single(samples, fps, options, signal, pauses, part);
-    std::vector<Draft> drafts = make_drafts(signal, parts, pauses);
-    if (is_short && repeats_in(drafts) < single.cycles.size())
+    const auto drafts_at = [&](double price) {
+        std::vector<Part> parts =
+            divide(signal, seconds > shortest_divided_s ? &features : nullptr, price,
+                   {rests, pauses.rests},
+                   {options.single.shortest_period, options.single.longest_period}, progress);
+        for (Part& part : parts)
+            // A single part was decided above.
+            if (seconds <= long_recording_s && !(is_short && parts.size() == 1))
+                decide_as_single(samples, fps, options, signal, pauses, part);
+        return make_drafts(signal, parts, pauses);
+    };
+    std::vector<Draft> drafts = drafts_at(border_price);
+    if (options.segments)
+        fit_number(features, *options.segments, drafts_at, drafts);
+    else if (is_short && repeats_in(drafts) < single.cycles.size())
         return answer_of(signal, std::move(single), samples, options);
     set_labels(signal, features, drafts);
     return answer_of({signal, features, pauses}, std::move(drafts), std::move(single), samples,

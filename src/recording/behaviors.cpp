@@ -292,15 +292,17 @@ void place(const Signal& signal, std::size_t labels, std::vector<Stay>& stays) {
 
 } // namespace
 
-std::vector<std::int64_t> behavior_borders(const Signal& signal, const KernelFeatures& features) {
-    const std::vector<std::int64_t> moments = change_points(features);
+std::vector<std::int64_t> behavior_borders(const Signal& signal, const KernelFeatures& features,
+                                           double price) {
+    const std::vector<std::int64_t> moments = change_points(features, price);
     if (moments.empty())
         return {};
     std::vector<Stay> stays = labeled(features, moments);
     std::size_t labels = 0;
     for (const Stay& stay : stays)
         labels = std::max(labels, stay.label + 1);
-    for (int round = 0; round < rounds && labels > 1 && labels <= most_behaviors; ++round)
+    for (int round = 0;
+         round < rounds && labels > 1 && labels <= most_behaviors && price >= border_price; ++round)
         stays = assigned(features, means_of(features, stays, labels));
     for (Stay& stay : stays) {
         stay.range.begin *= features.step();

@@ -8,7 +8,9 @@
 
 namespace stltsa::recording {
 
-/// Rows at which the behavior changes, ascending, without the ends.
-std::vector<std::int64_t> behavior_borders(const Signal& signal, const KernelFeatures& features);
+/// Rows at which the behavior changes, ascending, without the ends. `price`: of a border; below
+/// border_price, moments are not assigned anew, which would lose short behaviors.
+std::vector<std::int64_t> behavior_borders(const Signal& signal, const KernelFeatures& features,
+                                           double price);
 
 } // namespace stltsa::recording

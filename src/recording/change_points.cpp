@@ -14,7 +14,7 @@ constexpr double longest_search_s = 120;
 /// Borders that save less than this share of their price are dropped.
 constexpr double pays = 0.97;
 
-std::vector<std::int64_t> search(const KernelFeatures& features) {
+std::vector<std::int64_t> search(const KernelFeatures& features, double price) {
     const std::int64_t n = features.count();
     const auto least =
         std::max<std::int64_t>(2, static_cast<std::int64_t>(shortest_behavior_s * features.rate()));
@@ -22,7 +22,7 @@ std::vector<std::int64_t> search(const KernelFeatures& features) {
     std::vector<double> best(static_cast<std::size_t>(n + 1),
                              std::numeric_limits<double>::infinity());
     std::vector<std::int64_t> previous(best.size());
-    best[0] = -border_price;
+    best[0] = -price;
     std::vector<std::int64_t> candidates{0}, kept;
     std::vector<double> costs;
     for (std::int64_t t = least; t <= n; ++t) {
@@ -30,8 +30,8 @@ std::vector<std::int64_t> search(const KernelFeatures& features) {
         costs.clear();
         for (const std::int64_t begin : candidates) {
             costs.push_back(best[static_cast<std::size_t>(begin)] + features.cost(begin, t));
-            if (costs.back() + border_price < total) {
-                total = costs.back() + border_price;
+            if (costs.back() + price < total) {
+                total = costs.back() + price;
                 previous[static_cast<std::size_t>(t)] = begin;
             }
         }
@@ -53,7 +53,7 @@ std::vector<std::int64_t> search(const KernelFeatures& features) {
 }
 
 /// Drops the borders that pay least, one after another, until all pay.
-void drop_unpaid(const KernelFeatures& features, std::vector<std::int64_t>& borders) {
+void drop_unpaid(const KernelFeatures& features, double price, std::vector<std::int64_t>& borders) {
     const auto gain = [&](std::size_t i) {
         return features.gain(i == 0 ? 0 : borders[i - 1], borders[i],
                              i + 1 == borders.size() ? features.count() : borders[i + 1]);
@@ -64,7 +64,7 @@ void drop_unpaid(const KernelFeatures& features, std::vector<std::int64_t>& bord
     while (!borders.empty()) {
         const auto least =
             static_cast<std::size_t>(std::min_element(gains.begin(), gains.end()) - gains.begin());
-        if (gains[least] >= pays * border_price)
+        if (gains[least] >= pays * price)
             return;
         borders.erase(borders.begin() + static_cast<std::ptrdiff_t>(least));
         gains.erase(gains.begin() + static_cast<std::ptrdiff_t>(least));
@@ -77,9 +77,9 @@ void drop_unpaid(const KernelFeatures& features, std::vector<std::int64_t>& bord
 
 } // namespace
 
-std::vector<std::int64_t> change_points(const KernelFeatures& features) {
-    std::vector<std::int64_t> borders = search(features);
-    drop_unpaid(features, borders);
+std::vector<std::int64_t> change_points(const KernelFeatures& features, double price) {
+    std::vector<std::int64_t> borders = search(features, price);
+    drop_unpaid(features, price, borders);
     return borders;
 }
 

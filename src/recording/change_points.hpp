@@ -15,6 +15,6 @@ namespace stltsa::recording {
 constexpr double border_price = 9;
 
 /// Moments at which the behavior changes, ascending, without the ends.
-std::vector<std::int64_t> change_points(const KernelFeatures& features);
+std::vector<std::int64_t> change_points(const KernelFeatures& features, double price);
 
 } // namespace stltsa::recording

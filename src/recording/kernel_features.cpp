@@ -161,6 +161,17 @@ double KernelFeatures::gain(std::int64_t begin, std::int64_t middle, std::int64_
     return cost(begin, end) - cost(begin, middle) - cost(middle, end);
 }
 
+double KernelFeatures::gain(Rows a, Rows b) const {
+    const auto m = static_cast<double>(a.count()), n = static_cast<double>(b.count());
+    double apart = 0; // squared distance of the means
+    for (std::int64_t f = 0; f < sums_.cols(); ++f) {
+        const double d =
+            (sums_(a.end, f) - sums_(a.begin, f)) / m - (sums_(b.end, f) - sums_(b.begin, f)) / n;
+        apart += d * d;
+    }
+    return m * n / (m + n) * apart;
+}
+
 double KernelFeatures::likeness(Rows a, Rows b) const {
     double ab = 0, aa = 0, bb = 0;
     for (std::int64_t f = 0; f < sums_.cols(); ++f) {

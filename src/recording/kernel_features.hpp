@@ -30,6 +30,8 @@ class KernelFeatures {
     double cost(std::int64_t begin, std::int64_t end) const;
     /// How much two ranges cost less than the whole.
     double gain(std::int64_t begin, std::int64_t middle, std::int64_t end) const;
+    /// The same of two ranges that need not touch.
+    double gain(Rows a, Rows b) const;
     /// Cosine of the means of two ranges of moments, 0 to 1.
     double likeness(Rows a, Rows b) const;
 

@@ -252,13 +252,13 @@ Verdict compare_cycles(const Signal& signal, const std::vector<Interval>& a,
     return compare_cycles(typical_cycle(signal, a), typical_cycle(signal, b));
 }
 
-std::vector<Part> divide(const Signal& signal, const KernelFeatures* features,
+std::vector<Part> divide(const Signal& signal, const KernelFeatures* features, double price,
                          const StillRows& still, const PeriodRange& periods,
                          const Progress& progress) {
     RowProgress reported(progress, signal.rows());
     std::vector<std::int64_t> borders{0};
     if (features != nullptr)
-        for (const std::int64_t row : behavior_borders(signal, *features))
+        for (const std::int64_t row : behavior_borders(signal, *features, price))
             borders.push_back(row);
     borders.push_back(signal.rows());
     std::vector<Part> parts;
@@ -266,7 +266,8 @@ std::vector<Part> divide(const Signal& signal, const KernelFeatures* features,
         parts.push_back(decide(signal, {borders[i], borders[i + 1]}, still, periods, reported));
     if (features == nullptr)
         return parts;
-    Joiner(signal, *features, still, periods, reported, parts).run();
+    if (price >= border_price)
+        Joiner(signal, *features, still, periods, reported, parts).run();
     for (std::size_t i = 1; i < parts.size(); ++i)
         parts[i].gain =
             features->gain(

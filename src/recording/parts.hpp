@@ -25,7 +25,9 @@ struct Part {
     std::vector<Interval> cycles() const; ///< of the claimed stretches
 };
 
-std::vector<Part> divide(const Signal& signal, const KernelFeatures* features,
+/// `features`: null: the recording is one part. `price`: of a border; below border_price, borders
+/// within one behavior stay.
+std::vector<Part> divide(const Signal& signal, const KernelFeatures* features, double price,
                          const StillRows& still, const PeriodRange& periods,
                          const Progress& progress);
 

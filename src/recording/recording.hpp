@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -75,7 +76,9 @@ struct Unit {
 
 struct Options {
     motion::DecomposeOptions single; ///< of a clip of one motion
-    double smoothed_s = 0;           ///< sigma of the Gaussian that smoothed the samples
+    /// Number in motion; unset: as many as the behavior changes.
+    std::optional<std::int64_t> segments;
+    double smoothed_s = 0; ///< sigma of the Gaussian that smoothed the samples
     /// One weight for each column of the samples: positive where the sum of weighted velocities is,
     /// one side of the body moves forward. Empty: the body is unknown.
     std::vector<double> side;

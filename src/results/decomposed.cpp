@@ -169,20 +169,20 @@ void set_parts(const Recording& found, const SourceFrames& frames, Decomposed& m
 } // namespace
 
 Decomposed decompose(const clip::Clip& clip, const clip::PrepareOptions& prepare,
-                     motion::DecomposeOptions options, const Progress& progress) {
+                     recording::Options options, const Progress& progress) {
     const clip::Clip* single = &clip;
     ClipSamples prepared = prepare_clips({&single, 1}, prepare, progress);
-    set_messages(prepared, options);
+    set_messages(prepared, options.single);
     const SampleFacts& samples = prepared.source.samples;
     const double fps = samples.fps;
-    recording::Options wanted{
-        options, samples.smoothing,
-        clip::side_weights(clip, samples.features, samples.up, prepared.samples.view())};
-    Recording found = recording::analyze(prepared.samples.view(), fps, wanted, progress);
+    options.smoothed_s = samples.smoothing;
+    options.side = clip::side_weights(clip, samples.features, samples.up, prepared.samples.view());
+    recording::Recording found =
+        recording::analyze(prepared.samples.view(), fps, options, progress);
     Decomposed made;
     made.source = std::move(prepared.source);
     made.source.period = {found.shown.period / fps, found.shown.lag_quality,
-                          options.shortest_period, options.longest_period};
+                          options.single.shortest_period, options.single.longest_period};
     const SourceFrames frames(made.source);
     const auto owners = clip::column_owners(clip, made.source.samples.features);
     for (const recording::Segment& segment : found.segments) {

@@ -30,6 +30,6 @@ struct Decomposed {
 
 /// The clip's frame rate must be known. Sets the fields of `options` that are for messages only.
 Decomposed decompose(const clip::Clip& clip, const clip::PrepareOptions& prepare,
-                     motion::DecomposeOptions options, const Progress& progress);
+                     recording::Options options, const Progress& progress);
 
 } // namespace stltsa::results

@@ -113,8 +113,10 @@ ltsa::DimensionOptions OptionsReader::dimension_options() const {
     return {real(STLTSA_OPT_EIGENGAP), real(STLTSA_OPT_VARIANCE)};
 }
 
-motion::DecomposeOptions OptionsReader::decompose_options() const {
-    motion::DecomposeOptions decompose;
+recording::Options OptionsReader::decompose_options() const {
+    recording::Options options;
+    options.segments = integer_if_set(STLTSA_OPT_SEGMENTS);
+    motion::DecomposeOptions& decompose = options.single;
     decompose.neighbors = integer_if_set(STLTSA_OPT_NEIGHBORS);
     decompose.window = integer_if_set(STLTSA_OPT_WINDOW);
     decompose.dimension = integer_if_set<int>(STLTSA_OPT_DIMENSION);
@@ -125,7 +127,7 @@ motion::DecomposeOptions OptionsReader::decompose_options() const {
     if (integer(STLTSA_OPT_DIMENSION_ESTIMATE) != 0)
         decompose.estimate = dimension_options();
     decompose.threads = threads();
-    return decompose;
+    return options;
 }
 
 results::PeriodSearch OptionsReader::period_search() const {

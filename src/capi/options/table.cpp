@@ -137,6 +137,9 @@ constexpr stltsa_option_info rows[] = {
          0, 1e6, 3),
     whole(STLTSA_OPT_DIMENSION_ESTIMATE, STLTSA_CALL_DECOMPOSE, "dimension_estimate",
           "Also estimate the intrinsic dimension of the embedded part.", 0, 1, 0),
+    whole(STLTSA_OPT_SEGMENTS, STLTSA_CALL_DECOMPOSE, "segments",
+          "Number of segments in motion, without rests; auto: as many as the behavior changes.", 1,
+          10000, automatic),
 };
 
 } // namespace

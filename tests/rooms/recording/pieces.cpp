@@ -68,7 +68,7 @@ void behaviors_are_divided_where_they_change(void**) {
     const Matrix samples = Recorder().cycles(15, 1, 0).cycles(15, 1, 3).cycles(15, 1, 6).samples();
     const Signal signal = make_signal(samples.view(), fps, 0);
     const KernelFeatures features(signal);
-    const auto borders = change_points(features);
+    const auto borders = change_points(features, border_price);
     assert_int_equal(borders.size(), 2);
     ASSERT_NEAR(static_cast<double>(borders[0]), 150, 4);
     ASSERT_NEAR(static_cast<double>(borders[1]), 300, 4);
@@ -76,7 +76,8 @@ void behaviors_are_divided_where_they_change(void**) {
     assert_true(features.likeness({0, 70}, {70, 140}) > 0.9);
     assert_true(features.likeness({0, 140}, {160, 290}) < 0.5);
     const Matrix one = Recorder().cycles(300, 1, 0).samples();
-    assert_true(change_points(KernelFeatures(make_signal(one.view(), fps, 0))).empty());
+    assert_true(
+        change_points(KernelFeatures(make_signal(one.view(), fps, 0)), border_price).empty());
 }
 
 void the_period_is_tracked(void**) {

@@ -47,3 +47,4 @@ class Keywords(TypedDict, total=False):
     cut_range: float | Auto | None
     posture_limit: float
     dimension_estimate: bool
+    segments: int | Auto | None

@@ -85,6 +85,9 @@ kinds! {
         /// `int`: decompose: 1: also estimate the intrinsic dimension of what is embedded
         /// (STLTSA_INFO_LOCAL_PCA, _EIGENGAP).
         DimensionEstimate = STLTSA_OPT_DIMENSION_ESTIMATE,
+        /// `int`: decompose: number of segments in motion; rests are not counted; auto: as many as
+        /// the behavior changes.
+        Segments = STLTSA_OPT_SEGMENTS,
     }
     /// Which frames can be neighbors of a frame.
     Mode {

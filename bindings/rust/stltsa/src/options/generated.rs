@@ -202,4 +202,10 @@ impl Options {
     pub fn dimension_estimate(self, value: bool) -> Self {
         self.with(sys::STLTSA_OPT_DIMENSION_ESTIMATE, Value::Int(value.into()))
     }
+
+    /// Number of segments in motion, without rests; auto: as many as the behavior changes.
+    #[must_use]
+    pub fn segments(self, value: usize) -> Self {
+        self.with(sys::STLTSA_OPT_SEGMENTS, int(value))
+    }
 }
