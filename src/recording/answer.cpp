@@ -149,15 +149,23 @@ bool in_motion(const Signal& signal, std::int64_t row) {
     return signal.usual[at] > 0 && signal.speed[at] > moving * signal.usual[at];
 }
 
-double border_confidence_of(const Draft& before, const Draft& draft) {
-    constexpr double at_rest = 0.93;
-    const auto acts = [](const Draft& d) { return d.kind == SegmentKind::action ? 1 : 0; };
-    if (before.kind == SegmentKind::rest || draft.kind == SegmentKind::rest || draft.gain <= 0)
-        return at_rest;
-    return border_confidence(draft.gain, acts(before) + acts(draft));
+/// Of the first border of draft i.
+double border_confidence_of(const std::vector<Draft>& drafts, std::size_t i) {
+    const bool rests = drafts[i].kind == SegmentKind::rest;
+    const bool after_rest = drafts[i - 1].kind == SegmentKind::rest;
+    const auto acts = [&](std::size_t k) {
+        return k < drafts.size() && drafts[k].kind == SegmentKind::action ? 1 : 0;
+    };
+    if (rests)
+        return rest_border_confidence(acts(i - 1) + acts(i + 1));
+    if (after_rest)
+        return rest_border_confidence((i >= 2 ? acts(i - 2) : 0) + acts(i));
+    return drafts[i].gain > 0 ? border_confidence(drafts[i].gain, acts(i - 1) + acts(i))
+                              : rest_border_confidence(acts(i - 1) + acts(i));
 }
 
-void append_segment(Work& work, const Draft* before, Draft& draft) {
+void append_segment(Work& work, std::vector<Draft>& drafts, std::size_t i) {
+    Draft& draft = drafts[i];
     Segment segment;
     segment.kind = draft.kind;
     segment.begin = work.sample(draft.begin);
@@ -165,7 +173,7 @@ void append_segment(Work& work, const Draft* before, Draft& draft) {
     segment.label = draft.label;
     segment.reason = draft.reason;
     segment.candidate_period = draft.candidate_period * static_cast<double>(work.signal.step);
-    segment.begin_confidence = before == nullptr ? unknown : border_confidence_of(*before, draft);
+    segment.begin_confidence = i == 0 ? unknown : border_confidence_of(drafts, i);
     const double seconds = (draft.end - draft.begin) / work.signal.rate;
     switch (draft.kind) {
     case SegmentKind::cyclic:
@@ -253,9 +261,8 @@ void set_likeness(Work& work, const std::vector<Draft>& drafts) {
 
 void append_all(Work& work, std::vector<Draft>& drafts, const RestKind& rest_kind) {
     for (std::size_t i = 0; i < drafts.size(); ++i) {
-        Draft& draft = drafts[i];
-        append_segment(work, i == 0 ? nullptr : &drafts[i - 1], draft);
-        append_units(work, draft, rest_kind);
+        append_segment(work, drafts, i);
+        append_units(work, drafts[i], rest_kind);
     }
     const auto end = static_cast<double>(work.samples.rows);
     work.result.segments.back().end = end;

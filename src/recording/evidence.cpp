@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
+#include <span>
 
 #include "linalg/simd.hpp"
 #include "motion/curve/statistics.hpp"
@@ -17,15 +19,31 @@ constexpr double base = -6.34;
 constexpr double of_match = 8.01;
 constexpr double of_cyclicity = 5.96;
 constexpr double of_length = -39.7;
-/// The same for borders beside no, one and two single actions.
+/// The same for borders beside no, one and two single actions. Most of the last are in noise and
+/// sway, which are divided somewhere.
 struct LogisticOfGain {
     double base, slope;
 };
-constexpr LogisticOfGain of_gain[] = {{2.5, 2.5}, {0, 2.5}, {-3.5, 5}};
+constexpr LogisticOfGain of_gain[] = {{1.1, 3}, {2, 0.6}, {-3.6, 1.5}};
+constexpr double at_rest = 0.97;
+constexpr double at_rest_between_actions = 0.6;
+/// Share of right answers among segments up to this length.
+struct ShareOfLength {
+    double seconds, right;
+};
+constexpr double any = std::numeric_limits<double>::infinity();
+constexpr ShareOfLength of_action[] = {{1, 0.85}, {4, 0.5}, {any, 0.05}};
+constexpr ShareOfLength of_rest[] = {{1, 0.6}, {2, 0.8}, {any, 0.92}};
 /// Cycles are neighbors if less than this share of their length lies between them.
 constexpr double most_apart = 0.05;
 /// A window beside a cycle may reach beyond the end of the recording by this share.
 constexpr double beyond_end = 0.3;
+
+double share_of(std::span<const ShareOfLength> shares, double seconds) {
+    return std::ranges::find_if(
+               shares, [&](const ShareOfLength& share) { return seconds <= share.seconds; })
+        ->right;
+}
 
 double logistic(double x) {
     return 1 / (1 + std::exp(-x));
@@ -106,16 +124,20 @@ double border_confidence(double gain, int actions) {
     return gain > 0 ? logistic(law.base + law.slope * std::log(gain)) : 0;
 }
 
+double rest_border_confidence(int actions) {
+    return actions < 2 ? at_rest : at_rest_between_actions;
+}
+
 double repetition_confidence(double unlikeness) {
     return std::clamp(1 - 0.4 * unlikeness, 0.0, 1.0);
 }
 
 double action_confidence(double seconds) {
-    return std::clamp(logistic(2.4 - seconds), 0.1, 0.8);
+    return share_of(of_action, seconds);
 }
 
 double rest_confidence(double seconds) {
-    return std::clamp(0.5 + 0.15 * seconds, 0.0, 0.95);
+    return share_of(of_rest, seconds);
 }
 
 } // namespace stltsa::recording

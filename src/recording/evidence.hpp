@@ -13,6 +13,8 @@ std::vector<double> cycle_confidences(const Signal& signal, const CyclicStretch&
 /// Of a border that saves so many times its price, between this number of single actions: in one
 /// free motion behavior changes all the time.
 double border_confidence(double gain, int actions);
+/// The same of a border at a rest; `actions`: single ones beside the rest.
+double rest_border_confidence(int actions);
 
 /// Of one of several repetitions, by its mean unlikeness to the others.
 double repetition_confidence(double unlikeness);

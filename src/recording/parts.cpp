@@ -20,7 +20,7 @@ constexpr double like_neighbors = 0.8;
 constexpr double shorter_lags = 0.6;
 constexpr double least_confidence = 0.5;
 constexpr double least_confidence_of_few = 0.8;
-constexpr double least_quality_of_few = 0.65;
+constexpr double least_quality_of_few = 0.75;
 constexpr std::size_t few_cycles = 2;
 /// Cycles of two motions: their lengths differ by this ratio, or their mean cycles by so many
 /// deviations and so much of how far they move.
