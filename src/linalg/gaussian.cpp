@@ -56,4 +56,25 @@ Matrix gaussian_smoothed(ConstMatrixView rows, double sigma, Beyond beyond, std:
     return result;
 }
 
+void smooth_in_place(Matrix& rows, double sigma, Beyond beyond) {
+    const std::vector<double> weights = half_kernel(sigma, rows.rows());
+    const auto reach = static_cast<std::int64_t>(weights.size()) - 1;
+    const std::int64_t block = std::max<std::int64_t>(4096, reach);
+    Matrix before; // the original rows that the next block needs
+    for (std::int64_t begin = 0; begin < rows.rows(); begin += block) {
+        const std::int64_t end = std::min(begin + block, rows.rows());
+        const std::int64_t last = std::min(end + reach, rows.rows());
+        const std::int64_t first = begin - before.rows();
+        Matrix around = Matrix::unset(last - first, rows.cols());
+        std::copy_n(before.data(), before.rows() * rows.cols(), around.data());
+        std::copy_n(rows.row(begin), (last - begin) * rows.cols(), around.row(before.rows()));
+        for (std::int64_t i = begin; i < end; ++i) {
+            std::fill_n(rows.row(i), rows.cols(), 0.0);
+            smooth_row(around.view(), i - first, weights, beyond, rows.row(i));
+        }
+        const std::int64_t kept = std::min(reach, end - first);
+        before = copied(around.view().block(end - kept - first, kept));
+    }
+}
+
 } // namespace stltsa

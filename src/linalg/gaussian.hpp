@@ -17,4 +17,7 @@ enum class Beyond {
 /// truncated at four sigma. Constant rows keep their bits, so that standing stays standing.
 Matrix gaussian_smoothed(ConstMatrixView rows, double sigma, Beyond beyond, std::int64_t step = 1);
 
+/// The same without a second matrix of that size.
+void smooth_in_place(Matrix& rows, double sigma, Beyond beyond);
+
 } // namespace stltsa

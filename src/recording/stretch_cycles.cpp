@@ -26,6 +26,8 @@ constexpr double least_quality = 0.4;
 constexpr double least_quality_of_few = 0.5;
 constexpr std::size_t few_cycles = 2;
 constexpr std::size_t margins_of_a_cycle = 3;
+/// No margin is found nearer to the ends of the curve than this share of a period.
+constexpr double at_end = 2.0 / samples_per_period;
 /// The height of the curve is that of so many periods to each side.
 constexpr std::int64_t height_periods = 8;
 
@@ -140,6 +142,22 @@ double row_of(const std::vector<double>& places, double sample) {
     return (1 - part) * places[before] + part * places[before + 1];
 }
 
+/// Adds the margins at the very ends of the rows, where the curve does not show them, if the next
+/// but one is one period away. The rows may end half a row before the motion does.
+void add_end_margins(Rows range, std::vector<double>& margins) {
+    const auto least = margins_of_a_cycle + 1;
+    if (margins.size() < least)
+        return;
+    const auto begin = static_cast<double>(range.begin), end = static_cast<double>(range.end);
+    const double first = 2 * margins[1] - margins[3];
+    if (first >= begin - 0.5 && first < begin + at_end * (margins[3] - margins[1]))
+        margins.insert(margins.begin(), std::max(first, begin));
+    const std::size_t n = margins.size();
+    const double last = 2 * margins[n - 2] - margins[n - 4];
+    if (last <= end + 0.5 && last > end - at_end * (margins[n - 2] - margins[n - 4]))
+        margins.push_back(std::min(last, end));
+}
+
 bool holds_rest(const Interval& cycle, const std::vector<Rows>& rests) {
     return std::ranges::any_of(rests, [&](const Rows& rest) {
         return static_cast<double>(rest.begin) >= cycle.begin - 1 &&
@@ -200,6 +218,7 @@ CyclicStretch cut_stretch(const Signal& signal, const Stretch& stretch, const St
             std::vector<double> rows;
             for (const Margin& margin : sequence)
                 rows.push_back(row_of(cut.phase.places, margin.at));
+            add_end_margins(stretch.rows, rows);
             // Cycles begin on the same side of the coordinate everywhere.
             if (like != nullptr && !sequence.front().rising)
                 rows.erase(rows.begin());

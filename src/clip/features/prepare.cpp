@@ -41,10 +41,13 @@ Prepared prepare(const Clip& clip, const PrepareOptions& options) {
             std::clamp(std::round(clip.fps / options.rate), 1.0, static_cast<double>(all.rows())));
     prepared.fps = clip.fps / static_cast<double>(prepared.step);
     const double sigma = options.smoothing * clip.fps;
-    if (sigma > 0 || prepared.step > 1)
+    if (prepared.step > 1) {
         prepared.samples = gaussian_smoothed(kept, sigma, Beyond::reflection, prepared.step);
-    else
-        prepared.samples = prepared.first == 0 ? std::move(all) : copied(kept);
+        return prepared;
+    }
+    prepared.samples = prepared.first == 0 ? std::move(all) : copied(kept);
+    if (sigma > 0)
+        smooth_in_place(prepared.samples, sigma, Beyond::reflection);
     return prepared;
 }
 
