@@ -221,6 +221,8 @@ Recording analyze(ConstMatrixView samples, double fps, const Options& options,
     else if (is_short && repeats_in(drafts) < single.cycles.size())
         return answer_of(signal, std::move(single), samples, options);
     set_labels(signal, features, drafts);
+    if (!options.segments)
+        join_neighbors(drafts);
     return answer_of({signal, features, pauses}, std::move(drafts), std::move(single), samples,
                      options);
 }

@@ -38,4 +38,7 @@ std::vector<Draft> make_drafts(const Signal& signal, const std::vector<Part>& pa
 /// Sets the labels of all that moves: the same motions share one.
 void set_labels(const Signal& signal, const KernelFeatures& features, std::vector<Draft>& drafts);
 
+/// Neighbors with one label that touch become one.
+void join_neighbors(std::vector<Draft>& drafts);
+
 } // namespace stltsa::recording

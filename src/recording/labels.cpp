@@ -28,26 +28,6 @@ double distance(const KernelFeatures& features, const Draft& a, const TypicalCyc
     return apart;
 }
 
-/// Neighbors with one label that touch are one segment.
-void join_neighbors(std::vector<Draft>& drafts) {
-    std::vector<Draft> joined;
-    for (Draft& draft : drafts) {
-        const bool touches =
-            !joined.empty() && draft.label >= 0 && joined.back().label == draft.label &&
-            joined.back().kind == draft.kind && draft.kind != SegmentKind::repetitions;
-        if (!touches) {
-            joined.push_back(std::move(draft));
-            continue;
-        }
-        Draft& before = joined.back();
-        before.end = draft.end;
-        std::ranges::move(draft.stretches, std::back_inserter(before.stretches));
-        before.motions.clear();
-        before.best_match = std::max(before.best_match, draft.best_match);
-    }
-    drafts.swap(joined);
-}
-
 } // namespace
 
 void set_labels(const Signal& signal, const KernelFeatures& features, std::vector<Draft>& drafts) {
@@ -66,7 +46,25 @@ void set_labels(const Signal& signal, const KernelFeatures& features, std::vecto
               });
     for (std::size_t i = 0; i < moving.size(); ++i)
         moving[i]->label = labels[i];
-    join_neighbors(drafts);
+}
+
+void join_neighbors(std::vector<Draft>& drafts) {
+    std::vector<Draft> joined;
+    for (Draft& draft : drafts) {
+        const bool touches =
+            !joined.empty() && draft.label >= 0 && joined.back().label == draft.label &&
+            joined.back().kind == draft.kind && draft.kind != SegmentKind::repetitions;
+        if (!touches) {
+            joined.push_back(std::move(draft));
+            continue;
+        }
+        Draft& before = joined.back();
+        before.end = draft.end;
+        std::ranges::move(draft.stretches, std::back_inserter(before.stretches));
+        before.motions.clear();
+        before.best_match = std::max(before.best_match, draft.best_match);
+    }
+    drafts.swap(joined);
 }
 
 } // namespace stltsa::recording

@@ -9,12 +9,13 @@
 #include "clip/features/features.hpp"
 #include "clip/features/prepare.hpp"
 #include "clip/features/tpose.hpp"
+#include "linalg/gaussian.hpp"
 
 namespace {
 
 using namespace clip_testing;
 using namespace stltsa::clip;
-using stltsa::Matrix;
+using namespace stltsa;
 
 /// A smooth motion of ten features; its first `smeared` frames leave another pose.
 Matrix motion(std::int64_t frames, std::int64_t smeared, double size = 20) {
@@ -150,6 +151,23 @@ void smooths_by_a_gaussian(void**) {
     ASSERT_NEAR(sum, 1, 1e-12);
 }
 
+/// Smoothed in place, block by block: the same bits as from a copy.
+void long_clips_are_smoothed_alike(void**) {
+    Matrix rows(9001, 2);
+    for (std::int64_t i = 0; i < rows.rows(); ++i) {
+        rows(i, 0) = std::sin(0.01 * static_cast<double>(i * i % 700));
+        rows(i, 1) = static_cast<double>(i % 37);
+    }
+    for (const Beyond beyond : {Beyond::reflection, Beyond::nothing})
+        for (const double sigma : {0.4, 1.5, 1200.0}) {
+            const Matrix expected = gaussian_smoothed(rows.view(), sigma, beyond);
+            Matrix smooth = copied(rows.view());
+            smooth_in_place(smooth, sigma, beyond);
+            for (std::int64_t i = 0; i < rows.rows() * 2; ++i)
+                ASSERT_NEAR(smooth.data()[i], expected.data()[i], 0);
+        }
+}
+
 void smoothing_keeps_constants_to_the_ends(void**) {
     const Matrix smooth = prepare(column(std::vector<double>(50, 3.25), 120), {}).samples;
     assert_int_equal(smooth.rows(), 13);
@@ -276,6 +294,7 @@ int main() {
         cmocka_unit_test(the_start_is_kept_on_request),
         cmocka_unit_test(steps_follow_the_rate),
         cmocka_unit_test(smooths_by_a_gaussian),
+        cmocka_unit_test(long_clips_are_smoothed_alike),
         cmocka_unit_test(smoothing_keeps_constants_to_the_ends),
         cmocka_unit_test(smoothing_keeps_speed_to_the_ends),
         cmocka_unit_test(smoothing_ignores_dropped_frames),

@@ -3,6 +3,7 @@
 #include "testing.hpp"
 
 #include <algorithm>
+#include <string>
 
 #include "motion/decompose.hpp"
 
@@ -123,6 +124,71 @@ void a_closed_clip_is_one_cycle(void**) {
     assert_true(answer(Recorder().action(1.1, 0).samples(0)).cycles.empty());
 }
 
+/// As many segments as asked for, or an error that says how many there can be.
+void the_number_of_segments_may_be_given(void**) {
+    const Matrix samples = Recorder()
+                               .cycles(15, 1.1, 0)
+                               .rest(2)
+                               .cycles(15, 0.7, 3)
+                               .rest(2)
+                               .cycles(15, 0.9, 6)
+                               .samples();
+    Options options;
+    const auto count = [&](std::int64_t wanted) {
+        options.segments = wanted;
+        const Recording found = analyze(samples.view(), fps, options, Progress());
+        check_cover(found, samples);
+        return static_cast<std::int64_t>(moving_kinds(found).size());
+    };
+    for (std::int64_t wanted = 1; wanted <= 3; ++wanted)
+        assert_int_equal(count(wanted), wanted);
+    try {
+        count(200);
+        assert_true(false);
+    } catch (const stltsa::Error& error) {
+        assert_true(error.status() == stltsa::Status::argument);
+        assert_true(std::string(error.what()).find("ask for at most") != std::string::npos);
+    }
+}
+
+/// White noise is measured, so that standing stays standing.
+void rests_are_found_in_noise(void**) {
+    const Recorder recorder =
+        Recorder().cycles(15, 1.1, 0).rest(3).cycles(15, 0.7, 4).rest(3).cycles(15, 1.1, 0);
+    const auto rests = [&](double noise) {
+        const Recording found = answer(recorder.samples(noise));
+        return std::ranges::count(found.segments, SegmentKind::rest, &Segment::kind);
+    };
+    assert_int_equal(rests(0.003), 2);
+    assert_int_equal(rests(0.15), 2);
+}
+
+/// A crop has the cycles of the whole recording, though its curve may have the other sign.
+void cycles_of_a_crop_begin_at_the_same_half(void**) {
+    const Matrix samples = Recorder().cycles(60, 1.1, 0).samples();
+    const Recording whole = answer(samples);
+    for (const std::int64_t first : {7, 16, 24}) {
+        const Recording crop = analyze(samples.view().block(first, 1300), fps, {}, Progress());
+        assert_true(crop.cycles.size() >= 36);
+        for (const Cycle& cycle : crop.cycles) {
+            const double begin = cycle.begin + static_cast<double>(first);
+            const auto distance = [&](const Cycle& other) { return std::abs(other.begin - begin); };
+            const auto same = std::ranges::min_element(whole.cycles, {}, distance);
+            ASSERT_NEAR(same->begin, begin, 1.5);
+        }
+    }
+}
+
+/// Cycles that begin and end with the recording are whole.
+void no_cycle_is_lost_at_the_ends(void**) {
+    for (const double seconds : {0.0, 0.25, 0.5, 0.75}) {
+        const auto lead = static_cast<std::int64_t>(std::lround(seconds * fps));
+        const Matrix samples = Recorder().cycles(41, 1, 0).samples(0);
+        const Recording found = analyze(samples.view().block(lead, 1200), fps, {}, Progress());
+        assert_true(found.cycles.size() >= 39);
+    }
+}
+
 void it_can_be_cancelled(void**) {
     const Matrix samples = Recorder().cycles(200, 1, 0).samples();
     int calls = 0;
@@ -149,6 +215,10 @@ int main() {
         cmocka_unit_test(a_small_motion_beside_a_large_one_is_found),
         cmocka_unit_test(a_clip_of_one_motion_is_one_segment),
         cmocka_unit_test(a_closed_clip_is_one_cycle),
+        cmocka_unit_test(the_number_of_segments_may_be_given),
+        cmocka_unit_test(rests_are_found_in_noise),
+        cmocka_unit_test(cycles_of_a_crop_begin_at_the_same_half),
+        cmocka_unit_test(no_cycle_is_lost_at_the_ends),
         cmocka_unit_test(it_can_be_cancelled),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
