@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <span>
 
 #include "motion/curve/extrema.hpp"
@@ -28,6 +29,7 @@ constexpr std::size_t few_cycles = 2;
 constexpr std::size_t margins_of_a_cycle = 3;
 /// No margin is found nearer to the ends of the curve than this share of a period.
 constexpr double at_end = 2.0 / samples_per_period;
+constexpr double steady = 0.08;
 /// The height of the curve is that of so many periods to each side.
 constexpr std::int64_t height_periods = 8;
 
@@ -142,20 +144,29 @@ double row_of(const std::vector<double>& places, double sample) {
     return (1 - part) * places[before] + part * places[before + 1];
 }
 
-/// Adds the margins at the very ends of the rows, where the curve does not show them, if the next
-/// but one is one period away. The rows may end half a row before the motion does.
+/// The margin before the first, or none if the next two cycles differ in length.
+std::optional<double> margin_before(std::span<const double> margins) {
+    const double period = margins[3] - margins[1];
+    if (std::abs(margins[2] - margins[0] - period) > steady * std::abs(period))
+        return {};
+    return margins[1] - period;
+}
+
+/// Adds the margins at the very ends of the rows, where the curve does not show them, if the period
+/// is steady there. The rows may end half a row before the motion does.
 void add_end_margins(Rows range, std::vector<double>& margins) {
-    const auto least = margins_of_a_cycle + 1;
-    if (margins.size() < least)
+    if (margins.size() < margins_of_a_cycle + 1)
         return;
     const auto begin = static_cast<double>(range.begin), end = static_cast<double>(range.end);
-    const double first = 2 * margins[1] - margins[3];
-    if (first >= begin - 0.5 && first < begin + at_end * (margins[3] - margins[1]))
-        margins.insert(margins.begin(), std::max(first, begin));
+    const double reach = at_end * (margins[3] - margins[1]);
+    if (const auto first = margin_before(margins);
+        first && *first >= begin - 0.5 && *first < begin + reach)
+        margins.insert(margins.begin(), std::max(*first, begin));
     const std::size_t n = margins.size();
-    const double last = 2 * margins[n - 2] - margins[n - 4];
-    if (last <= end + 0.5 && last > end - at_end * (margins[n - 2] - margins[n - 4]))
-        margins.push_back(std::min(last, end));
+    const double from_end[] = {margins[n - 1], margins[n - 2], margins[n - 3], margins[n - 4]};
+    if (const auto last = margin_before(from_end);
+        last && *last <= end + 0.5 && *last > end - reach)
+        margins.push_back(std::min(*last, end));
 }
 
 bool holds_rest(const Interval& cycle, const std::vector<Rows>& rests) {
