@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <set>
+#include <utility>
 
 #include "linalg/simd.hpp"
 #include "motion/curve/statistics.hpp"
@@ -30,6 +32,8 @@ constexpr double least_difference = 0.15;
 constexpr std::int64_t phases = 16;
 /// Cycles nearest to a border that are compared over it, and of whole segments.
 constexpr std::size_t cycles_compared = 12;
+/// Time to each side of a border in which a join is judged.
+constexpr double judged_s = 60;
 constexpr std::size_t most_compared = 24;
 
 /// Refuses unsure cycles in a long recording: in noise, something repeats by chance now and then,
@@ -140,22 +144,23 @@ class Joiner {
         : signal_(signal), features_(features), still_(still), periods_(periods),
           progress_(progress), parts_(parts) {}
 
+    /// In rounds, in each of which a part is joined once at most. A join is judged near its border,
+    /// and what was joined is tracked as a whole at the end: the time stays linear.
     void run() {
-        while (const std::size_t border = next()) {
-            Part joined = decide(signal_, {parts_[border - 1].rows.begin, parts_[border].rows.end},
-                                 still_, periods_, progress_);
-            if (!keeps(parts_[border - 1], parts_[border], joined))
-                continue;
-            parts_[border - 1] = std::move(joined);
-            parts_.erase(parts_.begin() + static_cast<std::ptrdiff_t>(border));
+        for (bool joined = true; joined;) {
+            joined = false;
+            for (const std::int64_t row : candidates())
+                joined = try_join(row) || joined;
         }
+        for (Part& part : parts_)
+            if (partial_.contains(part.rows.begin))
+                track_whole(part);
     }
 
   private:
-    /// The border to try next, each only once; 0: none.
-    std::size_t next() {
-        std::size_t best = 0;
-        double score = 0;
+    /// First rows of the parts to join with those before, the most alike first, each pair once.
+    std::vector<std::int64_t> candidates() {
+        std::vector<std::pair<double, std::int64_t>> found;
         for (std::size_t i = 1; i < parts_.size(); ++i) {
             const Rows a = parts_[i - 1].rows, b = parts_[i].rows;
             if (tried_.contains({a.begin, b.begin, b.end}))
@@ -165,24 +170,75 @@ class Joiner {
                 continue;
             const Verdict verdict = compare_cycles(signal_, last_of(parts_[i - 1].cycles()),
                                                    first_of(parts_[i].cycles()));
-            const double own = like + (verdict == Verdict::same ? 1 : 0);
-            if (verdict != Verdict::different && own > score) {
-                score = own;
-                best = i;
-            }
+            if (verdict != Verdict::different)
+                found.emplace_back(like + (verdict == Verdict::same ? 1 : 0), b.begin);
         }
-        if (best > 0)
-            tried_.insert(
-                {parts_[best - 1].rows.begin, parts_[best].rows.begin, parts_[best].rows.end});
-        return best;
+        std::ranges::stable_sort(found, std::greater<>(), &std::pair<double, std::int64_t>::first);
+        std::vector<std::int64_t> rows;
+        joined_.clear();
+        for (const auto& candidate : found)
+            rows.push_back(candidate.second);
+        return rows;
     }
 
-    /// Whether a join loses no cycle, and the motion runs on over the border.
-    static bool keeps(const Part& a, const Part& b, const Part& joined) {
-        const std::size_t before = a.cycles().size(), after = b.cycles().size();
+    /// Joins the part that begins at the row with the one before, unless one of them has just been
+    /// joined.
+    bool try_join(std::int64_t row) {
+        const auto part =
+            std::ranges::find(parts_, row, [](const Part& p) { return p.rows.begin; });
+        const auto before = part - 1;
+        if (joined_.contains(before->rows.begin) || joined_.contains(row))
+            return false;
+        tried_.insert({before->rows.begin, row, part->rows.end});
+        const auto reach = static_cast<std::int64_t>(judged_s * signal_.rate);
+        const Rows around = {std::max(before->rows.begin, row - reach),
+                             std::min(part->rows.end, row + reach)};
+        Part near = decide(signal_, around, still_, periods_, progress_);
+        if (!keeps(*before, *part, near))
+            return false;
+        if (around.begin > before->rows.begin || around.end < part->rows.end ||
+            partial_.contains(before->rows.begin) || partial_.contains(row)) {
+            partial_.insert(before->rows.begin);
+            append(*before, std::move(*part));
+        } else {
+            *before = std::move(near);
+        }
+        joined_.insert(before->rows.begin);
+        parts_.erase(part);
+        return true;
+    }
+
+    static void append(Part& part, Part&& after) {
+        part.rows.end = after.rows.end;
+        if (after.best_match > part.best_match) {
+            part.best_match = after.best_match;
+            part.best_lag_s = after.best_lag_s;
+        }
+        std::ranges::move(after.stretches, std::back_inserter(part.stretches));
+    }
+
+    void track_whole(Part& part) {
+        Part whole = decide(signal_, part.rows, still_, periods_, progress_);
+        if (whole.cycles().size() >= part.cycles().size())
+            part = std::move(whole);
+    }
+
+    /// Whether a join loses no cycle, and the motion runs on over the border. `near`: the rows
+    /// around the border; cycles nearer to where they were cut off do not count.
+    bool keeps(const Part& a, const Part& b, const Part& near) const {
         const auto border = static_cast<double>(b.rows.begin);
+        const double away = judged_s * signal_.rate / 2;
+        const double first = near.rows.begin > a.rows.begin ? border - away : 0;
+        const double last =
+            near.rows.end < b.rows.end ? border + away : static_cast<double>(b.rows.end);
+        const auto count = [&](const Part& part) {
+            return std::ranges::count_if(part.cycles(), [&](const Interval& cycle) {
+                const double middle = (cycle.begin + cycle.end) / 2;
+                return middle >= first && middle <= last;
+            });
+        };
         bool across = false, run_on = false;
-        for (const CyclicStretch& cut : joined.stretches) {
+        for (const CyclicStretch& cut : near.stretches) {
             if (!cut.claimed() || static_cast<double>(cut.stretch.rows.begin) >= border ||
                 static_cast<double>(cut.stretch.rows.end) <= border)
                 continue;
@@ -192,7 +248,7 @@ class Joiner {
                                 cycle.end > border - cycle.length() / 2;
                      });
         }
-        const std::size_t now = joined.cycles().size();
+        const auto before = count(a), after = count(b), now = count(near);
         if (before + after == 0)
             return now == 0 || across;
         return now >= before + after && (run_on || before == 0 || after == 0);
@@ -205,6 +261,8 @@ class Joiner {
     RowProgress& progress_;
     std::vector<Part>& parts_;
     std::set<std::array<std::int64_t, 3>> tried_;
+    std::set<std::int64_t> joined_;  ///< first rows of the parts joined in this round
+    std::set<std::int64_t> partial_; ///< and of those whose cycles are those of their pieces
 };
 
 } // namespace
