@@ -3,6 +3,7 @@
 
 import json
 import os
+import pathlib
 import subprocess
 import time
 
@@ -45,9 +46,22 @@ def measured(run, rows):
         child = subprocess.Popen(
             ["taskset", "-c", core, run.command, "decompose", path, "--fps", "30", "--json",
              "--quiet"], stdout=answer, env={**os.environ, "OPENBLAS_NUM_THREADS": "1"})
-        _, status, usage = os.wait4(child.pid, 0)
-    if status != 0:
+        peak = 0
+        while child.poll() is None:
+            peak = max(peak, peak_memory(child.pid))
+            time.sleep(0.01)
+    if child.returncode != 0:
         raise SystemExit(f"stltsa decompose failed on {len(rows)} frames")
     seconds = time.perf_counter() - begin
     answer = checked(json.loads((run.folder / "answer.json").read_text()))
-    return seconds, usage.ru_maxrss * 1024 - rows.nbytes, answer
+    return seconds, peak - rows.nbytes, answer
+
+
+def peak_memory(pid):
+    """Bytes; the usage that wait4 gives counts the memory of this process before the exec."""
+    try:
+        status = pathlib.Path(f"/proc/{pid}/status").read_text()
+    except ProcessLookupError:
+        return 0
+    peak = next((line for line in status.splitlines() if line.startswith("VmHWM")), "VmHWM: 0 kB")
+    return int(peak.split()[1]) * 1024
