@@ -138,17 +138,24 @@ std::vector<double> side_weights(const Clip& clip, Features kind, Axis up,
     const auto above = static_cast<std::size_t>(up) - 1;
     const Directions axes = level_axes(clip, body_root(clip), above);
     const std::vector<Vec3> means = mean_positions(samples);
-    std::vector<double> distances;
-    for (const Vec3& mean : means)
-        distances.push_back(std::abs(mean[axes.lateral]));
-    std::vector<double> sorted = distances;
-    std::sort(sorted.begin(), sorted.end());
-    const double least = middle * sorted[sorted.size() / 2];
     const std::vector<bool> of_trunk = on_trunk(*clip.skeleton, body_root(clip), means, above);
+    std::vector<std::size_t> low;
+    std::vector<double> distances;
+    for (std::size_t j = 0; j < means.size(); ++j)
+        if (!of_trunk[j] && means[j][above] < 0) {
+            low.push_back(j);
+            distances.push_back(std::abs(means[j][axes.lateral]));
+        }
+    if (low.empty())
+        return {};
+    std::nth_element(distances.begin(),
+                     distances.begin() + static_cast<std::ptrdiff_t>(low.size() / 2),
+                     distances.end());
+    const double least = middle * distances[low.size() / 2];
     std::vector<double> weights(static_cast<std::size_t>(samples.cols));
     int sides[2] = {};
-    for (std::size_t j = 0; j < means.size(); ++j) {
-        if (of_trunk[j] || means[j][above] >= 0 || !(distances[j] > least))
+    for (const std::size_t j : low) {
+        if (!(std::abs(means[j][axes.lateral]) > least))
             continue;
         const bool positive = means[j][axes.lateral] > 0;
         weights[3 * j + axes.forward] = positive ? 1 : -1;

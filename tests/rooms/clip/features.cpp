@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "clip/body/kinematics.hpp"
+#include "clip/features/column_owners.hpp"
 #include "clip/features/features.hpp"
 
 namespace {
@@ -318,10 +319,45 @@ void features_are_counted_without_being_computed(void**) {
     ASSERT_FAILS(Status::unsupported, "need a skeleton", feature_count(clip, Features::euler));
 }
 
+/// Legs have a side; hands have none, though they hang lower than the hips.
+void sides_are_those_of_the_legs(void**) {
+    for (const std::size_t up : {1u, 2u}) {
+        Skeleton skeleton = body(up);
+        const std::size_t side = (up + 1) % 3;
+        for (const int chest : {1, 1}) { // hands that hang from the head's joint
+            Joint hand;
+            hand.parent = chest;
+            hand.offset[side] = skeleton.joints.size() % 2 == 0 ? 4 : -4;
+            hand.offset[up] = -12;
+            skeleton.joints.push_back(hand);
+        }
+        const std::size_t joints = skeleton.joints.size();
+        Matrix samples(10, static_cast<std::int64_t>(3 * joints));
+        for (std::int64_t i = 0; i < samples.rows(); ++i)
+            for (std::size_t j = 1; j < joints; ++j)
+                for (std::size_t a = 0; a < 3; ++a)
+                    samples(i, static_cast<std::int64_t>(3 * j + a)) =
+                        skeleton.joints[j].offset[a] +
+                        (skeleton.joints[j].parent == 1 ? skeleton.joints[1].offset[a] : 0);
+        Clip clip = swinging(up);
+        clip.skeleton = skeleton;
+        const auto axis = static_cast<Axis>(up + 1);
+        const auto weights = side_weights(clip, Features::positions, axis, samples.view());
+        assert_int_equal(weights.size(), samples.cols());
+        const std::size_t front = (up + 2) % 3;
+        for (std::size_t c = 0; c < weights.size(); ++c) {
+            const bool left = c == 3 * 2 + front, right = c == 3 * 3 + front;
+            ASSERT_NEAR(weights[c], left ? 1 : right ? -1 : 0, 0);
+        }
+        assert_true(side_weights(clip, Features::euler, axis, samples.view()).empty());
+    }
+}
+
 } // namespace
 
 int main() {
     const CMUnitTest tests[] = {
+        cmocka_unit_test(sides_are_those_of_the_legs),
         cmocka_unit_test(ignore_place_and_heading),
         cmocka_unit_test(contain_lean),
         cmocka_unit_test(positions_are_world_positions_without_heading),
