@@ -33,7 +33,7 @@ bool rest_between(const std::vector<Rows>& rests, double begin, double end) {
 /// little is left before it.
 double begin_of(const CyclicStretch& cut, const std::vector<Rows>& rests, double limit,
                 double rate) {
-    const double first = cut.cycles.front().begin;
+    const double first = cut.first_margin();
     const double period = cut.period();
     double begin = limit;
     for (const Rows& rest : rests)
@@ -45,7 +45,7 @@ double begin_of(const CyclicStretch& cut, const std::vector<Rows>& rests, double
 }
 
 double end_of(const CyclicStretch& cut, const std::vector<Rows>& rests, double limit, double rate) {
-    const double last = cut.cycles.back().end;
+    const double last = cut.last_margin();
     const double period = cut.period();
     double end = limit;
     for (const Rows& rest : rests)
@@ -67,14 +67,13 @@ void append_cyclic(const Signal& signal, const Part& part, const std::vector<Row
     bool first = true;
     for (std::size_t i = 0; i < claimed.size(); ++i) {
         const CyclicStretch& cut = *claimed[i];
-        const double next = i + 1 < claimed.size() ? claimed[i + 1]->cycles.front().begin
+        const double next = i + 1 < claimed.size() ? claimed[i + 1]->first_margin()
                                                    : static_cast<double>(part.rows.end);
         if (!first) {
             Draft& before = drafts.back();
-            const double gap = cut.cycles.front().begin - before.stretches.back().cycles.back().end;
+            const double gap = cut.first_margin() - before.stretches.back().last_margin();
             if (gap < most_gap_periods * cut.period() &&
-                !rest_between(rests, before.stretches.back().cycles.back().end,
-                              cut.cycles.front().begin) &&
+                !rest_between(rests, before.stretches.back().last_margin(), cut.first_margin()) &&
                 compare_cycles(signal, before.stretches.back().cycles, cut.cycles) !=
                     Verdict::different) {
                 before.stretches.push_back(cut);
@@ -300,6 +299,15 @@ std::vector<Draft> with_rests(std::vector<Draft> drafts, const std::vector<Rows>
     return all;
 }
 
+/// Makes neighbors meet at one place: rows that were rounded, or the exact begin of a cyclic one.
+void close_gaps(std::vector<Draft>& drafts) {
+    for (std::size_t i = 1; i < drafts.size(); ++i) {
+        const bool exact =
+            drafts[i].kind == SegmentKind::cyclic && drafts[i - 1].kind != SegmentKind::cyclic;
+        (exact ? drafts[i - 1].end : drafts[i].begin) = exact ? drafts[i].begin : drafts[i - 1].end;
+    }
+}
+
 } // namespace
 
 Rows Draft::rows() const {
@@ -327,6 +335,7 @@ std::vector<Draft> make_drafts(const Signal& signal, const std::vector<Part>& pa
     drafts = with_rests(std::move(drafts), pauses.rests, static_cast<double>(signal.rows()));
     absorb_short(signal, drafts);
     find_end_repetitions(signal, drafts);
+    close_gaps(drafts);
     return drafts;
 }
 

@@ -37,9 +37,9 @@ Rows free_rows(const Signal& signal, const Draft& other, bool at_end) {
     if (!other.stretches.empty()) {
         const auto row = [](double at) { return static_cast<std::int64_t>(std::lround(at)); };
         if (at_end)
-            free.begin = std::max(free.begin, row(other.stretches.back().cycles.back().end));
+            free.begin = std::max(free.begin, 1 + row(other.stretches.back().last_margin()));
         else
-            free.end = std::min(free.end, row(other.stretches.front().cycles.front().begin));
+            free.end = std::min(free.end, row(other.stretches.front().first_margin()));
     }
     return free;
 }
@@ -77,7 +77,16 @@ bool is_pause(const Signal& signal, const Draft& draft) {
 
 /// Whether the other motion may end in a repetition, rather than be one.
 bool is_other(const Draft& repetitions, const Draft& other) {
-    return other.kind != SegmentKind::rest && other.group != repetitions.group;
+    const bool single = other.kind == SegmentKind::action || other.kind == SegmentKind::cyclic;
+    return single && other.group != repetitions.group;
+}
+
+/// Makes the motion of an action what is left of it.
+void shorten(Draft& other, double begin, double end) {
+    other.begin = begin;
+    other.end = end;
+    if (other.kind == SegmentKind::action)
+        other.motions = {other.rows()};
 }
 
 void add(Draft& to, Rows piece, bool first) {
@@ -97,7 +106,7 @@ void find_end_repetitions(const Signal& signal, std::vector<Draft>& drafts) {
         if (i >= 2 && is_pause(signal, drafts[i - 1]) && is_other(drafts[i], drafts[i - 2]))
             if (const auto piece = find_piece(signal, drafts[i].motions, drafts[i - 2], true)) {
                 add(drafts[i], *piece, true);
-                drafts[i - 2].end = drafts[i].begin;
+                shorten(drafts[i - 2], drafts[i - 2].begin, drafts[i].begin);
                 drafts.erase(drafts.begin() + static_cast<std::ptrdiff_t>(i - 1));
                 --i;
             }
@@ -105,7 +114,7 @@ void find_end_repetitions(const Signal& signal, std::vector<Draft>& drafts) {
             is_other(drafts[i], drafts[i + 2]))
             if (const auto piece = find_piece(signal, drafts[i].motions, drafts[i + 2], false)) {
                 add(drafts[i], *piece, false);
-                drafts[i + 2].begin = drafts[i].end;
+                shorten(drafts[i + 2], drafts[i].end, drafts[i + 2].end);
                 drafts[i + 2].gain = 1;
                 drafts.erase(drafts.begin() + static_cast<std::ptrdiff_t>(i + 1));
             }

@@ -12,6 +12,7 @@ namespace {
 constexpr std::size_t margins_of_a_cycle = 3;
 /// Fewer margins, of one or two cycles, are kept whichever half comes first.
 constexpr std::size_t most_kept = 6;
+constexpr double clear_rise = 0.05;
 /// Correlation of the sides' motion with itself half a cycle later, below which they alternate.
 constexpr double alternating = -0.6;
 /// Share of the speed of the samples along the weights of the sides, below which the sides do not
@@ -34,8 +35,8 @@ double preference(const std::vector<double>& motion, const std::vector<double>& 
     return sums[0] / counts[0] - sums[1] / counts[1];
 }
 
-/// How much more the columns rise at every second margin from the first than at the others. Their
-/// weights differ, so that it is not zero for columns that mirror each other.
+/// How much more the columns rise at every second margin from the first than at the others, -1 to
+/// 1. Near 0 if columns mirror each other: then either half may come first.
 double rise(const Signal& signal, const std::vector<double>& margins) {
     std::vector<double> velocity(static_cast<std::size_t>(signal.cols())), difference = velocity;
     const auto count = static_cast<double>(margins.size());
@@ -44,13 +45,13 @@ double rise(const Signal& signal, const std::vector<double>& margins) {
         const double of_kind = i % 2 == 0 ? std::ceil(count / 2) : -std::floor(count / 2);
         axpy(1 / of_kind, velocity.data(), difference.data(), signal.cols());
     }
-    const std::int64_t columns = signal.directions.rows();
-    double sum = 0;
-    for (std::int64_t c = 0; c < columns; ++c) {
+    double sum = 0, size = 0;
+    for (std::int64_t c = 0; c < signal.directions.rows(); ++c) {
         const double d = dot(difference.data(), signal.directions.row(c), signal.cols());
-        sum += (2 - static_cast<double>(c) / static_cast<double>(columns)) * d * std::abs(d);
+        sum += d * std::abs(d);
+        size += d * d;
     }
-    return sum;
+    return size > 0 ? sum / size : 0;
 }
 
 void append_cycles(const std::vector<double>& margins, std::vector<Interval>& cycles) {
@@ -94,7 +95,7 @@ void turn_to_rise(const Signal& signal, CyclicStretch& cut) {
     cut.cycles.clear();
     for (std::vector<double>& margins : cut.margins) {
         const bool loses_one_of_few = margins.size() % 2 == 1 && margins.size() < most_kept;
-        if (!loses_one_of_few && rise(signal, margins) < 0)
+        if (!loses_one_of_few && rise(signal, margins) < -clear_rise)
             margins.erase(margins.begin());
         append_cycles(margins, cut.cycles);
     }

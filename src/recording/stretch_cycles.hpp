@@ -28,6 +28,8 @@ struct CyclicStretch {
 
     bool claimed() const { return doubt.empty(); }
     double period() const; ///< median length of the cycles, rows
+    double first_margin() const { return margins.front().front(); } ///< if claimed
+    double last_margin() const { return margins.back().back(); }
 };
 
 /// Where the body keeps still: at all, and between motions (find_rests(), find_pauses()).

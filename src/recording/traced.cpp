@@ -65,6 +65,9 @@ motion::Decomposition shown_of(const Signal& signal, const std::vector<Draft>& d
         else if (single.reason.empty()) // cycles of one motion that the segments do not bear out
             single.reason = reason_of(drafts);
         single.period = 0;
+        std::erase_if(single.warnings, [](const Warning& warning) { // the segments say it
+            return warning.code == WarningCode::separate_motion;
+        });
         return single;
     }
     motion::Decomposition shown;
