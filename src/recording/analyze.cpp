@@ -191,7 +191,7 @@ Recording analyze(ConstMatrixView samples, double fps, const Options& options,
     const double seconds = static_cast<double>(samples.rows) / fps;
     const bool whole = wants_one_embedding(options.single);
     const bool is_short = seconds <= longest_single_s;
-    const Signal signal = make_signal(samples, fps, options.smoothed_s);
+    const Signal signal = make_signal(samples, fps, options.smoothed_s, options.size);
     const std::vector<Rows> rests = find_rests(signal);
     const Pauses pauses = find_pauses(signal, rests);
     motion::Decomposition single;

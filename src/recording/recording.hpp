@@ -79,6 +79,7 @@ struct Options {
     /// Number in motion; unset: as many as the behavior changes.
     std::optional<std::int64_t> segments;
     double smoothed_s = 0; ///< sigma of the Gaussian that smoothed the samples
+    double size = 0;       ///< of the body: norm of its mean pose; 0: the samples are no positions
     /// One weight for each column of the samples: positive where the sum of weighted velocities is,
     /// one side of the body moves forward. Empty: the body is unknown.
     std::vector<double> side;

@@ -23,9 +23,9 @@ struct Signal {
     std::int64_t cols() const { return poses.cols(); }
 };
 
-/// `samples`: frames x features at `fps`, smoothed by a Gaussian of `smoothed_s`. At most about 30
-/// rows a second are kept.
-Signal make_signal(ConstMatrixView samples, double fps, double smoothed_s);
+/// `samples`: frames x features at `fps`, smoothed by a Gaussian of `smoothed_s`, of a body of
+/// this size (Options). At most about 30 rows a second are kept.
+Signal make_signal(ConstMatrixView samples, double fps, double smoothed_s, double size);
 
 /// [begin, end) in rows.
 struct Rows {

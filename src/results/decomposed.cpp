@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "clip/features/column_owners.hpp"
+#include "clip/features/drift.hpp"
 #include "results/summary.hpp"
 
 namespace stltsa::results {
@@ -166,6 +167,51 @@ void set_parts(const Recording& found, const SourceFrames& frames, Decomposed& m
     }
 }
 
+double period_of_longest(const std::vector<stltsa_segment>& segments) {
+    double longest = 0, period = 0;
+    for (const stltsa_segment& segment : segments)
+        if (segment.kind == STLTSA_SEGMENT_CYCLIC && segment.end_s - segment.begin_s > longest) {
+            longest = segment.end_s - segment.begin_s;
+            period = segment.period_s;
+        }
+    return period;
+}
+
+/// Norm of the mean pose if the samples are positions relative to the body; 0 otherwise.
+double body_size(clip::Features features, const Matrix& samples) {
+    if (features != clip::Features::positions && features != clip::Features::points)
+        return 0;
+    double squares = 0;
+    for (std::int64_t c = 0; c < samples.cols(); ++c) {
+        double mean = 0;
+        for (std::int64_t i = 0; i < samples.rows(); ++i)
+            mean += samples(i, c) / static_cast<double>(samples.rows());
+        squares += mean * mean;
+    }
+    return std::sqrt(squares);
+}
+
+/// Says which columns drifted.
+void note_drift(const clip::Clip& clip, clip::Features features,
+                const std::vector<std::int64_t>& columns, std::vector<std::string>& notes) {
+    constexpr std::size_t most_named = 6;
+    const auto owners = clip::column_owners(clip, features);
+    std::vector<std::string> names;
+    for (const std::int64_t column : columns)
+        if (const std::string& name = owners[static_cast<std::size_t>(column)];
+            names.empty() || names.back() != name)
+            names.push_back(name);
+    if (names.empty())
+        return;
+    std::string text;
+    for (std::size_t i = 0; i < std::min(names.size(), most_named); ++i)
+        text += (i == 0 ? "" : ", ") + names[i];
+    if (names.size() > most_named)
+        text += format_text(" and {} more", names.size() - most_named);
+    notes.push_back(
+        format_text("columns that only drift, whose slow part was subtracted: {}", text));
+}
+
 } // namespace
 
 Decomposed decompose(const clip::Clip& clip, const clip::PrepareOptions& prepare,
@@ -175,7 +221,10 @@ Decomposed decompose(const clip::Clip& clip, const clip::PrepareOptions& prepare
     set_messages(prepared, options.single);
     const SampleFacts& samples = prepared.source.samples;
     const double fps = samples.fps;
+    note_drift(clip, samples.features, clip::remove_drift(prepared.samples, fps),
+               prepared.source.clips.front().notes);
     options.smoothed_s = samples.smoothing;
+    options.size = body_size(samples.features, prepared.samples);
     options.side = clip::side_weights(clip, samples.features, samples.up, prepared.samples.view());
     recording::Recording found =
         recording::analyze(prepared.samples.view(), fps, options, progress);
@@ -193,7 +242,7 @@ Decomposed decompose(const clip::Clip& clip, const clip::PrepareOptions& prepare
     frames.cover_file(made.segments);
     made.units = units_of(found, frames);
     set_parts(found, frames, made);
-    made.period_s = made.source.period.period;
+    made.period_s = period_of_longest(made.segments);
     made.summaries = summaries_of(made.segments, made.cycle_parts, made.repetitions);
     made.result = std::move(found.shown);
     return made;

@@ -66,7 +66,7 @@ void groups_are_those_of_average_linkage(void**) {
 
 void behaviors_are_divided_where_they_change(void**) {
     const Matrix samples = Recorder().cycles(15, 1, 0).cycles(15, 1, 3).cycles(15, 1, 6).samples();
-    const Signal signal = make_signal(samples.view(), fps, 0);
+    const Signal signal = make_signal(samples.view(), fps, 0, 0);
     const KernelFeatures features(signal);
     const auto borders = change_points(features, border_price);
     assert_int_equal(borders.size(), 2);
@@ -77,12 +77,12 @@ void behaviors_are_divided_where_they_change(void**) {
     assert_true(features.likeness({0, 140}, {160, 290}) < 0.5);
     const Matrix one = Recorder().cycles(300, 1, 0).samples();
     assert_true(
-        change_points(KernelFeatures(make_signal(one.view(), fps, 0)), border_price).empty());
+        change_points(KernelFeatures(make_signal(one.view(), fps, 0, 0)), border_price).empty());
 }
 
 void the_period_is_tracked(void**) {
     const Matrix samples = Recorder().cycles(40, 1.5, 0, 2).samples();
-    const Signal signal = make_signal(samples.view(), fps, 0);
+    const Signal signal = make_signal(samples.view(), fps, 0, 0);
     const PeriodTrack track = track_period(signal, {0, signal.rows()}, {});
     assert_int_equal(track.stretches.size(), 1);
     const Stretch& stretch = track.stretches[0];
@@ -96,14 +96,14 @@ void the_period_is_tracked(void**) {
     // Too short, still, or without repetition: no stretch.
     assert_true(track_period(signal, {0, 20}, {}).stretches.empty());
     const Matrix still = Recorder().rest(20).samples(0);
-    const Signal none = make_signal(still.view(), fps, 0);
+    const Signal none = make_signal(still.view(), fps, 0, 0);
     assert_true(track_period(none, {0, none.rows()}, {}).stretches.empty());
 }
 
 /// The curve goes on over the chunks without a jump, and a second stretch begins alike.
 void the_curve_keeps_phase_and_sign(void**) {
     const Matrix samples = Recorder().cycles(60, 1, 0).samples();
-    const Signal signal = make_signal(samples.view(), fps, 0);
+    const Signal signal = make_signal(samples.view(), fps, 0, 0);
     Stretch stretch{{0, signal.rows()}, {}, 1};
     stretch.period.assign(static_cast<std::size_t>(signal.rows()), fps);
     const Progress none;
@@ -123,7 +123,7 @@ void the_curve_keeps_phase_and_sign(void**) {
 
 void rests_and_motions_between_them(void**) {
     const Matrix samples = Recorder().rest(2).action(2, 0).rest(1.5).action(1, 3).rest(2).samples();
-    const Signal signal = make_signal(samples.view(), fps, 0);
+    const Signal signal = make_signal(samples.view(), fps, 0, 0);
     const Pauses pauses = find_pauses(signal, find_rests(signal));
     assert_int_equal(pauses.rests.size(), 3);
     assert_true(std::ranges::count(pauses.home, true) == 3);
