@@ -242,7 +242,7 @@ Decomposed decompose(const clip::Clip& clip, const clip::PrepareOptions& prepare
     frames.cover_file(made.segments);
     made.units = units_of(found, frames);
     set_parts(found, frames, made);
-    made.period_s = period_of_longest(made.segments);
+    made.source.period.period = period_of_longest(made.segments);
     made.summaries = summaries_of(made.segments, made.cycle_parts, made.repetitions);
     made.result = std::move(found.shown);
     return made;

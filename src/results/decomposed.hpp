@@ -25,7 +25,6 @@ struct Decomposed {
     std::vector<stltsa_part> steps;
     std::vector<stltsa_part> repetitions;
     std::vector<stltsa_summary> summaries; ///< by label, of labels that repeat
-    double period_s = 0; ///< of the cyclic segment that lasts longest; 0: there is none
 };
 
 /// The clip's frame rate must be known. Sets the fields of `options` that are for messages only.

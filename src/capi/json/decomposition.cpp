@@ -139,7 +139,7 @@ std::string decomposition_json(const Decomposed& decomposed) {
     object.set("parameters", json_parameters(found.parameters, decomposed.source.period));
     object.set("embedding", embedding_json(found));
     object.set("intrinsic_dimension", intrinsic_json(found.intrinsic));
-    object.set("period_s", json_positive_or_null(decomposed.period_s));
+    object.set("period_s", json_positive_or_null(decomposed.source.period.period));
     object.set("lag_quality", decomposed.source.period.lag_quality);
     object.set("segments", segments_json(decomposed));
     object.set("units", units_json(decomposed.units));
