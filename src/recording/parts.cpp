@@ -20,6 +20,8 @@ namespace {
 constexpr double like_neighbors = 0.8;
 /// Share of a refused lag up to which shorter ones are tried.
 constexpr double shorter_lags = 0.6;
+/// Recordings longer than this need surer cycles, because noise repeats by chance now and then.
+constexpr double weighed_s = 30;
 constexpr double least_confidence = 0.5;
 constexpr double least_confidence_of_few = 0.8;
 constexpr double least_quality_of_few = 0.75;
@@ -39,7 +41,7 @@ constexpr std::size_t most_compared = 24;
 /// Refuses unsure cycles in a long recording: in noise, something repeats by chance now and then,
 /// most often once or twice.
 void weigh(const Signal& signal, CyclicStretch& cut) {
-    if (!cut.claimed() || static_cast<double>(signal.rows()) <= long_recording_s * signal.rate)
+    if (!cut.claimed() || static_cast<double>(signal.rows()) <= weighed_s * signal.rate)
         return;
     const bool few = cut.cycles.size() <= few_cycles;
     const double typical = motion::median(cycle_confidences(signal, cut));

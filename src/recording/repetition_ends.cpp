@@ -37,9 +37,9 @@ Rows free_rows(const Signal& signal, const Draft& other, bool at_end) {
     if (!other.stretches.empty()) {
         const auto row = [](double at) { return static_cast<std::int64_t>(std::lround(at)); };
         if (at_end)
-            free.begin = std::max(free.begin, 1 + row(other.stretches.back().last_margin()));
+            free.begin = std::max(free.begin, row(other.stretches.back().cycles.back().end));
         else
-            free.end = std::min(free.end, row(other.stretches.front().first_margin()));
+            free.end = std::min(free.end, row(other.stretches.front().cycles.front().begin));
     }
     return free;
 }
@@ -81,12 +81,15 @@ bool is_other(const Draft& repetitions, const Draft& other) {
     return single && other.group != repetitions.group;
 }
 
-/// Makes the motion of an action what is left of it.
+/// Makes the motion of an action, or the margins of a cyclic segment, what is left of it.
 void shorten(Draft& other, double begin, double end) {
     other.begin = begin;
     other.end = end;
     if (other.kind == SegmentKind::action)
         other.motions = {other.rows()};
+    for (CyclicStretch& cut : other.stretches)
+        for (std::vector<double>& margins : cut.margins)
+            std::erase_if(margins, [&](double at) { return at < begin || at > end; });
 }
 
 void add(Draft& to, Rows piece, bool first) {

@@ -8,6 +8,7 @@
 
 #include "clip/body/kinematics.hpp"
 #include "clip/features/column_owners.hpp"
+#include "clip/features/drift.hpp"
 #include "clip/features/features.hpp"
 
 namespace {
@@ -353,11 +354,39 @@ void sides_are_those_of_the_legs(void**) {
     }
 }
 
+/// Only what goes one way all the time is drift; a sway, a cycle and a new posture are not.
+void drift_is_removed_from_columns_that_only_drift(void**) {
+    constexpr std::int64_t rows = 1800, columns = 5;
+    constexpr double fps = 30;
+    Matrix samples(rows, columns);
+    for (std::int64_t i = 0; i < rows; ++i) {
+        const double t = static_cast<double>(i) / fps;
+        const double cycle = std::sin(2 * std::numbers::pi * t);
+        samples(i, 0) = static_cast<double>(i);
+        samples(i, 1) = 1.3 * t + 0.05 * cycle;
+        samples(i, 2) = cycle;
+        samples(i, 3) = t < 30 ? 0 : 1;
+        samples(i, 4) = std::sin(0.3 * t) + 0.1 * cycle;
+    }
+    const Matrix before = copied(samples.view());
+    const std::vector<std::int64_t> expected{0, 1};
+    assert_true(remove_drift(samples, fps) == expected);
+    for (std::int64_t i = 0; i < rows; ++i) {
+        ASSERT_NEAR(samples(i, 0), 0, 1e-6);
+        ASSERT_NEAR(samples(i, 1), 0.05 * before(i, 2), 0.03);
+        for (std::int64_t c = 2; c < columns; ++c)
+            ASSERT_NEAR(samples(i, c), before(i, c), 0);
+    }
+    Matrix brief = copied(before.view().block(0, 200)); // 6.7 s say too little
+    assert_true(remove_drift(brief, fps).empty());
+}
+
 } // namespace
 
 int main() {
     const CMUnitTest tests[] = {
         cmocka_unit_test(sides_are_those_of_the_legs),
+        cmocka_unit_test(drift_is_removed_from_columns_that_only_drift),
         cmocka_unit_test(ignore_place_and_heading),
         cmocka_unit_test(contain_lean),
         cmocka_unit_test(positions_are_world_positions_without_heading),

@@ -163,6 +163,22 @@ void rests_are_found_in_noise(void**) {
     assert_int_equal(rests(0.15), 2);
 }
 
+/// A body that only sways stands, if its size is known.
+void a_swaying_body_rests(void**) {
+    const Matrix samples = Recorder()
+                               .action(9, 0, 0.005)
+                               .action(6, 4, 0.004)
+                               .action(14, 2, 0.005)
+                               .action(8, 6, 0.003)
+                               .samples(0);
+    Options options;
+    assert_false(moving_kinds(analyze(samples.view(), fps, options, Progress())).empty());
+    options.size = 1;
+    const Recording found = analyze(samples.view(), fps, options, Progress());
+    assert_true(moving_kinds(found).empty());
+    check_cover(found, samples);
+}
+
 /// A crop has the cycles of the whole recording, though its curve may have the other sign.
 void cycles_of_a_crop_begin_at_the_same_half(void**) {
     Matrix samples = Recorder().cycles(60, 1.1, 0).samples();
@@ -219,6 +235,7 @@ int main() {
         cmocka_unit_test(a_closed_clip_is_one_cycle),
         cmocka_unit_test(the_number_of_segments_may_be_given),
         cmocka_unit_test(rests_are_found_in_noise),
+        cmocka_unit_test(a_swaying_body_rests),
         cmocka_unit_test(cycles_of_a_crop_begin_at_the_same_half),
         cmocka_unit_test(no_cycle_is_lost_at_the_ends),
         cmocka_unit_test(it_can_be_cancelled),
