@@ -29,10 +29,14 @@ double mean_unlikeness(const Signal& signal, const std::vector<Rows>& motions, R
     return sum / static_cast<double>(count);
 }
 
-/// The rows of the other motion that are free: outside its cycles, and leaving some of it.
+/// The rows of the other motion that are free: of its last or first motion, outside its cycles, and
+/// leaving some of it.
 Rows free_rows(const Signal& signal, const Draft& other, bool at_end) {
     const auto left = static_cast<std::int64_t>(least_left_s * signal.rate);
     Rows free = other.rows();
+    if (!other.motions.empty())
+        (at_end ? free.begin : free.end) =
+            at_end ? other.motions.back().begin : other.motions.front().end;
     (at_end ? free.begin : free.end) += at_end ? left : -left;
     if (!other.stretches.empty()) {
         const auto row = [](double at) { return static_cast<std::int64_t>(std::lround(at)); };
@@ -77,16 +81,17 @@ bool is_pause(const Signal& signal, const Draft& draft) {
 
 /// Whether the other motion may end in a repetition, rather than be one.
 bool is_other(const Draft& repetitions, const Draft& other) {
-    const bool single = other.kind == SegmentKind::action || other.kind == SegmentKind::cyclic;
-    return single && other.group != repetitions.group;
+    return other.kind != SegmentKind::rest && other.group != repetitions.group;
 }
 
-/// Makes the motion of an action, or the margins of a cyclic segment, what is left of it.
+/// Makes motions and margins what is left of them.
 void shorten(Draft& other, double begin, double end) {
     other.begin = begin;
     other.end = end;
-    if (other.kind == SegmentKind::action)
-        other.motions = {other.rows()};
+    if (!other.motions.empty()) {
+        other.motions.front().begin = std::max(other.motions.front().begin, other.rows().begin);
+        other.motions.back().end = std::min(other.motions.back().end, other.rows().end);
+    }
     for (CyclicStretch& cut : other.stretches)
         for (std::vector<double>& margins : cut.margins)
             std::erase_if(margins, [&](double at) { return at < begin || at > end; });
