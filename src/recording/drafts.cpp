@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
 
+#include "motion/curve/statistics.hpp"
 #include "recording/repetition_ends.hpp"
 
 namespace stltsa::recording {
@@ -20,6 +22,14 @@ constexpr double least_piece_s = 0.8;
 constexpr double longest_absorbed_s = 1.5;
 /// Motion in a pause between repetitions is shorter than this share of them.
 constexpr double most_of_pause = 0.5;
+/// A motion is several of a group if it is so many times as long, and their mean unlikeness to its
+/// members is less; each ends where the body is slowest within this share of its length.
+constexpr double least_times = 1.5;
+constexpr double most_times = 6.5;
+constexpr double most_unlike = 0.35;
+constexpr double slowest_within = 0.25;
+constexpr std::size_t members_compared = 5;
+constexpr std::size_t groups_compared = 8;
 /// A lag that matches less is not worth a message.
 constexpr double least_match = 0.2;
 
@@ -153,7 +163,6 @@ struct Motions {
     std::vector<int> groups;
     std::vector<bool> whole; ///< between pauses; else a piece
 
-    std::int64_t like(std::size_t i) const { return std::ranges::count(groups, groups[i]); }
     /// Whether another motion of its group is whole: pieces of other behaviors are alike as well,
     /// such as arms that fall after each wave.
     bool known(std::size_t i) const {
@@ -175,17 +184,104 @@ bool between_pauses(const Signal& signal, const Pauses& pauses, Rows motion) {
            (motion.end == signal.rows() || begins(motion.end));
 }
 
-/// Motions between pauses. One that is like no other is cut where the behavior changes: no pause
-/// may lie between the last repetition of one action and the first of the next.
+/// The motion as `count` repetitions with pauses so short that no rest was seen: cut where the body
+/// is slowest near equal parts. Empty if one is unlike the members of the group.
+std::vector<Rows> as_repetitions(const Signal& signal, Rows motion, std::int64_t count,
+                                 const std::vector<Rows>& members) {
+    std::vector<Rows> parts;
+    const double length = static_cast<double>(motion.count()) / static_cast<double>(count);
+    std::int64_t at = motion.begin;
+    for (std::int64_t k = 1; k <= count; ++k) {
+        std::int64_t end = motion.end;
+        if (k < count) {
+            const double place =
+                static_cast<double>(motion.begin) + static_cast<double>(k) * length;
+            const auto from = static_cast<std::ptrdiff_t>(place - slowest_within * length);
+            const auto to = static_cast<std::ptrdiff_t>(place + slowest_within * length);
+            end = std::min_element(signal.speed.begin() + from, signal.speed.begin() + to) -
+                  signal.speed.begin();
+        }
+        parts.push_back({at, end});
+        at = end;
+    }
+    const bool alike = std::ranges::all_of(parts, [&](const Rows& part) {
+        double sum = 0;
+        for (const Rows& member : members)
+            sum += unlikeness(signal, member, part);
+        return sum < most_unlike * static_cast<double>(members.size());
+    });
+    return alike ? parts : std::vector<Rows>();
+}
+
+struct Group {
+    int id = 0;
+    std::size_t count = 0;
+    double length = 0;         ///< median, rows
+    std::vector<Rows> members; ///< the first ones
+};
+
+/// The largest groups of several motions.
+std::vector<Group> largest_groups(const Motions& motions) {
+    std::vector<std::vector<Rows>> all;
+    for (std::size_t i = 0; i < motions.rows.size(); ++i) {
+        const auto id = static_cast<std::size_t>(motions.groups[i]);
+        all.resize(std::max(all.size(), id + 1));
+        all[id].push_back(motions.rows[i]);
+    }
+    std::vector<Group> groups;
+    for (std::size_t id = 0; id < all.size(); ++id) {
+        if (all[id].size() < 2)
+            continue;
+        std::vector<double> lengths;
+        for (const Rows& rows : all[id])
+            lengths.push_back(static_cast<double>(rows.count()));
+        const std::size_t size = all[id].size();
+        all[id].resize(std::min(size, members_compared));
+        groups.push_back({static_cast<int>(id), size, motion::median(lengths), all[id]});
+    }
+    std::ranges::stable_sort(groups, std::greater<>(), &Group::count);
+    groups.resize(std::min(groups.size(), groups_compared));
+    return groups;
+}
+
+/// The motion as several of a larger group, or nothing.
+std::vector<Rows> split_by_group(const Signal& signal, Rows motion, int own, std::size_t like,
+                                 const std::vector<Group>& groups) {
+    for (const Group& group : groups) {
+        const double times = static_cast<double>(motion.count()) / group.length;
+        if (group.id == own || group.count <= like || times < least_times || times > most_times)
+            continue;
+        for (const double count : {std::floor(times), std::ceil(times)})
+            if (count >= 2)
+                if (auto parts = as_repetitions(signal, motion, static_cast<std::int64_t>(count),
+                                                group.members);
+                    !parts.empty())
+                    return parts;
+    }
+    return {};
+}
+
+/// Motions between pauses. One that is like no other may be several of a group; otherwise it is cut
+/// where the behavior changes: no pause may lie between the last repetition of one action and the
+/// first of the next.
 Motions grouped_motions(const Signal& signal, const std::vector<Part>& parts, const Pauses& pauses,
                         const std::vector<Rows>& ranges) {
     Motions whole{find_motions(signal, pauses, ranges), {}, {}};
     whole.groups = group_motions(signal, whole.rows);
+    const std::vector<Group> groups = largest_groups(whole);
+    std::vector<std::size_t> counts;
+    for (const int group : whole.groups) {
+        counts.resize(std::max(counts.size(), static_cast<std::size_t>(group) + 1));
+        ++counts[static_cast<std::size_t>(group)];
+    }
     Motions cut;
     for (std::size_t i = 0; i < whole.rows.size(); ++i) {
-        const std::vector<Rows> pieces = whole.like(i) > 1
-                                             ? std::vector<Rows>{whole.rows[i]}
-                                             : pieces_of(signal, parts, whole.rows[i]);
+        const std::size_t like = counts[static_cast<std::size_t>(whole.groups[i])];
+        std::vector<Rows> pieces =
+            split_by_group(signal, whole.rows[i], whole.groups[i], like, groups);
+        if (pieces.empty())
+            pieces = like > 1 ? std::vector<Rows>{whole.rows[i]}
+                              : pieces_of(signal, parts, whole.rows[i]);
         std::ranges::copy(pieces, std::back_inserter(cut.rows));
         cut.whole.resize(cut.rows.size(),
                          pieces.size() == 1 && between_pauses(signal, pauses, whole.rows[i]));

@@ -163,6 +163,19 @@ void rests_are_found_in_noise(void**) {
     assert_int_equal(rests(0.15), 2);
 }
 
+/// Two repetitions with a pause too short to be a rest are two.
+void repetitions_with_a_short_pause_are_counted(void**) {
+    Recorder recorder;
+    recorder.rest(1);
+    for (const double pause : {0.8, 0.6, 0.1, 0.7, 0.8, 0.1, 0.6, 0.8})
+        recorder.action(1.2, 4).rest(pause);
+    const Recording found = answer(recorder.samples());
+    assert_int_equal(found.repetitions.size(), 8);
+    assert_int_equal(moving_kinds(found).size(), 1);
+    for (const Repetition& repetition : found.repetitions)
+        ASSERT_NEAR((repetition.end - repetition.begin) / fps, 1.2, 0.4);
+}
+
 /// A body that only sways stands, if its size is known.
 void a_swaying_body_rests(void**) {
     const Matrix samples = Recorder()
@@ -235,6 +248,7 @@ int main() {
         cmocka_unit_test(a_closed_clip_is_one_cycle),
         cmocka_unit_test(the_number_of_segments_may_be_given),
         cmocka_unit_test(rests_are_found_in_noise),
+        cmocka_unit_test(repetitions_with_a_short_pause_are_counted),
         cmocka_unit_test(a_swaying_body_rests),
         cmocka_unit_test(cycles_of_a_crop_begin_at_the_same_half),
         cmocka_unit_test(no_cycle_is_lost_at_the_ends),
