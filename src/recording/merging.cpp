@@ -21,7 +21,7 @@ std::size_t next_moving(const std::vector<Draft>& drafts, std::size_t i) {
 }
 
 /// What both do, if it is of one kind. Otherwise the cycles of one, or a single action.
-Draft merged(Draft a, Draft b) {
+Draft merged(const Draft& a, Draft b) {
     const bool alike = a.kind == b.kind && a.group == b.group;
     Draft one = alike || a.kind == SegmentKind::cyclic ? a : b;
     if (alike) {
@@ -64,7 +64,7 @@ void merge_to(const KernelFeatures& features, std::int64_t count, std::vector<Dr
             }
         }
         const std::size_t next = next_moving(drafts, best);
-        drafts[best] = merged(std::move(drafts[best]), std::move(drafts[next]));
+        drafts[best] = merged(drafts[best], std::move(drafts[next]));
         drafts.erase(drafts.begin() + static_cast<std::ptrdiff_t>(best) + 1,
                      drafts.begin() + static_cast<std::ptrdiff_t>(next) + 1);
     }
