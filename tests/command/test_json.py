@@ -2,6 +2,7 @@
 """JSON: schemas, and numbers."""
 
 import copy
+import csv
 import json
 import os
 import shutil
@@ -216,6 +217,34 @@ class Content(CommandTest):
         self.assertEqual(found["samples"]["smoothing_s"], 0)
         self.assertEqual(found["samples"]["frame_step"], 2)
         self.assertEqual(found["samples"]["up_axis"], "z")
+
+    def test_table_for_spreadsheets(self):
+        path = self.folder / "units.csv"
+        self.done("decompose", walk(), "-o", path)
+        with path.open(encoding="ascii", newline="") as file:
+            rows = list(csv.DictReader(file))
+        found = self.json("decompose", walk())
+        for level, listed in (
+            ("segment", found["segments"]),
+            ("unit", found["units"]),
+            ("cycle", found["cycles"]),
+            ("repetition", found["repetitions"]),
+        ):
+            own = [row for row in rows if row["level"] == level]
+            self.assertEqual(len(own), len(listed), level)
+            for row, one in zip(own, listed, strict=True):
+                self.assertEqual(row["kind"], one.get("kind", level))
+                self.assertEqual((int(row["begin"]), int(row["end"])), (one["begin"], one["end"]))
+                self.assertEqual(float(row["begin_s"]), one["begin_s"])
+                self.assertAlmostEqual(float(row["duration_s"]), one["end_s"] - one["begin_s"])
+                for key in ("likeness", "confidence"):
+                    self.assertEqual(float(row[key]) if row[key] else None, one.get(key))
+                segment = found["segments"][one.get("segment", 0)] if level != "segment" else one
+                self.assertEqual(row["label"] or None, segment["label"])
+        self.assertIn(".csv", self.fails(2, "decompose", walk(), "-o", self.folder / "units.xls"))
+        self.assertIn(".json", self.fails(2, "decompose", walk(), "--json", "-o", path))
+        table = self.done("decompose", walk())
+        self.assertEqual(self.done("decompose", walk(), "-o", "-"), table)
 
     def test_markers(self):
         found = self.json("decompose", markers())

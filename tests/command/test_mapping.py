@@ -103,6 +103,15 @@ class Mapping(CommandTest):
         found = self.json("unmap", model, timed, "-o", self.folder / "poses.bvh")
         self.assertAlmostEqual(found["fps"], 60, delta=1e-6)
 
+    def test_coordinates_keep_their_rate(self):
+        model = self.model(walk(), "--dimension", "3")
+        points, poses = self.folder / "mapped.csv", self.folder / "again.bvh"
+        self.done("map", model, walk(), "-o", points)
+        self.done("unmap", model, points, "-o", poses)
+        made, source = self.json("info", poses)["clip"], self.json("info", walk())["clip"]
+        self.assertEqual(made["frames"], source["frames"])
+        self.assertAlmostEqual(made["fps"], source["fps"], delta=1e-3)
+
     def test_a_clip_without_a_rate(self):
         clip = self.folder / "still.bvh"
         text = walk().read_text(encoding="ascii")

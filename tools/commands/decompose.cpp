@@ -24,7 +24,7 @@ Exit run_decompose(const Arguments& arguments) {
         session.add_file(arguments.plot, decomposition_figure(session, found));
     session.finish({[&] { return arguments.curve ? json_with_samples(found) : found.json(); },
                     [&] { return decomposition_report(found, session.title()); },
-                    found.warnings()});
+                    found.warnings(), [&] { return decomposition_csv(found); }});
     return Exit::done;
 }
 

@@ -29,7 +29,7 @@ Exit run_map(const Arguments& arguments) {
     const Mapping mapping{arguments, model, model.map(clip, session.options()), clip.fps(),
                           warnings_of(model, clip)};
     if (!arguments.product.empty())
-        session.add_table(arguments.product, mapping.rows.values);
+        session.add_table(arguments.product, mapping.rows.values, "y", clip.fps());
     session.finish({[&] { return mapping_json(mapping); },
                     [&] { return mapping_report(mapping, session.title()); }, mapping.warnings});
     return Exit::done;

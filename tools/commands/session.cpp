@@ -74,7 +74,7 @@ void check_outputs(const Arguments& arguments) {
         taken.push_back(skeleton->second);
     for (const std::string& path : {arguments.output, arguments.plot, arguments.coords,
                                     arguments.product, arguments.curve_product}) {
-        if (path.empty())
+        if (path.empty() || path == "-")
             continue;
         check_output_place(path, taken);
         taken.push_back(path);
@@ -146,9 +146,10 @@ void Session::add_file(const std::string& path, std::string content) {
     files_.add(path, std::move(content));
 }
 
-void Session::add_table(const std::string& path, const stltsa::Matrix& table, const char* column) {
+void Session::add_table(const std::string& path, const stltsa::Matrix& table, const char* column,
+                        double fps) {
     if (!ends_in(path, ".npy"))
-        return add_file(path, csv_text(table, column));
+        return add_file(path, csv_text(table, column, fps));
     constexpr double any_rate = 1; // NPY has none
     const auto clip = std::make_shared<stltsa::Clip>(stltsa::Clip::from_matrix(table, any_rate));
     files_.add_written(path, [clip](const std::string& name) { save(*clip, name); });
@@ -164,7 +165,8 @@ void Session::add_model(const std::string& path, const stltsa::Model& model) {
 
 /// Warnings are part of the table; if the user does not see it, they go to stderr too.
 void Session::warn(const std::vector<std::string>& warnings) const {
-    const bool seen = !arguments_.json && arguments_.output.empty();
+    const bool seen =
+        !arguments_.json && (arguments_.output.empty() || arguments_.output == "-");
     if (arguments_.quiet || seen)
         return;
     for (const std::string& warning : warnings)
@@ -172,9 +174,12 @@ void Session::warn(const std::vector<std::string>& warnings) const {
 }
 
 void Session::finish(const Answer& answer) {
-    const bool to_stdout = arguments_.output.empty();
+    const bool to_stdout = arguments_.output.empty() || arguments_.output == "-";
     const bool colors = to_stdout && colors_wanted(STDOUT_FILENO, !arguments_.no_color);
-    const std::string text = arguments_.json ? answer.json() + '\n' : shown(answer.table(), colors);
+    const bool csv = answer.csv && ends_in(arguments_.output, ".csv");
+    const std::string text = arguments_.json ? answer.json() + '\n'
+                             : csv           ? answer.csv()
+                                             : shown(answer.table(), colors);
     stop_if_interrupted();
     bar_.clear();
     if (to_stdout)

@@ -40,18 +40,22 @@ class Session {
     std::string title() const;
 
     void add_file(const std::string& path, std::string content);
-    /// As NPY or CSV, by suffix; the columns of a CSV file are named y1, y2 and so on.
-    void add_table(const std::string& path, const stltsa::Matrix& table, const char* column = "y");
+    /// As NPY or CSV, by suffix; the columns of a CSV file are named y1, y2 and so on. If the rate
+    /// is known, a column of seconds comes first.
+    void add_table(const std::string& path, const stltsa::Matrix& table, const char* column = "y",
+                   double fps = 0);
     /// The suffix determines the format. The clip, like a model, must live until finish().
     void add_clip(const std::string& path, const stltsa::Clip& clip);
     void add_model(const std::string& path, const stltsa::Model& model);
-    /// The result that finish() writes, as JSON or as a table; only one of the two is called.
+    /// The result that finish() writes, as JSON or as a table; only one is called.
     struct Answer {
         std::function<std::string()> json;
         std::function<std::string()> table;
         std::vector<std::string> warnings;
+        std::function<std::string()> csv = {}; ///< empty: there is none
     };
-    /// Writes the JSON or, without --json, the table; then moves the files to their destinations.
+    /// Writes the JSON or, without --json, the table, or the CSV if --output ends in .csv; then
+    /// moves the files to their destinations.
     void finish(const Answer& answer);
 
   private:

@@ -21,6 +21,7 @@ std::string synthesis_report(const stltsa::Synthesis& synthesis,
                              const std::vector<std::string>& pieces);
 std::string decomposition_report(const stltsa::Decomposition& decomposition,
                                  const std::string& title);
+std::string decomposition_csv(const stltsa::Decomposition& decomposition);
 
 /// "3 cycles, period 1.10 s", or the reason why there are none.
 std::string decomposition_summary(const stltsa::Decomposition& decomposition);

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The table for spreadsheets: one row for each segment, unit, cycle and repetition.
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "reports/report.hpp"
+#include "terminal/text.hpp"
+
+namespace tool {
+namespace {
+
+constexpr const char* header =
+    "level,kind,label,begin,end,begin_s,end_s,duration_s,likeness,confidence\n";
+
+std::string number(double value) {
+    return std::isnan(value) ? std::string() : fmt::format("{}", value);
+}
+
+template <class Part>
+std::string row(const char* level, const char* kind, const stltsa::Segment& segment,
+                const Part& part, double likeness, double confidence) {
+    const std::string label = segment.label < 0 ? std::string() : label_text(segment.label);
+    return fmt::format("{},{},{},{},{},{},{},{},{},{}\n", level, kind, label, part.begin, part.end,
+                       part.begin_s, part.end_s, part.end_s - part.begin_s, number(likeness),
+                       number(confidence));
+}
+
+} // namespace
+
+std::string decomposition_csv(const stltsa::Decomposition& result) {
+    const std::vector<stltsa::Segment> segments = result.segments();
+    const auto segment_of = [&](std::int64_t index) -> const stltsa::Segment& {
+        return segments.at(static_cast<std::size_t>(index));
+    };
+    std::string text = header;
+    for (const stltsa::Segment& segment : segments)
+        text += row("segment", stltsa::segment_name(segment.kind), segment, segment,
+                    segment.likeness, segment.confidence);
+    for (const stltsa::Interval& unit : result.units())
+        text += row("unit", stltsa::unit_name(unit.kind), segment_of(unit.segment), unit, NAN, NAN);
+    for (const stltsa::Part& cycle : result.parts(STLTSA_PART_CYCLE))
+        text += row("cycle", "cycle", segment_of(cycle.segment), cycle, cycle.likeness,
+                    cycle.confidence);
+    for (const stltsa::Part& repetition : result.parts(STLTSA_PART_REPETITION))
+        text += row("repetition", "repetition", segment_of(repetition.segment), repetition,
+                    repetition.likeness, repetition.confidence);
+    return text;
+}
+
+} // namespace tool
