@@ -62,7 +62,7 @@ class Files(CommandTest):
         self.assertEqual(path.read_bytes(), text)
 
     def test_failed_writes_leave_nothing(self):
-        for full in ("/dev/full", "/nonexistent/x.svg", self.folder):
+        for full in ("/dev/full", "/nonexistent/x", self.folder):
             with self.subTest(full=full):
                 self.fails(1, "decompose", walk(), "-o", full)
                 self.fails(1, "decompose", walk(), "-o", self.folder / "a", "--plot", full)
@@ -78,10 +78,12 @@ class Files(CommandTest):
         for same in (clip, link, self.folder / "sub" / ".." / "walk.svg"):
             self.assertIn("input", self.fails(2, "decompose", clip, "--plot", same))
             self.assertIn("input", self.fails(2, "fit", walk(), "--skeleton", clip, "--plot", same))
-        self.assertIn("input", self.fails(2, "decompose", "walk.svg", "-o", clip, cwd=self.folder))
+        self.assertIn("input", self.fails(2, "dimension", "walk.svg", "-o", clip, cwd=self.folder))
         self.assertEqual(clip.read_bytes(), walk().read_bytes())
-        new = self.folder / "new.svg"
-        message = self.fails(2, "decompose", walk(), "-o", "new.svg", "--plot", new, cwd=self.folder)
+        new = self.folder / "new.npy"
+        message = self.fails(
+            2, "denoise", walk(), "-o", "new.npy", "--curve-out", new, cwd=self.folder
+        )
         self.assertIn("two outputs", message)
         self.assertFalse(new.exists())
         self.done("decompose", walk(), "-o", "/dev/null", "--plot", "/dev/null")

@@ -317,7 +317,8 @@ class Parser {
         return app.add_option("-o,--output", to_.product, text)->type_name("FILE");
     }
     void add_output(CLI::App& app) {
-        app.add_option("-o,--output", to_.output, "Write the result to a file; -: standard output.")->type_name("FILE");
+        app.add_option("-o,--output", to_.output, "Write the result to a file; -: standard output.")
+            ->type_name("FILE");
     }
     void add_plot(CLI::App& app) {
         app.add_option("--plot", to_.plot, "Write a figure as SVG.")->type_name("FILE");
@@ -356,9 +357,9 @@ void check_arguments(const Arguments& arguments) {
     if (arguments.command == Command::decompose && has_suffix(arguments.output))
         check_suffix("-o", arguments.output, {".csv", ".json", ".txt"});
     if (ends_in(arguments.output, ".csv") && arguments.json)
-        throw Failure(Exit::usage,
-                      fmt::format("--output {}: JSON goes to a file that ends in .json",
-                                  arguments.output));
+        throw Failure(
+            Exit::usage,
+            fmt::format("--output {}: JSON goes to a file that ends in .json", arguments.output));
     if (ends_in(arguments.output, ".json") && !arguments.json)
         throw Failure(Exit::usage, fmt::format("--output {}: the result is a table for people; "
                                                "--json makes it JSON",

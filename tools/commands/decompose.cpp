@@ -23,8 +23,8 @@ Exit run_decompose(const Arguments& arguments) {
     if (!arguments.plot.empty())
         session.add_file(arguments.plot, decomposition_figure(session, found));
     session.finish({[&] { return arguments.curve ? json_with_samples(found) : found.json(); },
-                    [&] { return decomposition_report(found, session.title()); },
-                    found.warnings(), [&] { return decomposition_csv(found); }});
+                    [&] { return decomposition_report(found, session.title()); }, found.warnings(),
+                    [&] { return decomposition_csv(found); }});
     return Exit::done;
 }
 

@@ -165,8 +165,7 @@ void Session::add_model(const std::string& path, const stltsa::Model& model) {
 
 /// Warnings are part of the table; if the user does not see it, they go to stderr too.
 void Session::warn(const std::vector<std::string>& warnings) const {
-    const bool seen =
-        !arguments_.json && (arguments_.output.empty() || arguments_.output == "-");
+    const bool seen = !arguments_.json && (arguments_.output.empty() || arguments_.output == "-");
     if (arguments_.quiet || seen)
         return;
     for (const std::string& warning : warnings)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The table for spreadsheets: one row for each segment, unit, cycle and repetition.
 #include <cmath>
+#include <limits>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -10,6 +12,7 @@
 namespace tool {
 namespace {
 
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr const char* header =
     "level,kind,label,begin,end,begin_s,end_s,duration_s,likeness,confidence\n";
 
@@ -18,7 +21,7 @@ std::string number(double value) {
 }
 
 template <class Part>
-std::string row(const char* level, const char* kind, const stltsa::Segment& segment,
+std::string row(std::string_view level, std::string_view kind, const stltsa::Segment& segment,
                 const Part& part, double likeness, double confidence) {
     const std::string label = segment.label < 0 ? std::string() : label_text(segment.label);
     return fmt::format("{},{},{},{},{},{},{},{},{},{}\n", level, kind, label, part.begin, part.end,
@@ -38,7 +41,8 @@ std::string decomposition_csv(const stltsa::Decomposition& result) {
         text += row("segment", stltsa::segment_name(segment.kind), segment, segment,
                     segment.likeness, segment.confidence);
     for (const stltsa::Interval& unit : result.units())
-        text += row("unit", stltsa::unit_name(unit.kind), segment_of(unit.segment), unit, NAN, NAN);
+        text += row("unit", stltsa::unit_name(unit.kind), segment_of(unit.segment), unit, unknown,
+                    unknown);
     for (const stltsa::Part& cycle : result.parts(STLTSA_PART_CYCLE))
         text += row("cycle", "cycle", segment_of(cycle.segment), cycle, cycle.likeness,
                     cycle.confidence);
