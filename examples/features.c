@@ -28,14 +28,13 @@ static stltsa_status print_joints(const stltsa_clip* clip, const float* position
     const int64_t frames = stltsa_clip_frames(clip);
     const int64_t joints = stltsa_clip_joints(clip);
     for (int64_t j = 0; j < joints; ++j) {
-        const char* name = NULL; /* owned by the clip */
-        int64_t parent = -1;
-        int32_t is_end_site = 0;
-        const stltsa_status status = stltsa_clip_joint(clip, j, &name, &parent, &is_end_site);
+        stltsa_joint joint = {sizeof joint, NULL, 0, {0, 0, 0}, NULL, 0, 0};
+        const stltsa_status status = stltsa_clip_joint(clip, j, &joint);
         if (status != STLTSA_OK)
             return status;
-        printf("joint %2lld, parent %2lld, path %9.3f  %s%s\n", (long long)j, (long long)parent,
-               path_length(positions, frames, joints, j), name, is_end_site ? " (end site)" : "");
+        printf("joint %2lld, parent %2lld, path %9.3f  %s%s\n", (long long)j,
+               (long long)joint.parent, path_length(positions, frames, joints, j), joint.name,
+               joint.is_end_site ? " (end site)" : "");
     }
     return STLTSA_OK;
 }

@@ -210,8 +210,21 @@ enum {
                                       motion; 0: none */
     STLTSA_OPT_DIMENSION_ESTIMATE = 31, /* int decompose: 1: also estimate the intrinsic dimension
                                       of what is embedded (STLTSA_INFO_LOCAL_PCA, _EIGENGAP) */
-    STLTSA_OPT_SEGMENTS = 32     /* int   decompose: number of segments in motion; rests are not
+    STLTSA_OPT_SEGMENTS = 32,    /* int   decompose: number of segments in motion; rests are not
                                       counted; auto: as many as the behavior changes */
+    STLTSA_OPT_GAPS = 33,        /* int   STLTSA_GAPS_* */
+    STLTSA_OPT_LEAST_CONFIDENCE = 34 /* real  points seen with less are missing */
+};
+
+/* What is done about missing values, of points or of the columns of a matrix. A point or column
+ * that is missing in more than half of the frames is left out (its features are 0). While more than
+ * half of the points, or columns, are missing for longer than 0.25 s, nothing is known: no segment,
+ * unit, cycle or repetition continues over these frames. Notes say what was done. */
+enum {
+    STLTSA_GAPS_FILL = 1,   /* gaps up to 0.25 s: linearly over time; longer ones: as skip */
+    STLTSA_GAPS_REFUSE = 2, /* E_NOT_FINITE */
+    STLTSA_GAPS_SKIP = 3    /* what the points that are there imply (conditional mean), so that
+                               distances are those of what both frames have */
 };
 
 enum {
@@ -226,16 +239,15 @@ enum {
     STLTSA_FEATURES_ROTATIONS6D = 2, /* two columns of each rotation matrix, root yaw removed */
     STLTSA_FEATURES_EULER = 3,       /* angles below the root in radians, unwrapped (the paper) */
     STLTSA_FEATURES_RAW = 4,         /* the file's numbers */
-    STLTSA_FEATURES_POINTS = 5       /* points in space, such as markers, of a clip without a
-                                        skeleton, three columns each; auto if all columns are
-                                        named as those of at least three points (heel_x, heel_y,
-                                        heel_z, or heelX, heel.x, heel:x, "heel x"). A point that
-                                        is at exactly (0, 0, 0) or, in a CSV file so named, has
-                                        no value is missing: filled linearly over time; left out
-                                        if missing in more than half of the frames (its features
-                                        are 0). Removed: the path of the mean along the ground,
-                                        slow changes of its height, the heading. Notes say what
-                                        was done */
+    STLTSA_FEATURES_POINTS = 5       /* points, such as markers, of a clip without a skeleton; auto
+                                        if the clip is made of at least three (stltsa_clip_from_
+                                        points; NPY frames x points x 3; CSV columns named heel_x,
+                                        heel_y, heel_z, or heelX, heel.x, heel:x, "heel x"). A point
+                                        at exactly 0, or without a value, is missing: option gaps.
+                                        Removed: the path of the mean along the ground, slow
+                                        changes of its height, the heading; in a plane, the path of
+                                        the mean, and the heading if it turns by a right angle.
+                                        Notes say what was done */
 };
 
 enum { STLTSA_TYPE_INT = 1, STLTSA_TYPE_REAL = 2, STLTSA_TYPE_TEXT = 3 };
@@ -514,14 +526,18 @@ typedef struct stltsa_clip stltsa_clip;
 enum {
     STLTSA_FORMAT_BVH = 1, /* BVH */
     STLTSA_FORMAT_AMC = 2, /* AMC; needs its ASF: option skeleton, or found by subject number */
-    STLTSA_FORMAT_CSV = 3, /* numbers split by , ; tab or blanks; a header line is optional */
-    STLTSA_FORMAT_NPY = 4, /* NumPy 1.0 to 3.0, 1-D or 2-D, float32 or float64, C or Fortran;
-                              other shapes, such as frames x joints x 3, must be reshaped */
-    STLTSA_FORMAT_MATRIX = 5 /* no file: stltsa_clip_from_matrix */
+    STLTSA_FORMAT_CSV = 3, /* numbers split by , ; tab or blanks; header lines are optional.
+                              Columns named x, y, z of each point make a clip of points; an empty
+                              cell is a missing value */
+    STLTSA_FORMAT_NPY = 4, /* NumPy 1.0 to 3.0, float32 or float64, C or Fortran order: frames,
+                              frames x columns, or frames x points x 2 or 3 */
+    STLTSA_FORMAT_MATRIX = 5, /* no file: stltsa_clip_from_matrix */
+    STLTSA_FORMAT_POINTS = 6, /* no file: stltsa_clip_from_points */
+    STLTSA_FORMAT_SKELETON = 7 /* no file: stltsa_clip_from_skeleton */
 };
 
 /* Reads a clip. The suffix decides the format, or the content if the suffix is unknown. Options:
- * fps, skeleton, progress. E_IO, E_FORMAT (the text has path, line and remedy), E_NOT_FINITE. */
+ * fps, skeleton, least_confidence, progress. E_IO, E_FORMAT (the text has path, line and remedy), E_NOT_FINITE. */
 STLTSA_API stltsa_status stltsa_clip_open(const char *path, const stltsa_options *options,
                                           stltsa_clip **clip) STLTSA_NOEXCEPT;
 
@@ -533,6 +549,61 @@ STLTSA_API stltsa_status stltsa_clip_parse(const void *bytes, size_t size, int32
 /* A clip without a skeleton from a matrix, rows = frames, which is copied. fps > 0. */
 STLTSA_API stltsa_status stltsa_clip_from_matrix(const stltsa_in *frames, double fps,
                                                  stltsa_clip **clip) STLTSA_NOEXCEPT;
+
+/* Points in space or in a plane, such as markers or key points. Set size to
+ * sizeof(stltsa_points), and all else to 0 or NULL that is not used. */
+typedef struct stltsa_points {
+    size_t size;
+    int32_t space, reserved;     /* coordinates of a point: 2 or 3 */
+    stltsa_in positions;         /* frames x (space * points): x y z of point 0, point 1, ...; NaN,
+                                    and 0 for all of them, is a missing point */
+    const char *const *names;    /* one per point; NULL: they have none */
+    stltsa_in confidence;        /* frames x points, 0: missing; data NULL: all are seen */
+    stltsa_in times;             /* frames x 1, seconds, increasing; data NULL: even, by fps */
+    double fps;                  /* 0: given by the times */
+} stltsa_points;
+
+/* A clip of points, which are copied. Frames at uneven times are resampled to the rate of the
+ * median step, which a note says; frames that are missing there are gaps. Option: least_confidence.
+ * E_SHAPE, E_ARGUMENT (times that do not increase, no rate), E_FORMAT (more frames are missing than
+ * there are), E_NOT_FINITE (infinities). */
+STLTSA_API stltsa_status stltsa_clip_from_points(const stltsa_points *points,
+                                                 const stltsa_options *options,
+                                                 stltsa_clip **clip) STLTSA_NOEXCEPT;
+
+/* A joint of a skeleton. Append-only: set size to sizeof(stltsa_joint). */
+typedef struct stltsa_joint {
+    size_t size;
+    const char *name;      /* UTF-8, not empty */
+    int64_t parent;        /* index of an earlier joint; -1: the root, which is joint 0 */
+    double offset[3];      /* from the parent, in the parent's axes; unit of the clip */
+    /* Its values in each frame, in order: tx ty tz positions, which replace the offset (+tx +ty +tz
+     * add to it), rx ry rz angles in degrees about moving axes, so that the first is the leftmost
+     * matrix; "tx ty tz rz rx ry" is usual for a root. "": none. NULL, as input: rz rx ry, before
+     * them tx ty tz for the root, and none for end sites; as output: they are those of an ASF file,
+     * which this cannot describe. */
+    const char *channels;
+    int32_t is_end_site;   /* 1: the end of a chain, without rotation */
+    int32_t reserved;
+} stltsa_joint;
+
+/* Forms of rotations. */
+enum {
+    STLTSA_ROTATIONS_QUATERNION = 1, /* 4 columns a joint: w x y z, local, as of
+                                        stltsa_clip_rotations; lengths within 0.05 of 1 */
+    STLTSA_ROTATIONS_MATRIX = 2,     /* 9 columns a joint: the rows of its local rotation matrix */
+    STLTSA_ROTATIONS_CHANNELS = 3    /* a column for each channel of each joint */
+};
+
+/* A clip of a skeleton: joints, their local rotations (child axes to parent axes; frames x 4, 9, or
+ * channels of all joints) and the positions of the root (frames x 3; NULL: it stays at its offset,
+ * or the channels say where it is). Quaternions and matrices become the angles of the channels, each
+ * chosen nearest to those of the frame before; channels keep their bits. All is copied. fps > 0.
+ * E_SHAPE, E_ARGUMENT (a parent after its child, unknown channels, no rotation), E_NOT_FINITE. */
+STLTSA_API stltsa_status stltsa_clip_from_skeleton(const stltsa_joint *joints, int64_t count,
+                                                   int32_t form, const stltsa_in *rotations,
+                                                   const stltsa_in *root_positions, double fps,
+                                                   stltsa_clip **clip) STLTSA_NOEXCEPT;
 STLTSA_API void stltsa_clip_free(stltsa_clip *clip) STLTSA_NOEXCEPT;
 /* Path, format, frames, notes, ...: see STLTSA_INFO_*. */
 STLTSA_API const stltsa_info *stltsa_clip_info(const stltsa_clip *clip) STLTSA_NOEXCEPT;
@@ -543,10 +614,9 @@ STLTSA_API int32_t stltsa_clip_format(const stltsa_clip *clip) STLTSA_NOEXCEPT;
 STLTSA_API int64_t stltsa_clip_channels(const stltsa_clip *clip) STLTSA_NOEXCEPT;
 /* Joints and end sites in file order, parents first; 0 without a skeleton. */
 STLTSA_API int64_t stltsa_clip_joints(const stltsa_clip *clip) STLTSA_NOEXCEPT;
-/* `parent` is the index of the parent, -1 for the root. */
-STLTSA_API stltsa_status stltsa_clip_joint(const stltsa_clip *clip, int64_t joint,
-                                           const char **name, int64_t *parent,
-                                           int32_t *is_end_site) STLTSA_NOEXCEPT;
+/* Fills a joint, whose size the caller sets. Its texts are valid as long as the clip. */
+STLTSA_API stltsa_status stltsa_clip_joint(const stltsa_clip *clip, int64_t index,
+                                           stltsa_joint *joint) STLTSA_NOEXCEPT;
 
 /* World positions by forward kinematics: frames x (3 * joints), x y z of joint 0, joint 1, ...
  * E_UNSUPPORTED without a skeleton. */

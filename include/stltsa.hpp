@@ -11,12 +11,15 @@
 #ifndef STLTSA_HPP
 #define STLTSA_HPP
 
+#include <algorithm>
+#include <array>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -335,7 +338,18 @@ class Options {
 struct Joint {
     std::string name;
     std::int64_t parent = -1; ///< -1: the root
+    std::array<double, 3> offset{};
+    std::optional<std::string> channels; ///< see stltsa_joint
     bool is_end_site = false;
+};
+
+/// See stltsa_points. Views that are empty are not used.
+struct Points {
+    MatrixView positions;
+    std::int32_t space = 3;
+    std::vector<std::string> names;
+    std::optional<MatrixView> confidence, times;
+    double fps = 0;
 };
 
 class Clip {
@@ -356,6 +370,42 @@ class Clip {
     static Clip from_matrix(const MatrixView& frames, double fps) {
         return detail::made<Clip>(stltsa_clip_from_matrix, frames.get(), fps);
     }
+    /// See stltsa_clip_from_points.
+    static Clip from_points(const Points& points, const Options& options = {}) {
+        stltsa_points given{};
+        given.size = sizeof given;
+        given.space = points.space;
+        given.positions = *points.positions.get();
+        std::vector<const char*> names;
+        for (const std::string& name : points.names)
+            names.push_back(name.c_str());
+        given.names = names.empty() ? nullptr : names.data();
+        if (points.confidence)
+            given.confidence = *points.confidence->get();
+        if (points.times)
+            given.times = *points.times->get();
+        given.fps = points.fps;
+        return detail::made<Clip>(stltsa_clip_from_points, &given, options.get());
+    }
+    /// See stltsa_clip_from_skeleton; `form` is one of STLTSA_ROTATIONS_*.
+    static Clip from_skeleton(const std::vector<Joint>& joints, std::int32_t form,
+                              const MatrixView& rotations,
+                              const std::optional<MatrixView>& root_positions, double fps) {
+        std::vector<stltsa_joint> list;
+        for (const Joint& joint : joints) {
+            stltsa_joint each{};
+            each.size = sizeof each;
+            each.name = joint.name.c_str();
+            each.parent = joint.parent;
+            std::copy(joint.offset.begin(), joint.offset.end(), each.offset);
+            each.channels = joint.channels ? joint.channels->c_str() : nullptr;
+            each.is_end_site = joint.is_end_site ? 1 : 0;
+            list.push_back(each);
+        }
+        return detail::made<Clip>(stltsa_clip_from_skeleton, list.data(),
+                                  static_cast<std::int64_t>(list.size()), form, rotations.get(),
+                                  root_positions ? root_positions->get() : nullptr, fps);
+    }
 
     std::int64_t frames() const noexcept { return stltsa_clip_frames(get()); }
     double fps() const noexcept { return stltsa_clip_fps(get()); }
@@ -363,11 +413,14 @@ class Clip {
     std::int64_t channels() const noexcept { return stltsa_clip_channels(get()); }
     std::int64_t joint_count() const noexcept { return stltsa_clip_joints(get()); }
     Joint joint(std::int64_t index) const {
-        const char* name = nullptr;
-        std::int64_t parent = -1;
-        std::int32_t is_end_site = 0;
-        detail::check(stltsa_clip_joint(get(), index, &name, &parent, &is_end_site));
-        return {name, parent, is_end_site != 0};
+        stltsa_joint found{};
+        found.size = sizeof found;
+        detail::check(stltsa_clip_joint(get(), index, &found));
+        Joint joint{found.name, found.parent, {}, {}, found.is_end_site != 0};
+        std::copy(found.offset, found.offset + 3, joint.offset.begin());
+        if (found.channels != nullptr)
+            joint.channels = found.channels;
+        return joint;
     }
     std::vector<Joint> joints() const {
         return detail::list(joint_count(), [this](std::int64_t index) { return joint(index); });

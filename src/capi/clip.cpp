@@ -5,6 +5,7 @@
 
 #include "capi/boundary/arrays.hpp"
 #include "capi/boundary/guard.hpp"
+#include "capi/boundary/structs.hpp"
 #include "capi/handles.hpp"
 #include "capi/json/results.hpp"
 #include "capi/options/reader.hpp"
@@ -25,7 +26,9 @@ static_assert(same(clip::Format::bvh, STLTSA_FORMAT_BVH) &&
               same(clip::Format::amc, STLTSA_FORMAT_AMC) &&
               same(clip::Format::csv, STLTSA_FORMAT_CSV) &&
               same(clip::Format::npy, STLTSA_FORMAT_NPY) &&
-              same(clip::Format::matrix, STLTSA_FORMAT_MATRIX));
+              same(clip::Format::matrix, STLTSA_FORMAT_MATRIX) &&
+              same(clip::Format::points, STLTSA_FORMAT_POINTS) &&
+              same(clip::Format::skeleton, STLTSA_FORMAT_SKELETON));
 
 const clip::Skeleton& skeleton_of(const stltsa_clip& clip) {
     if (!clip.clip.skeleton)
@@ -35,7 +38,7 @@ const clip::Skeleton& skeleton_of(const stltsa_clip& clip) {
 
 Matrix clip_features(const stltsa_clip& clip, const stltsa_options* options) {
     const auto prepare = capi::OptionsReader(options).prepare_options();
-    return clip::features(clip.clip, prepare.features, prepare.up);
+    return clip::feature_rows(clip.clip, prepare.features, prepare.up, prepare.gaps).rows;
 }
 
 clip::Format format_of(int32_t format, std::string_view bytes) {
@@ -51,7 +54,7 @@ stltsa_status stltsa_clip_open(const char* path, const stltsa_options* options,
         const capi::OptionsReader reader(options);
         reader.progress().report(Stage::read, 0);
         auto made = std::make_unique<stltsa_clip>(
-            stltsa_clip{clip::read(&required(path, "path"), reader.read_options())});
+            clip::read(&required(path, "path"), reader.read_options()));
         reader.progress().report(Stage::read, 1);
         *clip = made.release();
     });
@@ -68,7 +71,7 @@ stltsa_status stltsa_clip_parse(const void* bytes, size_t size, int32_t format,
         const capi::OptionsReader reader(options);
         reader.progress().report(Stage::read, 0);
         auto made = std::make_unique<stltsa_clip>(
-            stltsa_clip{clip::parse(all, format_of(format, all), "memory", reader.read_options())});
+            clip::parse(all, format_of(format, all), "memory", reader.read_options()));
         made->clip.path.clear();
         reader.progress().report(Stage::read, 1);
         *clip = made.release();
@@ -80,8 +83,7 @@ stltsa_status stltsa_clip_from_matrix(const stltsa_in* frames, double fps,
     return guard([&] {
         required(clip, "clip") = nullptr;
         const capi::InputFrames input(frames, "frames");
-        if (!(fps > 0 && fps <= 1e6))
-            fail(Status::argument, "fps is {}; it must be above 0 and at most 1000000", fps);
+        capi::check_rate(fps);
         auto made = std::make_unique<stltsa_clip>();
         made->clip.fps = fps;
         const std::int64_t rows = input.view().rows;
@@ -117,19 +119,20 @@ int64_t stltsa_clip_joints(const stltsa_clip* clip) noexcept {
     return static_cast<int64_t>(clip->clip.skeleton->joints.size());
 }
 
-stltsa_status stltsa_clip_joint(const stltsa_clip* clip, int64_t joint, const char** name,
-                                int64_t* parent, int32_t* is_end_site) noexcept {
+stltsa_status stltsa_clip_joint(const stltsa_clip* clip, int64_t index,
+                                stltsa_joint* joint) noexcept {
     return guard([&] {
         const auto& joints = skeleton_of(required(clip, "clip")).joints;
-        if (joint < 0 || joint >= static_cast<int64_t>(joints.size()))
-            fail(Status::argument, "joint {} is not in 0 .. {}", joint, joints.size() - 1);
-        const clip::Joint& found = joints[static_cast<std::size_t>(joint)];
-        if (name != nullptr)
-            *name = found.name.c_str();
-        if (parent != nullptr)
-            *parent = found.parent;
-        if (is_end_site != nullptr)
-            *is_end_site = found.end_site ? 1 : 0;
+        if (index < 0 || index >= std::ssize(joints))
+            fail(Status::argument, "joint {} is not in 0 .. {}", index, joints.size() - 1);
+        const auto at = static_cast<std::size_t>(index);
+        stltsa_joint found{};
+        found.name = joints[at].name.c_str();
+        found.parent = joints[at].parent;
+        std::ranges::copy(joints[at].offset, found.offset);
+        found.channels = clip->channels.empty() ? nullptr : clip->channels[at].c_str();
+        found.is_end_site = joints[at].end_site ? 1 : 0;
+        capi::give(found, joint, "joint", "stltsa_joint");
     });
 }
 

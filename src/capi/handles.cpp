@@ -13,6 +13,11 @@ char* caller_string(const std::string& text) {
     return copy;
 }
 
+void check_rate(double fps) {
+    if (!(fps > 0 && fps <= 1e6))
+        fail(Status::argument, "fps is {}; it must be above 0 and at most 1000000", fps);
+}
+
 std::vector<const clip::Clip*> clips_of(const stltsa_clip* const* clips, std::int64_t count) {
     if (count < 1)
         fail(Status::argument, "count is {}: at least one clip is needed", count);

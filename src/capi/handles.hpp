@@ -29,13 +29,21 @@ const ltsa::Mapping* mapping_of(const stltsa_model& model);
 /// The clips that a caller passes. Throws Status::argument for none, and for NULL.
 std::vector<const clip::Clip*> clips_of(const stltsa_clip* const* clips, std::int64_t count);
 
+/// Throws Status::argument for a rate that is not above 0 and at most 1e6.
+void check_rate(double fps);
+
+/// "tx ty tz rz rx ry" for each joint; none if the skeleton is of an ASF file.
+std::vector<std::string> channel_texts(const clip::Clip& clip);
+
 } // namespace stltsa::capi
 
 struct stltsa_clip : stltsa_info {
     explicit stltsa_clip(stltsa::clip::Clip of = {})
-        : stltsa_info{&stltsa::capi::clip_table}, clip(std::move(of)) {}
+        : stltsa_info{&stltsa::capi::clip_table}, clip(std::move(of)),
+          channels(stltsa::capi::channel_texts(clip)) {}
 
     stltsa::clip::Clip clip;
+    std::vector<std::string> channels; ///< of stltsa_joint, for each joint
 };
 
 struct stltsa_model : stltsa_info, stltsa::results::Fitted {

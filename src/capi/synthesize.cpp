@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "capi/boundary/guard.hpp"
+#include "capi/boundary/structs.hpp"
 #include "capi/handles.hpp"
 #include "capi/json/results.hpp"
 #include "capi/options/reader.hpp"
@@ -65,15 +66,9 @@ stltsa_status stltsa_synthesis_seam(const stltsa_synthesis* synthesis, int64_t i
                                     stltsa_seam* seam) noexcept {
     return guard([&] {
         const auto& seams = required(synthesis, "synthesis").result.seams;
-        const std::size_t size = required(seam, "seam").size;
         if (index < 0 || index >= static_cast<int64_t>(seams.size()))
             fail(Status::argument, "seam {} does not exist: there are {}", index, seams.size());
-        // A caller built against a shorter struct gets the fields it knows.
-        if (size < sizeof(size_t) + sizeof(int64_t))
-            fail(Status::argument, "seam->size is {}; set it to sizeof(stltsa_seam)", size);
-        stltsa_seam copy = copy_of(seams[static_cast<std::size_t>(index)]);
-        copy.size = size;
-        std::memcpy(seam, &copy, std::min(size, sizeof copy));
+        capi::give(copy_of(seams[static_cast<std::size_t>(index)]), seam, "seam", "stltsa_seam");
     });
 }
 

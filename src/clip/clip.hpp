@@ -21,7 +21,15 @@ struct Quaternion {
     double w = 1, x = 0, y = 0, z = 0;
 };
 
-enum class Format : std::int32_t { bvh = 1, amc = 2, csv = 3, npy = 4, matrix = 5 };
+enum class Format : std::int32_t {
+    bvh = 1,
+    amc = 2,
+    csv = 3,
+    npy = 4,
+    matrix = 5,
+    points = 6,
+    skeleton = 7
+};
 
 /// Meaning of one value of a joint.
 enum class Channel : std::int8_t { tx, ty, tz, rx, ry, rz };
@@ -51,7 +59,9 @@ struct Clip {
     double frame_time = 0; ///< seconds as written in the file (.0083333 for 120); 0: 1 / fps
     std::optional<Skeleton> skeleton;
     /// frames x channels as in the file (degrees for rotations); the matrix itself for CSV and NPY.
+    /// Without a skeleton, NaN is a missing value.
     Matrix values;
+    int space = 0; ///< without a skeleton: coordinates of each point, 2 or 3; 0: no points
     std::vector<std::string> channel_names; ///< one per column of values; may be empty for matrices
     std::vector<std::string> notes;         ///< what the reader assumed
 
@@ -59,9 +69,10 @@ struct Clip {
 };
 
 struct ReadOptions {
-    std::optional<double> fps; ///< overrides the file's rate
-    std::string skeleton;      ///< ASF path for AMC; empty: searched for in the file's folder
-    Progress progress;         ///< called after a signal while a file is read
+    std::optional<double> fps;   ///< overrides the file's rate
+    double least_confidence = 0; ///< points that are seen with less are missing
+    std::string skeleton;        ///< ASF path for AMC; empty: searched for in the file's folder
+    Progress progress;           ///< called after a signal while a file is read
 };
 
 /// Reads a file; its suffix determines the format, or its content if the suffix is unknown. Throws

@@ -52,6 +52,8 @@ std::span<const FormatRow> formats() {
         {Format::csv, "csv", {".csv", ".tsv"}, true, false, nullptr, parse_csv, format_csv},
         {Format::npy, "npy", {".npy"}, false, false, is_npy, parse_npy, format_npy},
         {Format::matrix, "matrix", {}, false, false, nullptr, nullptr, nullptr},
+        {Format::points, "points", {}, false, false, nullptr, nullptr, nullptr},
+        {Format::skeleton, "skeleton", {}, false, false, nullptr, nullptr, nullptr},
     };
     return rows;
 }

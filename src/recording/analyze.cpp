@@ -9,6 +9,7 @@
 #include "motion/decompose.hpp"
 #include "recording/answer.hpp"
 #include "recording/change_points.hpp"
+#include "recording/holes.hpp"
 #include "recording/merging.hpp"
 #include "recording/repetitions.hpp"
 
@@ -184,6 +185,17 @@ void fit_number(const KernelFeatures& features, std::int64_t wanted,
     merge_to(features, wanted, drafts);
 }
 
+/// Every row that a hole touches.
+std::vector<Rows> rows_of(const std::vector<Hole>& holes, const Signal& signal) {
+    std::vector<Rows> result;
+    const auto step = static_cast<double>(signal.step);
+    for (const Hole& hole : holes)
+        result.push_back(
+            {static_cast<std::int64_t>(std::floor(hole.begin / step)),
+             std::min(signal.rows(), static_cast<std::int64_t>(std::ceil(hole.end / step)))});
+    return result;
+}
+
 } // namespace
 
 Recording analyze(ConstMatrixView samples, double fps, const Options& options,
@@ -192,15 +204,18 @@ Recording analyze(ConstMatrixView samples, double fps, const Options& options,
     const bool whole = wants_one_embedding(options.single);
     const bool is_short = seconds <= longest_single_s;
     const Signal signal = make_signal(samples, fps, options.smoothed_s, options.size);
-    const std::vector<Rows> rests = find_rests(signal);
-    const Pauses pauses = find_pauses(signal, rests);
+    const std::vector<Rows> holes = rows_of(options.holes, signal);
+    std::vector<Rows> rests = find_rests(signal);
+    Pauses pauses = find_pauses(signal, rests);
+    add_holes(holes, rests, pauses);
     motion::Decomposition single;
     if (whole || is_short || options.single.estimate) {
         single = motion::decompose(samples, fps, options.single, progress);
         if (whole || (!options.segments && explains(single, signal, rests, pauses, fps)) ||
             samples.rows < least_rows)
             return answer_of(signal, std::move(single), samples, options);
-        if (!options.segments && single.cycles.empty() && is_closed(signal, options.single))
+        if (!options.segments && holes.empty() && single.cycles.empty() &&
+            is_closed(signal, options.single))
             return answer_of(signal, one_cycle(std::move(single)), samples, options);
     }
     const KernelFeatures features(signal);
@@ -218,11 +233,12 @@ Recording analyze(ConstMatrixView samples, double fps, const Options& options,
     std::vector<Draft> drafts = drafts_at(border_price);
     if (options.segments)
         fit_number(features, *options.segments, drafts_at, drafts);
-    else if (is_short && repeats_in(drafts) < single.cycles.size())
+    else if (is_short && holes.empty() && repeats_in(drafts) < single.cycles.size())
         return answer_of(signal, std::move(single), samples, options);
     set_labels(signal, features, drafts);
     if (!options.segments)
         join_neighbors(drafts);
+    divide_at_holes(holes, signal.rate, drafts);
     return answer_of({signal, features, pauses}, std::move(drafts), std::move(single), samples,
                      options);
 }

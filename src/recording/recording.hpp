@@ -74,6 +74,12 @@ struct Unit {
     double end = 0;
 };
 
+/// Samples [begin, end) of which nothing is known, because most of the body was not recorded.
+struct Hole {
+    double begin = 0;
+    double end = 0;
+};
+
 struct Options {
     motion::DecomposeOptions single; ///< of a clip of one motion
     /// Number in motion; unset: as many as the behavior changes.
@@ -83,6 +89,7 @@ struct Options {
     /// One weight for each column of the samples: positive where the sum of weighted velocities is,
     /// one side of the body moves forward. Empty: the body is unknown.
     std::vector<double> side;
+    std::vector<Hole> holes; ///< ascending
 };
 
 struct Recording {

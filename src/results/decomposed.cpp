@@ -212,6 +212,20 @@ void note_drift(const clip::Clip& clip, clip::Features features,
         format_text("columns that only drift, whose slow part was subtracted: {}", text));
 }
 
+/// In samples.
+std::vector<recording::Hole> holes_of(const ClipSamples& prepared) {
+    const SampleFacts& samples = prepared.source.samples;
+    const auto sample = [&](std::int64_t frame) {
+        return std::max(0.0, static_cast<double>(frame - samples.first) /
+                                 static_cast<double>(samples.step));
+    };
+    std::vector<recording::Hole> holes;
+    for (const clip::Frames& hole : prepared.holes)
+        if (hole.end > samples.first)
+            holes.push_back({sample(hole.begin), sample(hole.end)});
+    return holes;
+}
+
 } // namespace
 
 Decomposed decompose(const clip::Clip& clip, const clip::PrepareOptions& prepare,
@@ -225,6 +239,7 @@ Decomposed decompose(const clip::Clip& clip, const clip::PrepareOptions& prepare
                prepared.source.clips.front().notes);
     options.smoothed_s = samples.smoothing;
     options.size = body_size(samples.features, prepared.samples);
+    options.holes = holes_of(prepared);
     options.side = clip::side_weights(clip, samples.features, samples.up, prepared.samples.view());
     recording::Recording found =
         recording::analyze(prepared.samples.view(), fps, options, progress);

@@ -40,6 +40,7 @@ ClipSamples prepare_clip(const clip::Clip& clip, const clip::PrepareOptions& pre
     result.lengths = {prepared.samples.rows()};
     result.samples = std::move(prepared.samples);
     result.jump = prepared.jump;
+    result.holes = std::move(prepared.holes);
     return result;
 }
 

@@ -19,7 +19,8 @@ struct ClipSamples {
     Matrix samples;
     std::vector<std::int64_t> lengths; ///< samples of each clip
     Source source;
-    std::int64_t jump = 0; ///< of a single clip: see clip::Prepared
+    std::int64_t jump = 0;           ///< of a single clip: see clip::Prepared
+    std::vector<clip::Frames> holes; ///< of a single clip: see clip::Prepared
 };
 
 /// Takes at least one clip. Throws Status::shape if joints, channels, features or the rate of the

@@ -29,17 +29,20 @@ static void a_bvh_says_what_it_is(void** state) {
     assert_true(fabs(stltsa_clip_fps(clip) - 100) < 1e-9);
     assert_int_equal(stltsa_clip_channels(clip), 9);
     assert_int_equal(stltsa_clip_joints(clip), 3);
-    const char* name = NULL;
-    int64_t parent = -5;
-    int32_t end = -1;
-    must(stltsa_clip_joint(clip, 0, &name, &parent, &end));
-    assert_string_equal(name, "hip");
-    assert_int_equal(parent, -1);
-    assert_int_equal(end, 0);
-    must(stltsa_clip_joint(clip, 2, NULL, &parent, &end));
-    assert_int_equal(parent, 1);
-    assert_int_equal(end, 1);
-    assert_int_equal(stltsa_clip_joint(clip, 3, &name, &parent, &end), STLTSA_E_ARGUMENT);
+    stltsa_joint joint = {.size = sizeof joint};
+    must(stltsa_clip_joint(clip, 0, &joint));
+    assert_string_equal(joint.name, "hip");
+    assert_int_equal(joint.parent, -1);
+    assert_int_equal(joint.is_end_site, 0);
+    assert_int_equal(joint.size, sizeof joint);
+    must(stltsa_clip_joint(clip, 2, &joint));
+    assert_int_equal(joint.parent, 1);
+    assert_int_equal(joint.is_end_site, 1);
+    assert_string_equal(joint.channels, "");
+    assert_int_equal(stltsa_clip_joint(clip, 3, &joint), STLTSA_E_ARGUMENT);
+    joint.size = 0;
+    assert_int_equal(stltsa_clip_joint(clip, 0, &joint), STLTSA_E_ARGUMENT);
+    assert_non_null(strstr(stltsa_last_error(), "sizeof(stltsa_joint)"));
     stltsa_clip_free(clip);
 }
 
@@ -98,7 +101,7 @@ static void bare_numbers(void** state) {
     must(stltsa_clip_features(clip, NULL, &out));
     assert_true(x[0] == 1 && x[5] == 6.5);
     assert_int_equal(stltsa_clip_positions(clip, &out), STLTSA_E_UNSUPPORTED);
-    assert_int_equal(stltsa_clip_joint(clip, 0, NULL, NULL, NULL), STLTSA_E_UNSUPPORTED);
+    assert_int_equal(stltsa_clip_joint(clip, 0, NULL), STLTSA_E_UNSUPPORTED);
     stltsa_decomposition* units = NULL;
     assert_int_equal(stltsa_decompose(clip, NULL, &units), STLTSA_E_ARGUMENT);
     assert_non_null(strstr(stltsa_last_error(), "fps"));

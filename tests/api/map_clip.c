@@ -111,10 +111,10 @@ static double* new_positions(const stltsa_clip* clip) {
     return positions;
 }
 
-static int64_t parent_of(const stltsa_clip* clip, int64_t joint) {
-    int64_t parent = -2;
-    must(stltsa_clip_joint(clip, joint, NULL, &parent, NULL));
-    return parent;
+static int64_t parent_of(const stltsa_clip* clip, int64_t index) {
+    stltsa_joint joint = {.size = sizeof joint};
+    must(stltsa_clip_joint(clip, index, &joint));
+    return joint.parent;
 }
 
 static double bone(const double* positions, int64_t joint, int64_t parent) {

@@ -45,8 +45,9 @@ static void every_joint_goes_on_and_bones_stay_rigid(void** state) {
     for (int j = 0; j < joints; ++j) {
         assert_below(largest_step(b, frames, joints, j),
                      1.1 * largest_step(a, stltsa_clip_frames(clip), joints, j), "step");
-        int64_t parent = -1;
-        must(stltsa_clip_joint(loop, j, NULL, &parent, NULL));
+        stltsa_joint joint = {.size = sizeof joint};
+        must(stltsa_clip_joint(loop, j, &joint));
+        const int64_t parent = joint.parent;
         if (parent < 0)
             continue;
         const double length = distance(a + 3 * j, a + 3 * parent, space);

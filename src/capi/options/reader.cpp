@@ -41,6 +41,12 @@ static_assert(same_features(clip::Features::positions, STLTSA_FEATURES_POSITIONS
               same_features(clip::Features::euler, STLTSA_FEATURES_EULER) &&
               same_features(clip::Features::raw, STLTSA_FEATURES_RAW) &&
               same_features(clip::Features::points, STLTSA_FEATURES_POINTS));
+constexpr bool same_rule(clip::GapRule rule, int value) {
+    return static_cast<int>(rule) == value;
+}
+static_assert(same_rule(clip::GapRule::fill, STLTSA_GAPS_FILL) &&
+              same_rule(clip::GapRule::refuse, STLTSA_GAPS_REFUSE) &&
+              same_rule(clip::GapRule::skip, STLTSA_GAPS_SKIP));
 constexpr bool same_mode(ltsa::Mode mode, int value) {
     return static_cast<int>(mode) == value;
 }
@@ -95,6 +101,7 @@ clip::ReadOptions OptionsReader::read_options() const {
     read.fps = real_if_set(STLTSA_OPT_FPS);
     if (is_set(options_, STLTSA_OPT_SKELETON))
         read.skeleton = text(STLTSA_OPT_SKELETON);
+    read.least_confidence = real(STLTSA_OPT_LEAST_CONFIDENCE);
     read.progress = progress();
     return read;
 }
@@ -106,6 +113,7 @@ clip::PrepareOptions OptionsReader::prepare_options() const {
     prepare.rate = real(STLTSA_OPT_SAMPLE_RATE);
     prepare.smoothing = real(STLTSA_OPT_SMOOTHING);
     prepare.drop_tpose = integer(STLTSA_OPT_KEEP_START) == 0;
+    prepare.gaps = static_cast<clip::GapRule>(integer(STLTSA_OPT_GAPS));
     return prepare;
 }
 

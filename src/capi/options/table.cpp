@@ -140,6 +140,13 @@ constexpr stltsa_option_info rows[] = {
     whole(STLTSA_OPT_SEGMENTS, STLTSA_CALL_DECOMPOSE, "segments",
           "Number of segments in motion, without rests; auto: as many as the behavior changes.", 1,
           10000, automatic),
+    whole(STLTSA_OPT_GAPS, analyzes | STLTSA_CALL_FEATURES, "gaps",
+          "Missing points or values: fill, up to 0.25 s over time, longer ones from the others in "
+          "the same frame; skip, all from the others, so that they add nothing to distances; "
+          "refuse, an error.",
+          1, 3, STLTSA_GAPS_FILL, "fill=1 refuse=2 skip=3"),
+    real(STLTSA_OPT_LEAST_CONFIDENCE, STLTSA_CALL_OPEN, "least_confidence",
+         "Points that were seen with less confidence are missing.", 0, 1, 0.6),
 };
 
 } // namespace

@@ -6,8 +6,9 @@
 #include <span>
 
 #include "clip/csv/cells.hpp"
+#include "clip/csv/headers.hpp"
+#include "clip/csv/point_columns.hpp"
 #include "clip/csv/time_column.hpp"
-#include "clip/features/point_names.hpp"
 #include "clip/text/number.hpp"
 #include "clip/text/text_cursor.hpp"
 
@@ -51,6 +52,25 @@ class CsvReader {
     CsvReader(TextCursor& in, Clip& clip) : in_(in), clip_(clip) {}
 
     void read() {
+        if (auto head = read_head(in_)) {
+            separator_ = head->separator;
+            clip_.fps = head->fps;
+            clip_.notes = std::move(head->notes);
+            clip_.channel_names = std::move(head->names);
+            columns_ = clip_.channel_names.size();
+            rows_of_section(next_row(in_));
+        } else {
+            one_header();
+        }
+        if (rows_ == 0)
+            in_.fail(Status::format, "the file has no rows of numbers");
+        Matrix values = Matrix::unset(rows_, static_cast<std::int64_t>(columns_));
+        std::copy(values_.begin(), values_.end(), values.data());
+        clip_.values = std::move(values);
+    }
+
+  private:
+    void one_header() {
         std::string_view line = next_row(in_);
         // A header may contain any characters, so the second line determines the separator.
         TextCursor ahead = in_;
@@ -62,29 +82,20 @@ class CsvReader {
         }
         for (; !line.empty(); line = next_row(in_))
             row(split(line));
-        if (rows_ == 0)
-            in_.fail(Status::format, "the file has no rows of numbers");
-        Matrix values = Matrix::unset(rows_, static_cast<std::int64_t>(columns_));
-        std::copy(values_.begin(), values_.end(), values.data());
-        clip_.values = std::move(values);
     }
 
-    /// Only points may have gaps. The columns are known to be points when time is removed.
-    void check_gaps() const {
-        if (gap_ && !names_points(clip_.channel_names))
-            refuse_gap();
-    }
-
-  private:
-    /// The first cell without a value.
-    struct Gap {
-        std::int64_t line;
-        std::string column;
-    };
-
-    [[noreturn]] void refuse_gap() const {
-        in_.fail_at(gap_->line, Status::not_finite,
-                    "column {} has no value: fill the gaps before reading", gap_->column);
+    /// The section ends with the file, or where the next one has its title.
+    void rows_of_section(std::string_view line) {
+        for (; !line.empty(); line = next_row(in_)) {
+            const Cells cells = split(line);
+            const auto is_filled = [](std::string_view cell) { return !cell.empty(); };
+            if (!parse_cell(cells[0]) && std::ranges::count_if(cells, is_filled) == 1) {
+                clip_.notes.push_back(
+                    format_text("the rows from {} on are not read", quoted(cells[0])));
+                return;
+            }
+            row(cells);
+        }
     }
 
     Cells split(std::string_view line) const {
@@ -106,8 +117,6 @@ class CsvReader {
             cells.pop_back();
         clip_.channel_names.assign(cells.begin(), cells.end());
         columns_ = cells.size();
-        for (std::size_t c = 0; c < columns_; ++c)
-            coordinate_.push_back(names_coordinate(clip_.channel_names, c));
     }
 
     void row(Cells cells) {
@@ -124,13 +133,8 @@ class CsvReader {
     }
 
     double number(std::string_view cell, std::size_t c) {
-        if (is_gap(cell)) {
-            if (!gap_)
-                gap_ = Gap{in_.line_number(), title(c)};
-            if (coordinate_.empty() || !coordinate_[c])
-                refuse_gap();
+        if (is_gap(cell))
             return std::numeric_limits<double>::quiet_NaN();
-        }
         const auto value = parse_cell(cell);
         if (!value)
             in_.fail(Status::format, "column {}: {} is not a number", title(c), quoted(cell));
@@ -151,8 +155,6 @@ class CsvReader {
     std::size_t columns_ = 0;
     std::int64_t rows_ = 0;
     std::vector<double> values_;
-    std::vector<bool> coordinate_; ///< names_coordinate() of each column; empty: no names
-    std::optional<Gap> gap_;
 };
 
 } // namespace
@@ -163,7 +165,7 @@ Clip parse_csv(std::string_view bytes, const std::string& name, const ReadOption
     CsvReader reader(in, clip);
     reader.read();
     extract_time(clip, name, options);
-    reader.check_gaps();
+    take_points(clip, options);
     return clip;
 }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "clip/arrays/even_times.hpp"
+#include "clip/csv/point_columns.hpp"
 #include "clip/text/number.hpp"
 #include "clip/text/text_cursor.hpp"
 
@@ -48,57 +50,36 @@ bool counts_frames(std::string_view name, bool is_first) {
            std::find(std::begin(words), std::end(words), letters) != std::end(words);
 }
 
-/// Differences between consecutive rows of a column.
-struct Steps {
-    double least, median, most, mean;
+std::vector<double> column_of(const Matrix& values, std::int64_t column) {
+    std::vector<double> result;
+    for (std::int64_t i = 0; i < values.rows(); ++i)
+        result.push_back(values(i, column));
+    return result;
+}
 
-    Steps(const Matrix& values, std::int64_t column) {
-        std::vector<double> steps;
-        for (std::int64_t i = 0; i + 1 < values.rows(); ++i)
-            steps.push_back(values(i + 1, column) - values(i, column));
-        std::sort(steps.begin(), steps.end());
-        least = steps.front();
-        median = steps[steps.size() / 2];
-        most = steps.back();
-        mean = (values(values.rows() - 1, column) - values(0, column)) /
-               static_cast<double>(steps.size());
-    }
-
-    /// Even except for times rounded to a few digits. A missing row would cause a double step.
-    bool even() const { return least >= 0.5 * median && most <= 1.5 * median; }
-    /// Consecutive integers such as 5, 6, 7.
-    bool count() const { return least == 1 && most == 1; }
-};
-
-/// Removes all other columns.
-void keep_columns(Clip& clip, const std::vector<std::int64_t>& columns) {
-    const Matrix from = std::move(clip.values);
-    const std::vector<std::string> names = std::move(clip.channel_names);
-    clip.values = Matrix::unset(from.rows(), std::ssize(columns));
-    clip.channel_names.clear();
-    for (const std::int64_t column : columns)
-        clip.channel_names.push_back(names[static_cast<std::size_t>(column)]);
-    for (std::int64_t i = 0; i < from.rows(); ++i)
-        std::transform(columns.begin(), columns.end(), clip.values.row(i),
-                       [row = from.row(i)](std::int64_t column) { return row[column]; });
+/// Whether each value is a number; steps between others have no order.
+bool is_complete(const std::vector<double>& column) {
+    return std::ranges::none_of(column, [](double value) { return std::isnan(value); });
 }
 
 /// Whether the column counts frames and is therefore not a channel.
 bool take_count(Clip& clip, std::int64_t column) {
     const std::string title = quoted(clip.channel_names[static_cast<std::size_t>(column)]);
-    const Steps steps(clip.values, column);
-    const bool counts = steps.count();
+    const std::vector<double> values = column_of(clip.values, column);
+    const bool counts = is_complete(values) && TimeSteps(values).count();
     clip.notes.push_back(
         counts ? format_text("column {} counts frames: not a channel", title)
                : format_text("column {} does not count frames: kept as a channel", title));
     return counts;
 }
 
-/// Whether the column is time and therefore not a channel; sets the frame rate.
-bool take_time(Clip& clip, std::int64_t column, double unit, const std::string& name,
-               const ReadOptions& options) {
+/// Whether the column is time and therefore not a channel. Its seconds are put into `times`.
+bool take_time(Clip& clip, std::int64_t column, double unit, const ReadOptions& options,
+               std::vector<double>& times) {
     const std::string title = quoted(clip.channel_names[static_cast<std::size_t>(column)]);
-    const Steps steps(clip.values, column);
+    std::vector<double> seconds = column_of(clip.values, column);
+    const bool complete = is_complete(seconds);
+    const TimeSteps steps(complete ? seconds : std::vector<double>{0, 0});
     if (!(steps.least > 0)) {
         clip.notes.push_back(format_text("column {} does not increase: kept as a channel", title));
         return false;
@@ -114,18 +95,30 @@ bool take_time(Clip& clip, std::int64_t column, double unit, const std::string& 
             title, rate));
         return false;
     }
-    if (!steps.even() && !options.fps)
-        fail(Status::format,
-             "{}: the steps of column {} range from {} to {}: resample to a constant rate, or set "
-             "option fps to treat the rows as evenly spaced",
-             name, title, steps.least, steps.most);
+    for (double& time : seconds)
+        time *= unit;
+    times = std::move(seconds);
     clip.fps = rate;
     clip.notes.push_back(format_text("column {} is time, not a channel", title));
     return true;
 }
 
+/// Whether it repeats the number of another column within a frame, and is therefore not a channel.
+bool take_subframe(Clip& clip, std::int64_t column) {
+    const std::string& title = clip.channel_names[static_cast<std::size_t>(column)];
+    if (letters_of(title) != "subframe")
+        return false;
+    for (std::int64_t i = 0; i < clip.frames(); ++i)
+        if (clip.values(i, column) != clip.values(0, column))
+            return false;
+    return true;
+}
+
 void note_unnamed_time(Clip& clip) {
-    const Steps steps(clip.values, 0);
+    const std::vector<double> first = column_of(clip.values, 0);
+    if (!is_complete(first))
+        return;
+    const TimeSteps steps(first);
     if (steps.least > 0 && steps.most - steps.least <= 1e-3 * steps.mean)
         clip.notes.push_back("column 1 increases by equal steps: if it is time or a frame number, "
                              "remove it, or name it so in a header line");
@@ -139,12 +132,14 @@ void extract_time(Clip& clip, const std::string& name, const ReadOptions& option
     if (clip.channel_names.empty())
         return note_unnamed_time(clip);
     std::vector<std::int64_t> kept;
+    std::vector<double> times;
     for (std::int64_t column = 0; column < clip.values.cols(); ++column) {
         const std::string& title = clip.channel_names[static_cast<std::size_t>(column)];
         const double unit = time_unit(title);
-        const bool taken = unit > 0
-                               ? take_time(clip, column, unit, name, options)
-                               : counts_frames(title, kept.empty()) && take_count(clip, column);
+        const bool taken =
+            unit > 0 ? take_time(clip, column, unit, options, times)
+                     : take_subframe(clip, column) ||
+                           (counts_frames(title, kept.empty()) && take_count(clip, column));
         if (!taken)
             kept.push_back(column);
     }
@@ -152,6 +147,13 @@ void extract_time(Clip& clip, const std::string& name, const ReadOptions& option
         fail(Status::format, "{}: there is no channel besides time and frame numbers", name);
     if (std::ssize(kept) < clip.values.cols())
         keep_columns(clip, kept);
+    if (times.empty() || options.fps)
+        return;
+    EvenRows even = even_rows(std::move(clip.values), times, name);
+    clip.values = std::move(even.rows);
+    clip.fps = even.fps;
+    if (!even.note.empty())
+        clip.notes.push_back(std::move(even.note));
 }
 
 } // namespace stltsa::clip

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <cmath>
 
 #include "clip/clip.hpp"
 #include "clip/csv/cells.hpp"
@@ -64,7 +65,8 @@ std::string format_csv(const Clip& clip) {
         }
         for (std::int64_t c = 0; c < clip.values.cols(); ++c) {
             text += c == 0 ? "" : ",";
-            append_number(text, clip.values(i, c));
+            if (!std::isnan(clip.values(i, c))) // an empty cell is a missing value
+                append_number(text, clip.values(i, c));
         }
         text += '\n';
     }

@@ -8,6 +8,7 @@
 #include "clip/body/heading.hpp"
 #include "clip/body/skeleton.hpp"
 #include "clip/features/point_names.hpp"
+#include "clip/features/points.hpp"
 
 namespace stltsa::clip {
 namespace {
@@ -119,7 +120,7 @@ std::vector<std::string> column_owners(const Clip& clip, Features kind) {
             if (points && !name.empty())
                 name = point_name(name);
         for (std::int64_t c = static_cast<std::int64_t>(names.size()); c < clip.values.cols(); ++c)
-            names.push_back(points ? format_text("point {}", c / 3 + 1)
+            names.push_back(points ? format_text("point {}", c / point_columns(clip) + 1)
                                    : format_text("column {}", c + 1));
         return names;
     }

@@ -7,7 +7,7 @@
 #include "clip/body/heading.hpp"
 #include "clip/body/kinematics.hpp"
 #include "clip/body/skeleton.hpp"
-#include "clip/features/point_names.hpp"
+#include "clip/features/gap_notes.hpp"
 #include "clip/features/points.hpp"
 #include "clip/text/text_cursor.hpp"
 
@@ -22,7 +22,7 @@ void need_skeleton(const Clip& clip, std::string_view what) {
 void need_points(const Clip& clip) {
     if (clip.skeleton)
         fail(Status::unsupported, "points are features of clips without a skeleton: use positions");
-    if (clip.values.cols() % 3 != 0)
+    if (clip.values.cols() % point_columns(clip) != 0)
         fail(Status::unsupported,
              "points have three columns each, and this clip has {} columns: remove those that are "
              "no coordinates",
@@ -110,16 +110,16 @@ void check_finite(const Matrix& matrix) {
                  "the values in frame {} are too large: the features are not finite", i);
 }
 
-/// The reader leaves gaps in the columns of points.
-void check_gaps(const Clip& clip) {
-    for (std::int64_t i = 0; i < clip.frames(); ++i)
-        for (std::int64_t c = 0; c < clip.values.cols(); ++c)
-            if (std::isnan(clip.values(i, c)))
-                fail(
-                    Status::not_finite,
-                    "column {} ({}) has no value in frame {}: fill the gaps before reading, or set "
-                    "option features to points",
-                    c + 1, quoted(clip.channel_names[static_cast<std::size_t>(c)]), i);
+/// The values of a bare matrix, with its gaps filled.
+FeatureRows raw_rows(const Clip& clip, GapRule rule) {
+    FeatureRows made{copied(clip.values.view()), Axis::none, {}, {}};
+    const Gaps gaps = fill_gaps(made.rows, 1, rule, clip.fps);
+    if (gaps.filled.empty() && gaps.dropped.empty())
+        return made;
+    note_gaps(clip, 1, rule, gaps, made.notes);
+    predict_gaps(made.rows, 1, gaps);
+    made.holes = gaps.holes;
+    return made;
 }
 
 } // namespace
@@ -162,7 +162,7 @@ Features feature_kind(const Clip& clip, std::optional<Features> requested) {
     if (!requested && clip.skeleton)
         return Features::positions;
     if (!requested)
-        return names_points(clip.channel_names) ? Features::points : Features::raw;
+        return clip.space > 0 ? Features::points : Features::raw;
     if (*requested == Features::points)
         need_points(clip);
     else if (*requested != Features::raw)
@@ -200,15 +200,14 @@ Matrix body_features(const Clip& clip, Features kind, Heading heading) {
 }
 
 FeatureRows feature_rows(const Clip& clip, std::optional<Features> requested,
-                         std::optional<Axis> up) {
+                         std::optional<Axis> up, GapRule rule) {
     feature_count(clip, requested); // fails if there are none
     const Features kind = feature_kind(clip, requested);
     FeatureRows made;
     if (kind == Features::points) {
-        made = points(clip, up);
+        made = points(clip, up, rule);
     } else if (!clip.skeleton) {
-        check_gaps(clip);
-        made.rows = clip.values;
+        made = raw_rows(clip, rule);
     } else {
         made.up = up_axis(clip, up);
         made.rows = kind == Features::raw

@@ -8,6 +8,7 @@
 #include "clip/body/heading.hpp"
 #include "clip/body/up_axis.hpp"
 #include "clip/clip.hpp"
+#include "clip/features/gaps.hpp"
 
 namespace stltsa::clip {
 
@@ -27,7 +28,7 @@ Matrix positions(const Clip& clip);
 Matrix rotations(const Clip& clip);
 
 /// The kind used: the requested one, else positions if there is a skeleton, else points if the
-/// columns are named so, else raw. Status::unsupported if the clip lacks a skeleton or points.
+/// columns are points, else raw. Status::unsupported if the clip lacks a skeleton or points.
 Features feature_kind(const Clip& clip, std::optional<Features> requested);
 
 /// Number of columns of these features; Status::unsupported if there are none.
@@ -38,9 +39,10 @@ struct FeatureRows {
     Matrix rows;
     Axis up = Axis::none;           ///< the axis used
     std::vector<std::string> notes; ///< what was filled, assumed and removed
+    std::vector<Frames> holes;      ///< of which nothing is known
 };
 FeatureRows feature_rows(const Clip& clip, std::optional<Features> requested,
-                         std::optional<Axis> up);
+                         std::optional<Axis> up, GapRule rule = GapRule::fill);
 Matrix features(const Clip& clip, std::optional<Features> requested, std::optional<Axis> up);
 
 /// Features of a clip whose body root and heading are known.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "clip/features/slow_part.hpp"
@@ -179,6 +180,24 @@ bool remove_heading(Matrix& points, Axis up, double fps) {
     remove_slow_turn(shapes, fps);
     set_heading(shapes);
     return true;
+}
+
+double turned_range(const Matrix& points, const Matrix& turned, Axis up) {
+    Matrix from = copied(points.view()), to = copied(turned.view());
+    const Shapes before(from, up), after(to, up);
+    double angle = 0, least = 0, most = 0;
+    for (std::int64_t i = 0; i < before.frames(); ++i) {
+        std::vector<Flat> reference;
+        for (std::int64_t p = 0; p < after.count(); ++p)
+            reference.push_back(after.at(i, p));
+        const Flat match = before.match(i, reference);
+        double next = std::atan2(match.b, match.a);
+        next += 2 * std::numbers::pi * std::round((angle - next) / (2 * std::numbers::pi));
+        angle = next;
+        least = i == 0 ? next : std::min(least, next);
+        most = i == 0 ? next : std::max(most, next);
+    }
+    return most - least;
 }
 
 } // namespace stltsa::clip

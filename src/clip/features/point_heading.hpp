@@ -12,4 +12,7 @@ namespace stltsa::clip {
 /// vertical plane.
 bool remove_heading(Matrix& points, Axis up, double fps);
 
+/// The range of the angles, in radians, by which frames of one were turned to give the other.
+double turned_range(const Matrix& points, const Matrix& turned, Axis up);
+
 } // namespace stltsa::clip

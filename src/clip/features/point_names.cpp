@@ -46,6 +46,16 @@ bool is_other_quantity(const std::string& stem) {
                        [&](std::string_view word) { return has_word(stem, word); });
 }
 
+bool is_confidence(std::string_view name, const std::string& stem) {
+    constexpr std::string_view words[] = {"likelihood", "confidence", "score", "conf",
+                                          "visibility"};
+    const std::string lower = to_lower(trim(name));
+    return std::ranges::any_of(words, [&](std::string_view word) {
+        return lower.ends_with(word) && lower.starts_with(stem) &&
+               lower.size() <= stem.size() + 1 + word.size();
+    });
+}
+
 } // namespace
 
 std::string_view point_name(std::string_view coordinate) {
@@ -63,15 +73,18 @@ bool names_coordinate(const std::vector<std::string>& names, std::size_t column)
     return false;
 }
 
-bool names_points(const std::vector<std::string>& names) {
-    if (names.size() % 3 != 0 || names.size() < 3 * least_points)
-        return false;
-    for (std::size_t first = 0; first < names.size(); first += 3) {
-        const std::string stem = stem_at(names, first);
-        if (stem.empty() || is_other_quantity(stem))
-            return false;
-    }
-    return true;
+PointColumns point_at(const std::vector<std::string>& names, std::size_t first) {
+    PointColumns found;
+    if (first + 2 > names.size())
+        return found;
+    found.stem = stem_of(names[first], 'x');
+    if (found.stem.empty() || stem_of(names[first + 1], 'y') != found.stem)
+        return found;
+    found.space = first + 2 < names.size() && stem_of(names[first + 2], 'z') == found.stem ? 3 : 2;
+    found.other_quantity = is_other_quantity(found.stem);
+    const std::size_t next = first + static_cast<std::size_t>(found.space);
+    found.has_confidence = next < names.size() && is_confidence(names[next], found.stem);
+    return found;
 }
 
 } // namespace stltsa::clip

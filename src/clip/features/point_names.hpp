@@ -18,8 +18,16 @@ std::string_view point_name(std::string_view coordinate);
 /// z, as in "heel_x", "heel.Y", "heel z", "heelX", "heel:x".
 bool names_coordinate(const std::vector<std::string>& names, std::size_t column);
 
-/// Whether the columns are the coordinates of at least least_points points and nothing else. Three
-/// columns of an angle, a force or a velocity are not a point.
-bool names_points(const std::vector<std::string>& names);
+/// Columns that belong to one point.
+struct PointColumns {
+    int space = 0; ///< 2 or 3 columns of coordinates; 0: no point begins here
+    bool has_confidence = false;
+    bool other_quantity = false; ///< an angle, a force or a velocity
+    std::string stem;            ///< in lower case
+};
+
+/// The columns from `first` on: named x and y, or x, y and z, then perhaps likelihood, confidence
+/// or score.
+PointColumns point_at(const std::vector<std::string>& names, std::size_t first);
 
 } // namespace stltsa::clip

@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
-#include "clip/features/point_gaps.hpp"
+#include "clip/features/gap_notes.hpp"
 #include "clip/features/point_heading.hpp"
 #include "clip/features/point_names.hpp"
 #include "clip/features/slow_part.hpp"
@@ -18,6 +19,9 @@ constexpr double height_s = 2;
 /// Up is no axis along which the points travel further than this share of the body's extent, if
 /// there is another.
 constexpr double most_travel = 0.5;
+
+/// Repetitions of the prediction of gaps, each with a better path of the mean.
+constexpr int path_rounds = 2;
 
 /// Frames a second, if the clip does not give them.
 constexpr double usual_rate = 100;
@@ -97,60 +101,58 @@ void keep_slow_height(Matrix& path, Axis up, double fps) {
         path(i, axis) = slow(i, 0);
 }
 
-/// Its name, or its number from 1 if the columns have no such names.
-std::string name_of(const Clip& clip, std::int64_t point) {
-    const auto column = static_cast<std::size_t>(3 * point);
-    if (!names_coordinate(clip.channel_names, column))
-        return format_text("{}", point + 1);
-    return quoted(point_name(clip.channel_names[column]));
+/// Points in a plane as points in space, at height 0, or back.
+Matrix with_columns(const Matrix& rows, int from, int to) {
+    Matrix result(rows.rows(), rows.cols() / from * to);
+    for (std::int64_t i = 0; i < rows.rows(); ++i)
+        for (std::int64_t p = 0; p < rows.cols() / from; ++p)
+            std::copy_n(rows.row(i) + from * p, std::min(from, to), result.row(i) + to * p);
+    return result;
 }
 
-/// The names of the first points, and the number of the others.
-std::string listed(const Clip& clip, const Chosen& points) {
-    constexpr std::size_t most = 8;
-    std::string text;
-    for (std::size_t i = 0; i < std::min(most, points.size()); ++i)
-        text += (i == 0 ? "" : ", ") + name_of(clip, points[i]);
-    if (points.size() > most)
-        text += format_text(" and {} more", points.size() - most);
-    return text;
+/// Where a gap was filled over time, the path was that of other points than now.
+void center(Matrix& points, const Chosen& chosen, Axis up) {
+    if (up == Axis::none)
+        return;
+    Matrix path = means(points, chosen);
+    for (std::int64_t i = 0; i < path.rows(); ++i)
+        path(i, static_cast<std::int64_t>(up) - 1) = 0;
+    subtract(points, chosen, path);
 }
 
-void note_gaps(const Clip& clip, const Gaps& gaps, std::vector<std::string>& notes) {
-    if (!gaps.filled.empty())
-        notes.push_back(format_text("points missing in some frames, at (0, 0, 0) or without a "
-                                    "value, filled linearly over time: {} ({} in all)",
-                                    listed(clip, gaps.filled), gaps.frames));
-    if (!gaps.dropped.empty())
-        notes.push_back(
-            format_text("points missing in more than half of the frames, left out (their features "
-                        "are 0): {}",
-                        listed(clip, gaps.dropped)));
+std::string removed(bool in_plane, bool turned) {
+    const std::string path = in_plane ? "the path of their mean"
+                                      : "the horizontal path of their mean, slow changes of its "
+                                        "height";
+    if (turned)
+        return path + " and the heading";
+    return path + (in_plane ? "; not the heading, which does not turn by a right angle"
+                            : "; not the heading, as they spread along one line only");
 }
 
-} // namespace
-
-Axis points_up(const Clip& clip) {
-    Matrix filled = copied(clip.values.view());
-    const Gaps gaps = fill_gaps(filled);
-    if (std::ssize(gaps.seen) < least_points)
-        return Axis::none;
-    return guessed_up(filled, gaps.seen, means(filled, gaps.seen));
+/// Turns points in a plane only if they are seen from above: a body that is seen from the side
+/// leans, but does not turn.
+bool remove_heading_in_plane(Matrix& points, double fps) {
+    Matrix turned = copied(points.view());
+    if (!remove_heading(turned, Axis::z, fps) ||
+        !(turned_range(points, turned, Axis::z) > std::numbers::pi / 2))
+        return false;
+    points = std::move(turned);
+    return true;
 }
 
-FeatureRows points(const Clip& clip, std::optional<Axis> up) {
-    FeatureRows made{copied(clip.values.view()), Axis::none, {}};
-    const Gaps gaps = fill_gaps(made.rows);
-    note_gaps(clip, gaps, made.notes);
-    if (std::ssize(gaps.seen) < least_points) {
+/// Removes path and heading from points in space without gaps, and says so.
+void remove_way(const Clip& clip, const Chosen& seen, bool in_plane, std::optional<Axis> up,
+                FeatureRows& made) {
+    if (std::ssize(seen) < least_points) {
         made.notes.push_back(format_text("path and heading of the points are kept: {} points have "
                                          "no shape, at least {} are needed",
-                                         gaps.seen.size(), least_points));
-        return made;
+                                         seen.size(), least_points));
+        return;
     }
-    Matrix path = means(made.rows, gaps.seen);
-    made.up = up ? *up : guessed_up(made.rows, gaps.seen, path);
-    if (!up)
+    Matrix path = means(made.rows, seen);
+    made.up = in_plane ? Axis::z : up ? *up : guessed_up(made.rows, seen, path);
+    if (!up && !in_plane)
         made.notes.push_back(
             format_text("up axis guessed: {}; if it is another, set option up_axis",
                         "xyz"[static_cast<std::size_t>(made.up) - 1]));
@@ -158,14 +160,48 @@ FeatureRows points(const Clip& clip, std::optional<Axis> up) {
         made.notes.push_back(format_text(
             "frame rate unknown: {} a second taken, for the path and heading only", usual_rate));
     const double fps = clip.fps > 0 ? clip.fps : usual_rate;
-    keep_slow_height(path, made.up, fps);
-    subtract(made.rows, gaps.seen, path);
-    const bool turned = remove_heading(made.rows, made.up, fps);
-    made.notes.push_back(format_text(
-        "columns taken as {} points in space: removed the horizontal path of their mean, slow "
-        "changes of its height{}; for the file's numbers set option features to raw",
-        gaps.seen.size(),
-        turned ? " and the heading" : "; not the heading, as they spread along one line only"));
+    if (!in_plane)
+        keep_slow_height(path, made.up, fps);
+    subtract(made.rows, seen, path);
+    const bool turned = in_plane ? remove_heading_in_plane(made.rows, fps)
+                                 : remove_heading(made.rows, made.up, fps);
+    made.notes.push_back(
+        format_text("columns taken as {} points in {}: removed {}; for the file's numbers set "
+                    "option features to raw",
+                    seen.size(), in_plane ? "a plane" : "space", removed(in_plane, turned)));
+}
+
+} // namespace
+
+int point_columns(const Clip& clip) {
+    return clip.space > 0 ? clip.space : 3;
+}
+
+Axis points_up(const Clip& clip) {
+    if (point_columns(clip) != 3)
+        return Axis::z;
+    Matrix filled = copied(clip.values.view());
+    const Gaps gaps = fill_gaps(filled, 3, GapRule::fill, clip.fps);
+    if (std::ssize(gaps.seen) < least_points)
+        return Axis::none;
+    return guessed_up(filled, gaps.seen, means(filled, gaps.seen));
+}
+
+FeatureRows points(const Clip& clip, std::optional<Axis> up, GapRule rule) {
+    const int width = point_columns(clip);
+    FeatureRows made{copied(clip.values.view()), Axis::none, {}, {}};
+    const Gaps gaps = fill_gaps(made.rows, width, rule, clip.fps);
+    note_gaps(clip, width, rule, gaps, made.notes);
+    made.holes = gaps.holes;
+    if (width == 2)
+        made.rows = with_columns(made.rows, 2, 3);
+    remove_way(clip, gaps.seen, width == 2, up, made);
+    for (int round = 0; round < path_rounds && !gaps.predicted.empty(); ++round) {
+        predict_gaps(made.rows, 3, gaps);
+        center(made.rows, gaps.seen, made.up);
+    }
+    if (width == 2)
+        made.rows = with_columns(made.rows, 3, 2);
     return made;
 }
 

@@ -27,9 +27,10 @@ Prepared prepare(const Clip& clip, const PrepareOptions& options) {
         fail(Status::too_few_frames, "the clip has no frames");
     Prepared prepared;
     prepared.features = feature_kind(clip, options.features);
-    FeatureRows made = feature_rows(clip, prepared.features, options.up);
+    FeatureRows made = feature_rows(clip, prepared.features, options.up, options.gaps);
     prepared.up = made.up;
     prepared.notes = std::move(made.notes);
+    prepared.holes = std::move(made.holes);
     Matrix& all = made.rows;
     prepared.first = dropped_frames(clip, all, options.drop_tpose);
     const ConstMatrixView kept = from_row(all, prepared.first);

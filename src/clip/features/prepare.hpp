@@ -18,6 +18,7 @@ struct PrepareOptions {
     double rate = 30;                 ///< keep every round(fps / rate)-th frame; 0: keep all
     double smoothing = 0.05;          ///< sigma of the Gaussian on the features in seconds; 0: none
     bool drop_tpose = true;           ///< only if there is a skeleton
+    GapRule gaps = GapRule::fill;
 };
 
 /// Working samples of a clip: sample i is source frame first + i * step.
@@ -30,6 +31,7 @@ struct Prepared {
     Features features = Features::raw; ///< the kind used
     Axis up = Axis::none;              ///< the axis used
     std::vector<std::string> notes;    ///< of feature_rows()
+    std::vector<Frames> holes;         ///< of feature_rows(), in source frames
 };
 
 Prepared prepare(const Clip& clip, const PrepareOptions& options);

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "clip/npy/header.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "clip/clip.hpp"
 
@@ -12,18 +14,28 @@ namespace {
 
 struct Shape {
     std::int64_t rows = 1, cols = 1;
+    int space = 0; ///< frames x points x 2 or 3
 };
 
 Shape checked_shape(const NpyHeader& header, std::size_t data_size, const std::string& name) {
     if (header.shape.empty())
         fail(Status::shape, "{}: the array is a single number; expected frames as rows", name);
-    if (header.shape.size() > 2)
+    const std::size_t dimensions = header.shape.size();
+    const bool points = dimensions == 3 && (header.shape[2] == 2 || header.shape[2] == 3);
+    if (dimensions > 2 && !points)
         fail(Status::shape,
-             "{}: the array has {} dimensions; expected 1 or 2: save array.reshape(len(array), -1)",
-             name, header.shape.size());
-    const Shape shape{header.shape[0], header.shape.size() == 2 ? header.shape[1] : 1};
+             "{}: the array has {} dimensions; expected frames, frames x columns, or frames x "
+             "points x 2 or 3: save array.reshape(len(array), -1)",
+             name, dimensions);
+    Shape shape{header.shape[0], dimensions == 1 ? 1 : header.shape[1], 0};
     if (shape.rows == 0 || shape.cols == 0)
         fail(Status::shape, "{}: the array is empty", name);
+    if (points) {
+        shape.space = static_cast<int>(header.shape[2]);
+        if (shape.cols > std::numeric_limits<std::int64_t>::max() / shape.space)
+            fail(Status::format, "{}: the header declares {} points", name, shape.cols);
+        shape.cols *= shape.space;
+    }
     const auto items = static_cast<std::int64_t>(data_size / header.item_size);
     if (shape.rows > items / shape.cols)
         fail(Status::format,
@@ -61,17 +73,23 @@ double item(const NpyHeader& header, const char* data, std::int64_t index) {
 
 Matrix converted(const NpyHeader& header, const char* data, Shape shape) {
     Matrix values = Matrix::unset(shape.rows, shape.cols);
+    const std::int64_t width = std::max(1, shape.space);
+    // In Fortran order the point's coordinate changes slowest.
+    const auto fortran = [&](std::int64_t i, std::int64_t c) {
+        return ((c % width) * (shape.cols / width) + c / width) * shape.rows + i;
+    };
     for (std::int64_t i = 0; i < shape.rows; ++i)
         for (std::int64_t c = 0; c < shape.cols; ++c)
             values(i, c) =
-                item(header, data, header.fortran_order ? c * shape.rows + i : i * shape.cols + c);
+                item(header, data, header.fortran_order ? fortran(i, c) : i * shape.cols + c);
     return values;
 }
 
+/// NaN is a missing value.
 void check_finite(const Matrix& values, const std::string& name) {
     for (std::int64_t i = 0; i < values.rows(); ++i)
         for (std::int64_t c = 0; c < values.cols(); ++c)
-            if (!std::isfinite(values(i, c)))
+            if (std::isinf(values(i, c)))
                 fail(Status::not_finite, "{}: frame {}, column {} is {}", name, i, c + 1,
                      values(i, c));
 }
@@ -84,6 +102,7 @@ Clip parse_npy(std::string_view bytes, const std::string& name, const ReadOption
     const Shape shape = checked_shape(header, data.size(), name);
     Clip clip;
     clip.values = converted(header, data.data(), shape);
+    clip.space = shape.space;
     check_finite(clip.values, name);
     return clip;
 }

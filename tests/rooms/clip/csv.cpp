@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "clip/testing.hpp"
 
+#include <cmath>
+
 namespace {
 
 using namespace clip_testing;
@@ -9,6 +11,7 @@ using stltsa::clip::ReadOptions;
 Clip csv(std::string_view text, std::optional<double> fps = {}) {
     ReadOptions options;
     options.fps = fps;
+    options.least_confidence = 0.6;
     return parse(text, Format::csv, options);
 }
 
@@ -108,10 +111,24 @@ void time_gives_the_rate_and_is_not_a_channel(void**) {
     assert_true(csv("time,x\n0,7\n0.01,8\n", 60).fps == 60);
 }
 
-void uneven_time_needs_option_fps(void**) {
+bool is_missing(const Clip& clip, std::int64_t row, std::int64_t column) {
+    return std::isnan(clip.values(row, column));
+}
+
+void uneven_times_are_resampled(void**) {
     const char* text = "time,x\n0,7\n0.01,8\n0.02,9\n0.04,9\n";
-    ASSERT_FAILS(Status::format, "the steps of column 'time' range from 0.01", csv(text));
-    CHECK_VALUES(csv(text, 100), {{7}, {8}, {9}, {9}});
+    const Clip lost = csv(text); // the frame at 0.03 is missing
+    assert_int_equal(lost.frames(), 5);
+    assert_true(lost.fps == 100 && is_missing(lost, 3, 0) && lost.values(4, 0) == 9);
+    assert_true(lost.notes.back().find("resampled to 100 frames a second, of which 1") !=
+                std::string::npos);
+    CHECK_VALUES(csv(text, 100), {{7}, {8}, {9}, {9}}); // unless the rate is given
+    const Clip jitter = csv("time,x\n0,0\n.01,1\n.02,2\n.036,3.6\n.04,4\n.05,5\n");
+    assert_int_equal(jitter.frames(), 6);
+    for (std::int64_t i = 0; i < 6; ++i)
+        assert_true(i == 3 || std::abs(jitter.values(i, 0) - static_cast<double>(i)) < 1e-9);
+    ASSERT_FAILS(Status::format, "more frames are missing than there are",
+                 csv("time,x\n0,7\n0.01,8\n0.02,9\n0.2,9\n"));
     const Clip kept = csv("t,x\n3,7\n1,8\n2,9\n"); // for example a torque
     CHECK_VALUES(kept, {{3, 7}, {1, 8}, {2, 9}});
     assert_int_equal(kept.notes.size(), 1);
@@ -132,6 +149,75 @@ void frame_numbers_are_not_a_channel(void**) {
     assert_int_equal(silent.notes.size(), 1);
 }
 
+void cells_without_a_value_are_gaps(void**) {
+    for (const char* gap : {"NaN", "NA", "-", "null", " ", ""}) {
+        const Clip clip = csv(stltsa::format_text("a,b,c\n1,2,3\n4,{},6\n", gap));
+        assert_true(is_missing(clip, 1, 1) && clip.values(1, 2) == 6);
+    }
+    assert_true(is_missing(csv("1,NA,3\n1,2,3\n"), 0, 1));
+}
+
+using Names = std::vector<std::string>;
+
+/// Three points with two headers, as pandas writes columns of two levels, with and without the name
+/// of the index.
+void headers_of_two_levels(void**) {
+    const Names wanted = {"a_x", "a_y", "a_z", "b_x", "b_y", "b_z", "c_x", "c_y", "c_z"};
+    const std::string levels = ",a,a,a,b,b,b,c,c,c\n,x,y,z,x,y,z,x,y,z\n";
+    const std::string data = "0,1,2,3,4,5,6,7,8,9\n1,1,2,3,4,5,6,7,8,9\n2,1,2,3,4,5,6,7,8,10\n";
+    for (const char* index : {"", "frame,,,,,,,,,\n"}) {
+        const Clip clip = csv(levels + index + data);
+        assert_true(clip.channel_names == wanted && clip.space == 3);
+        assert_int_equal(clip.frames(), 3);
+        assert_true(clip.values(2, 8) == 10);
+    }
+}
+
+/// DeepLabCut: three levels, of which the first is one name; likelihoods.
+void key_points_with_likelihoods(void**) {
+    const Clip clip =
+        csv("scorer,net,net,net,net,net,net,net,net,net\n"
+            "bodyparts,nose,nose,nose,ear,ear,ear,tail,tail,tail\n"
+            "coords,x,y,likelihood,x,y,likelihood,x,y,likelihood\n"
+            "0,1,2,0.9,3,4,0.9,5,6,1\n1,1,2,0.9,3,4,0.3,5,6,1\n2,1,2,0.9,3,4,0.9,5,6,1\n");
+    assert_true(clip.channel_names ==
+                (Names{"nose_x", "nose_y", "ear_x", "ear_y", "tail_x", "tail_y"}));
+    assert_int_equal(clip.space, 2);
+    assert_true(is_missing(clip, 1, 2) && is_missing(clip, 1, 3) && clip.values(1, 4) == 5);
+}
+
+/// A clinical export: sections with titles, rates, units, names above the first of three columns.
+void preambles_of_clinical_exports(void**) {
+    const std::string text = "Model Outputs\n100\n,,Pat:LHipAngles,,\nFrame,Sub Frame,X,Y,Z\n"
+                             ",,deg,deg,deg\n1,0,1,2,3\n2,0,1,2,3\n\n"
+                             "Trajectories\n150\n,,Pat:LASI,,,Pat:RASI,,,Pat:LHEE,,\n"
+                             "Frame,Sub Frame,X,Y,Z,X,Y,Z,X,Y,Z\n,,mm,mm,mm,mm,mm,mm,mm,mm,mm\n"
+                             "1,0,1,2,3,4,5,6,7,8,9\n2,0,1,2,3,,,,7,8,9\n3,0,1,2,3,4,5,6,7,8,9\n";
+    const Clip clip = csv(text);
+    assert_true(clip.fps == 150 && clip.space == 3);
+    assert_int_equal(clip.frames(), 3);
+    assert_int_equal(clip.values.cols(), 9);
+    assert_string_equal(clip.channel_names[3].c_str(), "Pat:RASI_X");
+    assert_true(is_missing(clip, 1, 3) && clip.values(1, 8) == 9);
+    // An optical system: facts before the header, and levels that tell no columns apart.
+    const Clip optical =
+        csv("Format Version,1.23,Take Name,walk,Capture Frame Rate,120\n\n"
+            ",Type,Marker,Marker,Marker,Marker,Marker,Marker,Marker,Marker,Marker\n"
+            ",Name,a,a,a,b,b,b,c,c,c\n,ID,A1,A1,A1,B1,B1,B1,C1,C1,C1\n"
+            ",,Position,Position,Position,Position,Position,Position,Position,Position,Position\n"
+            "Frame,Time (Seconds),X,Y,Z,X,Y,Z,X,Y,Z\n0,0.0,1,2,3,4,5,6,7,8,9\n"
+            "1,0.01,1,2,3,4,5,6,7,8,9\n2,0.02,1,2,3,4,5,6,7,8,9\n");
+    assert_true(optical.fps == 100 && optical.space == 3);
+    assert_string_equal(optical.channel_names[0].c_str(), "a_X");
+    assert_int_equal(optical.values.cols(), 9);
+}
+
+/// A row of data with a letter in it is not a second header.
+void broken_rows_are_no_headers(void**) {
+    ASSERT_FAILS(Status::format, "test:2: column 2 ('b'): 'x' is not a number",
+                 csv("a,b\n1,x\n2,3\n4,5\n"));
+}
+
 void malformed(void**) {
     ASSERT_FAILS(Status::format, "test:3: 2 cells, but the previous lines have 3",
                  csv("a,b,c\n1,2,3\n4,5\n"));
@@ -142,12 +228,6 @@ void malformed(void**) {
     ASSERT_FAILS(Status::format, "test:2: column 1: '1.234,5' is not a number",
                  csv("1;2\n1.234,5;2\n"));
     ASSERT_FAILS(Status::format, "'1,234,567' is not a number", csv("1;2\n1,234,567;2\n"));
-    ASSERT_FAILS(Status::not_finite, "test:3: column 2 ('b') has no value",
-                 csv("a,b,c\n1,2,3\n4,,6\n"));
-    for (const char* gap : {"NaN", "NA", "-", "null", " "})
-        ASSERT_FAILS(Status::not_finite, "test:2: column 1 has no value",
-                     csv(stltsa::format_text("1,2,3\n{},5,6\n", gap)));
-    ASSERT_FAILS(Status::not_finite, "test:1: column 2 has no value", csv("1,NA,3\n1,2,3\n"));
     ASSERT_FAILS(Status::not_finite, "test:2: column 2 is inf", csv("1,2\n3,inf\n"));
     ASSERT_FAILS(Status::not_finite, "test:2: column 2 is -inf", csv("1,2\n3,-1e999\n"));
     ASSERT_FAILS(Status::format, "test:2: a quote is not closed", csv("1,2\n\"3,4\n"));
@@ -168,7 +248,12 @@ int main() {
         cmocka_unit_test(numbered_columns_are_a_header),
         cmocka_unit_test(time_at_an_implausible_rate_is_a_channel),
         cmocka_unit_test(time_gives_the_rate_and_is_not_a_channel),
-        cmocka_unit_test(uneven_time_needs_option_fps),
+        cmocka_unit_test(uneven_times_are_resampled),
+        cmocka_unit_test(cells_without_a_value_are_gaps),
+        cmocka_unit_test(headers_of_two_levels),
+        cmocka_unit_test(key_points_with_likelihoods),
+        cmocka_unit_test(preambles_of_clinical_exports),
+        cmocka_unit_test(broken_rows_are_no_headers),
         cmocka_unit_test(frame_numbers_are_not_a_channel),
         cmocka_unit_test(malformed),
     };

@@ -7,7 +7,8 @@
 #include <limits>
 #include <numbers>
 
-#include "clip/features/point_gaps.hpp"
+#include "clip/csv/point_columns.hpp"
+#include "clip/features/gaps.hpp"
 #include "clip/features/point_names.hpp"
 #include "clip/features/points.hpp"
 #include "clip/features/prepare.hpp"
@@ -40,6 +41,7 @@ Clip walker(double seconds, const PlaceAt& place_at) {
     constexpr std::int64_t count = 10;
     Clip clip;
     clip.fps = fps;
+    clip.space = 3;
     clip.channel_names = names(count);
     clip.values = Matrix(static_cast<std::int64_t>(seconds * fps), 3 * count);
     for (std::int64_t i = 0; i < clip.frames(); ++i) {
@@ -86,6 +88,15 @@ Matrix difference(const Matrix& a, const Matrix& b) {
     return result;
 }
 
+/// Whether a file with these columns is one of points in space, all of whose columns are kept.
+bool names_points(const std::vector<std::string>& all) {
+    Clip clip;
+    clip.channel_names = all;
+    clip.values = Matrix(2, std::ssize(all));
+    take_points(clip, {});
+    return clip.space == 3 && clip.values.cols() == std::ssize(all);
+}
+
 void triples_of_names_are_points(void**) {
     using Names = std::vector<std::string>;
     const auto with = [](const std::string& x, const std::string& y, const std::string& z) {
@@ -118,9 +129,7 @@ void other_matrices_stay_raw(void**) {
     check_same(features(clip, Features::raw, {}), clip.values, 0);
     clip.values(3, 0) = clip.values(3, 1) = clip.values(3, 2) = 0;
     check_same(features(clip, Features::raw, {}), clip.values, 0);
-    clip.channel_names[4] = "other";
-    assert_true(feature_kind(clip, {}) == Features::raw);
-    check_same(prepare(clip, {{}, {}, 0, 0, true}).samples, clip.values, 0);
+    clip.space = 0;
     clip.channel_names.clear();
     assert_true(feature_kind(clip, {}) == Features::raw);
     check_same(features(clip, {}, {}), clip.values, 0);
@@ -210,7 +219,7 @@ void points_in_a_plane_keep_their_heading(void**) {
     for (std::int64_t i = 0; i < flat.frames(); ++i)
         for (std::int64_t c = 1; c < flat.values.cols(); c += 3)
             flat.values(i, c) = 2;
-    const FeatureRows made = points(flat, Axis::z);
+    const FeatureRows made = points(flat, Axis::z, GapRule::fill);
     assert_true(made.notes.back().find("not the heading") != std::string::npos);
     for (std::int64_t i = 0; i < flat.frames(); ++i) {
         ASSERT_NEAR(made.rows(i, 1), 0, 1e-12);
@@ -256,7 +265,7 @@ void gaps_are_filled_linearly(void**) {
         lose(i, 2, gap);
     for (std::int64_t i = 0; i < 6; ++i)
         lose(i, 3, 0);
-    const Gaps gaps = fill_gaps(all);
+    const Gaps gaps = fill_gaps(all, 3, GapRule::fill, 0);
     assert_true(gaps.seen == (std::vector<std::int64_t>{0, 1, 2}) && gaps.filled == gaps.seen);
     assert_true(gaps.dropped == std::vector<std::int64_t>{3} && gaps.frames == 8);
     for (std::int64_t i = 0; i < 10; ++i)
@@ -271,18 +280,21 @@ void half_of_the_frames_are_enough(void**) {
         Matrix all(10, 3);
         for (std::int64_t i = missing; i < 10; ++i)
             all(i, 0) = 7;
-        assert_int_equal(fill_gaps(all).dropped.size(), missing > 5);
+        assert_int_equal(fill_gaps(all, 3, GapRule::fill, 0).dropped.size(), missing > 5);
         assert_true(all(0, 0) == (missing > 5 ? 0 : 7));
     }
 }
 
 void points_without_names_have_numbers(void**) {
     Clip clip;
-    clip.values = Matrix(10, 9);
+    clip.values = Matrix(10, 12);
+    for (std::int64_t i = 0; i < 10; ++i)
+        clip.values(i, 9) = 1;
     for (const std::vector<std::string>& all :
-         {std::vector<std::string>(), std::vector<std::string>(9)}) {
+         {std::vector<std::string>(), std::vector<std::string>(12)}) {
         clip.channel_names = all;
-        assert_true(points(clip, Axis::z).notes.front().ends_with("are 0): 1, 2, 3"));
+        const FeatureRows made = points(clip, Axis::z, GapRule::fill);
+        assert_true(made.notes.front().ends_with("are 0): 1, 2, 3"));
     }
 }
 
@@ -302,7 +314,7 @@ void missing_points_do_not_move_the_others(void**) {
     more.values = Matrix(whole.frames(), 33);
     for (std::int64_t i = 0; i < whole.frames(); ++i)
         std::copy_n(whole.values.row(i), 30, more.values.row(i));
-    const FeatureRows made = points(more, Axis::z);
+    const FeatureRows made = points(more, Axis::z, GapRule::fill);
     assert_true(made.notes.front().find("left out (their features are 0): 'm10'") !=
                 std::string::npos);
     for (std::int64_t i = 0; i < whole.frames(); ++i) {
@@ -319,7 +331,7 @@ void too_few_points_stay(void**) {
     for (std::int64_t i = 0; i < 50; ++i)
         for (std::int64_t c = 0; c < 6; ++c)
             clip.values(i, c) = 1 + static_cast<double>(i * c);
-    const FeatureRows made = points(clip, {});
+    const FeatureRows made = points(clip, {}, GapRule::fill);
     check_same(made.rows, clip.values, 0);
     assert_true(made.up == Axis::none && made.notes.size() == 1);
     assert_true(points_up(clip) == Axis::none);
@@ -354,7 +366,7 @@ void up_is_not_along_the_path(void**) {
 void works_without_a_frame_rate(void**) {
     Clip clip = walker_in_place();
     clip.fps = 0;
-    const FeatureRows made = points(clip, Axis::z);
+    const FeatureRows made = points(clip, Axis::z, GapRule::fill);
     assert_true(made.notes.front().starts_with("frame rate unknown"));
     assert_true(std::abs(rms(made.rows, 0, 1200) / rms(rows(walker_in_place()), 0, 1200) - 1) <
                 0.05);
@@ -371,13 +383,71 @@ void csv_of_points_may_have_gaps(void**) {
     assert_true(std::isnan(clip.values(1, 4)));
     const FeatureRows made = feature_rows(clip, {}, Axis::z);
     assert_true(made.notes.front().find("'b' (1 in all)") != std::string::npos);
-    ASSERT_FAILS(Status::not_finite, "column 4 ('b_x') has no value in frame 1",
-                 features(clip, Features::raw, {}));
-    // The same numbers in other columns are refused where they stand.
-    for (const std::string_view header :
-         {"time,a_x,a_y,a_z,b_x,b_y,b_z,c_x,c_y,other", "time,a,b,c,d,e,f,g,h,i",
-          "other,a_x,a_y,a_z,b_x,b_y,b_z,c_x,c_y,c_z"})
-        ASSERT_FAILS(Status::not_finite, "test:3: column 5 (", parse(csv(header), Format::csv));
+    ASSERT_FAILS(Status::not_finite, "1 values in all: 'b'",
+                 feature_rows(clip, {}, Axis::z, GapRule::refuse));
+    // Of columns that are no points as well.
+    const Clip other = parse(csv("time,a,b,c,d,e,f,g,h,i"), Format::csv);
+    const FeatureRows raw = feature_rows(other, {}, {});
+    assert_true(raw.rows(1, 3) == 4 && raw.rows(1, 4) == 5 && raw.rows(1, 5) == 6);
+    assert_true(raw.notes.front().starts_with("columns without a value"));
+}
+
+/// A point that is lost for longer than the body needs for a step is where the others imply.
+void long_gaps_are_predicted(void**) {
+    const Clip whole = walker(20, [](double t) { return Place{1.3 * t}; });
+    const Matrix wanted = rows(whole);
+    Clip clip = whole;
+    for (std::int64_t i = 300; i < 390; ++i)
+        std::fill_n(clip.values.row(i) + 6, 3, gap);
+    for (const GapRule rule : {GapRule::fill, GapRule::skip}) {
+        const FeatureRows made = points(clip, Axis::z, rule);
+        ASSERT_NEAR(rms(difference(made.rows, wanted), 300, 390), 0, 0.02); // of strides 0.5 wide
+        assert_true(made.holes.empty());
+        assert_true(made.notes.front().find("from the others") != std::string::npos);
+    }
+    ASSERT_FAILS(Status::not_finite, "set option gaps to fill or skip",
+                 points(clip, Axis::z, GapRule::refuse));
+}
+
+/// While most points are gone for long, nothing is known.
+void holes_are_found(void**) {
+    Clip clip = walker_in_place();
+    for (std::int64_t i = 600; i < 660; ++i)
+        std::fill_n(clip.values.row(i) + (i % 2 == 0 ? 0 : 12), 18, gap);
+    for (std::int64_t i = 100; i < 114; ++i) // a shorter one
+        std::fill_n(clip.values.row(i), 30, gap);
+    const FeatureRows made = points(clip, Axis::z, GapRule::fill);
+    assert_int_equal(made.holes.size(), 1);
+    assert_true(made.holes[0].begin == 600 && made.holes[0].end == 660);
+    assert_true(made.notes.back().find("removed") != std::string::npos);
+}
+
+/// Seen from above, a body that turns has a heading; seen from the side, it does not.
+void points_in_two_dimensions(void**) {
+    const auto flat = [](const Clip& clip, std::int64_t first, std::int64_t second) {
+        Clip result;
+        result.fps = fps;
+        result.space = 2;
+        result.values = Matrix(clip.frames(), 20);
+        for (std::int64_t i = 0; i < clip.frames(); ++i)
+            for (std::int64_t p = 0; p < 10; ++p) {
+                result.values(i, 2 * p) = clip.values(i, 3 * p + first);
+                result.values(i, 2 * p + 1) = clip.values(i, 3 * p + second);
+            }
+        return result;
+    };
+    const auto last_note = [](const Clip& clip) {
+        return points(clip, {}, GapRule::fill).notes.back();
+    };
+    const Clip circle = walker(20, [](double t) {
+        return Place{std::cos(0.4 * t), std::sin(0.4 * t), 0, 0.4 * t};
+    });
+    const Clip straight = walker(20, [](double t) { return Place{1.3 * t}; });
+    assert_true(last_note(flat(circle, 0, 1)).find("and the heading") != std::string::npos);
+    assert_true(last_note(flat(straight, 0, 2)).find("not the heading") != std::string::npos);
+    const Matrix side = features(flat(straight, 0, 2), {}, {});
+    assert_int_equal(side.cols(), 20);
+    check_same(side, features(flat(walker_in_place(), 0, 2), {}, {}), 1e-9);
 }
 
 } // namespace
@@ -403,6 +473,9 @@ int main() {
         cmocka_unit_test(up_is_not_along_the_path),
         cmocka_unit_test(works_without_a_frame_rate),
         cmocka_unit_test(csv_of_points_may_have_gaps),
+        cmocka_unit_test(long_gaps_are_predicted),
+        cmocka_unit_test(holes_are_found),
+        cmocka_unit_test(points_in_two_dimensions),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

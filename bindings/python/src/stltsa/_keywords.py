@@ -11,6 +11,7 @@ Auto: TypeAlias = Literal["auto"]
 Mode: TypeAlias = Literal["temporal", "spatial", "recurrent"]
 Features: TypeAlias = Literal["positions", "rotations6d", "euler", "raw", "points"]
 UpAxis: TypeAlias = Literal["x", "y", "z"]
+Gaps: TypeAlias = Literal["fill", "refuse", "skip"]
 
 
 class Keywords(TypedDict, total=False):
@@ -48,3 +49,5 @@ class Keywords(TypedDict, total=False):
     posture_limit: float
     dimension_estimate: bool
     segments: int | Auto | None
+    gaps: Gaps
+    least_confidence: float

@@ -296,6 +296,11 @@ pub const STLTSA_OPT_CUT_RANGE: i32 = 29;
 pub const STLTSA_OPT_POSTURE_LIMIT: i32 = 30;
 pub const STLTSA_OPT_DIMENSION_ESTIMATE: i32 = 31;
 pub const STLTSA_OPT_SEGMENTS: i32 = 32;
+pub const STLTSA_OPT_GAPS: i32 = 33;
+pub const STLTSA_OPT_LEAST_CONFIDENCE: i32 = 34;
+pub const STLTSA_GAPS_FILL: i32 = 1;
+pub const STLTSA_GAPS_REFUSE: i32 = 2;
+pub const STLTSA_GAPS_SKIP: i32 = 3;
 pub const STLTSA_MODE_TEMPORAL: i32 = 1;
 pub const STLTSA_MODE_SPATIAL: i32 = 2;
 pub const STLTSA_MODE_RECURRENT: i32 = 3;
@@ -826,6 +831,8 @@ pub const STLTSA_FORMAT_AMC: i32 = 2;
 pub const STLTSA_FORMAT_CSV: i32 = 3;
 pub const STLTSA_FORMAT_NPY: i32 = 4;
 pub const STLTSA_FORMAT_MATRIX: i32 = 5;
+pub const STLTSA_FORMAT_POINTS: i32 = 6;
+pub const STLTSA_FORMAT_SKELETON: i32 = 7;
 extern "C" {
     pub fn stltsa_clip_open(
         path: *const ::std::os::raw::c_char,
@@ -845,6 +852,256 @@ extern "C" {
 extern "C" {
     pub fn stltsa_clip_from_matrix(
         frames: *const stltsa_in,
+        fps: f64,
+        clip: *mut *mut stltsa_clip,
+    ) -> stltsa_status;
+}
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct stltsa_points {
+    pub size: usize,
+    pub space: i32,
+    pub reserved: i32,
+    pub positions: stltsa_in,
+    pub names: *const *const ::std::os::raw::c_char,
+    pub confidence: stltsa_in,
+    pub times: stltsa_in,
+    pub fps: f64,
+}
+#[test]
+fn bindgen_test_layout_stltsa_points() {
+    assert_eq!(
+        ::std::mem::size_of::<stltsa_points>(),
+        176usize,
+        concat!("Size of: ", stringify!(stltsa_points))
+    );
+    assert_eq!(
+        ::std::mem::align_of::<stltsa_points>(),
+        8usize,
+        concat!("Alignment of ", stringify!(stltsa_points))
+    );
+    fn test_field_size() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_points>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).size) as usize - ptr as usize
+            },
+            0usize,
+            concat!("Offset of field: ", stringify!(stltsa_points), "::", stringify!(size))
+        );
+    }
+    test_field_size();
+    fn test_field_space() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_points>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).space) as usize - ptr as usize
+            },
+            8usize,
+            concat!("Offset of field: ", stringify!(stltsa_points), "::", stringify!(space))
+        );
+    }
+    test_field_space();
+    fn test_field_reserved() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_points>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).reserved) as usize - ptr as usize
+            },
+            12usize,
+            concat!("Offset of field: ", stringify!(stltsa_points), "::", stringify!(reserved))
+        );
+    }
+    test_field_reserved();
+    fn test_field_positions() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_points>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).positions) as usize - ptr as usize
+            },
+            16usize,
+            concat!("Offset of field: ", stringify!(stltsa_points), "::", stringify!(positions))
+        );
+    }
+    test_field_positions();
+    fn test_field_names() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_points>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).names) as usize - ptr as usize
+            },
+            64usize,
+            concat!("Offset of field: ", stringify!(stltsa_points), "::", stringify!(names))
+        );
+    }
+    test_field_names();
+    fn test_field_confidence() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_points>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).confidence) as usize - ptr as usize
+            },
+            72usize,
+            concat!("Offset of field: ", stringify!(stltsa_points), "::", stringify!(confidence))
+        );
+    }
+    test_field_confidence();
+    fn test_field_times() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_points>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).times) as usize - ptr as usize
+            },
+            120usize,
+            concat!("Offset of field: ", stringify!(stltsa_points), "::", stringify!(times))
+        );
+    }
+    test_field_times();
+    fn test_field_fps() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_points>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).fps) as usize - ptr as usize
+            },
+            168usize,
+            concat!("Offset of field: ", stringify!(stltsa_points), "::", stringify!(fps))
+        );
+    }
+    test_field_fps();
+}
+extern "C" {
+    pub fn stltsa_clip_from_points(
+        points: *const stltsa_points,
+        options: *const stltsa_options,
+        clip: *mut *mut stltsa_clip,
+    ) -> stltsa_status;
+}
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct stltsa_joint {
+    pub size: usize,
+    pub name: *const ::std::os::raw::c_char,
+    pub parent: i64,
+    pub offset: [f64; 3usize],
+    pub channels: *const ::std::os::raw::c_char,
+    pub is_end_site: i32,
+    pub reserved: i32,
+}
+#[test]
+fn bindgen_test_layout_stltsa_joint() {
+    assert_eq!(
+        ::std::mem::size_of::<stltsa_joint>(),
+        64usize,
+        concat!("Size of: ", stringify!(stltsa_joint))
+    );
+    assert_eq!(
+        ::std::mem::align_of::<stltsa_joint>(),
+        8usize,
+        concat!("Alignment of ", stringify!(stltsa_joint))
+    );
+    fn test_field_size() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_joint>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).size) as usize - ptr as usize
+            },
+            0usize,
+            concat!("Offset of field: ", stringify!(stltsa_joint), "::", stringify!(size))
+        );
+    }
+    test_field_size();
+    fn test_field_name() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_joint>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).name) as usize - ptr as usize
+            },
+            8usize,
+            concat!("Offset of field: ", stringify!(stltsa_joint), "::", stringify!(name))
+        );
+    }
+    test_field_name();
+    fn test_field_parent() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_joint>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).parent) as usize - ptr as usize
+            },
+            16usize,
+            concat!("Offset of field: ", stringify!(stltsa_joint), "::", stringify!(parent))
+        );
+    }
+    test_field_parent();
+    fn test_field_offset() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_joint>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).offset) as usize - ptr as usize
+            },
+            24usize,
+            concat!("Offset of field: ", stringify!(stltsa_joint), "::", stringify!(offset))
+        );
+    }
+    test_field_offset();
+    fn test_field_channels() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_joint>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).channels) as usize - ptr as usize
+            },
+            48usize,
+            concat!("Offset of field: ", stringify!(stltsa_joint), "::", stringify!(channels))
+        );
+    }
+    test_field_channels();
+    fn test_field_is_end_site() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_joint>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).is_end_site) as usize - ptr as usize
+            },
+            56usize,
+            concat!("Offset of field: ", stringify!(stltsa_joint), "::", stringify!(is_end_site))
+        );
+    }
+    test_field_is_end_site();
+    fn test_field_reserved() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_joint>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).reserved) as usize - ptr as usize
+            },
+            60usize,
+            concat!("Offset of field: ", stringify!(stltsa_joint), "::", stringify!(reserved))
+        );
+    }
+    test_field_reserved();
+}
+pub const STLTSA_ROTATIONS_QUATERNION: i32 = 1;
+pub const STLTSA_ROTATIONS_MATRIX: i32 = 2;
+pub const STLTSA_ROTATIONS_CHANNELS: i32 = 3;
+extern "C" {
+    pub fn stltsa_clip_from_skeleton(
+        joints: *const stltsa_joint,
+        count: i64,
+        form: i32,
+        rotations: *const stltsa_in,
+        root_positions: *const stltsa_in,
         fps: f64,
         clip: *mut *mut stltsa_clip,
     ) -> stltsa_status;
@@ -873,10 +1130,8 @@ extern "C" {
 extern "C" {
     pub fn stltsa_clip_joint(
         clip: *const stltsa_clip,
-        joint: i64,
-        name: *mut *const ::std::os::raw::c_char,
-        parent: *mut i64,
-        is_end_site: *mut i32,
+        index: i64,
+        joint: *mut stltsa_joint,
     ) -> stltsa_status;
 }
 extern "C" {

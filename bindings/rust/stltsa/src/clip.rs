@@ -7,7 +7,7 @@ use stltsa_sys as sys;
 
 use crate::array::{Matrix, View};
 use crate::decomposition::Decomposition;
-use crate::error::{c_path, check, count, owned_text, text, Result};
+use crate::error::{c_name, c_path, check, count, owned_text, text, Error, ErrorKind, Result};
 use crate::handle::Owned;
 use crate::kinds::Format;
 use crate::options::Options;
@@ -21,14 +21,58 @@ pub struct Clip {
 }
 
 /// A joint or end site of a clip's skeleton.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Joint {
     /// Name in the file.
     pub name: String,
-    /// Index of its parent; `None` for the root.
+    /// Index of its parent, an earlier joint; `None` for the root, which is joint 0.
     pub parent: Option<usize>,
+    /// From the parent, in the parent's axes.
+    pub offset: [f64; 3],
+    /// Its values in each frame, such as `"tx ty tz rz rx ry"`: positions, which replace the offset
+    /// (`+tx` adds to it), and angles in degrees about moving axes. `None`: as input, the usual
+    /// ones; of a clip, those of an ASF file, which this cannot describe.
+    pub channels: Option<String>,
     /// Whether it ends a limb and so has no rotation.
     pub is_end_site: bool,
+}
+
+/// Local rotations of a skeleton, a row for each frame.
+#[derive(Clone, Copy, Debug)]
+pub enum Rotations<'a> {
+    /// 4 columns a joint: w x y z, child axes to parent axes.
+    Quaternions(View<'a>),
+    /// 9 columns a joint: the rows of its rotation matrix.
+    Matrices(View<'a>),
+    /// A column for each channel of each joint.
+    Channels(View<'a>),
+}
+
+/// Points in space or in a plane, such as markers: see [`Clip::from_points`].
+#[derive(Clone, Copy, Debug)]
+pub struct Points<'a> {
+    /// frames x (space * points): x y z of point 0, point 1, ...; NaN is a missing point.
+    pub positions: View<'a>,
+    /// Coordinates of a point: 2 or 3.
+    pub space: usize,
+    /// One for each point, or none.
+    pub names: &'a [&'a str],
+    /// frames x points; 0: missing.
+    pub confidence: Option<View<'a>>,
+    /// frames x 1, seconds, increasing.
+    pub times: Option<View<'a>>,
+    /// Frames per second; `None`: given by the times.
+    pub fps: Option<f64>,
+}
+
+fn optional(view: Option<View<'_>>) -> Result<sys::stltsa_in> {
+    match view {
+        Some(view) => view.raw(),
+        None => View::new::<f64>(&[], 0, 0)?.raw().map(|none| sys::stltsa_in {
+            data: std::ptr::null(),
+            ..none
+        }),
+    }
 }
 
 impl Clip {
@@ -88,6 +132,80 @@ impl Clip {
         Ok(Self { handle: Owned::make(make)? })
     }
 
+    /// A clip of points, which are copied. Frames at uneven times are resampled to the rate of the
+    /// median step, which a note says. Option used: least_confidence.
+    ///
+    /// # Errors
+    /// [`Shape`](crate::ErrorKind::Shape), [`Argument`](crate::ErrorKind::Argument) (times that do
+    /// not increase, no rate), [`Format`](crate::ErrorKind::Format) (most frames are missing),
+    /// [`NotFinite`](crate::ErrorKind::NotFinite).
+    pub fn from_points(points: &Points<'_>, options: &Options) -> Result<Self> {
+        let names = points.names.iter().map(|name| c_name(name)).collect::<Result<Vec<_>>>()?;
+        let names: Vec<_> = names.iter().map(|name| name.as_ptr()).collect();
+        if !names.is_empty() && names.len() * points.space != points.positions.cols() {
+            let text = format!("{} names for {} columns", names.len(), points.positions.cols());
+            return Err(Error::new(ErrorKind::Shape, text));
+        }
+        let given = sys::stltsa_points {
+            size: std::mem::size_of::<sys::stltsa_points>(),
+            space: i32::try_from(points.space).unwrap_or(0),
+            reserved: 0,
+            positions: points.positions.raw()?,
+            names: if names.is_empty() { std::ptr::null() } else { names.as_ptr() },
+            confidence: optional(points.confidence)?,
+            times: optional(points.times)?,
+            fps: points.fps.unwrap_or(0.0),
+        };
+        options.call(|options| {
+            // SAFETY: arrays and names live through the call; there is a name for each point.
+            let make = |out| unsafe { sys::stltsa_clip_from_points(&given, options, out) };
+            Ok(Self { handle: Owned::make(make)? })
+        })
+    }
+
+    /// A clip of a skeleton: its joints, their rotations, and the positions of the root (frames x
+    /// 3; `None`: it stays at its offset, or the channels say where it is). All is copied.
+    ///
+    /// # Errors
+    /// [`Shape`](crate::ErrorKind::Shape), [`Argument`](crate::ErrorKind::Argument) (a parent
+    /// after its child, unknown channels, no rotation),
+    /// [`NotFinite`](crate::ErrorKind::NotFinite).
+    pub fn from_skeleton(
+        joints: &[Joint],
+        rotations: Rotations<'_>,
+        root_positions: Option<View<'_>>,
+        fps: f64,
+    ) -> Result<Self> {
+        let names = joints.iter().map(|joint| c_name(&joint.name)).collect::<Result<Vec<_>>>()?;
+        let channels = joints
+            .iter()
+            .map(|joint| joint.channels.as_deref().map(c_name).transpose())
+            .collect::<Result<Vec<_>>>()?;
+        let list: Vec<_> = (0..joints.len())
+            .map(|j| sys::stltsa_joint {
+                size: std::mem::size_of::<sys::stltsa_joint>(),
+                name: names[j].as_ptr(),
+                parent: joints[j].parent.map_or(-1, |parent| parent as i64),
+                offset: joints[j].offset,
+                channels: channels[j].as_ref().map_or(std::ptr::null(), |text| text.as_ptr()),
+                is_end_site: joints[j].is_end_site.into(),
+                reserved: 0,
+            })
+            .collect();
+        let (form, frames) = match rotations {
+            Rotations::Quaternions(view) => (sys::STLTSA_ROTATIONS_QUATERNION, view),
+            Rotations::Matrices(view) => (sys::STLTSA_ROTATIONS_MATRIX, view),
+            Rotations::Channels(view) => (sys::STLTSA_ROTATIONS_CHANNELS, view),
+        };
+        let (frames, root) = (frames.raw()?, optional(root_positions)?);
+        let (data, count) = (list.as_ptr(), list.len() as i64);
+        // SAFETY: `count` joints from `data`, their texts and the arrays live through the call.
+        let make = |out| unsafe {
+            sys::stltsa_clip_from_skeleton(data, count, form, &frames, &root, fps, out)
+        };
+        Ok(Self { handle: Owned::make(make)? })
+    }
+
     /// Number of frames.
     pub fn frames(&self) -> usize {
         // SAFETY: a live handle.
@@ -128,18 +246,19 @@ impl Clip {
     }
 
     fn joint(&self, index: usize) -> Result<Joint> {
-        let (mut name, mut parent, mut is_end_site) = (std::ptr::null(), -1, 0);
-        // SAFETY: a live handle, to which the name belongs until it is copied.
+        let mut found = sys::stltsa_joint::default();
+        found.size = std::mem::size_of_val(&found);
+        // SAFETY: a live handle, to which the texts belong until they are copied.
         unsafe {
-            check(sys::stltsa_clip_joint(
-                self.raw(),
-                index as i64,
-                &mut name,
-                &mut parent,
-                &mut is_end_site,
-            ))?;
-            let parent = usize::try_from(parent).ok();
-            Ok(Joint { name: text(name), parent, is_end_site: is_end_site != 0 })
+            check(sys::stltsa_clip_joint(self.raw(), index as i64, &mut found))?;
+            let channels = (!found.channels.is_null()).then(|| text(found.channels));
+            Ok(Joint {
+                name: text(found.name),
+                parent: usize::try_from(found.parent).ok(),
+                offset: found.offset,
+                channels,
+                is_end_site: found.is_end_site != 0,
+            })
         }
     }
 

@@ -77,6 +77,12 @@ pub(crate) fn owned_text(
 }
 
 /// The path for C.
+/// A name for C, which ends at the first NUL.
+pub(crate) fn c_name(name: &str) -> Result<CString> {
+    CString::new(name)
+        .map_err(|_| Error::new(ErrorKind::Argument, format!("the name {name:?} contains NUL")))
+}
+
 pub(crate) fn c_path(path: &Path) -> Result<CString> {
     #[cfg(unix)]
     let bytes = Some(std::os::unix::ffi::OsStrExt::as_bytes(path.as_os_str()));

@@ -64,7 +64,7 @@ mod synthesis;
 mod with_ndarray;
 
 pub use array::{Element, Matrix, View};
-pub use clip::{Clip, Joint};
+pub use clip::{Clip, Joint, Points, Rotations};
 pub use decomposition::{Decomposition, DecompositionInfo, Interval, Part, Segment, Summary};
 pub use denoising::{DenoisedColumn, Denoising};
 pub use dimension::{Dimension, Estimate};

@@ -88,6 +88,10 @@ kinds! {
         /// `int`: decompose: number of segments in motion; rests are not counted; auto: as many as
         /// the behavior changes.
         Segments = STLTSA_OPT_SEGMENTS,
+        /// `int`: STLTSA_GAPS_*.
+        Gaps = STLTSA_OPT_GAPS,
+        /// `real`: points seen with less are missing.
+        LeastConfidence = STLTSA_OPT_LEAST_CONFIDENCE,
     }
     /// Which frames can be neighbors of a frame.
     Mode {
@@ -108,12 +112,12 @@ kinds! {
         Euler = STLTSA_FEATURES_EULER,
         /// The file's numbers.
         Raw = STLTSA_FEATURES_RAW,
-        /// Points in space, such as markers, of a clip without a skeleton, three columns each; auto
-        /// if all columns are named as those of at least three points (heel_x, heel_y, heel_z, or
-        /// heelX, heel.x, heel:x, "heel x"). A point that is at exactly (0, 0, 0) or, in a CSV file
-        /// so named, has no value is missing: filled linearly over time; left out if missing in
-        /// more than half of the frames (its features are 0). Removed: the path of the mean along
-        /// the ground, slow changes of its height, the heading. Notes say what was done.
+        /// Points, such as markers, of a clip without a skeleton; auto if the clip is made of at
+        /// least three (stltsa_clip_from_ points; NPY frames x points x 3; CSV columns named
+        /// heel_x, heel_y, heel_z, or heelX, heel.x, heel:x, "heel x"). A point at exactly 0, or
+        /// without a value, is missing: option gaps. Removed: the path of the mean along the
+        /// ground, slow changes of its height, the heading; in a plane, the path of the mean, and
+        /// the heading if it turns by a right angle. Notes say what was done.
         Points = STLTSA_FEATURES_POINTS,
     }
     /// The format that a clip was read from.
@@ -122,13 +126,18 @@ kinds! {
         Bvh = STLTSA_FORMAT_BVH,
         /// AMC; needs its ASF: option skeleton, or found by subject number.
         Amc = STLTSA_FORMAT_AMC,
-        /// Numbers split by , ; tab or blanks; a header line is optional.
+        /// Numbers split by , ; tab or blanks; header lines are optional. Columns named x, y, z of
+        /// each point make a clip of points; an empty cell is a missing value.
         Csv = STLTSA_FORMAT_CSV,
-        /// NumPy 1.0 to 3.0, 1-D or 2-D, float32 or float64, C or Fortran; other shapes, such as
-        /// frames x joints x 3, must be reshaped.
+        /// NumPy 1.0 to 3.0, float32 or float64, C or Fortran order: frames, frames x columns, or
+        /// frames x points x 2 or 3.
         Npy = STLTSA_FORMAT_NPY,
         /// No file: stltsa_clip_from_matrix.
         Matrix = STLTSA_FORMAT_MATRIX,
+        /// No file: stltsa_clip_from_points.
+        Points = STLTSA_FORMAT_POINTS,
+        /// No file: stltsa_clip_from_skeleton.
+        Skeleton = STLTSA_FORMAT_SKELETON,
     }
     /// Stages that a progress closure sees; a call has some of them.
     Stage {

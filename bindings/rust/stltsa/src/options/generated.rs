@@ -208,4 +208,18 @@ impl Options {
     pub fn segments(self, value: usize) -> Self {
         self.with(sys::STLTSA_OPT_SEGMENTS, int(value))
     }
+
+    /// Missing points or values: fill, up to 0.25 s over time, longer ones from the others in the
+    /// same frame; skip, all from the others, so that they add nothing to distances; refuse, an
+    /// error.
+    #[must_use]
+    pub fn gaps(self, value: Gaps) -> Self {
+        self.with(sys::STLTSA_OPT_GAPS, Value::Int(value.raw().into()))
+    }
+
+    /// Points that were seen with less confidence are missing.
+    #[must_use]
+    pub fn least_confidence(self, value: f64) -> Self {
+        self.with(sys::STLTSA_OPT_LEAST_CONFIDENCE, Value::Real(value))
+    }
 }

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "clip/csv/headers.hpp"
+
+#include <algorithm>
+#include <span>
+
+#include "clip/csv/cells.hpp"
+#include "clip/text/number.hpp"
+
+namespace stltsa::clip {
+namespace {
+
+using Cells = std::vector<std::string>;
+
+/// Numbers begin within so many lines, or there is no preamble.
+constexpr std::size_t most_lines = 64;
+/// Plausible rates of a line that has nothing but a number.
+constexpr double least_rate = 2;
+constexpr double most_rate = 1e5;
+
+bool is_filled(const std::string& cell) {
+    return !cell.empty();
+}
+
+std::int64_t filled(const Cells& cells) {
+    return std::ranges::count_if(cells, is_filled);
+}
+
+/// Filled cells, or all but the label of the line, which is in one of the first two columns.
+bool is_all(const Cells& cells, bool (*holds)(std::string_view)) {
+    return std::all_of(cells.begin() + std::min<std::ptrdiff_t>(2, std::ssize(cells)), cells.end(),
+                       [holds](const std::string& cell) { return cell.empty() || holds(cell); });
+}
+
+bool is_unit(std::string_view cell) {
+    constexpr std::string_view units[] = {"m",   "mm", "cm",  "s",    "ms", "deg",  "rad",
+                                          "mm.", "px", "n/a", "unit", "in", "(mm)", "(m)"};
+    return std::ranges::any_of(
+        units, [cell](std::string_view u) { return equals_ignoring_case(cell, u); });
+}
+
+/// "Marker", "Marker", ... of each column, or the name of the network that tracked: they tell no
+/// columns apart.
+bool is_constant(const Cells& cells) {
+    for (std::size_t c = 3; c < cells.size(); ++c)
+        if (cells[c] != cells[2] && !cells[c].empty())
+            return false;
+    return cells.size() > 3;
+}
+
+/// Numbers that a system gives its markers.
+bool is_identity(const Cells& cells) {
+    return std::any_of(cells.begin(),
+                       cells.begin() + std::min<std::ptrdiff_t>(2, std::ssize(cells)),
+                       [](const std::string& cell) { return equals_ignoring_case(cell, "id"); });
+}
+
+/// A name stands above the first of its columns.
+void spread_names(Cells& cells) {
+    for (std::size_t c = 1; c < cells.size(); ++c)
+        if (cells[c].empty())
+            cells[c] = cells[c - 1];
+}
+
+class HeadReader {
+  public:
+    explicit HeadReader(TextCursor& in) : in_(in) {}
+
+    std::optional<Head> read() {
+        TextCursor from = in_;
+        const bool skipped = find_trajectories(from);
+        if (!collect(from))
+            return std::nullopt;
+        Head head;
+        head.separator = separator_;
+        find_rate(head);
+        std::vector<Cells> levels = levels_of();
+        if (levels.empty())
+            return std::nullopt;
+        set_names(levels, head);
+        if (skipped)
+            head.notes.emplace_back("section Trajectories read, the sections before it are not");
+        if (first_level_ > 0)
+            head.notes.push_back(
+                format_text("{} lines before the header are not read", first_level_));
+        in_ = after_;
+        return head;
+    }
+
+  private:
+    /// Vicon writes sections; that of the markers is wanted.
+    static bool find_trajectories(TextCursor& from) {
+        constexpr std::string_view sections[] = {"joints", "segments", "model outputs", "devices"};
+        const auto title = [](std::string_view line) {
+            while (!line.empty() &&
+                   (line.back() == ',' || line.back() == ';' || line.back() == '"'))
+                line.remove_suffix(1);
+            return to_lower(trim(line.starts_with('"') ? line.substr(1) : line));
+        };
+        TextCursor at = from;
+        if (std::ranges::find(sections, title(at.line())) == std::end(sections))
+            return false;
+        for (TextCursor before = at;; before = at) {
+            const std::string_view line = at.line();
+            if (line.empty())
+                return false;
+            if (title(line) == "trajectories") {
+                from = before;
+                return true;
+            }
+        }
+    }
+
+    static Cells split(std::string_view line, char separator) {
+        const auto cells = split_cells(line, separator);
+        return cells ? Cells(cells->begin(), cells->end()) : Cells();
+    }
+
+    static bool is_data(const Cells& cells) {
+        const auto is_number = [](const std::string& cell) { return parse_cell(cell).has_value(); };
+        return std::ranges::any_of(cells, is_number) &&
+               std::ranges::all_of(
+                   cells, [&](const std::string& cell) { return is_gap(cell) || is_number(cell); });
+    }
+
+    /// Collects the lines before two rows of numbers of equal length.
+    bool collect(TextCursor& from) {
+        std::vector<std::string_view> lines;
+        std::vector<TextCursor> before;
+        while (lines.size() < most_lines) {
+            before.push_back(from);
+            const std::string_view line = from.line();
+            if (line.empty())
+                return false;
+            lines.push_back(line);
+            if (lines.size() < 3)
+                continue;
+            const std::string_view first = lines[lines.size() - 2];
+            const char separator = find_separator(first);
+            const Cells cells = split(first, separator), next = split(line, separator);
+            if (cells.size() < 2 || cells.size() != next.size() || !is_data(cells) ||
+                !is_data(next))
+                continue;
+            separator_ = separator;
+            columns_ = cells.size();
+            after_ = before[lines.size() - 2];
+            for (std::size_t i = 0; i + 2 < lines.size(); ++i)
+                lines_.push_back(split(lines[i], separator));
+            return lines_.size() > 1;
+        }
+        return false;
+    }
+
+    /// A line with a number only, such as that after "Trajectories", or the cell after "... rate".
+    void find_rate(Head& head) const {
+        const auto take = [&](const std::string& cell) {
+            const auto rate = parse_cell(cell);
+            if (rate && *rate >= least_rate && *rate <= most_rate && head.fps == 0)
+                head.fps = *rate;
+        };
+        for (const Cells& cells : lines_) {
+            if (cells.size() >= columns_ && filled(cells) > 2)
+                continue;
+            if (filled(cells) == 1)
+                take(cells[0]);
+        }
+        for (const Cells& cells : lines_)
+            for (std::size_t c = 0; c + 1 < cells.size(); ++c) {
+                const std::string label = to_lower(cells[c]);
+                if (label.find("rate") != label.npos || label.find("frequency") != label.npos)
+                    take(cells[c + 1]);
+            }
+        if (head.fps > 0)
+            head.notes.push_back(
+                format_text("{:g} frames a second from the lines before the header", head.fps));
+    }
+
+    /// Whether the line names columns: it reaches at least to the last group of three.
+    bool can_be_level(const Cells& cells) const {
+        return cells.size() + 2 >= columns_ && cells.size() <= columns_ + 1 && filled(cells) >= 2;
+    }
+
+    /// The lines that name columns, from above.
+    std::vector<Cells> levels_of() {
+        std::size_t end = lines_.size();
+        if (filled(lines_[end - 1]) == 1 && !lines_[end - 1][0].empty() && end > 1)
+            index_name_ = lines_[--end][0]; // pandas: the name of the index
+        const auto has_number = [](const std::string& cell) {
+            return parse_cell(cell).has_value();
+        };
+        if (!can_be_level(lines_[end - 1]) || std::ranges::any_of(lines_[end - 1], has_number))
+            return {};
+        first_level_ = end;
+        while (first_level_ > 0 && can_be_level(lines_[first_level_ - 1]))
+            --first_level_;
+        std::vector<Cells> levels;
+        for (std::size_t i = first_level_; i < end; ++i) {
+            Cells cells = lines_[i];
+            cells.resize(columns_);
+            const bool is_last = i + 1 == end || is_all(lines_[i + 1], is_unit);
+            if (is_all(cells, is_unit) || is_identity(cells) || (is_constant(cells) && !is_last))
+                continue;
+            levels.push_back(std::move(cells));
+        }
+        return levels;
+    }
+
+    void set_names(std::vector<Cells>& levels, Head& head) const {
+        for (std::size_t l = 0; l + 1 < levels.size(); ++l)
+            spread_names(levels[l]);
+        const Cells& last = levels.back();
+        for (std::size_t c = 0; c < columns_; ++c) {
+            std::string name;
+            // The first columns may be an index, with the titles of the lines above.
+            const bool labelled = c < 2 && levels.size() > 1 && columns_ > 2 &&
+                                  levels.front()[c] != levels.front()[c == 0 ? 1 : 2] &&
+                                  !(c == 1 && levels.front()[c] == levels.front()[0]);
+            for (const Cells& level : levels)
+                if (!level[c].empty() && (!labelled || &level == &levels.back()))
+                    name += (name.empty() ? "" : "_") + level[c];
+            head.names.push_back(name);
+        }
+        if (equals_ignoring_case(last[0], "coords")) // DeepLabCut: above the frame numbers
+            head.names[0].clear();
+        if (!index_name_.empty())
+            head.names[0] = index_name_;
+    }
+
+    TextCursor& in_;
+    std::vector<Cells> lines_; ///< before the numbers
+    TextCursor after_ = in_;   ///< before the first row of numbers
+    std::size_t columns_ = 0;
+    std::size_t first_level_ = 0;
+    char separator_ = ',';
+    std::string index_name_;
+};
+
+} // namespace
+
+std::optional<Head> read_head(TextCursor& in) {
+    return HeadReader(in).read();
+}
+
+} // namespace stltsa::clip

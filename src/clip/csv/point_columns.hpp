@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "clip/clip.hpp"
+
+namespace stltsa::clip {
+
+/// If the columns are the coordinates of points, with or without their confidence, the clip becomes
+/// one of points: columns of confidence go, and points that are seen with less than the option says
+/// are missing. If there are enough points beside triples of other quantities, such as angles and
+/// forces, these are left out.
+void take_points(Clip& clip, const ReadOptions& options);
+
+/// Keeps these columns only.
+void keep_columns(Clip& clip, const std::vector<std::int64_t>& columns);
+
+} // namespace stltsa::clip

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Gaps: points, or columns of a matrix, that have no value in some frames.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "linalg/matrix.hpp"
+
+namespace stltsa::clip {
+
+/// Same values as STLTSA_GAPS_* (checked in capi).
+enum class GapRule : std::int32_t {
+    fill = 1,   ///< short gaps are filled over time, longer ones predicted
+    refuse = 2, ///< a gap is an error
+    skip = 3,   ///< all are predicted, so that they add nothing to distances
+};
+
+/// Longer gaps are not filled over time. Straight lines over 0.25 s move the borders of strides by
+/// no more than noise does; see measure/gaps.
+constexpr double longest_filled_s = 0.25;
+
+/// Frames [begin, end) of a clip.
+struct Frames {
+    std::int64_t begin = 0;
+    std::int64_t end = 0;
+
+    std::int64_t count() const { return end - begin; }
+};
+
+/// A gap in the columns of one group: a point, or a column of a matrix.
+struct Gap : Frames {
+    std::int64_t group = 0;
+};
+
+/// What fill_gaps() found. Points have two or three columns, and are missing if these are all
+/// exactly 0, as C3D files have it, or one is NaN; groups of one column are missing if it is NaN.
+struct Gaps {
+    std::vector<std::int64_t> seen;    ///< groups that take part
+    std::vector<std::int64_t> filled;  ///< those of them that were missing in some frames
+    std::vector<std::int64_t> dropped; ///< missing in more than half of the frames
+    std::int64_t frames = 0;           ///< frames in which a group is missing, summed over `seen`
+    std::vector<Gap> predicted;        ///< gaps for predict_gaps()
+    /// Where more than half of the groups are missing for longer than longest_filled_s: nothing is
+    /// known of the body.
+    std::vector<Frames> holes;
+};
+
+/// Fills all gaps linearly over time, and with the nearest value at the ends. Sets the columns of
+/// dropped groups to 0, so that they carry no weight and the others keep their places. `width`:
+/// columns of a group. `fps` 0: unknown.
+Gaps fill_gaps(Matrix& rows, int width, GapRule rule, double fps);
+
+/// Replaces what fill_gaps() put into the gaps listed as `predicted` by what the groups that are
+/// there imply: the conditional mean under the covariance of the rows, found by iteration
+/// (Dempster, Laird and Rubin, "Maximum likelihood from incomplete data via the EM algorithm",
+/// 1977; for markers, Gloersen and Federolf, "Predicting missing marker trajectories in human
+/// motion data using marker intercorrelations", PLOS ONE, 2016). So a distance between two frames
+/// is that of what both have. The rows must be relative to the body.
+void predict_gaps(Matrix& rows, int width, const Gaps& gaps);
+
+} // namespace stltsa::clip
