@@ -101,7 +101,8 @@ enum {
     STLTSA_E_CANCELLED = -11,    /* the progress callback asked to stop */
     STLTSA_E_UNSUPPORTED = -12,  /* not in this build (CHOLMOD), or not for this clip or model */
     STLTSA_E_INTERNAL = -13,     /* a bug in the library: please report it */
-    STLTSA_E_NO_COMMON_POSTURE = -14 /* two pieces have no common posture at which to join */
+    STLTSA_E_NO_COMMON_POSTURE = -14, /* two pieces have no common posture at which to join */
+    STLTSA_E_NO_SUCH_PART = -15   /* a clip lacks the stretch that was asked for */
 };
 
 /* "STLTSA_E_SHAPE" and so on; "STLTSA_E_UNKNOWN" for values that this version does not know. */
@@ -536,7 +537,10 @@ enum {
     STLTSA_FORMAT_SKELETON = 7 /* no file: stltsa_clip_from_skeleton */
 };
 
-/* Reads a clip. The suffix decides the format, or the content if the suffix is unknown. Options:
+/* Reads a clip, or a stretch of it, whose name follows the path: "walk.bvh:2.5s-9s", see
+ * stltsa_clip_stretch; a file of exactly this name comes first, and the options of
+ * stltsa_decompose count for the names that need it. The suffix decides the format, or the content
+ * if the suffix is unknown. Options:
  * fps, skeleton, least_confidence, progress. E_IO, E_FORMAT (the text has path, line and remedy), E_NOT_FINITE. */
 STLTSA_API stltsa_status stltsa_clip_open(const char *path, const stltsa_options *options,
                                           stltsa_clip **clip) STLTSA_NOEXCEPT;
@@ -604,6 +608,19 @@ STLTSA_API stltsa_status stltsa_clip_from_skeleton(const stltsa_joint *joints, i
                                                    int32_t form, const stltsa_in *rotations,
                                                    const stltsa_in *root_positions, double fps,
                                                    stltsa_clip **clip) STLTSA_NOEXCEPT;
+
+/* A stretch of a clip, as a clip: its frames count from 0 again, which a note says. `what` is
+ *   300-900, 2.5s-9s   frames [300, 900), seconds; one end may be left out
+ *   cyclic, action ... the longest unit of this kind (stltsa_unit_name)
+ *   cycle3, segment2, repetition1   counted from 1
+ *   best, representative            a cycle
+ *   A                  all segments of this label, in order; no motion continues from one to the
+ *                      next
+ * All but the first need a decomposition: options as stltsa_decompose. E_ARGUMENT (another text),
+ * E_NO_SUCH_PART. */
+STLTSA_API stltsa_status stltsa_clip_stretch(const stltsa_clip *clip, const char *what,
+                                             const stltsa_options *options,
+                                             stltsa_clip **stretch) STLTSA_NOEXCEPT;
 STLTSA_API void stltsa_clip_free(stltsa_clip *clip) STLTSA_NOEXCEPT;
 /* Path, format, frames, notes, ...: see STLTSA_INFO_*. */
 STLTSA_API const stltsa_info *stltsa_clip_info(const stltsa_clip *clip) STLTSA_NOEXCEPT;
@@ -771,6 +788,13 @@ typedef struct stltsa_interval {
     double begin_s, end_s;
     int32_t kind, segment; /* STLTSA_UNIT_*, index of the segment; 0 where there are none */
 } stltsa_interval;
+
+/* The frames of a stretch, named as for stltsa_clip_stretch: `count` is set to the number of intervals (1, but for labels), of
+ * which the first `capacity` are written; their kind and segment are 0. */
+STLTSA_API stltsa_status stltsa_clip_find(const stltsa_clip *clip, const char *what,
+                                          const stltsa_options *options, int64_t capacity,
+                                          stltsa_interval *intervals,
+                                          int64_t *count) STLTSA_NOEXCEPT;
 
 enum {
     STLTSA_SEGMENT_CYCLIC = 1,      /* cycles back to back */

@@ -407,6 +407,24 @@ class Clip {
                                   root_positions ? root_positions->get() : nullptr, fps);
     }
 
+    /// See stltsa_clip_stretch.
+    Clip stretch(const std::string& what, const Options& options = {}) const {
+        return detail::made<Clip>(stltsa_clip_stretch, get(), what.c_str(), options.get());
+    }
+    /// See stltsa_clip_find.
+    std::vector<stltsa_interval> find(const std::string& what, const Options& options = {}) const {
+        std::int64_t count = 0;
+        std::vector<stltsa_interval> found(1);
+        for (;;) {
+            const auto room = static_cast<std::int64_t>(found.size());
+            detail::check(
+                stltsa_clip_find(get(), what.c_str(), options.get(), room, found.data(), &count));
+            found.resize(static_cast<std::size_t>(count));
+            if (count <= room)
+                return found;
+        }
+    }
+
     std::int64_t frames() const noexcept { return stltsa_clip_frames(get()); }
     double fps() const noexcept { return stltsa_clip_fps(get()); }
     std::int32_t format() const noexcept { return stltsa_clip_format(get()); }

@@ -18,6 +18,7 @@ Exit exit_of(stltsa_status status) {
     case STLTSA_E_DISCONNECTED:
     case STLTSA_E_DEGENERATE:
     case STLTSA_E_NO_COMMON_POSTURE:
+    case STLTSA_E_NO_SUCH_PART:
         return Exit::untrustworthy;
     case STLTSA_E_CANCELLED:
         return Exit::interrupted;
@@ -27,7 +28,7 @@ Exit exit_of(stltsa_status status) {
 }
 
 bool is_input_to_blame(stltsa_status status) {
-    return status != STLTSA_E_ARGUMENT && status != STLTSA_E_CANCELLED &&
+    return status != STLTSA_E_ARGUMENT && status != STLTSA_E_NO_SUCH_PART && status != STLTSA_E_CANCELLED &&
            status != STLTSA_E_NO_MEMORY && status != STLTSA_E_INTERNAL;
 }
 

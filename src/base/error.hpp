@@ -28,6 +28,7 @@ enum class Status : std::int32_t {
     unsupported = -12,
     internal = -13,
     no_common_posture = -14,
+    no_such_part = -15,
 };
 
 class Error : public std::exception {

@@ -10,8 +10,11 @@
 #include "capi/json/results.hpp"
 #include "capi/options/reader.hpp"
 #include "clip/features/features.hpp"
+#include "clip/stretch.hpp"
+#include "clip/text/text_cursor.hpp"
 #include "clip/write.hpp"
 #include "ltsa/frames.hpp"
+#include "results/stretches.hpp"
 
 using namespace stltsa;
 using capi::guard;
@@ -41,6 +44,31 @@ Matrix clip_features(const stltsa_clip& clip, const stltsa_options* options) {
     return clip::feature_rows(clip.clip, prepare.features, prepare.up, prepare.gaps).rows;
 }
 
+std::vector<clip::Frames> find(const clip::Clip& clip, const std::string& what,
+                               const capi::OptionsReader& reader) {
+    const auto stretch = clip::parse_stretch(what);
+    if (!stretch)
+        fail(Status::argument, "{} is no stretch of a clip: there are {}", clip::quoted(what),
+             clip::stretch_forms);
+    return results::find_stretches(clip, *stretch, [&] {
+        return results::decompose(clip, reader.prepare_options(), reader.decompose_options(),
+                                  reader.progress());
+    });
+}
+
+/// The clip at a path, or the stretch of it that follows the path.
+clip::Clip read_path(const std::string& text, const capi::OptionsReader& reader) {
+    const auto [path, what] = clip::split_stretch(text);
+    clip::Clip whole = clip::read(path, reader.read_options());
+    if (what.empty())
+        return whole;
+    try {
+        return clip::cut(whole, find(whole, what, reader));
+    } catch (const Error& error) {
+        fail(error.status(), "{}: {}", text, error.what());
+    }
+}
+
 clip::Format format_of(int32_t format, std::string_view bytes) {
     return format == 0 ? clip::sniff(bytes) : static_cast<clip::Format>(format);
 }
@@ -53,8 +81,7 @@ stltsa_status stltsa_clip_open(const char* path, const stltsa_options* options,
         required(clip, "clip") = nullptr;
         const capi::OptionsReader reader(options);
         reader.progress().report(Stage::read, 0);
-        auto made = std::make_unique<stltsa_clip>(
-            clip::read(&required(path, "path"), reader.read_options()));
+        auto made = std::make_unique<stltsa_clip>(read_path(&required(path, "path"), reader));
         reader.progress().report(Stage::read, 1);
         *clip = made.release();
     });
@@ -90,6 +117,36 @@ stltsa_status stltsa_clip_from_matrix(const stltsa_in* frames, double fps,
         ltsa::check_frames(input.view(), {&rows, 1});
         made->clip.values = copied(input.view());
         *clip = made.release();
+    });
+}
+
+stltsa_status stltsa_clip_stretch(const stltsa_clip* clip, const char* what,
+                                  const stltsa_options* options, stltsa_clip** stretch) noexcept {
+    return guard([&] {
+        required(stretch, "stretch") = nullptr;
+        const clip::Clip& whole = required(clip, "clip").clip;
+        auto made = std::make_unique<stltsa_clip>(
+            clip::cut(whole, find(whole, &required(what, "what"), capi::OptionsReader(options))));
+        *stretch = made.release();
+    });
+}
+
+stltsa_status stltsa_clip_find(const stltsa_clip* clip, const char* what,
+                               const stltsa_options* options, int64_t capacity,
+                               stltsa_interval* intervals, int64_t* count) noexcept {
+    return guard([&] {
+        required(count, "count") = 0;
+        const clip::Clip& whole = required(clip, "clip").clip;
+        const auto found = find(whole, &required(what, "what"), capi::OptionsReader(options));
+        for (std::int64_t i = 0; i < std::min(capacity, std::ssize(found)); ++i) {
+            const clip::Frames& frames = found[static_cast<std::size_t>(i)];
+            const auto seconds = [&](std::int64_t frame) {
+                return whole.fps > 0 ? static_cast<double>(frame) / whole.fps : 0;
+            };
+            (&required(intervals, "intervals"))[i] = {
+                frames.begin, frames.end, seconds(frames.begin), seconds(frames.end), 0, 0};
+        }
+        *count = std::ssize(found);
     });
 }
 

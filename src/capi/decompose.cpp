@@ -96,8 +96,6 @@ stltsa_status stltsa_decompose(const stltsa_clip* clip, const stltsa_options* op
     return guard([&] {
         required(decomposition, "decomposition") = nullptr;
         const clip::Clip& from = required(clip, "clip").clip;
-        if (!(from.fps > 0))
-            fail(Status::argument, "the clip's frame rate is unknown: open it with option fps");
         const capi::OptionsReader reader(options);
         *decomposition = new stltsa_decomposition(results::decompose(
             from, reader.prepare_options(), reader.decompose_options(), reader.progress()));

@@ -64,6 +64,7 @@ struct Clip {
     int space = 0; ///< without a skeleton: coordinates of each point, 2 or 3; 0: no points
     std::vector<std::string> channel_names; ///< one per column of values; may be empty for matrices
     std::vector<std::string> notes;         ///< what the reader assumed
+    std::vector<std::int64_t> breaks;       ///< frames that do not continue the one before
 
     std::int64_t frames() const { return values.rows(); }
 };

@@ -189,10 +189,12 @@ void fit_number(const KernelFeatures& features, std::int64_t wanted,
 std::vector<Rows> rows_of(const std::vector<Hole>& holes, const Signal& signal) {
     std::vector<Rows> result;
     const auto step = static_cast<double>(signal.step);
-    for (const Hole& hole : holes)
-        result.push_back(
-            {static_cast<std::int64_t>(std::floor(hole.begin / step)),
-             std::min(signal.rows(), static_cast<std::int64_t>(std::ceil(hole.end / step)))});
+    for (const Hole& hole : holes) {
+        const auto begin = static_cast<std::int64_t>(std::floor(hole.begin / step));
+        const auto end = static_cast<std::int64_t>(std::ceil(hole.end / step));
+        if (begin < signal.rows())
+            result.push_back({begin, std::min(signal.rows(), std::max(begin + 1, end))});
+    }
     return result;
 }
 

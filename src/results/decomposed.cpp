@@ -230,6 +230,8 @@ std::vector<recording::Hole> holes_of(const ClipSamples& prepared) {
 
 Decomposed decompose(const clip::Clip& clip, const clip::PrepareOptions& prepare,
                      recording::Options options, const Progress& progress) {
+    if (!(clip.fps > 0))
+        fail(Status::argument, "the clip's frame rate is unknown: open it with option fps");
     const clip::Clip* single = &clip;
     ClipSamples prepared = prepare_clips({&single, 1}, prepare, progress);
     set_messages(prepared, options.single);

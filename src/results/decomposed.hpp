@@ -27,7 +27,8 @@ struct Decomposed {
     std::vector<stltsa_summary> summaries; ///< by label, of labels that repeat
 };
 
-/// The clip's frame rate must be known. Sets the fields of `options` that are for messages only.
+/// Throws Status::argument if the clip's frame rate is unknown. Sets the fields of `options` that
+/// are for messages only.
 Decomposed decompose(const clip::Clip& clip, const clip::PrepareOptions& prepare,
                      recording::Options options, const Progress& progress);
 

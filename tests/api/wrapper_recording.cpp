@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// stltsa.hpp: the segments of a recording.
+// stltsa.hpp: the segments of a recording, stretches of it, and clips of arrays.
 #include <algorithm>
 
 #include <stltsa.hpp>
@@ -7,6 +7,9 @@
 #include "../rooms/assertions.hpp"
 
 namespace {
+
+using stltsa::Clip;
+using stltsa::Matrix;
 
 std::string walker_path; // set by main()
 
@@ -38,6 +41,44 @@ void a_recording_is_divided_into_segments(void**) {
     ASSERT_NEAR(found.summaries()[0].mean_s, found.info().real(STLTSA_INFO_PERIOD), 0.1);
 }
 
+void clips_are_made_of_arrays_and_cut(void**) {
+    const Clip& walk = walker();
+    const std::vector<stltsa::Joint> joints = walk.joints();
+    const Matrix positions = walk.positions();
+    Matrix root(positions.rows, 3);
+    for (std::int64_t i = 0; i < root.rows; ++i)
+        for (std::int64_t c = 0; c < 3; ++c)
+            root(i, c) = positions(i, c);
+    const Clip body = Clip::from_skeleton(joints, STLTSA_ROTATIONS_QUATERNION, walk.rotations(),
+                                          stltsa::MatrixView(root), walk.fps());
+    const Matrix back = body.positions();
+    for (std::size_t i = 0; i < back.values.size(); ++i)
+        ASSERT_NEAR(back.values[i], positions.values[i], 1e-10);
+    stltsa::Points points{positions, 3, {}, {}, {}, walk.fps()};
+    for (const stltsa::Joint& joint : joints)
+        points.names.push_back(joint.name);
+    Matrix times(positions.rows, 1), sure(positions.rows, positions.cols / 3);
+    for (std::int64_t i = 0; i < times.rows; ++i)
+        times(i, 0) = static_cast<double>(i) / walk.fps();
+    std::fill(sure.values.begin(), sure.values.end(), 1.0);
+    const Clip markers = Clip::from_points(points);
+    assert_int_equal(markers.format(), STLTSA_FORMAT_POINTS);
+    points.fps = 0;
+    points.times = times;
+    points.confidence = sure;
+    assert_true(Clip::from_points(points).features().values == markers.features().values);
+    const Clip cyclic = walk.stretch("cyclic");
+    const std::vector<stltsa_interval> found = walk.find("cyclic");
+    assert_int_equal(found.size(), 1);
+    assert_int_equal(found[0].end - found[0].begin, cyclic.frames());
+    try {
+        walk.find("cycle77");
+        _fail(__FILE__, __LINE__);
+    } catch (const stltsa::Error& error) {
+        assert_int_equal(error.status(), STLTSA_E_NO_SUCH_PART);
+    }
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -46,6 +87,7 @@ int main(int argc, char** argv) {
     walker_path = argv[1];
     const CMUnitTest tests[] = {
         cmocka_unit_test(a_recording_is_divided_into_segments),
+        cmocka_unit_test(clips_are_made_of_arrays_and_cut),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

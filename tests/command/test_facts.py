@@ -13,7 +13,8 @@ import os
 import pathlib
 import re
 import unittest
-from ctypes import POINTER, byref, c_char_p, c_double, c_int32, c_int64, c_size_t, c_void_p
+from ctypes import (
+    POINTER, byref, c_char_p, c_double, c_int32, c_int64, c_size_t, c_void_p, sizeof)
 
 from common import SCHEMAS, bursts, circle, cut, still, walk, write_csv
 
@@ -30,6 +31,12 @@ class InfoKey(ctypes.Structure):
 class Interval(ctypes.Structure):
     _fields_ = [("begin", c_int64), ("end", c_int64), ("begin_s", c_double), ("end_s", c_double),
                 ("kind", c_int32), ("segment", c_int32)]
+
+
+class Joint(ctypes.Structure):
+    _fields_ = [("size", c_size_t), ("name", c_char_p), ("parent", c_int64),
+                ("offset", c_double * 3), ("channels", c_char_p), ("is_end_site", c_int32),
+                ("reserved", c_int32)]
 
 
 class Segment(ctypes.Structure):
@@ -224,10 +231,10 @@ def channels(h):
 def joints(field):
     def of(h):
         for joint in range(value("clip_joints", c_int64, h.pointer)):
-            name, parent, end = c_char_p(), c_int64(), c_int32()
-            call("clip_joint", h.pointer, c_int64(joint), byref(name), byref(parent), byref(end))
-            yield {"name": name.value.decode(), "parent": chosen(parent.value),
-                   "end_site": bool(end.value)}[field]
+            found = Joint(size=sizeof(Joint))
+            call("clip_joint", h.pointer, c_int64(joint), byref(found))
+            yield {"name": found.name.decode(), "parent": chosen(found.parent),
+                   "end_site": bool(found.is_end_site)}[field]
 
     return lambda h: list(of(h))
 

@@ -99,7 +99,7 @@ class Unreadable(CommandTest):
         broken.write_text("HIERARCHY\nROOT hips\n{\n  OFFSET 0 0\n", encoding="ascii")
         short = self.folder / "short.csv"
         short.write_text("1,2,3\n4,5\n", encoding="ascii")
-        unfinite = write_csv("nan.csv", [[1, 2], [float("nan"), 4]])
+        unfinite = write_csv("inf.csv", [[1, 2], [float("inf"), 4]])
         model = self.folder / "model.stltsa"
         self.done("fit", circle(), "-o", model)
         for command in COMMANDS:
@@ -110,7 +110,7 @@ class Unreadable(CommandTest):
                 (self.folder, str(self.folder)),
                 (broken, "broken.bvh:5"),
                 (short, "short.csv:2"),
-                (unfinite, "nan.csv"),
+                (unfinite, "inf.csv"),
             ):
                 with self.subTest(command, path=path.name):
                     self.assertIn(hint, self.fails(3, command, *before, path, *after))

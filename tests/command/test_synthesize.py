@@ -133,7 +133,7 @@ class Synthesize(CommandTest):
         found, _ = self.made(f"{walk()}:cycle1", f"{walk()}:cycle3")
         self.assertEqual(len(found["pieces"]), 2)
         out = self.folder / "x.bvh"
-        self.assertIn("no such part", self.fails(4, "synthesize", f"{walk()}:cycle9", "-o", out))
+        self.assertIn("there are 3 cycles", self.fails(4, "synthesize", f"{walk()}:cycle9", "-o", out))
 
     def test_the_table_names_the_pieces(self):
         piece = f"{walk()}:best*2"
@@ -173,10 +173,10 @@ class Synthesize(CommandTest):
         self.assertIn("'bset'", self.fails(2, "synthesize", f"{walk()}:bset", "-o", out))
         self.assertIn("at least 1", self.fails(2, "synthesize", f"{walk()}*0", "-o", out))
         self.fails(2, "synthesize", f"{walk()}:500-400", "-o", out)
-        for beyond in ("0-100000", "0s-1e300s", "0s-infs", "infs-infs"):
+        for beyond in ("0-100000", "0s-999999999s", "844-", "400-400"):
             message = self.fails(2, "synthesize", f"{walk()}:{beyond}", "-o", out)
-            self.assertIn("it must have at least one frame, all within the", message)
-        for nothing in ("cycle0", "0s-nans"):
+            self.assertIn("must have at least one frame, all within the", message)
+        for nothing in ("cycle0", "0s-nans", "0s-1e300s", "-", "infs-infs", "cycle+1"):
             message = self.fails(2, "synthesize", f"{walk()}:{nothing}", "-o", out)
             self.assertIn(f"'{nothing}'", message)
         self.fails(3, "synthesize", "absent.bvh", "-o", out)

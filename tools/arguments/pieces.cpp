@@ -17,12 +17,6 @@
 namespace tool {
 namespace {
 
-std::vector<std::string> parts() {
-    std::vector<std::string> names = unit_names();
-    names.insert(names.end(), {"best", "representative"});
-    return names;
-}
-
 /// The whole text as a nonnegative number.
 template <class T>
 std::optional<T> number_in(std::string_view text) {
@@ -33,50 +27,9 @@ std::optional<T> number_in(std::string_view text) {
     return value;
 }
 
-struct Range {
-    double begin = 0;
-    double end = 0;
-    bool seconds = false; ///< else frames
-};
-
-/// "120-240" or "1.0s-2.0s".
-std::optional<Range> range_in(std::string_view what) {
-    const std::size_t dash = what.find('-');
-    if (dash == what.npos)
-        return std::nullopt;
-    std::string_view begin = what.substr(0, dash);
-    std::string_view end = what.substr(dash + 1);
-    const bool seconds = begin.ends_with('s') && end.ends_with('s');
-    if (seconds) {
-        begin.remove_suffix(1);
-        end.remove_suffix(1);
-    }
-    const auto first = number_in<double>(begin);
-    const auto last = number_in<double>(end);
-    const auto whole = [](double value) { return value == std::floor(value) && value < 1e15; };
-    if (!first || !last || (!seconds && !(whole(*first) && whole(*last))))
-        return std::nullopt;
-    return Range{*first, *last, seconds};
-}
-
-/// The 3 of "cycle3".
-std::optional<std::int64_t> cycle_in(std::string_view what) {
-    if (!what.starts_with("cycle"))
-        return std::nullopt;
-    const auto number = number_in<std::int64_t>(what.substr(5));
-    return number && *number > 0 ? number : std::nullopt;
-}
-
-bool is_part(std::string_view what) {
-    const std::vector<std::string> names = parts();
-    return std::ranges::find(names, what) != names.end() || range_in(what) || cycle_in(what);
-}
-
 [[noreturn]] void no_piece(const std::string& text, std::string_view why) {
     throw Failure(Exit::usage,
-                  fmt::format("'{}': {}; a piece is CLIP[:WHAT][*TIMES], where WHAT is "
-                              "120-240, 1.0s-2.0s, cycle3, {}",
-                              text, why, fmt::join(parts(), ", ")));
+                  fmt::format("'{}': {}; a piece is CLIP[:STRETCH][*TIMES]", text, why));
 }
 
 bool is_file(const std::string& path) {
@@ -84,25 +37,11 @@ bool is_file(const std::string& path) {
     return std::filesystem::exists(path, ignored);
 }
 
-[[noreturn]] void missing(const PieceText& text, const std::string& reason) {
-    throw Failure(Exit::untrustworthy,
-                  fmt::format("{}:{}: {} (stltsa decompose lists its units)", text.path, text.what,
-                              reason.empty() ? "the clip has no such part" : reason));
-}
-
-/// Index of the cycle that is meant; empty for a unit.
-std::optional<std::int64_t> cycle_meant(const std::string& what,
-                                        const stltsa::Decomposition& units) {
-    if (what == "best")
-        return units.info().integer(STLTSA_INFO_BEST);
-    if (what == "representative")
-        return units.info().integer(STLTSA_INFO_REPRESENTATIVE);
-    if (const auto number = cycle_in(what))
-        return *number - 1;
-    return std::nullopt;
-}
-
 } // namespace
+
+std::string file_of(const std::string& text) {
+    return is_file(text) ? text : text.substr(0, text.rfind(':'));
+}
 
 PieceText parse_piece(const std::string& text) {
     PieceText piece{text, "", 1};
@@ -115,57 +54,32 @@ PieceText parse_piece(const std::string& text) {
         piece.repeat = *times;
         piece.path.resize(star);
     }
-    const std::size_t colon = piece.path.rfind(':');
-    if (colon == piece.path.npos || is_file(piece.path))
-        return piece;
-    piece.what = piece.path.substr(colon + 1);
-    piece.path.resize(colon);
-    if (!is_part(piece.what))
-        no_piece(text, fmt::format("'{}' is not a part of a clip", piece.what));
+    const std::string path = file_of(piece.path);
+    if (path.size() < piece.path.size())
+        piece.what = piece.path.substr(path.size() + 1);
+    piece.path = path;
     return piece;
 }
 
-PieceFinder::Source& PieceFinder::source(const std::string& path) {
+const stltsa::Clip& PieceFinder::source(const std::string& path) {
     if (const auto found = sources_.find(path); found != sources_.end())
         return found->second;
-    return sources_.emplace(path, Source{session_.open_clip(path), std::nullopt}).first->second;
+    return sources_.emplace(path, session_.open_clip(path)).first->second;
 }
 
-const stltsa::Decomposition& PieceFinder::units(Source& source) {
-    if (!source.units)
-        source.units = stltsa::decompose(source.clip, session_.options());
-    return *source.units;
-}
-
-stltsa::Interval PieceFinder::interval(Source& source, const PieceText& text) {
-    const stltsa::Decomposition& all = units(source);
-    if (const auto index = cycle_meant(text.what, all)) {
-        if (*index < 0 || *index >= all.cycle_count())
-            missing(text, all.reason());
-        return all.cycle(*index);
-    }
-    for (const stltsa::Interval& unit : all.units())
-        if (stltsa::unit_name(unit.kind) == text.what)
-            return unit;
-    missing(text, all.reason());
-}
-
-stltsa::Piece PieceFinder::find(const PieceText& text) {
-    Source& from = source(text.path);
-    stltsa::Piece piece = from.clip.piece(0, from.clip.frames(), text.repeat);
+std::vector<stltsa::Piece> PieceFinder::find(const PieceText& text) {
+    const stltsa::Clip& from = source(text.path);
     if (text.what.empty())
-        return piece;
-    if (const auto range = range_in(text.what)) {
-        const double scale = range->seconds ? from.clip.fps() : 1;
-        const auto frame = [scale](double at) { return std::llround(std::min(at * scale, 1e15)); };
-        piece.begin = frame(range->begin);
-        piece.end = frame(range->end);
-    } else {
-        const stltsa::Interval part = interval(from, text);
-        piece.begin = part.begin;
-        piece.end = part.end;
+        return {from.piece(0, from.frames(), text.repeat)};
+    try {
+        std::vector<stltsa::Piece> pieces;
+        for (const stltsa::Interval& part : from.find(text.what, session_.options()))
+            pieces.push_back(from.piece(part.begin, part.end, text.repeat));
+        return pieces;
+    } catch (const stltsa::Error& error) {
+        throw Failure(stltsa::Error(error.status(),
+                                    fmt::format("{}:{}: {}", text.path, text.what, error.what())));
     }
-    return piece;
 }
 
 } // namespace tool

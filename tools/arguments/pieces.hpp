@@ -12,6 +12,9 @@
 
 namespace tool {
 
+/// The path without a stretch of the clip after it: "walk.bvh" of "walk.bvh:cyclic".
+std::string file_of(const std::string& text);
+
 /// A piece, parsed but not looked up.
 struct PieceText {
     std::string path;
@@ -22,24 +25,19 @@ struct PieceText {
 /// Throws Failure with Exit::usage. If a file has exactly this name, the piece is that whole clip.
 PieceText parse_piece(const std::string& text);
 
-/// The clips of the pieces, each opened once, and decomposed if a piece names a unit or cycle.
+/// The clips of the pieces, each opened once.
 class PieceFinder {
   public:
     explicit PieceFinder(const Session& session) : session_(session) {}
 
-    stltsa::Piece find(const PieceText& text);
+    /// One piece, or those of a label.
+    std::vector<stltsa::Piece> find(const PieceText& text);
 
   private:
-    struct Source {
-        stltsa::Clip clip;
-        std::optional<stltsa::Decomposition> units; ///< none until needed
-    };
-    Source& source(const std::string& path);
-    const stltsa::Decomposition& units(Source& source);
-    stltsa::Interval interval(Source& source, const PieceText& text);
+    const stltsa::Clip& source(const std::string& path);
 
     const Session& session_;
-    std::map<std::string, Source> sources_;
+    std::map<std::string, stltsa::Clip> sources_;
 };
 
 } // namespace tool

@@ -66,7 +66,7 @@ auto reading(Read read) {
 }
 
 void check_outputs(const Arguments& arguments) {
-    std::vector<std::string> taken{arguments.input, arguments.model};
+    std::vector<std::string> taken{file_of(arguments.input), arguments.model};
     for (const std::string& piece : arguments.pieces)
         taken.push_back(parse_piece(piece).path);
     if (const auto skeleton = arguments.options.find(STLTSA_OPT_SKELETON);

@@ -14,14 +14,18 @@ Exit run_synthesize(const Arguments& arguments) {
     for (const std::string& text : arguments.pieces)
         texts.push_back(parse_piece(text));
     std::vector<stltsa::Piece> pieces;
-    for (const PieceText& text : texts)
-        pieces.push_back(finder.find(text));
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < texts.size(); ++i)
+        for (const stltsa::Piece& piece : finder.find(texts[i])) {
+            pieces.push_back(piece);
+            names.push_back(arguments.pieces[i]);
+        }
     const stltsa::Synthesis made = stltsa::synthesize(pieces, session.options());
     session.add_clip(arguments.product, made.clip());
     if (!arguments.plot.empty())
-        session.add_file(arguments.plot, synthesis_figure(arguments, made));
-    session.finish({[&] { return made.json(); },
-                    [&] { return synthesis_report(made, arguments.pieces); }, made.warnings()});
+        session.add_file(arguments.plot, synthesis_figure(arguments.product, names, made));
+    session.finish({[&] { return made.json(); }, [&] { return synthesis_report(made, names); },
+                    made.warnings()});
     return Exit::done;
 }
 

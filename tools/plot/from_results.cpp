@@ -168,12 +168,13 @@ std::string denoising_figure(const Session& session, const stltsa::Matrix& point
     return plot::denoise_figure_svg(figure);
 }
 
-std::string synthesis_figure(const Arguments& arguments, const stltsa::Synthesis& synthesis) {
+std::string synthesis_figure(const std::string& title, const std::vector<std::string>& pieces,
+                             const stltsa::Synthesis& synthesis) {
     const stltsa::Clip& clip = synthesis.clip();
     std::vector<stltsa::Seam> seams = different_seams(synthesis.seams());
     const std::size_t left_out = seams.size() - std::min(seams.size(), most_strips);
     seams.resize(seams.size() - left_out);
-    plot::SeamFigure figure{std::filesystem::path(arguments.product).filename().string(),
+    plot::SeamFigure figure{std::filesystem::path(title).filename().string(),
                             synthesis_summary(synthesis),
                             "Shaded: blended frames. Identical seams are shown once.",
                             *bodies_of(clip, synthesis.info().integer(STLTSA_INFO_UP_AXIS)),
@@ -182,7 +183,7 @@ std::string synthesis_figure(const Arguments& arguments, const stltsa::Synthesis
         figure.note +=
             fmt::format(" Not shown: {}.", counted(static_cast<std::int64_t>(left_out), "seam"));
     for (const stltsa::Seam& seam : seams)
-        figure.strips.push_back(strip_of(seam, arguments.pieces, clip.fps()));
+        figure.strips.push_back(strip_of(seam, pieces, clip.fps()));
     if (seams.empty()) {
         figure.strips.push_back(whole_strip(clip.frames()));
         figure.note.clear();

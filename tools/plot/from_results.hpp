@@ -21,6 +21,7 @@ std::string denoising_figure(const Session& session, const stltsa::Matrix& point
                              const stltsa::Denoising& denoising);
 
 /// Postures across the seams of a new clip; identical seams are shown once.
-std::string synthesis_figure(const Arguments& arguments, const stltsa::Synthesis& synthesis);
+std::string synthesis_figure(const std::string& title, const std::vector<std::string>& pieces,
+                             const stltsa::Synthesis& synthesis);
 
 } // namespace tool

@@ -23,7 +23,8 @@ static_assert(same(Status::argument, STLTSA_E_ARGUMENT) && same(Status::shape, S
               same(Status::cancelled, STLTSA_E_CANCELLED) &&
               same(Status::unsupported, STLTSA_E_UNSUPPORTED) &&
               same(Status::internal, STLTSA_E_INTERNAL) &&
-              same(Status::no_common_posture, STLTSA_E_NO_COMMON_POSTURE));
+              same(Status::no_common_posture, STLTSA_E_NO_COMMON_POSTURE) &&
+              same(Status::no_such_part, STLTSA_E_NO_SUCH_PART));
 
 constexpr bool same(Stage stage, int value) {
     return static_cast<int>(stage) == value;
@@ -38,7 +39,7 @@ static_assert(same(Stage::read, STLTSA_STAGE_READ) &&
               same(Stage::denoise, STLTSA_STAGE_DENOISE) &&
               same(Stage::synthesis, STLTSA_STAGE_SYNTHESIS));
 
-constexpr std::array<const char*, 15> status_names = {"STLTSA_OK",
+constexpr std::array<const char*, 16> status_names = {"STLTSA_OK",
                                                       "STLTSA_E_ARGUMENT",
                                                       "STLTSA_E_SHAPE",
                                                       "STLTSA_E_NOT_FINITE",
@@ -52,7 +53,8 @@ constexpr std::array<const char*, 15> status_names = {"STLTSA_OK",
                                                       "STLTSA_E_CANCELLED",
                                                       "STLTSA_E_UNSUPPORTED",
                                                       "STLTSA_E_INTERNAL",
-                                                      "STLTSA_E_NO_COMMON_POSTURE"};
+                                                      "STLTSA_E_NO_COMMON_POSTURE",
+                                                      "STLTSA_E_NO_SUCH_PART"};
 
 // Fixed storage, because the error may be that memory ran out. A trivial type, so that threads may
 // end in any order.

@@ -31,6 +31,9 @@ Prepared prepare(const Clip& clip, const PrepareOptions& options) {
     prepared.up = made.up;
     prepared.notes = std::move(made.notes);
     prepared.holes = std::move(made.holes);
+    for (const std::int64_t frame : clip.breaks)
+        prepared.holes.push_back({frame, frame});
+    std::ranges::sort(prepared.holes, {}, &Frames::begin);
     Matrix& all = made.rows;
     prepared.first = dropped_frames(clip, all, options.drop_tpose);
     const ConstMatrixView kept = from_row(all, prepared.first);

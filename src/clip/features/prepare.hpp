@@ -31,7 +31,8 @@ struct Prepared {
     Features features = Features::raw; ///< the kind used
     Axis up = Axis::none;              ///< the axis used
     std::vector<std::string> notes;    ///< of feature_rows()
-    std::vector<Frames> holes;         ///< of feature_rows(), in source frames
+    /// Of feature_rows(), and empty ones at breaks of the clip, in source frames, ascending.
+    std::vector<Frames> holes;
 };
 
 Prepared prepare(const Clip& clip, const PrepareOptions& options);

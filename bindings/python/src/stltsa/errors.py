@@ -16,6 +16,7 @@ __all__ = [
     "FormatError",
     "InternalError",
     "NoCommonPostureError",
+    "NoSuchPartError",
     "NotConvergedError",
     "NotFiniteError",
     "OutOfMemoryError",
@@ -104,6 +105,10 @@ class NoCommonPostureError(StltsaError, ValueError):
     """Two pieces of motion have no common posture at which to join."""
 
 
+class NoSuchPartError(StltsaError, LookupError):
+    """The clip lacks the stretch that was asked for."""
+
+
 class QualityWarning(UserWarning):
     """A warning of the library about a result."""
 
@@ -123,6 +128,7 @@ _CLASSES: dict[str, type[StltsaError]] = {
     "STLTSA_E_UNSUPPORTED": UnsupportedError,
     "STLTSA_E_INTERNAL": InternalError,
     "STLTSA_E_NO_COMMON_POSTURE": NoCommonPostureError,
+    "STLTSA_E_NO_SUCH_PART": NoSuchPartError,
 }
 
 

@@ -20,6 +20,7 @@ pub const STLTSA_E_CANCELLED: i32 = -11;
 pub const STLTSA_E_UNSUPPORTED: i32 = -12;
 pub const STLTSA_E_INTERNAL: i32 = -13;
 pub const STLTSA_E_NO_COMMON_POSTURE: i32 = -14;
+pub const STLTSA_E_NO_SUCH_PART: i32 = -15;
 extern "C" {
     pub fn stltsa_status_name(status: stltsa_status) -> *const ::std::os::raw::c_char;
 }
@@ -1107,6 +1108,14 @@ extern "C" {
     ) -> stltsa_status;
 }
 extern "C" {
+    pub fn stltsa_clip_stretch(
+        clip: *const stltsa_clip,
+        what: *const ::std::os::raw::c_char,
+        options: *const stltsa_options,
+        stretch: *mut *mut stltsa_clip,
+    ) -> stltsa_status;
+}
+extern "C" {
     pub fn stltsa_clip_free(clip: *mut stltsa_clip);
 }
 extern "C" {
@@ -1413,6 +1422,16 @@ fn bindgen_test_layout_stltsa_interval() {
         );
     }
     test_field_segment();
+}
+extern "C" {
+    pub fn stltsa_clip_find(
+        clip: *const stltsa_clip,
+        what: *const ::std::os::raw::c_char,
+        options: *const stltsa_options,
+        capacity: i64,
+        intervals: *mut stltsa_interval,
+        count: *mut i64,
+    ) -> stltsa_status;
 }
 pub const STLTSA_SEGMENT_CYCLIC: i32 = 1;
 pub const STLTSA_SEGMENT_REPETITIONS: i32 = 2;

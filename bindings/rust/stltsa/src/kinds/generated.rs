@@ -372,5 +372,7 @@ kinds! {
         Internal = STLTSA_E_INTERNAL,
         /// Two pieces have no common posture at which to join.
         NoCommonPosture = STLTSA_E_NO_COMMON_POSTURE,
+        /// A clip lacks the stretch that was asked for.
+        NoSuchPart = STLTSA_E_NO_SUCH_PART,
     }
 }

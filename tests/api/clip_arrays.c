@@ -1,0 +1,369 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Clips from arrays, and stretches of clips. The argument is the BVH file of a walker. */
+#include "support.h"
+
+static const char* walker;
+
+enum { most_joints = 64 };
+
+static stltsa_clip* opened(void) {
+    stltsa_clip* clip = NULL;
+    must(stltsa_clip_open(walker, NULL, &clip));
+    return clip;
+}
+
+static double* new_rows(const stltsa_clip* clip, int64_t cols, const char* features) {
+    const int64_t frames = stltsa_clip_frames(clip);
+    double* values = new_matrix(frames, cols);
+    const stltsa_out out = packed_out(values, frames, cols);
+    stltsa_options* options = NULL;
+    must(stltsa_options_new(&options));
+    if (strcmp(features, "raw") == 0)
+        must(stltsa_options_set_int(options, STLTSA_OPT_FEATURES, STLTSA_FEATURES_RAW));
+    must(strcmp(features, "positions") == 0   ? stltsa_clip_positions(clip, &out)
+         : strcmp(features, "rotations") == 0 ? stltsa_clip_rotations(clip, &out)
+                                              : stltsa_clip_features(clip, options, &out));
+    stltsa_options_free(options);
+    return values;
+}
+
+static void get_joints(const stltsa_clip* clip, stltsa_joint* joints) {
+    assert_true(stltsa_clip_joints(clip) <= most_joints);
+    for (int64_t j = 0; j < stltsa_clip_joints(clip); ++j) {
+        joints[j].size = sizeof joints[j];
+        must(stltsa_clip_joint(clip, j, &joints[j]));
+    }
+}
+
+static char* json_of(const stltsa_clip* clip) {
+    stltsa_decomposition* units = NULL;
+    char* json = NULL;
+    must(stltsa_decompose(clip, NULL, &units));
+    must(stltsa_decomposition_json(units, &json));
+    stltsa_decomposition_free(units);
+    return json;
+}
+
+/* What follows the facts of the clip, which has no path if it is made of arrays. */
+static const char* answer_in(const char* json) {
+    const char* at = strstr(json, "\"segments\"");
+    assert_non_null(at);
+    return at;
+}
+
+static void channels_of_a_skeleton_keep_every_bit(void** state) {
+    (void)state;
+    stltsa_clip *clip = opened(), *made = NULL;
+    stltsa_joint joints[most_joints];
+    get_joints(clip, joints);
+    const int64_t frames = stltsa_clip_frames(clip), cols = stltsa_clip_channels(clip);
+    double* values = new_rows(clip, cols, "raw");
+    const stltsa_in in = packed_in(values, frames, cols);
+    must(stltsa_clip_from_skeleton(joints, stltsa_clip_joints(clip), STLTSA_ROTATIONS_CHANNELS, &in,
+                                   NULL, stltsa_clip_fps(clip), &made));
+    assert_int_equal(stltsa_clip_format(made), STLTSA_FORMAT_SKELETON);
+    double* back = new_rows(made, cols, "raw");
+    assert_memory_equal(back, values, (size_t)(frames * cols) * sizeof *values);
+    char *first = json_of(clip), *second = json_of(made);
+    assert_string_equal(answer_in(first), answer_in(second));
+    stltsa_free(first);
+    stltsa_free(second);
+    free(back);
+    free(values);
+    stltsa_clip_free(made);
+    stltsa_clip_free(clip);
+}
+
+static void quaternions_of_a_skeleton_give_its_positions(void** state) {
+    (void)state;
+    stltsa_clip *clip = opened(), *made = NULL;
+    stltsa_joint joints[most_joints];
+    get_joints(clip, joints);
+    const int64_t count = stltsa_clip_joints(clip), frames = stltsa_clip_frames(clip);
+    double* quaternions = new_rows(clip, 4 * count, "rotations");
+    double* positions = new_rows(clip, 3 * count, "positions");
+    const stltsa_in root = {positions, frames, 3, 3 * count * 8, 8, STLTSA_F64, 0};
+    double* matrices = new_matrix(frames, 9 * count);
+    for (int64_t i = 0; i < frames * count; ++i) {
+        const double *q = quaternions + 4 * i, w = q[0], x = q[1], y = q[2], z = q[3];
+        const double m[9] = {
+            1 - 2 * (y * y + z * z), 2 * (x * y - w * z),     2 * (x * z + w * y),
+            2 * (x * y + w * z),     1 - 2 * (x * x + z * z), 2 * (y * z - w * x),
+            2 * (x * z - w * y),     2 * (y * z + w * x),     1 - 2 * (x * x + y * y)};
+        memcpy(matrices + 9 * i, m, sizeof m);
+    }
+    for (int form = STLTSA_ROTATIONS_QUATERNION; form <= STLTSA_ROTATIONS_MATRIX; ++form) {
+        const int matrix = form == STLTSA_ROTATIONS_MATRIX;
+        const stltsa_in in =
+            packed_in(matrix ? matrices : quaternions, frames, (matrix ? 9 : 4) * count);
+        for (int64_t j = 0; matrix && j < count; ++j)
+            joints[j].channels = NULL; /* the usual ones */
+        must(stltsa_clip_from_skeleton(joints, count, form, &in, &root, stltsa_clip_fps(clip),
+                                       &made));
+        double* back = new_rows(made, 3 * count, "positions");
+        assert_below(largest_difference(back, positions, frames * count * 3), 1e-10, "positions");
+        free(back);
+        stltsa_clip_free(made);
+    }
+    free(matrices);
+    free(positions);
+    free(quaternions);
+    stltsa_clip_free(clip);
+}
+
+static void refuses_joints(stltsa_joint* joints, int64_t count, int32_t form, const stltsa_in* in,
+                           const stltsa_in* root, stltsa_status status, const char* hint) {
+    stltsa_clip* clip = NULL;
+    assert_int_equal(stltsa_clip_from_skeleton(joints, count, form, in, root, 30, &clip), status);
+    assert_null(clip);
+    if (strstr(stltsa_last_error(), hint) == NULL)
+        fail_msg("%s: not in: %s", hint, stltsa_last_error());
+}
+
+static void skeletons_that_are_none(void** state) {
+    (void)state;
+    stltsa_joint joints[] = {
+        {sizeof(stltsa_joint), "hip", -1, {0, 0, 0}, NULL, 0, 0},
+        {sizeof(stltsa_joint), "knee", 0, {0, -1, 0}, "rz rx ry", 0, 0},
+        {sizeof(stltsa_joint), "foot", 1, {0, -1, 0}, NULL, 1, 0},
+    };
+    double q[2 * 12] = {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0};
+    const stltsa_in in = packed_in(q, 2, 12), narrow = packed_in(q, 2, 11);
+    const int32_t form = STLTSA_ROTATIONS_QUATERNION;
+    stltsa_clip* clip = NULL;
+    must(stltsa_clip_from_skeleton(joints, 3, form, &in, NULL, 30, &clip));
+    assert_int_equal(stltsa_clip_channels(clip), 9);
+    stltsa_clip_free(clip);
+    refuses_joints(joints, 3, form, &narrow, NULL, STLTSA_E_SHAPE, "12 columns for 3 joints");
+    refuses_joints(joints, 3, 9, &in, NULL, STLTSA_E_ARGUMENT, "STLTSA_ROTATIONS_*");
+    refuses_joints(joints, 0, form, &in, NULL, STLTSA_E_ARGUMENT, "0 joints");
+    refuses_joints(NULL, 3, form, &in, NULL, STLTSA_E_ARGUMENT, "joints is NULL");
+    refuses_joints(joints, 3, form, NULL, NULL, STLTSA_E_ARGUMENT, "rotations is NULL");
+    refuses_joints(joints, 3, form, &in, &narrow, STLTSA_E_SHAPE, "root positions have 2 rows");
+    q[5] = 0.7;
+    refuses_joints(joints, 3, form, &in, NULL, STLTSA_E_ARGUMENT, "'knee') is no rotation");
+    q[5] = NAN;
+    refuses_joints(joints, 3, form, &in, NULL, STLTSA_E_NOT_FINITE, "frame 0, column 5");
+    q[5] = 0;
+    joints[1].parent = 1;
+    refuses_joints(joints, 3, form, &in, NULL, STLTSA_E_ARGUMENT, "before their children");
+    joints[1].parent = -1;
+    refuses_joints(joints, 3, form, &in, NULL, STLTSA_E_ARGUMENT, "joint 1 ('knee') has parent -1");
+    joints[1].parent = 0;
+    for (int i = 0; i < 3; ++i) {
+        static const char* const texts[] = {"rz rw", "tx tx", "rz +tx"};
+        static const char* const hints[] = {"no channel 'rw'", "each position once",
+                                            "all positions"};
+        joints[1].channels = texts[i];
+        refuses_joints(joints, 3, form, &in, NULL, STLTSA_E_ARGUMENT, hints[i]);
+    }
+    joints[1].channels = "";
+    joints[0].channels = "rz";
+    const stltsa_in root = packed_in(q, 2, 3);
+    refuses_joints(joints, 3, form, &in, &root, STLTSA_E_ARGUMENT, "no channels tx ty tz");
+    joints[2].name = NULL;
+    refuses_joints(joints, 3, form, &in, NULL, STLTSA_E_ARGUMENT, "joint 2 has no name");
+    joints[2].size = 4;
+    refuses_joints(joints, 3, form, &in, NULL, STLTSA_E_ARGUMENT, "sizeof(stltsa_joint)");
+}
+
+static void points_of_a_walker_have_its_cycles(void** state) {
+    (void)state;
+    stltsa_clip *clip = opened(), *made = NULL;
+    const int64_t cols = 3 * stltsa_clip_joints(clip), frames = stltsa_clip_frames(clip);
+    double* positions = new_rows(clip, cols, "positions");
+    double* times = new_matrix(frames, 1);
+    for (int64_t i = 0; i < frames; ++i)
+        times[i] = 5 + (double)i / stltsa_clip_fps(clip);
+    stltsa_points points = {.size = sizeof points, .space = 3};
+    points.positions = packed_in(positions, frames, cols);
+    points.times = packed_in(times, frames, 1);
+    must(stltsa_clip_from_points(&points, NULL, &made));
+    assert_true(fabs(stltsa_clip_fps(made) - stltsa_clip_fps(clip)) < 1e-9);
+    stltsa_decomposition *of_body = NULL, *of_points = NULL;
+    must(stltsa_decompose(clip, NULL, &of_body));
+    must(stltsa_decompose(made, NULL, &of_points));
+    const int64_t cycles = stltsa_decomposition_cycle_count(of_body);
+    assert_true(cycles > 2);
+    assert_int_equal(stltsa_decomposition_cycle_count(of_points), cycles);
+    for (int64_t c = 0; c < cycles; ++c) {
+        stltsa_interval a, b;
+        must(stltsa_decomposition_cycle(of_body, c, &a));
+        must(stltsa_decomposition_cycle(of_points, c, &b));
+        assert_below(fabs(a.begin_s - b.begin_s), 0.05, "border");
+    }
+    stltsa_decomposition_free(of_points);
+    stltsa_decomposition_free(of_body);
+    stltsa_clip_free(made);
+    free(times);
+    free(positions);
+    stltsa_clip_free(clip);
+}
+
+static void refuses_points(const stltsa_points* points, stltsa_status status, const char* hint) {
+    stltsa_clip* clip = NULL;
+    assert_int_equal(stltsa_clip_from_points(points, NULL, &clip), status);
+    assert_null(clip);
+    if (strstr(stltsa_last_error(), hint) == NULL)
+        fail_msg("%s: not in: %s", hint, stltsa_last_error());
+}
+
+static void points_have_names_confidence_and_gaps(void** state) {
+    (void)state;
+    double xy[3 * 4] = {1, 2, 3, 4, NAN, 77, 7, 8, 9, 10, 11, 12};
+    double sure[3 * 2] = {1, 0.9, 1, 1, 0.7, 0.2}, times[3] = {0, 0.1, 0.2};
+    const char* const names[] = {"nose", "tail"};
+    stltsa_points points = {.size = sizeof points, .space = 2, .names = names, .fps = 10};
+    points.positions = packed_in(xy, 3, 4);
+    points.confidence = packed_in(sure, 3, 2);
+    stltsa_clip* clip = NULL;
+    must(stltsa_clip_from_points(&points, NULL, &clip));
+    const char* name = NULL;
+    must(stltsa_info_text(stltsa_clip_info(clip), STLTSA_INFO_CHANNEL, 3, &name));
+    assert_string_equal(name, "tail_y");
+    double* raw = new_rows(clip, 4, "raw"); /* gaps are filled */
+    const double filled[3 * 4] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 7, 8};
+    assert_below(largest_difference(raw, filled, 12), 1e-12, "filled");
+    free(raw);
+    stltsa_clip_free(clip);
+    points.space = 4;
+    refuses_points(&points, STLTSA_E_ARGUMENT, "2 or 3 coordinates");
+    points.space = 3;
+    refuses_points(&points, STLTSA_E_SHAPE, "3 columns for each point");
+    points.space = 2;
+    points.confidence = packed_in(sure, 2, 2);
+    refuses_points(&points, STLTSA_E_SHAPE, "confidence has 2 rows");
+    points.confidence.data = NULL;
+    points.fps = 0;
+    refuses_points(&points, STLTSA_E_ARGUMENT, "there are no times");
+    points.times = packed_in(times, 3, 1);
+    times[2] = 0.1;
+    refuses_points(&points, STLTSA_E_ARGUMENT, "times do not increase from frame 1");
+    times[2] = 0.2;
+    xy[0] = INFINITY;
+    refuses_points(&points, STLTSA_E_NOT_FINITE, "a missing point is NaN");
+    points.size = 3;
+    refuses_points(&points, STLTSA_E_ARGUMENT, "sizeof(stltsa_points)");
+    refuses_points(NULL, STLTSA_E_ARGUMENT, "points is NULL");
+}
+
+static void stretches_are_clips(void** state) {
+    (void)state;
+    stltsa_clip *clip = opened(), *part = NULL, *same = NULL;
+    char path[4096];
+    snprintf(path, sizeof path, "%s:%s", walker, "120-240");
+    must(stltsa_clip_open(path, NULL, &part));
+    must(stltsa_clip_stretch(clip, "1s-2s", NULL, &same)); /* at 120 frames a second */
+    const int64_t cols = stltsa_clip_channels(clip);
+    double *all = new_rows(clip, cols, "raw"), *a = new_rows(part, cols, "raw"),
+           *b = new_rows(same, cols, "raw");
+    assert_int_equal(stltsa_clip_frames(part), 120);
+    assert_memory_equal(a, all + 120 * cols, 120 * (size_t)cols * sizeof *a);
+    assert_memory_equal(a, b, 120 * (size_t)cols * sizeof *a);
+    free(b);
+    free(a);
+    free(all);
+    stltsa_clip_free(same);
+    stltsa_clip_free(part);
+    stltsa_interval found = {0, 0, 0, 0, 0, 0};
+    int64_t count = 0;
+    stltsa_decomposition* units = NULL;
+    must(stltsa_decompose(clip, NULL, &units));
+    for (int64_t u = 0; u < stltsa_decomposition_unit_count(units); ++u) {
+        stltsa_interval unit;
+        must(stltsa_decomposition_unit(units, u, &unit));
+        must(stltsa_clip_find(clip, stltsa_unit_name(unit.kind), NULL, 1, &found, &count));
+        assert_true(count == 1 && found.begin == unit.begin && found.end == unit.end);
+    }
+    must(stltsa_clip_find(clip, "A", NULL, 1, &found, &count));
+    stltsa_segment segment;
+    must(stltsa_decomposition_segment(units, 1, &segment));
+    assert_true(count == 1 && found.begin == segment.begin && found.end == segment.end);
+    must(stltsa_clip_find(clip, "segment2", NULL, 0, NULL, &count));
+    assert_int_equal(count, 1);
+    assert_int_equal(stltsa_clip_find(clip, "cycle99", NULL, 1, &found, &count),
+                     STLTSA_E_NO_SUCH_PART);
+    assert_int_equal(count, 0);
+    assert_int_equal(stltsa_clip_find(clip, "repetition1", NULL, 1, &found, &count),
+                     STLTSA_E_NO_SUCH_PART);
+    assert_int_equal(stltsa_clip_find(clip, "QQ", NULL, 1, &found, &count), STLTSA_E_NO_SUCH_PART);
+    assert_int_equal(stltsa_clip_stretch(clip, "2-1", NULL, &part), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_clip_stretch(clip, "cyclic3", NULL, &part), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_clip_stretch(clip, NULL, NULL, &part), STLTSA_E_ARGUMENT);
+    assert_null(part);
+    stltsa_decomposition_free(units);
+    stltsa_clip_free(clip);
+}
+
+/* The walker's cycles, several times, each from where the one before ends. */
+static double* new_long_walk(const stltsa_clip* clip, int64_t times, int64_t* frames) {
+    const int64_t cols = 3 * stltsa_clip_joints(clip);
+    double* source = new_rows(clip, cols, "positions");
+    stltsa_interval cycles;
+    int64_t count = 0;
+    must(stltsa_clip_find(clip, "cyclic", NULL, 1, &cycles, &count));
+    const int64_t length = cycles.end - cycles.begin;
+    double* walk = new_matrix(times * length, cols);
+    for (int64_t i = 0; i < times * length; ++i)
+        for (int64_t c = 0; c < cols; ++c) {
+            const double way =
+                source[cycles.end * cols + c % 3] - source[cycles.begin * cols + c % 3];
+            walk[i * cols + c] =
+                source[(cycles.begin + i % length) * cols + c] + (double)(i / length) * way;
+        }
+    *frames = times * length;
+    free(source);
+    return walk;
+}
+
+/* A walk of which one second was not recorded: nothing continues over it. */
+static void nothing_continues_over_a_hole(void** state) {
+    (void)state;
+    stltsa_clip *clip = opened(), *made = NULL;
+    int64_t frames = 0;
+    const int64_t cols = 3 * stltsa_clip_joints(clip);
+    double* positions = new_long_walk(clip, 4, &frames);
+    const int64_t begin = frames / 2, end = begin + (int64_t)stltsa_clip_fps(clip);
+    for (int64_t i = begin * cols; i < end * cols; ++i)
+        positions[i] = NAN;
+    stltsa_points points = {.size = sizeof points, .space = 3, .fps = stltsa_clip_fps(clip)};
+    points.positions = packed_in(positions, frames, cols);
+    must(stltsa_clip_from_points(&points, NULL, &made));
+    stltsa_decomposition* units = NULL;
+    must(stltsa_decompose(made, NULL, &units));
+    int64_t at = 0;
+    for (int64_t u = 0; u < stltsa_decomposition_unit_count(units); ++u) {
+        stltsa_interval unit;
+        must(stltsa_decomposition_unit(units, u, &unit));
+        assert_int_equal(unit.begin, at);
+        assert_false(unit.begin <= begin && unit.end >= end);
+        at = unit.end;
+    }
+    assert_int_equal(at, frames);
+    assert_true(stltsa_decomposition_cycle_count(units) > 6); /* of 11 */
+    for (int64_t c = 0; c < stltsa_decomposition_cycle_count(units); ++c) {
+        stltsa_interval cycle;
+        must(stltsa_decomposition_cycle(units, c, &cycle));
+        assert_true(cycle.end <= begin || cycle.begin >= end);
+    }
+    stltsa_decomposition_free(units);
+    stltsa_clip_free(made);
+    free(positions);
+    stltsa_clip_free(clip);
+}
+
+int main(int argc, char** argv) {
+    if (argc != 2)
+        return 2;
+    walker = argv[1];
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(channels_of_a_skeleton_keep_every_bit),
+        cmocka_unit_test(quaternions_of_a_skeleton_give_its_positions),
+        cmocka_unit_test(skeletons_that_are_none),
+        cmocka_unit_test(points_of_a_walker_have_its_cycles),
+        cmocka_unit_test(points_have_names_confidence_and_gaps),
+        cmocka_unit_test(stretches_are_clips),
+        cmocka_unit_test(nothing_continues_over_a_hole),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
