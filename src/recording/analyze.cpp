@@ -213,10 +213,11 @@ Recording analyze(ConstMatrixView samples, double fps, const Options& options,
     motion::Decomposition single;
     if (whole || is_short || options.single.estimate) {
         single = motion::decompose(samples, fps, options.single, progress);
-        if (whole || (!options.segments && explains(single, signal, rests, pauses, fps)) ||
+        const bool one = !options.segments && holes.empty();
+        if (whole || (one && explains(single, signal, rests, pauses, fps)) ||
             samples.rows < least_rows)
             return answer_of(signal, std::move(single), samples, options);
-        if (!options.segments && holes.empty() && single.cycles.empty() &&
+        if (one && single.cycles.empty() &&
             is_closed(signal, options.single))
             return answer_of(signal, one_cycle(std::move(single)), samples, options);
     }
@@ -230,6 +231,7 @@ Recording analyze(ConstMatrixView samples, double fps, const Options& options,
             // A single part was decided above.
             if (seconds <= long_recording_s && !(is_short && parts.size() == 1))
                 decide_as_single(samples, fps, options, signal, pauses, part);
+        divide_at_holes(holes, parts);
         return make_drafts(signal, parts, pauses);
     };
     std::vector<Draft> drafts = drafts_at(border_price);
