@@ -64,7 +64,7 @@ def test_broadcast_array_is_not_taken_for_packed_rows():
     assert as_matrix(np.broadcast_to(1.5, (50, 4))).strides != (0, 0)
 
 
-@pytest.mark.parametrize("values", [np.arange(100.0), 3.0, None, {"a": 1}, np.zeros((4, 3, 2))])
+@pytest.mark.parametrize("values", [np.arange(100.0), np.zeros((4, 3, 2)), [1.0, 2.0]])
 def test_other_than_two_dimensions_are_refused(values):
     with pytest.raises(ValueError, match=f"2-D.* it is a {type(values).__name__} of the shape"):
         stltsa.fit(values)

@@ -20,11 +20,12 @@ from typing import TYPE_CHECKING, Any
 
 from . import errors
 from ._native import lib as _lib
-from ._options import Option, Options, options
+from ._options import Option, Options, OptionTable, options
+from ._rows import Interval, Part, Segment, Summary
 from ._text import names as _names
 from ._text import string as _string
 from .clip import Clip, read_clip
-from .decomposition import Decomposition, Interval, Part, Segment, Summary, decompose
+from .decomposition import Decomposition, decompose
 from .denoising import Denoising, denoise
 from .dimensions import Dimension, dimension
 from .errors import *  # noqa: F403
@@ -69,6 +70,7 @@ __all__ = [  # noqa: PLE0604
     "Mapped",
     "Model",
     "Option",
+    "OptionTable",
     "Options",
     "Part",
     "Piece",
@@ -106,4 +108,4 @@ def __getattr__(name: str) -> Any:
 
 
 def __dir__() -> list[str]:
-    return sorted({*globals(), *_LAZY})
+    return sorted({*__all__, *(name for name in globals() if name.startswith("__"))})

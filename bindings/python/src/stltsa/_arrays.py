@@ -11,6 +11,7 @@ from typing import Any, TypeAlias
 import numpy as np
 import numpy.typing as npt
 
+from ._given import wrong
 from ._native import ffi, lib
 
 FloatArray: TypeAlias = npt.NDArray[np.float64]
@@ -25,7 +26,13 @@ def as_matrix(values: Any, what: str = "X") -> npt.NDArray[Any]:
 
     float32 and float64 with any strides are not copied; other numbers become float64.
     """
-    array = np.asarray(unmasked(values))
+    try:
+        array = np.asarray(unmasked(values))
+    except ValueError as error:  # rows of different lengths, or different things
+        raise ValueError(f"{what} must be an array with a row per frame: {error}") from error
+    if array.ndim == 0:
+        clips = ", a Clip or a path" if what.startswith("X") else ""
+        raise wrong(what, values, f"a 2-D array with a row per frame{clips}")
     if np.iscomplexobj(array):
         raise ValueError(f"Complex data not supported: {what} is complex")
     if array.ndim != 2:

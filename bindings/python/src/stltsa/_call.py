@@ -26,16 +26,17 @@ def check(status: int) -> None:
 class Call:
     """Options and progress of one call; use it in a ``with`` statement.
 
-    The progress callback is always set, because Ctrl-C relies on it.
+    `rate`: frames per second, for options in seconds that count frames; 0: unknown. The progress
+    callback is always set, because Ctrl-C relies on it.
     """
 
-    def __init__(self, options: Mapping[str, Any]) -> None:
+    def __init__(self, options: Mapping[str, Any], rate: float = 0.0) -> None:
         rest = dict(options)
         progress = rest.pop("progress", None)
         out = ffi.new("stltsa_options **")
         check(lib.stltsa_options_new(out))
         self.options = ffi.gc(out[0], lib.stltsa_options_free)
-        check(set_options(self.options, rest))
+        check(set_options(self.options, rest, rate))
         self._watch = Watch(progress)  # last, because an open bar must be closed if something fails
         check(lib.stltsa_options_set_progress(self.options, lib.on_progress, self._watch.handle))
 

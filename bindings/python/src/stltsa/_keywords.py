@@ -8,6 +8,7 @@ import os  # noqa: TC003 (the keywords' types can be asked for)
 from typing import Literal, TypeAlias, TypedDict
 
 Auto: TypeAlias = Literal["auto"]
+Seconds: TypeAlias = str  # such as "1.2s"
 Mode: TypeAlias = Literal["temporal", "spatial", "recurrent"]
 Features: TypeAlias = Literal["positions", "rotations6d", "euler", "raw", "points"]
 UpAxis: TypeAlias = Literal["x", "y", "z"]
@@ -17,22 +18,22 @@ Gaps: TypeAlias = Literal["fill", "refuse", "skip"]
 class Keywords(TypedDict, total=False):
     """Every option of the library."""
 
-    neighbors: int | Auto | None
-    window: int | Auto | None
+    neighbors: int | Seconds | Auto | None
+    window: int | Seconds | Auto | None
     dimension: int | Auto | None
     mode: Mode
     include_self: bool
     links: int
-    exclusion: int | Auto | None
+    exclusion: int | Seconds | Auto | None
     threads: int | Auto | None
     features: Features | Auto | None
     up_axis: UpAxis | Auto | None
     keep_start: bool
     fps: float | Auto | None
     sample_rate: float
-    smoothing: float
-    period_min: float
-    period_max: float
+    smoothing: float | Seconds
+    period_min: float | Seconds
+    period_max: float | Seconds
     eigengap: float
     variance: float
     skeleton: str | os.PathLike[str] | Auto | None
@@ -42,10 +43,10 @@ class Keywords(TypedDict, total=False):
     hint_window: int | Auto | None
     component: int | Auto | None
     gamma: float | Auto | None
-    knot_spacing: float | Auto | None
+    knot_spacing: float | Seconds | Auto | None
     robust: bool
-    crossfade: float | Auto | None
-    cut_range: float | Auto | None
+    crossfade: float | Seconds | Auto | None
+    cut_range: float | Seconds | Auto | None
     posture_limit: float
     dimension_estimate: bool
     segments: int | Auto | None

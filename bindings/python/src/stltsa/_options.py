@@ -3,16 +3,25 @@
 
 from __future__ import annotations
 
+import math
 import operator
+import re
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple
+
+import numpy as np
 
 from ._keywords import Keywords
 from ._native import ffi, lib
 from ._progress import Progress  # noqa: TC001 (the keywords' types can be asked for)
+from ._tables import aligned, html_table
 from ._text import c_path, names, string
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
+
+
+# Lengths in frames of the working rate, which "1.2s" gives in seconds, as in the command.
+_IN_FRAMES = frozenset({"neighbors", "window", "exclusion"})
 
 
 class Options(Keywords, total=False):
@@ -20,7 +29,8 @@ class Options(Keywords, total=False):
 
     ``None`` leaves an option unset, and so does ``"auto"`` if the library can choose the value.
     :func:`stltsa.options` gives meaning, range and default of each. Functions ignore options that
-    they do not use, except that all of them use `progress`.
+    they do not use, except that all of them use `progress`. Lengths in frames and in seconds may be
+    texts in seconds: ``neighbors="1.2s"``.
     """
 
     progress: Progress
@@ -40,6 +50,51 @@ class Option(NamedTuple):
     maximum: float
     default: int | float | None
     key: int
+
+    @property
+    def in_frames(self) -> bool:
+        """Whether the value is a length in frames, or a text in seconds."""
+        return self.name in _IN_FRAMES
+
+    @property
+    def in_seconds(self) -> bool:
+        """Whether the value is a length in seconds."""
+        return self.type == "real" and bool(re.search(r"\bseconds\b", self.text, re.IGNORECASE))
+
+    @property
+    def values(self) -> str:
+        """The values that it takes, in words."""
+        if self.choices:
+            shown = " | ".join(self.choices)
+        elif self.type == "text":
+            shown = "path"
+        elif self.type == "int" and (self.minimum, self.maximum) == (0, 1):
+            shown = "True | False"
+        else:
+            most = f" to {self.maximum:.10g}" if self.maximum < 2**31 - 1 else ""
+            shown = f"{self.type} from {self.minimum:g}{most}"
+            if self.in_frames or self.in_seconds:
+                shown += ', or "1.2s"'
+        return f"auto | {shown}" if self.default is None else shown
+
+    @property
+    def standard(self) -> str:
+        """The default in words."""
+        for name, value in self.choices.items():
+            if value == self.default:
+                return name
+        if self.type == "int" and (self.minimum, self.maximum) == (0, 1):
+            return str(bool(self.default))
+        return "auto" if self.default is None else f"{self.default:g}"
+
+    @property
+    def wanted(self) -> str:
+        """What a text must be, for an error."""
+        if self.choices:
+            return "one of: " + ", ".join([*self.choices, *(["auto"] * (self.default is None))])
+        if self.in_frames:
+            return 'a number of frames (36) or of seconds ("1.2s")'
+        return 'a number of seconds (1.2 or "1.2s")' if self.in_seconds else "a number"
 
 
 _TYPES: dict[int, Any] = names("STLTSA_TYPE_")
@@ -70,7 +125,23 @@ def _read_option(index: int) -> Option:
 _TABLE = {o.name: o for o in map(_read_option, range(lib.stltsa_option_count()))}
 
 
-def options() -> tuple[Option, ...]:
+class OptionTable(tuple[Option, ...]):
+    """The options as a tuple of rows, which shows itself as a table."""
+
+    __slots__ = ()
+
+    def _cells(self) -> list[tuple[str, str, str, str]]:
+        head = ("option", "values", "default", "meaning")
+        return [head, *((o.name, o.values, o.standard, o.text) for o in self)]
+
+    def __repr__(self) -> str:
+        return aligned(self._cells())
+
+    def _repr_html_(self) -> str:
+        return html_table(self._cells())
+
+
+def options() -> OptionTable:
     """Return the table of all options: name, text, type, choices, range and default.
 
     Examples
@@ -80,22 +151,35 @@ def options() -> tuple[Option, ...]:
     >>> neighbors.name, neighbors.type, neighbors.default
     ('neighbors', 'int', None)
     """
-    return tuple(_TABLE.values())
+    return OptionTable(_TABLE.values())
 
 
-def _number_of_choice(option: Option, value: str) -> int:
+def _number_of_text(option: Option, value: str, rate: float) -> float:
+    """Return the value of a choice, or of a length such as "1.2s"."""
     if value in option.choices:
         return option.choices[value]
-    choices = [*option.choices, *(["auto"] if option.default is None else [])]
-    wanted = f"one of: {', '.join(choices)}" if option.choices else "a number"
-    raise ValueError(f"{option.name} is {value!r}, and must be {wanted}")
+    takes_seconds = option.in_frames or option.in_seconds
+    try:
+        seconds = float(value[:-1]) if takes_seconds and value.endswith("s") else math.nan
+    except ValueError:
+        seconds = math.nan
+    if not (math.isfinite(seconds) and (seconds > 0 or option.in_seconds)):
+        raise ValueError(f"{option.name} is {value!r}, and must be {option.wanted}")
+    if not rate and (option.in_frames or "rate is unknown" in option.text):
+        raise ValueError(
+            f"{option.name} is {value!r}, in seconds, and the frame rate is unknown: give it with "
+            "fps=, or the length in frames"
+        )
+    if option.in_seconds:
+        return seconds
+    return min(max(1, math.floor(seconds * rate + 0.5)), int(option.maximum))
 
 
-def _set(handle: Any, option: Option, value: Any) -> int:
+def _set(handle: Any, option: Option, value: Any, rate: float) -> int:
     if option.type == "text":
         return int(lib.stltsa_options_set_text(handle, option.key, c_path(value)))
     if isinstance(value, str):
-        value = _number_of_choice(option, value)
+        value = _number_of_text(option, value, rate)
     try:
         if option.type == "int":
             # Values too large for C are out of range, too.
@@ -107,15 +191,31 @@ def _set(handle: Any, option: Option, value: Any) -> int:
         raise TypeError(f"{option.name} is {value!r}, and must be {wanted}") from None
 
 
-def set_options(handle: Any, values: Mapping[str, Any]) -> int:
-    """Set options by name; return the first status that is not OK, or 0."""
+def working_rate(fps: float, values: Mapping[str, Any]) -> float:
+    """Return the rate of a clip's working samples, to which `sample_rate` decimates; 0: unknown."""
+    wanted = values.get("sample_rate")
+    rate = _TABLE["sample_rate"].default if wanted is None else wanted
+    return fps / max(1, math.floor(fps / rate + 0.5)) if fps and rate else fps
+
+
+def rate_given(values: Mapping[str, Any]) -> float:
+    """Return the rate of an array's rows from the option `fps`; 0: unknown."""
+    fps = values.get("fps")
+    return float(fps) if isinstance(fps, int | float | np.number) else 0.0
+
+
+def set_options(handle: Any, values: Mapping[str, Any], rate: float = 0.0) -> int:
+    """Set options by name; return the first status that is not OK, or 0.
+
+    `rate`: frames per second, for lengths in seconds; 0: unknown.
+    """
     for name, value in values.items():
         option = _TABLE.get(name)
         if option is None:
             raise TypeError(f"there is no option {name!r}; stltsa.options() lists them")
         if value is None or (option.default is None and isinstance(value, str) and value == "auto"):
             continue
-        status = _set(handle, option, value)
+        status = _set(handle, option, value, rate)
         if status != 0:
             return status
     return 0

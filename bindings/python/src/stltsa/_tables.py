@@ -3,26 +3,64 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, NamedTuple, get_type_hints
+import shutil
+import textwrap
+from html import escape
+from itertools import zip_longest
+from typing import TYPE_CHECKING, Any, NamedTuple, cast, get_type_hints
 
 import numpy as np
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Mapping, Sequence
+
+    from pandas import DataFrame  # without pandas a table is a NumPy record array
 
 
-def table(rows: Sequence[NamedTuple], kind: type[NamedTuple]) -> Any:
+def table(
+    rows: Sequence[Any], kind: type[NamedTuple], marks: Mapping[str, Sequence[bool]] | None = None
+) -> DataFrame:
     """Return a DataFrame with a column per field of `kind`, or a record array without pandas.
 
-    ``table["begin"]`` and ``table.begin`` read a column of both.
+    ``table["begin"]`` and ``table.begin`` read a column of both. Intervals have a column with their
+    length in seconds, too. `marks` are more columns, by name.
     """
-    fields = {name: [getattr(row, name) for row in rows] for name in kind._fields}
+    marks = marks or {}
+    dtypes = _dtypes(kind)
+    if hasattr(kind, "duration_s"):
+        dtypes["duration_s"] = "f8"
+    fields = {name: [getattr(row, name) for row in rows] for name in dtypes}
+    fields.update({name: list(values) for name, values in marks.items()})
+    dtypes.update(dict.fromkeys(marks, "?"))
     try:
         import pandas as pd
     except ImportError:
-        return _records(fields, kind)
-    dtypes = {n: t for n, t in _dtypes(kind).items() if t not in "UO"}
-    return pd.DataFrame(fields).astype(dtypes)
+        return cast("DataFrame", _records(fields, dtypes))
+    return pd.DataFrame(fields).astype({n: t for n, t in dtypes.items() if t not in "UO"})
+
+
+def aligned(rows: Sequence[Sequence[str]], widest: int = 28) -> str:
+    """Return rows of texts as lines of the terminal's width, with texts wrapped in their column."""
+    *columns, _ = zip(*rows, strict=True)
+    widths = [min(widest, max(map(len, column))) for column in columns]
+    room = shutil.get_terminal_size().columns - sum(widths) - 2 * len(widths)
+    widths.append(max(30, room))
+    lines = []
+    for row in rows:
+        cells = [textwrap.wrap(cell, width) for cell, width in zip(row, widths, strict=True)]
+        for parts in zip_longest(*cells, fillvalue=""):
+            padded = (part.ljust(width) for part, width in zip(parts, widths, strict=True))
+            lines.append("  ".join(padded).rstrip())
+    return "\n".join(lines)
+
+
+def html_table(rows: Sequence[Sequence[str]]) -> str:
+    """Return rows of texts as a table; the first is the head."""
+    lines = [
+        "<tr>" + "".join(f"<{tag}>{escape(cell)}</{tag}>" for cell in row) + "</tr>"
+        for row, tag in zip(rows, ["th", *["td"] * len(rows)], strict=False)
+    ]
+    return f"<table><thead>{lines[0]}</thead><tbody>{''.join(lines[1:])}</tbody></table>"
 
 
 def _dtypes(kind: type[NamedTuple]) -> dict[str, str]:
@@ -30,8 +68,8 @@ def _dtypes(kind: type[NamedTuple]) -> dict[str, str]:
     return {name: codes.get(type_, "O") for name, type_ in get_type_hints(kind).items()}
 
 
-def _records(fields: dict[str, list[Any]], kind: type[NamedTuple]) -> Any:
-    arrays = [_array(fields[name], code) for name, code in _dtypes(kind).items()]
+def _records(fields: dict[str, list[Any]], codes: dict[str, str]) -> Any:
+    arrays = [_array(fields[name], code) for name, code in codes.items()]
     dtype = [(name, array.dtype) for name, array in zip(fields, arrays, strict=True)]
     return np.rec.fromarrays(arrays, dtype=np.dtype(dtype))
 

@@ -11,16 +11,20 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
+from . import _html
 from ._arrays import FloatArray, IntArray, as_matrix, columns, read_from, write_to
 from ._call import Call, check, owned
 from ._clips import call_on_clips, refuse_groups
 from ._facts import Described
+from ._given import wrong
 from ._native import ffi, lib
+from ._options import rate_given, working_rate
 from ._text import c_path, names, string
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
+    from ._keywords import Auto, Features, UpAxis
     from ._options import Options
 
 _FORMATS = names("STLTSA_FORMAT_")
@@ -149,7 +153,13 @@ class Clip(Described):
         """
         return self._per_joint(lib.stltsa_clip_rotations, 4)
 
-    def features(self, kind: str = "auto", *, up_axis: str = "auto") -> FloatArray:
+    def features(
+        self,
+        kind: Features | Auto | None = None,
+        *,
+        features: Features | Auto | None = None,
+        up_axis: UpAxis | Auto | None = "auto",
+    ) -> FloatArray:
         """Return the features of all poses; shape (frames, features), unsmoothed.
 
         Parameters
@@ -161,10 +171,14 @@ class Clip(Described):
             three columns each, gaps filled, without path and heading. ``"auto"``: positions if
             there is a skeleton, points if the columns are named so (heel_x, heel_y, heel_z, ...),
             otherwise raw.
+        features
+            The same as `kind`; the keyword of the other functions.
         up_axis : {"auto", "x", "y", "z"}
             The axis that points up.
         """
-        with Call({"features": kind, "up_axis": up_axis}) as call:
+        if kind is not None and features is not None:
+            raise TypeError("features() is given both kind and features=, which mean the same")
+        with Call({"features": kind or features, "up_axis": up_axis}) as call:
             count = ffi.new("int64_t *")
             call.check(lib.stltsa_clip_feature_count(self._handle, call.options, count))
             result = columns(len(self), count[0])
@@ -193,6 +207,9 @@ class Clip(Described):
         joints = f"{len(self._joints)} joints, " if self._joints else ""
         name = f" {Path(self.path).name}" if self.path else ""
         return f"<Clip{name}: {len(self)} frames{seconds}, {joints}{self.channels} channels>"
+
+    def _repr_html_(self) -> str:
+        return _html.clip(self)
 
 
 def read_clip(
@@ -256,8 +273,10 @@ def call_on_motion(kind: str, motion: Any, groups: Any, options: Options, out: A
     of_clips = getattr(lib, f"stltsa_{kind}_clips")
     several = isinstance(motion, list | tuple) and len(motion) > 0
     clips = [opened(each, options) for each in (motion if several else [motion])]
-    with Call(options) as call:
-        if all(isinstance(clip, Clip) for clip in clips):
+    are_clips = all(isinstance(clip, Clip) for clip in clips)
+    rate = working_rate(clips[0].fps, options) if are_clips else rate_given(options)
+    with Call(options, rate) as call:
+        if are_clips:
             refuse_groups(groups, "every Clip is a clip of its own")
             handles = [clip._handle for clip in clips]
             call.check(of_clips(handles, len(handles), call.options, out))
@@ -274,6 +293,20 @@ def _check_rate(clip: Clip, fps: Any) -> None:
         )
 
 
+def holds_clips(motion: Any) -> bool:
+    """Return whether a motion is a clip or a path, or a list of them, and not numbers."""
+    several = isinstance(motion, list | tuple) and len(motion) > 0
+    each = motion if several else [motion]
+    return all(isinstance(m, Clip | str | os.PathLike) for m in each)
+
+
+def one_matrix(motion: Any) -> npt.NDArray[Any]:
+    """Return an array of frames; refuse several clips."""
+    if isinstance(motion, list | tuple) and any(isinstance(each, Clip) for each in motion):
+        raise wrong("X", motion, "one Clip, path or array: call it for each of them")
+    return as_matrix(motion)
+
+
 def as_clip(motion: Any, options: Any) -> Clip:
     """Return a clip; make one from an array, with `fps` from the options."""
     motion = opened(motion, options)
@@ -281,6 +314,7 @@ def as_clip(motion: Any, options: Any) -> Clip:
         _check_rate(motion, options.pop("fps", None))
         return motion
     fps = options.pop("fps", None)
+    frames = one_matrix(motion)
     if fps in (None, "auto"):
         raise ValueError("an array has no frame rate: give fps=...")
-    return Clip.from_array(motion, fps)
+    return Clip.from_array(frames, fps)

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -12,100 +12,54 @@ from ._arrays import FloatArray, IntArray, columns, write_to
 from ._call import Call, check, owned, texts
 from ._facts import Described
 from ._native import ffi, lib
+from ._options import working_rate
+from ._rows import Interval, Part, Row, Segment, Summary, letters, without_seconds
 from ._tables import table
 from ._text import string
-from .clip import Clip, as_clip
+from .clip import Clip, as_clip, one_matrix, opened
 
 if TYPE_CHECKING:
+    from pandas import DataFrame
     from typing_extensions import Unpack
 
+    from ._given import Matrix, Motion
     from ._options import Options
 
 
-class Interval(NamedTuple):
-    """A unit or a cycle: ``[begin, end)`` in source frames, and in seconds.
-
-    Seconds keep fractions of a frame. `kind` is ``"cycle"`` or the library's name of a unit, such
-    as ``"preparing"``, ``"cyclic"`` or ``"action"``.
-    """
-
-    kind: str
-    begin: int
-    end: int
-    begin_s: float
-    end_s: float
+# To the library an array without a rate has this one; the answer is in frames.
+_FRAMES_A_SECOND = 30.0
+_UNKNOWN_RATE = (
+    f"the frame rate is unknown: texts, facts and JSON count {_FRAMES_A_SECOND:g} frames as a "
+    "second; give fps="
+)
+_SHORTEST_PERIOD, _LONGEST_PERIOD = 4, 1000  # frames, if the rate is unknown
 
 
-class Segment(NamedTuple):
-    """A stretch of one behavior: ``[begin, end)`` in source frames, and in seconds.
+class _ClipInFrames(Clip):
+    """A clip whose rate is unknown, although the library has one."""
 
-    `kind` is ``"cyclic"``, ``"repetitions"``, ``"action"`` or ``"rest"``. Segments of the same
-    motion share a `label`, "A", "B", ... in order of appearance; that of a rest is empty. `number`
-    is that of cycles or repetitions. `carried_by` names the joints, markers or columns that move
-    most. Numbers that do not apply are NaN.
-    """
-
-    kind: str
-    label: str
-    begin: int
-    end: int
-    begin_s: float
-    end_s: float
-    number: int
-    period_s: float
-    candidate_period_s: float
-    likeness: float
-    confidence: float
-    begin_confidence: float
-    open_begin: bool
-    open_end: bool
-    carried_by: tuple[str, ...]
-    reason: str
+    @property
+    def fps(self) -> float:
+        return 0.0
 
 
-class Part(NamedTuple):
-    """A cycle, a step or a repetition: ``[begin, end)`` in source frames, and in seconds.
-
-    `segment` is an index into the segments; `cycle`, of a step, one into the cycles, else -1.
-    `side` tells which side of the body leads, 0 or 1, and -1 if it is unknown.
-    """
-
-    segment: int
-    cycle: int
-    begin: int
-    end: int
-    begin_s: float
-    end_s: float
-    side: int
-    likeness: float
-    confidence: float
+def _in_frames(frames: Matrix, options: dict[str, Any]) -> tuple[Clip, dict[str, Any]]:
+    """Return a clip of an array without a rate, and the options with their lengths in frames."""
+    clip = _ClipInFrames.from_array(frames, _FRAMES_A_SECOND)
+    longest = min(len(clip) // 2, _LONGEST_PERIOD)
+    lengths: dict[str, Any] = {
+        "period_min": _SHORTEST_PERIOD,
+        "period_max": max(longest, _SHORTEST_PERIOD),
+    }
+    lengths.update({n: v for n, v in options.items() if n in (*lengths, "smoothing")})
+    for name, value in lengths.items():
+        if not isinstance(value, int | float):
+            raise ValueError(f"{name} is {value!r}, and the frame rate is unknown: give fps=")
+    in_seconds = {name: value / _FRAMES_A_SECOND for name, value in lengths.items()}
+    return clip, {**options, **in_seconds}
 
 
-class Summary(NamedTuple):
-    """The cycles or repetitions of one label: their number, how often, how long (seconds).
-
-    `cv` is ``sd_s / mean_s``; `trend` the relative change of the length per minute.
-    """
-
-    label: str
-    number: int
-    per_minute: float
-    mean_s: float
-    sd_s: float
-    cv: float
-    trend: float
-
-
-def _letters(label: int) -> str:
-    """Return A, B, ... Z, AA, AB, ...; an empty text for -1."""
-    text = ""
-    while label >= 0:
-        text = chr(ord("A") + label % 26) + text
-        label = label // 26 - 1
-    return text
-
-
-def decompose(motion: Any, **options: Unpack[Options]) -> Decomposition:
+def decompose(motion: Motion, **options: Unpack[Options]) -> Decomposition:
     """Divide a recording into segments, units and cycles.
 
     The library finds what is done when and follows the period over time, so nothing needs tuning.
@@ -114,7 +68,9 @@ def decompose(motion: Any, **options: Unpack[Options]) -> Decomposition:
     Parameters
     ----------
     motion : Clip, path, or array-like of shape (frames, channels)
-        An array needs the option `fps`, and so does a path if the file has no rate; a Clip has its
+        An array needs the option `fps` for an answer in seconds. Without it the period is looked
+        for in frames, up to 1000, and everything in seconds is NaN; `period_min`, `period_max` and
+        `smoothing` are in frames then. A path needs `fps` if the file has no rate; a Clip has its
         own.
     **options
         Used: `features`, `up_axis`, `keep_start`, `sample_rate`, `smoothing`, `period_min`,
@@ -141,10 +97,14 @@ def decompose(motion: Any, **options: Unpack[Options]) -> Decomposition:
     >>> round(result.period, 2)
     1.1
     """
-    rest: dict[str, Any] = dict(options)
-    clip = as_clip(motion, rest)
+    rest = {name: value for name, value in options.items() if value is not None}
+    given = opened(motion, options)
+    if isinstance(given, Clip) or rest.get("fps", "auto") != "auto":
+        clip = as_clip(given, rest)
+    else:
+        clip, rest = _in_frames(one_matrix(given), rest)
     out = ffi.new("stltsa_decomposition **")
-    with Call(rest) as call:
+    with Call(rest, working_rate(clip.fps, rest)) as call:
         call.check(lib.stltsa_decompose(clip._handle, call.options, out))
     return Decomposition(owned("decomposition", out), clip)
 
@@ -164,13 +124,17 @@ class Decomposition(Described):
         self._handle = handle
         self.clip = clip
 
+    def _rows(self, rows: list[Row]) -> tuple[Row, ...]:
+        """Return rows, without seconds if the rate is unknown."""
+        return tuple(rows if self.clip.fps else map(without_seconds, rows))
+
     def _intervals(self, count: Any, get: Any) -> tuple[Interval, ...]:
         result, raw = [], ffi.new("stltsa_interval *")
         for index in range(count(self._handle)):
             check(get(self._handle, index, raw))
             kind = string(lib.stltsa_unit_name(raw.kind))
             result.append(Interval(kind, raw.begin, raw.end, raw.begin_s, raw.end_s))
-        return tuple(result)
+        return self._rows(result)
 
     @property
     def unit_list(self) -> tuple[Interval, ...]:
@@ -191,7 +155,7 @@ class Decomposition(Described):
             result.append(
                 Segment(
                     kind=string(lib.stltsa_segment_name(raw.kind)),
-                    label=_letters(raw.label),
+                    label=letters(raw.label),
                     begin=raw.begin,
                     end=raw.end,
                     begin_s=raw.begin_s,
@@ -208,7 +172,7 @@ class Decomposition(Described):
                     reason=string(lib.stltsa_decomposition_segment_reason(self._handle, index)),
                 )
             )
-        return tuple(result)
+        return self._rows(result)
 
     def _carriers(self, segment: int) -> tuple[str, ...]:
         count = lib.stltsa_decomposition_carrier_count(self._handle, segment)
@@ -234,37 +198,37 @@ class Decomposition(Described):
                     confidence=raw.confidence,
                 )
             )
-        return tuple(result)
+        return self._rows(result)
 
     @property
-    def segments(self) -> Any:
+    def segments(self) -> DataFrame:
         """The segments as a table: a DataFrame with pandas, otherwise a NumPy record array."""
         return table(self.segment_list, Segment)
 
     @property
-    def steps(self) -> Any:
+    def steps(self) -> DataFrame:
         """Halves of cycles in which both sides of the body alternate, as a table."""
         return table(self._parts(lib.STLTSA_PART_STEP), Part)
 
     @property
-    def repetitions(self) -> Any:
+    def repetitions(self) -> DataFrame:
         """The actions of the segments that repeat with pauses, as a table."""
         return table(self._parts(lib.STLTSA_PART_REPETITION), Part)
 
     @property
-    def cycle_facts(self) -> Any:
+    def cycle_facts(self) -> DataFrame:
         """Segment, side, likeness and confidence of each cycle, as a table."""
         return table(self._parts(lib.STLTSA_PART_CYCLE), Part)
 
     @property
-    def summary(self) -> Any:
+    def summary(self) -> DataFrame:
         """How often and how fast, for each label that repeats, as a table."""
         result, raw = [], ffi.new("stltsa_summary *")
         for index in range(lib.stltsa_decomposition_summary_count(self._handle)):
             check(lib.stltsa_decomposition_summary(self._handle, index, raw))
             result.append(
                 Summary(
-                    _letters(raw.label),
+                    letters(raw.label),
                     raw.count,
                     raw.per_minute,
                     raw.mean_s,
@@ -273,20 +237,28 @@ class Decomposition(Described):
                     raw.trend,
                 )
             )
-        return table(tuple(result), Summary)
+        return table(self._rows(result), Summary)
 
     @property
-    def units(self) -> Any:
+    def units(self) -> DataFrame:
         """The units as a table: a DataFrame with pandas, otherwise a NumPy record array.
 
-        Columns: kind; begin, end in source frames, half-open; begin_s, end_s in seconds.
+        Columns: kind; begin, end in source frames, half-open; begin_s, end_s, duration_s in
+        seconds.
         """
         return table(self.unit_list, Interval)
 
     @property
-    def cycles(self) -> Any:
-        """The cycles as a table with the same columns as :attr:`units`."""
-        return table(self.cycle_list, Interval)
+    def cycles(self) -> DataFrame:
+        """The cycles as a table with the columns of :attr:`units`, and two marks.
+
+        `representative` and `best` mark :attr:`representative_cycle` and :attr:`best_cycle`.
+        """
+        numbers = range(len(self.cycle_list))
+        marks = {
+            mark: [self._int(mark) == i for i in numbers] for mark in ("representative", "best")
+        }
+        return table(self.cycle_list, Interval, marks)
 
     def _cycle(self, name: str) -> Interval | None:
         index = self._int(name)
@@ -332,8 +304,14 @@ class Decomposition(Described):
 
     @property
     def period(self) -> float:
-        """Period in seconds; 0 if none was found."""
-        return self._real("period")
+        """Period in seconds; 0 if none was found; NaN if the frame rate is unknown."""
+        period = self._real("period")
+        return period if self.clip.fps or not period else float("nan")
+
+    @property
+    def period_frames(self) -> float:
+        """Period in source frames; 0 if none was found."""
+        return self._real("period") * (self.clip.fps or _FRAMES_A_SECOND)
 
     @property
     def cyclicity(self) -> float:
@@ -347,8 +325,8 @@ class Decomposition(Described):
 
     @property
     def fps(self) -> float:
-        """Samples of the curve per second."""
-        return self._real("fps")
+        """Samples of the curve per second; 0 if the frame rate is unknown."""
+        return self._real("fps") if self.clip.fps else 0.0
 
     @property
     def neighbors(self) -> int:
@@ -373,13 +351,17 @@ class Decomposition(Described):
     @property
     def warnings(self) -> tuple[str, ...]:
         """Warnings about the result."""
-        return texts(
+        found = texts(
             lib.stltsa_decomposition_warning_count, lib.stltsa_decomposition_warning, self._handle
         )
+        if self.clip.fps:
+            return found
+        return (_UNKNOWN_RATE, *found)
 
     def __repr__(self) -> str:
         units = ", ".join(f"{u.kind} {u.begin}..{u.end}" for u in self.unit_list)
-        period = f"; period {self.period:.3f} s" if self.period else ""
+        seconds = f"{self.period:.3f} s" if self.clip.fps else f"{self.period_frames:.1f} frames"
+        period = f"; period {seconds}" if self.period_frames else ""
         return f"<Decomposition: {units}; {len(self.cycle_list)} cycles{period}>"
 
     def _repr_html_(self) -> str:

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
@@ -12,27 +12,36 @@ from ._call import Call, check, owned
 from ._clips import call_on_clips, refuse_groups
 from ._facts import Described
 from ._native import ffi, lib
-from .model import Model
+from ._options import rate_given
+from .clip import Clip, holds_clips
+from .model import Model, fit
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
+    from ._given import Labels, Motions
     from ._options import Options
 
+_CLEANING = ("gamma", "knot_spacing", "robust", "period_min", "period_max", "progress")
 
-def denoise(coords: Any, *, groups: Any = None, **options: Unpack[Options]) -> Denoising:
+
+def denoise(
+    coords: Model | Motions, *, groups: Labels | None = None, **options: Unpack[Options]
+) -> Denoising:
     """Fit a smooth curve to coordinates over time, and move noisy points towards it.
 
     Parameters
     ----------
-    coords : Model, array-like of shape (rows, columns), or list of such arrays
+    coords : Model, Clip, path, array-like of shape (rows, columns), or list of clips or of arrays
         Rows in temporal order. Each column is cleaned separately; each clip, and each component of
-        a model, has its own curve.
+        a model, has its own curve. A clip is fitted first, as by :func:`fit`, and its coordinates
+        are cleaned; an array holds coordinates.
     groups : array-like of shape (rows,), optional
         A label for each row of an array with several clips; the rows of a clip are contiguous.
     **options
         Used: `gamma` (distance from the curve beyond which a point is noisy, in units of the
-        coordinate), `knot_spacing`, `robust`, `fps`, `period_min`, `period_max`, `progress`.
+        coordinate), `knot_spacing`, `robust`, `fps`, `period_min`, `period_max`, `progress`; for
+        clips those of :func:`fit` too.
 
     Returns
     -------
@@ -55,15 +64,19 @@ def denoise(coords: Any, *, groups: Any = None, **options: Unpack[Options]) -> D
     >>> bool(abs(cleaned.curve[:, 0] - np.sin(2 * np.pi * t)).mean() < 0.05)
     True
     """
+    if holds_clips(coords):
+        coords = fit(cast("Motions", coords), groups=groups, **options)
+        options = {n: v for n, v in options.items() if n in _CLEANING}  # type: ignore[assignment]
+    model = coords if isinstance(coords, Model) else None
     out = ffi.new("stltsa_denoising **")
-    with Call(options) as call:
-        if isinstance(coords, Model):
+    with Call(options, model.fps if model else rate_given(options)) as call:
+        if model:
             refuse_groups(groups, "a Model knows its components")
-            points: Any = coords.coords
-            call.check(lib.stltsa_denoise_model(coords._handle, call.options, out))
+            points: Any = model.coords
+            call.check(lib.stltsa_denoise_model(model._handle, call.options, out))
         else:
             points = call_on_clips(lib.stltsa_denoise, coords, groups, call, out)
-    return Denoising(owned("denoising", out), np.array(points, dtype=np.float64))
+    return Denoising(owned("denoising", out), np.array(points, dtype=np.float64), model)
 
 
 class Denoising(Described):
@@ -73,13 +86,30 @@ class Denoising(Described):
     ----------
     points : ndarray of shape (rows, columns)
         The original coordinates.
+    model : Model or None
+        The model whose coordinates they are; None for an array.
     """
 
     _kind = "denoising"
 
-    def __init__(self, handle: Any, points: FloatArray) -> None:
+    def __init__(self, handle: Any, points: FloatArray, model: Model | None = None) -> None:
         self._handle = handle
         self.points = points
+        self.model = model
+
+    def poses(self) -> Clip:
+        """Return the cleaned coordinates as poses: a clip with the model's skeleton and rate.
+
+        Raises
+        ------
+        ValueError
+            An array was cleaned, which has no model.
+        stltsa.UnsupportedError
+            The model was fitted to plain numbers.
+        """
+        if self.model is None:
+            raise ValueError("an array has no poses: give denoise the Clip, its path or its Model")
+        return self.model.poses(self.cleaned, hints=np.arange(len(self.points)))
 
     def _matrix(self, function: Any) -> FloatArray:
         result = columns(*self.points.shape)

@@ -18,10 +18,13 @@ if TYPE_CHECKING:
     from typing_extensions import Unpack
 
     from ._arrays import FloatArray
+    from ._given import Labels, Motions
     from ._options import Options
 
 
-def dimension(motion: Any, *, groups: Any = None, **options: Unpack[Options]) -> Dimension:
+def dimension(
+    motion: Motions, *, groups: Labels | None = None, **options: Unpack[Options]
+) -> Dimension:
     """Estimate the intrinsic dimension of a motion by two methods.
 
     Parameters

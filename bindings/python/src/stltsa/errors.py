@@ -7,6 +7,12 @@ from the matching built-in exception, so ``except ValueError`` works too.
 
 from __future__ import annotations
 
+from contextlib import contextmanager
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
 __all__ = [
     "ArgumentError",
     "CancelledError",
@@ -135,3 +141,12 @@ _CLASSES: dict[str, type[StltsaError]] = {
 def error_for(status: int, name: str, text: str) -> StltsaError:
     """Return the exception for a status; an unknown status is an error too."""
     return _CLASSES.get(name, StltsaError)(text, status, name)
+
+
+@contextmanager
+def advice(kind: type[StltsaError], text: str) -> Iterator[None]:
+    """Add to the text of an error of a kind what to call instead."""
+    try:
+        yield
+    except kind as error:
+        raise type(error)(f"{error}: {text}", error.status, error.name) from None

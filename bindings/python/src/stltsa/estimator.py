@@ -17,7 +17,9 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from ._arrays import FloatArray
-    from ._keywords import Mode
+    from ._given import Labels, Matrix, Motions
+    from ._keywords import Auto, Mode, Seconds
+    from ._progress import Progress
 
 
 @contextmanager
@@ -37,10 +39,11 @@ class STLTSA(Base):
 
     Parameters
     ----------
-    n_neighbors : int or "auto", default="auto"
-        Neighbors of each frame, including itself. ``"auto"``: 1.2 periods if `fps` is given and a
-        period is found, otherwise 1.2 seconds, or 12 if `fps` is not given. If there are few
-        neighbors relative to a cycle, the first coordinate only follows time.
+    n_neighbors : int, str such as "1.2s", or "auto", default="auto"
+        Neighbors of each frame, including itself; a text is in seconds, and needs `fps`.
+        ``"auto"``: 1.2 periods if `fps` is given and a period is found, otherwise 1.2 seconds, or
+        12 if `fps` is not given. If there are few neighbors relative to a cycle, the first
+        coordinate only follows time.
     n_components : int, default=2
         Number of coordinates.
     neighbors : {"temporal", "recurrent", "spatial"}, default="temporal"
@@ -105,19 +108,19 @@ class STLTSA(Base):
 
     def __init__(
         self,
-        n_neighbors: int | Literal["auto"] = "auto",
+        n_neighbors: int | Seconds | Auto = "auto",
         n_components: int = 2,
         *,
         neighbors: Mode = "temporal",
-        window: int | Literal["auto"] = "auto",
+        window: int | Seconds | Auto = "auto",
         include_self: bool = True,
         links: int = 4,
-        exclusion: int | Literal["auto"] = "auto",
+        exclusion: int | Seconds | Auto = "auto",
         fps: float | None = None,
-        map_neighbors: int | Literal["auto"] = "auto",
+        map_neighbors: int | Auto = "auto",
         map_blend: int = 3,
         n_jobs: int | None = None,
-        progress: Any = False,
+        progress: Progress = False,
     ) -> None:
         self.n_neighbors = n_neighbors
         self.n_components = n_components
@@ -159,7 +162,7 @@ class STLTSA(Base):
             "progress": self.progress,
         }
 
-    def fit(self, X: Any, y: Any = None, *, groups: Any = None) -> STLTSA:  # noqa: ARG002
+    def fit(self, X: Motions, y: object = None, *, groups: Labels | None = None) -> STLTSA:  # noqa: ARG002
         """Fit the curve.
 
         Parameters
@@ -213,11 +216,17 @@ class STLTSA(Base):
             return [self._validated(clip, reset=reset and i == 0) for i, clip in enumerate(X)]
         return self._validated(X, reset=reset)
 
-    def fit_transform(self, X: Any, y: Any = None, *, groups: Any = None) -> FloatArray:  # noqa: ARG002
+    def fit_transform(
+        self,
+        X: Motions,
+        y: object = None,  # noqa: ARG002
+        *,
+        groups: Labels | None = None,
+    ) -> FloatArray:
         """Fit the curve and return `embedding_`; parameters as in :meth:`fit`."""
         return self.fit(X, groups=groups).embedding_
 
-    def transform(self, X: Any) -> FloatArray:
+    def transform(self, X: Motions) -> FloatArray:
         """Map frames onto the curve; fitted rows get their own coordinates, to the bit.
 
         Equal rows that occur more than once all get the coordinates of the first; ``model_.map(X,
@@ -238,7 +247,7 @@ class STLTSA(Base):
         with _in_the_words_of_sklearn():
             return self.model_.map(self._motion(X, reset=False), **self._map_options()).values
 
-    def inverse_transform(self, X: Any) -> FloatArray:
+    def inverse_transform(self, X: Matrix) -> FloatArray:
         """Map coordinates back to frames.
 
         Parameters

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from . import _html
 from ._arrays import (
     FloatArray,
     IntArray,
@@ -24,12 +25,12 @@ from ._facts import Described
 from ._native import ffi, lib
 from ._text import c_path
 from .clip import Clip, call_on_motion, opened
+from .errors import ShapeError, UnsupportedError, advice
 
 if TYPE_CHECKING:
-    import os
-
     from typing_extensions import Unpack
 
+    from ._given import Labels, Matrix, Motions, Path
     from ._options import Options
 
 
@@ -52,7 +53,7 @@ class Mapped(NamedTuple):
     nearest: IntArray
 
 
-def fit(motion: Any, *, groups: Any = None, **options: Unpack[Options]) -> Model:
+def fit(motion: Motions, *, groups: Labels | None = None, **options: Unpack[Options]) -> Model:
     """Fit a model: spatio-temporal local tangent space alignment (the paper, section 2.2).
 
     Parameters
@@ -95,6 +96,9 @@ def fit(motion: Any, *, groups: Any = None, **options: Unpack[Options]) -> Model
     out = ffi.new("stltsa_model **")
     call_on_motion("fit", motion, groups, options, out)
     return Model(owned("model", out))
+
+
+_COORDINATES = "it takes coordinates such as .coords and map(...).values; call map for frames"
 
 
 def _as_hints(hints: Any, rows: int) -> IntArray | None:
@@ -205,7 +209,9 @@ class Model(Described):
         """Warnings about the result."""
         return texts(lib.stltsa_model_warning_count, lib.stltsa_model_warning, self._handle)
 
-    def map(self, motion: Any, *, hints: Any = None, **options: Unpack[Options]) -> Mapped:
+    def map(
+        self, motion: Motions, *, hints: Labels | None = None, **options: Unpack[Options]
+    ) -> Mapped:
         """Map frames onto the curve (the paper, section 2.4).
 
         Parameters
@@ -228,17 +234,26 @@ class Model(Described):
         if isinstance(motion, Clip):
             if hints is not None:
                 raise ValueError("hints= is for arrays")
-            return self._mapped(
-                lib.stltsa_map_clip, (motion._handle,), (len(motion), self.dimension), options
-            )
+            with advice(UnsupportedError, "call map(clip.features())"):
+                return self._mapped(
+                    lib.stltsa_map_clip, (motion._handle,), (len(motion), self.dimension), options
+                )
         frames, _ = frames_and_lengths(motion)
         wanted = _as_hints(hints, len(frames))
-        return self._mapped(
-            lib.stltsa_map,
-            (read_from(frames), read_list(wanted)),
-            (len(frames), self.dimension),
-            options,
-        )
+        if frames.shape[1] == self.dimension:
+            call = "map takes frames; call unmap for coordinates"
+        else:
+            call = (
+                "map takes the columns that were fitted, in the same order; of a model of clips "
+                "call map with a Clip or a path"
+            )
+        with advice(ShapeError, call):
+            return self._mapped(
+                lib.stltsa_map,
+                (read_from(frames), read_list(wanted)),
+                (len(frames), self.dimension),
+                options,
+            )
 
     def _mapped(
         self, function: Any, what: tuple[Any, ...], shape: tuple[int, int], options: Any
@@ -251,7 +266,9 @@ class Model(Described):
             call.check(function(self._handle, *what, call.options, *places))
         return Mapped(values, distance[:, 0], nearest)
 
-    def unmap(self, coords: Any, *, hints: Any = None, **options: Unpack[Options]) -> Mapped:
+    def unmap(
+        self, coords: Matrix, *, hints: Labels | None = None, **options: Unpack[Options]
+    ) -> Mapped:
         """Map coordinates back to frames (the paper, section 2.4).
 
         Parameters
@@ -276,14 +293,17 @@ class Model(Described):
         """
         points = as_matrix(coords, "coords")
         wanted = _as_hints(hints, len(points))
-        return self._mapped(
-            lib.stltsa_unmap,
-            (read_from(points), read_list(wanted)),
-            (len(points), self.n_features),
-            options,
-        )
+        with advice(ShapeError, _COORDINATES):
+            return self._mapped(
+                lib.stltsa_unmap,
+                (read_from(points), read_list(wanted)),
+                (len(points), self.n_features),
+                options,
+            )
 
-    def poses(self, coords: Any, *, hints: Any = None, **options: Unpack[Options]) -> Clip:
+    def poses(
+        self, coords: Matrix, *, hints: Labels | None = None, **options: Unpack[Options]
+    ) -> Clip:
         """Map coordinates back to poses: a clip with the model's skeleton.
 
         Parameters and errors are those of :meth:`unmap`, and the option `fps` is the number of
@@ -298,7 +318,7 @@ class Model(Described):
         points = as_matrix(coords, "coords")
         wanted = _as_hints(hints, len(points))
         out = ffi.new("stltsa_clip **")
-        with Call(options) as call:
+        with advice(ShapeError, _COORDINATES), Call(options) as call:
             call.check(
                 lib.stltsa_unmap_clip(
                     self._handle,
@@ -334,12 +354,12 @@ class Model(Described):
         check(lib.stltsa_model_parse(ffi.from_buffer(data), len(data), out))
         return cls(owned("model", out))
 
-    def save(self, path: str | os.PathLike[str]) -> None:
+    def save(self, path: Path) -> None:
         """Write the model to a file, completely or not at all; the command `stltsa` can read it."""
         check(lib.stltsa_model_save(self._handle, c_path(path)))
 
     @classmethod
-    def load(cls, path: str | os.PathLike[str]) -> Model:
+    def load(cls, path: Path) -> Model:
         """Read a model written by :meth:`save` or ``stltsa fit -o``."""
         out = ffi.new("stltsa_model **")
         check(lib.stltsa_model_load(c_path(path), out))
@@ -353,3 +373,6 @@ class Model(Described):
             f"<Model: {len(self)} rows, {self.n_features} features -> {self.dimension}, "
             f"{self.mode}, k = {self.neighbors}, w = {self.window}>"
         )
+
+    def _repr_html_(self) -> str:
+        return _html.model(self)

@@ -3,10 +3,11 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 from ._call import Call, check, owned, texts
 from ._facts import Described
+from ._given import wrong
 from ._native import ffi, lib
 from ._tables import table
 from .clip import Clip
@@ -14,10 +15,11 @@ from .clip import Clip
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
+    from pandas import DataFrame
     from typing_extensions import Unpack
 
     from ._options import Options
-    from .decomposition import Interval
+    from ._rows import Interval, Part, Segment
 
 
 class Piece(NamedTuple):
@@ -37,8 +39,14 @@ class Piece(NamedTuple):
     repeat: int = 1
 
     @classmethod
-    def of(cls, clip: Clip, interval: Interval, repeat: int = 1) -> Piece:
+    def of(cls, clip: Clip, interval: Interval | Segment | Part, repeat: int = 1) -> Piece:
         """Return the frames of a unit or a cycle as a piece."""
+        if not isinstance(clip, Clip):
+            raise wrong("clip", clip, "a Clip: call read_clip")
+        if not hasattr(interval, "begin"):
+            raise wrong(
+                "interval", interval, "a row such as result.best_cycle or result.unit_list[0]"
+            )
         return cls(clip, interval.begin, interval.end, repeat)
 
 
@@ -64,7 +72,10 @@ class Seam(NamedTuple):
     acceleration: float
 
 
-def synthesize(pieces: Iterable[Piece], **options: Unpack[Options]) -> Synthesis:
+_Given: TypeAlias = Piece | tuple[Clip, int, int] | tuple[Clip, int, int, int]
+
+
+def synthesize(pieces: Iterable[_Given], **options: Unpack[Options]) -> Synthesis:
     """Join pieces of clips, in order, into a new clip.
 
     Cuts move to a common posture and are crossfaded; the body continues from its position and
@@ -112,7 +123,8 @@ def _as_piece(values: Any) -> Piece:
     """Return the argument as a piece of a Clip."""
     if isinstance(values, tuple | list) and values and isinstance(values[0], Clip):
         return Piece(*values)
-    raise TypeError(f"a piece is a tuple (Clip, begin, end[, repeat]); it is {values!r}")
+    wanted = "a Piece, such as Piece.of(clip, cycle), or a tuple (Clip, begin, end[, repeat])"
+    raise wrong("a piece", values, wanted)
 
 
 class Synthesis(Described):
@@ -139,7 +151,7 @@ class Synthesis(Described):
         return tuple(result)
 
     @property
-    def seams(self) -> Any:
+    def seams(self) -> DataFrame:
         """The seams as a table: a DataFrame with pandas, otherwise a NumPy record array."""
         return table(self.seam_list, Seam)
 

@@ -3,20 +3,29 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from .._colors import CURVE, POINTS
+from .._given import expect
+from ..denoising import Denoising
 from ._style import COLUMN, axes_to_draw_in
 
 if TYPE_CHECKING:
-    from ..denoising import Denoising
+    from collections.abc import Sequence
+
+    import numpy.typing as npt
+    from matplotlib.axes import Axes
 
 
 def denoising(
-    result: Denoising, *, column: int = 0, fps: float | None = None, ax: Any = None
-) -> Any:
+    result: Denoising,
+    *,
+    column: int = 0,
+    fps: float | None = None,
+    ax: Sequence[Axes] | npt.NDArray[np.object_] | None = None,
+) -> tuple[Axes, Axes]:
     """Draw coordinates and the fitted curve, before and after cleaning (the paper's Fig. 2).
 
     Parameters
@@ -26,14 +35,17 @@ def denoising(
     column : int, default=0
         Index of the coordinate.
     fps : float, optional
-        Rows per second: the time axis is in seconds, otherwise in rows.
+        Rows per second: the time axis is in seconds, otherwise in rows. Default: the model's.
     ax : sequence of two matplotlib Axes, optional
         Axes to draw into; a new figure by default.
 
     Returns
     -------
-    array of two matplotlib Axes
+    tuple of two matplotlib Axes
     """
+    result = expect(result, Denoising, "stltsa.plot.denoising", "stltsa.denoise")
+    if fps is None and result.model is not None:
+        fps = result.model.fps
     time = np.arange(len(result.points)) / (fps or 1.0)
     panels = (("(a) before", result.points), ("(b) after", result.cleaned))
     with axes_to_draw_in(ax, 0.58 * COLUMN, count=2) as axes:
@@ -61,4 +73,5 @@ def denoising(
             handletextpad=0.4,
             borderaxespad=0.1,
         )
-    return axes
+    before, after = axes
+    return before, after

@@ -3,16 +3,19 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from .._colors import INK, UNIT_COLORS
-from ._style import COLUMN, axes_to_draw_in, unit_slices
+from .._given import expect
+from ..decomposition import Decomposition
+from ._style import COLUMN, axes_to_draw_in, legend_of_kinds, unit_slices
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
     from .._arrays import FloatArray
-    from ..decomposition import Decomposition
 
 # As shares of the loop's larger side: the distance of a number from its point, and its size.
 _AWAY = 0.05
@@ -49,7 +52,7 @@ def _side(along: float, low: str, high: str) -> str:
     return high if along > 0.4 else low if along < -0.4 else "center"
 
 
-def loop(result: Decomposition, *, ax: Any = None, numbers: int = 24) -> Any:
+def loop(result: Decomposition, *, ax: Axes | None = None, numbers: int = 24) -> Axes:
     """Draw the two coordinates of the loop, with frame numbers (the paper's Fig. 1).
 
     Parameters
@@ -67,6 +70,7 @@ def loop(result: Decomposition, *, ax: Any = None, numbers: int = 24) -> Any:
     """
     from matplotlib import patheffects
 
+    result = expect(result, Decomposition, "stltsa.plot.loop", "stltsa.decompose")
     halo = [patheffects.withStroke(linewidth=1.6, foreground="white")]
     coords, frames = result.loop, result.frames
     with axes_to_draw_in(ax, 0.82 * COLUMN) as axes:
@@ -98,13 +102,6 @@ def loop(result: Decomposition, *, ax: Any = None, numbers: int = 24) -> Any:
         axes.margins(0.09)
         axes.set_xlabel("first coordinate of the loop")
         axes.set_ylabel("second coordinate of the loop")
-        axes.legend(
-            loc="lower center",
-            bbox_to_anchor=(0.5, 1.0),
-            ncols=5,
-            columnspacing=0.9,
-            handlelength=1.0,
-            handletextpad=0.4,
-            borderaxespad=0.1,
-        )
-    return axes
+        legend_of_kinds(axes, 1.0)
+    drawn: Axes = axes
+    return drawn

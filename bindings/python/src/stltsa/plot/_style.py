@@ -11,9 +11,11 @@ if TYPE_CHECKING:
 
     import numpy as np
     import numpy.typing as npt
+    from matplotlib.axes import Axes
 
     from .._arrays import IntArray
-    from ..decomposition import Decomposition, Interval
+    from .._rows import Interval
+    from ..decomposition import Decomposition
 
 COLUMN = 88 / 25.4  # inches: the width of a column of most journals
 
@@ -47,6 +49,40 @@ def axes_to_draw_in(given: Any, height: float, count: int = 1) -> Iterator[Any]:
             1, count, figsize=(COLUMN, height), dpi=200, sharey=True, layout="constrained"
         )
         yield axes
+
+
+def seconds(result: Decomposition) -> float:
+    """Return the seconds of a frame; 1 if the rate is unknown: time is in frames then."""
+    return 1 / (result.clip.fps or 1.0)
+
+
+def time_label(result: Decomposition) -> str:
+    """Return the label of the time axis."""
+    return "time in seconds" if result.clip.fps else "frame"
+
+
+def span(result: Decomposition, interval: Interval) -> tuple[float, float]:
+    """Return begin and end of an interval on the time axis."""
+    if result.clip.fps:
+        return interval.begin_s, interval.end_s
+    return interval.begin, interval.end
+
+
+def legend_of_kinds(axes: Axes, above: float) -> None:
+    """Draw a legend above the axes, with one entry for each kind of unit."""
+    handles, labels = axes.get_legend_handles_labels()
+    kinds = dict(zip(labels, handles, strict=True))
+    axes.legend(
+        kinds.values(),
+        kinds.keys(),
+        loc="lower center",
+        bbox_to_anchor=(0.5, above),
+        ncols=5,
+        columnspacing=0.9,
+        handlelength=1.0,
+        handletextpad=0.4,
+        borderaxespad=0.1,
+    )
 
 
 def unit_slices(result: Decomposition) -> list[tuple[Interval, slice]]:

@@ -8,12 +8,23 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .._colors import FAINT, INK, UNIT_COLORS
+from .._given import expect
+from ..decomposition import Decomposition
 from ._postures import SideView
-from ._style import COLUMN, axes_to_draw_in, unit_slices
+from ._style import (
+    COLUMN,
+    axes_to_draw_in,
+    legend_of_kinds,
+    seconds,
+    span,
+    time_label,
+    unit_slices,
+)
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
     from .._arrays import FloatArray
-    from ..decomposition import Decomposition
 
 _POSTURE = 29.0  # points: the height of a stick figure
 _ROOM = 0.46  # share of the axes' height for the curve, between the two rows of postures
@@ -25,7 +36,7 @@ def _draw_curve(axes: Any, result: Decomposition, time: FloatArray) -> None:
     curve = result.curve
     for unit, at in unit_slices(result):
         color = UNIT_COLORS[unit.kind]
-        axes.axvspan(unit.begin_s, unit.end_s, color=color, alpha=0.13, linewidth=0)
+        axes.axvspan(*span(result, unit), color=color, alpha=0.13, linewidth=0)
         axes.plot(time[at], curve[at], color=color, linewidth=1.3, label=unit.kind)
     low, high = curve.min(), curve.max()
     room = 0.5 * ((high - low) or 1.0) * (1 / _ROOM - 1)
@@ -34,14 +45,14 @@ def _draw_curve(axes: Any, result: Decomposition, time: FloatArray) -> None:
 
 
 def _draw_cycles(axes: Any, result: Decomposition) -> None:
-    edges = [c.begin_s for c in result.cycle_list] + [c.end_s for c in result.cycle_list[-1:]]
-    for edge in edges:
+    spans = [span(result, cycle) for cycle in result.cycle_list]
+    for edge in [begin for begin, _ in spans] + [end for _, end in spans[-1:]]:
         axes.axvline(edge, color=UNIT_COLORS["cycle"], linewidth=0.7, linestyle=(0, (3, 2)))
-    for number, cycle in enumerate(result.cycle_list, 1):
-        shown = f"cycle {number}" if len(result.cycle_list) <= 4 else f"{number}"
+    for number, (begin, end) in enumerate(spans, 1):
+        shown = f"cycle {number}" if len(spans) <= 4 else f"{number}"
         axes.annotate(
             shown,
-            (0.5 * (cycle.begin_s + cycle.end_s), 1.0),
+            (0.5 * (begin + end), 1.0),
             xycoords=axes.get_xaxis_transform(),
             xytext=(0, 1.5),
             textcoords="offset points",
@@ -108,7 +119,7 @@ def _draw_postures(axes: Any, result: Decomposition, time: FloatArray, count: in
         )
 
 
-def units(result: Decomposition, *, ax: Any = None, postures: int | None = None) -> Any:
+def units(result: Decomposition, *, ax: Axes | None = None, postures: int | None = None) -> Axes:
     """Draw the coordinate over time with units, cycles and postures (the paper's Fig. 3).
 
     Parameters
@@ -125,7 +136,8 @@ def units(result: Decomposition, *, ax: Any = None, postures: int | None = None)
     -------
     matplotlib Axes
     """
-    time = np.asarray(result.frames / result.clip.fps, dtype=np.float64)
+    result = expect(result, Decomposition, "stltsa.plot.units", "stltsa.decompose")
+    time = np.asarray(result.frames * seconds(result), dtype=np.float64)
     if postures is None:
         postures = 11 if result.clip.joints else 0
     with axes_to_draw_in(ax, 0.92 * COLUMN) as axes:
@@ -133,16 +145,9 @@ def units(result: Decomposition, *, ax: Any = None, postures: int | None = None)
         _draw_cycles(axes, result)
         if postures:
             _draw_postures(axes, result, time, postures)
-        axes.set_xlim(result.unit_list[0].begin_s, result.unit_list[-1].end_s)
-        axes.set_xlabel("time in seconds")
-        axes.set_ylabel("coordinate")
-        axes.legend(
-            loc="lower center",
-            bbox_to_anchor=(0.5, 1.06),
-            ncols=5,
-            columnspacing=0.9,
-            handlelength=1.0,
-            handletextpad=0.4,
-            borderaxespad=0.1,
-        )
-    return axes
+        axes.set_xlim(0, len(result.clip) * seconds(result))
+        axes.set_xlabel(time_label(result))
+        axes.set_ylabel(f"coordinate {result.facts['coordinate']}")
+        legend_of_kinds(axes, 1.06)
+    drawn: Axes = axes
+    return drawn

@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Rows of the tables of a decomposition."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple, TypeVar
+
+Row = TypeVar("Row", "Interval", "Segment", "Part", "Summary")
+
+
+class Interval(NamedTuple):
+    """A unit or a cycle: ``[begin, end)`` in source frames, and in seconds.
+
+    Seconds keep fractions of a frame; they are NaN if the frame rate is unknown. `kind` is
+    ``"cycle"`` or the library's name of a unit, such as ``"preparing"``, ``"cyclic"`` or
+    ``"action"``.
+    """
+
+    kind: str
+    begin: int
+    end: int
+    begin_s: float
+    end_s: float
+
+    @property
+    def duration_s(self) -> float:
+        """Length in seconds."""
+        return self.end_s - self.begin_s
+
+
+class Segment(NamedTuple):
+    """A stretch of one behavior: ``[begin, end)`` in source frames, and in seconds.
+
+    `kind` is ``"cyclic"``, ``"repetitions"``, ``"action"`` or ``"rest"``. Segments of the same
+    motion share a `label`, "A", "B", ... in order of appearance; that of a rest is empty. `number`
+    is that of cycles or repetitions. `carried_by` names the joints, markers or columns that move
+    most. Numbers that do not apply are NaN.
+    """
+
+    kind: str
+    label: str
+    begin: int
+    end: int
+    begin_s: float
+    end_s: float
+    number: int
+    period_s: float
+    candidate_period_s: float
+    likeness: float
+    confidence: float
+    begin_confidence: float
+    open_begin: bool
+    open_end: bool
+    carried_by: tuple[str, ...]
+    reason: str
+
+    @property
+    def duration_s(self) -> float:
+        """Length in seconds."""
+        return self.end_s - self.begin_s
+
+
+class Part(NamedTuple):
+    """A cycle, a step or a repetition: ``[begin, end)`` in source frames, and in seconds.
+
+    `segment` is an index into the segments; `cycle`, of a step, one into the cycles, else -1.
+    `side` tells which side of the body leads, 0 or 1, and -1 if it is unknown.
+    """
+
+    segment: int
+    cycle: int
+    begin: int
+    end: int
+    begin_s: float
+    end_s: float
+    side: int
+    likeness: float
+    confidence: float
+
+    @property
+    def duration_s(self) -> float:
+        """Length in seconds."""
+        return self.end_s - self.begin_s
+
+
+class Summary(NamedTuple):
+    """The cycles or repetitions of one label: their number, how often, how long (seconds).
+
+    `cv` is ``sd_s / mean_s``; `trend` the relative change of the length per minute.
+    """
+
+    label: str
+    number: int
+    per_minute: float
+    mean_s: float
+    sd_s: float
+    cv: float
+    trend: float
+
+
+def letters(label: int) -> str:
+    """Return A, B, ... Z, AA, AB, ...; an empty text for -1."""
+    text = ""
+    while label >= 0:
+        text = chr(ord("A") + label % 26) + text
+        label = label // 26 - 1
+    return text
+
+
+def without_seconds(row: Row) -> Row:
+    """Return the row of a motion whose rate is unknown: what depends on the rate is NaN."""
+    times = [n for n in row._fields if n.endswith("_s") or n in ("per_minute", "trend")]
+    unknown: dict[str, Any] = dict.fromkeys(times, float("nan"))
+    return row._replace(**unknown)
