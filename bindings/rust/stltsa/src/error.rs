@@ -13,7 +13,7 @@ pub use crate::kinds::ErrorKind;
 pub type Result<T> = std::result::Result<T, Error>;
 
 /// A failure: its kind, and the library's text: what is wrong, where, and what to do.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, PartialEq, Eq)]
 pub struct Error {
     kind: ErrorKind,
     message: String,
@@ -38,6 +38,16 @@ impl Error {
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.message)
+    }
+}
+
+/// The text, as `main` and `unwrap` print it; `{:#?}` shows the kind, too.
+impl fmt::Debug for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if !f.alternate() {
+            return f.write_str(&self.message);
+        }
+        f.debug_struct("Error").field("kind", &self.kind).field("message", &self.message).finish()
     }
 }
 

@@ -12,6 +12,8 @@ fn the_words_are_the_librarys() {
     assert_eq!(error.kind(), ErrorKind::Io);
     assert!(error.message().contains("no/such/clip.bvh"), "{error}");
     assert_eq!(error.to_string(), error.message());
+    assert_eq!(format!("{error:?}"), error.message());
+    assert!(format!("{error:#?}").contains("kind: Io"), "{error:#?}");
 
     let error = Clip::parse(b"HIERARCHY\nnonsense\n", None, &Options::new()).unwrap_err();
     assert_eq!(error.kind(), ErrorKind::Format);
