@@ -16,12 +16,18 @@ from ._arrays import FloatArray, IntArray, as_matrix, columns, read_from, write_
 from ._call import Call, check, owned
 from ._clips import call_on_clips, refuse_groups
 from ._facts import Described
+from ._from_arrays import points_handle, skeleton_handle
 from ._given import wrong
 from ._native import ffi, lib
 from ._options import rate_given, working_rate
 from ._text import c_path, names, string
 
+from .events import Event
+from .readers import reader
+
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from typing_extensions import Unpack
 
     from ._keywords import Auto, Features, UpAxis
@@ -44,6 +50,97 @@ class Clip(Described):
         self._handle = handle
         self._owner = owner  # owner of the handle, if that is not the clip itself
         self.path = path
+        #: What the file says that happens: :class:`stltsa.Event`, in order of time.
+        self.events: tuple[Event, ...] = ()
+
+    @classmethod
+    def from_points(  # noqa: PLR0913 (as the columns of any such file)
+        cls,
+        positions: npt.ArrayLike,
+        fps: float | None = None,
+        *,
+        names: Sequence[str] | None = None,
+        confidence: npt.ArrayLike | None = None,
+        times: npt.ArrayLike | None = None,
+        **options: Unpack[Options],
+    ) -> Clip:
+        """Return a clip of points in space or in a plane, such as markers; they are copied.
+
+        Parameters
+        ----------
+        positions : array-like of shape (frames, points, 2 or 3)
+            NaN, and 0 in all coordinates, is a missing point: see the option `gaps`.
+        fps : float, optional
+            Frames per second; by default given by `times`.
+        names : sequence of str, optional
+            One for each point.
+        confidence : array-like of shape (frames, points), optional
+            0: missing, and so are points below the option `least_confidence`.
+        times : array-like of shape (frames,), optional
+            Seconds, increasing. Uneven ones are resampled to the rate of the median step, which a
+            note says.
+        **options
+            Used: `least_confidence`.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> import stltsa
+        >>> stltsa.Clip.from_points(np.ones((120, 5, 3)), fps=60)
+        <Clip: 120 frames, 2.00 s at 60 fps, 15 channels>
+        """
+        return cls(points_handle(positions, fps, names, confidence, times, options))
+
+    @classmethod
+    def from_skeleton(  # noqa: PLR0913 (what a skeleton is)
+        cls,
+        names: Sequence[str],
+        parents: Sequence[int],
+        offsets: npt.ArrayLike,
+        rotations: npt.ArrayLike,
+        fps: float,
+        *,
+        root_positions: npt.ArrayLike | None = None,
+        channels: Sequence[str | None] | None = None,
+        end_sites: Sequence[bool] | None = None,
+    ) -> Clip:
+        """Return a clip of a skeleton; all is copied.
+
+        Parameters
+        ----------
+        names, parents, offsets
+            Of each joint: its name, the index of its parent (an earlier joint; -1: the root, which
+            is joint 0), and its offset from the parent in the parent's axes; shape (joints, 3).
+        rotations : array-like
+            Of shape (frames, joints, 4): quaternions w x y z, child axes to parent axes; (frames,
+            joints, 3, 3): rotation matrices; (frames, channels): a value for each channel.
+        fps : float
+            Frames per second.
+        root_positions : array-like of shape (frames, 3), optional
+            Of the root; by default it stays at its offset, or the channels say where it is.
+        channels : sequence of str, optional
+            The values of each joint in a file, such as ``"tx ty tz rz rx ry"``: positions, and
+            angles in degrees about moving axes. By default ``"rz rx ry"``, with positions before
+            them for the root; none for end sites.
+        end_sites : sequence of bool, optional
+            Which joints are ends of chains, without rotation.
+
+        Examples
+        --------
+        >>> import stltsa
+        >>> clip = stltsa.read_clip("walker.bvh")
+        >>> again = stltsa.Clip.from_skeleton(
+        ...     clip.joints, clip.parents, clip.offsets, clip.features("raw"), clip.fps,
+        ...     channels=clip.joint_channels, end_sites=clip.end_sites,
+        ... )
+        >>> bool((again.positions == clip.positions).all())
+        True
+        """
+        return cls(
+            skeleton_handle(
+                names, parents, offsets, rotations, fps, root_positions, channels, end_sites
+            )
+        )
 
     @classmethod
     def from_array(cls, frames: npt.ArrayLike, fps: float) -> Clip:
@@ -96,29 +193,81 @@ class Clip(Described):
         """Numbers per frame in the file."""
         return int(lib.stltsa_clip_channels(self._handle))
 
-    def _joint(self, index: int) -> tuple[str, int, bool]:
-        name, parent, end = ffi.new("char const **"), ffi.new("int64_t *"), ffi.new("int32_t *")
-        check(lib.stltsa_clip_joint(self._handle, index, name, parent, end))
-        return string(name[0]), int(parent[0]), bool(end[0])
+    def _joint(self, index: int) -> tuple[str, int, bool, tuple[float, ...], str | None]:
+        raw = ffi.new("stltsa_joint *", {"size": ffi.sizeof("stltsa_joint")})
+        check(lib.stltsa_clip_joint(self._handle, index, raw))
+        channels = string(raw.channels) if raw.channels else None
+        return string(raw.name), int(raw.parent), bool(raw.is_end_site), tuple(raw.offset), channels
 
     @cached_property
-    def _joints(self) -> tuple[tuple[str, int, bool], ...]:
+    def _joints(self) -> tuple[tuple[str, int, bool, tuple[float, ...], str | None], ...]:
         return tuple(map(self._joint, range(lib.stltsa_clip_joints(self._handle))))
 
     @property
     def joints(self) -> tuple[str, ...]:
         """Names of joints and end sites in file order, parents first; empty without a skeleton."""
-        return tuple(name for name, _, _ in self._joints)
+        return tuple(joint[0] for joint in self._joints)
 
     @property
     def parents(self) -> IntArray:
         """Index of the parent of each joint, -1 for the root; shape (joints,)."""
-        return np.array([parent for _, parent, _ in self._joints], dtype=np.int64)
+        return np.array([joint[1] for joint in self._joints], dtype=np.int64)
 
     @property
     def end_sites(self) -> npt.NDArray[np.bool_]:
         """Which of the joints are end sites; shape (joints,)."""
-        return np.array([end for _, _, end in self._joints], dtype=np.bool_)
+        return np.array([joint[2] for joint in self._joints], dtype=np.bool_)
+
+    @property
+    def offsets(self) -> FloatArray:
+        """Offset of each joint from its parent, in the parent's axes; shape (joints, 3)."""
+        return np.array([joint[3] for joint in self._joints], dtype=np.float64).reshape(-1, 3)
+
+    @property
+    def joint_channels(self) -> tuple[str | None, ...]:
+        """Values of each joint in the file, such as ``"tx ty tz rz rx ry"``.
+
+        None if the skeleton is that of an ASF file, whose axes this does not describe.
+        """
+        return tuple(joint[4] for joint in self._joints)
+
+    def stretch(self, what: str, **options: Unpack[Options]) -> Clip:
+        """Return a stretch of the clip, whose frames count from 0 again.
+
+        Parameters
+        ----------
+        what : str
+            ``"300-900"`` (frames), ``"2.5s-9s"``, ``"cyclic"`` and other kinds of units (the
+            longest), ``"cycle3"``, ``"segment2"``, ``"repetition1"`` (counted from 1), ``"best"``,
+            ``"representative"``, or a label such as ``"A"`` (all its segments, in order). A path
+            may end in the same: ``read_clip("walk.bvh:cyclic")``.
+        **options
+            As for :func:`stltsa.decompose`, which all but the first two need.
+
+        Raises
+        ------
+        stltsa.NoSuchPartError
+            The clip lacks it.
+        """
+        out = ffi.new("stltsa_clip **")
+        with Call(options, working_rate(self.fps, options)) as call:
+            text = ffi.new("char[]", what.encode())
+            call.check(lib.stltsa_clip_stretch(self._handle, text, call.options, out))
+        made = Clip(owned("clip", out), self.path and f"{self.path}:{what}")
+        if not self.fps or not self.events:
+            return made
+        begin, end = self._seconds(what, options)
+        inside = (e._replace(seconds=e.seconds - begin) for e in self.events)
+        made.events = tuple(e for e in inside if 0 <= e.seconds < end - begin)
+        return made
+
+    def _seconds(self, what: str, options: Options) -> tuple[float, float]:
+        """Return where the first interval of a stretch begins and ends."""
+        found, count = ffi.new("stltsa_interval *"), ffi.new("int64_t *")
+        with Call(options, working_rate(self.fps, options)) as call:
+            text = ffi.new("char[]", what.encode())
+            call.check(lib.stltsa_clip_find(self._handle, text, call.options, 1, found, count))
+        return found.begin_s, found.end_s
 
     def _per_joint(self, function: Any, numbers: int) -> FloatArray:
         result = columns(len(self), numbers * len(self._joints))
@@ -212,22 +361,17 @@ class Clip(Described):
         return _html.clip(self)
 
 
-def read_clip(
-    path: str | os.PathLike[str], *, gaps: str = "refuse", **options: Unpack[Options]
-) -> Clip:
-    """Read a clip from a file: BVH, ASF/AMC, CSV, NPY; with extras also C3D, TRC and MOT.
+def read_clip(path: str | os.PathLike[str], **options: Unpack[Options]) -> Clip:
+    """Read a clip: BVH, ASF/AMC, CSV, NPY; by other readers C3D, TRC, MOT, STO, AMASS ``npz``.
 
     Parameters
     ----------
     path : path
         The suffix determines the format, or else the content. The ASF file of an AMC file is found
-        in its folder by subject number; the option `skeleton` names another one.
-    gaps : {"refuse", "fill"}
-        How to treat gaps of markers in C3D, TRC and MOT files: raise an exception that gives their
-        positions, or fill them linearly with a :class:`stltsa.QualityWarning`. See
-        :mod:`stltsa.markers`.
+        in its folder by subject number; the option `skeleton` names another one. A stretch of the
+        clip may follow, as in ``"walk.bvh:2.5s-9s"``: see :meth:`Clip.stretch`.
     **options
-        Used: `fps` (overrides the file), `skeleton`, `progress`.
+        Used: `fps` (overrides the file), `skeleton`, `least_confidence`, `progress`.
 
     Returns
     -------
@@ -240,7 +384,9 @@ def read_clip(
     stltsa.FormatError
         The content does not match the format; the text gives the line and what to do.
     stltsa.NotFiniteError
-        The file contains a NaN or an infinity.
+        The file contains an infinity, or a NaN where rotations are.
+    ImportError
+        The package that reads the format is not installed; the text says how.
 
     Examples
     --------
@@ -249,21 +395,32 @@ def read_clip(
     >>> clip.positions.shape == (len(clip), len(clip.joints), 3)
     True
     """
-    if Path(path).suffix.lower() in (".c3d", ".trc", ".mot", ".sto"):
-        from .markers import read_markers
-
-        return read_markers(path).to_clip(gaps=gaps, fps=options.get("fps"))
+    text = os.fspath(path)
+    name, _, what = text.rpartition(":")
+    whole = not name or Path(text).exists() or not Path(name).exists()
+    read = reader(Path(text if whole else name).suffix)
+    if read is not None:
+        fps = options.get("fps")
+        clip: Clip = read(Path(text if whole else name), None if fps == "auto" else fps)
+        return clip if whole else clip.stretch(what, **_without_rate(options))
     out = ffi.new("stltsa_clip **")
     with Call(options) as call:
         call.check(lib.stltsa_clip_open(c_path(path), call.options, out))
-    return Clip(owned("clip", out), os.fspath(path))
+    return Clip(owned("clip", out), text)
+
+
+def _without_rate(options: Any) -> Any:
+    return {key: value for key, value in options.items() if key != "fps"}
 
 
 def opened(motion: Any, options: Options) -> Any:
-    """Return the clip at a path, and anything else unchanged."""
+    """Return the clip at a path or of a dataset, and anything else unchanged."""
+    used: Any = {k: v for k, v in options.items() if k in ("fps", "skeleton", "least_confidence")}
+    if is_dataset(motion):
+        used.pop("skeleton", None)
+        return from_dataset(motion, **used)
     if not isinstance(motion, str | os.PathLike):
         return motion
-    used: Any = {k: v for k, v in options.items() if k in ("fps", "skeleton")}
     return read_clip(motion, **used)
 
 

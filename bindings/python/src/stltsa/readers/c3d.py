@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""C3D files, by ezc3d: markers, gaps and events."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..clip import Clip
+from ..events import Event
+from . import extra
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+# Parameters that list points which are results of a model and not markers.
+_MODELED = ("ANGLES", "FORCES", "MOMENTS", "POWERS", "SCALARS", "REACTIONS", "MODELED_MARKERS")
+
+
+def _values(group: Any, name: str) -> list[Any]:
+    return list(group[name]["value"]) if name in group else []
+
+
+def _modeled(point: Any) -> set[str]:
+    return {str(label).strip() for kind in _MODELED for label in _values(point, kind)}
+
+
+def read_events(file: Any) -> tuple[Event, ...]:
+    """Return the events of an opened file, in seconds from its first frame."""
+    group = file["parameters"].get("EVENT", {})
+    labels = [str(label).strip() for label in _values(group, "LABELS")]
+    contexts = [str(context).strip() for context in _values(group, "CONTEXTS")]
+    if not labels:
+        return ()
+    minutes, seconds = np.asarray(group["TIMES"]["value"], dtype=np.float64).reshape(2, -1)
+    header = file["header"]["points"]
+    first = header["first_frame"] / header["frame_rate"]
+    contexts += [""] * (len(labels) - len(contexts))
+    events = zip(labels, contexts, 60 * minutes + seconds - first, strict=False)
+    return tuple(sorted((Event(*e[:2], float(e[2])) for e in events), key=lambda e: e.seconds))
+
+
+def read(path: Path, fps: float | None = None) -> Clip:
+    """Return the markers of a file as a clip of points, with its events."""
+    file = extra("ezc3d", "c3d").c3d(str(path))  # missing points are NaN
+    point = file["parameters"]["POINT"]
+    points = np.asarray(file["data"]["points"], dtype=np.float64)[:3].transpose(2, 1, 0)
+    names = [str(name).strip() for name in _values(point, "LABELS")[: points.shape[1]]]
+    modeled = _modeled(point)
+    kept = [i for i, name in enumerate(names) if name not in modeled]
+    clip = Clip.from_points(
+        points[:, kept], fps or float(point["RATE"]["value"][0]), names=[names[i] for i in kept]
+    )
+    clip.path, clip.events = str(path), read_events(file)
+    return clip
