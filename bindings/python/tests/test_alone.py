@@ -80,5 +80,5 @@ def test_import_is_light():
         heavy = {"sklearn", "pandas", "matplotlib", "scipy"}
         assert not {m for m in sys.modules if m in heavy and sys.modules[m] is not None}
         assert "stltsa.estimator" not in sys.modules
-        assert {"STLTSA", "plot", "markers"} <= set(dir(stltsa))
+        assert {"STLTSA", "plot", "readers"} <= set(dir(stltsa))
     """)

@@ -57,3 +57,62 @@ def test_path_of_other_bytes(walker, tmp_path):
     path = tmp_path / "été.bvh"
     path.write_bytes(walker.read_bytes())
     assert len(stltsa.read_clip(path)) == 844
+
+
+def again_from_arrays(clip, rotations=None):
+    return stltsa.Clip.from_skeleton(
+        clip.joints,
+        clip.parents,
+        clip.offsets,
+        clip.features("raw") if rotations is None else rotations,
+        clip.fps,
+        channels=clip.joint_channels,
+        end_sites=clip.end_sites,
+        root_positions=None if rotations is None else clip.positions[:, 0],
+    )
+
+
+def test_a_skeleton_through_arrays_is_the_same_motion(clip, walker, tmp_path):
+    again = again_from_arrays(clip)
+    assert again.format == "skeleton"
+    assert np.array_equal(again.positions, clip.positions)
+    assert stltsa.decompose(again).curve.tobytes() == stltsa.decompose(clip).curve.tobytes()
+    again.save(tmp_path / "again.bvh")
+    clip.save(tmp_path / "clip.bvh")
+    assert (tmp_path / "again.bvh").read_bytes() == (tmp_path / "clip.bvh").read_bytes()
+    turned = again_from_arrays(clip, clip.rotations)
+    assert np.abs(turned.positions - clip.positions).max() < 1e-9
+    with pytest.raises(ValueError, match=r"expected \(\d+, 3\)"):
+        stltsa.Clip.from_skeleton(["a"], [-1], np.zeros((2, 3)), np.zeros((9, 1, 4)), 30)
+
+
+def test_points_of_a_skeleton(clip):
+    points = stltsa.Clip.from_points(clip.positions, clip.fps, names=clip.joints)
+    assert (points.format, points.channels) == ("points", 3 * len(clip.joints))
+    found, expected = stltsa.decompose(points), stltsa.decompose(clip)
+    assert len(found.cycle_list) == len(expected.cycle_list)
+    for one, other in zip(found.cycle_list, expected.cycle_list, strict=True):
+        assert abs(one.begin_s - other.begin_s) <= 0.05
+        assert abs(one.end_s - other.end_s) <= 0.05
+
+
+def test_times_of_points(circle):
+    points = circle[:, :4].reshape(300, 2, 2)
+    times = np.arange(300) / 50
+    assert stltsa.Clip.from_points(points, times=times).fps == pytest.approx(50)
+    with pytest.raises(stltsa.ArgumentError):
+        stltsa.Clip.from_points(points)
+
+
+def test_stretches(clip, walker, result):
+    cyclic = next(u for u in result.unit_list if u.kind == "cyclic")
+    longest = clip.stretch("cyclic")
+    assert len(longest) == cyclic.end - cyclic.begin
+    raw = clip.features("raw")[cyclic.begin : cyclic.end]
+    assert np.array_equal(longest.features("raw"), raw)
+    for what in ("100-300", "cyclic", "1s-2.5s"):
+        one, other = clip.stretch(what), stltsa.read_clip(f"{walker}:{what}")
+        assert np.array_equal(one.features("raw"), other.features("raw"))
+    assert len(stltsa.decompose(f"{walker}:100-500").curve) == 100
+    with pytest.raises(stltsa.NoSuchPartError):
+        clip.stretch("Z")

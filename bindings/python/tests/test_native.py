@@ -49,7 +49,7 @@ def test_a_part_is_there_or_its_modes_are_unsupported(circle):
 
 def test_keywords_are_the_table():
     table = {option.name for option in stltsa.options()}
-    assert set(stltsa.Options.__annotations__) == table | {"progress"}
+    assert set(stltsa.Options.__annotations__) == table | {"individual", "progress"}
 
 
 def test_choices_are_the_table():

@@ -29,11 +29,12 @@ from .decomposition import Decomposition, decompose
 from .denoising import Denoising, denoise
 from .dimensions import Dimension, dimension
 from .errors import *  # noqa: F403
+from .events import Event
 from .model import Mapped, Model, fit
 from .synthesis import Piece, Seam, Synthesis, synthesize
 
 if TYPE_CHECKING:
-    from . import markers, plot
+    from . import plot, readers
     from .estimator import STLTSA
 
 _PARTS = {name: part for part, name in _names("STLTSA_HAS_").items()}
@@ -66,6 +67,7 @@ __all__ = [  # noqa: PLE0604
     "Decomposition",
     "Denoising",
     "Dimension",
+    "Event",
     "Interval",
     "Mapped",
     "Model",
@@ -85,16 +87,16 @@ __all__ = [  # noqa: PLE0604
     "errors",
     "fit",
     "has",
-    "markers",
     "options",
     "plot",
     "read_clip",
+    "readers",
     "synthesize",
     *(name for name in errors.__all__ if name != "error_for"),
 ]
 
 # Loads the modules that import a large package when they are first used.
-_LAZY = {"STLTSA": "estimator", "markers": "", "plot": ""}
+_LAZY = {"STLTSA": "estimator", "plot": "", "readers": ""}
 
 
 def __getattr__(name: str) -> Any:

@@ -12,7 +12,7 @@ from ._call import Call, check, owned
 from ._native import ffi, lib
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
+    from collections.abc import Sequence
 
 _FORMS = {2: lib.STLTSA_ROTATIONS_CHANNELS, 3: lib.STLTSA_ROTATIONS_QUATERNION,
           4: lib.STLTSA_ROTATIONS_MATRIX}  # fmt: skip
@@ -32,11 +32,12 @@ def _texts(values: Sequence[str]) -> list[Any]:
 
 def points_handle(
     positions: Any,
+    *,
     fps: float | None,
     names: Sequence[str] | None,
     confidence: Any,
     times: Any,
-    options: Mapping[str, Any],
+    least_confidence: float | None,
 ) -> Any:
     """Return a handle of a clip of points; arguments as of ``Clip.from_points``."""
     array = np.asarray(unmasked(positions))
@@ -44,7 +45,7 @@ def points_handle(
     if names is not None and len(names) != array.shape[1]:
         raise ValueError(f"there are {len(names)} names for {array.shape[1]} points")
     texts = _texts(names or ())
-    given = {"confidence": None, "times": None}
+    given: dict[str, Any] = {"confidence": None, "times": None}
     if confidence is not None:
         given["confidence"] = _flat(confidence, "(frames, points)", (2,), "confidence")
     if times is not None:
@@ -59,13 +60,14 @@ def points_handle(
             setattr(raw, name, read_from(values)[0])
     raw.fps = 0.0 if fps is None else float(fps)
     out = ffi.new("stltsa_clip **")
-    with Call(options) as call:
+    with Call({"least_confidence": least_confidence}) as call:
         call.check(lib.stltsa_clip_from_points(raw, call.options, out))
     return owned("clip", out)
 
 
 def skeleton_handle(
     names: Sequence[str],
+    *,
     parents: Any,
     offsets: Any,
     rotations: Any,

@@ -34,7 +34,6 @@ _INSTEAD = {
     "Decomposition": "its clip is .clip, its coordinates are .coords",
     "Denoising": "its coordinates are .cleaned",
     "Mapped": "its coordinates or frames are .values",
-    "Markers": "its clip is .to_clip()",
     "Model": "its coordinates are .coords",
     "Piece": "its clip is .clip",
     "Synthesis": "its clip is .clip",

@@ -34,6 +34,8 @@ class Options(Keywords, total=False):
     """
 
     progress: Progress
+    #: Name of one of several individuals in a dataset.
+    individual: str | None
 
 
 class Option(NamedTuple):
@@ -210,6 +212,8 @@ def set_options(handle: Any, values: Mapping[str, Any], rate: float = 0.0) -> in
     `rate`: frames per second, for lengths in seconds; 0: unknown.
     """
     for name, value in values.items():
+        if name == "individual":  # read from the dataset, before the library sees it
+            continue
         option = _TABLE.get(name)
         if option is None:
             raise TypeError(f"there is no option {name!r}; stltsa.options() lists them")

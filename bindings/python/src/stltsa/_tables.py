@@ -39,6 +39,14 @@ def table(
     return pd.DataFrame(fields).astype({n: t for n, t in dtypes.items() if t not in "UO"})
 
 
+def frame(rows: Sequence[Any], kind: type[NamedTuple]) -> DataFrame:
+    """Return a DataFrame; raise ImportError without pandas."""
+    from .readers import extra
+
+    extra("pandas", "tables")
+    return table(rows, kind)
+
+
 def aligned(rows: Sequence[Sequence[str]], widest: int = 28) -> str:
     """Return rows of texts as lines of the terminal's width, with texts wrapped in their column."""
     *columns, _ = zip(*rows, strict=True)

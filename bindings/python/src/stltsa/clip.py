@@ -21,9 +21,7 @@ from ._given import wrong
 from ._native import ffi, lib
 from ._options import rate_given, working_rate
 from ._text import c_path, names, string
-
-from .events import Event
-from .readers import reader
+from .readers import is_dataset, is_points, reader
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -32,6 +30,7 @@ if TYPE_CHECKING:
 
     from ._keywords import Auto, Features, UpAxis
     from ._options import Options
+    from .events import Event
 
 _FORMATS = names("STLTSA_FORMAT_")
 
@@ -54,7 +53,7 @@ class Clip(Described):
         self.events: tuple[Event, ...] = ()
 
     @classmethod
-    def from_points(  # noqa: PLR0913 (as the columns of any such file)
+    def from_points(
         cls,
         positions: npt.ArrayLike,
         fps: float | None = None,
@@ -62,7 +61,7 @@ class Clip(Described):
         names: Sequence[str] | None = None,
         confidence: npt.ArrayLike | None = None,
         times: npt.ArrayLike | None = None,
-        **options: Unpack[Options],
+        least_confidence: float | None = None,
     ) -> Clip:
         """Return a clip of points in space or in a plane, such as markers; they are copied.
 
@@ -75,12 +74,12 @@ class Clip(Described):
         names : sequence of str, optional
             One for each point.
         confidence : array-like of shape (frames, points), optional
-            0: missing, and so are points below the option `least_confidence`.
+            0: missing, and so are points below `least_confidence`.
         times : array-like of shape (frames,), optional
             Seconds, increasing. Uneven ones are resampled to the rate of the median step, which a
             note says.
-        **options
-            Used: `least_confidence`.
+        least_confidence : float, optional
+            As the option of that name: by default 0.6.
 
         Examples
         --------
@@ -89,10 +88,19 @@ class Clip(Described):
         >>> stltsa.Clip.from_points(np.ones((120, 5, 3)), fps=60)
         <Clip: 120 frames, 2.00 s at 60 fps, 15 channels>
         """
-        return cls(points_handle(positions, fps, names, confidence, times, options))
+        return cls(
+            points_handle(
+                positions,
+                fps=fps,
+                names=names,
+                confidence=confidence,
+                times=times,
+                least_confidence=least_confidence,
+            )
+        )
 
     @classmethod
-    def from_skeleton(  # noqa: PLR0913 (what a skeleton is)
+    def from_skeleton(
         cls,
         names: Sequence[str],
         parents: Sequence[int],
@@ -138,7 +146,14 @@ class Clip(Described):
         """
         return cls(
             skeleton_handle(
-                names, parents, offsets, rotations, fps, root_positions, channels, end_sites
+                names,
+                parents=parents,
+                offsets=offsets,
+                rotations=rotations,
+                fps=fps,
+                root_positions=root_positions,
+                channels=channels,
+                end_sites=end_sites,
             )
         )
 
@@ -185,7 +200,7 @@ class Clip(Described):
 
     @property
     def format(self) -> str:
-        """``"bvh"``, ``"amc"``, ``"csv"``, ``"npy"`` or ``"matrix"``."""
+        """``"bvh"``, ``"amc"``, ``"csv"``, ``"npy"``; of arrays: matrix, points or skeleton."""
         return _FORMATS.get(lib.stltsa_clip_format(self._handle), "unknown")
 
     @property
@@ -317,9 +332,9 @@ class Clip(Described):
             ``"positions"``: joint positions without the root's position and yaw; ``"rotations6d"``:
             two columns of each rotation matrix; ``"euler"``: the angles below the root in radians,
             as in the paper; ``"raw"``: the file's numbers; ``"points"``: points such as markers,
-            three columns each, gaps filled, without path and heading. ``"auto"``: positions if
-            there is a skeleton, points if the columns are named so (heel_x, heel_y, heel_z, ...),
-            otherwise raw.
+            without their mean, and without the heading if that is well defined. ``"auto"``:
+            positions if there is a skeleton, points if the clip has points (or columns named
+            heel_x, heel_y, heel_z, ...), otherwise raw.
         features
             The same as `kind`; the keyword of the other functions.
         up_axis : {"auto", "x", "y", "z"}
@@ -413,15 +428,25 @@ def _without_rate(options: Any) -> Any:
     return {key: value for key, value in options.items() if key != "fps"}
 
 
+def _some(options: Options, *names: str) -> Any:
+    return {key: value for key, value in options.items() if key in names}
+
+
 def opened(motion: Any, options: Options) -> Any:
-    """Return the clip at a path or of a dataset, and anything else unchanged."""
-    used: Any = {k: v for k, v in options.items() if k in ("fps", "skeleton", "least_confidence")}
+    """Return the clip at a path, of points or of a dataset, and anything else unchanged."""
     if is_dataset(motion):
-        used.pop("skeleton", None)
+        from .readers.movement import from_dataset  # it needs this module
+
+        used = _some(options, "fps", "least_confidence", "individual")
         return from_dataset(motion, **used)
+    if options.get("individual") is not None and not isinstance(motion, Clip):
+        raise wrong("X", motion, "a dataset of several individuals if individual= is given")
+    rate = rate_given(options)
+    if rate and is_points(motion):
+        return Clip.from_points(motion, rate, **_some(options, "least_confidence"))
     if not isinstance(motion, str | os.PathLike):
         return motion
-    return read_clip(motion, **used)
+    return read_clip(motion, **_some(options, "fps", "skeleton", "least_confidence"))
 
 
 def call_on_motion(kind: str, motion: Any, groups: Any, options: Options, out: Any) -> None:

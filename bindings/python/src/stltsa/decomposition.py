@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from . import _html
+from . import _exports, _html
 from ._arrays import FloatArray, IntArray, columns, write_to
 from ._call import Call, check, owned, texts
 from ._facts import Described
@@ -17,13 +17,17 @@ from ._rows import Interval, Part, Row, Segment, Summary, letters, without_secon
 from ._tables import table
 from ._text import string
 from .clip import Clip, as_clip, one_matrix, opened
+from .readers import is_points
 
 if TYPE_CHECKING:
+    import os
+
     from pandas import DataFrame
     from typing_extensions import Unpack
 
     from ._given import Matrix, Motion
     from ._options import Options
+    from .readers.movement import Dataset
 
 
 # To the library an array without a rate has this one; the answer is in frames.
@@ -45,7 +49,9 @@ class _ClipInFrames(Clip):
 
 def _in_frames(frames: Matrix, options: dict[str, Any]) -> tuple[Clip, dict[str, Any]]:
     """Return a clip of an array without a rate, and the options with their lengths in frames."""
-    clip = _ClipInFrames.from_array(frames, _FRAMES_A_SECOND)
+    of_points = is_points(frames)
+    make = _ClipInFrames.from_points if of_points else _ClipInFrames.from_array
+    clip = make(frames if of_points else one_matrix(frames), _FRAMES_A_SECOND)
     longest = min(len(clip) // 2, _LONGEST_PERIOD)
     lengths: dict[str, Any] = {
         "period_min": _SHORTEST_PERIOD,
@@ -67,14 +73,15 @@ def decompose(motion: Motion, **options: Unpack[Options]) -> Decomposition:
 
     Parameters
     ----------
-    motion : Clip, path, or array-like of shape (frames, channels)
+    motion : Clip, path, dataset, or array-like of shape (frames, channels) or (frames, points, 2|3)
         An array needs the option `fps` for an answer in seconds. Without it the period is looked
         for in frames, up to 1000, and everything in seconds is NaN; `period_min`, `period_max` and
         `smoothing` are in frames then. A path needs `fps` if the file has no rate; a Clip has its
-        own.
+        own. A dataset is one of `movement`; `individual` names one of several in it.
     **options
-        Used: `features`, `up_axis`, `keep_start`, `sample_rate`, `smoothing`, `period_min`,
-        `period_max`, `neighbors`, `window`, `dimension`, `mode`, `threads`, `fps`, `progress`.
+        Used: `features`, `up_axis`, `gaps`, `least_confidence`, `keep_start`, `sample_rate`,
+        `smoothing`, `period_min`, `period_max`, `neighbors`, `window`, `dimension`, `mode`,
+        `threads`, `fps`, `individual`, `progress`.
         See :func:`stltsa.options`.
 
     Returns
@@ -99,10 +106,11 @@ def decompose(motion: Motion, **options: Unpack[Options]) -> Decomposition:
     """
     rest = {name: value for name, value in options.items() if value is not None}
     given = opened(motion, options)
+    rest.pop("individual", None)
     if isinstance(given, Clip) or rest.get("fps", "auto") != "auto":
         clip = as_clip(given, rest)
     else:
-        clip, rest = _in_frames(one_matrix(given), rest)
+        clip, rest = _in_frames(given, rest)
     out = ffi.new("stltsa_decomposition **")
     with Call(rest, working_rate(clip.fps, rest)) as call:
         call.check(lib.stltsa_decompose(clip._handle, call.options, out))
@@ -201,6 +209,14 @@ class Decomposition(Described):
         return self._rows(result)
 
     @property
+    def _cycles(self) -> tuple[Part, ...]:
+        return self._parts(lib.STLTSA_PART_CYCLE)
+
+    @property
+    def _repetitions(self) -> tuple[Part, ...]:
+        return self._parts(lib.STLTSA_PART_REPETITION)
+
+    @property
     def segments(self) -> DataFrame:
         """The segments as a table: a DataFrame with pandas, otherwise a NumPy record array."""
         return table(self.segment_list, Segment)
@@ -213,12 +229,12 @@ class Decomposition(Described):
     @property
     def repetitions(self) -> DataFrame:
         """The actions of the segments that repeat with pauses, as a table."""
-        return table(self._parts(lib.STLTSA_PART_REPETITION), Part)
+        return table(self._repetitions, Part)
 
     @property
     def cycle_facts(self) -> DataFrame:
         """Segment, side, likeness and confidence of each cycle, as a table."""
-        return table(self._parts(lib.STLTSA_PART_CYCLE), Part)
+        return table(self._cycles, Part)
 
     @property
     def summary(self) -> DataFrame:
@@ -273,6 +289,60 @@ class Decomposition(Described):
     def best_cycle(self) -> Interval | None:
         """The cycle that is most similar to the others."""
         return self._cycle("best")
+
+    def to_frame(self) -> DataFrame:
+        """Return one table of all segments, units, cycles and repetitions; needs pandas.
+
+        Columns, as of the command's ``-o units.csv``: level, kind, label; begin, end in source
+        frames; begin_s, end_s, duration_s in seconds; likeness, confidence (NaN for units).
+        """
+        return _exports.to_frame(self)
+
+    def to_xarray(self, dataset: Dataset | None = None) -> Dataset:
+        """Return the answer as coordinates on time, for xarray and netCDF; needs xarray.
+
+        Parameters
+        ----------
+        dataset : xarray.Dataset, optional
+            Data of the same frames, such as the dataset that was decomposed. By default a new
+            dataset, with the time of the clip in seconds, or in frames if the rate is unknown.
+
+        Returns
+        -------
+        xarray.Dataset
+            The data, with the coordinates `segment` and `cycle` (an index; cycle: -1 outside of
+            cycles), `label` and `unit` on the dimension ``time``; the attributes begin with
+            ``stltsa_``. A new dataset has the curve and the coordinates of the fit, too, NaN in
+            frames which are not samples.
+
+        Examples
+        --------
+        >>> import stltsa
+        >>> data = stltsa.decompose("walker.bvh").to_xarray()  # doctest: +SKIP
+        >>> data.sel(time=data.unit == "cyclic")  # doctest: +SKIP
+        """
+        return _exports.to_xarray(self, dataset)
+
+    def save_events(
+        self, path: str | os.PathLike[str], *, source: str | os.PathLike[str] | None = None
+    ) -> None:
+        """Write segments, units, cycles and repetitions as events; the suffix says how.
+
+        Parameters
+        ----------
+        path : path
+            ``.tsv``: BIDS, with a JSON file of the columns beside it; ``.csv``: the tabular events
+            of BORIS; ``.c3d``: a copy of a C3D file, with an event at the begin of each segment,
+            cycle and repetition and at the end of the last; needs ezc3d.
+        source : path, optional
+            The C3D file that is copied; by default the one that was read.
+
+        Raises
+        ------
+        ValueError
+            The suffix is none of these, the frame rate is unknown, or there is no C3D file.
+        """
+        _exports.save_events(self, path, source)
 
     @property
     def frames(self) -> IntArray:

@@ -15,10 +15,31 @@
 from __future__ import annotations
 
 import importlib
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+from .._native import lib
+from ..errors import FormatError
+
+if TYPE_CHECKING:
+    from pathlib import Path
 
 # The module that reads a suffix.
 READERS = {".c3d": "c3d", ".trc": "opensim", ".mot": "opensim", ".sto": "opensim", ".npz": "amass"}
+
+
+def is_dataset(value: object) -> bool:
+    """Return whether this is a dataset of poses, such as those of `movement`."""
+    return hasattr(value, "data_vars") and "position" in value.data_vars
+
+
+def is_points(value: Any) -> bool:
+    """Return whether this is an array of points: (frames, points, 2 or 3)."""
+    return getattr(value, "ndim", 0) == 3 and value.shape[2] in (2, 3)
+
+
+def bad(path: Path, text: str) -> FormatError:
+    """Return the error for a file that is not what its suffix says."""
+    return FormatError(f"{path}: {text}", lib.STLTSA_E_FORMAT, "STLTSA_E_FORMAT")
 
 
 def extra(name: str, of: str) -> Any:

@@ -11,9 +11,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._native import lib
 from ..clip import Clip
-from ..errors import FormatError
+from . import bad
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -40,8 +39,7 @@ def read(path: Path, fps: float | None = None, offsets: npt.ArrayLike | None = N
         rates = [file[k] for k in ("mocap_framerate", "mocap_frame_rate") if k in file]
         if "poses" not in file or "trans" not in file or not (rates or fps):
             wanted = "an AMASS file has the arrays poses, trans and mocap_framerate"
-            text = f"{path}: {wanted}; this one has {', '.join(file.files)}"
-            raise FormatError(text, lib.STLTSA_E_FORMAT, "STLTSA_E_FORMAT")
+            raise bad(path, f"{wanted}; this one has {', '.join(file.files)}")
         turns = np.asarray(file["poses"], dtype=np.float64)[:, : 3 * len(_BODY)]
         way = np.asarray(file["trans"], dtype=np.float64)
     turns = turns.reshape(len(turns), -1, 3)  # axis times angle

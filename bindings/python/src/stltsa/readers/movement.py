@@ -7,16 +7,13 @@ attributes `fps` and `time_unit`.
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 
 from ..clip import Clip
 
-
-def is_dataset(value: object) -> bool:
-    """Return whether this is a dataset of poses."""
-    return hasattr(value, "data_vars") and "position" in getattr(value, "data_vars", ())
+Dataset: TypeAlias = Any  # xarray.Dataset; xarray may be missing
 
 
 def _dimension(dataset: Any, name: str) -> str | None:

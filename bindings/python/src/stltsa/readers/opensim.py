@@ -7,10 +7,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._native import lib
 from ..clip import Clip
-from ..errors import FormatError
-from . import extra
+from . import bad, extra
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -18,16 +16,12 @@ if TYPE_CHECKING:
     from .._arrays import FloatArray
 
 
-def _bad(path: Path, text: str) -> FormatError:
-    return FormatError(f"{path}: {text}", lib.STLTSA_E_FORMAT, "STLTSA_E_FORMAT")
-
-
 def _table(path: Path, skip: int) -> FloatArray:
     pandas = extra("pandas", "trc")
     try:
         frame = pandas.read_csv(path, sep="\t", skiprows=skip, header=None, dtype=np.float64)
     except (ValueError, pandas.errors.ParserError) as error:
-        raise _bad(path, f"the numbers cannot be read: {error}") from error
+        raise bad(path, f"the numbers cannot be read: {error}") from error
     return np.asarray(frame)
 
 
@@ -41,11 +35,11 @@ def read(path: Path, fps: float | None = None) -> Clip:
 
 def _trc(path: Path, lines: list[str], fps: float | None) -> Clip:
     if len(lines) < 5 or not lines[0].startswith("PathFileType"):
-        raise _bad(path, "the first line of a TRC file begins with PathFileType")
+        raise bad(path, "the first line of a TRC file begins with PathFileType")
     names = [name for name in lines[3].rstrip().split("\t")[2:] if name]
     table = _table(path, skip=5)
     if not names or table.shape[1] < 2 + 3 * len(names):
-        raise _bad(path, f"{len(names)} markers, but only {table.shape[1]} columns")
+        raise bad(path, f"{len(names)} markers, but only {table.shape[1]} columns")
     points = table[:, 2 : 2 + 3 * len(names)].reshape(len(table), len(names), 3)
     rate = dict(zip(lines[1].split("\t"), lines[2].split("\t"), strict=False)).get("DataRate")
     times = None if rate or fps else table[:, 1]
@@ -55,11 +49,11 @@ def _trc(path: Path, lines: list[str], fps: float | None) -> Clip:
 def _mot(path: Path, lines: list[str], fps: float | None) -> Clip:
     ends = [i for i, line in enumerate(lines) if line.strip().lower() == "endheader"]
     if not ends or ends[0] + 1 >= len(lines):
-        raise _bad(path, "a MOT or STO file has a line endheader, and names after it")
+        raise bad(path, "a MOT or STO file has a line endheader, and names after it")
     table, names = _table(path, skip=ends[0] + 2), lines[ends[0] + 1].split("\t")
     if names[0].strip().lower() != "time" or table.shape[1] < len(names):
-        raise _bad(path, "the first column is not time, or columns are missing")
+        raise bad(path, "the first column is not time, or columns are missing")
     step = float(np.median(np.diff(table[:, 0]))) if len(table) > 1 else 0.0
     if not step > 0:
-        raise _bad(path, "the column of time does not increase")
+        raise bad(path, "the column of time does not increase")
     return Clip.from_array(table[:, 1 : len(names)], fps or 1.0 / step)

@@ -1,0 +1,211 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Decompositions for other programs: pandas, xarray, BIDS, BORIS, C3D."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import tempfile
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from . import readers
+from ._tables import frame
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable
+
+    from pandas import DataFrame
+
+    from .decomposition import Decomposition
+
+
+class Row(NamedTuple):
+    """A segment, unit, cycle or repetition, as in the command's table for spreadsheets."""
+
+    level: str
+    kind: str
+    label: str
+    begin: int
+    end: int
+    begin_s: float
+    end_s: float
+    duration_s: float
+    likeness: float
+    confidence: float
+
+
+def _row(level: str, kind: str, label: str, part: Any) -> Row:
+    likeness, confidence = (getattr(part, n, float("nan")) for n in ("likeness", "confidence"))
+    times = part.begin, part.end, part.begin_s, part.end_s, part.duration_s
+    return Row(level, kind, label, *times, likeness, confidence)
+
+
+def rows_of(result: Decomposition) -> list[Row]:
+    """Return all rows: segments, then units, cycles and repetitions."""
+    segments = result.segment_list
+    begins = [segment.begin for segment in segments]
+
+    def label(begin: int) -> str:
+        return segments[int(np.searchsorted(begins, begin, side="right")) - 1].label
+
+    rows = [_row("segment", s.kind, s.label, s) for s in segments]
+    rows += [_row("unit", unit.kind, label(unit.begin), unit) for unit in result.unit_list]
+    for level, parts in (("cycle", result._cycles), ("repetition", result._repetitions)):
+        rows += [_row(level, level, segments[part.segment].label, part) for part in parts]
+    return rows
+
+
+def to_frame(result: Decomposition) -> DataFrame:
+    """Return the rows as a DataFrame."""
+    return frame(rows_of(result), Row)
+
+
+def _per_frame(frames: int, empty: Any, parts: Iterable[tuple[Any, Any]]) -> np.ndarray[Any, Any]:
+    """Return the value of the part in which each frame lies, or else `empty`."""
+    values = [empty] * frames
+    for part, value in parts:
+        values[part.begin : part.end] = [value] * (part.end - part.begin)
+    return np.array(values)
+
+
+def to_xarray(result: Decomposition, dataset: Any) -> Any:
+    """Return a dataset with the answer as coordinates on time."""
+    xarray = readers.extra("xarray", "movement")
+    clip = result.clip
+    if dataset is None:
+        dataset = _dataset(xarray, result)
+    elif dataset.sizes.get("time") != len(clip):
+        have = dataset.sizes.get("time", "no")
+        raise ValueError(f"the dataset has {have} times, and the clip {len(clip)} frames")
+    segments = result.segment_list
+    coordinates = {
+        "segment": _per_frame(len(clip), -1, ((s, i) for i, s in enumerate(segments))),
+        "label": _per_frame(len(clip), "", ((s, s.label) for s in segments)),
+        "unit": _per_frame(len(clip), "", ((u, u.kind) for u in result.unit_list)),
+        "cycle": _per_frame(len(clip), -1, ((c, i) for i, c in enumerate(result.cycle_list))),
+    }
+    answer = dataset.assign_coords({name: ("time", v) for name, v in coordinates.items()})
+    facts = {n: getattr(result, n) for n in ("period", "neighbors", "window", "reason")}
+    return answer.assign_attrs({f"stltsa_{name}": value for name, value in facts.items()})
+
+
+def _dataset(xarray: Any, result: Decomposition) -> Any:
+    clip, frames = result.clip, result.frames
+    curve = np.full(len(clip), np.nan)
+    coords = np.full((len(clip), result.dimension), np.nan)
+    curve[frames], coords[frames] = result.curve, result.coords
+    time = np.arange(len(clip)) / (clip.fps or 1.0)
+    return xarray.Dataset(
+        {"curve": ("time", curve), "coords": (("time", "coordinate"), coords)},
+        coords={"time": time, "frame": ("time", np.arange(len(clip)))},
+        attrs={"fps": clip.fps, "time_unit": "seconds" if clip.fps else "frames"},
+    )
+
+
+_COLUMNS = {
+    "onset": {"Description": "Begin, counted from the first frame", "Units": "s"},
+    "duration": {"Description": "Length", "Units": "s"},
+    "trial_type": {
+        "Description": "What it is: the kind of a segment or unit, a cycle, or a repetition"
+    },
+    "level": {
+        "Description": "What the row describes",
+        "Levels": {
+            "segment": "Stretch of one behavior",
+            "unit": "Motion unit (Li et al. 2012)",
+            "cycle": "One period of a cyclic segment",
+            "repetition": "One of several actions of the same kind with pauses between them",
+        },
+    },
+    "label": {"Description": "Letter shared by the segments of the same motion"},
+    "likeness": {"Description": "Similarity to the others of the label, from 0 to 1"},
+    "confidence": {"Description": "How sure the answer is, from 0 to 1"},
+}
+
+
+def _cell(value: Any) -> str:
+    unknown = value == "" or (isinstance(value, float) and np.isnan(value))
+    return "n/a" if unknown else str(value)
+
+
+def _bids(rows: list[Row]) -> str:
+    lines = ["\t".join(_COLUMNS)]
+    for r in sorted(rows, key=lambda r: r.begin_s):
+        cells = r.begin_s, r.duration_s, r.kind, r.level, r.label, r.likeness, r.confidence
+        lines.append("\t".join(map(_cell, cells)))
+    return "\n".join(lines) + "\n"
+
+
+def _boris(rows: list[Row], result: Decomposition) -> str:
+    """Return the tabular events of BORIS: a line at the begin and one at the end of each row."""
+    name = Path(result.clip.path or "clip").name
+    head = ("Observation id", "Media file name", "FPS (frame/s)", "Subject", "Behavior",
+            "Behavioral category", "Behavior type", "Time", "Image index", "Comment")  # fmt: skip
+    events = []
+    for r in rows:
+        for what, time, index in (("START", r.begin_s, r.begin), ("STOP", r.end_s, r.end)):
+            line = (Path(name).stem, name, result.clip.fps, "No focal subject", r.kind, r.level,
+                    what, time, index, r.label)  # fmt: skip
+            events.append((time, what == "START", line))
+    out = io.StringIO()
+    writer = csv.writer(out, lineterminator="\n")
+    writer.writerow(head)
+    writer.writerows(line for *_, line in sorted(events, key=lambda e: e[:2]))
+    return out.getvalue()
+
+
+def _c3d_events(rows: list[Row]) -> list[tuple[float, str]]:
+    """Return a moment for the begin of each segment, cycle and repetition, and for the last end."""
+    events: dict[tuple[str, float], str] = {}
+    for r in (r for r in rows if r.level != "unit"):
+        name = f"segment {r.label or r.kind}" if r.level == "segment" else r.level
+        events[r.level, r.begin_s] = name
+        events.setdefault((r.level, r.end_s), f"{name} end")
+    return sorted((time, name) for (_, time), name in events.items())
+
+
+def _write_c3d(path: Path, rows: list[Row], source: Path) -> None:
+    file = readers.extra("ezc3d", "c3d").c3d(str(source))
+    header = file["header"]["points"]
+    first = header["first_frame"] / header["frame_rate"]
+    for seconds, name in _c3d_events(rows):
+        minutes, rest = divmod(seconds + first, 60.0)
+        file.add_event(time=[minutes, rest], context="General", label=name)
+    _replace(path, lambda to: file.write(str(to)))
+
+
+def _replace(path: Path, write: Callable[[Path], Any]) -> None:
+    """Write a file completely or not at all."""
+    with tempfile.TemporaryDirectory(dir=path.parent) as folder:
+        made = Path(folder) / path.name
+        write(made)
+        made.replace(path)
+
+
+def _write_text(path: Path, text: str) -> None:
+    _replace(path, lambda to: to.write_text(text, encoding="utf-8"))
+
+
+def save_events(result: Decomposition, to: Any, source: Any) -> None:
+    """Write the rows as events, in the format that the suffix names."""
+    path = Path(to)
+    suffix = path.suffix.lower()
+    if suffix not in (".tsv", ".csv", ".c3d"):
+        raise ValueError(f"{path}: the suffix must be .tsv (BIDS), .csv (BORIS) or .c3d")
+    if not result.clip.fps:
+        raise ValueError("events are in seconds, and the frame rate is unknown: give fps=")
+    rows = rows_of(result)
+    if suffix == ".c3d":
+        read = Path(source or result.clip.path or "")
+        if read.suffix.lower() != ".c3d":
+            raise ValueError("events are added to a C3D file: give source=")
+        _write_c3d(path, rows, read)
+    elif suffix == ".csv":
+        _write_text(path, _boris(rows, result))
+    else:
+        _write_text(path, _bids(rows))
+        _write_text(path.with_suffix(".json"), json.dumps(_COLUMNS, indent=2) + "\n")

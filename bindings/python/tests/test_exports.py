@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Decompositions in other programs' formats."""
+
+import csv
+import json
+import subprocess
+
+import numpy as np
+import pytest
+from test_readers import dataset, walk, write_c3d
+
+import stltsa
+
+
+def test_the_frame_is_the_commands_table(result, walker, command, tmp_path):
+    pandas = pytest.importorskip("pandas")
+    out = tmp_path / "units.csv"
+    subprocess.run([command, "decompose", walker, "-o", out], check=True, capture_output=True)
+    expected = pandas.read_csv(out).fillna({"label": ""})
+    pandas.testing.assert_frame_equal(result.to_frame(), expected, check_exact=True)
+
+
+def test_coordinates_on_time_survive_netcdf(result, clip, tmp_path):
+    xarray = pytest.importorskip("xarray")
+    data = result.to_xarray()
+    assert data.sizes["time"] == len(clip)
+    cyclic = data.sel(time=data.unit == "cyclic")
+    unit = next(u for u in result.unit_list if u.kind == "cyclic")
+    assert list(cyclic.frame.values) == list(range(unit.begin, unit.end))
+    first = result.cycle_list[0]
+    assert list(np.flatnonzero(data.cycle.values == 0)) == list(range(first.begin, first.end))
+    assert np.array_equal(data.curve.values[result.frames], result.curve)
+    assert data.attrs["stltsa_period"] == result.period
+    data.to_netcdf(tmp_path / "walk.nc")
+    with xarray.open_dataset(tmp_path / "walk.nc") as again:
+        assert again.drop_attrs().load().identical(data.drop_attrs())
+        assert {k: v for k, v in again.attrs.items() if v != data.attrs[k]} == {}
+
+
+def test_a_dataset_keeps_its_data():
+    data = dataset()
+    result = stltsa.decompose(data, individual="mouse2")
+    answer = result.to_xarray(data)
+    assert answer.position.identical(data.position.assign_coords(answer.position.coords))
+    assert set(answer.coords) - set(data.coords) == {"segment", "label", "unit", "cycle"}
+    assert answer.attrs["fps"] == 30
+    with pytest.raises(ValueError, match="300 frames"):
+        result.to_xarray(data.isel(time=slice(10)))
+
+
+def test_bids(result, tmp_path):
+    path = tmp_path / "sub-01_task-walk_events.tsv"
+    result.save_events(path)
+    with path.open(newline="") as file:
+        rows = list(csv.DictReader(file, delimiter="\t"))
+    columns = json.loads(path.with_suffix(".json").read_text())
+    assert list(rows[0]) == list(columns)
+    assert [float(r["onset"]) for r in rows] == sorted(float(r["onset"]) for r in rows)
+    cycles = [r for r in rows if r["level"] == "cycle"]
+    assert [float(r["onset"]) for r in cycles] == [c.begin_s for c in result.cycle_list]
+    assert [float(r["duration"]) for r in cycles] == [c.duration_s for c in result.cycle_list]
+    assert all(r["likeness"] == "n/a" for r in rows if r["level"] == "unit")
+
+
+def test_boris(result, tmp_path):
+    path = tmp_path / "walk.csv"
+    result.save_events(path)
+    with path.open(newline="") as file:
+        rows = [r for r in csv.DictReader(file) if r["Behavioral category"] == "cycle"]
+    times = {w: [float(r["Time"]) for r in rows if r["Behavior type"] == w] for w in
+             ("START", "STOP")}  # fmt: skip
+    assert times["START"] == [c.begin_s for c in result.cycle_list]
+    assert times["STOP"] == [c.end_s for c in result.cycle_list]
+    # A state event stops before it starts again.
+    kinds = [r["Behavior type"] for r in rows]
+    assert kinds == ["START", "STOP"] * len(result.cycle_list)
+
+
+def test_events_in_c3d(tmp_path):
+    source = write_c3d(tmp_path / "walk.c3d", walk(), first=200, events=[(0, 2.5, "Left", "Own")])
+    result = stltsa.decompose(stltsa.read_clip(source))
+    made = tmp_path / "marked.c3d"
+    result.save_events(made)
+    again = stltsa.read_clip(made)
+    assert again.events[0].label in ("Own", "segment A")
+    assert "Own" in [event.label for event in again.events]
+    cycles = [event.seconds for event in again.events if event.label == "cycle"]
+    assert cycles == pytest.approx([c.begin_s for c in result.cycle_list], abs=1e-4)
+    last = [event.seconds for event in again.events if event.label == "cycle end"]
+    assert last == pytest.approx([result.cycle_list[-1].end_s], abs=1e-4)
+    assert again.features("raw") == pytest.approx(
+        stltsa.read_clip(source).features("raw"), nan_ok=True
+    )
+
+
+def test_events_that_cannot_be_written(result, tmp_path):
+    with pytest.raises(ValueError, match=r"must be \.tsv"):
+        result.save_events(tmp_path / "walk.txt")
+    with pytest.raises(ValueError, match="give source="):
+        result.save_events(tmp_path / "walk.c3d")
+    unknown = stltsa.decompose(walk()[:, 0])
+    with pytest.raises(ValueError, match="give fps="):
+        unknown.save_events(tmp_path / "walk.tsv")
+    assert list(tmp_path.iterdir()) == []
