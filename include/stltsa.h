@@ -789,8 +789,9 @@ typedef struct stltsa_interval {
     int32_t kind, segment; /* STLTSA_UNIT_*, index of the segment; 0 where there are none */
 } stltsa_interval;
 
-/* The frames of a stretch, named as for stltsa_clip_stretch: `count` is set to the number of intervals (1, but for labels), of
- * which the first `capacity` are written; their kind and segment are 0. */
+/* The frames of a stretch, named as for stltsa_clip_stretch: `count` is set to the number of
+ * intervals (1, except for labels), of which the first `capacity` are written; their kind and
+ * segment are 0. */
 STLTSA_API stltsa_status stltsa_clip_find(const stltsa_clip *clip, const char *what,
                                           const stltsa_options *options, int64_t capacity,
                                           stltsa_interval *intervals,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //! [`Clip`]: frames of one motion, with or without a skeleton.
 
+use std::ops::Range;
 use std::path::Path;
 
 use stltsa_sys as sys;
@@ -68,10 +69,9 @@ pub struct Points<'a> {
 fn optional(view: Option<View<'_>>) -> Result<sys::stltsa_in> {
     match view {
         Some(view) => view.raw(),
-        None => View::new::<f64>(&[], 0, 0)?.raw().map(|none| sys::stltsa_in {
-            data: std::ptr::null(),
-            ..none
-        }),
+        None => View::new::<f64>(&[], 0, 0)?
+            .raw()
+            .map(|none| sys::stltsa_in { data: std::ptr::null(), ..none }),
     }
 }
 
@@ -206,6 +206,62 @@ impl Clip {
         Ok(Self { handle: Owned::make(make)? })
     }
 
+    /// A stretch of the clip, whose frames count from 0 again: `"300-900"` (frames), `"2.5s-9s"`,
+    /// `"cyclic"` and other kinds of units (the longest), `"cycle3"`, `"segment2"`,
+    /// `"repetition1"` (counted from 1), `"best"`, `"representative"`, or a label such as `"A"`
+    /// (all its segments, in order). A path may end in the same: `Clip::open("walk.bvh:cyclic")`.
+    /// Options as for [`Clip::decompose`].
+    ///
+    /// # Errors
+    /// [`Argument`](crate::ErrorKind::Argument) for another text,
+    /// [`NoSuchPart`](crate::ErrorKind::NoSuchPart) if the clip lacks it.
+    pub fn stretch(&self, what: &str, options: &Options) -> Result<Self> {
+        let what = c_name(what)?;
+        options.call(|options| {
+            // SAFETY: a live handle, and a string that lives through the call.
+            let cut =
+                |out| unsafe { sys::stltsa_clip_stretch(self.raw(), what.as_ptr(), options, out) };
+            Ok(Self { handle: Owned::make(cut)? })
+        })
+    }
+
+    /// The frames of a stretch, as [`Clip::stretch`] names it: one range, or those of a label.
+    ///
+    /// # Errors
+    /// As [`Clip::stretch`].
+    pub fn find(&self, what: &str, options: &Options) -> Result<Vec<Range<usize>>> {
+        let what = c_name(what)?;
+        options.call(|options| {
+            let find = |room: &mut [sys::stltsa_interval]| {
+                let (capacity, mut count) = (room.len() as i64, 0);
+                // SAFETY: a live handle, a string and `capacity` intervals that live through the
+                // call.
+                check(unsafe {
+                    sys::stltsa_clip_find(
+                        self.raw(),
+                        what.as_ptr(),
+                        options,
+                        capacity,
+                        room.as_mut_ptr(),
+                        &mut count,
+                    )
+                })?;
+                Ok(count as usize)
+            };
+            let none = sys::stltsa_interval {
+                begin: 0,
+                end: 0,
+                begin_s: 0.0,
+                end_s: 0.0,
+                kind: 0,
+                segment: 0,
+            };
+            let mut found = vec![none; find(&mut [])?];
+            find(&mut found)?;
+            Ok(found.iter().map(|one| one.begin as usize..one.end as usize).collect())
+        })
+    }
+
     /// Number of frames.
     pub fn frames(&self) -> usize {
         // SAFETY: a live handle.
@@ -246,8 +302,15 @@ impl Clip {
     }
 
     fn joint(&self, index: usize) -> Result<Joint> {
-        let mut found = sys::stltsa_joint::default();
-        found.size = std::mem::size_of_val(&found);
+        let mut found = sys::stltsa_joint {
+            size: std::mem::size_of::<sys::stltsa_joint>(),
+            name: std::ptr::null(),
+            parent: -1,
+            offset: [0.0; 3],
+            channels: std::ptr::null(),
+            is_end_site: 0,
+            reserved: 0,
+        };
         // SAFETY: a live handle, to which the texts belong until they are copied.
         unsafe {
             check(sys::stltsa_clip_joint(self.raw(), index as i64, &mut found))?;

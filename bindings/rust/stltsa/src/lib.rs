@@ -71,7 +71,7 @@ pub use dimension::{Dimension, Estimate};
 pub use error::{Error, ErrorKind, Result};
 pub use facts::Facts;
 pub use kinds::{
-    Axis, Component, Fact, Features, Format, Mode, OptionKey, SegmentKind, Stage, UnitKind,
+    Axis, Component, Fact, Features, Format, Gaps, Mode, OptionKey, SegmentKind, Stage, UnitKind,
 };
 pub use mapping::{Mapped, Poses, Unmapped};
 pub use model::{Model, ModelInfo};

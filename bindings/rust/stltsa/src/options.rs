@@ -12,7 +12,7 @@ use stltsa_sys as sys;
 
 use crate::error::{c_path, check, text, Result};
 use crate::handle::Owned;
-use crate::kinds::{Axis, Features, Mode, OptionKey, Stage};
+use crate::kinds::{Axis, Features, Gaps, Mode, OptionKey, Stage};
 use crate::progress::{watched, Callback};
 
 mod generated; // a method for each option

@@ -120,6 +120,16 @@ kinds! {
         /// the heading if it turns by a right angle. Notes say what was done.
         Points = STLTSA_FEATURES_POINTS,
     }
+    /// What becomes of missing points.
+    Gaps {
+        /// Gaps up to 0.25 s: linearly over time; longer ones: as skip.
+        Fill = STLTSA_GAPS_FILL,
+        /// E_NOT_FINITE.
+        Refuse = STLTSA_GAPS_REFUSE,
+        /// What the points that are there imply (conditional mean), so that distances are those of
+        /// what both frames have.
+        Skip = STLTSA_GAPS_SKIP,
+    }
     /// The format that a clip was read from.
     Format {
         /// BVH.
