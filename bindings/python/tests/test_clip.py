@@ -86,6 +86,24 @@ def test_a_skeleton_through_arrays_is_the_same_motion(clip, walker, tmp_path):
         stltsa.Clip.from_skeleton(["a"], [-1], np.zeros((2, 3)), np.zeros((9, 1, 4)), 30)
 
 
+def test_joints_in_any_order_are_written(tmp_path):
+    """Breadth-first, as body models list them: hip, two knees, two ankles."""
+    t = np.arange(60) / 30
+    turns = np.zeros((60, 5, 4))
+    turns[:, :, 0] = 1
+    for joint, side in ((1, 1), (2, -1), (3, 0.5), (4, -0.3)):
+        angle = side * np.sin(2 * np.pi * t)
+        turns[:, joint, 0], turns[:, joint, 1] = np.cos(angle / 2), np.sin(angle / 2)
+    names = ["hip", "left_knee", "right_knee", "left_ankle", "right_ankle"]
+    offsets = [[0, 90, 0], [10, -5, 0], [-10, -5, 0], [1, -40, 0], [-1, -40, 3]]
+    made = stltsa.Clip.from_skeleton(names, [-1, 0, 0, 1, 2], offsets, turns, 30)
+    made.save(tmp_path / "made.bvh")
+    again = stltsa.read_clip(tmp_path / "made.bvh")
+    assert again.joints[:3] == ("hip", "left_knee", "left_ankle")
+    order = [again.joints.index(name) for name in names]
+    assert np.abs(again.positions[:, order] - made.positions).max() < 1e-9
+
+
 def test_points_of_a_skeleton(clip):
     points = stltsa.Clip.from_points(clip.positions, clip.fps, names=clip.joints)
     assert (points.format, points.channels) == ("points", 3 * len(clip.joints))

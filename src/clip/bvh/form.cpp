@@ -51,6 +51,47 @@ void convert_rotations(Clip& clip) {
     clip.channel_names = channel_names(*clip.skeleton);
 }
 
+/// Indices of the joints in depth-first order, children in the order of the list.
+std::vector<std::size_t> depth_first(const std::vector<Joint>& joints) {
+    std::vector<std::vector<std::size_t>> children(joints.size());
+    for (std::size_t j = joints.size(); j-- > 1;)
+        children[static_cast<std::size_t>(joints[j].parent)].push_back(j);
+    std::vector<std::size_t> order;
+    for (std::vector<std::size_t> open{0}; !open.empty();) {
+        const std::size_t next = open.back();
+        open.pop_back();
+        order.push_back(next);
+        open.insert(open.end(), children[next].begin(), children[next].end());
+    }
+    return order;
+}
+
+/// Puts joints and their columns into the order of a BVH file; arrays may come in another.
+void reorder(Clip& clip) {
+    const std::vector<Joint> joints = clip.skeleton->joints;
+    const std::vector<std::size_t> order = depth_first(joints);
+    if (std::ranges::is_sorted(order))
+        return;
+    std::vector<int> place(order.size());
+    std::vector<std::int64_t> columns;
+    const std::vector<std::size_t> begins = channel_begins(*clip.skeleton);
+    for (std::size_t to = 0; to < order.size(); ++to) {
+        const Joint& joint = joints[order[to]];
+        place[order[to]] = static_cast<int>(to);
+        clip.skeleton->joints[to] = joint;
+        if (joint.parent >= 0)
+            clip.skeleton->joints[to].parent = place[static_cast<std::size_t>(joint.parent)];
+        for (std::size_t c = 0; c < joint.channels.size(); ++c)
+            columns.push_back(static_cast<std::int64_t>(begins[order[to]] + c));
+    }
+    const Matrix from = std::move(clip.values);
+    clip.values = Matrix(from.rows(), from.cols());
+    for (std::int64_t i = 0; i < from.rows(); ++i)
+        for (std::int64_t c = 0; c < from.cols(); ++c)
+            clip.values(i, c) = from(i, columns[static_cast<std::size_t>(c)]);
+    clip.channel_names = channel_names(*clip.skeleton);
+}
+
 /// Converts positions that add to OFFSET to positions that replace it, or back.
 void convert_positions(Clip& clip) {
     Skeleton& skeleton = *clip.skeleton;
@@ -107,6 +148,7 @@ bool positions_add_to_offsets(const Clip& clip) {
 
 Clip in_bvh_form(const Clip& clip) {
     Clip result = clip;
+    reorder(result);
     if (clip.skeleton->fixed_axes)
         convert_rotations(result);
     if (result.skeleton->translations_add)

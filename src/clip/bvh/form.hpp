@@ -9,8 +9,9 @@ namespace stltsa::clip {
 /// Whether position channels of a BVH clip add to OFFSET, which only their values can tell.
 bool positions_add_to_offsets(const Clip& clip);
 
-/// The same motion with rotations about moving axes, and with positions that replace the joints'
-/// OFFSETs, as other programs expect. If the rule above would misread these, they add.
+/// The same motion as other programs expect it: joints in depth-first order, rotations about moving
+/// axes, and positions that replace the joints' OFFSETs. If the rule above would misread these,
+/// they add.
 Clip in_bvh_form(const Clip& clip);
 
 } // namespace stltsa::clip
