@@ -44,6 +44,12 @@ double autocorrelation_at(std::span<const double> u, std::span<const double> lev
            fraction * autocorrelation(u, level, below + 1);
 }
 
+/// Of two columns of a loop either may be a little more cyclic, depending on noise; the earlier
+/// one, which changes more slowly, is chosen unless the other is better by this. With 5 to 20 % of
+/// the samples of markers missing, it keeps the choice (measure/gaps); without it, 3 of 10 clips
+/// change coordinate, and all their borders move by a quarter of a cycle.
+constexpr double little_better = 0.01;
+
 struct Column {
     std::int64_t column;
     double cyclicity;
@@ -73,7 +79,11 @@ Coordinate choose_coordinate(const std::vector<ltsa::Model>& models, std::option
     for (std::size_t m = 0; m < models.size(); ++m) {
         if (dimension && models[m].coords.cols() != *dimension)
             continue;
-        const auto best = by_cyclicity(models[m].coords.view(), level, period).front();
+        const auto columns = by_cyclicity(models[m].coords.view(), level, period);
+        const Column best = *std::ranges::min_element(columns, {}, [&](const Column& each) {
+            const bool close = each.cyclicity >= columns.front().cyclicity - little_better;
+            return close ? each.column : models[m].coords.cols();
+        });
         if (!chosen || best.cyclicity > chosen->cyclicity + clearly_better)
             chosen = {m, best.column, best.cyclicity};
     }

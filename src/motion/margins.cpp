@@ -16,10 +16,14 @@ constexpr double prominence = 0.25;
 /// Least ratio, either way, between the height of a swing and the median height of the swings of
 /// cycles; swings that the start or the end of the clip cuts off are lower.
 constexpr double like_swing = 0.6;
+/// The same for swings that the start or the end of the clip cuts off. Behind its steepest point a
+/// swing has half of its height left; noise takes some of that.
+constexpr double like_cut_swing = 0.4;
 /// The half swing out of standing has about half of the height, or more with noise.
 constexpr double like_swing_beside_rest = 0.8;
 /// Least steepness relative to swings in the same direction: first steps are slow.
 constexpr double like_steepness = 0.7;
+constexpr double like_cut_steepness = 0.5;
 /// Length of a cycle in periods.
 constexpr double shortest_cycle = 0.7;
 constexpr double longest_cycle = 1.4;
@@ -48,6 +52,8 @@ Margin between(const Extremum& before, const Extremum& after, std::span<const do
     margin.rising = !before.peak;
     margin.from_rest = !activity.moving(before.at);
     margin.to_rest = !activity.moving(after.at);
+    margin.cut = (before.at == 0 && !margin.from_rest) ||
+                 (after.at + 1 == activity.samples() && !margin.to_rest);
     // At the end of the clip: the true steepest point may lie beyond it.
     if (steepest < 2 || steepest + 2 >= activity.samples() || !activity.moving(steepest))
         return margin;
@@ -73,7 +79,8 @@ std::vector<bool> similar(const std::vector<Margin>& margins) {
         margins, [](const Margin& m) { return m.swing; },
         [](const Margin& m) { return m.swing > 0; });
     const auto like_others = [&](const Margin& m) {
-        return m.swing > 0 && m.swing >= like_swing * swing && swing >= like_swing * m.swing;
+        return m.swing > 0 && m.swing >= (m.cut ? like_cut_swing : like_swing) * swing &&
+               swing >= like_swing * m.swing;
     };
     const auto steepness = [&](bool rising) {
         return median_of(
@@ -83,10 +90,11 @@ std::vector<bool> similar(const std::vector<Margin>& margins) {
     const double falling_steepness = steepness(false);
     const double rising_steepness = steepness(true);
     std::vector<bool> result;
-    for (const Margin& m : margins)
-        result.push_back(like_others(m) &&
-                         m.steepness >=
-                             like_steepness * (m.rising ? rising_steepness : falling_steepness));
+    for (const Margin& m : margins) {
+        const double least = m.cut ? like_cut_steepness : like_steepness;
+        const double usual = m.rising ? rising_steepness : falling_steepness;
+        result.push_back(like_others(m) && m.steepness >= least * usual);
+    }
     return result;
 }
 

@@ -18,6 +18,7 @@ struct Margin {
     bool rising = false;
     bool from_rest = false; ///< nothing moves at the previous extremum
     bool to_rest = false;   ///< nothing moves at the next extremum
+    bool cut = false;       ///< the clip starts or ends, in motion, before an extremum
 };
 
 /// One margin for each pair of neighboring extrema of the smoothed curve. Margins at the very end
