@@ -222,7 +222,8 @@ enum {
  * half of the points, or columns, are missing for longer than 0.25 s, nothing is known: no segment,
  * unit, cycle or repetition continues over these frames. Notes say what was done. */
 enum {
-    STLTSA_GAPS_FILL = 1,   /* gaps up to 0.25 s: linearly over time; longer ones: as skip */
+    STLTSA_GAPS_FILL = 1,   /* gaps up to 0.25 s between two frames of the clip: linearly over time;
+                               others: as skip */
     STLTSA_GAPS_REFUSE = 2, /* E_NOT_FINITE */
     STLTSA_GAPS_SKIP = 3    /* what the points that are there imply (conditional mean), so that
                                distances are those of what both frames have */

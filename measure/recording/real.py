@@ -2,7 +2,6 @@
 """Real recordings whose behaviors, periods or heel strikes a person or a device has set."""
 
 import csv
-import dataclasses
 
 import numpy as np
 
@@ -115,18 +114,14 @@ def markers(run):
     run.table.title("Markers: all annotated strides but one at each end; no standing between heel "
                     "strikes")
     try:
-        import ezc3d
+        import ezc3d  # noqa: F401 (its reader needs it)
     except ImportError:
         run.table.figure("no ezc3d (--peers installs it)", "skipped")
         return
     for path in sorted((run.data / "markers").glob("*.c3d")):
-        points = run.stltsa.markers.read_markers(path)
-        kept = [i for i, name in enumerate(points.names) if is_marker(name)]
-        clip = dataclasses.replace(
-            points, names=tuple(points.names[i] for i in kept),
-            values=points.values[:, kept]).to_clip(gaps="fill")
+        clip = run.stltsa.read_clip(path)
         answer = run.answer(clip)
-        strikes = heel_strikes(ezc3d.c3d(str(path))["parameters"]["EVENT"])
+        strikes = heel_strikes(clip.events)
         checks = [strides(side, times, answer) for side, times in strikes.items()]
         begin, end = (f(t for times in strikes.values() for t in times) for f in (min, max))
         standing = sum(max(0, min(end, u["end_s"]) - max(begin, u["begin_s"]))
@@ -135,19 +130,10 @@ def markers(run):
         run.table.row(path.stem, checks)
 
 
-def is_marker(name):
-    """Models write their centers, angles and moments among the points."""
-    return not (name.startswith("V_") or any(word in name for word in
-                                             ("Angle", "Moment", "Force", "Power", "Center")))
-
-
-def heel_strikes(event):
+def heel_strikes(events):
     """{side: seconds}; the label or the context of an event is LHS or RHS."""
-    names = [label or context for label, context in
-             zip(event["LABELS"]["value"], event.get("CONTEXTS", event["LABELS"])["value"])]
-    times = event["TIMES"]["value"]
-    return {side: sorted(60 * minute + second for name, minute, second in zip(names, *times)
-                         if name == side) for side in ("LHS", "RHS")}
+    return {side: [e.seconds for e in events if side in (e.label, e.context)]
+            for side in ("LHS", "RHS")}
 
 
 def strides(side, strikes, answer):

@@ -210,8 +210,8 @@ static void refuses_points(const stltsa_points* points, stltsa_status status, co
 
 static void points_have_names_confidence_and_gaps(void** state) {
     (void)state;
-    double xy[3 * 4] = {1, 2, 3, 4, NAN, 77, 7, 8, 9, 10, 11, 12};
-    double sure[3 * 2] = {1, 0.9, 1, 1, 0.7, 0.2}, times[3] = {0, 0.1, 0.2};
+    double xy[3 * 4] = {1, 2, 3, 4, NAN, 77, 70, 80, 9, 10, 11, 12};
+    double sure[3 * 2] = {1, 0.9, 1, 0.2, 0.7, 1}, times[3] = {0, 0.1, 0.2};
     const char* const names[] = {"nose", "tail"};
     stltsa_points points = {.size = sizeof points, .space = 2, .names = names, .fps = 10};
     points.positions = packed_in(xy, 3, 4);
@@ -222,7 +222,7 @@ static void points_have_names_confidence_and_gaps(void** state) {
     must(stltsa_info_text(stltsa_clip_info(clip), STLTSA_INFO_CHANNEL, 3, &name));
     assert_string_equal(name, "tail_y");
     double* raw = new_rows(clip, 4, "raw"); /* gaps are filled */
-    const double filled[3 * 4] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 7, 8};
+    const double filled[3 * 4] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
     assert_below(largest_difference(raw, filled, 12), 1e-12, "filled");
     free(raw);
     stltsa_clip_free(clip);

@@ -34,7 +34,7 @@ std::string listed(const Clip& clip, int width, const std::vector<std::int64_t>&
 }
 
 std::string how_filled(GapRule rule, const Gaps& gaps) {
-    const std::string others = "from the others in the same frame";
+    std::string others = "from the others in the same frame";
     if (rule == GapRule::skip)
         return others;
     const std::string over_time = "linearly over time";

@@ -93,7 +93,8 @@ struct Moments {
 
     explicit Moments(const Matrix& rows) : covariance(rows.cols(), rows.cols()) {
         const std::int64_t step = 1 + (rows.rows() - 1) / most_rows;
-        const auto count = static_cast<double>((rows.rows() - 1) / step + 1);
+        const std::int64_t whole = (rows.rows() - 1) / step + 1;
+        const auto count = static_cast<double>(whole);
         mean.resize(static_cast<std::size_t>(rows.cols()));
         for (std::int64_t i = 0; i < rows.rows(); i += step)
             for (std::size_t c = 0; c < mean.size(); ++c)
@@ -218,7 +219,8 @@ Gaps fill_gaps(Matrix& rows, int width, GapRule rule, double fps) {
     gaps.holes = find_holes(found, gaps.seen, rows.rows(), longest);
     for (const std::int64_t g : gaps.seen)
         for (const Gap& gap : found[static_cast<std::size_t>(g)])
-            if (rule == GapRule::skip || static_cast<double>(gap.count()) > longest)
+            if (rule == GapRule::skip || static_cast<double>(gap.count()) > longest ||
+                gap.begin == 0 || gap.end == rows.rows())
                 gaps.predicted.push_back(gap);
     return gaps;
 }

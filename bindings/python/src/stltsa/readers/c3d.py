@@ -14,8 +14,9 @@ from . import extra
 if TYPE_CHECKING:
     from pathlib import Path
 
-# Parameters that list points which are results of a model and not markers.
-_MODELED = ("ANGLES", "FORCES", "MOMENTS", "POWERS", "SCALARS", "REACTIONS", "MODELED_MARKERS")
+# Results of a model, which are not positions: parameters that list them, and words of their names.
+_MODELED = ("ANGLES", "FORCES", "MOMENTS", "POWERS", "SCALARS", "REACTIONS")
+_WORDS = ("Angle", "Force", "Moment", "Power")
 
 
 def _values(group: Any, name: str) -> list[Any]:
@@ -48,6 +49,7 @@ def read(path: Path, fps: float | None = None) -> Clip:
     points = np.asarray(file["data"]["points"], dtype=np.float64)[:3].transpose(2, 1, 0)
     names = [str(name).strip() for name in _values(point, "LABELS")[: points.shape[1]]]
     modeled = _modeled(point)
+    modeled |= {name for name in names if any(word in name for word in _WORDS)}
     kept = [i for i, name in enumerate(names) if name not in modeled]
     clip = Clip.from_points(
         points[:, kept], fps or float(point["RATE"]["value"][0]), names=[names[i] for i in kept]

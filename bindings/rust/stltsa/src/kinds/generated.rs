@@ -122,7 +122,7 @@ kinds! {
     }
     /// What becomes of missing points.
     Gaps {
-        /// Gaps up to 0.25 s: linearly over time; longer ones: as skip.
+        /// Gaps up to 0.25 s between two frames of the clip: linearly over time; others: as skip.
         Fill = STLTSA_GAPS_FILL,
         /// E_NOT_FINITE.
         Refuse = STLTSA_GAPS_REFUSE,
