@@ -28,8 +28,9 @@ Exit exit_of(stltsa_status status) {
 }
 
 bool is_input_to_blame(stltsa_status status) {
-    return status != STLTSA_E_ARGUMENT && status != STLTSA_E_NO_SUCH_PART && status != STLTSA_E_CANCELLED &&
-           status != STLTSA_E_NO_MEMORY && status != STLTSA_E_INTERNAL;
+    return status != STLTSA_E_ARGUMENT && status != STLTSA_E_NO_SUCH_PART &&
+           status != STLTSA_E_CANCELLED && status != STLTSA_E_NO_MEMORY &&
+           status != STLTSA_E_INTERNAL;
 }
 
 std::string text_of(const stltsa::Error& error) {

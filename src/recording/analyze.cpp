@@ -217,8 +217,7 @@ Recording analyze(ConstMatrixView samples, double fps, const Options& options,
         if (whole || (one && explains(single, signal, rests, pauses, fps)) ||
             samples.rows < least_rows)
             return answer_of(signal, std::move(single), samples, options);
-        if (one && single.cycles.empty() &&
-            is_closed(signal, options.single))
+        if (one && single.cycles.empty() && is_closed(signal, options.single))
             return answer_of(signal, one_cycle(std::move(single)), samples, options);
     }
     const KernelFeatures features(signal);
