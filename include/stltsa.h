@@ -214,7 +214,12 @@ enum {
     STLTSA_OPT_SEGMENTS = 32,    /* int   decompose: number of segments in motion; rests are not
                                       counted; auto: as many as the behavior changes */
     STLTSA_OPT_GAPS = 33,        /* int   STLTSA_GAPS_* */
-    STLTSA_OPT_LEAST_CONFIDENCE = 34 /* real  points seen with less are missing */
+    STLTSA_OPT_LEAST_CONFIDENCE = 34, /* real  points seen with less are missing */
+    STLTSA_OPT_LOOP = 35,        /* int   synthesize: 1: the last frame meets the first across a
+                                      seam, the last of the synthesis */
+    STLTSA_OPT_IN_PLACE = 36     /* int   synthesize: 1: of a loop, the root's horizontal travel and
+                                      its turn are removed, evenly over the frames, so that the
+                                      loop ends where it starts; heights are kept */
 };
 
 /* What is done about missing values, of points or of the columns of a matrix. A point or column
@@ -264,7 +269,7 @@ enum {
     STLTSA_CALL_UNMAP = 32,       /* stltsa_unmap, _unmap_clip */
     STLTSA_CALL_DECOMPOSE = 64,   /* stltsa_decompose */
     STLTSA_CALL_DENOISE = 128,    /* stltsa_denoise, _denoise_model */
-    STLTSA_CALL_SYNTHESIZE = 256  /* stltsa_synthesize */
+    STLTSA_CALL_SYNTHESIZE = 256  /* stltsa_synthesize, _loop */
 };
 
 /* One row of the options table. Texts are static. `choices` is NULL, or "temporal=1 spatial=2"
@@ -458,6 +463,19 @@ enum {
     STLTSA_INFO_PIECE_BEGIN = 104,      /* int[]  first frame of each piece */
     STLTSA_INFO_PIECE_END = 105,        /* int[]  frame after the last of each piece */
     STLTSA_INFO_PIECE_REPEAT = 106,     /* int[]  how often each piece is played */
+    STLTSA_INFO_LOOP = 107,             /* int    1: a loop; only loops have the next six facts */
+    STLTSA_INFO_IN_PLACE = 108,         /* int    option in_place */
+    STLTSA_INFO_TRAVEL = 109,           /* real[] x, y, z of the body's travel per loop along the
+                                                  ground, in the clip's unit; in place: what was
+                                                  removed */
+    STLTSA_INFO_TURN = 110,             /* real   degrees by which the body turns per loop, from
+                                                  above positive to its left; in place: what was
+                                                  removed */
+    STLTSA_INFO_COVERAGE = 111,         /* real   share of the clip's cycles that are in the loop
+                                                  (stltsa_synthesize_loop), otherwise of the
+                                                  pieces' frames */
+    STLTSA_INFO_LOOP_CYCLES = 112,      /* int    cycles in the loop, if chosen among the clip's */
+    STLTSA_INFO_SOURCE_CYCLES = 113,    /* int    cycles of the clip, if chosen among them */
     /* Everything but clips. */
     STLTSA_INFO_WARNING = 120,          /* text[] what a user should know about the result */
     STLTSA_INFO_WARNING_CODE = 121,     /* int[]  STLTSA_WARNING_* of each warning */
@@ -1059,12 +1077,26 @@ typedef struct stltsa_synthesis stltsa_synthesis;
  * in their clip are joined unchanged, so the units of a clip give the clip back; of the frames left
  * out between pieces of one clip, or played twice, at least half remain so. All clips need the same
  * hierarchy. The first clip determines hierarchy, channels, units and frame rate; the others are
- * resampled. Options: crossfade, cut_range, posture_limit, up axis, progress. E_ARGUMENT,
+ * resampled. With option loop the last piece continues as the first: the wrap is the last seam, its
+ * `frame` the number of frames, and playing the clip endlessly shows no other seam than those. Only
+ * the path goes on (STLTSA_INFO_TRAVEL), unless it is removed by option in_place. Options:
+ * crossfade, cut_range, posture_limit, loop, in_place, up axis, progress. E_ARGUMENT,
  * E_UNSUPPORTED (no skeleton, different hierarchies, no frame rate), E_NO_COMMON_POSTURE (beyond
  * posture_limit; the text says at which seam and by how much). */
 STLTSA_API stltsa_status stltsa_synthesize(const stltsa_piece *pieces, int64_t count,
                                            const stltsa_options *options,
                                            stltsa_synthesis **synthesis) STLTSA_NOEXCEPT;
+/* The loop of a clip, as with option loop: of the ranges of consecutive cycles in `decomposition`,
+ * which is of this clip, the longest with a good seam. A seam is good if the largest step of the
+ * posture near it, in positions of the joints relative to the root, is at most 1.2 times the 95th
+ * percentile of the clip's steps, and if there is no warning about it. If none is good, the range
+ * with the smallest seam; without cycles, the whole clip. STLTSA_INFO_NOTE says which, and the piece
+ * is among the facts. Options and errors as in stltsa_synthesize; E_ARGUMENT: a cycle exceeds the
+ * clip. */
+STLTSA_API stltsa_status stltsa_synthesize_loop(const stltsa_clip *clip,
+                                                const stltsa_decomposition *decomposition,
+                                                const stltsa_options *options,
+                                                stltsa_synthesis **synthesis) STLTSA_NOEXCEPT;
 STLTSA_API void stltsa_synthesis_free(stltsa_synthesis *synthesis) STLTSA_NOEXCEPT;
 STLTSA_API const stltsa_info *
 stltsa_synthesis_info(const stltsa_synthesis *synthesis) STLTSA_NOEXCEPT;
@@ -1076,7 +1108,8 @@ stltsa_synthesis_clip(const stltsa_synthesis *synthesis) STLTSA_NOEXCEPT;
  * size to sizeof(stltsa_seam). */
 typedef struct stltsa_seam {
     size_t size;
-    int64_t frame;           /* first frame of the new clip that belongs to the later piece */
+    int64_t frame;           /* first frame of the new clip that belongs to the later piece; of a
+                                loop's wrap, the number of frames */
     int64_t piece, next;     /* indices of the pieces that meet */
     int64_t cut_end, cut_begin; /* the cuts, in frames of their clips (after any resampling): the
                                    earlier piece ends before cut_end, the later starts at

@@ -828,6 +828,12 @@ inline Synthesis synthesize(std::span<const Piece> pieces, const Options& option
     return detail::made<Synthesis>(stltsa_synthesize, pieces.data(),
                                    static_cast<std::int64_t>(pieces.size()), options.get());
 }
+/// The loop of the most cycles of a clip whose ends meet.
+inline Synthesis synthesize_loop(const Clip& clip, const Decomposition& decomposition,
+                                 const Options& options = {}) {
+    return detail::made<Synthesis>(stltsa_synthesize_loop, clip.get(), decomposition.get(),
+                                   options.get());
+}
 
 } // namespace v0
 } // namespace stltsa

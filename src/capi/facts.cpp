@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The facts of each kind of handle.
 #include <algorithm>
+#include <numbers>
 
 #include "capi/handles.hpp"
 
@@ -291,6 +292,23 @@ constexpr InfoRow of_piece(std::int32_t key, Get get) {
         key, [](const Synthesis& s) -> const auto& { return s.pieces; }, get);
 }
 
+template <class Get>
+constexpr InfoRow of_loop(std::int32_t key, Get get) {
+    return maybe<Synthesis>(
+        key, [](const Synthesis& s) { return s.options.loop ? &s : nullptr; }, get);
+}
+
+/// Of a loop that was chosen among the cycles of a clip.
+template <class Get>
+constexpr InfoRow of_cycles(std::int32_t key, Get get) {
+    return maybe<Synthesis>(
+        key,
+        [](const Synthesis& s) {
+            return s.result.loop && s.result.loop->cycles > 0 ? &*s.result.loop : nullptr;
+        },
+        get);
+}
+
 constexpr InfoRow synthesis_rows[] = {
     set<Synthesis>(
         STLTSA_INFO_CROSSFADE,
@@ -305,6 +323,22 @@ constexpr InfoRow synthesis_rows[] = {
     of_piece(STLTSA_INFO_PIECE_BEGIN, [](const PieceFacts& p) { return p.begin; }),
     of_piece(STLTSA_INFO_PIECE_END, [](const PieceFacts& p) { return p.end; }),
     of_piece(STLTSA_INFO_PIECE_REPEAT, [](const PieceFacts& p) { return p.repeat; }),
+    one<Synthesis>(STLTSA_INFO_LOOP, [](const Synthesis& s) { return s.options.loop; }),
+    of_loop(STLTSA_INFO_IN_PLACE, [](const Synthesis& s) { return s.options.in_place; }),
+    {STLTSA_INFO_TRAVEL, true,
+     [](const stltsa_info& info) {
+         return std::int64_t{handle_of<Synthesis>(info).result.loop ? 3 : 0};
+     },
+     [](const stltsa_info& info, std::size_t index) {
+         return fact(handle_of<Synthesis>(info).result.loop->travel[index]);
+     }},
+    of_loop(STLTSA_INFO_TURN,
+            [](const Synthesis& s) { return s.result.loop->turn * 180 / std::numbers::pi; }),
+    of_loop(STLTSA_INFO_COVERAGE, [](const Synthesis& s) { return s.result.loop->coverage; }),
+    of_cycles(STLTSA_INFO_LOOP_CYCLES, [](const synthesis::Loop& l) { return l.cycles; }),
+    of_cycles(STLTSA_INFO_SOURCE_CYCLES, [](const synthesis::Loop& l) { return l.source_cycles; }),
+    list<Synthesis>(
+        STLTSA_INFO_NOTE, [](const Synthesis& s) -> const auto& { return s.result.notes; }),
 };
 
 } // namespace

@@ -50,6 +50,19 @@ stltsa_status stltsa_synthesize(const stltsa_piece* pieces, int64_t count,
     });
 }
 
+stltsa_status stltsa_synthesize_loop(const stltsa_clip* clip,
+                                     const stltsa_decomposition* decomposition,
+                                     const stltsa_options* options,
+                                     stltsa_synthesis** synthesis) noexcept {
+    return guard([&] {
+        required(synthesis, "synthesis") = nullptr;
+        const capi::OptionsReader reader(options);
+        *synthesis = new stltsa_synthesis(results::synthesize_loop(
+            required(clip, "clip").clip, required(decomposition, "decomposition"),
+            reader.synthesis_options(), reader.progress()));
+    });
+}
+
 void stltsa_synthesis_free(stltsa_synthesis* synthesis) noexcept {
     delete synthesis;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "results/synthesized.hpp"
 
+#include "synthesis/longest_loop.hpp"
+
 namespace stltsa::results {
 
 Synthesized synthesize(const std::vector<synthesis::Piece>& pieces,
@@ -8,6 +10,24 @@ Synthesized synthesize(const std::vector<synthesis::Piece>& pieces,
     Synthesized made{synthesis::synthesize(pieces, options, progress), options, {}};
     for (const synthesis::Piece& piece : pieces)
         made.pieces.push_back({piece.clip->path, piece.begin, piece.end, piece.repeat});
+    return made;
+}
+
+Synthesized synthesize_loop(const clip::Clip& clip, const Decomposed& decomposed,
+                            synthesis::Options options, const Progress& progress) {
+    options.loop = true;
+    std::vector<synthesis::CycleFrames> cycles;
+    for (const stltsa_interval& cycle : decomposed.cycles)
+        cycles.push_back({cycle.begin, cycle.end});
+    const synthesis::LongestLoop chosen = synthesis::longest_loop(clip, cycles, options, progress);
+    Synthesized made = synthesize({chosen.piece}, options, progress);
+    made.result.notes.push_back(chosen.note);
+    if (chosen.cycles > 0) {
+        synthesis::Loop& loop = *made.result.loop;
+        loop.cycles = chosen.cycles;
+        loop.source_cycles = static_cast<std::int64_t>(cycles.size());
+        loop.coverage = static_cast<double>(loop.cycles) / static_cast<double>(loop.source_cycles);
+    }
     return made;
 }
 

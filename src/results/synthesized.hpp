@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/progress.hpp"
+#include "results/decomposed.hpp"
 #include "synthesis/synthesis.hpp"
 
 namespace stltsa::results {
@@ -27,5 +28,9 @@ struct Synthesized {
 /// Throws as synthesis::synthesize().
 Synthesized synthesize(const std::vector<synthesis::Piece>& pieces,
                        const synthesis::Options& options, const Progress& progress);
+
+/// The loop of the most cycles of the clip whose ends meet: see synthesis::longest_loop().
+Synthesized synthesize_loop(const clip::Clip& clip, const Decomposed& decomposed,
+                            synthesis::Options options, const Progress& progress);
 
 } // namespace stltsa::results

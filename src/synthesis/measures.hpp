@@ -4,9 +4,18 @@
 
 #include <cstdint>
 
+#include "synthesis/cuts.hpp"
 #include "synthesis/track.hpp"
 
 namespace stltsa::synthesis {
+
+/// Relative to the usual roughness; above this a seam may be visible.
+inline constexpr double visible_step = 1.4;
+inline constexpr double visible_acceleration = 3;
+/// The same for the distance of the postures, given its upper limit.
+constexpr double visible_posture(double limit) {
+    return limit / 2;
+}
 
 /// Pose step |p_t - p_(t-1)| and second difference |p_(t+1) - 2 p_t + p_(t-1)|: the largest in a
 /// range of frames, or the 95th percentile.
@@ -17,7 +26,10 @@ struct Roughness {
 
 /// The 95th percentile of frames [begin, end); above 0.
 Roughness usual_roughness(const Track& track, std::int64_t begin, std::int64_t end);
-/// The largest within an eighth of a second around frame `seam`.
-Roughness roughness_near(const Track& track, std::int64_t seam);
+/// The largest within an eighth of a second around frame `seam`. Of a loop, the first frame follows
+/// the last.
+Roughness roughness_near(const Track& track, std::int64_t seam, bool loop = false);
+/// The same for a cut of one track that is not made yet: postures in place of poses are blended.
+Roughness roughness_across(const Track& track, const Cut& cut);
 
 } // namespace stltsa::synthesis

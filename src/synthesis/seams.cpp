@@ -50,18 +50,16 @@ class Chooser {
         : tracks_(tracks), parts_(parts), options_(options), progress_(progress) {}
 
     ChosenCut between(const Run& earlier, const Run& later) const {
+        if (&earlier == &later)
+            return repetition({earlier.track, earlier.begin, earlier.end, 1});
         const bool repeats = earlier.last_piece == later.first_piece;
         return repeats ? repetition(part(earlier.last_piece)) : meeting(earlier, later);
     }
 
-  private:
-    const Part& part(std::int64_t piece) const { return parts_[static_cast<std::size_t>(piece)]; }
-
-    ChosenCut repetition(const Part& part) const {
+    ChosenCut repetition(const Part& part, double period) const {
         const Track& track = tracks_[part.track];
         const std::int64_t length = part.end - part.begin;
         const double seconds = static_cast<double>(length) / track.fps;
-        const double period = period_near(track, part.begin, part.end);
         const double cycle = cycle_of(seconds, period > 0 ? period : usual_cycle_s);
         const double velocity_s = velocity_share * cycle;
         const Join join{
@@ -69,6 +67,13 @@ class Chooser {
         ChosenCut chosen = choose(join, crossfade_share * cycle, search_share * cycle, velocity_s);
         set_posture(chosen, repetition_distance(track, part.begin, part.end, period, velocity_s));
         return chosen;
+    }
+
+  private:
+    const Part& part(std::int64_t piece) const { return parts_[static_cast<std::size_t>(piece)]; }
+
+    ChosenCut repetition(const Part& part) const {
+        return repetition(part, period_near(tracks_[part.track], part.begin, part.end));
     }
 
     ChosenCut meeting(const Run& a, const Run& b) const {
@@ -120,7 +125,17 @@ std::vector<ChosenCut> choose_cuts(std::span<const Track> tracks, std::span<cons
                                     runs[i].first_piece == runs[i].last_piece;
         cuts.push_back(same_as_before ? cuts.back() : chooser.between(runs[i], runs[i + 1]));
     }
+    if (options.loop)
+        cuts.push_back(parts.size() == 1 && !cuts.empty()
+                           ? cuts.back()
+                           : chooser.between(runs.back(), runs.front()));
     return cuts;
+}
+
+ChosenCut repetition_cut(const Track& track, const Part& part, double period_s,
+                         const Options& options, const Progress& progress) {
+    return Chooser({&track, 1}, {}, options, progress)
+        .repetition({0, part.begin, part.end, 1}, period_s);
 }
 
 } // namespace stltsa::synthesis

@@ -17,9 +17,14 @@ struct ChosenCut {
     double posture = 0;                ///< distance of the postures relative to that of repetitions
 };
 
-/// One cut between each run and the next; the same between all repetitions of one piece.
+/// One cut between each run and the next; the same between all repetitions of one piece. Of a loop
+/// the last is the wrap's, from the last run to the first.
 std::vector<ChosenCut> choose_cuts(std::span<const Track> tracks, std::span<const Part> parts,
                                    std::span<const Run> runs, const Options& options,
                                    const Progress& progress);
+
+/// The cut between a piece and its repetition. `period_s`: of its motion; 0: unknown.
+ChosenCut repetition_cut(const Track& track, const Part& part, double period_s,
+                         const Options& options, const Progress& progress);
 
 } // namespace stltsa::synthesis

@@ -26,6 +26,13 @@ class Splicer {
     /// continues from its end.
     void cross(const Track& earlier, const Track& later, const Cut& cut, double turn = 0);
 
+    /// The crossfade across the wrap of a loop. First call: its half after the cut, at the place of
+    /// the later track.
+    void enter_loop(const Track& earlier, const Track& later, const Cut& cut, double turn = 0);
+    /// Last call: its half before the cut. Returns the motion of one loop: the state in the frame
+    /// that would follow is that of the first frame after this step.
+    Step close_loop(const Track& earlier, const Track& later, const Cut& cut, double turn = 0);
+
     Matrix take() { return std::move(values_); }
 
   private:
@@ -39,14 +46,20 @@ class Splicer {
     };
 
     double* new_row();
+    RootState blended(const Mixture& mixture, double weight_gained, double turn) const;
     void blend(const Mixture& mixture, double weight_gained, double turn);
+    /// Frames [from, to) of a crossfade, relative to its cut.
+    void blend_all(const Track& earlier, const Track& later, const Cut& cut, std::int64_t from,
+                   std::int64_t to, double turn);
+    RootState unblended(const Track& earlier, const Track& later, const Cut& cut) const;
 
     const Body& body_;
     Matrix values_;
     std::int64_t next_ = 0;
     bool in_place_ = true; ///< no run has been moved yet
     Placement placement_;
-    RootState last_; ///< state in the last written frame
+    RootState last_;  ///< state in the last written frame
+    RootState first_; ///< state in frame 0
 };
 
 } // namespace stltsa::synthesis

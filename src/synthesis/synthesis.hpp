@@ -29,10 +29,12 @@ struct Options {
     std::optional<double> search;    ///< seconds by which a cut may move; empty: chosen for each
     double posture_limit = 3;        ///< upper limit of a seam's `posture`; 0: no limit
     std::optional<clip::Axis> up;
+    bool loop = false;     ///< the last frame meets the first
+    bool in_place = false; ///< of a loop: without its travel and turn
 };
 
 /// The transition from one piece to another, or to its own repetition. Frame numbers are those
-/// after any resampling.
+/// after any resampling. The wrap of a loop is its last seam: `frame` is the number of frames.
 struct Seam {
     std::int64_t frame = 0;     ///< first frame of the later piece in the new clip
     std::int64_t piece = 0;     ///< index of the earlier piece
@@ -45,15 +47,26 @@ struct Seam {
     double acceleration = 0; ///< the same of the second difference
 };
 
+/// How a loop goes on from its last frame to its first.
+struct Loop {
+    clip::Vec3 travel{}; ///< of one loop in the plane; in place: what was removed
+    double turn = 0;     ///< the same of the heading, in radians about the up axis
+    double coverage = 0; ///< share of the pieces' frames, or of the source's cycles, in the loop
+    std::int64_t cycles = 0;        ///< in the loop, if whole cycles were chosen
+    std::int64_t source_cycles = 0; ///< from which they were chosen
+};
+
 struct Synthesis {
     clip::Clip clip;
     std::vector<Seam> seams;
+    std::optional<Loop> loop; ///< if the clip is one
+    std::vector<std::string> notes;
     Warnings warnings;
     clip::Axis up = clip::Axis::none; ///< the axis used
 };
 
-/// Throws Status::argument (a piece exceeds its clip), unsupported (bare numbers, no frame rate,
-/// different hierarchies), no_common_posture.
+/// Throws Status::argument (a piece exceeds its clip, in_place without loop), unsupported (bare
+/// numbers, no frame rate, different hierarchies), no_common_posture.
 Synthesis synthesize(std::span<const Piece> pieces, const Options& options,
                      const Progress& progress);
 

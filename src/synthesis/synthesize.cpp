@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
+#include "synthesis/loop.hpp"
 #include "synthesis/material.hpp"
 #include "synthesis/measures.hpp"
 #include "synthesis/seams.hpp"
@@ -10,10 +11,6 @@
 
 namespace stltsa::synthesis {
 namespace {
-
-/// Above this a seam may be visible.
-constexpr double visible_step = 1.4;
-constexpr double visible_acceleration = 3;
 
 /// The first clip without its motion.
 clip::Clip empty_clip(const clip::Clip& first) {
@@ -42,7 +39,11 @@ class Synthesizer {
             check_posture(seam);
         result_.clip = empty_clip(first);
         result_.clip.values = splice(frames);
-        measure_seams();
+        const Track made =
+            make_track(material_.body, result_.clip.values, result_.clip.fps, "the new clip");
+        if (options_.loop)
+            close_loop(made);
+        measure_seams(made);
         for (std::size_t i = 0; i < result_.seams.size();)
             i = warn_of(i);
         return std::move(result_);
@@ -50,9 +51,13 @@ class Synthesizer {
 
   private:
     const Track& track(std::size_t run) const { return material_.tracks[runs_[run].track]; }
+    std::size_t after(std::size_t run) const { return (run + 1) % runs_.size(); }
+    std::size_t before(std::size_t run) const { return (run + runs_.size() - 1) % runs_.size(); }
     /// The frames of a run between the cuts at its ends.
     std::int64_t start(std::size_t run) const {
-        return run == 0 ? runs_[run].begin : cuts_[run - 1].cut.begin;
+        if (run == 0 && !options_.loop)
+            return runs_[run].begin;
+        return cuts_[before(run)].cut.begin;
     }
     std::int64_t stop(std::size_t run) const {
         return run == cuts_.size() ? runs_[run].end : cuts_[run].cut.end;
@@ -63,9 +68,10 @@ class Synthesizer {
         std::int64_t frames = stop(0) - start(0);
         for (std::size_t i = 0; i < cuts_.size(); ++i) {
             const Cut& cut = cuts_[i].cut;
-            result_.seams.push_back({frames, runs_[i].last_piece, runs_[i + 1].first_piece, cut.end,
-                                     cut.begin, cut.crossfade, cuts_[i].posture, 0, 0});
-            frames += stop(i + 1) - start(i + 1);
+            result_.seams.push_back({frames, runs_[i].last_piece, runs_[after(i)].first_piece,
+                                     cut.end, cut.begin, cut.crossfade, cuts_[i].posture, 0, 0});
+            if (after(i) > 0)
+                frames += stop(i + 1) - start(i + 1);
         }
         return frames;
     }
@@ -96,15 +102,21 @@ class Synthesizer {
     /// Extra turn per frame of a run, in radians, that keeps a straight walk straight for any
     /// number of repetitions.
     double straightening(std::size_t i) const {
-        if (i == 0 || i == cuts_.size() || !cut_alike(result_.seams[i - 1], result_.seams[i]))
+        if ((i == 0 && !options_.loop) || i == cuts_.size() ||
+            !cut_alike(result_.seams[before(i)], result_.seams[i]))
             return 0;
         return -stray_turn(material_.body, track(i), cuts_[i].cut) /
                static_cast<double>(stop(i) - start(i));
     }
 
-    Matrix splice(std::int64_t frames) const {
+    Matrix splice(std::int64_t frames) {
         Splicer splicer(material_.body, frames);
         std::int64_t crossed = 0; ///< frames of a run already covered by the previous crossfade
+        if (options_.loop) {
+            const std::size_t last = before(0);
+            splicer.enter_loop(track(last), track(0), cuts_[last].cut, straightening(last));
+            crossed = cuts_[last].cut.crossfade;
+        }
         for (std::size_t i = 0; i < runs_.size(); ++i) {
             progress_.report(Stage::synthesis,
                              static_cast<double>(i) / static_cast<double>(runs_.size()));
@@ -112,7 +124,9 @@ class Synthesizer {
             const std::int64_t covered = last ? 0 : cuts_[i].cut.crossfade;
             const double turn = straightening(i);
             splicer.play(track(i), start(i) + crossed, stop(i) - covered, turn);
-            if (!last)
+            if (!last && after(i) == 0)
+                travel_ = splicer.close_loop(track(i), track(0), cuts_[i].cut, turn);
+            else if (!last)
                 splicer.cross(track(i), track(i + 1), cuts_[i].cut, turn);
             crossed = covered;
         }
@@ -123,16 +137,33 @@ class Synthesizer {
         return usual_roughness(piece_track(piece), part(piece).begin, part(piece).end);
     }
 
-    void measure_seams() {
-        const Track made =
-            make_track(material_.body, result_.clip.values, result_.clip.fps, "the new clip");
+    /// Share of the requested frames that are between the cuts.
+    double coverage() const {
+        std::int64_t used = 0;
+        std::int64_t requested = 0;
+        for (std::size_t i = 0; i < runs_.size(); ++i) {
+            used += std::max<std::int64_t>(0, std::min(stop(i), runs_[i].end) -
+                                                  std::max(start(i), runs_[i].begin));
+            requested += runs_[i].end - runs_[i].begin;
+        }
+        return static_cast<double>(used) / static_cast<double>(requested);
+    }
+
+    void close_loop(const Track& made) {
+        result_.loop = travel_of(material_.body, made, travel_);
+        result_.loop->coverage = coverage();
+        if (options_.in_place)
+            put_in_place(material_.body, made, travel_, result_.clip.values);
+    }
+
+    void measure_seams(const Track& made) {
         std::vector<Roughness> pieces;
         for (std::size_t p = 0; p < material_.parts.size(); ++p)
             pieces.push_back(usual(static_cast<std::int64_t>(p)));
         for (Seam& seam : result_.seams) {
             const Roughness& a = pieces[static_cast<std::size_t>(seam.piece)];
             const Roughness& b = pieces[static_cast<std::size_t>(seam.next)];
-            const Roughness found = roughness_near(made, seam.frame);
+            const Roughness found = roughness_near(made, seam.frame, options_.loop);
             seam.step = ratio(found.step, std::max(a.step, b.step));
             seam.acceleration = ratio(found.acceleration, std::max(a.acceleration, b.acceleration));
         }
@@ -162,7 +193,7 @@ class Synthesizer {
         };
         const double limit =
             options_.posture_limit > 0 ? options_.posture_limit : Options{}.posture_limit;
-        if (seam.posture > limit / 2)
+        if (seam.posture > visible_posture(limit))
             warn(WarningCode::seam_posture,
                  format_text("the postures differ {:.1f} times as much as those of repetitions",
                              seam.posture));
@@ -186,7 +217,8 @@ class Synthesizer {
     const Options& options_;
     const Progress& progress_;
     std::vector<Run> runs_;
-    std::vector<ChosenCut> cuts_;
+    std::vector<ChosenCut> cuts_; ///< of a loop, the wrap's is the last
+    Step travel_;                 ///< of a loop
     Synthesis result_;
 };
 
@@ -194,6 +226,8 @@ class Synthesizer {
 
 Synthesis synthesize(std::span<const Piece> pieces, const Options& options,
                      const Progress& progress) {
+    if (options.in_place && !options.loop)
+        fail(Status::argument, "option in_place needs option loop");
     Synthesizer synthesizer(prepare_material(pieces, options.up, progress), options, progress);
     return synthesizer.make(*pieces[0].clip);
 }

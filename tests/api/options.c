@@ -12,7 +12,7 @@ static stltsa_option_info describe(int64_t index) {
 
 static void every_option_is_described_and_holds_its_default(void** state) {
     (void)state;
-    assert_int_equal(stltsa_option_count(), STLTSA_OPT_LEAST_CONFIDENCE);
+    assert_int_equal(stltsa_option_count(), STLTSA_OPT_IN_PLACE);
     for (int64_t i = 0; i < stltsa_option_count(); ++i) {
         const stltsa_option_info info = describe(i);
         assert_true(info.calls > 0 && info.calls < 2 * STLTSA_CALL_SYNTHESIZE);

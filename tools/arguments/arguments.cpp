@@ -31,7 +31,7 @@ Examples:
   stltsa map walk.stltsa other.bvh -o y.npy        other frames, same curve
   stltsa unmap walk.stltsa y.npy -o poses.bvh      and back
   stltsa denoise walk.bvh --plot before_after.svg  the curve without noise
-  stltsa synthesize 'walk.bvh:best*4' -o loop.bvh  new motion from units
+  stltsa synthesize walk.bvh --loop -o loop.bvh    a loop from its cycles
   stltsa dimension walk.bvh
   stltsa info - < walk.bvh)";
 
@@ -80,10 +80,13 @@ std::string about_synthesize() {
                     "a unit ({}), best or representative (cycle), cycleN; without it, the whole "
                     "clip.",
                     fmt::join(unit_names(), ", "));
-    return "Joins pieces of clips into new motion.\n\n" + wrapped(piece, 78) + R"(
+    const char* const loop =
+        "With --loop, a whole clip means the most of its cycles whose ends meet.";
+    return "Joins pieces of clips into new motion.\n\n" + wrapped(piece, 78) + "\n" + loop + R"(
 
 Examples:
-  stltsa synthesize 'walk.bvh:best*4' -o loop.bvh
+  stltsa synthesize walk.bvh --loop -o loop.bvh
+  stltsa synthesize 'walk.bvh:best*4' -o longer.bvh
   stltsa synthesize walk.bvh:initial 'walk.bvh:best*8' -o long.bvh
   stltsa synthesize walk.bvh run.bvh:cyclic -o joined.bvh --plot seams.svg)";
 }

@@ -32,6 +32,8 @@ class PieceFinder {
 
     /// One piece, or those of a label.
     std::vector<stltsa::Piece> find(const PieceText& text);
+    /// The clip of a path.
+    const stltsa::Clip& clip(const std::string& path) { return source(path); }
 
   private:
     const stltsa::Clip& source(const std::string& path);

@@ -6,6 +6,20 @@
 #include "reports/report.hpp"
 
 namespace tool {
+namespace {
+
+/// Of a whole clip, --loop takes the cycles that make the longest loop.
+bool asks_for_longest_loop(const Arguments& arguments, const std::vector<PieceText>& texts) {
+    const auto loop = arguments.options.find(STLTSA_OPT_LOOP);
+    return loop != arguments.options.end() && loop->second == "1" && texts.size() == 1 &&
+           texts[0].what.empty() && texts[0].repeat == 1;
+}
+
+stltsa::Synthesis longest_loop(const stltsa::Clip& clip, const stltsa::Options& options) {
+    return stltsa::synthesize_loop(clip, stltsa::decompose(clip, options), options);
+}
+
+} // namespace
 
 Exit run_synthesize(const Arguments& arguments) {
     Session session(arguments);
@@ -20,7 +34,9 @@ Exit run_synthesize(const Arguments& arguments) {
             pieces.push_back(piece);
             names.push_back(arguments.pieces[i]);
         }
-    const stltsa::Synthesis made = stltsa::synthesize(pieces, session.options());
+    const stltsa::Synthesis made = asks_for_longest_loop(arguments, texts)
+                                       ? longest_loop(finder.clip(texts[0].path), session.options())
+                                       : stltsa::synthesize(pieces, session.options());
     session.add_clip(arguments.product, made.clip());
     if (!arguments.plot.empty())
         session.add_file(arguments.plot, synthesis_figure(arguments.product, names, made));

@@ -55,9 +55,10 @@ std::string embedding_text(const stltsa::Info& info) {
 /// More would not fit on a page.
 constexpr std::size_t most_strips = 6;
 
-std::string seam_heading(const stltsa::Seam& seam, double fps) {
-    return fmt::format("seam at frame {}, {:.3f} s", seam.frame,
-                       static_cast<double>(seam.frame) / fps);
+std::string seam_heading(const stltsa::Seam& seam, std::int64_t frames, double fps) {
+    return fmt::format("{} at frame {}, {:.3f} s",
+                       seam.frame == frames ? "wrap, from last frame to first," : "seam",
+                       seam.frame, static_cast<double>(seam.frame) / fps);
 }
 
 std::string seam_note(const stltsa::Seam& seam, const std::vector<std::string>& pieces,
@@ -74,9 +75,16 @@ std::string seam_note(const stltsa::Seam& seam, const std::vector<std::string>& 
 }
 
 /// Postures are a tenth of a second apart, or more if the crossfade is long.
-plot::Strip strip_of(const stltsa::Seam& seam, const std::vector<std::string>& pieces, double fps) {
-    plot::Strip strip{seam_heading(seam, fps), seam_note(seam, pieces, fps), seam.frame, 1,
-                      seam.crossfade};
+plot::Strip strip_of(const stltsa::Seam& seam, const std::vector<std::string>& pieces,
+                     const stltsa::Clip& clip) {
+    const double fps = clip.fps();
+    const std::int64_t frames = clip.frames();
+    plot::Strip strip{seam_heading(seam, frames, fps),
+                      seam_note(seam, pieces, fps),
+                      seam.frame,
+                      1,
+                      seam.crossfade,
+                      seam.frame == frames};
     constexpr double apart_s = 0.1;
     constexpr std::int64_t postures_blended = 4; // to each side, at most
     strip.step = std::max<std::int64_t>(
@@ -89,12 +97,15 @@ bool cut_alike(const stltsa::Seam& a, const stltsa::Seam& b) {
            a.cut_begin == b.cut_begin;
 }
 
-/// The seams to show: of identical ones, such as those of a repeated cycle, only the first.
-std::vector<stltsa::Seam> different_seams(const std::vector<stltsa::Seam>& seams) {
+/// The seams to show: of identical ones, such as those of a repeated cycle, only the first, and the
+/// wrap of a loop.
+std::vector<stltsa::Seam> different_seams(const std::vector<stltsa::Seam>& seams,
+                                          std::int64_t frames) {
     std::vector<stltsa::Seam> different;
     for (const stltsa::Seam& seam : seams)
-        if (std::ranges::none_of(different,
-                                 [&](const stltsa::Seam& shown) { return cut_alike(shown, seam); }))
+        if (seam.frame == frames || std::ranges::none_of(different, [&](const stltsa::Seam& shown) {
+                return cut_alike(shown, seam);
+            }))
             different.push_back(seam);
     return different;
 }
@@ -102,8 +113,12 @@ std::vector<stltsa::Seam> different_seams(const std::vector<stltsa::Seam>& seams
 /// The whole of a clip without seams.
 plot::Strip whole_strip(std::int64_t frames) {
     const std::int64_t step = std::max<std::int64_t>(1, frames / plot::strip_postures);
-    return {"no seam: each piece continues the previous one", "", plot::strip_postures / 2 * step,
-            step, -1};
+    return {"no seam: each piece continues the previous one",
+            "",
+            plot::strip_postures / 2 * step,
+            step,
+            -1,
+            false};
 }
 
 } // namespace
@@ -171,7 +186,7 @@ std::string denoising_figure(const Session& session, const stltsa::Matrix& point
 std::string synthesis_figure(const std::string& title, const std::vector<std::string>& pieces,
                              const stltsa::Synthesis& synthesis) {
     const stltsa::Clip& clip = synthesis.clip();
-    std::vector<stltsa::Seam> seams = different_seams(synthesis.seams());
+    std::vector<stltsa::Seam> seams = different_seams(synthesis.seams(), clip.frames());
     const std::size_t left_out = seams.size() - std::min(seams.size(), most_strips);
     seams.resize(seams.size() - left_out);
     plot::SeamFigure figure{std::filesystem::path(title).filename().string(),
@@ -183,7 +198,7 @@ std::string synthesis_figure(const std::string& title, const std::vector<std::st
         figure.note +=
             fmt::format(" Not shown: {}.", counted(static_cast<std::int64_t>(left_out), "seam"));
     for (const stltsa::Seam& seam : seams)
-        figure.strips.push_back(strip_of(seam, pieces, clip.fps()));
+        figure.strips.push_back(strip_of(seam, pieces, clip));
     if (seams.empty()) {
         figure.strips.push_back(whole_strip(clip.frames()));
         figure.note.clear();

@@ -22,12 +22,17 @@ constexpr double posture_height = 92;
 constexpr double small_font = 9.5;
 constexpr double note_font = 10.5;
 
-/// The frames of a strip that exist in the clip.
+/// The frame of the clip that a loop shows at this one.
+std::int64_t shown(const Strip& strip, std::int64_t frame, std::int64_t count) {
+    return strip.wraps ? (frame % count + count) % count : frame;
+}
+
+/// The frames of a strip that exist in the clip; of a wrap, those beyond its end as well.
 std::vector<std::int64_t> frames_of(const Strip& strip, std::int64_t count) {
     std::vector<std::int64_t> frames;
     for (std::int64_t i = 0; i < strip_postures; ++i) {
         const std::int64_t frame = strip.middle + (i - strip_postures / 2) * strip.step;
-        if (frame >= 0 && frame < count)
+        if (strip.wraps || (frame >= 0 && frame < count))
             frames.push_back(frame);
     }
     return frames;
@@ -39,7 +44,8 @@ double scale_of(const SeamFigure& figure) {
     Rect largest;
     for (const Strip& strip : figure.strips)
         for (const std::int64_t frame : frames_of(strip, figure.bodies.frames())) {
-            const Rect box = posture_box(figure.bodies, frame);
+            const Rect box =
+                posture_box(figure.bodies, shown(strip, frame, figure.bodies.frames()));
             largest.width = std::max(largest.width, box.width);
             largest.height = std::max(largest.height, box.height);
         }
@@ -86,8 +92,9 @@ double draw_strip(Svg& svg, const SeamFigure& figure, const Strip& strip, double
     svg.line({left, ground}, {right, ground}, {{"stroke", hairline}, {"stroke-width", 0.8}});
     for (const std::int64_t frame : frames_of(strip, figure.bodies.frames())) {
         const double x = place(strip, static_cast<double>(frame));
-        draw_stick_figure(svg, figure.bodies, frame, {x, ground}, scale);
-        svg.text({x, ground + 14}, Anchor::middle, std::to_string(frame),
+        const std::int64_t posture = shown(strip, frame, figure.bodies.frames());
+        draw_stick_figure(svg, figure.bodies, posture, {x, ground}, scale);
+        svg.text({x, ground + 14}, Anchor::middle, std::to_string(posture),
                  {{"class", "number"}, {"font-size", small_font}});
     }
     return ground + 20;

@@ -17,6 +17,7 @@ struct Strip {
     std::int64_t middle = 0;
     std::int64_t step = 1;
     std::int64_t crossfade = -1; ///< blended frames on each side of the middle; -1: no seam
+    bool wraps = false;          ///< the middle is the end of a loop, which goes on with frame 0
 };
 
 /// Number of postures in a strip: as many before its middle as after it.

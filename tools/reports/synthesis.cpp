@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "reports/report.hpp"
@@ -9,7 +11,7 @@
 namespace tool {
 namespace {
 
-std::string seams_table(const std::vector<stltsa::Seam>& seams, double fps,
+std::string seams_table(const std::vector<stltsa::Seam>& seams, std::int64_t end, double fps,
                         const std::vector<std::string>& pieces) {
     using enum Align;
     if (seams.empty())
@@ -27,11 +29,29 @@ std::string seams_table(const std::vector<stltsa::Seam>& seams, double fps,
     };
     const auto ratio = [](double value) { return fmt::format("{:.2f}", value); };
     for (const stltsa::Seam& seam : seams)
-        table.add({std::to_string(seam.frame), seconds(seam.frame), name(seam.piece),
-                   name(seam.next), std::to_string(seam.cut_end), std::to_string(seam.cut_begin),
-                   seconds(seam.crossfade), ratio(seam.posture), ratio(seam.step),
-                   ratio(seam.acceleration)});
+        table.add({seam.frame == end ? "wrap" : std::to_string(seam.frame), seconds(seam.frame),
+                   name(seam.piece), name(seam.next), std::to_string(seam.cut_end),
+                   std::to_string(seam.cut_begin), seconds(seam.crossfade), ratio(seam.posture),
+                   ratio(seam.step), ratio(seam.acceleration)});
     return '\n' + table.text();
+}
+
+/// What share of the source a loop is, and how far it goes.
+std::string loop_text(const stltsa::Info& info) {
+    if (info.integer(STLTSA_INFO_LOOP) == 0)
+        return "";
+    const auto travel = info.reals(STLTSA_INFO_TRAVEL);
+    const std::string source =
+        info.count(STLTSA_INFO_LOOP_CYCLES) > 0
+            ? fmt::format("{} of {}", info.integer(STLTSA_INFO_LOOP_CYCLES),
+                          counted(info.integer(STLTSA_INFO_SOURCE_CYCLES), "cycle"))
+            : "the pieces' frames";
+    return fmt::format(
+        "\nloop: {} ({:.0f} %); {} {:.2f} ({:.2f} {:.2f} {:.2f}), turn {:.1f} degrees\n", source,
+        100 * info.real(STLTSA_INFO_COVERAGE),
+        info.integer(STLTSA_INFO_IN_PLACE) != 0 ? "in place, without travel" : "travel",
+        std::hypot(travel[0], travel[1], travel[2]), travel[0], travel[1], travel[2],
+        std::round(10 * info.real(STLTSA_INFO_TURN)) / 10 + 0.0); // no -0
 }
 
 } // namespace
@@ -51,7 +71,9 @@ std::string synthesis_summary(const stltsa::Synthesis& synthesis) {
 std::string synthesis_report(const stltsa::Synthesis& synthesis,
                              const std::vector<std::string>& pieces) {
     return bold(synthesis_summary(synthesis)) + '\n' +
-           seams_table(synthesis.seams(), synthesis.clip().fps(), pieces) +
+           seams_table(synthesis.seams(), synthesis.clip().frames(), synthesis.clip().fps(),
+                       pieces) +
+           loop_text(synthesis.info()) + listed("note:", synthesis.info().texts(STLTSA_INFO_NOTE)) +
            listed("warning:", synthesis.warnings());
 }
 

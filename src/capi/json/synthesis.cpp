@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+#include <numbers>
+
 #include "capi/json/parts.hpp"
 
 namespace stltsa::capi {
@@ -17,14 +20,34 @@ Json pieces_json(std::span<const PieceFacts> pieces) {
     return list;
 }
 
-Json seams_json(const std::vector<synthesis::Seam>& seams, double fps) {
+/// What does not apply is null.
+Json loop_json(const Synthesized& synthesized, std::int64_t frames) {
+    const auto& loop = synthesized.result.loop;
+    const auto of = [&](auto value) { return loop ? Json(value(*loop)) : Json(nullptr); };
+    using synthesis::Loop;
+    return JsonObject(
+        "looping", loop.has_value(), "in_place", synthesized.options.in_place, "frames",
+        of([&](const Loop&) { return frames; }), "travel",
+        of([](const Loop& l) { return std::vector<double>(l.travel.begin(), l.travel.end()); }),
+        "distance",
+        of([](const Loop& l) { return std::hypot(l.travel[0], l.travel[1], l.travel[2]); }),
+        "turn_deg", of([](const Loop& l) { return l.turn * 180 / std::numbers::pi; }), "coverage",
+        of([](const Loop& l) { return l.coverage; }), "cycles",
+        of([](const Loop& l) { return json_count_or_null(l.cycles); }), "source_cycles",
+        of([](const Loop& l) { return json_count_or_null(l.source_cycles); }), "notes",
+        synthesized.result.notes);
+}
+
+/// The wrap of a loop has as its frame the number of frames.
+Json seams_json(const std::vector<synthesis::Seam>& seams, std::int64_t frames, double fps) {
     std::vector<Json> list;
     for (const synthesis::Seam& seam : seams)
-        list.push_back(JsonObject(
-            "frame", seam.frame, "time_s", static_cast<double>(seam.frame) / fps, "piece",
-            seam.piece, "next", seam.next, "cut_end", seam.cut_end, "cut_begin", seam.cut_begin,
-            "crossfade", seam.crossfade, "crossfade_s", static_cast<double>(seam.crossfade) / fps,
-            "posture", seam.posture, "step", seam.step, "acceleration", seam.acceleration));
+        list.push_back(
+            JsonObject("frame", seam.frame, "time_s", static_cast<double>(seam.frame) / fps,
+                       "piece", seam.piece, "next", seam.next, "cut_end", seam.cut_end, "cut_begin",
+                       seam.cut_begin, "crossfade", seam.crossfade, "crossfade_s",
+                       static_cast<double>(seam.crossfade) / fps, "posture", seam.posture, "step",
+                       seam.step, "acceleration", seam.acceleration, "wrap", seam.frame == frames));
     return list;
 }
 
@@ -40,7 +63,8 @@ std::string synthesis_json(const clip::Clip& clip, const Synthesized& synthesize
                           json_or_null(synthesized.options.search), "posture_limit",
                           json_positive_or_null(synthesized.options.posture_limit), "up_axis",
                           json_axis(made.up)));
-    object.set("seams", seams_json(made.seams, clip.fps));
+    object.set("loop", loop_json(synthesized, clip.frames()));
+    object.set("seams", seams_json(made.seams, clip.frames(), clip.fps));
     object.set("warnings", json_warnings(made.warnings));
     return object.text();
 }

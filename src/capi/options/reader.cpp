@@ -174,7 +174,8 @@ results::DenoiseOptions OptionsReader::denoise_options() const {
 
 synthesis::Options OptionsReader::synthesis_options() const {
     return {real_if_set(STLTSA_OPT_CROSSFADE), real_if_set(STLTSA_OPT_CUT_RANGE),
-            real(STLTSA_OPT_POSTURE_LIMIT), prepare_options().up};
+            real(STLTSA_OPT_POSTURE_LIMIT),    prepare_options().up,
+            integer(STLTSA_OPT_LOOP) != 0,     integer(STLTSA_OPT_IN_PLACE) != 0};
 }
 
 } // namespace stltsa::capi

@@ -147,6 +147,10 @@ constexpr stltsa_option_info rows[] = {
           1, 3, STLTSA_GAPS_FILL, "fill=1 refuse=2 skip=3"),
     real(STLTSA_OPT_LEAST_CONFIDENCE, STLTSA_CALL_OPEN, "least_confidence",
          "Points that were seen with less confidence are missing.", 0, 1, 0.6),
+    whole(STLTSA_OPT_LOOP, STLTSA_CALL_SYNTHESIZE, "loop",
+          "Make a loop: the last frame meets the first, across a seam like any other.", 0, 1, 0),
+    whole(STLTSA_OPT_IN_PLACE, STLTSA_CALL_SYNTHESIZE, "in_place",
+          "Remove what a loop travels and turns, so that it ends where it starts.", 0, 1, 0),
 };
 
 } // namespace
