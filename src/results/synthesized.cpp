@@ -22,9 +22,9 @@ Synthesized synthesize_loop(const clip::Clip& clip, const Decomposed& decomposed
     const synthesis::LongestLoop chosen = synthesis::longest_loop(clip, cycles, options, progress);
     Synthesized made = synthesize({chosen.piece}, options, progress);
     made.result.notes.push_back(chosen.note);
-    if (chosen.cycles > 0) {
+    if (chosen.piece.cycles > 0) {
         synthesis::Loop& loop = *made.result.loop;
-        loop.cycles = chosen.cycles;
+        loop.cycles = chosen.piece.cycles;
         loop.source_cycles = static_cast<std::int64_t>(cycles.size());
         loop.coverage = static_cast<double>(loop.cycles) / static_cast<double>(loop.source_cycles);
     }

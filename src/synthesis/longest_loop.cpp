@@ -2,22 +2,22 @@
 #include "synthesis/longest_loop.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 #include <vector>
 
 #include "synthesis/material.hpp"
 #include "synthesis/measures.hpp"
 #include "synthesis/seams.hpp"
-#include "synthesis/splice.hpp"
 
 namespace stltsa::synthesis {
 namespace {
 
 constexpr double good_step = 1.2;
-/// Ranges of one length that are tried, those with the nearest postures first; ranges in all.
+/// Ranges of one length that are tried, those with the nearest postures first.
 constexpr std::size_t most_of_length = 8;
-constexpr std::size_t most_tried = 256;
+/// Of very many cycles, not every length is tried: each is shorter than the one before by a cycle
+/// or by this share.
+constexpr double next_length = 0.03;
 
 struct Range {
     std::size_t first = 0;
@@ -36,21 +36,24 @@ class Search {
     Search(const Track& track, std::span<const CycleFrames> cycles, const Options& options,
            const Progress& progress)
         : track_(track), cycles_(cycles), options_(options), progress_(progress),
-          usual_(
-              usual_roughness(track, std::min(track.first, track.frames() - 1), track.frames())) {}
+          usual_(usual_roughness(track, std::min(track.first, track.frames() - 1), track.frames())),
+          follow_(cycles.size(), 1) {
+        for (std::size_t i = cycles.size() - 1; i > 0; --i)
+            if (cycles[i - 1].end == cycles[i].begin)
+                follow_[i - 1] = follow_[i] + 1;
+    }
 
     /// The longest range with a good seam, or the one with the smallest seam.
     Tried longest() const {
         std::optional<Tried> best;
-        std::size_t tried = 0;
-        for (std::size_t count = cycles_.size(); count > 0; --count) {
+        for (std::size_t count = *std::ranges::max_element(follow_); count > 0;
+             count -= shorter_by(count)) {
             for (const Range& range : nearest_of(count)) {
                 const Tried found = try_range(range);
-                ++tried;
                 if (!best || found.badness < best->badness)
                     best = found;
             }
-            if (best && (best->badness <= 1 || tried >= most_tried))
+            if (best->badness <= 1)
                 break;
         }
         return *best;
@@ -62,20 +65,19 @@ class Search {
         return cycles_[range.first + range.count - 1].end;
     }
 
-    bool consecutive(const Range& range) const {
-        for (std::size_t i = range.first; i + 1 < range.first + range.count; ++i)
-            if (cycles_[i].end != cycles_[i + 1].begin)
-                return false;
-        return true;
+    static std::size_t shorter_by(std::size_t count) {
+        return std::max<std::size_t>(
+            1, static_cast<std::size_t>(next_length * static_cast<double>(count)));
     }
 
     std::vector<Range> nearest_of(std::size_t count) const {
         std::vector<Range> ranges;
         for (std::size_t first = 0; first + count <= cycles_.size(); ++first) {
+            if (follow_[first] < count)
+                continue;
             Range range{first, count, 0};
             range.distance = squared_distance(track_, end(range), track_, begin(range), 0);
-            if (consecutive(range))
-                ranges.push_back(range);
+            ranges.push_back(range);
         }
         std::ranges::sort(ranges, {},
                           [](const Range& r) { return std::pair(r.distance, r.first); });
@@ -85,16 +87,12 @@ class Search {
 
     Tried try_range(const Range& range) const {
         progress_.report(Stage::synthesis, 0);
-        const Part part{0, begin(range), end(range), 1};
-        const double cycle_s = static_cast<double>(part.end - part.begin) /
-                               static_cast<double>(range.count) / track_.fps;
-        const ChosenCut chosen = repetition_cut(track_, part, cycle_s, options_, progress_);
+        const Part part{0, begin(range), end(range), 1, static_cast<std::int64_t>(range.count)};
+        const ChosenCut chosen = repetition_cut(track_, part, options_, progress_);
         const Roughness near = roughness_across(track_, chosen.cut);
         const double step = near.step / usual_.step;
-        const double limit =
-            options_.posture_limit > 0 ? options_.posture_limit : Options{}.posture_limit;
         return {range, step,
-                std::max({step / good_step, chosen.posture / visible_posture(limit),
+                std::max({step / good_step, chosen.posture / visible_posture(options_),
                           near.acceleration / usual_.acceleration / visible_acceleration})};
     }
 
@@ -103,6 +101,7 @@ class Search {
     const Options& options_;
     const Progress& progress_;
     Roughness usual_;
+    std::vector<std::size_t> follow_; ///< consecutive cycles from each one on
 };
 
 std::string range_text(const Range& range, std::size_t all) {
@@ -131,7 +130,7 @@ LongestLoop longest_loop(const clip::Clip& clip, std::span<const CycleFrames> cy
                          const Options& options, const Progress& progress) {
     const Piece whole{&clip, 0, clip.frames(), 1};
     if (cycles.empty())
-        return {whole, 0, "no cycle was found: the loop is the whole clip"};
+        return {whole, "no cycle was found: the loop is the whole clip"};
     for (const CycleFrames& cycle : cycles)
         if (cycle.begin < 0 || cycle.begin >= cycle.end || cycle.end > clip.frames())
             fail(Status::argument,
@@ -140,9 +139,10 @@ LongestLoop longest_loop(const clip::Clip& clip, std::span<const CycleFrames> cy
                  cycle.begin, cycle.end, clip.frames());
     const Material material = prepare_material({&whole, 1}, options.up, progress);
     const Tried found = Search(material.tracks[0], cycles, options, progress).longest();
+    const auto count = static_cast<std::int64_t>(found.range.count);
     const Piece piece{&clip, cycles[found.range.first].begin,
-                      cycles[found.range.first + found.range.count - 1].end, 1};
-    return {piece, static_cast<std::int64_t>(found.range.count), note_of(found, cycles.size())};
+                      cycles[found.range.first + found.range.count - 1].end, 1, count};
+    return {piece, note_of(found, cycles.size())};
 }
 
 } // namespace stltsa::synthesis

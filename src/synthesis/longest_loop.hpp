@@ -19,7 +19,6 @@ struct CycleFrames {
 
 struct LongestLoop {
     Piece piece;
-    std::int64_t cycles = 0;
     std::string note; ///< what was chosen, and why
 };
 

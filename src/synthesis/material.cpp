@@ -71,7 +71,7 @@ class Preparation {
             clips_.push_back(piece.clip);
             add_track(*piece.clip, name_of(pieces_, p));
         }
-        Part part{track, piece.begin, piece.end, piece.repeat};
+        Part part{track, piece.begin, piece.end, piece.repeat, piece.cycles};
         if (!same_rate(piece.clip->fps, first_.fps))
             rescale(part, first_.fps / piece.clip->fps);
         material_.parts.push_back(part);

@@ -47,6 +47,10 @@ double largest(const std::vector<double>& values) {
 
 } // namespace
 
+double visible_posture(const Options& options) {
+    return (options.posture_limit > 0 ? options.posture_limit : Options{}.posture_limit) / 2;
+}
+
 Roughness usual_roughness(const Track& track, std::int64_t begin, std::int64_t end) {
     const Differences found = differences(track.postures, track.frames(), begin, end);
     const double least = rounding * posture_size(track, begin);

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "synthesis/cuts.hpp"
+#include "synthesis/synthesis.hpp"
 #include "synthesis/track.hpp"
 
 namespace stltsa::synthesis {
@@ -12,10 +13,8 @@ namespace stltsa::synthesis {
 /// Relative to the usual roughness; above this a seam may be visible.
 inline constexpr double visible_step = 1.4;
 inline constexpr double visible_acceleration = 3;
-/// The same for the distance of the postures, given its upper limit.
-constexpr double visible_posture(double limit) {
-    return limit / 2;
-}
+/// The same for the distance of the postures: half of its upper limit.
+double visible_posture(const Options& options);
 
 /// Pose step |p_t - p_(t-1)| and second difference |p_(t+1) - 2 p_t + p_(t-1)|: the largest in a
 /// range of frames, or the 95th percentile.

@@ -16,6 +16,7 @@ struct Part {
     std::int64_t begin = 0;
     std::int64_t end = 0;
     std::int64_t repeat = 1;
+    std::int64_t cycles = 0; ///< 0: unknown
 };
 
 /// Consecutive frames of one track, played without a seam.

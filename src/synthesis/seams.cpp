@@ -51,15 +51,19 @@ class Chooser {
 
     ChosenCut between(const Run& earlier, const Run& later) const {
         if (&earlier == &later)
-            return repetition({earlier.track, earlier.begin, earlier.end, 1});
+            return repetition(earlier.first_piece == earlier.last_piece
+                                  ? part(earlier.first_piece)
+                                  : Part{earlier.track, earlier.begin, earlier.end});
         const bool repeats = earlier.last_piece == later.first_piece;
         return repeats ? repetition(part(earlier.last_piece)) : meeting(earlier, later);
     }
 
-    ChosenCut repetition(const Part& part, double period) const {
+    ChosenCut repetition(const Part& part) const {
         const Track& track = tracks_[part.track];
         const std::int64_t length = part.end - part.begin;
         const double seconds = static_cast<double>(length) / track.fps;
+        const double period = part.cycles > 0 ? seconds / static_cast<double>(part.cycles)
+                                              : period_near(track, part.begin, part.end);
         const double cycle = cycle_of(seconds, period > 0 ? period : usual_cycle_s);
         const double velocity_s = velocity_share * cycle;
         const Join join{
@@ -71,10 +75,6 @@ class Chooser {
 
   private:
     const Part& part(std::int64_t piece) const { return parts_[static_cast<std::size_t>(piece)]; }
-
-    ChosenCut repetition(const Part& part) const {
-        return repetition(part, period_near(tracks_[part.track], part.begin, part.end));
-    }
 
     ChosenCut meeting(const Run& a, const Run& b) const {
         const Track& earlier = tracks_[a.track];
@@ -132,10 +132,9 @@ std::vector<ChosenCut> choose_cuts(std::span<const Track> tracks, std::span<cons
     return cuts;
 }
 
-ChosenCut repetition_cut(const Track& track, const Part& part, double period_s,
-                         const Options& options, const Progress& progress) {
-    return Chooser({&track, 1}, {}, options, progress)
-        .repetition({0, part.begin, part.end, 1}, period_s);
+ChosenCut repetition_cut(const Track& track, const Part& part, const Options& options,
+                         const Progress& progress) {
+    return Chooser({&track, 1}, {&part, 1}, options, progress).repetition(part);
 }
 
 } // namespace stltsa::synthesis

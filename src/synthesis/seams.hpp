@@ -23,8 +23,8 @@ std::vector<ChosenCut> choose_cuts(std::span<const Track> tracks, std::span<cons
                                    std::span<const Run> runs, const Options& options,
                                    const Progress& progress);
 
-/// The cut between a piece and its repetition. `period_s`: of its motion; 0: unknown.
-ChosenCut repetition_cut(const Track& track, const Part& part, double period_s,
-                         const Options& options, const Progress& progress);
+/// The cut between a piece of a track and its repetition; `part.track` is 0.
+ChosenCut repetition_cut(const Track& track, const Part& part, const Options& options,
+                         const Progress& progress);
 
 } // namespace stltsa::synthesis

@@ -22,6 +22,7 @@ struct Piece {
     std::int64_t begin = 0;
     std::int64_t end = 0;
     std::int64_t repeat = 1;
+    std::int64_t cycles = 0; ///< of the motion in these frames; 0: unknown
 };
 
 struct Options {

@@ -191,9 +191,7 @@ class Synthesizer {
             result_.warnings.push_back(
                 {code, format_text("{}{}: {}", where(seam), also, text), time, time});
         };
-        const double limit =
-            options_.posture_limit > 0 ? options_.posture_limit : Options{}.posture_limit;
-        if (seam.posture > visible_posture(limit))
+        if (seam.posture > visible_posture(options_))
             warn(WarningCode::seam_posture,
                  format_text("the postures differ {:.1f} times as much as those of repetitions",
                              seam.posture));

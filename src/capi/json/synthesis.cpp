@@ -20,22 +20,17 @@ Json pieces_json(std::span<const PieceFacts> pieces) {
     return list;
 }
 
-/// What does not apply is null.
-Json loop_json(const Synthesized& synthesized, std::int64_t frames) {
-    const auto& loop = synthesized.result.loop;
-    const auto of = [&](auto value) { return loop ? Json(value(*loop)) : Json(nullptr); };
-    using synthesis::Loop;
-    return JsonObject(
-        "looping", loop.has_value(), "in_place", synthesized.options.in_place, "frames",
-        of([&](const Loop&) { return frames; }), "travel",
-        of([](const Loop& l) { return std::vector<double>(l.travel.begin(), l.travel.end()); }),
-        "distance",
-        of([](const Loop& l) { return std::hypot(l.travel[0], l.travel[1], l.travel[2]); }),
-        "turn_deg", of([](const Loop& l) { return l.turn * 180 / std::numbers::pi; }), "coverage",
-        of([](const Loop& l) { return l.coverage; }), "cycles",
-        of([](const Loop& l) { return json_count_or_null(l.cycles); }), "source_cycles",
-        of([](const Loop& l) { return json_count_or_null(l.source_cycles); }), "notes",
-        synthesized.result.notes);
+/// null if the clip is no loop.
+Json loop_json(const Synthesized& synthesized) {
+    if (!synthesized.result.loop)
+        return nullptr;
+    const synthesis::Loop& loop = *synthesized.result.loop;
+    return JsonObject("in_place", synthesized.options.in_place, "travel",
+                      std::vector<double>(loop.travel.begin(), loop.travel.end()), "distance",
+                      std::hypot(loop.travel[0], loop.travel[1], loop.travel[2]), "turn_deg",
+                      loop.turn * 180 / std::numbers::pi, "coverage", loop.coverage, "cycles",
+                      json_count_or_null(loop.cycles), "source_cycles",
+                      json_count_or_null(loop.source_cycles), "notes", synthesized.result.notes);
 }
 
 /// The wrap of a loop has as its frame the number of frames.
@@ -63,7 +58,7 @@ std::string synthesis_json(const clip::Clip& clip, const Synthesized& synthesize
                           json_or_null(synthesized.options.search), "posture_limit",
                           json_positive_or_null(synthesized.options.posture_limit), "up_axis",
                           json_axis(made.up)));
-    object.set("loop", loop_json(synthesized, clip.frames()));
+    object.set("loop", loop_json(synthesized));
     object.set("seams", seams_json(made.seams, clip.frames(), clip.fps));
     object.set("warnings", json_warnings(made.warnings));
     return object.text();

@@ -52,3 +52,5 @@ class Keywords(TypedDict, total=False):
     segments: int | Auto | None
     gaps: Gaps
     least_confidence: float
+    loop: bool
+    in_place: bool

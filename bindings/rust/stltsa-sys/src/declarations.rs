@@ -299,6 +299,8 @@ pub const STLTSA_OPT_DIMENSION_ESTIMATE: i32 = 31;
 pub const STLTSA_OPT_SEGMENTS: i32 = 32;
 pub const STLTSA_OPT_GAPS: i32 = 33;
 pub const STLTSA_OPT_LEAST_CONFIDENCE: i32 = 34;
+pub const STLTSA_OPT_LOOP: i32 = 35;
+pub const STLTSA_OPT_IN_PLACE: i32 = 36;
 pub const STLTSA_GAPS_FILL: i32 = 1;
 pub const STLTSA_GAPS_REFUSE: i32 = 2;
 pub const STLTSA_GAPS_SKIP: i32 = 3;
@@ -644,6 +646,13 @@ pub const STLTSA_INFO_PIECE_PATH: i32 = 103;
 pub const STLTSA_INFO_PIECE_BEGIN: i32 = 104;
 pub const STLTSA_INFO_PIECE_END: i32 = 105;
 pub const STLTSA_INFO_PIECE_REPEAT: i32 = 106;
+pub const STLTSA_INFO_LOOP: i32 = 107;
+pub const STLTSA_INFO_IN_PLACE: i32 = 108;
+pub const STLTSA_INFO_TRAVEL: i32 = 109;
+pub const STLTSA_INFO_TURN: i32 = 110;
+pub const STLTSA_INFO_COVERAGE: i32 = 111;
+pub const STLTSA_INFO_LOOP_CYCLES: i32 = 112;
+pub const STLTSA_INFO_SOURCE_CYCLES: i32 = 113;
 pub const STLTSA_INFO_WARNING: i32 = 120;
 pub const STLTSA_INFO_WARNING_CODE: i32 = 121;
 pub const STLTSA_INFO_WARNING_BEGIN: i32 = 122;
@@ -2256,6 +2265,14 @@ extern "C" {
     pub fn stltsa_synthesize(
         pieces: *const stltsa_piece,
         count: i64,
+        options: *const stltsa_options,
+        synthesis: *mut *mut stltsa_synthesis,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_synthesize_loop(
+        clip: *const stltsa_clip,
+        decomposition: *const stltsa_decomposition,
         options: *const stltsa_options,
         synthesis: *mut *mut stltsa_synthesis,
     ) -> stltsa_status;

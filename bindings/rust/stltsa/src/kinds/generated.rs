@@ -92,6 +92,12 @@ kinds! {
         Gaps = STLTSA_OPT_GAPS,
         /// `real`: points seen with less are missing.
         LeastConfidence = STLTSA_OPT_LEAST_CONFIDENCE,
+        /// `int`: synthesize: 1: the last frame meets the first across a seam, the last of the
+        /// synthesis.
+        Loop = STLTSA_OPT_LOOP,
+        /// `int`: synthesize: 1: of a loop, the root's horizontal travel and its turn are removed,
+        /// evenly over the frames, so that the loop ends where it starts; heights are kept.
+        InPlace = STLTSA_OPT_IN_PLACE,
     }
     /// Which frames can be neighbors of a frame.
     Mode {
@@ -343,6 +349,23 @@ kinds! {
         PieceEnd = STLTSA_INFO_PIECE_END,
         /// `int[]`: how often each piece is played.
         PieceRepeat = STLTSA_INFO_PIECE_REPEAT,
+        /// `int`: 1: a loop; only loops have the next six facts.
+        Loop = STLTSA_INFO_LOOP,
+        /// `int`: option in_place.
+        InPlace = STLTSA_INFO_IN_PLACE,
+        /// `real[]`: x, y, z of the body's travel per loop along the ground, in the clip's unit; in
+        /// place: what was removed.
+        Travel = STLTSA_INFO_TRAVEL,
+        /// `real`: degrees by which the body turns per loop, from above positive to its left; in
+        /// place: what was removed.
+        Turn = STLTSA_INFO_TURN,
+        /// `real`: share of the clip's cycles that are in the loop (stltsa_synthesize_loop),
+        /// otherwise of the pieces' frames.
+        Coverage = STLTSA_INFO_COVERAGE,
+        /// `int`: cycles in the loop, if chosen among the clip's.
+        LoopCycles = STLTSA_INFO_LOOP_CYCLES,
+        /// `int`: cycles of the clip, if chosen among them.
+        SourceCycles = STLTSA_INFO_SOURCE_CYCLES,
         /// `text[]`: what a user should know about the result.
         Warning = STLTSA_INFO_WARNING,
         /// `int[]`: STLTSA_WARNING_* of each warning.

@@ -222,4 +222,16 @@ impl Options {
     pub fn least_confidence(self, value: f64) -> Self {
         self.with(sys::STLTSA_OPT_LEAST_CONFIDENCE, Value::Real(value))
     }
+
+    /// Make a loop: the last frame meets the first, across a seam like any other.
+    #[must_use]
+    pub fn r#loop(self, value: bool) -> Self {
+        self.with(sys::STLTSA_OPT_LOOP, Value::Int(value.into()))
+    }
+
+    /// Remove what a loop travels and turns, so that it ends where it starts.
+    #[must_use]
+    pub fn in_place(self, value: bool) -> Self {
+        self.with(sys::STLTSA_OPT_IN_PLACE, Value::Int(value.into()))
+    }
 }
