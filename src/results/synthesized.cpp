@@ -13,6 +13,22 @@ Synthesized synthesize(const std::vector<synthesis::Piece>& pieces,
     return made;
 }
 
+namespace {
+
+/// If the ends do not meet, the error says what they are the ends of.
+Synthesized made_of(const synthesis::LongestLoop& chosen, const synthesis::Options& options,
+                    const Progress& progress) {
+    try {
+        return synthesize({chosen.piece}, options, progress);
+    } catch (const Error& error) {
+        if (error.status() != Status::no_common_posture)
+            throw;
+        fail(error.status(), "{}; {}", chosen.note, error.what());
+    }
+}
+
+} // namespace
+
 Synthesized synthesize_loop(const clip::Clip& clip, const Decomposed& decomposed,
                             synthesis::Options options, const Progress& progress) {
     options.loop = true;
@@ -20,7 +36,7 @@ Synthesized synthesize_loop(const clip::Clip& clip, const Decomposed& decomposed
     for (const stltsa_interval& cycle : decomposed.cycles)
         cycles.push_back({cycle.begin, cycle.end});
     const synthesis::LongestLoop chosen = synthesis::longest_loop(clip, cycles, options, progress);
-    Synthesized made = synthesize({chosen.piece}, options, progress);
+    Synthesized made = made_of(chosen, options, progress);
     made.result.notes.push_back(chosen.note);
     if (chosen.piece.cycles > 0) {
         synthesis::Loop& loop = *made.result.loop;

@@ -166,6 +166,29 @@ def test_denoise_and_synthesize(clip, model, result):
     assert json.loads(longer.to_json())["format"] == "stltsa-synthesis/1"
 
 
+def test_loops(clip, result):
+    """Of a clip, of its decomposition, and of pieces; the last frame meets the first."""
+    loop = stltsa.synthesize_loop(result, in_place=True)
+    facts = loop.facts
+    assert facts["loop"] == facts["in_place"] == 1
+    assert facts["loop_cycles"] == facts["source_cycles"] == len(result.cycle_list)
+    assert facts["coverage"] == 1
+    assert facts["note"]
+    assert loop.seam_list[-1].frame == len(loop.clip)
+    positions = loop.clip.positions
+    steps = np.linalg.norm(np.diff(positions, axis=0), axis=(1, 2))
+    assert np.linalg.norm(positions[0] - positions[-1]) < 1.2 * np.percentile(steps, 95)
+    going = stltsa.synthesize_loop(clip)
+    assert len(going.clip) == len(loop.clip)
+    way = (going.clip.positions[-1, 0] - going.clip.positions[0, 0])[[0, 2]]
+    assert np.linalg.norm(way) > 0.9 * np.hypot(facts["travel"][0], facts["travel"][2]) > 1
+
+    twice = stltsa.synthesize([stltsa.Piece.of(clip, result.best_cycle, 2)], loop=True)
+    assert len(twice.seams) == 2
+    with pytest.raises(stltsa.ArgumentError, match="loop"):
+        stltsa.synthesize([(clip, 0, 200)], in_place=True)
+
+
 def test_a_new_clip_outlives_its_synthesis(clip, result):
     new = stltsa.synthesize([(clip, 0, 200)]).clip
     import gc

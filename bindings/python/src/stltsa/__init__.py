@@ -31,7 +31,7 @@ from .dimensions import Dimension, dimension
 from .errors import *  # noqa: F403
 from .events import Event
 from .model import Mapped, Model, fit
-from .synthesis import Piece, Seam, Synthesis, synthesize
+from .synthesis import Piece, Seam, Synthesis, synthesize, synthesize_loop
 
 if TYPE_CHECKING:
     from . import plot, readers
@@ -92,6 +92,7 @@ __all__ = [  # noqa: PLE0604
     "read_clip",
     "readers",
     "synthesize",
+    "synthesize_loop",
     *(name for name in errors.__all__ if name != "error_for"),
 ]
 

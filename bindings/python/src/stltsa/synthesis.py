@@ -11,6 +11,7 @@ from ._given import wrong
 from ._native import ffi, lib
 from ._tables import table
 from .clip import Clip
+from .decomposition import Decomposition, decompose
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -18,6 +19,7 @@ if TYPE_CHECKING:
     from pandas import DataFrame
     from typing_extensions import Unpack
 
+    from ._given import Motion
     from ._options import Options
     from ._rows import Interval, Part, Segment
 
@@ -53,7 +55,8 @@ class Piece(NamedTuple):
 class Seam(NamedTuple):
     """A join of two pieces, or of a piece and its own repetition.
 
-    `frame` is the first frame of the new clip from the later piece; `piece` and `next` are the two
+    `frame` is the first frame of the new clip from the later piece, or, of a loop's wrap from its
+    last frame to its first, the number of frames; `piece` and `next` are the two
     pieces; the earlier one ends before `cut_end`, the later one begins at `cut_begin`; `crossfade`
     frames to each side are blended. `posture`: distance of the postures relative to the typical
     distance between repetitions of one motion; at 1 they are equally similar. `step` and
@@ -72,6 +75,7 @@ class Seam(NamedTuple):
     acceleration: float
 
 
+_USED = ("crossfade", "cut_range", "posture_limit", "loop", "in_place", "up_axis", "progress")
 _Given: TypeAlias = Piece | tuple[Clip, int, int] | tuple[Clip, int, int, int]
 
 
@@ -86,7 +90,9 @@ def synthesize(pieces: Iterable[_Given], **options: Unpack[Options]) -> Synthesi
     pieces : iterable of Piece, or of tuples (clip, begin, end) or (clip, begin, end, repeat)
         All clips need the same hierarchy; the first one gives frame rate and units.
     **options
-        Used: `crossfade`, `cut_range` (both in seconds), `posture_limit`, `up_axis`, `progress`.
+        Used: `crossfade`, `cut_range` (both in seconds), `posture_limit`, `loop`, `in_place`,
+        `up_axis`, `progress`. With `loop` the last frame meets the first; with `in_place` as well,
+        the loop ends where it starts.
 
     Returns
     -------
@@ -116,6 +122,50 @@ def synthesize(pieces: Iterable[_Given], **options: Unpack[Options]) -> Synthesi
     out = ffi.new("stltsa_synthesis **")
     with Call(options) as call:
         call.check(lib.stltsa_synthesize(raw, len(wanted), call.options, out))
+    return Synthesis(owned("synthesis", out))
+
+
+def synthesize_loop(motion: Decomposition | Motion, **options: Unpack[Options]) -> Synthesis:
+    """Make the loop of a clip: the most of its consecutive cycles whose ends meet.
+
+    Without cycles it is the whole clip. The facts `note`, `coverage` and `travel` say which part of
+    the clip it is, and how far it goes.
+
+    Parameters
+    ----------
+    motion : Decomposition, or what :func:`stltsa.decompose` takes
+        Of a clip with a skeleton.
+    **options
+        Used: those of :func:`stltsa.decompose` if `motion` is not decomposed yet, and those of
+        :func:`stltsa.synthesize`.
+
+    Returns
+    -------
+    Synthesis
+
+    Raises
+    ------
+    stltsa.NoCommonPostureError
+        The ends do not meet; the text says by how much.
+    stltsa.UnsupportedError
+        The clip has plain numbers.
+
+    Examples
+    --------
+    >>> import stltsa
+    >>> loop = stltsa.synthesize_loop("walker.bvh", in_place=True)
+    >>> loop.facts["loop_cycles"], loop.facts["source_cycles"]
+    (3, 3)
+    >>> loop.seam_list[-1].frame == len(loop.clip)
+    True
+    """
+    found = motion if isinstance(motion, Decomposition) else decompose(motion, **options)
+    used = {name: value for name, value in options.items() if name in _USED}
+    out = ffi.new("stltsa_synthesis **")
+    with Call(used) as call:
+        call.check(
+            lib.stltsa_synthesize_loop(found.clip._handle, found._handle, call.options, out)
+        )
     return Synthesis(owned("synthesis", out))
 
 

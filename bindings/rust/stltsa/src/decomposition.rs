@@ -402,7 +402,7 @@ impl Decomposition {
         self.cycles.get(usize::try_from(index).ok()?)
     }
 
-    fn raw(&self) -> *const sys::stltsa_decomposition {
+    pub(crate) fn raw(&self) -> *const sys::stltsa_decomposition {
         self.handle.raw()
     }
 }

@@ -7,6 +7,7 @@ use std::ops::Range;
 use stltsa_sys as sys;
 
 use crate::clip::Clip;
+use crate::decomposition::Decomposition;
 use crate::error::{c_count, check, count, owned_text, texts, Result};
 use crate::handle::Owned;
 use crate::options::Options;
@@ -68,7 +69,8 @@ pub struct Synthesis {
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Seam {
-    /// First frame of the new clip from the later piece.
+    /// First frame of the new clip from the later piece; of a loop's wrap, from its last frame to
+    /// its first, the number of frames.
     pub frame: usize,
     /// Index of the earlier piece.
     pub piece: usize,
@@ -97,7 +99,7 @@ impl Synthesis {
     /// similar postures and velocities, and the two are crossfaded; the body continues from its
     /// position and heading. Pieces that are consecutive in their clip are joined unchanged. All
     /// clips need the same hierarchy; the first one gives channels, units and frame rate. Options
-    /// used: crossfade, cut_range, posture_limit, up_axis, progress.
+    /// used: crossfade, cut_range, posture_limit, loop, in_place, up_axis, progress.
     ///
     /// # Errors
     /// [`Argument`](crate::ErrorKind::Argument), [`Unsupported`](crate::ErrorKind::Unsupported)
@@ -106,17 +108,36 @@ impl Synthesis {
     /// at which seam and by how much), [`Cancelled`](crate::ErrorKind::Cancelled).
     pub fn new(pieces: &[Piece<'_>], options: &Options) -> Result<Self> {
         let raw = pieces.iter().map(Piece::raw).collect::<Result<Vec<_>>>()?;
-        options.call(|options| {
+        let handle = options.call(|options| {
             let count = raw.len() as i64;
             // SAFETY: as many pieces, and live handles.
-            let handle = Owned::make(|out| unsafe {
-                sys::stltsa_synthesize(raw.as_ptr(), count, options, out)
-            })?;
-            let seams = seams(&handle)?;
-            // SAFETY: it lives as long as `handle`, and is never dropped here.
-            let clip = unsafe { Owned::from_raw(sys::stltsa_synthesis_clip(handle.raw())) };
-            Ok(Self { clip: ManuallyDrop::new(Clip { handle: clip }), handle, seams })
-        })
+            Owned::make(|out| unsafe { sys::stltsa_synthesize(raw.as_ptr(), count, options, out) })
+        })?;
+        Self::of(handle)
+    }
+
+    /// The loop of a clip: of the ranges of consecutive cycles in its decomposition, the longest
+    /// whose ends meet; without cycles, the whole clip. [`Fact::Note`](crate::Fact::Note) says
+    /// which. Options used: those of [`Synthesis::new`].
+    ///
+    /// # Errors
+    /// As for [`Synthesis::new`]; [`Argument`](crate::ErrorKind::Argument) if the decomposition is
+    /// of a longer clip.
+    pub fn of_cycles(clip: &Clip, found: &Decomposition, options: &Options) -> Result<Self> {
+        let handle = options.call(|options| {
+            // SAFETY: live handles.
+            Owned::make(|out| unsafe {
+                sys::stltsa_synthesize_loop(clip.raw(), found.raw(), options, out)
+            })
+        })?;
+        Self::of(handle)
+    }
+
+    fn of(handle: Owned<sys::stltsa_synthesis>) -> Result<Self> {
+        let seams = seams(&handle)?;
+        // SAFETY: it lives as long as `handle`, and is never dropped here.
+        let clip = unsafe { Owned::from_raw(sys::stltsa_synthesis_clip(handle.raw())) };
+        Ok(Self { clip: ManuallyDrop::new(Clip { handle: clip }), handle, seams })
     }
 
     /// The new clip.
