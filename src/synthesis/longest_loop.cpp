@@ -15,6 +15,8 @@ namespace {
 constexpr double good_step = 1.2;
 /// Ranges of one length that are tried, those with the nearest postures first.
 constexpr std::size_t most_of_length = 8;
+/// Of these, at most so many are made to see whether they are good.
+constexpr std::size_t most_made = 3;
 /// Of very many cycles, not every length is tried: each is shorter than the one before by a cycle
 /// or by this share.
 constexpr double next_length = 0.03;
@@ -31,38 +33,47 @@ struct Tried {
     double badness = 0; ///< good up to 1
 };
 
+/// Consecutive cycles from each one on.
+std::vector<std::size_t> followed(std::span<const CycleFrames> cycles) {
+    std::vector<std::size_t> count(cycles.size(), 1);
+    for (std::size_t i = cycles.size() - 1; i > 0; --i)
+        if (cycles[i - 1].end == cycles[i].begin)
+            count[i - 1] = count[i] + 1;
+    return count;
+}
+
 class Search {
   public:
-    Search(const Track& track, std::span<const CycleFrames> cycles, const Options& options,
+    Search(const clip::Clip& clip, std::span<const CycleFrames> cycles, const Options& options,
            const Progress& progress)
-        : track_(track), cycles_(cycles), options_(options), progress_(progress),
-          usual_(usual_roughness(track, std::min(track.first, track.frames() - 1), track.frames())),
-          follow_(cycles.size(), 1) {
-        for (std::size_t i = cycles.size() - 1; i > 0; --i)
-            if (cycles[i - 1].end == cycles[i].begin)
-                follow_[i - 1] = follow_[i] + 1;
+        : clip_(clip), cycles_(cycles), options_(options), progress_(progress),
+          material_(
+              prepare_material(std::vector{Piece{&clip, 0, clip.frames()}}, options.up, progress)),
+          usual_(usual_roughness(track(), std::min(track().first, track().frames() - 1),
+                                 track().frames())),
+          followed_(followed(cycles)) {
+        options_.loop = options_.in_place = true;
     }
 
     /// The longest range with a good seam, or the one with the smallest seam.
-    Tried longest() const {
+    Tried longest() {
         std::optional<Tried> best;
-        for (std::size_t count = *std::ranges::max_element(follow_); count > 0;
+        for (std::size_t count = *std::ranges::max_element(followed_); count > 0;
              count -= shorter_by(count)) {
-            for (const Range& range : nearest_of(count)) {
-                const Tried found = try_range(range);
-                if (!best || found.badness < best->badness)
-                    best = found;
-            }
-            if (best->badness <= 1)
-                break;
+            const Tried found = best_of(count);
+            if (found.badness <= 1)
+                return found;
+            if (!best || found.badness < best->badness)
+                best = found;
         }
         return *best;
     }
 
   private:
-    std::int64_t begin(const Range& range) const { return cycles_[range.first].begin; }
-    std::int64_t end(const Range& range) const {
-        return cycles_[range.first + range.count - 1].end;
+    const Track& track() const { return material_.tracks[0]; }
+    Part part(const Range& range) const {
+        return {0, cycles_[range.first].begin, cycles_[range.first + range.count - 1].end, 1,
+                static_cast<std::int64_t>(range.count)};
     }
 
     static std::size_t shorter_by(std::size_t count) {
@@ -70,13 +81,15 @@ class Search {
             1, static_cast<std::size_t>(next_length * static_cast<double>(count)));
     }
 
+    /// The ranges of one length that are tried.
     std::vector<Range> nearest_of(std::size_t count) const {
         std::vector<Range> ranges;
         for (std::size_t first = 0; first + count <= cycles_.size(); ++first) {
-            if (follow_[first] < count)
+            if (followed_[first] < count)
                 continue;
             Range range{first, count, 0};
-            range.distance = squared_distance(track_, end(range), track_, begin(range), 0);
+            const Part frames = part(range);
+            range.distance = squared_distance(track(), frames.end, track(), frames.begin, 0);
             ranges.push_back(range);
         }
         std::ranges::sort(ranges, {},
@@ -85,23 +98,43 @@ class Search {
         return ranges;
     }
 
+    /// The good range of one length with the smallest seam, otherwise the range with the smallest.
+    Tried best_of(std::size_t count) {
+        std::vector<Tried> all;
+        for (const Range& range : nearest_of(count))
+            all.push_back(try_range(range));
+        std::ranges::stable_sort(all, {}, &Tried::badness);
+        for (std::size_t i = 0; i < std::min(all.size(), most_made) && all[i].badness <= 1; ++i) {
+            all[i].badness = std::max(all[i].badness, in_world(all[i].range) / good_step);
+            if (all[i].badness <= 1)
+                return all[i];
+        }
+        return *std::ranges::min_element(all, {}, &Tried::badness);
+    }
+
     Tried try_range(const Range& range) const {
         progress_.report(Stage::synthesis, 0);
-        const Part part{0, begin(range), end(range), 1, static_cast<std::int64_t>(range.count)};
-        const ChosenCut chosen = repetition_cut(track_, part, options_, progress_);
-        const Roughness near = roughness_across(track_, chosen.cut);
+        const ChosenCut chosen = repetition_cut(track(), part(range), options_, progress_);
+        const Roughness near = roughness_across(track(), chosen.cut);
         const double step = near.step / usual_.step;
         return {range, step,
                 std::max({step / good_step, chosen.posture / visible_posture(options_),
                           near.acceleration / usual_.acceleration / visible_acceleration})};
     }
 
-    const Track& track_;
+    /// Postures do not show what the root does: how high it is, and how it moves.
+    double in_world(const Range& range) {
+        material_.parts = {part(range)};
+        return wrap_step(synthesize(material_, clip_, options_, progress_).clip);
+    }
+
+    const clip::Clip& clip_;
     std::span<const CycleFrames> cycles_;
-    const Options& options_;
+    Options options_;
     const Progress& progress_;
+    Material material_;
     Roughness usual_;
-    std::vector<std::size_t> follow_; ///< consecutive cycles from each one on
+    std::vector<std::size_t> followed_;
 };
 
 std::string range_text(const Range& range, std::size_t all) {
@@ -128,17 +161,15 @@ std::string note_of(const Tried& found, std::size_t all) {
 
 LongestLoop longest_loop(const clip::Clip& clip, std::span<const CycleFrames> cycles,
                          const Options& options, const Progress& progress) {
-    const Piece whole{&clip, 0, clip.frames(), 1};
     if (cycles.empty())
-        return {whole, "no cycle was found: the loop is the whole clip"};
+        return {{&clip, 0, clip.frames()}, "no cycle was found: the loop is the whole clip"};
     for (const CycleFrames& cycle : cycles)
         if (cycle.begin < 0 || cycle.begin >= cycle.end || cycle.end > clip.frames())
             fail(Status::argument,
                  "the decomposition has a cycle of frames [{}, {}), and the clip {} frames: it is "
                  "of another clip",
                  cycle.begin, cycle.end, clip.frames());
-    const Material material = prepare_material({&whole, 1}, options.up, progress);
-    const Tried found = Search(material.tracks[0], cycles, options, progress).longest();
+    const Tried found = Search(clip, cycles, options, progress).longest();
     const auto count = static_cast<std::int64_t>(found.range.count);
     const Piece piece{&clip, cycles[found.range.first].begin,
                       cycles[found.range.first + found.range.count - 1].end, 1, count};

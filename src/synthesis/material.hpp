@@ -22,4 +22,8 @@ struct Material {
 Material prepare_material(std::span<const Piece> pieces, std::optional<clip::Axis> up,
                           const Progress& progress);
 
+/// The synthesis of this material, of which `first` is the first piece's clip.
+Synthesis synthesize(const Material& material, const clip::Clip& first, const Options& options,
+                     const Progress& progress);
+
 } // namespace stltsa::synthesis

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "clip/features/features.hpp"
 #include "linalg/simd.hpp"
 #include "motion/curve/statistics.hpp"
 #include "synthesis/splice.hpp"
@@ -45,7 +46,22 @@ double largest(const std::vector<double>& values) {
     return values.empty() ? 0 : *std::max_element(values.begin(), values.end());
 }
 
+std::int64_t reach_of(double fps) {
+    return std::max<std::int64_t>(1, std::llround(near_s * fps));
+}
+
 } // namespace
+
+double wrap_step(const clip::Clip& loop) {
+    const Matrix positions = clip::positions(loop);
+    const std::int64_t end = loop.frames();
+    const std::int64_t reach = reach_of(loop.fps);
+    const double usual_step =
+        motion::quantile(differences(positions, end, 0, end + 1).steps, usual);
+    const double found =
+        largest(differences(positions, end, end - 1 - reach, end + reach + 1).steps);
+    return found > 0 ? found / usual_step : 0;
+}
 
 double visible_posture(const Options& options) {
     return (options.posture_limit > 0 ? options.posture_limit : Options{}.posture_limit) / 2;
@@ -59,7 +75,7 @@ Roughness usual_roughness(const Track& track, std::int64_t begin, std::int64_t e
 }
 
 Roughness roughness_near(const Track& track, std::int64_t seam, bool loop) {
-    const auto reach = std::max<std::int64_t>(1, std::llround(near_s * track.fps));
+    const std::int64_t reach = reach_of(track.fps);
     // The step into the seam starts at the frame before it.
     const std::int64_t begin = seam - 1 - reach;
     const std::int64_t end = seam + reach + 1;

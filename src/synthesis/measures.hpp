@@ -28,7 +28,11 @@ Roughness usual_roughness(const Track& track, std::int64_t begin, std::int64_t e
 /// The largest within an eighth of a second around frame `seam`. Of a loop, the first frame follows
 /// the last.
 Roughness roughness_near(const Track& track, std::int64_t seam, bool loop = false);
-/// The same for a cut of one track that is not made yet: postures in place of poses are blended.
+/// The largest step in the world near the wrap of a loop in place, over the 95th percentile of its
+/// steps.
+double wrap_step(const clip::Clip& loop);
+/// Roughness across a cut of one track that is not made yet: postures in place of poses are
+/// blended.
 Roughness roughness_across(const Track& track, const Cut& cut);
 
 } // namespace stltsa::synthesis

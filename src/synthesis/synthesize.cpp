@@ -25,8 +25,8 @@ clip::Clip empty_clip(const clip::Clip& first) {
 
 class Synthesizer {
   public:
-    Synthesizer(Material material, const Options& options, const Progress& progress)
-        : material_(std::move(material)), options_(options), progress_(progress),
+    Synthesizer(const Material& material, const Options& options, const Progress& progress)
+        : material_(material), options_(options), progress_(progress),
           runs_(make_runs(material_.parts)),
           cuts_(choose_cuts(material_.tracks, material_.parts, runs_, options, progress)) {
         result_.warnings = material_.warnings;
@@ -211,7 +211,7 @@ class Synthesizer {
         return next;
     }
 
-    Material material_;
+    const Material& material_;
     const Options& options_;
     const Progress& progress_;
     std::vector<Run> runs_;
@@ -222,12 +222,17 @@ class Synthesizer {
 
 } // namespace
 
+Synthesis synthesize(const Material& material, const clip::Clip& first, const Options& options,
+                     const Progress& progress) {
+    return Synthesizer(material, options, progress).make(first);
+}
+
 Synthesis synthesize(std::span<const Piece> pieces, const Options& options,
                      const Progress& progress) {
     if (options.in_place && !options.loop)
         fail(Status::argument, "option in_place needs option loop");
-    Synthesizer synthesizer(prepare_material(pieces, options.up, progress), options, progress);
-    return synthesizer.make(*pieces[0].clip);
+    return synthesize(prepare_material(pieces, options.up, progress), *pieces[0].clip, options,
+                      progress);
 }
 
 } // namespace stltsa::synthesis
