@@ -1087,10 +1087,10 @@ STLTSA_API stltsa_status stltsa_synthesize(const stltsa_piece *pieces, int64_t c
                                            const stltsa_options *options,
                                            stltsa_synthesis **synthesis) STLTSA_NOEXCEPT;
 /* The loop of a clip, as with option loop: of the ranges of consecutive cycles in `decomposition`,
- * which is of this clip, the longest with a good seam. A seam is good if the largest step near it, in
- * positions of the joints, is at most 1.2 times the 95th percentile, both relative to the root, of
- * the clip's steps, and in the world, of the steps of the loop in place; and if there is no warning
- * about it. If none is good, the range with the smallest seam; without cycles, the whole clip. Of
+ * which is of this clip, the longest with a good seam. A seam is good if the largest step near it,
+ * in positions of the joints, is at most 1.2 times the 95th percentile: relative to the root, of the
+ * clip's steps, and in the world, of those of the loop in place; and if there is no warning about
+ * it. If none is good, the range with the smallest seam; without cycles, the whole clip. Of
  * more than 66 cycles not every length is tried. STLTSA_INFO_NOTE says which range it is, and the
  * piece is among the facts. Options and errors as in stltsa_synthesize; E_ARGUMENT: a cycle exceeds
  * the clip. */

@@ -104,10 +104,13 @@ class Search {
         for (const Range& range : nearest_of(count))
             all.push_back(try_range(range));
         std::ranges::stable_sort(all, {}, &Tried::badness);
-        for (std::size_t i = 0; i < std::min(all.size(), most_made) && all[i].badness <= 1; ++i) {
-            all[i].badness = std::max(all[i].badness, in_world(all[i].range) / good_step);
-            if (all[i].badness <= 1)
-                return all[i];
+        all.resize(std::min(all.size(), most_made));
+        for (Tried& tried : all) {
+            if (tried.badness > 1)
+                break;
+            tried.badness = std::max(tried.badness, in_world(tried.range) / good_step);
+            if (tried.badness <= 1)
+                return tried;
         }
         return *std::ranges::min_element(all, {}, &Tried::badness);
     }
@@ -125,7 +128,8 @@ class Search {
     /// Postures do not show what the root does: how high it is, and how it moves.
     double in_world(const Range& range) {
         material_.parts = {part(range)};
-        return wrap_step(synthesize(material_, clip_, options_, progress_).clip);
+        const Synthesis made = synthesize(material_, clip_, options_, progress_);
+        return wrap_step(made.clip, made.seams.back().crossfade);
     }
 
     const clip::Clip& clip_;
@@ -152,9 +156,8 @@ std::string note_of(const Tried& found, std::size_t all) {
             "the root; limit {})",
             what, found.step, good_step);
     return format_text("the ends of no range of cycles meet well: the loop is {}, which has the "
-                       "smallest seam, with steps of up to {:.2f} times the 95th percentile of the "
-                       "clip's (joints relative to the root; limit {})",
-                       what, found.step, good_step);
+                       "smallest seam",
+                       what);
 }
 
 } // namespace

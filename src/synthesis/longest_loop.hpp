@@ -24,10 +24,10 @@ struct LongestLoop {
 
 /// A range of consecutive cycles; the whole clip if there are none. A seam is good if, near it, the
 /// largest step of the posture (positions of the joints relative to the root) is at most 1.2 times
-/// the 95th percentile of the clip's steps, the largest step in the world at most as many times that
-/// of the loop in place, and if synthesize() would not warn of it. If no range has a good seam, the
-/// one with the smallest seam is chosen. Throws Status::argument (a cycle
-/// exceeds the clip), unsupported.
+/// the 95th percentile of the clip's steps, the largest step in the world at most as many times
+/// that of the loop in place, and if synthesize() would not warn of it. If no range has a good
+/// seam, the one with the smallest seam is chosen. Throws Status::argument (a cycle exceeds the
+/// clip), unsupported.
 LongestLoop longest_loop(const clip::Clip& clip, std::span<const CycleFrames> cycles,
                          const Options& options, const Progress& progress);
 

@@ -52,12 +52,12 @@ std::int64_t reach_of(double fps) {
 
 } // namespace
 
-double wrap_step(const clip::Clip& loop) {
+double wrap_step(const clip::Clip& loop, std::int64_t crossfade) {
     const Matrix positions = clip::positions(loop);
     const std::int64_t end = loop.frames();
     const std::int64_t reach = reach_of(loop.fps);
     const double usual_step =
-        motion::quantile(differences(positions, end, 0, end + 1).steps, usual);
+        motion::quantile(differences(positions, end, crossfade, end - crossfade).steps, usual);
     const double found =
         largest(differences(positions, end, end - 1 - reach, end + reach + 1).steps);
     return found > 0 ? found / usual_step : 0;

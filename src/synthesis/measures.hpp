@@ -29,8 +29,8 @@ Roughness usual_roughness(const Track& track, std::int64_t begin, std::int64_t e
 /// the last.
 Roughness roughness_near(const Track& track, std::int64_t seam, bool loop = false);
 /// The largest step in the world near the wrap of a loop in place, over the 95th percentile of its
-/// steps.
-double wrap_step(const clip::Clip& loop);
+/// steps outside of the crossfade.
+double wrap_step(const clip::Clip& loop, std::int64_t crossfade);
 /// Roughness across a cut of one track that is not made yet: postures in place of poses are
 /// blended.
 Roughness roughness_across(const Track& track, const Cut& cut);
