@@ -136,6 +136,133 @@ static void warnings_are_given_once(void** state) {
     stltsa_clip_free(clip);
 }
 
+static stltsa_synthesis* made_of_cycles(const stltsa_clip* clip, const stltsa_options* options) {
+    stltsa_decomposition* d = NULL;
+    must(stltsa_decompose(clip, NULL, &d));
+    stltsa_synthesis* s = NULL;
+    must(stltsa_synthesize_loop(clip, d, options, &s));
+    stltsa_decomposition_free(d);
+    return s;
+}
+
+static double real_of(const stltsa_synthesis* s, int32_t key, int64_t index) {
+    double value = 0;
+    must(stltsa_info_real(stltsa_synthesis_info(s), key, index, &value));
+    return value;
+}
+
+static int64_t int_of(const stltsa_synthesis* s, int32_t key) {
+    int64_t value = 0;
+    must(stltsa_info_int(stltsa_synthesis_info(s), key, 0, &value));
+    return value;
+}
+
+/* All three cycles; the travel is that of the clip between the cuts. */
+static void the_loop_of_a_clip(void** state) {
+    (void)state;
+    stltsa_clip* clip = opened();
+    stltsa_synthesis* s = made_of_cycles(clip, NULL);
+    assert_int_equal(int_of(s, STLTSA_INFO_LOOP), 1);
+    assert_int_equal(int_of(s, STLTSA_INFO_LOOP_CYCLES), 3);
+    assert_int_equal(int_of(s, STLTSA_INFO_SOURCE_CYCLES), 3);
+    assert_true(real_of(s, STLTSA_INFO_COVERAGE, 0) == 1);
+    assert_int_equal(stltsa_info_count(stltsa_synthesis_info(s), STLTSA_INFO_NOTE), 1);
+    assert_int_equal(stltsa_synthesis_seam_count(s), 1);
+    const stltsa_seam wrap = seam_of(s, 0);
+    const int64_t frames = stltsa_clip_frames(stltsa_synthesis_clip(s));
+    assert_int_equal(wrap.frame, frames);
+    assert_int_equal(wrap.cut_end - wrap.cut_begin, frames);
+    const int64_t joints = stltsa_clip_joints(clip);
+    double* source = new_positions(clip);
+    const double* from = source + wrap.cut_begin * joints * 3;
+    const double* to = source + wrap.cut_end * joints * 3;
+    for (int axis = 0; axis < 3; axis += 2)
+        assert_below(fabs(real_of(s, STLTSA_INFO_TRAVEL, axis) - (to[axis] - from[axis])), 1,
+                     "difference of the travel");
+    assert_true(real_of(s, STLTSA_INFO_TRAVEL, 1) == 0);
+    assert_below(fabs(real_of(s, STLTSA_INFO_TURN, 0)), 0.1, "turn");
+    free(source);
+    stltsa_synthesis_free(s);
+    stltsa_clip_free(clip);
+}
+
+/* Where the first frame follows the last, no joint moves further than elsewhere. */
+static void a_loop_in_place_ends_where_it_starts(void** state) {
+    (void)state;
+    stltsa_clip* clip = opened();
+    stltsa_options* options = NULL;
+    must(stltsa_options_new(&options));
+    must(stltsa_options_set_int(options, STLTSA_OPT_IN_PLACE, 1));
+    stltsa_synthesis* s = made_of_cycles(clip, options);
+    assert_int_equal(int_of(s, STLTSA_INFO_IN_PLACE), 1);
+    assert_true(fabs(real_of(s, STLTSA_INFO_TRAVEL, 0)) + fabs(real_of(s, STLTSA_INFO_TRAVEL, 2)) >
+                100); /* what was removed */
+    const stltsa_clip* loop = stltsa_synthesis_clip(s);
+    const int64_t frames = stltsa_clip_frames(loop), joints = stltsa_clip_joints(loop);
+    double* positions = new_positions(loop);
+    for (int64_t j = 0; j < joints; ++j) {
+        const double step =
+            distance(positions + ((frames - 1) * joints + j) * 3, positions + j * 3, space);
+        double most = 0;
+        for (int64_t i = 1; i < frames; ++i)
+            most = fmax(most, distance(positions + ((i - 1) * joints + j) * 3,
+                                       positions + (i * joints + j) * 3, space));
+        assert_below(step, 1.02 * most + 1e-9, "step");
+    }
+    free(positions);
+    stltsa_synthesis_free(s);
+    stltsa_options_free(options);
+    stltsa_clip_free(clip);
+}
+
+static void what_is_no_loop_is_refused(void** state) {
+    (void)state;
+    stltsa_clip* clip = opened();
+    stltsa_options* options = NULL;
+    must(stltsa_options_new(&options));
+    must(stltsa_options_set_int(options, STLTSA_OPT_IN_PLACE, 1));
+    const stltsa_piece piece = {clip, 0, 100, 1, 0};
+    stltsa_synthesis* s = NULL;
+    assert_int_equal(stltsa_synthesize(&piece, 1, options, &s), STLTSA_E_ARGUMENT);
+    stltsa_decomposition* d = NULL;
+    must(stltsa_decompose(clip, NULL, &d));
+    assert_int_equal(stltsa_synthesize_loop(NULL, d, NULL, &s), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_synthesize_loop(clip, NULL, NULL, &s), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_synthesize_loop(clip, d, NULL, NULL), STLTSA_E_ARGUMENT);
+    struct figure brief = usual_figure;
+    brief.frames = 100;
+    stltsa_clip* other = new_figure(brief);
+    assert_int_equal(stltsa_synthesize_loop(other, d, NULL, &s), STLTSA_E_ARGUMENT);
+    assert_non_null(strstr(stltsa_last_error(), "another clip"));
+    assert_null(s);
+    stltsa_clip_free(other);
+    stltsa_decomposition_free(d);
+    stltsa_options_free(options);
+    stltsa_clip_free(clip);
+}
+
+/* A step and a half: the whole clip, whose ends do not meet. */
+static void without_cycles_the_ends_must_meet(void** state) {
+    (void)state;
+    struct figure brief = usual_figure;
+    brief.frames = 90;
+    stltsa_clip* clip = new_figure(brief);
+    stltsa_decomposition* d = NULL;
+    must(stltsa_decompose(clip, NULL, &d));
+    assert_int_equal(stltsa_decomposition_cycle_count(d), 0);
+    stltsa_synthesis* s = NULL;
+    assert_int_equal(stltsa_synthesize_loop(clip, d, NULL, &s), STLTSA_E_NO_COMMON_POSTURE);
+    assert_non_null(strstr(stltsa_last_error(), "no cycle was found"));
+    stltsa_options* options = with(STLTSA_OPT_POSTURE_LIMIT, 0);
+    must(stltsa_synthesize_loop(clip, d, options, &s));
+    assert_int_equal(int_of(s, STLTSA_INFO_LOOP), 1);
+    assert_int_equal(stltsa_info_count(stltsa_synthesis_info(s), STLTSA_INFO_LOOP_CYCLES), 0);
+    stltsa_synthesis_free(s);
+    stltsa_options_free(options);
+    stltsa_decomposition_free(d);
+    stltsa_clip_free(clip);
+}
+
 int main(int argc, char** argv) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_cycle_four_times),
@@ -143,6 +270,10 @@ int main(int argc, char** argv) {
         cmocka_unit_test(a_loop_goes_on_from_and_into_its_neighbors),
         cmocka_unit_test(half_a_cycle_too_much_is_refused),
         cmocka_unit_test(warnings_are_given_once),
+        cmocka_unit_test(the_loop_of_a_clip),
+        cmocka_unit_test(a_loop_in_place_ends_where_it_starts),
+        cmocka_unit_test(what_is_no_loop_is_refused),
+        cmocka_unit_test(without_cycles_the_ends_must_meet),
     };
     return run_on_walker(tests, argc, argv);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// stltsa.hpp: the segments of a recording, stretches of it, and clips of arrays.
+// stltsa.hpp: the segments of a recording, its loop, stretches of it, and clips of arrays.
 #include <algorithm>
 
 #include <stltsa.hpp>
@@ -39,6 +39,12 @@ void a_recording_is_divided_into_segments(void**) {
     assert_int_equal(found.summary_count(), 1);
     assert_int_equal(found.summary(0).count, 3);
     ASSERT_NEAR(found.summaries()[0].mean_s, found.info().real(STLTSA_INFO_PERIOD), 0.1);
+}
+
+void cycles_become_a_loop(void**) {
+    const stltsa::Synthesis loop = stltsa::synthesize_loop(walker(), stltsa::decompose(walker()));
+    assert_int_equal(loop.seam(0).frame, loop.clip().frames());
+    assert_int_equal(loop.info().integer(STLTSA_INFO_LOOP_CYCLES), 3);
 }
 
 void clips_are_made_of_arrays_and_cut(void**) {
@@ -87,6 +93,7 @@ int main(int argc, char** argv) {
     walker_path = argv[1];
     const CMUnitTest tests[] = {
         cmocka_unit_test(a_recording_is_divided_into_segments),
+        cmocka_unit_test(cycles_become_a_loop),
         cmocka_unit_test(clips_are_made_of_arrays_and_cut),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);

@@ -488,6 +488,15 @@ FACTS = {
         **{f"seams.{f}": seams(f) for f, _ in Seam._fields_[1:]},
         "seams.time_s": in_seconds("frame"),
         "seams.crossfade_s": in_seconds("crossfade"),
+        "seams.wrap": lambda h: [frame == made(h)["clip_frames"] for frame in seams("frame")(h)],
+        "loop.in_place": lambda h: bool(h["in_place"]),
+        "loop.travel": lambda h: h.list("travel"),
+        "loop.distance": lambda h: math.hypot(*h.list("travel")),
+        "loop.turn_deg": lambda h: h["turn"],
+        "loop.coverage": lambda h: h["coverage"],
+        "loop.cycles": lambda h: h.maybe("loop_cycles"),
+        "loop.source_cycles": lambda h: h.maybe("source_cycles"),
+        "loop.notes": lambda h: [text(note) for note in h.list("note")],
         **WARNINGS,
     },
 }
@@ -571,6 +580,9 @@ class Facts(unittest.TestCase):
             self.handle("synthesis", "synthesize", pieces, c_int64(2), none),
             self.handle("synthesis", "synthesize", byref(short), c_int64(1),
                         self.options(crossfade=0.05, cut_range=0.0, posture_limit=0.0)),
+            self.handle("synthesis", "synthesize", pieces, c_int64(2), self.options(loop=1)),
+            self.handle("synthesis", "synthesize_loop", clip.pointer, units.pointer,
+                        self.options(in_place=1)),
         ]
 
     def test_every_leaf_of_a_schema_has_a_function(self):

@@ -122,6 +122,46 @@ class Synthesize(CommandTest):
         for seam in found["seams"]:
             self.assertLess(seam["step"], 1.4)
 
+    def test_a_loop_of_all_cycles(self):
+        """In the JSON, the table and the picture; with and without travel."""
+        cycles = self.units()["cycles"]
+        found, _ = self.made(walk(), "--loop")
+        self.assertEqual([seam["wrap"] for seam in found["seams"]], [True])
+        self.assertEqual(found["seams"][0]["frame"], found["clip"]["frames"])
+        loop = found["loop"]
+        self.assertEqual((loop["cycles"], loop["source_cycles"]), (len(cycles), len(cycles)))
+        self.assertEqual((loop["coverage"], loop["in_place"]), (1, False))
+        self.assertAlmostEqual(loop["distance"], math.hypot(*loop["travel"]), delta=1e-9)
+        self.assertGreater(loop["distance"], 100)
+
+        def way():
+            motion = (self.folder / "made.bvh").read_text().split("MOTION")[1].splitlines()[3:]
+            first, last = ([float(x) for x in line.split()[:3]] for line in (motion[0], motion[-1]))
+            return math.hypot(last[0] - first[0], last[2] - first[2])
+
+        going = way()
+        self.assertGreater(going, 0.9 * loop["distance"])
+        standing, _ = self.made(walk(), "--loop", "--in-place")
+        self.assertTrue(standing["loop"]["in_place"])
+        self.assertEqual(standing["loop"]["travel"], loop["travel"])
+        self.assertLess(way(), 0.05 * going)
+
+        picture = self.folder / "seams.svg"
+        text = self.done("synthesize", walk(), "--loop", "-o", self.folder / "x.bvh", "--plot",
+                         picture).decode()
+        self.assertIn("wrap", text)
+        self.assertIn(f"loop: {len(cycles)} of {len(cycles)} cycles (100 %); travel", text)
+        self.assertIn("wrap, from last frame to first", picture.read_text())
+
+    def test_loops_of_pieces(self):
+        found, _ = self.made(f"{walk()}:best*3", "--loop")
+        self.assertEqual([seam["wrap"] for seam in found["seams"]], [False, False, True])
+        self.assertIsNone(found["loop"]["cycles"])
+        self.assertIsNone(self.made(f"{walk()}:best*3")[0]["loop"])
+        out = self.folder / "y.bvh"
+        message = self.fails(2, "synthesize", f"{walk()}:best", "-o", out, "--in-place")
+        self.assertIn("--loop", message)
+
     def test_pieces_by_frames_and_seconds(self):
         frames, _ = self.made(f"{walk()}:120-480")
         self.assertEqual(frames["clip"]["frames"], 360)
