@@ -15,6 +15,22 @@ void check_is_text(std::string_view bytes, const FormatRow& row, const std::stri
         fail(Status::format, "{}: not a text file, unlike {} files", name, row.name);
 }
 
+/// Files that only the Python package reads, with the extra that it needs.
+void refuse_format_of_others(const std::string& path) {
+    struct Other {
+        std::string_view suffix, extra;
+    };
+    constexpr Other others[] = {
+        {".c3d", "[c3d]"}, {".trc", "[trc]"}, {".mot", "[trc]"}, {".sto", "[trc]"}, {".npz", ""}};
+    const std::string suffix = std::filesystem::path(path).extension().string();
+    for (const Other& other : others)
+        if (equals_ignoring_case(suffix, other.suffix))
+            fail(Status::format,
+                 "{}: the Python package reads {} files (pip install 'stltsa{}'); or export the "
+                 "points as CSV",
+                 path, suffix, other.extra);
+}
+
 const FormatRow& readable(Format format) {
     const FormatRow* row = find_format(format);
     if (row == nullptr || row->read == nullptr)
@@ -56,6 +72,7 @@ Clip parse(std::string_view bytes, Format format, const std::string& name,
 Clip read(const std::string& path, const ReadOptions& options) {
     const std::string bytes = read_file(path, options.progress);
     const FormatRow* known = find_format(path);
+    refuse_format_of_others(path);
     const Format format = known != nullptr ? known->format : sniff(bytes);
     if (equals_ignoring_case(std::filesystem::path(path).extension().string(), ".asf"))
         fail(Status::format, "{}: an ASF file is a skeleton without motion: open an AMC file",

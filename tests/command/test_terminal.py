@@ -66,17 +66,25 @@ class Terminal:
 
 class Progress(CommandTest):
     def test_bar_on_a_terminal_only(self):
-        status, seen, piped = Terminal("fit", walk(), on=("stderr",)).finish()
+        long = ("fit", long_clip(), "--neighbors", "100", "--sample-rate", "0")
+        status, seen, piped = Terminal(*long, on=("stderr",)).finish()
         self.assertEqual(status, 0)
         self.assertIn(b"spectrum", seen)
         self.assertRegex(seen, rb"\[#*\.*\]")
         self.assertTrue(seen.endswith(b"\r\x1b[K"), seen[-20:])
         self.assertEqual(piped.count(b"\x1b"), 0)
-        status, seen, piped = Terminal("fit", walk(), on=("stdout",)).finish()
+        status, seen, piped = Terminal(*long, on=("stdout",)).finish()
         self.assertEqual((status, piped), (0, b""))
+        status, seen, piped = Terminal(*long, on=("stderr",), TERM="dumb").finish()
+        self.assertEqual((status, seen), (0, b""))
+
+    def test_no_bar_if_it_is_quick(self):
+        status, seen, _ = Terminal("info", walk(), on=("stderr",)).finish()
+        self.assertEqual((status, seen), (0, b""))
 
     def test_quiet(self):
-        status, seen, _ = Terminal("fit", walk(), "-q", on=("stderr",)).finish()
+        long = ("fit", long_clip(), "--neighbors", "100", "--sample-rate", "0")
+        status, seen, _ = Terminal(*long, "-q", on=("stderr",)).finish()
         self.assertEqual((status, seen), (0, b""))
 
 

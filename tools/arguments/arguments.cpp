@@ -2,137 +2,21 @@
 #include "arguments/arguments.hpp"
 
 #include <algorithm>
-#include <sstream>
+#include <filesystem>
 #include <vector>
 
-#include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <stltsa.hpp>
 
-#include "arguments/choices.hpp"
+#include "arguments/completions.hpp"
+#include "arguments/help.hpp"
 #include "arguments/option_flags.hpp"
 #include "exit_status.hpp"
 #include "terminal/text.hpp"
 
 namespace tool {
 namespace {
-
-constexpr const char* about = R"(Motion clips as low-dimensional curves, motion units and cycles.
-
-Examples:
-  stltsa decompose walk.bvh                        units and cycles, as a table
-  stltsa decompose walk.bvh --json --plot walk.svg
-  stltsa decompose markers.csv --fps 100 --features points
-  stltsa decompose 35_01.amc --skeleton 35.asf
-  stltsa fit walk.bvh -o walk.stltsa --dimension 3
-  stltsa map walk.stltsa other.bvh -o y.npy        other frames, same curve
-  stltsa unmap walk.stltsa y.npy -o poses.bvh      and back
-  stltsa denoise walk.bvh --plot before_after.svg  the curve without noise
-  stltsa synthesize walk.bvh --loop -o loop.bvh    a loop from its cycles
-  stltsa dimension walk.bvh
-  stltsa info - < walk.bvh)";
-
-constexpr const char* ending =
-    R"(Clips are BVH, AMC (with its ASF), CSV or NPY files; "-" is standard input.
-Exit status: 0 done, 1 failed, 2 usage, 3 unreadable input, 4 no trustworthy
-result, 130 cancelled. See also: man stltsa, stltsa COMMAND --help.)";
-
-constexpr const char* about_info = R"(Describes a clip.
-
-Examples:
-  stltsa info walk.bvh
-  stltsa info 35_01.amc --json)";
-
-constexpr const char* about_fit =
-    R"(Fits the manifold curve (STLTSA) and reports its quality.
-
-Examples:
-  stltsa fit walk.bvh --coords y.csv
-  stltsa fit walk.bvh --dimension 3 -o walk.stltsa
-  stltsa fit walk.bvh --neighbors 1.2s --dimension 3 --coords y.npy
-  stltsa fit walk.bvh --mode recurrent --links 4 --json)";
-
-constexpr const char* about_map =
-    R"(Places the frames of a clip on the curve of a model.
-
-Examples:
-  stltsa fit walk.bvh --dimension 3 -o walk.stltsa
-  stltsa map walk.stltsa other.bvh -o y.npy
-  stltsa map walk.stltsa other.bvh --json --curve)";
-
-constexpr const char* about_unmap =
-    R"(Turns points on the curve of a model into poses or frames.
-
-A point becomes a frame. Give the number of points per second (--fps) unless
-it is the rate of the model's samples.
-
-Examples:
-  stltsa unmap walk.stltsa y.npy -o poses.bvh
-  stltsa unmap walk.stltsa y.npy --fps 120 -o poses.bvh
-  stltsa unmap walk.stltsa y.csv -o frames.csv --follow)";
-
-std::string about_synthesize() {
-    const std::string piece =
-        fmt::format("A piece is CLIP[:WHAT][*TIMES]. WHAT: frames (120-240), seconds (1.0s-2.0s), "
-                    "a unit ({}), best or representative (cycle), cycleN; without it, the whole "
-                    "clip.",
-                    fmt::join(unit_names(), ", "));
-    const char* const loop =
-        "With --loop, a whole clip means the most of its cycles whose ends meet.";
-    return "Joins pieces of clips into new motion.\n\n" + wrapped(piece, 78) + "\n" + loop + R"(
-
-Examples:
-  stltsa synthesize walk.bvh --loop -o loop.bvh
-  stltsa synthesize 'walk.bvh:best*4' -o longer.bvh
-  stltsa synthesize walk.bvh:initial 'walk.bvh:best*8' -o long.bvh
-  stltsa synthesize walk.bvh run.bvh:cyclic -o joined.bvh --plot seams.svg)";
-}
-
-constexpr const char* about_dimension =
-    R"(Estimates the intrinsic dimension: local PCA, and the eigengap.
-
-Examples:
-  stltsa dimension walk.bvh
-  stltsa dimension walk.bvh --variance 0.99 --json)";
-
-constexpr const char* about_denoise =
-    R"(Cleans the curve: moves noisy points towards a smooth fit.
-
-Examples:
-  stltsa denoise walk.bvh --dimension 1 --plot before_after.svg
-  stltsa denoise walk.stltsa -o cleaned.npy --curve-out curve.npy
-  stltsa denoise y.csv --coordinates --fps 30 --gamma 0.01)";
-
-constexpr const char* about_decompose = R"(Cuts a clip into motion units and cycles.
-
-Examples:
-  stltsa decompose walk.bvh
-  stltsa decompose walk.bvh --json --plot walk.svg
-  stltsa decompose markers.csv --fps 100 --period-max 3
-  stltsa decompose - < walk.bvh)";
-
-/// Examples belong to a command's own help, not to the list of commands.
-class HelpFormat : public CLI::Formatter {
-  public:
-    std::string make_description(const CLI::App* app) const override {
-        return app->get_description() + "\n\n";
-    }
-    std::string make_subcommand(const CLI::App* command) const override {
-        const std::string text = command->get_description();
-        std::ostringstream out;
-        constexpr std::size_t name_columns = 14;
-        CLI::detail::format_help(out, command->get_name(), text.substr(0, text.find('\n')),
-                                 name_columns);
-        return out.str();
-    }
-    std::string make_option_name(const CLI::Option* option, bool positional) const override {
-        const std::string name = CLI::Formatter::make_option_name(option, positional);
-        return CLI::detail::find_and_replace(name, "{false}", "");
-    }
-};
 
 /// The functions that a command calls, whose options it has.
 std::int32_t calls_of(Command command) {
@@ -183,60 +67,89 @@ std::string text_of(Command command, const stltsa::OptionInfo& option) {
     return option.text;
 }
 
+const char* group_of(const stltsa::OptionInfo& option) {
+    switch (option.key) {
+    case STLTSA_OPT_FPS:
+    case STLTSA_OPT_SKELETON:
+    case STLTSA_OPT_LEAST_CONFIDENCE:
+    case STLTSA_OPT_GAPS:
+    case STLTSA_OPT_FEATURES:
+    case STLTSA_OPT_UP_AXIS:
+    case STLTSA_OPT_KEEP_START:
+    case STLTSA_OPT_SAMPLE_RATE:
+    case STLTSA_OPT_SMOOTHING:
+        return group::input;
+    default:
+        return group::method;
+    }
+}
+
+bool is_regular_file(const std::string& path) {
+    std::error_code none;
+    return std::filesystem::is_regular_file(path, none);
+}
+
 /// Builds the parser; what it reads goes into `to`.
 class Parser {
   public:
     explicit Parser(Arguments& to) : to_(to), app_(about, "stltsa") {
-        const auto format = std::make_shared<HelpFormat>();
-        format->column_width(32);
-        app_.formatter(format);
+        app_.formatter(help_format());
         app_.footer(ending);
         app_.set_version_flag("--version", fmt::format("stltsa {}.{}.{} (libstltsa {})",
                                                        STLTSA_VERSION_MAJOR, STLTSA_VERSION_MINOR,
                                                        STLTSA_VERSION_PATCH, stltsa::version()));
         app_.require_subcommand(1);
         const char* const a_clip = "A clip, or - for standard input.";
-        clip_command(Command::info, "info", about_info, a_clip);
-        CLI::App& fit = clip_command(Command::fit, "fit", about_fit, a_clip);
+        clip_command(Command::info, "info", a_clip);
+        CLI::App& fit = clip_command(Command::fit, "fit", a_clip);
         fit.add_option("--coords", to_.coords,
-                       "Write the coordinates, rows x d, to a .npy or\n"
-                       ".csv file.")
+                       "Write the coordinates, rows x d, to a .npy or .csv file.")
             ->type_name("FILE");
-        add_product(fit, "Write the model (.stltsa), for map, unmap and\ndenoise.");
+        add_product(fit, "Write the model (.stltsa), for map, unmap and denoise.");
         add_plot(fit);
-        CLI::App& map = model_command(Command::map, "map", about_map, a_clip);
+        CLI::App& map = model_command(Command::map, "map", a_clip);
         add_product(map, "Write the coordinates to a .npy or .csv file.");
         map.add_flag("--curve", to_.curve,
-                     "Add coordinates, distances and nearest rows of\nall frames to the JSON.");
-        CLI::App& unmap = model_command(Command::unmap, "unmap", about_unmap,
-                                        "Coordinates: a CSV or NPY file, or - .");
+                     "Add coordinates, distances and nearest rows of all frames to the JSON.");
+        CLI::App& unmap =
+            model_command(Command::unmap, "unmap", "Coordinates: a CSV or NPY file, or - .");
         add_product(unmap, "Write poses (.bvh, .amc) or frames (.npy, .csv).")->required();
-        unmap.add_flag("--follow", to_.follow,
-                       "Continue from the previous point, for\n"
-                       "coordinates that do not determine the pose\n"
-                       "alone. Sets --hint-window to 2 unless given.");
-        CLI::App& dimension =
-            clip_command(Command::dimension, "dimension", about_dimension, a_clip);
+        unmap
+            .add_flag("--follow", to_.follow,
+                      "Continue from the previous point, for coordinates that do not determine the "
+                      "pose alone. Sets --hint-window to 2 unless given.")
+            ->group(group::method);
+        CLI::App& dimension = clip_command(Command::dimension, "dimension", a_clip);
         add_output(dimension);
-        CLI::App& decompose =
-            clip_command(Command::decompose, "decompose", about_decompose, a_clip);
+        CLI::App& decompose = clip_command(Command::decompose, "decompose", a_clip);
         add_plot(decompose);
         add_output(decompose);
         decompose.add_flag("--curve", to_.curve,
-                           "Add the curve and the loop, sample by sample, to\nthe JSON.");
+                           "Add the curve and the loop, sample by sample, to the JSON.");
         add_denoise();
-        CLI::App& synthesize = add(Command::synthesize, "synthesize", about_synthesize());
+        CLI::App& synthesize = add(Command::synthesize, "synthesize");
         synthesize.add_option("pieces", to_.pieces, "Pieces, in the order of the new motion.")
             ->required();
-        add_product(synthesize, "Write the new motion to a .bvh, .amc, .csv or\n.npy file.")
+        add_product(synthesize, "Write the new motion to a .bvh, .amc, .csv or .npy file.")
             ->required();
         add_plot(synthesize);
+        set_groups();
     }
 
     void parse(int argc, const char* const* argv) {
-        check_command(argc, argv);
+        std::vector<std::string> words(argv + 1, argv + argc);
+        if (!words.empty() && words[0] == "completions") {
+            to_.answer = completions(app_, words.size() == 2 ? words[1] : "");
+            return;
+        }
+        if (!words.empty() && words[0] == "help") { // help fit: fit --help
+            std::ranges::rotate(words, words.begin() + 1);
+            words.back() = "--help";
+        }
+        check_command(words);
+        std::ranges::reverse(words); // as CLI11 takes them
         try {
-            app_.parse(argc, argv);
+            app_.parse(words);
         } catch (const CLI::CallForHelp&) {
             to_.answer = app_.help();
         } catch (const CLI::CallForVersion& version) {
@@ -265,55 +178,74 @@ class Parser {
     }
 
     /// The parser itself would only say that a command is missing.
-    void check_command(int argc, const char* const* argv) const {
-        const std::string first = argc > 1 ? argv[1] : "";
+    void check_command(const std::vector<std::string>& words) const {
+        const std::string first = words.empty() ? "" : words[0];
         std::vector<std::string> names;
         for (const CLI::App* command : app_.get_subcommands({}))
             names.push_back(command->get_name());
         if (first.starts_with('-') || std::ranges::find(names, first) != names.end())
             return;
+        if (is_regular_file(first))
+            throw Failure(Exit::usage, fmt::format("'{0}' is a file, and a command is missing: try "
+                                                   "'stltsa decompose {0}'",
+                                                   first));
         const std::string what =
-            argc > 1 ? "there is no command '" + first + "'" : "a command is missing";
+            words.empty() ? "a command is missing" : "there is no command '" + first + "'";
         throw Failure(Exit::usage, fmt::format("{}: give one of {}{}\nTry 'stltsa --help'.", what,
                                                fmt::join(names, ", "), hint(first, names)));
     }
 
-    CLI::App& add(Command command, const char* name, const std::string& text) {
-        CLI::App& app = *app_.add_subcommand(name, text);
+    CLI::App& add(Command command, const char* name) {
+        CLI::App& app = *app_.add_subcommand(name, about_command(command));
         app.add_flag("--json", to_.json, "Write one JSON object on one line.");
-        app.add_flag("-q,--quiet", to_.quiet, "Write only errors to standard error.");
-        app.add_flag("--no-color", to_.no_color, "No colors, as with NO_COLOR set.");
+        app.add_flag("-q,--quiet", to_.quiet, "Write only errors to standard error.")
+            ->group(group::messages);
+        app.add_flag("--no-color", to_.no_color, "No colors, as with NO_COLOR set.")
+            ->group(group::messages);
         for (const stltsa::OptionInfo& option : stltsa::option_table())
             if (has_option(command, option))
-                add_option_flag(app, option, text_of(command, option), to_.options);
+                add_option_flag(app, option, text_of(command, option), to_.options)
+                    ->group(group_of(option));
         app.callback([this, command] { to_.command = command; });
         return app;
     }
-    CLI::App& clip_command(Command command, const char* name, const char* text, const char* input) {
-        CLI::App& app = add(command, name, text);
+    CLI::App& clip_command(Command command, const char* name, const char* input) {
+        CLI::App& app = add(command, name);
         app.add_option("clip", to_.input, input)->required();
         return app;
     }
-    CLI::App& model_command(Command command, const char* name, const char* text,
-                            const char* input) {
-        CLI::App& app = add(command, name, text);
+    CLI::App& model_command(Command command, const char* name, const char* input) {
+        CLI::App& app = add(command, name);
         app.add_option("model", to_.model, "A model that stltsa fit -o wrote, or -.")->required();
         app.add_option(command == Command::map ? "clip" : "coords", to_.input, input)->required();
         return app;
     }
+    /// Other flags say what is written.
+    void set_groups() {
+        app_.get_option("--version")->group(group::messages);
+        app_.get_help_ptr()->group(group::messages);
+        for (CLI::App* command : app_.get_subcommands({})) {
+            command->get_help_ptr()->group(group::messages);
+            for (CLI::Option* option : command->get_options())
+                if (option->get_group() == "Options")
+                    option->group(group::output);
+        }
+    }
     void add_denoise() {
-        CLI::App& denoise = clip_command(Command::denoise, "denoise", about_denoise,
+        CLI::App& denoise = clip_command(Command::denoise, "denoise",
                                          "A model (.stltsa), a clip, or - for either.");
-        denoise.add_flag("--coordinates", to_.coordinates,
-                         "The columns of the CSV or NPY file are\ncoordinates: do not fit.");
-        add_product(denoise, "Write the cleaned coordinates to a .npy or .csv\nfile.");
+        denoise
+            .add_flag("--coordinates", to_.coordinates,
+                      "The columns of the CSV or NPY file are coordinates: do not fit.")
+            ->group(group::input);
+        add_product(denoise, "Write the cleaned coordinates to a .npy or .csv file.");
         denoise
             .add_option("--curve-out", to_.curve_product,
                         "Write the fitted curve to a .npy or .csv file.")
             ->type_name("FILE");
         add_plot(denoise);
         denoise.add_flag("--curve", to_.curve,
-                         "Add coordinates, curve and cleaned coordinates,\nrow by row, to the "
+                         "Add coordinates, curve and cleaned coordinates, row by row, to the "
                          "JSON.");
     }
     CLI::Option* add_product(CLI::App& app, const char* text) {

@@ -131,23 +131,19 @@ void set_real(stltsa::Options& options, const OptionInfo& info, const std::strin
 
 } // namespace
 
-void add_option_flag(CLI::App& app, const OptionInfo& info, const std::string& text,
-                     std::map<std::int32_t, std::string>& typed) {
-    constexpr std::size_t help_columns = 48;
+CLI::Option* add_option_flag(CLI::App& app, const OptionInfo& info, const std::string& text,
+                             std::map<std::int32_t, std::string>& typed) {
     const std::int32_t key = info.key;
     const std::string flag = flag_name(info);
-    const std::string help = wrapped(text + default_text(info), help_columns);
+    const std::string help = text + default_text(info);
     if (is_switch(info)) {
         const std::string both = flag + ",!--no-" + flag.substr(2);
-        app.add_flag_function(
-               both, [&typed, key](std::int64_t count) { typed[key] = count > 0 ? "1" : "0"; },
-               help)
+        const auto set = [&typed, key](std::int64_t count) { typed[key] = count > 0 ? "1" : "0"; };
+        return app.add_flag_function(both, set, help)
             ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-    } else {
-        app.add_option_function<std::string>(
-               flag, [&typed, key](const std::string& value) { typed[key] = value; }, help)
-            ->type_name(value_name(info));
     }
+    const auto set = [&typed, key](const std::string& value) { typed[key] = value; };
+    return app.add_option_function<std::string>(flag, set, help)->type_name(value_name(info));
 }
 
 void set_options(stltsa::Options& options, const std::map<std::int32_t, std::string>& typed) {

@@ -10,13 +10,15 @@
 
 namespace CLI {
 class App;
-}
+class Option;
+} // namespace CLI
 
 namespace tool {
 
 /// Adds the flag of an option to a command, with this text; what is typed goes into `typed`.
-void add_option_flag(CLI::App& app, const stltsa::OptionInfo& info, const std::string& text,
-                     std::map<std::int32_t, std::string>& typed);
+/// Returns the flag.
+CLI::Option* add_option_flag(CLI::App& app, const stltsa::OptionInfo& info, const std::string& text,
+                             std::map<std::int32_t, std::string>& typed);
 
 /// Sets what was typed. Lengths in seconds (1.2s) need the rate of the frames that they count,
 /// so they are left for set_lengths(). Throws Failure with Exit::usage.

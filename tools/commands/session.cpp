@@ -84,7 +84,7 @@ void check_outputs(const Arguments& arguments) {
 } // namespace
 
 Session::Session(const Arguments& arguments)
-    : arguments_(arguments), bar_(!arguments.quiet && ::isatty(STDERR_FILENO) != 0) {
+    : arguments_(arguments), bar_(!arguments.quiet && obeys_codes(STDERR_FILENO)) {
     check_outputs(arguments);
     options_.set_progress([this](std::int32_t stage, double fraction) {
         bar_.show(stage, fraction);

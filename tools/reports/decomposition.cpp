@@ -2,12 +2,14 @@
 #include <algorithm>
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "arguments/option_flags.hpp"
 #include "reports/report.hpp"
 #include "reports/table.hpp"
 #include "terminal/style.hpp"
 #include "terminal/text.hpp"
+#include "terminal/width.hpp"
 
 namespace tool {
 namespace {
@@ -154,7 +156,8 @@ std::string decomposition_summary(const stltsa::Decomposition& result) {
 
 std::string decomposition_report(const stltsa::Decomposition& result, const std::string& title) {
     const stltsa::Info info = result.info();
-    const std::string first = wrapped(title + ": " + decomposition_summary(result), 80);
+    const std::string first =
+        wrapped(title + ": " + decomposition_summary(result), terminal_columns(STDOUT_FILENO));
     return bold(first) + "\n\n" + segments_table(result) + units_table(result) +
            cycles_table(result) + '\n' + facts_of(info).text() +
            listed("note:", info.texts(STLTSA_INFO_NOTE)) +

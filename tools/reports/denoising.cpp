@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "reports/report.hpp"
 #include "reports/table.hpp"
 #include "terminal/style.hpp"
 #include "terminal/text.hpp"
+#include "terminal/width.hpp"
 
 namespace tool {
 namespace {
@@ -57,8 +59,8 @@ std::string denoising_report(const stltsa::Denoising& denoising, const std::stri
     if (const double period = info.real(STLTSA_INFO_PERIOD); period > 0)
         facts.add("period", fmt::format("{:.3f} s", period));
     facts.add("knots", knots_text(info));
-    return bold(wrapped(title + ": " + denoising_summary(info), 80)) + "\n\n" +
-           columns_table(info) + '\n' + facts.text() +
+    return bold(wrapped(title + ": " + denoising_summary(info), terminal_columns(STDOUT_FILENO))) +
+           "\n\n" + columns_table(info) + '\n' + facts.text() +
            listed("warning:", info.texts(STLTSA_INFO_WARNING));
 }
 

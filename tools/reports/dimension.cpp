@@ -3,11 +3,13 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "reports/report.hpp"
 #include "reports/table.hpp"
 #include "terminal/style.hpp"
 #include "terminal/text.hpp"
+#include "terminal/width.hpp"
 
 namespace tool {
 namespace {
@@ -62,7 +64,8 @@ std::string eigengap_text(const stltsa::Dimension& result) {
         "With tangent dimension {} the first {} are small by construction, so the estimate depends "
         "on --dimension.",
         info.real(STLTSA_INFO_EIGENGAP_THRESHOLD), tangents, tangents + 1);
-    return '\n' + wrapped(rule, 80) + '\n' + reason_text(result.eigengap()) +
+    return '\n' + wrapped(rule, terminal_columns(STDOUT_FILENO)) + '\n' +
+           reason_text(result.eigengap()) +
            spectrum(values, "index", "eigenvalue", std::max(largest, 1e-300));
 }
 

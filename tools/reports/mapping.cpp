@@ -3,11 +3,13 @@
 #include <filesystem>
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "reports/report.hpp"
 #include "reports/table.hpp"
 #include "terminal/style.hpp"
 #include "terminal/text.hpp"
+#include "terminal/width.hpp"
 
 namespace tool {
 namespace {
@@ -58,8 +60,9 @@ std::string mapping_report(const Mapping& mapping, const std::string& title) {
                                       distances.median, distances.p90, distances.largest));
     if (distances.beyond > 0)
         facts.add("outside", stretches_text(distances));
-    return bold(wrapped(sentence(mapping, title, distances.beyond), 80)) + "\n\n" + facts.text() +
-           listed("warning:", mapping.warnings);
+    return bold(wrapped(sentence(mapping, title, distances.beyond),
+                        terminal_columns(STDOUT_FILENO))) +
+           "\n\n" + facts.text() + listed("warning:", mapping.warnings);
 }
 
 } // namespace tool

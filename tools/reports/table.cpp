@@ -5,15 +5,15 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "arguments/option_flags.hpp"
 #include "terminal/style.hpp"
 #include "terminal/text.hpp"
+#include "terminal/width.hpp"
 
 namespace tool {
 namespace {
-
-constexpr std::size_t line_length = 80;
 
 std::string padded(const std::string& cell, std::size_t width, Align align) {
     const std::string blanks(width - std::min(width, characters(cell)), ' ');
@@ -28,8 +28,10 @@ std::string without_trailing_blanks(std::string line) {
 /// Wraps the text; further lines are indented to where the text starts.
 std::string hanging(const std::string& start, const std::string& text) {
     const std::size_t indent = characters(start);
+    constexpr std::size_t narrowest = 20; // beside a long start
+    const std::size_t columns = std::max(terminal_columns(STDOUT_FILENO), indent + narrowest);
     std::string result = start;
-    for (const char c : wrapped(text, line_length - indent)) {
+    for (const char c : wrapped(text, columns - indent)) {
         result += c;
         if (c == '\n')
             result.append(indent, ' ');

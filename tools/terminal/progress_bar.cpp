@@ -48,7 +48,9 @@ void write_stderr(const std::string& text) {
 void ProgressBar::show(std::int32_t stage, double fraction) {
     constexpr auto rest = std::chrono::milliseconds(50);
     const auto now = std::chrono::steady_clock::now();
-    if (!shown_ || (stage == stage_ && now - last_ < rest))
+    // What takes less than half a second needs no bar.
+    constexpr auto patience = std::chrono::milliseconds(500);
+    if (!shown_ || now - begun_ < patience || (stage == stage_ && now - last_ < rest))
         return;
     stage_ = stage;
     last_ = now;

@@ -21,6 +21,7 @@ class ProgressBar {
     bool shown_;
     bool drawn_ = false;
     std::int32_t stage_ = -1;
+    std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
     std::chrono::steady_clock::time_point last_{};
 };
 

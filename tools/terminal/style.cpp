@@ -36,10 +36,14 @@ bool is_control(std::string_view character) {
 
 bool colors_wanted(int descriptor, bool allowed) {
     const char* no_color = std::getenv("NO_COLOR");
+    const bool refused = !allowed || (no_color != nullptr && *no_color != '\0');
+    return !refused && obeys_codes(descriptor);
+}
+
+bool obeys_codes(int descriptor) {
     const char* terminal = std::getenv("TERM");
     const bool dumb = terminal == nullptr || std::string_view(terminal) == "dumb";
-    const bool refused = !allowed || (no_color != nullptr && *no_color != '\0');
-    return !refused && !dumb && ::isatty(descriptor) != 0;
+    return !dumb && ::isatty(descriptor) != 0;
 }
 
 std::string bold(std::string_view text) {

@@ -8,9 +8,12 @@
 
 namespace tool {
 
-/// Whether a stream gets colors: it is a terminal, not a dumb one, and the user did not refuse them
-/// (--no-color, or NO_COLOR set; no-color.org).
+/// Whether a stream gets colors: it obeys codes, and the user did not refuse them (--no-color, or
+/// NO_COLOR set; no-color.org).
 bool colors_wanted(int descriptor, bool allowed);
+
+/// Whether a stream is a terminal that obeys codes, not a dumb one.
+bool obeys_codes(int descriptor);
 
 /// Text with marks for shown().
 std::string bold(std::string_view text);

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "arguments/help.hpp"
+
+#include <algorithm>
+#include <sstream>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
+
+#include "arguments/choices.hpp"
+#include "terminal/text.hpp"
+#include "terminal/width.hpp"
+
+namespace tool {
+
+const char* const about = R"(Motion clips as low-dimensional curves, motion units and cycles.
+
+Examples:
+  stltsa decompose walk.bvh                        units and cycles, as a table
+  stltsa decompose walk.bvh --json --plot walk.svg
+  stltsa decompose markers.csv --fps 100 --features points
+  stltsa decompose 35_01.amc --skeleton 35.asf
+  stltsa fit walk.bvh -o walk.stltsa --dimension 3
+  stltsa map walk.stltsa other.bvh -o y.npy        other frames, same curve
+  stltsa unmap walk.stltsa y.npy -o poses.bvh      and back
+  stltsa denoise walk.bvh --plot before_after.svg  the curve without noise
+  stltsa synthesize walk.bvh --loop -o loop.bvh    a loop from its cycles
+  stltsa dimension walk.bvh
+  stltsa info - < walk.bvh)";
+
+const char* const ending =
+    R"(Clips are BVH, AMC (with its ASF), CSV or NPY files; "-" is standard input.
+Exit status: 0 done, 1 failed, 2 usage, 3 unreadable input, 4 no trustworthy
+result, 130 cancelled. See also: man stltsa, stltsa COMMAND --help.)";
+
+namespace {
+
+constexpr const char* about_info = R"(Describes a clip.
+
+Examples:
+  stltsa info walk.bvh
+  stltsa info 35_01.amc --json)";
+
+constexpr const char* about_fit =
+    R"(Fits the manifold curve (STLTSA) and reports its quality.
+
+Examples:
+  stltsa fit walk.bvh --coords y.csv
+  stltsa fit walk.bvh --dimension 3 -o walk.stltsa
+  stltsa fit walk.bvh --neighbors 1.2s --dimension 3 --coords y.npy
+  stltsa fit walk.bvh --mode recurrent --links 4 --json)";
+
+constexpr const char* about_map =
+    R"(Places the frames of a clip on the curve of a model.
+
+Examples:
+  stltsa fit walk.bvh --dimension 3 -o walk.stltsa
+  stltsa map walk.stltsa other.bvh -o y.npy
+  stltsa map walk.stltsa other.bvh --json --curve)";
+
+constexpr const char* about_unmap =
+    R"(Turns points on the curve of a model into poses or frames.
+
+A point becomes a frame. Give the number of points per second (--fps) unless
+it is the rate of the model's samples.
+
+Examples:
+  stltsa unmap walk.stltsa y.npy -o poses.bvh
+  stltsa unmap walk.stltsa y.npy --fps 120 -o poses.bvh
+  stltsa unmap walk.stltsa y.csv -o frames.csv --follow)";
+
+std::string about_synthesize() {
+    const std::string piece =
+        fmt::format("A piece is CLIP[:WHAT][*TIMES]. WHAT: frames (120-240), seconds (1.0s-2.0s), "
+                    "a unit ({}), best or representative (cycle), cycleN; without it, the whole "
+                    "clip.",
+                    fmt::join(unit_names(), ", "));
+    const char* const loop =
+        "With --loop, a whole clip means the most of its cycles whose ends meet.";
+    return "Joins pieces of clips into new motion.\n\n" + wrapped(piece, 78) + "\n" + loop + R"(
+
+Examples:
+  stltsa synthesize walk.bvh --loop -o loop.bvh
+  stltsa synthesize 'walk.bvh:best*4' -o longer.bvh
+  stltsa synthesize walk.bvh:initial 'walk.bvh:best*8' -o long.bvh
+  stltsa synthesize walk.bvh run.bvh:cyclic -o joined.bvh --plot seams.svg)";
+}
+
+constexpr const char* about_dimension =
+    R"(Estimates the intrinsic dimension: local PCA, and the eigengap.
+
+Examples:
+  stltsa dimension walk.bvh
+  stltsa dimension walk.bvh --variance 0.99 --json)";
+
+constexpr const char* about_denoise =
+    R"(Cleans the curve: moves noisy points towards a smooth fit.
+
+Examples:
+  stltsa denoise walk.bvh --dimension 1 --plot before_after.svg
+  stltsa denoise walk.stltsa -o cleaned.npy --curve-out curve.npy
+  stltsa denoise y.csv --coordinates --fps 30 --gamma 0.01)";
+
+constexpr const char* about_decompose = R"(Cuts a clip into motion units and cycles.
+
+Examples:
+  stltsa decompose walk.bvh
+  stltsa decompose walk.bvh --json --plot walk.svg
+  stltsa decompose walk.bvh:2.5s-9s -o units.csv
+  stltsa decompose markers.csv --fps 100 --period-max 3
+  stltsa decompose - < walk.bvh)";
+
+constexpr std::size_t name_columns = 32;
+
+class HelpFormat : public CLI::Formatter {
+  public:
+    HelpFormat() { column_width(name_columns); }
+
+    std::string make_description(const CLI::App* app) const override {
+        return app->get_description() + "\n\n";
+    }
+    /// Examples belong to a command's own help, not to the list of commands.
+    std::string make_subcommand(const CLI::App* command) const override {
+        const std::string text = command->get_description();
+        std::ostringstream out;
+        constexpr std::size_t command_columns = 14;
+        CLI::detail::format_help(out, command->get_name(), text.substr(0, text.find('\n')),
+                                 command_columns);
+        return out.str();
+    }
+    std::string make_option_name(const CLI::Option* option, bool positional) const override {
+        const std::string name = CLI::Formatter::make_option_name(option, positional);
+        return CLI::detail::find_and_replace(name, "{false}", "");
+    }
+    std::string make_option_desc(const CLI::Option* option) const override {
+        return wrapped(option->get_description(), columns_ - name_columns);
+    }
+    std::string make_help(const CLI::App* app, std::string name,
+                          CLI::AppFormatMode mode) const override {
+        return make_description(app) + make_usage(app, std::move(name)) + make_positionals(app) +
+               in_groups(app) + make_subcommands(app, mode) + '\n' + make_footer(app);
+    }
+
+  private:
+    std::string in_groups(const CLI::App* app) const {
+        std::string text;
+        for (const char* name : {group::output, group::input, group::method, group::messages}) {
+            const auto options = app->get_options([name](const CLI::Option* option) {
+                return option->get_group() == name && option->nonpositional();
+            });
+            if (!options.empty())
+                text += make_group(name, false, options);
+        }
+        return text;
+    }
+
+    std::size_t columns_ = std::max<std::size_t>(terminal_columns(STDOUT_FILENO), 2 * name_columns);
+};
+
+} // namespace
+
+std::string about_command(Command command) {
+    switch (command) {
+    case Command::info:
+        return about_info;
+    case Command::fit:
+        return about_fit;
+    case Command::map:
+        return about_map;
+    case Command::unmap:
+        return about_unmap;
+    case Command::dimension:
+        return about_dimension;
+    case Command::decompose:
+        return about_decompose;
+    case Command::denoise:
+        return about_denoise;
+    case Command::synthesize:
+        return about_synthesize();
+    }
+    return "";
+}
+
+std::shared_ptr<CLI::FormatterBase> help_format() {
+    return std::make_shared<HelpFormat>();
+}
+
+} // namespace tool
