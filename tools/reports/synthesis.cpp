@@ -41,17 +41,17 @@ std::string loop_text(const stltsa::Info& info) {
     if (info.integer(STLTSA_INFO_LOOP) == 0)
         return "";
     const auto travel = info.reals(STLTSA_INFO_TRAVEL);
+    const double share = 100 * info.real(STLTSA_INFO_COVERAGE);
     const std::string source =
         info.count(STLTSA_INFO_LOOP_CYCLES) > 0
-            ? fmt::format("{} of {}", info.integer(STLTSA_INFO_LOOP_CYCLES),
-                          counted(info.integer(STLTSA_INFO_SOURCE_CYCLES), "cycle"))
-            : "the pieces' frames";
-    return fmt::format(
-        "\nloop: {} ({:.0f} %); {} {:.2f} ({:.2f} {:.2f} {:.2f}), turn {:.1f} degrees\n", source,
-        100 * info.real(STLTSA_INFO_COVERAGE),
-        info.integer(STLTSA_INFO_IN_PLACE) != 0 ? "in place, without travel" : "travel",
-        std::hypot(travel[0], travel[1], travel[2]), travel[0], travel[1], travel[2],
-        std::round(10 * info.real(STLTSA_INFO_TURN)) / 10 + 0.0); // no -0
+            ? fmt::format("{} of {} ({:.0f} %)", info.integer(STLTSA_INFO_LOOP_CYCLES),
+                          counted(info.integer(STLTSA_INFO_SOURCE_CYCLES), "cycle"), share)
+            : fmt::format("{:.0f} % of the pieces' frames", share);
+    return fmt::format("\nloop: {}; travel {:.2f} ({:.2f} {:.2f} {:.2f}), turn {:.1f} degrees{}\n",
+                       source, std::hypot(travel[0], travel[1], travel[2]), travel[0], travel[1],
+                       travel[2],
+                       std::round(10 * info.real(STLTSA_INFO_TURN)) / 10 + 0.0, // no -0
+                       info.integer(STLTSA_INFO_IN_PLACE) != 0 ? ", both removed" : "");
 }
 
 } // namespace

@@ -174,11 +174,11 @@ fn a_loop_has_all_cycles_and_stays_in_place() {
     let found = clip.decompose(&Options::new()).unwrap();
     let made = Synthesis::of_cycles(&clip, &found, &Options::new().in_place(true)).unwrap();
     let facts = made.facts();
-    assert_eq!(facts.int(Fact::LoopCycles, 0).unwrap(), found.cycles().len() as i64);
-    assert_eq!(facts.real(Fact::Coverage, 0).unwrap(), 1.0);
+    assert_eq!(facts.ints(Fact::LoopCycles).unwrap(), [found.cycles().len() as i64]);
+    assert_eq!(facts.reals(Fact::Coverage).unwrap(), [1.0]);
     assert_eq!(made.seams().last().unwrap().frame, made.clip().frames());
     // Where the first frame follows the last, the root moves no further than elsewhere.
-    let travel = facts.real(Fact::Travel, 2).unwrap();
+    let travel = facts.reals(Fact::Travel).unwrap()[2];
     let positions = made.clip().positions().unwrap();
     let (first, last) = (positions.row(0)[2], positions.row(made.clip().frames() - 1)[2]);
     assert!((last - first).abs() < 0.05 * travel.abs(), "{first} {last} {travel}");
@@ -187,7 +187,7 @@ fn a_loop_has_all_cycles_and_stays_in_place() {
     let looped = Options::new().r#loop(true);
     let one = Synthesis::new(&[Piece::new(&clip, best.frames())], &looped).unwrap();
     assert_eq!(one.seams().len(), 1);
-    assert_eq!(one.facts().int(Fact::Loop, 0).unwrap(), 1);
+    assert_eq!(one.facts().ints(Fact::Loop).unwrap(), [1]);
 }
 
 #[test]
