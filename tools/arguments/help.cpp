@@ -78,7 +78,7 @@ std::string about_synthesize() {
                     "clip.",
                     fmt::join(unit_names(), ", "));
     const char* const loop =
-        "With --loop, a whole clip means the most of its cycles whose ends meet.";
+        "With --loop, a whole clip means the most consecutive cycles whose ends meet.";
     return "Joins pieces of clips into new motion.\n\n" + wrapped(piece, 78) + "\n" + loop + R"(
 
 Examples:

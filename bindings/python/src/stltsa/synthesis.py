@@ -163,9 +163,7 @@ def synthesize_loop(motion: Decomposition | Motion, **options: Unpack[Options]) 
     used = {name: value for name, value in options.items() if name in _USED}
     out = ffi.new("stltsa_synthesis **")
     with Call(used) as call:
-        call.check(
-            lib.stltsa_synthesize_loop(found.clip._handle, found._handle, call.options, out)
-        )
+        call.check(lib.stltsa_synthesize_loop(found.clip._handle, found._handle, call.options, out))
     return Synthesis(owned("synthesis", out))
 
 
