@@ -13,7 +13,7 @@ namespace stltsa::synthesis {
 namespace {
 
 constexpr double good_step = 1.2;
-/// Ranges of one length that are tried, those with the nearest postures first.
+/// Ranges of one length that are tried, those with the nearest ends first.
 constexpr std::size_t most_of_length = 8;
 /// Of these, at most so many are made to see whether they are good.
 constexpr std::size_t most_made = 3;
@@ -24,7 +24,7 @@ constexpr double next_length = 0.03;
 struct Range {
     std::size_t first = 0;
     std::size_t count = 0;
-    double distance = 0; ///< of the postures at the two ends, squared
+    double distance = 0; ///< of the two ends, squared
 };
 
 struct Tried {
@@ -81,6 +81,16 @@ class Search {
             1, static_cast<std::size_t>(next_length * static_cast<double>(count)));
     }
 
+    /// What the root's height adds to the squared distance of the two ends, since all joints have
+    /// it.
+    double squared_climb(const Part& frames) const {
+        const auto up = static_cast<std::size_t>(material_.body.up());
+        const auto joints = static_cast<double>(track().postures.cols() / 3);
+        const double climb =
+            track().root(frames.end - 1).position[up] - track().root(frames.begin).position[up];
+        return joints * climb * climb;
+    }
+
     /// The ranges of one length that are tried.
     std::vector<Range> nearest_of(std::size_t count) const {
         std::vector<Range> ranges;
@@ -89,7 +99,8 @@ class Search {
                 continue;
             Range range{first, count, 0};
             const Part frames = part(range);
-            range.distance = squared_distance(track(), frames.end, track(), frames.begin, 0);
+            range.distance = squared_distance(track(), frames.end, track(), frames.begin, 0) +
+                             squared_climb(frames);
             ranges.push_back(range);
         }
         std::ranges::sort(ranges, {},
@@ -98,21 +109,23 @@ class Search {
         return ranges;
     }
 
-    /// The good range of one length with the smallest seam, otherwise the range with the smallest.
+    /// The good range of one length with the nearest ends, otherwise the one with the smallest
+    /// seam.
     Tried best_of(std::size_t count) {
-        std::vector<Tried> all;
-        for (const Range& range : nearest_of(count))
-            all.push_back(try_range(range));
-        std::ranges::stable_sort(all, {}, &Tried::badness);
-        all.resize(std::min(all.size(), most_made));
-        for (Tried& tried : all) {
-            if (tried.badness > 1)
-                break;
-            tried.badness = std::max(tried.badness, in_world(tried.range) / good_step);
+        std::optional<Tried> best;
+        std::size_t made = 0;
+        for (const Range& range : nearest_of(count)) {
+            Tried tried = try_range(range);
+            if (tried.badness <= 1 && ++made > most_made)
+                continue;
+            if (tried.badness <= 1)
+                tried.badness = std::max(tried.badness, in_world(range) / good_step);
             if (tried.badness <= 1)
                 return tried;
+            if (!best || tried.badness < best->badness)
+                best = tried;
         }
-        return *std::ranges::min_element(all, {}, &Tried::badness);
+        return *best;
     }
 
     Tried try_range(const Range& range) const {

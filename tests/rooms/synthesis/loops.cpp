@@ -204,6 +204,16 @@ void the_root_must_meet_as_well(void**) {
     assert_true(contains(found.note, "no range"));
 }
 
+/// Up for twelve cycles, then down: only cycles 5 to 20 end at the height where they start.
+void ranges_of_one_height_are_tried_first(void**) {
+    Clip clip = arms_rise(20, 20, 0);
+    for (std::int64_t i = 0; i < clip.frames(); ++i)
+        clip.values(i, 1) -= 0.7 * std::abs(static_cast<double>(i - 12 * period));
+    const LongestLoop found = longest_loop(clip, cycles_of(20), {}, {});
+    assert_int_equal(found.piece.cycles, 16);
+    assert_int_equal(found.piece.begin, 4 * period);
+}
+
 void without_cycles_the_whole_clip(void**) {
     const Clip clip = walking({});
     const LongestLoop found = longest_loop(clip, {}, {}, {});
@@ -228,6 +238,7 @@ int main() {
         cmocka_unit_test(of_very_many_cycles_nearly_the_longest),
         cmocka_unit_test(cycles_with_something_between_make_no_loop),
         cmocka_unit_test(the_root_must_meet_as_well),
+        cmocka_unit_test(ranges_of_one_height_are_tried_first),
         cmocka_unit_test(without_cycles_the_whole_clip),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
