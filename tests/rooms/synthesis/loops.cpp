@@ -79,6 +79,27 @@ void the_wrap_is_the_last_seam(void**) {
     assert_true(two.loop->coverage > 0.9 && two.loop->coverage <= 1);
 }
 
+/// From a walk at 120 a second to one at 300 and back: no step is shorter or longer than theirs.
+void speeds_change_gradually(void**) {
+    Walk walk = walk_turning(0);
+    const Clip slow = walking(walk);
+    walk.speed = 300;
+    const Clip fast = walking(walk);
+    const Piece pieces[] = {{&slow, 100, 160, 1}, {&fast, 160, 220, 1}};
+    Options options;
+    options.loop = true;
+    const Synthesis made = synthesize(pieces, options, {});
+    assert_true(made.seams[1].crossfade > 3);
+    double way = 0;
+    for (std::int64_t i = 1; i < made.clip.frames(); ++i) {
+        const double step = made.clip.values(i, 2) - made.clip.values(i - 1, 2);
+        assert_true(step > 1.99 && step < 5.01);
+        way += step;
+    }
+    const double wrap = made.loop->travel[2] - way; // from the last frame to the next
+    ASSERT_NEAR(wrap, 3.5, 0.3);
+}
+
 /// Against the walk's own speed and turn.
 void travel_and_turn_are_those_of_the_walk(void**) {
     const Synthesis straight = looped(walking(walk_turning(0)), 100, 160);
@@ -230,6 +251,7 @@ int main() {
     const CMUnitTest tests[] = {
         cmocka_unit_test(three_rounds_are_three_times_one),
         cmocka_unit_test(the_wrap_is_the_last_seam),
+        cmocka_unit_test(speeds_change_gradually),
         cmocka_unit_test(travel_and_turn_are_those_of_the_walk),
         cmocka_unit_test(in_place_no_joint_jumps_at_the_wrap),
         cmocka_unit_test(in_place_only_the_path_changes),
