@@ -16,6 +16,7 @@ enum class Exit {
     usage = 2,
     unreadable = 3,    ///< the input
     untrustworthy = 4, ///< the input gives no reliable result
+    partly = 5,        ///< batch: some clips failed
     interrupted = 130, ///< 128 + SIGINT, as in shells
 };
 

@@ -14,6 +14,8 @@ using namespace tool;
 
 Exit run(const Arguments& arguments) {
     switch (arguments.command) {
+    case Command::batch:
+        return run_batch(arguments);
     case Command::info:
         return run_info(arguments);
     case Command::fit:

@@ -17,6 +17,7 @@
 #include "results/stretches.hpp"
 
 using namespace stltsa;
+using capi::compute;
 using capi::guard;
 using capi::required;
 
@@ -77,7 +78,7 @@ clip::Format format_of(int32_t format, std::string_view bytes) {
 
 stltsa_status stltsa_clip_open(const char* path, const stltsa_options* options,
                                stltsa_clip** clip) noexcept {
-    return guard([&] {
+    return compute([&] {
         required(clip, "clip") = nullptr;
         const capi::OptionsReader reader(options);
         reader.progress().report(Stage::read, 0);
@@ -122,7 +123,7 @@ stltsa_status stltsa_clip_from_matrix(const stltsa_in* frames, double fps,
 
 stltsa_status stltsa_clip_stretch(const stltsa_clip* clip, const char* what,
                                   const stltsa_options* options, stltsa_clip** stretch) noexcept {
-    return guard([&] {
+    return compute([&] {
         required(stretch, "stretch") = nullptr;
         const clip::Clip& whole = required(clip, "clip").clip;
         auto made = std::make_unique<stltsa_clip>(
@@ -134,7 +135,7 @@ stltsa_status stltsa_clip_stretch(const stltsa_clip* clip, const char* what,
 stltsa_status stltsa_clip_find(const stltsa_clip* clip, const char* what,
                                const stltsa_options* options, int64_t capacity,
                                stltsa_interval* intervals, int64_t* count) noexcept {
-    return guard([&] {
+    return compute([&] {
         required(count, "count") = 0;
         const clip::Clip& whole = required(clip, "clip").clip;
         const auto found = find(whole, &required(what, "what"), capi::OptionsReader(options));
@@ -211,7 +212,7 @@ stltsa_status stltsa_clip_rotations(const stltsa_clip* clip, const stltsa_out* r
 
 stltsa_status stltsa_clip_feature_count(const stltsa_clip* clip, const stltsa_options* options,
                                         int64_t* count) noexcept {
-    return guard([&] {
+    return compute([&] {
         const auto prepare = capi::OptionsReader(options).prepare_options();
         required(count, "count") =
             clip::feature_count(required(clip, "clip").clip, prepare.features);
@@ -220,7 +221,7 @@ stltsa_status stltsa_clip_feature_count(const stltsa_clip* clip, const stltsa_op
 
 stltsa_status stltsa_clip_features(const stltsa_clip* clip, const stltsa_options* options,
                                    const stltsa_out* features) noexcept {
-    return guard([&] {
+    return compute([&] {
         capi::write_output(features, "features",
                            clip_features(required(clip, "clip"), options).view());
     });

@@ -9,6 +9,7 @@
 #include "capi/options/reader.hpp"
 
 using namespace stltsa;
+using capi::compute;
 using capi::guard;
 using capi::required;
 
@@ -93,7 +94,7 @@ const char* stltsa_segment_name(int32_t kind) noexcept {
 
 stltsa_status stltsa_decompose(const stltsa_clip* clip, const stltsa_options* options,
                                stltsa_decomposition** decomposition) noexcept {
-    return guard([&] {
+    return compute([&] {
         required(decomposition, "decomposition") = nullptr;
         const clip::Clip& from = required(clip, "clip").clip;
         const capi::OptionsReader reader(options);

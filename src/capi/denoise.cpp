@@ -6,6 +6,7 @@
 #include "capi/options/reader.hpp"
 
 using namespace stltsa;
+using capi::compute;
 using capi::guard;
 using capi::required;
 
@@ -13,7 +14,7 @@ namespace {
 
 stltsa_status write_matrix(const stltsa_denoising* denoising, Matrix motion::Denoised::*which,
                            const stltsa_out* out, const char* name) {
-    return guard([&] {
+    return compute([&] {
         const Matrix& matrix = required(denoising, "denoising").result.*which;
         capi::write_output(out, name, matrix.view());
     });
@@ -23,7 +24,7 @@ stltsa_status write_matrix(const stltsa_denoising* denoising, Matrix motion::Den
 
 stltsa_status stltsa_denoise(const stltsa_in* coords, const stltsa_in* lengths,
                              const stltsa_options* options, stltsa_denoising** denoising) noexcept {
-    return guard([&] {
+    return compute([&] {
         required(denoising, "denoising") = nullptr;
         const capi::InputFrames input(coords, "coords");
         const ConstMatrixView x = input.view();

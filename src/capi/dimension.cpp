@@ -6,13 +6,14 @@
 #include "capi/options/reader.hpp"
 
 using namespace stltsa;
+using capi::compute;
 using capi::guard;
 using capi::required;
 
 stltsa_status stltsa_estimate_dimension(const stltsa_in* frames, const stltsa_in* lengths,
                                         const stltsa_options* options,
                                         stltsa_dimension** dimension) noexcept {
-    return guard([&] {
+    return compute([&] {
         required(dimension, "dimension") = nullptr;
         const capi::InputFrames input(frames, "frames");
         const capi::OptionsReader reader(options);
@@ -33,7 +34,7 @@ stltsa_status stltsa_estimate_dimension_clip(const stltsa_clip* clip, const stlt
 stltsa_status stltsa_estimate_dimension_clips(const stltsa_clip* const* clips, int64_t count,
                                               const stltsa_options* options,
                                               stltsa_dimension** dimension) noexcept {
-    return guard([&] {
+    return compute([&] {
         required(dimension, "dimension") = nullptr;
         const auto from = capi::clips_of(clips, count);
         const capi::OptionsReader reader(options);

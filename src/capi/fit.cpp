@@ -8,12 +8,13 @@
 #include "capi/options/reader.hpp"
 
 using namespace stltsa;
+using capi::compute;
 using capi::guard;
 using capi::required;
 
 stltsa_status stltsa_fit(const stltsa_in* frames, const stltsa_in* lengths,
                          const stltsa_options* options, stltsa_model** model) noexcept {
-    return guard([&] {
+    return compute([&] {
         required(model, "model") = nullptr;
         const capi::InputFrames input(frames, "frames");
         const ConstMatrixView x = input.view();
@@ -35,7 +36,7 @@ stltsa_status stltsa_fit_clip(const stltsa_clip* clip, const stltsa_options* opt
 
 stltsa_status stltsa_fit_clips(const stltsa_clip* const* clips, int64_t count,
                                const stltsa_options* options, stltsa_model** model) noexcept {
-    return guard([&] {
+    return compute([&] {
         required(model, "model") = nullptr;
         const auto from = capi::clips_of(clips, count);
         const capi::OptionsReader reader(options);

@@ -11,6 +11,7 @@
 #include "results/placed.hpp"
 
 using namespace stltsa;
+using capi::compute;
 using capi::guard;
 using capi::required;
 
@@ -97,7 +98,7 @@ double rate_of_points(const stltsa_model& model, const capi::OptionsReader& opti
 stltsa_status stltsa_map(const stltsa_model* model, const stltsa_in* frames, const stltsa_in* hints,
                          const stltsa_options* options, const stltsa_out* coords,
                          const stltsa_out* distance, const stltsa_out* nearest) noexcept {
-    return guard([&] {
+    return compute([&] {
         const ltsa::Mapping& mapping = mapping_of(required(model, "model"));
         const capi::OptionsReader reader(options);
         const capi::InputFrames input(frames, "frames");
@@ -118,7 +119,7 @@ stltsa_status stltsa_map(const stltsa_model* model, const stltsa_in* frames, con
 stltsa_status stltsa_map_clip(const stltsa_model* model, const stltsa_clip* clip,
                               const stltsa_options* options, const stltsa_out* coords,
                               const stltsa_out* distance, const stltsa_out* nearest) noexcept {
-    return guard([&] {
+    return compute([&] {
         const ltsa::Mapping& mapping = mapping_of(required(model, "model"));
         const capi::OptionsReader reader(options);
         const std::int64_t rows = required(clip, "clip").clip.frames();
@@ -140,7 +141,7 @@ stltsa_status stltsa_unmap(const stltsa_model* model, const stltsa_in* coords,
                            const stltsa_in* hints, const stltsa_options* options,
                            const stltsa_out* frames, const stltsa_out* distance,
                            const stltsa_out* nearest) noexcept {
-    return guard([&] {
+    return compute([&] {
         const ltsa::Mapping& mapping = mapping_of(required(model, "model"));
         const capi::OptionsReader reader(options);
         const capi::InputFrames input(coords, "coords");
@@ -162,7 +163,7 @@ stltsa_status stltsa_unmap_clip(const stltsa_model* model, const stltsa_in* coor
                                 const stltsa_in* hints, const stltsa_options* options,
                                 const stltsa_out* distance, const stltsa_out* nearest,
                                 stltsa_clip** poses) noexcept {
-    return guard([&] {
+    return compute([&] {
         required(poses, "poses") = nullptr;
         const ltsa::Mapping& mapping = mapping_of(required(model, "model"));
         if (!model->kept.has_poses)

@@ -9,6 +9,7 @@
 #include "capi/options/reader.hpp"
 
 using namespace stltsa;
+using capi::compute;
 using capi::guard;
 using capi::required;
 
@@ -42,7 +43,7 @@ stltsa_seam copy_of(const synthesis::Seam& seam) {
 stltsa_status stltsa_synthesize(const stltsa_piece* pieces, int64_t count,
                                 const stltsa_options* options,
                                 stltsa_synthesis** synthesis) noexcept {
-    return guard([&] {
+    return compute([&] {
         required(synthesis, "synthesis") = nullptr;
         const capi::OptionsReader reader(options);
         *synthesis = new stltsa_synthesis(results::synthesize(
@@ -54,7 +55,7 @@ stltsa_status stltsa_synthesize_loop(const stltsa_clip* clip,
                                      const stltsa_decomposition* decomposition,
                                      const stltsa_options* options,
                                      stltsa_synthesis** synthesis) noexcept {
-    return guard([&] {
+    return compute([&] {
         required(synthesis, "synthesis") = nullptr;
         const capi::OptionsReader reader(options);
         *synthesis = new stltsa_synthesis(results::synthesize_loop(

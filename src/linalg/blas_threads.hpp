@@ -4,8 +4,8 @@
 namespace stltsa {
 
 /// During its lifetime OpenBLAS runs single-threaded; the last one to end restores the number of
-/// threads. The library's own loops already use all requested threads, and results must not depend
-/// on how BLAS splits its sums. No effect on other BLAS libraries.
+/// threads. The library's own loops already use all requested threads. No effect on other BLAS
+/// libraries.
 class SingleThreadedBlas {
   public:
     SingleThreadedBlas();

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "linalg/blas_threads.hpp"
 #include "ltsa/embed.hpp"
 #include "ltsa/tangents/local_tangents.hpp"
 
@@ -129,7 +128,6 @@ Dimension intrinsic_dimension(ConstMatrixView frames, std::span<const std::int64
                               const Parameters& parameters, const DimensionOptions& options,
                               const Progress& progress) {
     try {
-        const SingleThreadedBlas single;
         const int tangents = parameters.dimension;
         const Graph graph = build_graph(frames, lengths, parameters, progress.part(0, 2));
         Dimension result = local_dimension(graph, tangents, options, progress.part(1, 2));

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ltsa/fit.hpp"
 
-#include "linalg/blas_threads.hpp"
 #include "ltsa/embed.hpp"
 
 namespace stltsa::ltsa {
@@ -30,7 +29,6 @@ void check_dimension(std::int64_t features, int dimension) {
 Model fit(ConstMatrixView frames, std::span<const std::int64_t> lengths,
           const Parameters& parameters, const Progress& progress) {
     check_dimension(frames.cols, parameters.dimension);
-    const SingleThreadedBlas single;
     const Graph graph = build_graph(frames, lengths, parameters, progress);
     Model model =
         embed(graph, parameters.dimension, eigenvalues_of_fit(parameters.dimension), progress);

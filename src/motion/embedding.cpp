@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "linalg/blas_threads.hpp"
 #include "ltsa/embed.hpp"
 #include "ltsa/fit.hpp"
 #include "motion/choose_neighbors.hpp"
@@ -73,7 +72,6 @@ void embed_graph(const ltsa::Graph& graph, Dimensions dimensions, const Progress
 void build_and_embed(ConstMatrixView samples, Dimensions dimensions,
                      const DecomposeOptions& options, const Progress& progress, Embedding& result) {
     ltsa::check_dimension(samples.cols, options.dimension.value_or(1));
-    const SingleThreadedBlas single;
     const std::int64_t parts = options.estimate ? 2 : 1;
     const ltsa::Graph graph =
         ltsa::build_graph(samples, {&samples.rows, 1}, result.parameters, progress.part(0, parts));

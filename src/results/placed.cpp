@@ -5,7 +5,6 @@
 
 #include "base/parallel.hpp"
 #include "clip/features/prepare.hpp"
-#include "linalg/blas_threads.hpp"
 #include "ltsa/frames.hpp"
 
 namespace stltsa::results {
@@ -16,7 +15,6 @@ constexpr std::int64_t rows_per_block = 16;
 /// Finds the place of each row, on all threads, and passes it to `put`.
 template <class Find, class Put>
 Placed place_rows(std::int64_t rows, const MapOptions& options, const Find& find, const Put& put) {
-    const SingleThreadedBlas single;
     Placed placed{std::vector<double>(static_cast<std::size_t>(rows)),
                   std::vector<std::int64_t>(static_cast<std::size_t>(rows))};
     const std::int64_t blocks = (rows + rows_per_block - 1) / rows_per_block;

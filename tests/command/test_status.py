@@ -102,7 +102,7 @@ class Unreadable(CommandTest):
         unfinite = write_csv("inf.csv", [[1, 2], [float("inf"), 4]])
         model = self.folder / "model.stltsa"
         self.done("fit", circle(), "-o", model)
-        for command in COMMANDS:
+        for command in set(COMMANDS) - {"batch"}:  # there it is a row
             before = [model] if command in ("map", "unmap") else []
             after = ["-o", self.folder / "out.npy"] if command in ("unmap", "synthesize") else []
             for path, hint in (

@@ -32,6 +32,7 @@ std::int32_t calls_of(Command command) {
     case Command::dimension:
         return STLTSA_CALL_OPEN | STLTSA_CALL_DIMENSION;
     case Command::decompose:
+    case Command::batch:
         return STLTSA_CALL_OPEN | STLTSA_CALL_DECOMPOSE;
     case Command::denoise:
         return STLTSA_CALL_OPEN | STLTSA_CALL_FIT | STLTSA_CALL_DENOISE;
@@ -48,6 +49,8 @@ bool has_option(Command command, const stltsa::OptionInfo& option) {
         return false;
     if (command == Command::denoise && option.key == STLTSA_OPT_KEEP_FRAMES)
         return false;
+    if (command == Command::batch && option.key == STLTSA_OPT_THREADS)
+        return false; // --workers
     if (command == Command::synthesize &&
         (option.key == STLTSA_OPT_PERIOD_MIN || option.key == STLTSA_OPT_PERIOD_MAX))
         return true;
@@ -57,7 +60,7 @@ bool has_option(Command command, const stltsa::OptionInfo& option) {
 /// The text of an option, without what it does in other commands.
 std::string text_of(Command command, const stltsa::OptionInfo& option) {
     if (option.key == STLTSA_OPT_DIMENSION)
-        return command == Command::decompose
+        return command == Command::decompose || command == Command::batch
                    ? "Tangent dimension (d); auto: the best of 1 to 3."
                    : "Tangent dimension, the number of coordinates (d); auto: 2.";
     if (option.key == STLTSA_OPT_FPS)
@@ -133,6 +136,7 @@ class Parser {
         add_product(synthesize, "Write the new motion to a .bvh, .amc, .csv or .npy file.")
             ->required();
         add_plot(synthesize);
+        add_batch();
         set_groups();
     }
 
@@ -230,6 +234,21 @@ class Parser {
                 if (option->get_group() == "Options")
                     option->group(group::output);
         }
+    }
+    void add_batch() {
+        CLI::App& batch = add(Command::batch, "batch");
+        batch.add_option("paths", to_.pieces, "Clips, and folders of clips.")->required();
+        batch.add_option("--out", to_.out, "Write the results and the summary into this folder.")
+            ->type_name("FOLDER")
+            ->required();
+        batch
+            .add_option("--shard", to_.shard, "Take every n-th clip, from the i-th on: 1/8 to 8/8.")
+            ->type_name("I/N")
+            ->group(group::method);
+        batch.add_option("--workers", to_.workers, "Clips at the same time. Default: 1.")
+            ->type_name("N")
+            ->check(CLI::Range(1, 1024))
+            ->group(group::method);
     }
     void add_denoise() {
         CLI::App& denoise = clip_command(Command::denoise, "denoise",

@@ -8,20 +8,23 @@
 
 namespace tool {
 
-enum class Command { info, fit, map, unmap, dimension, decompose, denoise, synthesize };
+enum class Command { info, fit, map, unmap, dimension, decompose, denoise, synthesize, batch };
 
 /// The command line, read.
 struct Arguments {
     Command command = Command::info;
     std::string input;                           ///< "-": standard input
     std::string model;                           ///< map, unmap: the model file
-    std::vector<std::string> pieces;             ///< synthesize
+    std::vector<std::string> pieces;             ///< synthesize; batch: files and folders
     std::map<std::int32_t, std::string> options; ///< by STLTSA_* key, as typed
     std::string output;        ///< of the text that says what was found; empty: standard output
     std::string product;       ///< what fit, map, unmap, denoise, synthesize make; empty: nothing
     std::string curve_product; ///< denoise: the fitted curve
     std::string plot;
     std::string coords;
+    std::string out;   ///< batch: the folder of results
+    std::string shard; ///< batch: "i/n"; empty: all
+    int workers = 1;   ///< batch
     bool json = false;
     bool curve = false;       ///< in the JSON
     bool coordinates = false; ///< denoise: the input's columns are coordinates

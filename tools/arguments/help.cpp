@@ -27,13 +27,15 @@ Examples:
   stltsa unmap walk.stltsa y.npy -o poses.bvh      and back
   stltsa denoise walk.bvh --plot before_after.svg  the curve without noise
   stltsa synthesize walk.bvh --loop -o loop.bvh    a loop from its cycles
+  stltsa batch recordings/ --out results           many clips
   stltsa dimension walk.bvh
   stltsa info - < walk.bvh)";
 
 const char* const ending =
     R"(Clips are BVH, AMC (with its ASF), CSV or NPY files; "-" is standard input.
 Exit status: 0 done, 1 failed, 2 usage, 3 unreadable input, 4 no trustworthy
-result, 130 cancelled. See also: man stltsa, stltsa COMMAND --help.)";
+result, 5 some clips of a batch failed, 130 cancelled.
+See also: man stltsa, stltsa help COMMAND.)";
 
 namespace {
 
@@ -112,6 +114,16 @@ Examples:
   stltsa decompose markers.csv --fps 100 --period-max 3
   stltsa decompose - < walk.bvh)";
 
+constexpr const char* about_batch = R"(Decomposes many clips: one result each, and a summary.
+
+A result is DIR/NAME.json. A run that was stopped goes on where it was: a
+result is kept if clip, options and version of the library are the same.
+
+Examples:
+  stltsa batch recordings/ --out results
+  stltsa batch *.bvh --out results --workers 4 --neighbors 1.2s
+  stltsa batch recordings/ --out results --shard 2/8)";
+
 constexpr std::size_t name_columns = 32;
 
 class HelpFormat : public CLI::Formatter {
@@ -179,6 +191,8 @@ std::string about_command(Command command) {
         return about_denoise;
     case Command::synthesize:
         return about_synthesize();
+    case Command::batch:
+        return about_batch;
     }
     return "";
 }

@@ -11,6 +11,7 @@ Exit run_fit(const Arguments& arguments);
 Exit run_map(const Arguments& arguments);
 Exit run_unmap(const Arguments& arguments);
 Exit run_dimension(const Arguments& arguments);
+Exit run_batch(const Arguments& arguments);
 Exit run_decompose(const Arguments& arguments);
 Exit run_denoise(const Arguments& arguments);
 Exit run_synthesize(const Arguments& arguments);

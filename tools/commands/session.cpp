@@ -39,12 +39,6 @@ std::string read_stdin() {
     }
 }
 
-/// Rate of the working samples, to which lengths in seconds are converted.
-double working_rate(const stltsa::Clip& clip, const stltsa::Options& options) {
-    const double rate = options.real(STLTSA_OPT_SAMPLE_RATE);
-    return rate > 0 ? clip.fps() / std::max(1.0, std::round(clip.fps() / rate)) : clip.fps();
-}
-
 /// Saves; an error of writing does not count as an unreadable input.
 template <class Product>
 void save(const Product& product, const std::string& path) {
@@ -82,6 +76,11 @@ void check_outputs(const Arguments& arguments) {
 }
 
 } // namespace
+
+double working_rate(const stltsa::Clip& clip, const stltsa::Options& options) {
+    const double rate = options.real(STLTSA_OPT_SAMPLE_RATE);
+    return rate > 0 ? clip.fps() / std::max(1.0, std::round(clip.fps() / rate)) : clip.fps();
+}
 
 Session::Session(const Arguments& arguments)
     : arguments_(arguments), bar_(!arguments.quiet && obeys_codes(STDERR_FILENO)) {

@@ -14,6 +14,9 @@
 
 namespace tool {
 
+/// Rate of the working samples, to which lengths in seconds are converted.
+double working_rate(const stltsa::Clip& clip, const stltsa::Options& options);
+
 /// Common to all commands: sets options, reads the input, writes the result. Throws Failure.
 class Session {
   public:

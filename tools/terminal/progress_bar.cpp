@@ -46,20 +46,24 @@ void write_stderr(const std::string& text) {
 } // namespace
 
 void ProgressBar::show(std::int32_t stage, double fraction) {
+    show(std::string(stage_name(stage)), fraction);
+}
+
+void ProgressBar::show(const std::string& label, double fraction) {
     constexpr auto rest = std::chrono::milliseconds(50);
     const auto now = std::chrono::steady_clock::now();
     // What takes less than half a second needs no bar.
     constexpr auto patience = std::chrono::milliseconds(500);
-    if (!shown_ || now - begun_ < patience || (stage == stage_ && now - last_ < rest))
+    if (!shown_ || now - begun_ < patience || (label == label_ && now - last_ < rest))
         return;
-    stage_ = stage;
+    label_ = label;
     last_ = now;
     drawn_ = true;
     constexpr int width = 30;
     const double share = std::clamp(fraction, 0.0, 1.0);
     const auto full = static_cast<std::size_t>(share * width);
-    write_stderr(fmt::format("\r\x1b[K{:<10} [{}{}] {:3.0f} %", stage_name(stage),
-                             std::string(full, '#'), std::string(width - full, '.'), 100 * share));
+    write_stderr(fmt::format("\r\x1b[K{:<10} [{}{}] {:3.0f} %", label, std::string(full, '#'),
+                             std::string(width - full, '.'), 100 * share));
 }
 
 void ProgressBar::clear() {

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <string>
 
 namespace tool {
 
@@ -15,12 +16,14 @@ class ProgressBar {
     ProgressBar& operator=(const ProgressBar&) = delete;
 
     void show(std::int32_t stage, double fraction);
+    /// For a text in place of a stage.
+    void show(const std::string& label, double fraction);
     void clear();
 
   private:
     bool shown_;
     bool drawn_ = false;
-    std::int32_t stage_ = -1;
+    std::string label_;
     std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
     std::chrono::steady_clock::time_point last_{};
 };

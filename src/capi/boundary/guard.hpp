@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
+#include "linalg/blas_threads.hpp"
 #include "stltsa.h"
 
 namespace stltsa::capi {
@@ -33,6 +34,16 @@ stltsa_status guard(Body&& body) noexcept {
     } catch (...) {
         return remember(Status::internal, "an unknown exception");
     }
+}
+
+/// guard() for what computes: results must not depend on how BLAS splits its sums, nor on how many
+/// threads it has while another thread of the program computes.
+template <class Body>
+stltsa_status compute(Body&& body) noexcept {
+    return guard([&] {
+        const SingleThreadedBlas single;
+        body();
+    });
 }
 
 /// Throws for a NULL argument, naming it.

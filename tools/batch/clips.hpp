@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The clips of a batch, and what identifies their content.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace tool::batch {
+
+struct ClipPath {
+    std::string path; ///< to open
+    std::string name; ///< of the result, below the folder of results; '/' between folders
+};
+
+/// The files among `paths`, and those of readable formats below the folders among them, by name.
+/// Throws Failure with Exit::usage if two have one name, or if there is none.
+std::vector<ClipPath> find_clips(const std::vector<std::string>& paths);
+
+/// Part i of n, "i/n" counted from 1: every n-th clip, so that long folders are spread.
+struct Shard {
+    std::size_t index = 1;
+    std::size_t count = 1;
+};
+
+/// Throws Failure with Exit::usage.
+Shard parse_shard(const std::string& text);
+std::vector<ClipPath> clips_of(const Shard& shard, const std::vector<ClipPath>& clips);
+
+/// Size and CRC-32 of a clip's file, with those of the skeletons that it may need.
+struct Content {
+    std::uint64_t bytes = 0;
+    std::uint32_t crc32 = 0;
+};
+
+/// Throws std::system_error.
+Content content_of(const std::string& path, const std::string& skeleton);
+
+} // namespace tool::batch

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "batch/summary.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "terminal/text.hpp"
+
+namespace tool::batch {
+namespace {
+
+constexpr const char* numbers_head =
+    "frames,fps,duration_s,segments,cycles,repetitions,period_s,confidence";
+
+std::string number(const nlohmann::json& value) {
+    return value.is_null() ? "" : value.dump();
+}
+
+/// Text in quotes if it needs them (RFC 4180).
+std::string cell(const std::string& text) {
+    if (text.find_first_of(",\"\n\r") == text.npos)
+        return text;
+    std::string quoted = "\"";
+    for (const char c : text)
+        quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return quoted + '"';
+}
+
+/// Confidence of the longest segment that moves.
+std::string confidence_of(const nlohmann::json& segments) {
+    const nlohmann::json* longest = nullptr;
+    const auto length = [](const nlohmann::json& s) {
+        return s["end_s"].get<double>() - s["begin_s"].get<double>();
+    };
+    for (const nlohmann::json& segment : segments)
+        if (segment["kind"] != "rest" && (longest == nullptr || length(segment) > length(*longest)))
+            longest = &segment;
+    return longest == nullptr ? "" : number((*longest)["confidence"]);
+}
+
+} // namespace
+
+Row row_of(const std::string& name, const nlohmann::json& result) {
+    const nlohmann::json& clip = result.at("clip");
+    Row row{name, "done", "", "", false, false};
+    row.numbers =
+        fmt::format("{},{},{},{},{},{},{},{}", number(clip.at("frames")), number(clip.at("fps")),
+                    number(clip.at("duration_s")), result.at("segments").size(),
+                    result.at("cycles").size(), result.at("repetitions").size(),
+                    number(result.at("period_s")), confidence_of(result.at("segments")));
+    if (result.at("reason").is_string())
+        row.message = result.at("reason").get<std::string>();
+    return row;
+}
+
+Row failed_row(const std::string& name, const std::string& status, const std::string& message) {
+    return {name, status, ",,,,,,,", message, false, true};
+}
+
+std::string summary_csv(const std::vector<Row>& rows) {
+    std::string text = fmt::format("clip,status,{},message\n", numbers_head);
+    for (const Row& row : rows)
+        text += fmt::format("{},{},{},{}\n", cell(row.name), row.status, row.numbers,
+                            cell(row.message));
+    return text;
+}
+
+} // namespace tool::batch

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Decomposes many clips: one result for each, and a summary.
+#include <algorithm>
+#include <atomic>
+#include <filesystem>
+#include <fstream>
+#include <mutex>
+#include <optional>
+#include <sstream>
+#include <system_error>
+#include <thread>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+#include "arguments/option_flags.hpp"
+#include "arguments/pieces.hpp"
+#include "batch/clips.hpp"
+#include "batch/summary.hpp"
+#include "commands/commands.hpp"
+#include "commands/session.hpp"
+#include "reports/json.hpp"
+#include "reports/table.hpp"
+#include "terminal/interrupt.hpp"
+#include "terminal/output.hpp"
+#include "terminal/progress_bar.hpp"
+#include "terminal/style.hpp"
+#include "terminal/text.hpp"
+
+namespace tool {
+namespace {
+
+namespace fs = std::filesystem;
+using batch::ClipPath;
+using batch::Row;
+
+/// How the run gets on, on a terminal; ends it after Ctrl-C.
+class Progress {
+  public:
+    Progress(bool shown, std::size_t clips) : bar_(shown), clips_(clips) {}
+
+    void finished(const Row& row) {
+        const std::lock_guard lock(mutex_);
+        ++done_;
+        failed_ += row.failed ? 1 : 0;
+        std::string label = fmt::format("{} of {} clips", done_, clips_);
+        if (failed_ > 0)
+            label += fmt::format(", {} failed", failed_);
+        bar_.show(label, static_cast<double>(done_) / static_cast<double>(clips_));
+    }
+
+  private:
+    std::mutex mutex_;
+    ProgressBar bar_;
+    std::size_t clips_;
+    std::size_t done_ = 0;
+    std::size_t failed_ = 0;
+};
+
+/// Decomposes clips into a folder. Safe to call from several threads, for different clips.
+class Work {
+  public:
+    explicit Work(const Arguments& arguments) : arguments_(arguments) {}
+
+    Row done(const ClipPath& clip) const {
+        const std::string place = fmt::format("{}/{}.json", arguments_.out, clip.name);
+        try {
+            const std::string origin = origin_of(clip);
+            if (auto kept = kept_row(clip, place, origin))
+                return *kept;
+            const std::string result = result_of(clip);
+            write(place, with_member(result, "batch", origin));
+            return batch::row_of(clip.name, nlohmann::json::parse(result));
+        } catch (const stltsa::Error& error) {
+            stop_if_interrupted();
+            return batch::failed_row(clip.name, error.name(), with_flags(error.what()));
+        } catch (const std::system_error& error) {
+            return batch::failed_row(clip.name, stltsa::status_name(STLTSA_E_IO), error.what());
+        }
+    }
+
+  private:
+    /// What the result depends on, as JSON: content and options, and the library's version.
+    std::string origin_of(const ClipPath& clip) const {
+        const auto skeleton = arguments_.options.find(STLTSA_OPT_SKELETON);
+        const batch::Content content = batch::content_of(
+            file_of(clip.path), skeleton == arguments_.options.end() ? "" : skeleton->second);
+        nlohmann::ordered_json options = nlohmann::ordered_json::object();
+        for (const auto& [key, typed] : arguments_.options)
+            if (key != STLTSA_OPT_THREADS) // results do not depend on it
+                options[flag_of(key).substr(2)] = typed;
+        return nlohmann::ordered_json{{"bytes", content.bytes},
+                                      {"crc32", fmt::format("{:08x}", content.crc32)},
+                                      {"options", options},
+                                      {"library", stltsa::version()}}
+            .dump();
+    }
+
+    static std::string with_member(std::string object, const char* name, const std::string& json) {
+        object.pop_back(); // the brace
+        return fmt::format("{},\"{}\":{}}}\n", object, name, json);
+    }
+
+    /// The row of a result of an earlier run with the same origin, which its file ends with.
+    static std::optional<Row> kept_row(const ClipPath& clip, const std::string& place,
+                                       const std::string& origin) {
+        std::ifstream file(place, std::ios::binary);
+        std::ostringstream text;
+        text << file.rdbuf();
+        if (!file || !text.str().ends_with(with_member("}", "batch", origin)))
+            return std::nullopt;
+        Row row = batch::row_of(clip.name, nlohmann::json::parse(text.str()));
+        row.kept = true;
+        return row;
+    }
+
+    std::string result_of(const ClipPath& path) const {
+        stltsa::Options options;
+        options.set(STLTSA_OPT_THREADS, std::int64_t{1}); // the workers are threads
+        options.set_progress([](std::int32_t, double) { return interrupted(); });
+        set_options(options, arguments_.options);
+        const stltsa::Clip clip = stltsa::Clip::open(path.path, options);
+        set_lengths(options, arguments_.options, working_rate(clip, options));
+        return stltsa::decompose(clip, options).json();
+    }
+
+    static void write(const std::string& place, const std::string& text) {
+        fs::create_directories(fs::path(place).parent_path());
+        OutputFiles files;
+        files.add(place, text);
+        files.commit();
+    }
+
+    const Arguments& arguments_;
+};
+
+/// The rows in the order of the clips, made by several threads.
+std::vector<Row> rows_of(const Work& work, const std::vector<ClipPath>& clips, int workers,
+                         Progress& progress) {
+    std::vector<Row> rows(clips.size());
+    std::atomic<std::size_t> next{0};
+    std::exception_ptr problem;
+    std::mutex mutex;
+    const auto run = [&] {
+        try {
+            for (std::size_t i = next++; i < clips.size(); i = next++) {
+                stop_if_interrupted();
+                rows[i] = work.done(clips[i]);
+                progress.finished(rows[i]);
+            }
+        } catch (...) {
+            next = clips.size();
+            const std::lock_guard lock(mutex);
+            if (!problem)
+                problem = std::current_exception();
+        }
+    };
+    {
+        std::vector<std::jthread> threads;
+        for (int i = 1; i < workers; ++i)
+            threads.emplace_back(run);
+        run();
+    }
+    if (problem)
+        std::rethrow_exception(problem);
+    return rows;
+}
+
+std::string summary_place(const Arguments& arguments) {
+    std::string part = arguments.shard;
+    std::ranges::replace(part, '/', '-');
+    return fmt::format("{}/summary{}{}.csv", arguments.out, part.empty() ? "" : "-", part);
+}
+
+std::string report(const std::vector<Row>& rows, const std::string& place) {
+    constexpr std::size_t most_rows = 60;
+    const auto count = [&](auto which) { return std::ranges::count_if(rows, which); };
+    const auto failed = static_cast<std::size_t>(count(&Row::failed));
+    std::string text =
+        bold(fmt::format("{}: {} decomposed, {} kept from before, {} failed",
+                         counted(std::ssize(rows), "clip"),
+                         rows.size() - failed - static_cast<std::size_t>(count(&Row::kept)),
+                         count(&Row::kept), failed)) +
+        '\n';
+    if (failed > 0)
+        text += '\n';
+    Facts facts;
+    std::size_t listed = 0;
+    for (const Row& row : rows)
+        if (row.failed && listed++ < most_rows)
+            facts.add(row.name, row.message);
+    text += facts.text();
+    if (failed > most_rows)
+        text += fmt::format("  ... and {} more failed\n", failed - most_rows);
+    return text + fmt::format("\nsummary: {}\n", place);
+}
+
+std::string report_json(const std::vector<Row>& rows, const std::string& place) {
+    return JsonObject("format", "stltsa-batch/1", "clips", std::ssize(rows), "kept",
+                      std::ranges::count_if(rows, &Row::kept), "failed",
+                      std::ranges::count_if(rows, &Row::failed), "summary", place)
+               .text() +
+           '\n';
+}
+
+} // namespace
+
+Exit run_batch(const Arguments& arguments) {
+    const batch::Shard shard =
+        arguments.shard.empty() ? batch::Shard{} : batch::parse_shard(arguments.shard);
+    const std::vector<ClipPath> clips = batch::clips_of(shard, batch::find_clips(arguments.pieces));
+    stltsa::Options checked;
+    set_options(checked, arguments.options); // a wrong option fails once, not for each clip
+    std::error_code error;
+    fs::create_directories(arguments.out, error);
+    if (error)
+        throw Failure(Exit::failed,
+                      fmt::format("cannot create {}: {}", arguments.out, error.message()));
+    Progress progress(!arguments.quiet && obeys_codes(STDERR_FILENO), clips.size());
+    const std::vector<Row> rows = rows_of(Work(arguments), clips, arguments.workers, progress);
+    const std::string place = summary_place(arguments);
+    OutputFiles files;
+    files.add(place, batch::summary_csv(rows));
+    files.commit();
+    write_stdout(arguments.json ? report_json(rows, place)
+                                : shown(report(rows, place),
+                                        colors_wanted(STDOUT_FILENO, !arguments.no_color)));
+    return std::ranges::any_of(rows, &Row::failed) ? Exit::partly : Exit::done;
+}
+
+} // namespace tool
