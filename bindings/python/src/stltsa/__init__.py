@@ -19,6 +19,7 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 from . import errors
+from ._batch import BatchRow, batch
 from ._native import lib as _lib
 from ._options import Option, Options, OptionTable, options
 from ._rows import Interval, Part, Segment, Summary
@@ -63,6 +64,7 @@ __version__: str = _string(_lib.stltsa_version())
 
 __all__ = [  # noqa: PLE0604
     "STLTSA",
+    "BatchRow",
     "Clip",
     "Decomposition",
     "Denoising",
@@ -81,6 +83,7 @@ __all__ = [  # noqa: PLE0604
     "Summary",
     "Synthesis",
     "__version__",
+    "batch",
     "decompose",
     "denoise",
     "dimension",

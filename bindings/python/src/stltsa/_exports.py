@@ -186,7 +186,8 @@ def _replace(path: Path, write: Callable[[Path], Any]) -> None:
         made.replace(path)
 
 
-def _write_text(path: Path, text: str) -> None:
+def write_text(path: Path, text: str) -> None:
+    """Write a text completely or not at all."""
     _replace(path, lambda to: to.write_text(text, encoding="utf-8"))
 
 
@@ -205,7 +206,7 @@ def save_events(result: Decomposition, to: Any, source: Any) -> None:
             raise ValueError("events are added to a C3D file: give source=")
         _write_c3d(path, rows, read)
     elif suffix == ".csv":
-        _write_text(path, _boris(rows, result))
+        write_text(path, _boris(rows, result))
     else:
-        _write_text(path, _bids(rows))
-        _write_text(path.with_suffix(".json"), json.dumps(_COLUMNS, indent=2) + "\n")
+        write_text(path, _bids(rows))
+        write_text(path.with_suffix(".json"), json.dumps(_COLUMNS, indent=2) + "\n")

@@ -127,6 +127,13 @@ def _read_option(index: int) -> Option:
 _TABLE = {o.name: o for o in map(_read_option, range(lib.stltsa_option_count()))}
 
 
+def option_named(name: str) -> Option:
+    """Return the option of that name; raise TypeError if there is none."""
+    if name not in _TABLE:
+        raise TypeError(f"there is no option {name!r}; stltsa.options() lists them")
+    return _TABLE[name]
+
+
 class OptionTable(tuple[Option, ...]):
     """The options as a tuple of rows, which shows itself as a table."""
 
