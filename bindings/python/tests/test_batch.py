@@ -1,13 +1,18 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Batches: the command's files, resumed, for any number of workers."""
 
+import os
+import re
 import shutil
 import subprocess
 
 import numpy as np
 import pytest
+from conftest import ROOT
 
 import stltsa
+
+DOCS = ROOT / "docs" / "batch.md"
 
 
 @pytest.fixture
@@ -77,3 +82,45 @@ def test_bad_files_are_rows(clips, tmp_path):
     seen = []
     stltsa.batch(clips / "walk.bvh", tmp_path / "out", progress=lambda *a: seen.append(a))
     assert seen == [("clips", 1.0)]
+
+
+def block_of_docs(language, word):
+    """A program in the documentation."""
+    if not DOCS.exists():
+        pytest.skip(f"{DOCS} is not there")
+    blocks = re.findall(rf"```{language}\n(.*?)```", DOCS.read_text(), re.DOTALL)
+    return next(block for block in blocks if word in block)
+
+
+def environment(command, **more):
+    path = f"{command.parent}{os.pathsep}{os.environ['PATH']}"
+    return {**os.environ, "PATH": path, **more}
+
+
+def test_the_slurm_array(clips, tmp_path, command):
+    script = tmp_path / "array.sh"
+    script.write_text(block_of_docs("bash", "SBATCH").replace('--out "', '--fps 30 --out "'))
+    for task in ("1", "2"):
+        variables = {
+            "SLURM_ARRAY_TASK_ID": task,
+            "SLURM_ARRAY_TASK_COUNT": "2",
+            "SLURM_CPUS_PER_TASK": "2",
+            "RECORDINGS": str(clips),
+            "RESULTS": str(tmp_path / "results"),
+        }
+        subprocess.run(["bash", "-eu", script], check=True, env=environment(command, **variables))
+    stltsa.batch(clips, tmp_path / "whole", fps=30)
+    names = {name for name in files(tmp_path / "results") if name.suffix == ".json"}
+    assert names == {name for name in files(tmp_path / "whole") if name.suffix == ".json"}
+
+
+def test_the_snakemake_rule(walker, tmp_path, command):
+    snakemake = shutil.which("snakemake") or pytest.skip("snakemake is not installed")
+    (tmp_path / "recordings").mkdir()
+    shutil.copy(walker, tmp_path / "recordings" / "walk.bvh")
+    (tmp_path / "Snakefile").write_text(block_of_docs("python", "rule decompose"))
+    run = [snakemake, "--cores", "1", "--quiet"]
+    for _ in range(2):  # the second run has nothing to do
+        subprocess.run(run, check=True, cwd=tmp_path, env=environment(command, HOME=str(tmp_path)))
+    result = (tmp_path / "results" / "walk.json").read_text()
+    assert '"stltsa-decomposition/2"' in result
