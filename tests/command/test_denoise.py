@@ -43,6 +43,12 @@ class Denoise(CommandTest):
                 numpy.testing.assert_allclose(cleaned[:, c], expected, atol=1e-12)
             self.assertEqual(found["parameters"]["robust"], "--no-robust" not in options)
 
+    def test_a_clean_clip_has_nothing_to_clean(self):
+        clean, noisy = (self.done("denoise", clip).decode() for clip in (walk(), noisy_walk()))
+        self.assertRegex(clean, r"nothing to clean: the noise is 0\.\d+ % of the range")
+        self.assertNotIn("nothing to clean", noisy)
+        self.assertRegex(" ".join(noisy.split()), r"; the noise is 0\.\d+ % of the range")
+
     def test_the_curve_is_nearer_the_truth(self):
         options = ("--dimension", "1", "--smoothing", "0", "--neighbors", "40")
         _, truth, _, _ = self.denoised(walk(), *options)

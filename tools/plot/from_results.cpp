@@ -169,7 +169,7 @@ std::string denoising_figure(const Session& session, const stltsa::Matrix& point
     const stltsa::Info info = denoising.info();
     plot::DenoiseFigure figure;
     figure.title = session.title();
-    figure.summary = denoising_summary(info);
+    figure.summary = denoising_summary(denoising);
     figure.facts = {"samples: " + samples_text(info), "knots: " + knots_text(info)};
     figure.first = info.integer(STLTSA_INFO_FIRST_FRAME);
     figure.step = info.integer(STLTSA_INFO_FRAME_STEP);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -27,6 +29,29 @@ std::string columns_table(const stltsa::Info& denoising) {
     return table.text();
 }
 
+/// A robust standard deviation of the points below this share of the curve's range cannot be seen
+/// in a figure. Synthetic walks without noise have up to 0.4 %, and those with noise of 1 degree on
+/// every channel at least 0.52 %.
+constexpr double clean = 0.005;
+
+/// The noise of the worst coordinate as a share of its curve's range.
+double noise_share(const stltsa::Denoising& denoising) {
+    const stltsa::Info info = denoising.info();
+    const stltsa::Matrix curve = denoising.curve();
+    double worst = 0;
+    for (std::int64_t c = 0; c < curve.cols && curve.rows > 0; ++c) {
+        double low = curve(0, c);
+        double high = low;
+        for (std::int64_t i = 1; i < curve.rows; ++i) {
+            low = std::min(low, curve(i, c));
+            high = std::max(high, curve(i, c));
+        }
+        if (high > low)
+            worst = std::max(worst, info.real(STLTSA_INFO_NOISE, c) / (high - low));
+    }
+    return worst;
+}
+
 } // namespace
 
 std::string knots_text(const stltsa::Info& denoising) {
@@ -38,13 +63,18 @@ std::string knots_text(const stltsa::Info& denoising) {
            (denoising.integer(STLTSA_INFO_ROBUST) != 0 ? ", robust fit" : ", plain least squares");
 }
 
-std::string denoising_summary(const stltsa::Info& denoising) {
+std::string denoising_summary(const stltsa::Denoising& denoising) {
+    const stltsa::Info info = denoising.info();
     std::int64_t moved = 0;
-    for (const std::int64_t of_column : denoising.integers(STLTSA_INFO_MOVED))
+    for (const std::int64_t of_column : info.integers(STLTSA_INFO_MOVED))
         moved += of_column;
-    const std::int64_t points =
-        denoising.count(STLTSA_INFO_MOVED) * denoising.integer(STLTSA_INFO_ROWS);
-    return fmt::format("{} of {} moved towards a smooth curve", moved, counted(points, "point"));
+    const std::int64_t points = info.count(STLTSA_INFO_MOVED) * info.integer(STLTSA_INFO_ROWS);
+    const double share = noise_share(denoising);
+    const std::string what =
+        fmt::format("{} of {} moved towards a smooth curve", moved, counted(points, "point"));
+    return share < clean ? fmt::format("nothing to clean: the noise is {:.2g} % of the range ({})",
+                                       100 * share, what)
+                         : fmt::format("{}; the noise is {:.2g} % of the range", what, 100 * share);
 }
 
 std::string denoising_report(const stltsa::Denoising& denoising, const std::string& title) {
@@ -59,7 +89,8 @@ std::string denoising_report(const stltsa::Denoising& denoising, const std::stri
     if (const double period = info.real(STLTSA_INFO_PERIOD); period > 0)
         facts.add("period", fmt::format("{:.3f} s", period));
     facts.add("knots", knots_text(info));
-    return bold(wrapped(title + ": " + denoising_summary(info), terminal_columns(STDOUT_FILENO))) +
+    return bold(wrapped(title + ": " + denoising_summary(denoising),
+                        terminal_columns(STDOUT_FILENO))) +
            "\n\n" + columns_table(info) + '\n' + facts.text() +
            listed("warning:", info.texts(STLTSA_INFO_WARNING));
 }

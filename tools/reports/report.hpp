@@ -32,7 +32,7 @@ std::string synthesis_summary(const stltsa::Synthesis& synthesis);
 std::string piece_name(const std::string& piece);
 
 /// "12 of 422 points moved towards a smooth curve"
-std::string denoising_summary(const stltsa::Info& denoising);
+std::string denoising_summary(const stltsa::Denoising& denoising);
 /// "every 3.3 samples (0.110 s), robust fit"
 std::string knots_text(const stltsa::Info& denoising);
 
