@@ -6,12 +6,12 @@
 
 #include <stltsa.hpp>
 
-#include "capi/json/value.hpp"
+#include "base/json.hpp"
 
 namespace tool {
 
-using Json = stltsa::capi::Json;
-using JsonObject = stltsa::capi::JsonObject;
+using Json = stltsa::Json;
+using JsonObject = stltsa::JsonObject;
 
 /// null for "", the path of data read from memory.
 Json json_or_null(const std::string& text);

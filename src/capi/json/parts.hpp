@@ -6,8 +6,8 @@
 #include <span>
 #include <string>
 
+#include "base/json.hpp"
 #include "capi/json/results.hpp"
-#include "capi/json/value.hpp"
 
 namespace stltsa::capi {
 

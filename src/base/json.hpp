@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace stltsa::capi {
+namespace stltsa {
 
 /// One value as text.
 class Json {
@@ -75,4 +75,4 @@ class JsonObject {
     std::string members_;
 };
 
-} // namespace stltsa::capi
+} // namespace stltsa

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "capi/json/value.hpp"
+#include "base/json.hpp"
 
 #include <cmath>
 
 #include "base/text.hpp"
 #include "base/utf8.hpp"
 
-namespace stltsa::capi {
+namespace stltsa {
 namespace {
 
 constexpr std::string_view replacement = "\xEF\xBF\xBD"; // U+FFFD
@@ -40,4 +40,4 @@ Json::Json(std::string_view text) : text_("\"") {
     text_ += '"';
 }
 
-} // namespace stltsa::capi
+} // namespace stltsa
