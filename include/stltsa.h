@@ -553,7 +553,8 @@ enum {
                               frames x columns, or frames x points x 2 or 3 */
     STLTSA_FORMAT_MATRIX = 5, /* no file: stltsa_clip_from_matrix */
     STLTSA_FORMAT_POINTS = 6, /* no file: stltsa_clip_from_points */
-    STLTSA_FORMAT_SKELETON = 7 /* no file: stltsa_clip_from_skeleton */
+    STLTSA_FORMAT_SKELETON = 7, /* no file: stltsa_clip_from_skeleton */
+    STLTSA_FORMAT_GLB = 8 /* glTF 2.0, binary: only written */
 };
 
 /* Reads a clip, or a stretch of it, whose name follows the path: "walk.bvh:2.5s-9s", see

@@ -32,7 +32,8 @@ static_assert(same(clip::Format::bvh, STLTSA_FORMAT_BVH) &&
               same(clip::Format::npy, STLTSA_FORMAT_NPY) &&
               same(clip::Format::matrix, STLTSA_FORMAT_MATRIX) &&
               same(clip::Format::points, STLTSA_FORMAT_POINTS) &&
-              same(clip::Format::skeleton, STLTSA_FORMAT_SKELETON));
+              same(clip::Format::skeleton, STLTSA_FORMAT_SKELETON) &&
+              same(clip::Format::glb, STLTSA_FORMAT_GLB));
 
 const clip::Skeleton& skeleton_of(const stltsa_clip& clip) {
     if (!clip.clip.skeleton)

@@ -28,7 +28,8 @@ enum class Format : std::int32_t {
     npy = 4,
     matrix = 5,
     points = 6,
-    skeleton = 7
+    skeleton = 7,
+    glb = 8
 };
 
 /// Meaning of one value of a joint.

@@ -17,6 +17,7 @@ std::string format_bvh(const Clip& clip);
 std::string format_amc(const Clip& clip);
 std::string format_csv(const Clip& clip);
 std::string format_npy(const Clip& clip);
+std::string format_glb(const Clip& clip);
 
 namespace {
 
@@ -54,6 +55,7 @@ std::span<const FormatRow> formats() {
         {Format::matrix, "matrix", {}, false, false, nullptr, nullptr, nullptr},
         {Format::points, "points", {}, false, false, nullptr, nullptr, nullptr},
         {Format::skeleton, "skeleton", {}, false, false, nullptr, nullptr, nullptr},
+        {Format::glb, "glb", {".glb"}, false, false, nullptr, nullptr, format_glb},
     };
     return rows;
 }

@@ -23,9 +23,9 @@ struct FormatRow {
     /// Whether the bytes begin like this format; null: used if no other format matches.
     bool (*sniff)(std::string_view bytes);
     /// Parses a file's bytes; `name` is for messages. Sets all of Clip except path and format; fps
-    /// is the file's own rate, or 0. Null: the format has no files.
+    /// is the file's own rate, or 0. Null: the format has no files, or they are only written.
     Clip (*read)(std::string_view bytes, const std::string& name, const ReadOptions& options);
-    /// The bytes of a file. Reading it gives the same bits.
+    /// The bytes of a file. Reading it gives the same bits. Null: the format has no files.
     std::string (*write)(const Clip& clip);
 };
 

@@ -72,6 +72,9 @@ Clip parse(std::string_view bytes, Format format, const std::string& name,
 Clip read(const std::string& path, const ReadOptions& options) {
     const std::string bytes = read_file(path, options.progress);
     const FormatRow* known = find_format(path);
+    if (known != nullptr && known->read == nullptr)
+        fail(Status::format, "{}: {} files are only written: open the clip that it was made from",
+             path, known->suffixes[0]);
     refuse_format_of_others(path);
     const Format format = known != nullptr ? known->format : sniff(bytes);
     if (equals_ignoring_case(std::filesystem::path(path).extension().string(), ".asf"))

@@ -116,7 +116,7 @@ class Parser {
                      "Add coordinates, distances and nearest rows of all frames to the JSON.");
         CLI::App& unmap =
             model_command(Command::unmap, "unmap", "Coordinates: a CSV or NPY file, or - .");
-        add_product(unmap, "Write poses (.bvh, .amc) or frames (.npy, .csv).")->required();
+        add_product(unmap, "Write poses (.bvh, .amc, .glb) or frames (.npy, .csv).")->required();
         unmap
             .add_flag("--follow", to_.follow,
                       "Continue from the previous point, for coordinates that do not determine the "
@@ -133,7 +133,7 @@ class Parser {
         CLI::App& synthesize = add(Command::synthesize, "synthesize");
         synthesize.add_option("pieces", to_.pieces, "Pieces, in the order of the new motion.")
             ->required();
-        add_product(synthesize, "Write the new motion to a .bvh, .amc, .csv or .npy file.")
+        add_product(synthesize, "Write the new motion to a .bvh, .amc, .glb, .csv or .npy file.")
             ->required();
         add_plot(synthesize);
         add_batch();
@@ -305,7 +305,7 @@ void check_arguments(const Arguments& arguments) {
     if (arguments.command == Command::map || arguments.command == Command::denoise)
         check_suffix("-o", arguments.product, {".npy", ".csv"});
     if (arguments.command == Command::unmap || arguments.command == Command::synthesize)
-        check_suffix("-o", arguments.product, {".bvh", ".amc", ".npy", ".csv"});
+        check_suffix("-o", arguments.product, {".bvh", ".amc", ".glb", ".npy", ".csv"});
     if (has_suffix(arguments.plot))
         check_suffix("--plot", arguments.plot, {".svg"});
     if (arguments.command == Command::decompose && has_suffix(arguments.output))

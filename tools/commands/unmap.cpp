@@ -27,7 +27,7 @@ double rate_of(const stltsa::Clip& points, const stltsa::Model& model) {
 }
 
 bool poses_wanted(const std::string& path) {
-    return ends_in(path, ".bvh") || ends_in(path, ".amc");
+    return ends_in(path, ".bvh") || ends_in(path, ".amc") || ends_in(path, ".glb");
 }
 
 /// Hints that make each point continue from the row of the previous one, and never go back: on both

@@ -17,9 +17,6 @@ Quaternion joint_rotation(const Joint& joint, bool fixed_axes, const double* val
     return joint.axis * product * conjugate(joint.axis);
 }
 
-namespace {
-
-/// Position of the joint in its parent's axes.
 Vec3 joint_translation(const Joint& joint, bool translations_add, const double* values) {
     Vec3 offset = joint.offset;
     for (std::size_t c = 0; c < joint.channels.size(); ++c) {
@@ -30,8 +27,6 @@ Vec3 joint_translation(const Joint& joint, bool translations_add, const double* 
     }
     return offset;
 }
-
-} // namespace
 
 void Pose::place(const Skeleton& skeleton, const double* row, std::size_t count) {
     local.resize(count);

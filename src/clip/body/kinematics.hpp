@@ -16,6 +16,9 @@ inline double to_radians(double degrees) {
 /// A joint's local rotation: the product of its rotation channels.
 Quaternion joint_rotation(const Joint& joint, bool fixed_axes, const double* values);
 
+/// Position of the joint in its parent's axes.
+Vec3 joint_translation(const Joint& joint, bool translations_add, const double* values);
+
 /// One frame of a skeleton; each vector has one entry per joint.
 struct Pose {
     std::vector<Quaternion> local; ///< child axes to parent axes

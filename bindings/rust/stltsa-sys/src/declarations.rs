@@ -843,6 +843,7 @@ pub const STLTSA_FORMAT_NPY: i32 = 4;
 pub const STLTSA_FORMAT_MATRIX: i32 = 5;
 pub const STLTSA_FORMAT_POINTS: i32 = 6;
 pub const STLTSA_FORMAT_SKELETON: i32 = 7;
+pub const STLTSA_FORMAT_GLB: i32 = 8;
 extern "C" {
     pub fn stltsa_clip_open(
         path: *const ::std::os::raw::c_char,

@@ -154,6 +154,8 @@ kinds! {
         Points = STLTSA_FORMAT_POINTS,
         /// No file: stltsa_clip_from_skeleton.
         Skeleton = STLTSA_FORMAT_SKELETON,
+        /// GlTF 2.0, binary: only written.
+        Glb = STLTSA_FORMAT_GLB,
     }
     /// Stages that a progress closure sees; a call has some of them.
     Stage {

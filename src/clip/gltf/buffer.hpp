@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The numbers of a glTF file: one block of bytes, and the lists that say what is where.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/json.hpp"
+
+namespace stltsa::clip {
+
+/// The number in the 32 bits that glTF has for it. Status::unsupported if it is too large for them.
+float narrow(double value);
+
+/// Values of the format (glTF 2.0 specification, section 5.11.5).
+enum class BufferUse : int { numbers = 0, vertices = 34962 };
+
+class GltfBuffer {
+  public:
+    /// Appends vectors of `components` numbers; returns the index of their accessor.
+    int add(int components, const std::vector<float>& values, BufferUse use = BufferUse::numbers);
+    int add(int components, const std::vector<std::uint16_t>& values, BufferUse use);
+
+    const std::string& bytes() const { return bytes_; }
+    /// Sets "buffers", "bufferViews" and "accessors".
+    void describe(JsonObject& file) const;
+
+  private:
+    template <class Number>
+    int append(int component_type, int components, const std::vector<Number>& values,
+               BufferUse use);
+
+    std::string bytes_;
+    std::vector<Json> views_, accessors_;
+};
+
+} // namespace stltsa::clip
