@@ -56,6 +56,20 @@ float narrow(double value) {
     return result;
 }
 
+std::vector<float> gltf_times(const std::vector<std::int64_t>& frames, double fps) {
+    std::vector<float> times;
+    for (const std::int64_t frame : frames) {
+        const float time = narrow(static_cast<double>(frame) / fps);
+        if (!times.empty() && !(time > times.back()))
+            fail(Status::unsupported,
+                 "the clip is too long for the 32-bit times of a GLB file, which are the same for "
+                 "frame {} and the one before: write stretches of it",
+                 frame);
+        times.push_back(time);
+    }
+    return times;
+}
+
 template <class Number>
 int GltfBuffer::append(int component_type, int components, const std::vector<Number>& values,
                        BufferUse use) {

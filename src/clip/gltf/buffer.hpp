@@ -14,6 +14,9 @@ namespace stltsa::clip {
 /// The number in the 32 bits that glTF has for it. Status::unsupported if it is too large for them.
 float narrow(double value);
 
+/// The times of these frames, in seconds. Status::unsupported if two are the same in 32 bits.
+std::vector<float> gltf_times(const std::vector<std::int64_t>& frames, double fps);
+
 /// Values of the format (glTF 2.0 specification, section 5.11.5).
 enum class BufferUse : int { numbers = 0, vertices = 34962 };
 

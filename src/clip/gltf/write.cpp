@@ -189,17 +189,7 @@ class GltfWriter {
     }
 
     int add_times(const std::vector<std::int64_t>& frames) {
-        std::vector<float> times;
-        for (const std::int64_t frame : frames) {
-            const float time = narrow(static_cast<double>(frame) / clip_.fps);
-            if (!times.empty() && !(time > times.back()))
-                fail(Status::unsupported,
-                     "the clip is too long for the 32-bit times of a GLB file, which are the same "
-                     "for frames {} and {}: write stretches of it",
-                     frame - 1, frame);
-            times.push_back(time);
-        }
-        return buffer_.add(1, times);
+        return buffer_.add(1, gltf_times(frames, clip_.fps));
     }
 
     void animate(std::size_t node, const char* path, int times, int values) {
