@@ -44,10 +44,12 @@ class Denoise(CommandTest):
             self.assertEqual(found["parameters"]["robust"], "--no-robust" not in options)
 
     def test_a_clean_clip_has_nothing_to_clean(self):
-        clean, noisy = (self.done("denoise", clip).decode() for clip in (walk(), noisy_walk()))
+        path = self.folder / "noisy.bvh"
+        subprocess.run([WALKER, "-o", path, "--fps", "30", "--noise", "6"], check=True)
+        clean, noisy = (self.done("denoise", clip).decode() for clip in (walk(), path))
         self.assertRegex(clean, r"nothing to clean: the noise is 0\.\d+ % of the range")
         self.assertNotIn("nothing to clean", noisy)
-        self.assertRegex(" ".join(noisy.split()), r"; the noise is 0\.\d+ % of the range")
+        self.assertRegex(" ".join(noisy.split()), r"; the noise is \d\.\d+ % of the range")
 
     def test_the_curve_is_nearer_the_truth(self):
         options = ("--dimension", "1", "--smoothing", "0", "--neighbors", "40")
@@ -135,7 +137,7 @@ class Denoise(CommandTest):
         text = self.done("denoise", noisy_walk()).decode("ascii")
         moved = sum(column["moved"] for column in found["columns"])
         points = 2 * found["samples"]["count"]
-        self.assertTrue(text.startswith(f"noisy.bvh: {moved} of {points} points moved"), text)
+        self.assertIn(f"{moved} of {points} points moved", " ".join(text.split()))
         for c, column in enumerate(found["columns"]):
             row = next(l.split() for l in text.splitlines() if l.split()[:1] == [str(c + 1)])
             self.assertEqual(int(row[3]), column["moved"])

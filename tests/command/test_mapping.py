@@ -45,7 +45,10 @@ class Mapping(CommandTest):
         far = write_csv("far.csv", [[50 + math.cos(t), 50.0, 0.0] for t in range(40)])
         found = self.json("map", model, far, "--fps", "30")
         self.assertEqual(found["beyond"]["stretches"], [{"begin": 0, "end": 40}])
-        self.assertIn("40 outside", self.done("map", model, far, "--fps", "30").decode())
+        told = self.done("map", model, far, "--fps", "30").decode()
+        self.assertIn("40 outside", told)
+        self.assertRegex(told, r"how far +\d+\.\d times the model's range at the median, as another")
+        self.assertNotIn("how far", self.done("map", model, circle(), "--fps", "30").decode())
 
     def test_markers_in_another_direction_are_near(self):
         model = self.model(markers())
