@@ -499,7 +499,8 @@ enum {
     STLTSA_WARNING_SEAM_POSTURE = 11,   /* postures at a seam are far apart */
     STLTSA_WARNING_SEAM_SPEED = 12,     /* unusually fast near a seam */
     STLTSA_WARNING_SEAM_ACCELERATION = 13, /* unusual acceleration near a seam */
-    STLTSA_WARNING_NOT_BLENDED = 14     /* no frames beyond the cuts of a seam to blend */
+    STLTSA_WARNING_NOT_BLENDED = 14,    /* no frames beyond the cuts of a seam to blend */
+    STLTSA_WARNING_NO_ORDER = 15        /* consecutive rows are no closer than random ones */
 };
 
 /* Number of values of a key; 0: none, or an unknown key. */

@@ -12,7 +12,6 @@
 
 using namespace stltsa;
 using capi::compute;
-using capi::guard;
 using capi::required;
 
 namespace {

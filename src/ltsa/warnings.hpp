@@ -14,6 +14,11 @@ namespace stltsa::ltsa {
 /// 1 if the coordinate only follows time. `coords`: distinct frames x d.
 double time_correlation(const Graph& graph, const Matrix& coords);
 
+/// Share of consecutive frames of a clip that are closer to each other than two random frames are:
+/// about 0.5 for frames in random order; more than 0.87 for each of about 60 recorded motions at 30
+/// frames a second, more than 0.75 for each stretch of 40 frames. 1 for fewer than 50 frames.
+double share_in_order(const DistinctFrames& frames);
+
 /// All warnings except parts_warning(), because only the caller can name the cut.
 Warnings warnings_of(const Graph& graph, const Model& model);
 

@@ -167,3 +167,33 @@ def test_map_parameters_reach_the_library(circle):
     assert not np.array_equal(ltsa.model_.map(between).values, mapped)
     frames = ltsa.model_.unmap(mapped, map_neighbors=30, map_blend=7).values
     assert np.array_equal(ltsa.inverse_transform(mapped), frames)
+
+
+def swiss_roll(rows=1000):
+    random = np.random.default_rng(0)
+    turn = 1.5 * np.pi * (1 + 2 * random.random(rows))
+    return np.column_stack([turn * np.cos(turn), 21 * random.random(rows), turn * np.sin(turn)])
+
+
+def test_rows_without_order_are_told_what_to_call(clip):
+    roll = swiss_roll()
+    with pytest.warns(
+        stltsa.QualityWarning, match='no order in time.*neighbors="spatial", include_self=False'
+    ) as caught:
+        stltsa.STLTSA(12).fit(roll)
+    assert not any("only follows time" in str(warning.message) for warning in caught)
+    for motion, options in ((clip, {}), (clip.features(), {"fps": 120}), (clip.features(), {})):
+        said = stltsa.fit(motion, **options).warnings
+        assert not any("no order" in text for text in said)
+    assert not any("no order" in t for t in stltsa.fit(roll, mode="spatial", neighbors=12).warnings)
+
+
+def test_rows_without_order_as_scikit_learn_embeds_them():
+    manifold = pytest.importorskip("sklearn.manifold")
+    roll = swiss_roll()
+    ours = stltsa.STLTSA(12, 2, neighbors="spatial", include_self=False).fit_transform(roll)
+    theirs = manifold.LocallyLinearEmbedding(
+        n_neighbors=12, n_components=2, method="ltsa", eigen_solver="dense"
+    ).fit_transform(roll)
+    cosines = np.linalg.svd(np.linalg.qr(ours)[0].T @ np.linalg.qr(theirs)[0])[1]
+    assert cosines.min() > 1 - 1e-9

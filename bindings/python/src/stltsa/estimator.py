@@ -22,6 +22,13 @@ if TYPE_CHECKING:
     from ._progress import Progress
 
 
+# The library's words, and the estimator's.
+_UNORDERED = (
+    "option mode spatial and option include_self off",
+    'neighbors="spatial", include_self=False',
+)
+
+
 @contextmanager
 def _in_the_words_of_sklearn() -> Iterator[None]:
     """Put "NaN or infinity", which scikit-learn's users look for, before the library's text."""
@@ -35,7 +42,9 @@ def _in_the_words_of_sklearn() -> Iterator[None]:
 class STLTSA(Base):
     """Spatio-temporal local tangent space alignment: motion as a low-dimensional curve.
 
-    Unlike in other scikit-learn transformers, the order of rows matters: it is time.
+    Unlike in other scikit-learn transformers, the order of rows matters: it is time. Rows without
+    order need ``neighbors="spatial", include_self=False``: scikit-learn's
+    ``LocallyLinearEmbedding(method="ltsa")``, only faster.
 
     Parameters
     ----------
@@ -187,8 +196,8 @@ class STLTSA(Base):
         Warns
         -----
         QualityWarning
-            Warnings of the library about the result: a coordinate that only follows time, a
-            disconnected graph, a small gap.
+            Warnings of the library about the result: rows without order in time, a coordinate that
+            only follows time, a disconnected graph, a small gap.
         """
         self.model_ = self._fit_model(X, groups)
         self.embedding_ = self.model_.coords
@@ -197,7 +206,7 @@ class STLTSA(Base):
         self.window_ = self.model_.window
         self._n_features_out = self.embedding_.shape[1]
         for text in self.model_.warnings:
-            warnings.warn(text, QualityWarning, stacklevel=2)
+            warnings.warn(text.replace(*_UNORDERED), QualityWarning, stacklevel=2)
         return self
 
     def _fit_model(self, X: Any, groups: Any) -> Model:
