@@ -24,9 +24,8 @@ const char* type_of(int components) {
 }
 
 /// The least or the largest of each component, by `better`.
-template <class Number, class Better>
-std::vector<double> bound(std::size_t components, const std::vector<Number>& values,
-                          Better better) {
+template <class Better>
+std::vector<double> bound(std::size_t components, const std::vector<float>& values, Better better) {
     std::vector<double> best(values.begin(),
                              values.begin() + static_cast<std::ptrdiff_t>(components));
     for (std::size_t i = components; i < values.size(); ++i)
@@ -35,15 +34,10 @@ std::vector<double> bound(std::size_t components, const std::vector<Number>& val
     return best;
 }
 
-void append_little_endian(std::string& bytes, std::uint16_t value) {
-    bytes += static_cast<char>(value & 0xff);
-    bytes += static_cast<char>(value >> 8);
-}
-
 void append_little_endian(std::string& bytes, float value) {
     const auto bits = std::bit_cast<std::uint32_t>(value);
-    append_little_endian(bytes, static_cast<std::uint16_t>(bits & 0xffff));
-    append_little_endian(bytes, static_cast<std::uint16_t>(bits >> 16));
+    for (int shift = 0; shift < 32; shift += 8)
+        bytes += static_cast<char>(bits >> shift & 0xff);
 }
 
 } // namespace
@@ -70,30 +64,19 @@ std::vector<float> gltf_times(const std::vector<std::int64_t>& frames, double fp
     return times;
 }
 
-template <class Number>
-int GltfBuffer::append(int component_type, int components, const std::vector<Number>& values,
-                       BufferUse use) {
+int GltfBuffer::add(int components, const std::vector<float>& values) {
+    constexpr int type_float = 5126; // glTF 2.0 specification, section 5.1.3
     const auto size = static_cast<std::size_t>(components);
-    JsonObject view("buffer", 0, "byteOffset", static_cast<std::int64_t>(bytes_.size()),
-                    "byteLength", static_cast<std::int64_t>(values.size() * sizeof(Number)));
-    if (use != BufferUse::numbers)
-        view.set("target", static_cast<int>(use));
-    views_.push_back(view);
+    views_.push_back(JsonObject("buffer", 0, "byteOffset", static_cast<std::int64_t>(bytes_.size()),
+                                "byteLength",
+                                static_cast<std::int64_t>(values.size() * sizeof(float))));
     accessors_.push_back(JsonObject(
-        "bufferView", static_cast<std::int64_t>(accessors_.size()), "componentType", component_type,
+        "bufferView", static_cast<std::int64_t>(accessors_.size()), "componentType", type_float,
         "count", static_cast<std::int64_t>(values.size() / size), "type", type_of(components),
         "min", bound(size, values, std::less<>()), "max", bound(size, values, std::greater<>())));
-    for (const Number value : values)
+    for (const float value : values)
         append_little_endian(bytes_, value);
     return static_cast<int>(accessors_.size()) - 1;
-}
-
-int GltfBuffer::add(int components, const std::vector<float>& values, BufferUse use) {
-    return append(5126, components, values, use);
-}
-
-int GltfBuffer::add(int components, const std::vector<std::uint16_t>& values, BufferUse use) {
-    return append(5123, components, values, use);
 }
 
 void GltfBuffer::describe(JsonObject& file) const {

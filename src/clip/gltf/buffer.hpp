@@ -2,7 +2,6 @@
 // The numbers of a glTF file: one block of bytes, and the lists that say what is where.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -17,24 +16,16 @@ float narrow(double value);
 /// The times of these frames, in seconds. Status::unsupported if two are the same in 32 bits.
 std::vector<float> gltf_times(const std::vector<std::int64_t>& frames, double fps);
 
-/// Values of the format (glTF 2.0 specification, section 5.11.5).
-enum class BufferUse : int { numbers = 0, vertices = 34962 };
-
 class GltfBuffer {
   public:
     /// Appends vectors of `components` numbers; returns the index of their accessor.
-    int add(int components, const std::vector<float>& values, BufferUse use = BufferUse::numbers);
-    int add(int components, const std::vector<std::uint16_t>& values, BufferUse use);
+    int add(int components, const std::vector<float>& values);
 
     const std::string& bytes() const { return bytes_; }
     /// Sets "buffers", "bufferViews" and "accessors".
     void describe(JsonObject& file) const;
 
   private:
-    template <class Number>
-    int append(int component_type, int components, const std::vector<Number>& values,
-               BufferUse use);
-
     std::string bytes_;
     std::vector<Json> views_, accessors_;
 };

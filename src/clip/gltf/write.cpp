@@ -92,8 +92,8 @@ class GltfWriter {
         return values;
     }
 
-    /// Programs make an armature of a skin, and show it only with a mesh: lines from joint to joint
-    /// in the pose without rotations.
+    /// Programs make an armature of the joints of a skin. Its resting pose has no rotations. There
+    /// is no mesh: the importer of Debian's Blender 3.4 fails at any.
     void add_skin(const Skeleton& skeleton) {
         std::vector<Vec3> rest;
         std::vector<int> joints;
@@ -109,30 +109,6 @@ class GltfWriter {
         }
         skins_.push_back(JsonObject("joints", joints, "skeleton", top_[0], "inverseBindMatrices",
                                     buffer_.add(16, inverse_binds)));
-        if (joints.size() == 1)
-            return; // no lines
-        meshes_.push_back(JsonObject("primitives", std::vector<Json>{lines(skeleton, rest)}));
-        top_.push_back(static_cast<int>(nodes_.size()));
-        nodes_.push_back(JsonObject("name", "lines between joints", "mesh", 0, "skin", 0));
-    }
-
-    Json lines(const Skeleton& skeleton, const std::vector<Vec3>& rest) {
-        std::vector<float> places, weights;
-        std::vector<std::uint16_t> owners;
-        for (std::size_t j = 0; j < rest.size(); ++j) {
-            if (skeleton.joints[j].parent < 0)
-                continue;
-            for (const std::size_t end : {static_cast<std::size_t>(skeleton.joints[j].parent), j}) {
-                append(places, rest[end]);
-                owners.insert(owners.end(), {static_cast<std::uint16_t>(end), 0, 0, 0});
-                weights.insert(weights.end(), {1, 0, 0, 0});
-            }
-        }
-        const JsonObject attributes("POSITION", buffer_.add(3, places, BufferUse::vertices),
-                                    "JOINTS_0", buffer_.add(4, owners, BufferUse::vertices),
-                                    "WEIGHTS_0", buffer_.add(4, weights, BufferUse::vertices));
-        constexpr int line_pairs = 1;
-        return JsonObject("mode", line_pairs, "attributes", attributes);
     }
 
     void add_points() {
@@ -183,9 +159,11 @@ class GltfWriter {
     }
 
     std::string name_of_point(std::int64_t first) const {
-        if (clip_.channel_names.empty())
-            return format_text("point {}", first / clip_.space);
-        return std::string(point_name(clip_.channel_names[static_cast<std::size_t>(first)]));
+        const auto column = static_cast<std::size_t>(first);
+        const std::string_view name = column < clip_.channel_names.size()
+                                          ? point_name(clip_.channel_names[column])
+                                          : std::string_view();
+        return name.empty() ? format_text("point {}", first / clip_.space) : std::string(name);
     }
 
     int add_times(const std::vector<std::int64_t>& frames) {
@@ -215,8 +193,6 @@ class GltfWriter {
                 JsonObject("name", name, "channels", channels_, "samplers", samplers_)});
         if (!skins_.empty())
             file.set("skins", skins_);
-        if (!meshes_.empty())
-            file.set("meshes", meshes_);
         buffer_.describe(file);
         return file.text();
     }
@@ -224,7 +200,7 @@ class GltfWriter {
     /// The header and the two chunks (specification, section 4.4).
     std::string packed(std::string text) const {
         text.append((4 - text.size() % 4) % 4, ' ');
-        std::string bytes = buffer_.bytes(); // only numbers of four bytes, or four of two
+        std::string bytes = buffer_.bytes(); // all numbers have four
         const std::size_t size = 12 + 8 + text.size() + 8 + bytes.size();
         if (size > std::numeric_limits<std::uint32_t>::max())
             fail(Status::unsupported,
@@ -247,7 +223,7 @@ class GltfWriter {
 
     const Clip& clip_;
     GltfBuffer buffer_;
-    std::vector<Json> nodes_, samplers_, channels_, skins_, meshes_;
+    std::vector<Json> nodes_, samplers_, channels_, skins_;
     std::vector<int> top_; ///< nodes without a parent
 };
 
