@@ -252,15 +252,19 @@ Clip points_clip(int space, const std::vector<double>& values, std::int64_t fram
     return clip_from_points(arrays);
 }
 
+/// Six frames of two points; the second one is missing in two frames.
+std::vector<double> heel_and_toe(int space) {
+    std::vector<double> values;
+    for (int i = 0; i < 6; ++i)
+        for (int p = 0; p < 2; ++p)
+            for (int axis = 0; axis < space; ++axis)
+                values.push_back(p == 1 && (i == 2 || i == 3) ? missing : i + 10 * p + 0.1 * axis);
+    return values;
+}
+
 void points_move_in_the_frames_in_which_they_are_seen(void**) {
     for (const int space : {2, 3}) {
-        std::vector<double> values;
-        for (int i = 0; i < 6; ++i)
-            for (int p = 0; p < 2; ++p)
-                for (int axis = 0; axis < space; ++axis)
-                    values.push_back(p == 1 && (i == 2 || i == 3) ? missing
-                                                                  : i + 10 * p + 0.1 * axis);
-        const Glb glb = glb_of(points_clip(space, values, 6));
+        const Glb glb = glb_of(points_clip(space, heel_and_toe(space), 6));
         assert_int_equal(glb.text["nodes"].size(), 2);
         assert_true(glb.text["nodes"][0]["name"] == "heel" &&
                     glb.text["nodes"][1]["name"] == "toe");
