@@ -147,7 +147,7 @@ class Parser {
             return;
         }
         if (!words.empty() && words[0] == "help") { // help fit: fit --help
-            std::ranges::rotate(words, words.begin() + 1);
+            std::rotate(words.begin(), words.begin() + 1, words.end());
             words.back() = "--help";
         }
         check_command(words);
