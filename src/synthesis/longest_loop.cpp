@@ -85,10 +85,10 @@ class Search {
     /// it.
     double squared_climb(const Part& frames) const {
         const auto up = static_cast<std::size_t>(material_.body.up());
-        const auto joints = static_cast<double>(track().postures.cols() / 3);
+        const std::int64_t joints = track().postures.cols() / 3;
         const double climb =
             track().root(frames.end - 1).position[up] - track().root(frames.begin).position[up];
-        return joints * climb * climb;
+        return static_cast<double>(joints) * climb * climb;
     }
 
     /// The ranges of one length that are tried.
