@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "phase/loop.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "linalg/band.hpp"
+#include "linalg/simd.hpp"
+
+namespace stltsa::phase {
+namespace {
+
+constexpr double turn = 2 * std::numbers::pi;
+/// Of the highest harmonic, as a share of the number of rows; falls with the fourth power.
+constexpr double ridge = 1e-3;
+/// From 4 to 24 harmonics the phase of annotated events scatters alike.
+constexpr std::int64_t least_harmonics = 3;
+constexpr std::int64_t most_harmonics = 12;
+
+/// 1, cos(2 pi h phase), sin(2 pi h phase).
+void basis(double phase, std::int64_t harmonics, double* values) {
+    values[0] = 1;
+    for (std::int64_t h = 1; h <= harmonics; ++h) {
+        const double angle = turn * static_cast<double>(h) * phase;
+        values[h] = std::cos(angle);
+        values[harmonics + h] = std::sin(angle);
+    }
+}
+
+void basis_slope(double phase, std::int64_t harmonics, double* values) {
+    values[0] = 0;
+    for (std::int64_t h = 1; h <= harmonics; ++h) {
+        const double k = turn * static_cast<double>(h);
+        values[h] = -k * std::sin(k * phase);
+        values[harmonics + h] = k * std::cos(k * phase);
+    }
+}
+
+void combine(const Matrix& coefficients, const double* weights, double* values) {
+    std::fill_n(values, coefficients.cols(), 0.0);
+    for (std::int64_t r = 0; r < coefficients.rows(); ++r)
+        axpy(weights[r], coefficients.row(r), values, coefficients.cols());
+}
+
+} // namespace
+
+void Loop::at(double phase, double* values) const {
+    double weights[2 * most_harmonics + 1];
+    basis(phase, harmonics(), weights);
+    combine(coefficients, weights, values);
+}
+
+void Loop::slope(double phase, double* values) const {
+    double weights[2 * most_harmonics + 1];
+    basis_slope(phase, harmonics(), weights);
+    combine(coefficients, weights, values);
+}
+
+void Loop::shift(double zero) {
+    const std::int64_t n = harmonics();
+    for (std::int64_t h = 1; h <= n; ++h) {
+        const double c = std::cos(turn * static_cast<double>(h) * zero);
+        const double s = std::sin(turn * static_cast<double>(h) * zero);
+        for (std::int64_t j = 0; j < cols(); ++j) {
+            const double a = coefficients(h, j), b = coefficients(n + h, j);
+            coefficients(h, j) = a * c + b * s;
+            coefficients(n + h, j) = b * c - a * s;
+        }
+    }
+}
+
+Matrix Loop::sampled(std::int64_t count) const {
+    Matrix values(count, cols());
+    for (std::int64_t i = 0; i < count; ++i)
+        at(static_cast<double>(i) / static_cast<double>(count), values.row(i));
+    return values;
+}
+
+double Loop::variance() const {
+    return sum_of((coefficients.rows() - 1) * cols(),
+                  [&](std::int64_t i) {
+                      const double c = coefficients.row(1)[i];
+                      return c * c;
+                  }) /
+           2;
+}
+
+Loop fit_loop(ConstMatrixView rows, std::span<const Run> runs, std::int64_t harmonics) {
+    const std::int64_t terms = 2 * harmonics + 1;
+    Matrix normal(terms, terms), right(terms, rows.cols);
+    std::vector<double> b(static_cast<std::size_t>(terms));
+    double count = 0;
+    for (const Run& run : runs)
+        for (std::int64_t i = 0; i < run.rows(); ++i, ++count) {
+            basis(run.phase[static_cast<std::size_t>(i)], harmonics, b.data());
+            for (std::int64_t r = 0; r < terms; ++r) {
+                const double value = b[static_cast<std::size_t>(r)];
+                axpy(value, b.data(), normal.row(r), r + 1);
+                axpy(value, rows.row(run.begin + i), right.row(r), rows.cols);
+            }
+        }
+    BandMatrix system(terms, terms - 1);
+    for (std::int64_t j = 0; j < terms; ++j)
+        for (std::int64_t i = j; i < terms; ++i)
+            system.column(j)[i - j] = normal(i, j);
+    for (std::int64_t r = 1; r < terms; ++r) {
+        const auto h = static_cast<double>(r > harmonics ? r - harmonics : r);
+        *system.column(r) += ridge * count * std::pow(h / static_cast<double>(harmonics), 4);
+    }
+    if (!system.factor(0))
+        fail(Status::internal, "the mean cycle of {} rows has no fit", count);
+    Matrix columns(rows.cols, terms);
+    for (std::int64_t r = 0; r < terms; ++r)
+        for (std::int64_t j = 0; j < rows.cols; ++j)
+            columns(j, r) = right(r, j);
+    system.solve(columns.view(), {});
+    Loop loop{Matrix(terms, rows.cols)};
+    for (std::int64_t r = 0; r < terms; ++r)
+        for (std::int64_t j = 0; j < rows.cols; ++j)
+            loop.coefficients(r, j) = columns(j, r);
+    return loop;
+}
+
+std::int64_t harmonics_for(double period) {
+    return std::clamp(static_cast<std::int64_t>(period / 3), least_harmonics, most_harmonics);
+}
+
+} // namespace stltsa::phase

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The phase of every row of a motion that repeats.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "phase/registration.hpp"
+
+namespace stltsa::phase {
+
+/// Borders of cycles back to back, in rows, not rounded: cycle i lasts from border i to i + 1.
+using Borders = std::vector<double>;
+
+/// Of one motion. Phase 0 is at the same place of the body in every cycle and every recording.
+struct Phases {
+    MeanCycle mean;
+    std::vector<Run> runs; ///< one for each sequence of cycles, from its first to its last border
+    bool linear = false;   ///< the mean cycle explains too little: phases are linear in time
+    double residual = 0;   ///< see Registration
+};
+
+/// Phases of the rows within the cycles. `rows`: features, not smoothed, finite; `rate`: rows per
+/// second. `side`: one weight for each column, whose weighted sum shows which side of the body is
+/// forward; empty: unknown. Sequences have a cycle of at least four rows each, and lie within the
+/// rows.
+Phases find_phases(ConstMatrixView rows, double rate, std::span<const Borders> sequences,
+                   std::span<const double> side);
+
+} // namespace stltsa::phase

@@ -1,0 +1,330 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "phase/registration.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "linalg/band.hpp"
+#include "linalg/simd.hpp"
+#include "motion/curve/statistics.hpp"
+
+namespace stltsa::phase {
+namespace {
+
+/// Rounds of mean cycle and phases: 3 give what 20 give.
+constexpr int rounds = 4;
+/// Steps of the phase vary smoothly over this share of a cycle; from 0.02 to 0.06 events scatter
+/// alike, below it poses alone follow slow drift.
+constexpr double smooth_share = 0.04;
+/// A round moves no phase further.
+constexpr double most_correction = 0.1;
+/// Least step, as a share of the mean one.
+constexpr double slowest_in_cycle = 0.2;
+constexpr double slowest_beyond = 0.05;
+/// Rates at which a phase is continued beyond cycles, as shares of the mean one.
+constexpr double least_rate = 0.4;
+constexpr double most_rate = 2;
+constexpr std::int64_t bins = 100;
+
+/// How a row pulls its phase: weight, and the phase it is pulled to.
+struct Pull {
+    std::vector<double> weight, target;
+};
+
+/// One Gauss-Newton step of each row towards the nearest point of the loop.
+Pull pull_to(ConstMatrixView rows, const Loop& loop, const Run& run) {
+    Pull pull;
+    std::vector<double> mean(static_cast<std::size_t>(rows.cols)), slope = mean;
+    for (std::int64_t i = 0; i < run.rows(); ++i) {
+        const double phase = run.phase[static_cast<std::size_t>(i)];
+        loop.at(phase, mean.data());
+        loop.slope(phase, slope.data());
+        const double* row = rows.row(run.begin + i);
+        const double along = sum_of(rows.cols, [&](std::int64_t c) {
+            const auto at = static_cast<std::size_t>(c);
+            return (row[c] - mean[at]) * slope[at];
+        });
+        const double weight = dot(slope.data(), slope.data(), rows.cols);
+        pull.weight.push_back(weight);
+        pull.target.push_back(
+            phase +
+            (weight > 0 ? std::clamp(along / weight, -most_correction, most_correction) : 0));
+    }
+    return pull;
+}
+
+/// Minimizes sum weight (x - target)^2 + stiffness sum (second difference of x)^2.
+std::vector<double> smoothed(const std::vector<double>& weight, std::vector<double> target,
+                             double stiffness) {
+    const auto n = static_cast<std::int64_t>(target.size());
+    BandMatrix system(n, 2);
+    for (std::int64_t j = 0; j < n; ++j) {
+        double* column = system.column(j);
+        column[0] = weight[static_cast<std::size_t>(j)];
+        column[1] = column[2] = 0;
+        target[static_cast<std::size_t>(j)] *= weight[static_cast<std::size_t>(j)];
+    }
+    for (std::int64_t j = 0; j + 2 < n; ++j) {
+        system.column(j)[0] += stiffness;
+        system.column(j)[1] -= 2 * stiffness;
+        system.column(j)[2] += stiffness;
+        system.column(j + 1)[0] += 4 * stiffness;
+        system.column(j + 1)[1] -= 2 * stiffness;
+        system.column(j + 2)[0] += stiffness;
+    }
+    if (!system.factor(0))
+        return {};
+    system.solve({target.data(), 1, n, n}, {});
+    return target;
+}
+
+/// Raises steps that are too small, so that the phase rises strictly, and keeps the median phase.
+void make_rise(std::vector<double>& phase, double least_step) {
+    bool falls = false;
+    for (std::size_t i = 0; i + 1 < phase.size(); ++i)
+        falls = falls || phase[i + 1] - phase[i] < least_step;
+    if (!falls)
+        return;
+    std::vector<double> risen{0}, moved{phase[0]};
+    for (std::size_t i = 0; i + 1 < phase.size(); ++i) {
+        risen.push_back(risen.back() + std::max(phase[i + 1] - phase[i], least_step));
+        moved.push_back(phase[i + 1] - risen.back());
+    }
+    const double offset = motion::median(moved);
+    for (std::size_t i = 0; i < phase.size(); ++i)
+        phase[i] = risen[i] + offset;
+}
+
+/// A run on its way, and where it started: its changes are smooth, not its phase.
+struct Moving {
+    Run run;
+    std::vector<double> start;
+
+    explicit Moving(Run from) : run(std::move(from)), start(run.phase) {}
+
+    void follow(const Pull& pull, double stiffness, double least_step) {
+        std::vector<double> change;
+        for (std::size_t i = 0; i < start.size(); ++i)
+            change.push_back(pull.target[i] - start[i]);
+        change = smoothed(pull.weight, std::move(change), stiffness);
+        for (std::size_t i = 0; i < change.size(); ++i)
+            run.phase[i] = start[i] + change[i];
+        make_rise(run.phase, least_step);
+    }
+};
+
+double mean_weight(const std::vector<Pull>& pulls) {
+    double sum = 0, count = 0;
+    for (const Pull& pull : pulls) {
+        sum = std::accumulate(pull.weight.begin(), pull.weight.end(), sum);
+        count += static_cast<double>(pull.weight.size());
+    }
+    return sum / count;
+}
+
+double stiffness_of(double weight, double period) {
+    return weight * std::pow(smooth_share * period, 4);
+}
+
+/// The row at which the phase of the run reaches `phase`, which lies within.
+double row_of(const std::vector<double>& phases, double phase) {
+    const auto after = std::ranges::upper_bound(phases, phase);
+    const auto i = std::clamp<std::ptrdiff_t>(after - phases.begin(), 1,
+                                              static_cast<std::ptrdiff_t>(phases.size()) - 1);
+    const double before = phases[static_cast<std::size_t>(i - 1)];
+    const double step = phases[static_cast<std::size_t>(i)] - before;
+    return static_cast<double>(i - 1) + (phase - before) / step;
+}
+
+/// Adds the share of time at each phase of the turn that begins at phase `from`.
+void add_turn(const std::vector<double>& phases, double from, std::vector<double>& shares) {
+    const double first = row_of(phases, from);
+    const double length = row_of(phases, from + 1) - first;
+    double before = first;
+    for (auto bin = static_cast<std::int64_t>(std::floor(from * bins));; ++bin) {
+        const double border = std::min(static_cast<double>(bin + 1) / bins, from + 1);
+        const double at = row_of(phases, border);
+        shares[static_cast<std::size_t>(((bin % bins) + bins) % bins)] += (at - before) / length;
+        before = at;
+        if (border >= from + 1)
+            return;
+    }
+}
+
+/// Makes the mean share of time uniform over the phases; without a whole turn nothing changes.
+void even_out(std::vector<Moving>& all) {
+    std::vector<double> shares(bins);
+    double turns = 0;
+    for (const Moving& moving : all) {
+        const std::vector<double>& phases = moving.run.phase;
+        for (double from = phases.front(); from + 1 <= phases.back(); ++from, ++turns)
+            add_turn(phases, from, shares);
+    }
+    if (turns == 0)
+        return;
+    std::vector<double> knots{0};
+    for (const double share : shares)
+        knots.push_back(knots.back() + share / turns);
+    for (Moving& moving : all)
+        for (double& phase : moving.run.phase) {
+            const double whole = std::floor(phase);
+            const double place = (phase - whole) * bins;
+            const auto bin = std::min<std::int64_t>(bins - 1, static_cast<std::int64_t>(place));
+            const double low = knots[static_cast<std::size_t>(bin)];
+            phase = whole + low +
+                    (place - static_cast<double>(bin)) *
+                        (knots[static_cast<std::size_t>(bin + 1)] - low);
+        }
+}
+
+std::vector<Run> runs_of(const std::vector<Moving>& all) {
+    std::vector<Run> runs;
+    for (const Moving& moving : all)
+        runs.push_back(moving.run);
+    return runs;
+}
+
+double variance_of(ConstMatrixView rows, std::span<const Run> runs) {
+    std::vector<double> mean(static_cast<std::size_t>(rows.cols));
+    double count = 0, squares = 0;
+    for (const Run& run : runs)
+        for (std::int64_t i = run.begin; i < run.end(); ++i, ++count)
+            axpy(1, rows.row(i), mean.data(), rows.cols);
+    for (double& value : mean)
+        value /= count;
+    for (const Run& run : runs)
+        for (std::int64_t i = run.begin; i < run.end(); ++i)
+            squares += squared_distance(rows.row(i), mean.data(), rows.cols);
+    return squares / count;
+}
+
+/// Change of the phase per row in the quarter of a cycle at an end.
+double rate_at(const std::vector<double>& phase, bool at_end, double period) {
+    const std::size_t last = phase.size() - 1;
+    const std::size_t reach =
+        std::clamp<std::size_t>(static_cast<std::size_t>(period / 4), 1, last);
+    const double change = at_end ? phase[last] - phase[last - reach] : phase[reach] - phase[0];
+    return std::clamp(change / static_cast<double>(reach), least_rate / period, most_rate / period);
+}
+
+/// Registers the last two cycles at an end again, and blends them into what is there.
+void settle(ConstMatrixView rows, const MeanCycle& mean, bool at_end, Run& run) {
+    const std::int64_t count =
+        std::min(run.rows(), static_cast<std::int64_t>(std::llround(2 * mean.period)));
+    const std::int64_t first = at_end ? run.rows() - count : 0;
+    const auto begin = run.phase.begin() + first;
+    const Run moved =
+        register_with(rows, mean, {run.begin + first, {begin, begin + count}}, slowest_beyond);
+    for (std::int64_t i = 0; i < count; ++i) {
+        const double place =
+            static_cast<double>(i) / static_cast<double>(std::max<std::int64_t>(1, count - 1));
+        const double share = std::clamp(2 * (at_end ? place : 1 - place), 0.0, 1.0);
+        double& phase = run.phase[static_cast<std::size_t>(first + i)];
+        phase += share * (moved.phase[static_cast<std::size_t>(i)] - phase);
+    }
+}
+
+} // namespace
+
+Registration register_runs(ConstMatrixView rows, std::vector<Run> runs, double period) {
+    Registration result;
+    result.mean.period = period;
+    result.mean.variance = variance_of(rows, runs);
+    const std::int64_t harmonics = harmonics_for(period);
+    std::vector<Moving> all;
+    for (Run& run : runs)
+        all.emplace_back(std::move(run));
+    for (int round = 0; round < rounds; ++round) {
+        const Loop loop = fit_loop(rows, runs_of(all), harmonics);
+        std::vector<Pull> pulls;
+        for (const Moving& moving : all)
+            pulls.push_back(pull_to(rows, loop, moving.run));
+        const double stiffness = stiffness_of(mean_weight(pulls), period);
+        for (std::size_t r = 0; r < all.size(); ++r)
+            all[r].follow(pulls[r], stiffness, slowest_in_cycle / period);
+        even_out(all);
+    }
+    result.runs = runs_of(all);
+    result.mean.loop = fit_loop(rows, result.runs, harmonics);
+    double squares = 0, count = 0;
+    for (const Run& run : result.runs)
+        for (const double distance : residuals(rows, result.mean, run)) {
+            squares += distance * distance;
+            ++count;
+        }
+    result.residual = squares / count;
+    return result;
+}
+
+Run register_with(ConstMatrixView rows, const MeanCycle& mean, Run run, double slowest) {
+    Moving moving(std::move(run));
+    for (int round = 0; round < rounds; ++round) {
+        const Pull pull = pull_to(rows, mean.loop, moving.run);
+        moving.follow(pull, stiffness_of(mean_weight({pull}), mean.period), slowest / mean.period);
+    }
+    return moving.run;
+}
+
+Run grown(ConstMatrixView rows, const MeanCycle& mean, const Run& run, Range within) {
+    Run result = run;
+    const std::int64_t step = std::max<std::int64_t>(3, static_cast<std::int64_t>(mean.period / 4));
+    while (result.begin > within.begin || result.end() < within.end) {
+        const std::int64_t before = std::min(step, result.begin - within.begin);
+        const std::int64_t after = std::min(step, within.end - result.end());
+        const double first = result.phase.front(), last = result.phase.back();
+        const double begin_rate = rate_at(result.phase, false, mean.period);
+        const double end_rate = rate_at(result.phase, true, mean.period);
+        std::vector<double> phase;
+        for (std::int64_t i = before; i > 0; --i)
+            phase.push_back(first - begin_rate * static_cast<double>(i));
+        phase.insert(phase.end(), result.phase.begin(), result.phase.end());
+        for (std::int64_t i = 1; i <= after; ++i)
+            phase.push_back(last + end_rate * static_cast<double>(i));
+        result = {result.begin - before, std::move(phase)};
+        if (before > 0)
+            settle(rows, mean, false, result);
+        if (after > 0)
+            settle(rows, mean, true, result);
+        make_rise(result.phase, slowest_beyond * slowest_in_cycle / mean.period);
+    }
+    return result;
+}
+
+std::vector<double> residuals(ConstMatrixView rows, const MeanCycle& mean, const Run& run) {
+    std::vector<double> expected(static_cast<std::size_t>(rows.cols)), result;
+    for (std::int64_t i = 0; i < run.rows(); ++i) {
+        mean.loop.at(run.phase[static_cast<std::size_t>(i)], expected.data());
+        result.push_back(std::sqrt(
+            squared_distance(rows.row(run.begin + i), expected.data(), rows.cols) / mean.variance));
+    }
+    return result;
+}
+
+Offset offset_between(const Loop& first, const Loop& second) {
+    constexpr std::int64_t places = 200;
+    Matrix a = first.sampled(places), b = second.sampled(places);
+    for (std::int64_t i = 0; i < places; ++i) {
+        axpy(-1, first.coefficients.row(0), a.row(i), a.cols());
+        axpy(-1, second.coefficients.row(0), b.row(i), b.cols());
+    }
+    std::vector<double> alike;
+    for (std::int64_t shift = 0; shift < places; ++shift) {
+        double sum = 0;
+        for (std::int64_t i = 0; i < places; ++i)
+            sum += dot(a.row(i), b.row((i + shift) % places), a.cols());
+        alike.push_back(sum);
+    }
+    const auto best = static_cast<std::int64_t>(std::ranges::max_element(alike) - alike.begin());
+    const auto at = [&](std::int64_t i) {
+        return alike[static_cast<std::size_t>((i + places) % places)];
+    };
+    const double bend = at(best - 1) - 2 * at(best) + at(best + 1);
+    const double vertex = bend < 0 ? (at(best - 1) - at(best + 1)) / (2 * bend) : 0;
+    const double shift = (static_cast<double>(best) + vertex) / places;
+    const double size = std::sqrt(dot(a.data(), a.data(), places * a.cols()) *
+                                  dot(b.data(), b.data(), places * b.cols()));
+    return {shift - std::floor(shift), size > 0 ? at(best) / size : 0};
+}
+
+} // namespace stltsa::phase

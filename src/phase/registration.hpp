@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Registration: the phase of each row is where it lies on the mean cycle. Mean cycle and phases are
+// improved in turns, beginning with linear time.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "base/parallel.hpp"
+#include "phase/loop.hpp"
+#include "phase/pose_and_velocity.hpp"
+
+namespace stltsa::phase {
+
+struct MeanCycle {
+    Loop loop;           ///< of pose_and_velocity(), 2 x features columns
+    double period = 0;   ///< rows, median of the cycles
+    double variance = 0; ///< of the rows it was learned from, summed over the columns
+};
+
+struct Registration {
+    MeanCycle mean;
+    std::vector<Run> runs; ///< strictly rising; shifted, but not reordered
+    /// Mean squared distance of the rows from the mean cycle, as a share of the variance.
+    double residual = 0;
+};
+
+/// Registers runs of whole cycles with each other. `runs`: linear time between the borders of
+/// cycles; each has at least four rows. `rows`: pose_and_velocity(). After it, over whole turns,
+/// the mean share of time at each phase is uniform, so that phases of several clips compare.
+Registration register_runs(ConstMatrixView rows, std::vector<Run> runs, double period);
+
+/// Registers one run with a known mean cycle. Steps of the phase are at least `slowest` of the
+/// mean.
+Run register_with(ConstMatrixView rows, const MeanCycle& mean, Run run, double slowest);
+
+/// The run, continued to rows [within.begin, within.end) a quarter of a cycle at a time. Steps are
+/// slower and faster there than within cycles.
+Run grown(ConstMatrixView rows, const MeanCycle& mean, const Run& run, Range within);
+
+/// Distance of each row of the run from the mean cycle, as a share of its root mean square
+/// deviation.
+std::vector<double> residuals(ConstMatrixView rows, const MeanCycle& mean, const Run& run);
+
+/// A shift of phase, and the correlation of two mean cycles that it gives, each less its mean.
+struct Offset {
+    double shift = 0; ///< phase of the second that looks like phase 0 of the first, in [0, 1)
+    double likeness = 0;
+};
+Offset offset_between(const Loop& first, const Loop& second);
+
+} // namespace stltsa::phase
