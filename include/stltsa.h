@@ -1027,6 +1027,83 @@ STLTSA_API stltsa_status stltsa_model_save(const stltsa_model *model,
                                            const char *path) STLTSA_NOEXCEPT;
 STLTSA_API stltsa_status stltsa_model_load(const char *path, stltsa_model **model) STLTSA_NOEXCEPT;
 
+/* ---- Phase and mean cycles --------------------------------------------------------------- */
+
+/* A phase for every frame of the cycles of a clip: where it lies on the mean cycle of its motion,
+ * in turns. It rises strictly and is continuous across the borders of cycles; 0 is at the same
+ * place of the body in every cycle, clip and person with the same features, at most an eighth of a
+ * cycle from the borders of the cycles. The frames of all segments of a label are registered to one
+ * mean cycle, by pose and velocity; afterwards the mean share of time at each phase is uniform. */
+typedef struct stltsa_phase stltsa_phase;
+
+/* Finds the phase of a clip that was decomposed. Every frame counts, whatever option sample_rate
+ * says, without further smoothing. If a mean cycle explains less than 0.6 of the variance of the
+ * features, the phase of its motion is linear in time, and a warning says so. Options: as
+ * stltsa_decompose, with the values it had. E_ARGUMENT: the decomposition is of another clip. */
+STLTSA_API stltsa_status stltsa_phase_find(const stltsa_clip *clip,
+                                           const stltsa_decomposition *decomposition,
+                                           const stltsa_options *options,
+                                           stltsa_phase **phase) STLTSA_NOEXCEPT;
+STLTSA_API void stltsa_phase_free(stltsa_phase *phase) STLTSA_NOEXCEPT;
+
+/* Of each frame of the file; each array may be NULL.
+ * phase     frames x 1, in [0, 1); NaN outside cycles
+ * residual  frames x 1: distance from the mean cycle in pose and velocity, as a share of the root
+ *           mean square deviation of the motion; NaN outside cycles
+ * cycle     frames x 1, I64: index of the cycle among STLTSA_PART_CYCLE; -1 outside cycles */
+STLTSA_API stltsa_status stltsa_phase_values(const stltsa_phase *phase, const stltsa_out *values,
+                                             const stltsa_out *residual,
+                                             const stltsa_out *cycle) STLTSA_NOEXCEPT;
+STLTSA_API int64_t stltsa_phase_warning_count(const stltsa_phase *phase) STLTSA_NOEXCEPT;
+STLTSA_API const char *stltsa_phase_warning(const stltsa_phase *phase,
+                                            int64_t index) STLTSA_NOEXCEPT;
+
+/* Signals on 0 to 100 % of each cycle. */
+typedef struct stltsa_cycles stltsa_cycles;
+
+/* Resamples any signals of the clip's frames, such as features, joint angles, forces or EMG, by the
+ * phase of one motion. Sample s of a cycle is at phase s / (samples - 1), so that the last one is
+ * phase 0 of the next cycle. Linear between frames.
+ *
+ * label     of the segments, 0 for A
+ * signals   frames of the file x columns; NaN is a missing value, which means leave out
+ * samples   of each cycle, at least 2; 101 for percent
+ *
+ * A turn of the phase begins at most an eighth of a cycle before or after its cycle. Samples that
+ * the clip does not reach, at the first and the last cycle, are NaN.
+ * E_ARGUMENT: the label has no cycles. E_SHAPE. */
+STLTSA_API stltsa_status stltsa_cycles_resample(const stltsa_phase *phase, int32_t label,
+                                                const stltsa_in *signals, int64_t samples,
+                                                stltsa_cycles **cycles) STLTSA_NOEXCEPT;
+
+/* The same without registration: linear in time between borders, such as heel strikes.
+ * borders   count x 1, ascending frames, not rounded, within the signals; at least 2 */
+STLTSA_API stltsa_status stltsa_cycles_between(const stltsa_in *borders, const stltsa_in *signals,
+                                               int64_t samples,
+                                               stltsa_cycles **cycles) STLTSA_NOEXCEPT;
+STLTSA_API void stltsa_cycles_free(stltsa_cycles *cycles) STLTSA_NOEXCEPT;
+STLTSA_API int64_t stltsa_cycles_count(const stltsa_cycles *cycles) STLTSA_NOEXCEPT;
+
+/* Mean and standard deviation over the cycles, samples x columns; each may be NULL. The deviation
+ * of a single cycle is NaN. */
+STLTSA_API stltsa_status stltsa_cycles_mean(const stltsa_cycles *cycles, const stltsa_out *mean,
+                                            const stltsa_out *deviation) STLTSA_NOEXCEPT;
+/* One cycle: samples x columns. E_ARGUMENT: there is no such cycle. */
+STLTSA_API stltsa_status stltsa_cycles_cycle(const stltsa_cycles *cycles, int64_t index,
+                                             const stltsa_out *values) STLTSA_NOEXCEPT;
+/* When it happens, apart from what happens; each may be NULL.
+ * frames    cycles x samples: the frame of each sample, not rounded
+ * warp      cycles x samples: how much later than in linear time, as a share of the cycle */
+STLTSA_API stltsa_status stltsa_cycles_times(const stltsa_cycles *cycles, const stltsa_out *frames,
+                                             const stltsa_out *warp) STLTSA_NOEXCEPT;
+/* How far each cycle is from the mean; each may be NULL.
+ * total     cycles x 1: root mean square over samples and columns, as a share of the root of the
+ *           variance along the mean cycle
+ * columns   cycles x columns: root mean square over the samples, in the unit of the signal */
+STLTSA_API stltsa_status stltsa_cycles_distance(const stltsa_cycles *cycles,
+                                                const stltsa_out *total,
+                                                const stltsa_out *columns) STLTSA_NOEXCEPT;
+
 /* ---- Denoising (section 3.2) ------------------------------------------------------------- */
 
 typedef struct stltsa_denoising stltsa_denoising;

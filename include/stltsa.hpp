@@ -760,6 +760,134 @@ inline Decomposition decompose(const Clip& clip, const Options& options = {}) {
     return detail::made<Decomposition>(stltsa_decompose, clip.get(), options.get());
 }
 
+/// Signals on 0 to 100 % of each cycle.
+class Cycles {
+  public:
+    using Pointer = stltsa_cycles*;
+
+    Cycles(stltsa_cycles* owned, std::int64_t samples, std::int64_t columns)
+        : handle_(owned), samples_(samples), columns_(columns) {}
+
+    std::int64_t count() const noexcept { return stltsa_cycles_count(get()); }
+    /// samples x columns
+    Matrix mean() const {
+        Matrix mean(samples_, columns_);
+        const stltsa_out to = detail::out(mean);
+        detail::check(stltsa_cycles_mean(get(), &to, nullptr));
+        return mean;
+    }
+    /// Standard deviation, samples x columns.
+    Matrix deviation() const {
+        Matrix deviation(samples_, columns_);
+        const stltsa_out to = detail::out(deviation);
+        detail::check(stltsa_cycles_mean(get(), nullptr, &to));
+        return deviation;
+    }
+    /// samples x columns
+    Matrix cycle(std::int64_t index) const {
+        Matrix values(samples_, columns_);
+        const stltsa_out to = detail::out(values);
+        detail::check(stltsa_cycles_cycle(get(), index, &to));
+        return values;
+    }
+    /// The frame of each sample, cycles x samples.
+    Matrix frames() const {
+        Matrix frames(count(), samples_);
+        const stltsa_out to = detail::out(frames);
+        detail::check(stltsa_cycles_times(get(), &to, nullptr));
+        return frames;
+    }
+    /// How much later each sample is than in linear time, as a share of the cycle.
+    Matrix warp() const {
+        Matrix warp(count(), samples_);
+        const stltsa_out to = detail::out(warp);
+        detail::check(stltsa_cycles_times(get(), nullptr, &to));
+        return warp;
+    }
+    /// Of each cycle, as a share of the deviation along the mean cycle.
+    std::vector<double> distance() const {
+        std::vector<double> total(static_cast<std::size_t>(count()));
+        const stltsa_out to = detail::out(total);
+        detail::check(stltsa_cycles_distance(get(), &to, nullptr));
+        return total;
+    }
+    /// The same for each column, in its unit: cycles x columns.
+    Matrix column_distance() const {
+        Matrix columns(count(), columns_);
+        const stltsa_out to = detail::out(columns);
+        detail::check(stltsa_cycles_distance(get(), nullptr, &to));
+        return columns;
+    }
+
+    const stltsa_cycles* get() const noexcept { return handle_.get(); }
+
+  private:
+    detail::Handle<stltsa_cycles, stltsa_cycles_free> handle_;
+    std::int64_t samples_, columns_;
+};
+
+/// A phase for every frame of the cycles of a clip.
+class Phase {
+  public:
+    using Pointer = stltsa_phase*;
+
+    Phase(stltsa_phase* owned, std::int64_t frames) : handle_(owned), frames_(frames) {}
+
+    /// Of each frame, in [0, 1); NaN outside cycles.
+    std::vector<double> values() const {
+        std::vector<double> values(static_cast<std::size_t>(frames_));
+        const stltsa_out to = detail::out(values);
+        detail::check(stltsa_phase_values(get(), &to, nullptr, nullptr));
+        return values;
+    }
+    std::vector<double> residuals() const {
+        std::vector<double> residuals(static_cast<std::size_t>(frames_));
+        const stltsa_out to = detail::out(residuals);
+        detail::check(stltsa_phase_values(get(), nullptr, &to, nullptr));
+        return residuals;
+    }
+    /// Index of the cycle of each frame; -1 outside cycles.
+    std::vector<std::int64_t> cycles() const {
+        std::vector<std::int64_t> cycles(static_cast<std::size_t>(frames_));
+        const stltsa_out to = detail::out(cycles);
+        detail::check(stltsa_phase_values(get(), nullptr, nullptr, &to));
+        return cycles;
+    }
+    std::vector<std::string> warnings() const {
+        return detail::texts(stltsa_phase_warning_count, stltsa_phase_warning, get());
+    }
+    /// `label`: of the segments, 0 for A.
+    Cycles resample(std::int32_t label, const MatrixView& signals,
+                    std::int64_t samples = 101) const {
+        stltsa_cycles* cycles = nullptr;
+        detail::check(stltsa_cycles_resample(get(), label, signals.get(), samples, &cycles));
+        return {cycles, samples, signals.get()->cols};
+    }
+
+    const stltsa_phase* get() const noexcept { return handle_.get(); }
+
+  private:
+    detail::Handle<stltsa_phase, stltsa_phase_free> handle_;
+    std::int64_t frames_;
+};
+
+/// `options`: as for the decomposition.
+inline Phase find_phase(const Clip& clip, const Decomposition& decomposition,
+                        const Options& options = {}) {
+    stltsa_phase* phase = nullptr;
+    detail::check(stltsa_phase_find(clip.get(), decomposition.get(), options.get(), &phase));
+    return {phase, clip.frames()};
+}
+
+/// Linear in time between the borders.
+inline Cycles cycles_between(const std::vector<double>& borders, const MatrixView& signals,
+                             std::int64_t samples = 101) {
+    const MatrixView at(borders, 1);
+    stltsa_cycles* cycles = nullptr;
+    detail::check(stltsa_cycles_between(at.get(), signals.get(), samples, &cycles));
+    return {cycles, samples, signals.get()->cols};
+}
+
 class Denoising {
   public:
     using Pointer = stltsa_denoising*;

@@ -8,12 +8,24 @@ import subprocess
 import sys
 import sysconfig
 import tempfile
+import venv
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 DATA = pathlib.Path(os.environ.get("STLTSA_DATA", ROOT / ".." / "shared" / "data"))
 # Names of both ankles in the measured skeletons, lower case.
 ANKLES = (("leftankle", "rightankle"), ("lankle", "rankle"), ("lfoot", "rfoot"),
-          ("leftfoot", "rightfoot"))
+          ("leftfoot", "rightfoot"), ("foot_l", "foot_r"))
+
+
+def continue_with_packages(environment, packages=("ezc3d", "pandas")):
+    """Runs this command again in a virtual environment with the packages."""
+    if pathlib.Path(sys.prefix).resolve() == environment.resolve():
+        return
+    python = environment / "bin" / "python"
+    if not python.exists():
+        venv.create(environment, system_site_packages=True, with_pip=True)
+    subprocess.run([python, "-m", "pip", "install", "--quiet", *packages], check=True)
+    os.execv(python, [python, *sys.argv])
 
 
 def binding(build):

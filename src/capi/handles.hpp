@@ -12,6 +12,7 @@
 #include "results/decomposed.hpp"
 #include "results/denoised.hpp"
 #include "results/fitted.hpp"
+#include "results/phased.hpp"
 #include "results/synthesized.hpp"
 #include "stltsa.h"
 
@@ -63,6 +64,14 @@ struct stltsa_dimension : stltsa_info, stltsa::results::EstimatedDimension {
 struct stltsa_decomposition : stltsa_info, stltsa::results::Decomposed {
     explicit stltsa_decomposition(Decomposed of)
         : stltsa_info{&stltsa::capi::decomposition_table}, Decomposed(std::move(of)) {}
+};
+
+struct stltsa_phase : stltsa::results::Phased {
+    explicit stltsa_phase(Phased of) : Phased(std::move(of)) {}
+};
+
+struct stltsa_cycles : stltsa::phase::Resampled {
+    explicit stltsa_cycles(Resampled of) : Resampled(std::move(of)) {}
 };
 
 struct stltsa_denoising : stltsa_info, stltsa::results::Denoised {

@@ -16,9 +16,9 @@ namespace {
 constexpr double most_residual = 0.4;
 constexpr double turn = 2 * std::numbers::pi;
 
-double typical_length(std::span<const Borders> sequences) {
+double typical_length(std::span<const Sequence> sequences) {
     std::vector<double> lengths;
-    for (const Borders& borders : sequences)
+    for (const auto& [borders, begins_at] : sequences)
         for (std::size_t i = 0; i + 1 < borders.size(); ++i)
             lengths.push_back(borders[i + 1] - borders[i]);
     return motion::median(lengths);
@@ -34,12 +34,13 @@ double linear_phase(const Borders& borders, double row) {
     return static_cast<double>(i - 1) + (row - begin) / (end - begin);
 }
 
-Run linear_run(const Borders& borders, std::int64_t rows) {
+Run linear_run(const Sequence& sequence, std::int64_t rows) {
+    const Borders& borders = sequence.borders;
     Run run{std::max<std::int64_t>(0, std::llround(borders.front())), {}};
     const std::int64_t end =
         std::min(rows, static_cast<std::int64_t>(std::llround(borders.back())));
     for (std::int64_t row = run.begin; row < end; ++row)
-        run.phase.push_back(linear_phase(borders, static_cast<double>(row)));
+        run.phase.push_back(sequence.begins_at + linear_phase(borders, static_cast<double>(row)));
     return run;
 }
 
@@ -65,12 +66,12 @@ double phase_at(const Run& run, double row) {
     return run.phase[i] + (place - static_cast<double>(i)) * (run.phase[i + 1] - run.phase[i]);
 }
 
-/// Circular mean of the phases at the borders.
-double phase_at_borders(const std::vector<Run>& runs, std::span<const Borders> sequences) {
+/// Circular mean of the phases at the borders, of those where the same side comes first.
+double phase_at_borders(const std::vector<Run>& runs, std::span<const Sequence> sequences) {
     std::complex<double> sum = 0;
     for (std::size_t s = 0; s < runs.size(); ++s)
-        for (const double border : sequences[s])
-            sum += std::polar(1.0, turn * phase_at(runs[s], border));
+        for (const double border : sequences[s].borders)
+            sum += std::polar(1.0, turn * (phase_at(runs[s], border) - sequences[s].begins_at));
     return std::arg(sum) / turn;
 }
 
@@ -105,13 +106,13 @@ void shift_zero(double zero, Phases& phases) {
 
 } // namespace
 
-Phases find_phases(ConstMatrixView rows, double rate, std::span<const Borders> sequences,
+Phases find_phases(ConstMatrixView rows, double rate, std::span<const Sequence> sequences,
                    std::span<const double> side) {
     const double period = typical_length(sequences);
     const Matrix both = pose_and_velocity(rows, rate, period);
     std::vector<Run> runs;
-    for (const Borders& borders : sequences)
-        runs.push_back(linear_run(borders, rows.rows));
+    for (const Sequence& sequence : sequences)
+        runs.push_back(linear_run(sequence, rows.rows));
     align(both.view(), period, runs);
     Registration found = register_runs(both.view(), runs, period);
     Phases phases{std::move(found.mean), std::move(found.runs), false, found.residual};

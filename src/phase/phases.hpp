@@ -12,6 +12,12 @@ namespace stltsa::phase {
 /// Borders of cycles back to back, in rows, not rounded: cycle i lasts from border i to i + 1.
 using Borders = std::vector<double>;
 
+/// Cycles back to back.
+struct Sequence {
+    Borders borders;
+    double begins_at = 0; ///< about this phase: 0.5 if the other side of the body comes first
+};
+
 /// Of one motion. Phase 0 is at the same place of the body in every cycle and every recording.
 struct Phases {
     MeanCycle mean;
@@ -24,7 +30,7 @@ struct Phases {
 /// second. `side`: one weight for each column, whose weighted sum shows which side of the body is
 /// forward; empty: unknown. Sequences have a cycle of at least four rows each, and lie within the
 /// rows.
-Phases find_phases(ConstMatrixView rows, double rate, std::span<const Borders> sequences,
+Phases find_phases(ConstMatrixView rows, double rate, std::span<const Sequence> sequences,
                    std::span<const double> side);
 
 } // namespace stltsa::phase

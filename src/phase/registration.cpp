@@ -266,25 +266,29 @@ Run register_with(ConstMatrixView rows, const MeanCycle& mean, Run run, double s
     return moving.run;
 }
 
+Run continued(const Run& run, double period, Range within) {
+    const double begin_rate = rate_at(run.phase, false, period);
+    const double end_rate = rate_at(run.phase, true, period);
+    std::vector<double> phase;
+    for (std::int64_t i = run.begin - within.begin; i > 0; --i)
+        phase.push_back(run.phase.front() - begin_rate * static_cast<double>(i));
+    phase.insert(phase.end(), run.phase.begin(), run.phase.end());
+    for (std::int64_t i = 1; i <= within.end - run.end(); ++i)
+        phase.push_back(run.phase.back() + end_rate * static_cast<double>(i));
+    return {within.begin, std::move(phase)};
+}
+
 Run grown(ConstMatrixView rows, const MeanCycle& mean, const Run& run, Range within) {
     Run result = run;
     const std::int64_t step = std::max<std::int64_t>(3, static_cast<std::int64_t>(mean.period / 4));
     while (result.begin > within.begin || result.end() < within.end) {
-        const std::int64_t before = std::min(step, result.begin - within.begin);
-        const std::int64_t after = std::min(step, within.end - result.end());
-        const double first = result.phase.front(), last = result.phase.back();
-        const double begin_rate = rate_at(result.phase, false, mean.period);
-        const double end_rate = rate_at(result.phase, true, mean.period);
-        std::vector<double> phase;
-        for (std::int64_t i = before; i > 0; --i)
-            phase.push_back(first - begin_rate * static_cast<double>(i));
-        phase.insert(phase.end(), result.phase.begin(), result.phase.end());
-        for (std::int64_t i = 1; i <= after; ++i)
-            phase.push_back(last + end_rate * static_cast<double>(i));
-        result = {result.begin - before, std::move(phase)};
-        if (before > 0)
+        const Run before = std::move(result);
+        result = continued(before, mean.period,
+                           {std::max(within.begin, before.begin - step),
+                            std::min(within.end, before.end() + step)});
+        if (result.begin < before.begin)
             settle(rows, mean, false, result);
-        if (after > 0)
+        if (result.end() > before.end())
             settle(rows, mean, true, result);
         make_rise(result.phase, slowest_beyond * slowest_in_cycle / mean.period);
     }

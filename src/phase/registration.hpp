@@ -38,6 +38,9 @@ Run register_with(ConstMatrixView rows, const MeanCycle& mean, Run run, double s
 /// slower and faster there than within cycles.
 Run grown(ConstMatrixView rows, const MeanCycle& mean, const Run& run, Range within);
 
+/// The same without registration, at the rate of the last quarter of a cycle.
+Run continued(const Run& run, double period, Range within);
+
 /// Distance of each row of the run from the mean cycle, as a share of its root mean square
 /// deviation.
 std::vector<double> residuals(ConstMatrixView rows, const MeanCycle& mean, const Run& run);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "results/phased.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -18,9 +19,9 @@ constexpr double touching = 0.5;
 constexpr double shortest_cycle = 6;
 
 /// Sequences of cycles back to back of each label, in rows.
-std::map<std::int32_t, std::vector<phase::Borders>> sequences_of(const Decomposed& decomposed,
-                                                                 const ClipFacts& clip) {
-    std::map<std::int32_t, std::vector<phase::Borders>> sequences;
+std::map<std::int32_t, std::vector<phase::Sequence>> sequences_of(const Decomposed& decomposed,
+                                                                  const ClipFacts& clip) {
+    std::map<std::int32_t, std::vector<phase::Sequence>> sequences;
     const stltsa_part* before = nullptr;
     for (const stltsa_part& cycle : decomposed.cycle_parts) {
         const double begin = cycle.begin_s * clip.fps - static_cast<double>(clip.first);
@@ -32,13 +33,42 @@ std::map<std::int32_t, std::vector<phase::Borders>> sequences_of(const Decompose
         }
         auto& of_label = sequences[label];
         const bool goes_on = before != nullptr && before->segment == cycle.segment &&
-                             std::abs(begin - of_label.back().back()) < touching;
+                             std::abs(begin - of_label.back().borders.back()) < touching;
         if (!goes_on)
-            of_label.push_back({begin});
-        of_label.back().push_back(end);
+            of_label.push_back({{begin}, cycle.side == 1 ? 0.5 : 0.0});
+        of_label.back().borders.push_back(end);
         before = &cycle;
     }
     return sequences;
+}
+
+/// Rows around one of them that no hole interrupts.
+phase::Range unbroken(const std::vector<clip::Frames>& holes, const Phased& phased,
+                      const phase::Run& run) {
+    phase::Range range{0, phased.rows.rows()};
+    for (const clip::Frames& hole : holes) {
+        const std::int64_t begin = hole.begin - phased.clip.first;
+        const std::int64_t end = hole.end - phased.clip.first;
+        if (end <= run.begin)
+            range.begin = std::max(range.begin, end);
+        else if (begin >= run.end())
+            range.end = std::min(range.end, begin);
+    }
+    return range;
+}
+
+/// Continues the runs by a quarter of a cycle.
+void set_reach(const std::vector<clip::Frames>& holes, const Phased& phased, PhasedMotion& motion) {
+    const phase::MeanCycle& mean = motion.phases.mean;
+    const Matrix both = phase::pose_and_velocity(phased.rows.view(), phased.clip.fps, mean.period);
+    const auto reach = static_cast<std::int64_t>(std::ceil(mean.period / 4));
+    for (const phase::Run& run : motion.phases.runs) {
+        const phase::Range most = unbroken(holes, phased, run);
+        const phase::Range within{std::max(most.begin, run.begin - reach),
+                                  std::min(most.end, run.end() + reach)};
+        motion.reach.push_back(motion.phases.linear ? phase::continued(run, mean.period, within)
+                                                    : phase::grown(both.view(), mean, run, within));
+    }
 }
 
 void set_frames(const Decomposed& decomposed, Phased& phased) {
@@ -67,7 +97,39 @@ void set_frames(const Decomposed& decomposed, Phased& phased) {
                 phased.cycle[static_cast<std::size_t>(frame)] = static_cast<std::int64_t>(c);
 }
 
+std::string label_text(std::int32_t label) {
+    std::string text;
+    for (std::int32_t rest = label; rest >= 0; rest = rest / 26 - 1)
+        text.insert(text.begin(), static_cast<char>('A' + rest % 26));
+    return text;
+}
+
 } // namespace
+
+phase::Resampled resample(const Phased& phased, std::int32_t label, ConstMatrixView signals,
+                          std::int64_t samples) {
+    const auto motion = std::ranges::find(phased.motions, label, &PhasedMotion::label);
+    if (motion == phased.motions.end())
+        fail(Status::argument, "label {} has no cycles", label);
+    if (signals.rows != phased.clip.frames)
+        fail(Status::shape, "signals has {} rows; the clip has {} frames", signals.rows,
+             phased.clip.frames);
+    std::int64_t count = 0;
+    for (const std::int64_t cycles : motion->cycles)
+        count += cycles;
+    Matrix rows(count, samples);
+    double* to = rows.data();
+    for (std::size_t r = 0; r < motion->reach.size(); ++r) {
+        // Cycles begin at phases from -1/8 to 1/8, or half a turn later.
+        const auto first =
+            static_cast<std::int64_t>(std::floor(motion->phases.runs[r].phase.front() + 0.25));
+        const Matrix of_run = phase::times_of(motion->reach[r], first, motion->cycles[r], samples);
+        to = std::transform(
+            of_run.data(), of_run.data() + of_run.rows() * samples, to,
+            [&](double row) { return row + static_cast<double>(phased.clip.first); });
+    }
+    return phase::resample(signals, std::move(rows));
+}
 
 Phased find_phase(const clip::Clip& clip, const Decomposed& decomposed,
                   clip::PrepareOptions prepare, const Progress& progress) {
@@ -93,14 +155,18 @@ Phased find_phase(const clip::Clip& clip, const Decomposed& decomposed,
     phased.side = clip::side_weights(clip, found.features, found.up, prepared.samples.view());
     phased.rows = std::move(prepared.samples);
     for (auto& [label, sequences] : sequences_of(decomposed, phased.clip)) {
-        phased.motions.push_back(
-            {label, phase::find_phases(phased.rows.view(), clip.fps, sequences, phased.side)});
-        const phase::Phases& phases = phased.motions.back().phases;
+        PhasedMotion& motion = phased.motions.emplace_back();
+        motion.label = label;
+        motion.phases = phase::find_phases(phased.rows.view(), clip.fps, sequences, phased.side);
+        for (const phase::Sequence& sequence : sequences)
+            motion.cycles.push_back(static_cast<std::int64_t>(sequence.borders.size()) - 1);
+        set_reach(prepared.holes, phased, motion);
+        const phase::Phases& phases = motion.phases;
         if (phases.linear)
             phased.warnings.push_back(format_text(
                 "the phase of motion {} is linear in time: its frames lie {:.2f} of their variance "
                 "from the mean cycle, above 0.4",
-                static_cast<char>('A' + label % 26), phases.residual));
+                label_text(label), phases.residual));
     }
     set_frames(decomposed, phased);
     return phased;

@@ -7,6 +7,7 @@
 
 #include "base/progress.hpp"
 #include "phase/phases.hpp"
+#include "phase/resample.hpp"
 #include "results/decomposed.hpp"
 
 namespace stltsa::results {
@@ -15,6 +16,10 @@ namespace stltsa::results {
 struct PhasedMotion {
     std::int32_t label = 0;
     phase::Phases phases; ///< in rows of Phased
+    /// The runs, continued by a quarter of a cycle on each side as far as there are rows: the first
+    /// and last turn end there.
+    std::vector<phase::Run> reach;
+    std::vector<std::int64_t> cycles; ///< of each run, the number of its cycles
 };
 
 struct Phased {
@@ -29,6 +34,11 @@ struct Phased {
     std::vector<std::int64_t> cycle; ///< -1 outside cycles
     std::vector<std::string> warnings;
 };
+
+/// Signals on 0 to 100 % of the cycles of a motion, a row for each frame of the file. What the clip
+/// does not reach is NaN. Throws Status::argument for a label that has no cycles.
+phase::Resampled resample(const Phased& phased, std::int32_t label, ConstMatrixView signals,
+                          std::int64_t samples);
 
 /// `prepare`: as for the decomposition. Throws Status::argument if the decomposition is not of the
 /// clip.

@@ -127,6 +127,11 @@ class Parser {
         CLI::App& decompose = clip_command(Command::decompose, "decompose", a_clip);
         add_plot(decompose);
         add_output(decompose);
+        decompose
+            .add_option("--phase", to_.phase,
+                        "Write the phase of each frame to a .csv or .npy file: frame, seconds, "
+                        "segment, cycle, phase, residual.")
+            ->type_name("FILE");
         decompose.add_flag("--curve", to_.curve,
                            "Add the curve and the loop, sample by sample, to the JSON.");
         add_denoise();
@@ -299,6 +304,7 @@ bool has_suffix(const std::string& path) {
 
 void check_arguments(const Arguments& arguments) {
     check_suffix("--coords", arguments.coords, {".npy", ".csv"});
+    check_suffix("--phase", arguments.phase, {".npy", ".csv"});
     if (arguments.command == Command::fit)
         check_suffix("-o", arguments.product, {".stltsa"});
     check_suffix("--curve-out", arguments.curve_product, {".npy", ".csv"});

@@ -22,6 +22,7 @@ struct Arguments {
     std::string curve_product; ///< denoise: the fitted curve
     std::string plot;
     std::string coords;
+    std::string phase; ///< decompose: the phase of each frame
     std::string out;   ///< batch: the folder of results
     std::string shard; ///< batch: "i/n"; empty: all
     int workers = 1;   ///< batch

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <iterator>
+#include <limits>
+
 #include "commands/commands.hpp"
 #include "commands/session.hpp"
 #include "plot/from_results.hpp"
@@ -15,6 +19,39 @@ std::string json_with_samples(const stltsa::Decomposition& found) {
                                   found.curve().values, "loop", json_rows(found.loop())));
 }
 
+/// frame, seconds, segment, cycle, phase, residual of every frame; NaN outside cycles.
+stltsa::Matrix phase_table(const stltsa::Clip& clip, const stltsa::Decomposition& found,
+                           const stltsa::Phase& phase) {
+    const std::vector<double> values = phase.values(), residuals = phase.residuals();
+    const std::vector<std::int64_t> cycles = phase.cycles();
+    stltsa::Matrix table(clip.frames(), 6);
+    for (std::int64_t s = 0; s < found.segment_count(); ++s) {
+        const stltsa::Segment segment = found.segment(s);
+        for (std::int64_t frame = segment.begin; frame < segment.end; ++frame) {
+            const auto at = static_cast<std::size_t>(frame);
+            const double cycle = cycles[at] < 0 ? std::numeric_limits<double>::quiet_NaN()
+                                                : static_cast<double>(cycles[at]);
+            const double row[] = {static_cast<double>(frame),
+                                  static_cast<double>(frame) / clip.fps(),
+                                  static_cast<double>(s),
+                                  cycle,
+                                  values[at],
+                                  residuals[at]};
+            std::ranges::copy(row, &table(frame, 0));
+        }
+    }
+    return table;
+}
+
+/// Writes the phase; its warnings are added to those of the decomposition.
+void add_phase(Session& session, const stltsa::Decomposition& found,
+               std::vector<std::string>& warnings) {
+    const stltsa::Phase phase = stltsa::find_phase(session.clip(), found, session.options());
+    session.add_columns(session.arguments().phase, phase_table(session.clip(), found, phase),
+                        {"frame", "seconds", "segment", "cycle", "phase", "residual"});
+    std::ranges::copy(phase.warnings(), std::back_inserter(warnings));
+}
+
 } // namespace
 
 Exit run_decompose(const Arguments& arguments) {
@@ -22,8 +59,11 @@ Exit run_decompose(const Arguments& arguments) {
     const stltsa::Decomposition found = stltsa::decompose(session.open_input(), session.options());
     if (!arguments.plot.empty())
         session.add_file(arguments.plot, decomposition_figure(session, found));
+    std::vector<std::string> warnings = found.warnings();
+    if (!arguments.phase.empty())
+        add_phase(session, found, warnings);
     session.finish({[&] { return arguments.curve ? json_with_samples(found) : found.json(); },
-                    [&] { return decomposition_report(found, session.title()); }, found.warnings(),
+                    [&] { return decomposition_report(found, session.title()); }, warnings,
                     [&] { return decomposition_csv(found); }});
     return Exit::done;
 }

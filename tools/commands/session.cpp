@@ -10,6 +10,7 @@
 #include <span>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include "arguments/option_flags.hpp"
@@ -67,7 +68,7 @@ void check_outputs(const Arguments& arguments) {
         skeleton != arguments.options.end())
         taken.push_back(skeleton->second);
     for (const std::string& path : {arguments.output, arguments.plot, arguments.coords,
-                                    arguments.product, arguments.curve_product}) {
+                                    arguments.phase, arguments.product, arguments.curve_product}) {
         if (path.empty() || path == "-")
             continue;
         check_output_place(path, taken);
@@ -152,6 +153,21 @@ void Session::add_table(const std::string& path, const stltsa::Matrix& table, co
     constexpr double any_rate = 1; // NPY has none
     const auto clip = std::make_shared<stltsa::Clip>(stltsa::Clip::from_matrix(table, any_rate));
     files_.add_written(path, [clip](const std::string& name) { save(*clip, name); });
+}
+
+void Session::add_columns(const std::string& path, const stltsa::Matrix& table,
+                          const std::vector<const char*>& names) {
+    if (ends_in(path, ".npy"))
+        return add_table(path, table);
+    std::string text = fmt::format("{}\n", fmt::join(names, ","));
+    for (std::int64_t r = 0; r < table.rows; ++r)
+        for (std::int64_t c = 0; c < table.cols; ++c) {
+            const double value = table(r, c);
+            if (!std::isnan(value)) // a missing value is an empty cell
+                text += fmt::format("{}", value);
+            text += c + 1 < table.cols ? ',' : '\n';
+        }
+    add_file(path, std::move(text));
 }
 
 void Session::add_clip(const std::string& path, const stltsa::Clip& clip) {

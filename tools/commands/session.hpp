@@ -47,6 +47,9 @@ class Session {
     /// is known, a column of seconds comes first.
     void add_table(const std::string& path, const stltsa::Matrix& table, const char* column = "y",
                    double fps = 0);
+    /// The same with a name for each column; NaN is an empty cell of CSV.
+    void add_columns(const std::string& path, const stltsa::Matrix& table,
+                     const std::vector<const char*>& names);
     /// The suffix determines the format. The clip, like a model, must live until finish().
     void add_clip(const std::string& path, const stltsa::Clip& clip);
     void add_model(const std::string& path, const stltsa::Model& model);

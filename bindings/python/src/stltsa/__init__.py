@@ -32,6 +32,7 @@ from .dimensions import Dimension, dimension
 from .errors import *  # noqa: F403
 from .events import Event
 from .model import Mapped, Model, fit
+from .phase import Cycles, Phase, cycles_between
 from .synthesis import Piece, Seam, Synthesis, synthesize, synthesize_loop
 
 if TYPE_CHECKING:
@@ -66,6 +67,7 @@ __all__ = [  # noqa: PLE0604
     "STLTSA",
     "BatchRow",
     "Clip",
+    "Cycles",
     "Decomposition",
     "Denoising",
     "Dimension",
@@ -77,6 +79,7 @@ __all__ = [  # noqa: PLE0604
     "OptionTable",
     "Options",
     "Part",
+    "Phase",
     "Piece",
     "Seam",
     "Segment",
@@ -84,6 +87,7 @@ __all__ = [  # noqa: PLE0604
     "Synthesis",
     "__version__",
     "batch",
+    "cycles_between",
     "decompose",
     "denoise",
     "dimension",

@@ -107,6 +107,16 @@ def letters(label: int) -> str:
     return text
 
 
+def number_of(label: str) -> int:
+    """Return the number of a label: 0 for A, 26 for AA."""
+    if not (isinstance(label, str) and label.isascii() and label.isalpha() and label.isupper()):
+        raise ValueError(f"label is {label!r}, and must be letters such as 'A'")
+    number = 0
+    for letter in label:
+        number = 26 * number + ord(letter) - ord("A") + 1
+    return number - 1
+
+
 def without_seconds(row: Row) -> Row:
     """Return the row of a motion whose rate is unknown: what depends on the rate is NaN."""
     times = [n for n in row._fields if n.endswith("_s") or n in ("per_minute", "trend")]

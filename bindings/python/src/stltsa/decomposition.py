@@ -17,6 +17,7 @@ from ._rows import Interval, Part, Row, Segment, Summary, letters, without_secon
 from ._tables import table
 from ._text import string
 from .clip import Clip, as_clip, one_matrix, opened
+from .phase import Phase
 from .readers import is_points
 
 if TYPE_CHECKING:
@@ -114,7 +115,7 @@ def decompose(motion: Motion, **options: Unpack[Options]) -> Decomposition:
     out = ffi.new("stltsa_decomposition **")
     with Call(rest, working_rate(clip.fps, rest)) as call:
         call.check(lib.stltsa_decompose(clip._handle, call.options, out))
-    return Decomposition(owned("decomposition", out), clip)
+    return Decomposition(owned("decomposition", out), clip, rest)
 
 
 class Decomposition(Described):
@@ -128,9 +129,10 @@ class Decomposition(Described):
 
     _kind = "decomposition"
 
-    def __init__(self, handle: Any, clip: Clip) -> None:
+    def __init__(self, handle: Any, clip: Clip, options: dict[str, Any]) -> None:
         self._handle = handle
         self.clip = clip
+        self._options = options
 
     def _rows(self, rows: list[Row]) -> tuple[Row, ...]:
         """Return rows, without seconds if the rate is unknown."""
@@ -289,6 +291,32 @@ class Decomposition(Described):
     def best_cycle(self) -> Interval | None:
         """The cycle that is most similar to the others."""
         return self._cycle("best")
+
+    def phase(self) -> Phase:
+        """Find the phase of every frame of the cycles: where it lies on the mean cycle.
+
+        Returns
+        -------
+        Phase
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> import stltsa
+        >>> result = stltsa.decompose("walker.bvh")
+        >>> phase = result.phase()
+        >>> bool(np.nanmax(phase.residual) < 0.5)
+        True
+        >>> cycles = phase.resample(result.clip.features())
+        >>> len(cycles), cycles.mean.shape[0]
+        (7, 101)
+        """
+        out = ffi.new("stltsa_phase **")
+        with Call(self._options, working_rate(self.clip.fps, self._options)) as call:
+            call.check(
+                lib.stltsa_phase_find(self.clip._handle, self._handle, call.options, out)
+            )
+        return Phase(owned("phase", out), len(self.clip))
 
     def to_frame(self) -> DataFrame:
         """Return one table of all segments, units, cycles and repetitions; needs pandas.

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "phase/resample.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace stltsa::phase {
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+/// The place at which the rising values reach `value`; NaN outside.
+double place_of(const std::vector<double>& values, double value) {
+    if (!(value >= values.front() && value <= values.back()))
+        return none;
+    const auto after = std::ranges::lower_bound(values, value) - values.begin();
+    if (after == 0)
+        return 0;
+    const double before = values[static_cast<std::size_t>(after - 1)];
+    const double step = values[static_cast<std::size_t>(after)] - before;
+    return static_cast<double>(after - 1) + (value - before) / step;
+}
+
+double share_of(std::int64_t sample, std::int64_t samples) {
+    return static_cast<double>(sample) / static_cast<double>(samples - 1);
+}
+
+Matrix linear_rows(ConstMatrixView signals, const double* places, std::int64_t count) {
+    Matrix result(count, signals.cols);
+    for (std::int64_t s = 0; s < count; ++s) {
+        if (std::isnan(places[s])) {
+            std::fill_n(result.row(s), signals.cols, none);
+            continue;
+        }
+        const double place = std::clamp(places[s], 0.0, static_cast<double>(signals.rows - 1));
+        const auto i =
+            std::min(static_cast<std::int64_t>(place), std::max<std::int64_t>(0, signals.rows - 2));
+        const double part = place - static_cast<double>(i);
+        for (std::int64_t c = 0; c < signals.cols; ++c)
+            result(s, c) = part > 0 ? signals(i, c) + part * (signals(i + 1, c) - signals(i, c))
+                                    : signals(i, c);
+    }
+    return result;
+}
+
+/// Mean and standard deviation over the cycles, of the values that are known.
+void set_spread(Resampled& made) {
+    const std::int64_t rows = made.each.front().rows(), cols = made.each.front().cols();
+    made.mean = Matrix(rows, cols);
+    made.deviation = Matrix(rows, cols);
+    for (std::int64_t i = 0; i < rows * cols; ++i) {
+        double count = 0, sum = 0, squares = 0;
+        for (const Matrix& cycle : made.each)
+            if (const double value = cycle.data()[i]; !std::isnan(value)) {
+                sum += value;
+                ++count;
+            }
+        const double mean = count > 0 ? sum / count : none;
+        for (const Matrix& cycle : made.each)
+            if (const double value = cycle.data()[i]; !std::isnan(value))
+                squares += (value - mean) * (value - mean);
+        made.mean.data()[i] = mean;
+        made.deviation.data()[i] = count > 1 ? std::sqrt(squares / (count - 1)) : none;
+    }
+}
+
+/// Mean square of the known values of a column, the last sample left out, which is the first again.
+template <class Value>
+double mean_square(std::int64_t samples, const Value& value_at) {
+    double count = 0, squares = 0;
+    for (std::int64_t s = 0; s + 1 < samples; ++s)
+        if (const double value = value_at(s); !std::isnan(value)) {
+            squares += value * value;
+            ++count;
+        }
+    return count > 0 ? squares / count : none;
+}
+
+/// Sum over the columns of the variance along the mean cycle.
+double variance_of(const Matrix& mean) {
+    double sum = 0;
+    for (std::int64_t c = 0; c < mean.cols(); ++c) {
+        double level = 0, count = 0;
+        for (std::int64_t s = 0; s + 1 < mean.rows(); ++s)
+            if (!std::isnan(mean(s, c))) {
+                level += mean(s, c);
+                ++count;
+            }
+        const double square =
+            mean_square(mean.rows(), [&](std::int64_t s) { return mean(s, c) - level / count; });
+        sum += std::isnan(square) ? 0 : square;
+    }
+    return sum;
+}
+
+void set_distances(Resampled& made) {
+    const double variance = variance_of(made.mean);
+    made.distance = Matrix(static_cast<std::int64_t>(made.each.size()), made.mean.cols());
+    for (std::size_t k = 0; k < made.each.size(); ++k) {
+        double squares = 0;
+        for (std::int64_t c = 0; c < made.mean.cols(); ++c) {
+            const double square = mean_square(made.mean.rows(), [&](std::int64_t s) {
+                return made.each[k](s, c) - made.mean(s, c);
+            });
+            made.distance(static_cast<std::int64_t>(k), c) = std::sqrt(square);
+            squares += std::isnan(square) ? 0 : square;
+        }
+        made.total.push_back(variance > 0 ? std::sqrt(squares / variance) : none);
+    }
+}
+
+} // namespace
+
+Matrix times_of(const Run& run, std::int64_t first, std::int64_t count, std::int64_t samples) {
+    Matrix rows(count, samples);
+    for (std::int64_t k = 0; k < count; ++k)
+        for (std::int64_t s = 0; s < samples; ++s)
+            rows(k, s) = static_cast<double>(run.begin) +
+                         place_of(run.phase, static_cast<double>(first + k) + share_of(s, samples));
+    return rows;
+}
+
+Matrix times_between(const Borders& borders, std::int64_t samples) {
+    Matrix rows(static_cast<std::int64_t>(borders.size()) - 1, samples);
+    for (std::int64_t k = 0; k < rows.rows(); ++k)
+        for (std::int64_t s = 0; s < samples; ++s) {
+            const double begin = borders[static_cast<std::size_t>(k)];
+            const double end = borders[static_cast<std::size_t>(k + 1)];
+            rows(k, s) = begin + share_of(s, samples) * (end - begin);
+        }
+    return rows;
+}
+
+Resampled resample(ConstMatrixView signals, Matrix rows) {
+    Resampled made;
+    made.warp = Matrix(rows.rows(), rows.cols());
+    const std::int64_t last = rows.cols() - 1;
+    for (std::int64_t k = 0; k < rows.rows(); ++k) {
+        const double begin = rows(k, 0), length = rows(k, last) - begin;
+        for (std::int64_t s = 0; s <= last; ++s)
+            made.warp(k, s) = (rows(k, s) - begin) / length - share_of(s, last + 1);
+        made.each.push_back(linear_rows(signals, rows.row(k), rows.cols()));
+    }
+    set_spread(made);
+    set_distances(made);
+    made.rows = std::move(rows);
+    return made;
+}
+
+} // namespace stltsa::phase

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Signals of any kind on 0 to 100 % of each cycle, with mean and spread.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "phase/phases.hpp"
+
+namespace stltsa::phase {
+
+/// Rows at which the `count` turns of the run from phase `first` on pass even phases: turns x
+/// samples, the last sample being the first of the next turn. NaN where the run does not reach.
+Matrix times_of(const Run& run, std::int64_t first, std::int64_t count, std::int64_t samples);
+
+/// The same without registration: linear in time between the borders.
+Matrix times_between(const Borders& borders, std::int64_t samples);
+
+struct Resampled {
+    Matrix rows;              ///< of each sample of each cycle
+    Matrix warp;              ///< share of the cycle by which a phase comes later than linear time
+    std::vector<Matrix> each; ///< samples x columns
+    Matrix mean, deviation;   ///< over the cycles; standard deviation, NaN of a single one
+    Matrix distance;          ///< cycles x columns, root mean square about the mean, in its unit
+    /// Of all columns, as a share of the root of their variance over the mean cycle.
+    std::vector<double> total;
+};
+
+/// `signals`: a row each; NaN is a missing value and is left out of means. Linear between rows. A
+/// row that is NaN has no values.
+Resampled resample(ConstMatrixView signals, Matrix rows);
+
+} // namespace stltsa::phase
