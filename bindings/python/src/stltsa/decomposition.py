@@ -309,7 +309,7 @@ class Decomposition(Described):
         True
         >>> cycles = phase.resample(result.clip.features())
         >>> len(cycles), cycles.mean.shape[0]
-        (7, 101)
+        (3, 101)
         """
         out = ffi.new("stltsa_phase **")
         with Call(self._options, working_rate(self.clip.fps, self._options)) as call:

@@ -2128,6 +2128,95 @@ extern "C" {
 }
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
+pub struct stltsa_phase {
+    _unused: [u8; 0],
+}
+extern "C" {
+    pub fn stltsa_phase_find(
+        clip: *const stltsa_clip,
+        decomposition: *const stltsa_decomposition,
+        options: *const stltsa_options,
+        phase: *mut *mut stltsa_phase,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_phase_free(phase: *mut stltsa_phase);
+}
+extern "C" {
+    pub fn stltsa_phase_values(
+        phase: *const stltsa_phase,
+        values: *const stltsa_out,
+        residual: *const stltsa_out,
+        cycle: *const stltsa_out,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_phase_warning_count(phase: *const stltsa_phase) -> i64;
+}
+extern "C" {
+    pub fn stltsa_phase_warning(
+        phase: *const stltsa_phase,
+        index: i64,
+    ) -> *const ::std::os::raw::c_char;
+}
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct stltsa_cycles {
+    _unused: [u8; 0],
+}
+extern "C" {
+    pub fn stltsa_cycles_resample(
+        phase: *const stltsa_phase,
+        label: i32,
+        signals: *const stltsa_in,
+        samples: i64,
+        cycles: *mut *mut stltsa_cycles,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_cycles_between(
+        borders: *const stltsa_in,
+        signals: *const stltsa_in,
+        samples: i64,
+        cycles: *mut *mut stltsa_cycles,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_cycles_free(cycles: *mut stltsa_cycles);
+}
+extern "C" {
+    pub fn stltsa_cycles_count(cycles: *const stltsa_cycles) -> i64;
+}
+extern "C" {
+    pub fn stltsa_cycles_mean(
+        cycles: *const stltsa_cycles,
+        mean: *const stltsa_out,
+        deviation: *const stltsa_out,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_cycles_cycle(
+        cycles: *const stltsa_cycles,
+        index: i64,
+        values: *const stltsa_out,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_cycles_times(
+        cycles: *const stltsa_cycles,
+        frames: *const stltsa_out,
+        warp: *const stltsa_out,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_cycles_distance(
+        cycles: *const stltsa_cycles,
+        total: *const stltsa_out,
+        columns: *const stltsa_out,
+    ) -> stltsa_status;
+}
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
 pub struct stltsa_denoising {
     _unused: [u8; 0],
 }

@@ -31,6 +31,8 @@ handles! {
     stltsa_dimension: stltsa_dimension_free
     stltsa_decomposition: stltsa_decomposition_free
     stltsa_denoising: stltsa_denoising_free
+    stltsa_phase: stltsa_phase_free
+    stltsa_cycles: stltsa_cycles_free
     stltsa_synthesis: stltsa_synthesis_free
 }
 

@@ -21,6 +21,7 @@
 //!   onto it and [coordinates back](Model::unmap_clip) to poses; can be saved to files.
 //! * [`Dimension`]: the intrinsic dimension of a motion.
 //! * [`Denoising`]: a curve without its noise.
+//! * [`Phase`]: a phase for every frame, and signals on 0 to 100 % of each cycle ([`Cycles`]).
 //! * [`Synthesis`]: new motion from pieces of clips.
 //! * [`Facts`]: all other facts about a clip or a result, by key.
 //! * [`Options`]: deviations from the defaults, progress and cancelling.
@@ -58,6 +59,7 @@ mod kinds;
 mod mapping;
 mod model;
 mod options;
+mod phase;
 mod progress;
 mod synthesis;
 #[cfg(feature = "ndarray")]
@@ -76,6 +78,7 @@ pub use kinds::{
 pub use mapping::{Mapped, Poses, Unmapped};
 pub use model::{Model, ModelInfo};
 pub use options::{options_table, OptionInfo, Options};
+pub use phase::{Cycles, Phase};
 pub use synthesis::{Piece, Seam, Synthesis};
 
 /// Tests the README's programs together with the documentation.

@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Phases, and signals on 0 to 100 % of the cycles."""
+
+import numpy as np
+import pytest
+
+import stltsa
+
+
+@pytest.fixture(scope="module")
+def phase(result):
+    return result.phase()
+
+
+def test_frames_of_cycles_have_phases(result, phase):
+    inside = np.zeros(len(result.clip), bool)
+    for index, cycle in enumerate(result.cycle_list):
+        assert (phase.cycle[cycle.begin : cycle.end] == index).all()
+        inside[cycle.begin : cycle.end] = True
+    assert (np.isnan(phase.values) == ~inside).all()
+    assert (np.isnan(phase.residual) == ~inside).all()
+    steps = np.diff(phase.values[inside]) % 1
+    assert (steps > 0).all()
+    assert (steps < 0.1).all()
+    assert not phase.warnings
+    assert f"{inside.sum()} in cycles" in repr(phase)
+
+
+def test_the_same_place_in_both_feet_of_another_walk(clip, phase):
+    """A stretch that begins half a cycle later has the same phases."""
+    other = stltsa.decompose(clip.stretch("100-")).phase()
+    both = ~np.isnan(phase.values[100:]) & ~np.isnan(other.values)
+    off = (phase.values[100:][both] - other.values[both] + 0.5) % 1 - 0.5
+    assert both.sum() > 100
+    assert abs(off).max() < 0.02
+
+
+def test_signals_are_resampled(result, phase):
+    frames = np.arange(len(result.clip), dtype=np.float64)
+    cycles = phase.resample(frames)
+    assert len(cycles) == len(result.cycle_list)
+    assert cycles.each.shape == (len(cycles), 101, 1)
+    np.testing.assert_allclose(cycles.each[..., 0], cycles.frames)
+    np.testing.assert_allclose(cycles.mean, np.nanmean(cycles.each, axis=0))
+    np.testing.assert_allclose(cycles.sd, np.nanstd(cycles.each, axis=0, ddof=1))
+    np.testing.assert_allclose(cycles.frames[:-1, -1], cycles.frames[1:, 0])
+    assert np.nanmax(abs(cycles.warp)) < 0.1
+    assert cycles.distance.shape == (len(cycles),)
+    apart = np.sqrt(np.nanmean((cycles.each - cycles.mean)[:, :-1] ** 2, axis=1))
+    np.testing.assert_allclose(cycles.column_distance, apart)
+    features = phase.resample(result.clip.features(), samples=51)
+    assert repr(features).endswith(f"of 51 samples x {result.clip.features().shape[1]}>")
+    assert np.nanmax(features.distance) < 0.2
+
+
+def test_a_missing_value_is_left_out(result, phase):
+    frames = np.ones(len(result.clip))
+    frames[result.cycle_list[1].begin + 3 :][:4] = np.nan
+    cycles = phase.resample(frames)
+    assert np.isnan(cycles.each[1]).any()
+    np.testing.assert_array_equal(cycles.mean, 1)
+
+
+def test_borders_may_be_given():
+    signal = np.random.default_rng(3).random((90, 2))
+    borders = [3.25, 30, 51.5, 88.75]
+    cycles = stltsa.cycles_between(borders, signal, samples=33)
+    for begin, end, values in zip(borders, borders[1:], cycles.each, strict=False):
+        at = np.linspace(begin, end, 33)
+        for column in range(2):
+            expected = np.interp(at, np.arange(90), signal[:, column])
+            np.testing.assert_allclose(values[:, column], expected, atol=1e-12)
+    assert abs(cycles.warp).max() < 1e-12
+
+
+def test_errors_say_what_is_wrong(phase):
+    with pytest.raises(stltsa.ArgumentError, match="label 25 has no cycles"):
+        phase.resample(np.zeros(len(phase.values)), label="Z")
+    with pytest.raises(ValueError, match="letters such as 'A'"):
+        phase.resample(np.zeros(len(phase.values)), label=0)
+    with pytest.raises(stltsa.ShapeError, match="signals has 3 rows"):
+        phase.resample([1.0, 2.0, 3.0])
+    with pytest.raises(stltsa.ArgumentError, match="border 1"):
+        stltsa.cycles_between([5, 5], np.zeros(9))

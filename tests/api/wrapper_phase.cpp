@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// stltsa.hpp: phases and signals on 0 to 100 % of the cycles.
+#include <cmath>
+
+#include <stltsa.hpp>
+
+#include "../rooms/assertions.hpp"
+
+namespace {
+
+std::string walker_path; // set by main()
+
+void frames_have_phases(void**) {
+    const stltsa::Clip clip = stltsa::Clip::open(walker_path);
+    const stltsa::Decomposition found = stltsa::decompose(clip);
+    const stltsa::Phase phase = stltsa::find_phase(clip, found);
+    const std::vector<double> values = phase.values(), residuals = phase.residuals();
+    const std::vector<std::int64_t> cycle = phase.cycles();
+    assert_int_equal(values.size(), clip.frames());
+    const auto middle = static_cast<std::size_t>(found.cycle(1).begin + 3);
+    assert_int_equal(cycle[middle], 1);
+    assert_true(residuals[middle] > 0 && residuals[middle] < 0.5);
+    assert_true(std::isnan(values[0]) && cycle[0] == -1);
+    assert_true(phase.warnings().empty());
+
+    const stltsa::Matrix features = clip.features();
+    const stltsa::Cycles cycles = phase.resample(0, features, 51);
+    assert_non_null(cycles.get());
+    assert_int_equal(cycles.count(), found.cycle_count());
+    const stltsa::Matrix mean = cycles.mean(), first = cycles.cycle(0);
+    assert_int_equal(mean.rows, 51);
+    assert_int_equal(mean.cols, features.cols);
+    assert_true(std::isfinite(cycles.deviation()(25, 0)));
+    assert_true(std::isfinite(first(25, 0)));
+    assert_true(cycles.frames()(1, 25) > cycles.frames()(0, 25));
+    assert_true(std::abs(cycles.warp()(1, 25)) < 0.1);
+    assert_true(cycles.distance()[1] < 0.5);
+    assert_int_equal(cycles.column_distance().cols, features.cols);
+}
+
+void borders_may_be_given(void**) {
+    const std::vector<double> ramp = {0, 1, 2, 3, 4, 5, 6, 7, 8};
+    const stltsa::Cycles cycles = stltsa::cycles_between({0, 4, 8}, stltsa::MatrixView(ramp, 1), 5);
+    ASSERT_NEAR(cycles.mean()(1, 0), 3, 1e-12);
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    if (argc != 2)
+        return 2;
+    walker_path = argv[1];
+    const CMUnitTest tests[] = {
+        cmocka_unit_test(frames_have_phases),
+        cmocka_unit_test(borders_may_be_given),
+    };
+    return cmocka_run_group_tests(tests, nullptr, nullptr);
+}

@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""decompose --phase: the phase of each frame as a table."""
+
+import csv
+import unittest
+
+import numpy
+
+from common import CommandTest, walk
+
+
+class Phase(CommandTest):
+    def test_csv_and_npy_hold_the_same(self):
+        found = self.json("decompose", walk(), "--phase", self.folder / "phase.csv")
+        self.done("decompose", walk(), "--phase", self.folder / "phase.npy")
+        table = numpy.load(self.folder / "phase.npy")
+        with open(self.folder / "phase.csv", encoding="ascii") as file:
+            rows = list(csv.reader(file))
+        self.assertEqual(rows[0], ["frame", "seconds", "segment", "cycle", "phase", "residual"])
+        read = [[float(cell or "nan") for cell in row] for row in rows[1:]]
+        numpy.testing.assert_array_equal(read, table)
+        self.assertEqual(table.shape, (found["clip"]["frames"], 6))
+        numpy.testing.assert_array_equal(table[:, 0], numpy.arange(len(table)))
+        numpy.testing.assert_allclose(table[:, 1], table[:, 0] / found["clip"]["fps"])
+        cycle = numpy.full(len(table), numpy.nan)
+        for index, part in enumerate(found["cycles"]):
+            cycle[part["begin"]:part["end"]] = index
+        numpy.testing.assert_array_equal(table[:, 3], cycle)
+        numpy.testing.assert_array_equal(numpy.isnan(table[:, 4]), numpy.isnan(cycle))
+        inside = table[~numpy.isnan(cycle), 4]
+        self.assertTrue((inside >= 0).all() and (inside < 1).all())
+        self.assertTrue((numpy.diff(inside) % 1 > 0).all())
+
+    def test_a_clip_without_cycles_has_no_phase(self):
+        self.done("decompose", f"{walk()}:0-25", "--phase", self.folder / "none.npy")
+        self.assertTrue(numpy.isnan(numpy.load(self.folder / "none.npy")[:, 3:]).all())
+
+    def test_another_suffix_is_refused(self):
+        self.fails(2, "decompose", walk(), "--phase", self.folder / "phase.txt")
+
+
+if __name__ == "__main__":
+    unittest.main()
