@@ -1104,6 +1104,46 @@ STLTSA_API stltsa_status stltsa_cycles_distance(const stltsa_cycles *cycles,
                                                 const stltsa_out *total,
                                                 const stltsa_out *columns) STLTSA_NOEXCEPT;
 
+/* ---- Events ------------------------------------------------------------------------------- */
+
+/* A moment, such as a heel strike, that was marked in one cycle and is found in all others. */
+typedef struct stltsa_events stltsa_events;
+
+/* Append-only: set size to sizeof(stltsa_event). */
+typedef struct stltsa_event {
+    size_t size;
+    int64_t cycle;     /* index among STLTSA_PART_CYCLE of the clip; -1: outside cycles */
+    double frame;      /* of the file, not rounded */
+    double seconds;
+    double confidence; /* 0 to 1: ranks the events by the size of their likely errors */
+    int32_t marked;    /* 1: a mark of the caller, as it was given */
+    int32_t reserved;  /* 0 */
+} stltsa_event;
+
+/* Finds the event at one or more marked frames in every cycle or repetition of that motion, also a
+ * little before the first and after the last cycle if the motion goes on there. Each is the mean of
+ * three places: where the phase comes round, where velocity and acceleration are like those at the
+ * marks, and where they are like those of the other cycles.
+ *
+ * from    a clip's phase
+ * marks   count x 1: frames of that clip, not rounded
+ * in      where the events are found: NULL or `from` for the same clip, or another clip with the
+ *         same features, such as another person's
+ *
+ * Events are in order of time; none if the other clip has no such motion (see
+ * stltsa_events_likeness). E_ARGUMENT: a mark lies in no motion that repeats. E_SHAPE: the features
+ * of the clips differ. */
+STLTSA_API stltsa_status stltsa_events_find(const stltsa_phase *from, const stltsa_in *marks,
+                                            const stltsa_phase *in,
+                                            stltsa_events **events) STLTSA_NOEXCEPT;
+STLTSA_API void stltsa_events_free(stltsa_events *events) STLTSA_NOEXCEPT;
+STLTSA_API int64_t stltsa_events_count(const stltsa_events *events) STLTSA_NOEXCEPT;
+STLTSA_API stltsa_status stltsa_events_event(const stltsa_events *events, int64_t index,
+                                             stltsa_event *event) STLTSA_NOEXCEPT;
+/* Correlation of the mean cycles of the two clips; 1 within a clip. Events of another person are to
+ * be trusted less below 0.95; below 0.6 it is another motion, and there are none. */
+STLTSA_API double stltsa_events_likeness(const stltsa_events *events) STLTSA_NOEXCEPT;
+
 /* ---- Denoising (section 3.2) ------------------------------------------------------------- */
 
 typedef struct stltsa_denoising stltsa_denoising;

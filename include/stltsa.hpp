@@ -51,6 +51,7 @@ using Segment = stltsa_segment;
 using Part = stltsa_part;
 using Summary = stltsa_summary;
 using Seam = stltsa_seam;
+using Event = stltsa_event;
 using Piece = stltsa_piece; ///< see Clip::piece()
 using OptionInfo = stltsa_option_info;
 using InfoKey = stltsa_info_key;
@@ -826,6 +827,31 @@ class Cycles {
     std::int64_t samples_, columns_;
 };
 
+/// Moments that were marked once, wherever they come again.
+class Events {
+  public:
+    using Pointer = stltsa_events*;
+
+    explicit Events(stltsa_events* owned) : handle_(owned) {}
+
+    std::int64_t count() const noexcept { return stltsa_events_count(get()); }
+    Event event(std::int64_t index) const {
+        Event event{};
+        event.size = sizeof event;
+        detail::check(stltsa_events_event(get(), index, &event));
+        return event;
+    }
+    std::vector<Event> all() const {
+        return detail::list(count(), [this](std::int64_t index) { return event(index); });
+    }
+    double likeness() const noexcept { return stltsa_events_likeness(get()); }
+
+    const stltsa_events* get() const noexcept { return handle_.get(); }
+
+  private:
+    detail::Handle<stltsa_events, stltsa_events_free> handle_;
+};
+
 /// A phase for every frame of the cycles of a clip.
 class Phase {
   public:
@@ -855,6 +881,15 @@ class Phase {
     }
     std::vector<std::string> warnings() const {
         return detail::texts(stltsa_phase_warning_count, stltsa_phase_warning, get());
+    }
+    /// The event at marked frames, in every cycle of the clip.
+    Events events(const std::vector<double>& marks) const { return events(marks, *this); }
+    /// The same in another clip.
+    Events events(const std::vector<double>& marks, const Phase& in) const {
+        const MatrixView at(marks, 1);
+        stltsa_events* events = nullptr;
+        detail::check(stltsa_events_find(get(), at.get(), in.get(), &events));
+        return Events(events);
     }
     /// `label`: of the segments, 0 for A.
     Cycles resample(std::int32_t label, const MatrixView& signals,

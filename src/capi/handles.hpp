@@ -11,6 +11,7 @@
 #include "ltsa/mapping/mapping.hpp"
 #include "results/decomposed.hpp"
 #include "results/denoised.hpp"
+#include "results/events.hpp"
 #include "results/fitted.hpp"
 #include "results/phased.hpp"
 #include "results/synthesized.hpp"
@@ -72,6 +73,10 @@ struct stltsa_phase : stltsa::results::Phased {
 
 struct stltsa_cycles : stltsa::phase::Resampled {
     explicit stltsa_cycles(Resampled of) : Resampled(std::move(of)) {}
+};
+
+struct stltsa_events : stltsa::results::FoundEvents {
+    explicit stltsa_events(FoundEvents of) : FoundEvents(std::move(of)) {}
 };
 
 struct stltsa_denoising : stltsa_info, stltsa::results::Denoised {

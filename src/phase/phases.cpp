@@ -104,24 +104,45 @@ void shift_zero(double zero, Phases& phases) {
             phase -= zero;
 }
 
+std::vector<Run> linear_runs(std::span<const Sequence> sequences, std::int64_t rows) {
+    std::vector<Run> runs;
+    for (const Sequence& sequence : sequences)
+        runs.push_back(linear_run(sequence, rows));
+    return runs;
+}
+
+/// Phases that begin as `runs`.
+Phases registered(ConstMatrixView both, std::vector<Run> runs, double period) {
+    Registration found = register_runs(both, runs, period);
+    Phases phases;
+    phases.mean = std::move(found.mean);
+    phases.residual = found.residual;
+    phases.linear = found.residual > most_residual;
+    phases.runs = phases.linear ? std::move(runs) : std::move(found.runs);
+    if (phases.linear)
+        phases.mean.loop = fit_loop(both, phases.runs, harmonics_for(period));
+    return phases;
+}
+
 } // namespace
 
 Phases find_phases(ConstMatrixView rows, double rate, std::span<const Sequence> sequences,
                    std::span<const double> side) {
     const double period = typical_length(sequences);
     const Matrix both = pose_and_velocity(rows, rate, period);
-    std::vector<Run> runs;
-    for (const Sequence& sequence : sequences)
-        runs.push_back(linear_run(sequence, rows.rows));
+    std::vector<Run> runs = linear_runs(sequences, rows.rows);
     align(both.view(), period, runs);
-    Registration found = register_runs(both.view(), runs, period);
-    Phases phases{std::move(found.mean), std::move(found.runs), false, found.residual};
-    if (found.residual > most_residual) {
-        phases.linear = true;
-        phases.runs = std::move(runs);
-        phases.mean.loop = fit_loop(both.view(), phases.runs, harmonics_for(period));
-    }
+    Phases phases = registered(both.view(), std::move(runs), period);
     shift_zero(body_zero(phases.mean.loop, side, phase_at_borders(phases.runs, sequences)), phases);
+    return phases;
+}
+
+Phases find_phases_of_repetitions(ConstMatrixView rows, double rate,
+                                  std::span<const Sequence> repetitions) {
+    const double period = typical_length(repetitions);
+    const Matrix both = pose_and_velocity(rows, rate, period);
+    Phases phases = registered(both.view(), linear_runs(repetitions, rows.rows), period);
+    phases.cyclic = false;
     return phases;
 }
 

@@ -24,6 +24,7 @@ struct Phases {
     std::vector<Run> runs; ///< one for each sequence of cycles, from its first to its last border
     bool linear = false;   ///< the mean cycle explains too little: phases are linear in time
     double residual = 0;   ///< see Registration
+    bool cyclic = true;    ///< else runs are repetitions with pauses, one turn each
 };
 
 /// Phases of the rows within the cycles. `rows`: features, not smoothed, finite; `rate`: rows per
@@ -32,5 +33,10 @@ struct Phases {
 /// rows.
 Phases find_phases(ConstMatrixView rows, double rate, std::span<const Sequence> sequences,
                    std::span<const double> side);
+
+/// The same of an action that is repeated with pauses: each sequence is one repetition, from phase
+/// 0 to 1.
+Phases find_phases_of_repetitions(ConstMatrixView rows, double rate,
+                                  std::span<const Sequence> repetitions);
 
 } // namespace stltsa::phase

@@ -14,9 +14,6 @@ namespace {
 
 /// Rounds of mean cycle and phases: 3 give what 20 give.
 constexpr int rounds = 4;
-/// Steps of the phase vary smoothly over this share of a cycle; from 0.02 to 0.06 events scatter
-/// alike, below it poses alone follow slow drift.
-constexpr double smooth_share = 0.04;
 /// A round moves no phase further.
 constexpr double most_correction = 0.1;
 /// Least step, as a share of the mean one.
@@ -123,8 +120,8 @@ double mean_weight(const std::vector<Pull>& pulls) {
     return sum / count;
 }
 
-double stiffness_of(double weight, double period) {
-    return weight * std::pow(smooth_share * period, 4);
+double stiffness_of(double weight, double reach) {
+    return weight * std::pow(reach, 4);
 }
 
 /// The row at which the phase of the run reaches `phase`, which lies within.
@@ -240,7 +237,7 @@ Registration register_runs(ConstMatrixView rows, std::vector<Run> runs, double p
         std::vector<Pull> pulls;
         for (const Moving& moving : all)
             pulls.push_back(pull_to(rows, loop, moving.run));
-        const double stiffness = stiffness_of(mean_weight(pulls), period);
+        const double stiffness = stiffness_of(mean_weight(pulls), smooth_share * period);
         for (std::size_t r = 0; r < all.size(); ++r)
             all[r].follow(pulls[r], stiffness, slowest_in_cycle / period);
         even_out(all);
@@ -257,11 +254,13 @@ Registration register_runs(ConstMatrixView rows, std::vector<Run> runs, double p
     return result;
 }
 
-Run register_with(ConstMatrixView rows, const MeanCycle& mean, Run run, double slowest) {
+Run register_with(ConstMatrixView rows, const MeanCycle& mean, Run run, double slowest,
+                  double smooth) {
     Moving moving(std::move(run));
     for (int round = 0; round < rounds; ++round) {
         const Pull pull = pull_to(rows, mean.loop, moving.run);
-        moving.follow(pull, stiffness_of(mean_weight({pull}), mean.period), slowest / mean.period);
+        moving.follow(pull, stiffness_of(mean_weight({pull}), smooth * mean.period),
+                      slowest / mean.period);
     }
     return moving.run;
 }

@@ -12,6 +12,10 @@
 
 namespace stltsa::phase {
 
+/// Steps of the phase vary smoothly over this share of a cycle; from 0.02 to 0.06 events scatter
+/// alike, below it poses alone follow slow drift.
+inline constexpr double smooth_share = 0.04;
+
 struct MeanCycle {
     Loop loop;           ///< of pose_and_velocity(), 2 x features columns
     double period = 0;   ///< rows, median of the cycles
@@ -32,7 +36,8 @@ Registration register_runs(ConstMatrixView rows, std::vector<Run> runs, double p
 
 /// Registers one run with a known mean cycle. Steps of the phase are at least `slowest` of the
 /// mean.
-Run register_with(ConstMatrixView rows, const MeanCycle& mean, Run run, double slowest);
+Run register_with(ConstMatrixView rows, const MeanCycle& mean, Run run, double slowest,
+                  double smooth = smooth_share);
 
 /// The run, continued to rows [within.begin, within.end) a quarter of a cycle at a time. Steps are
 /// slower and faster there than within cycles.

@@ -71,12 +71,56 @@ void set_reach(const std::vector<clip::Frames>& holes, const Phased& phased, Pha
     }
 }
 
+/// The repetitions of each label.
+std::map<std::int32_t, std::vector<phase::Sequence>> repetitions_of(const Decomposed& decomposed,
+                                                                    const ClipFacts& clip) {
+    std::map<std::int32_t, std::vector<phase::Sequence>> repetitions;
+    for (const stltsa_part& part : decomposed.repetitions) {
+        const double begin = part.begin_s * clip.fps - static_cast<double>(clip.first);
+        const double end = part.end_s * clip.fps - static_cast<double>(clip.first);
+        const auto label = decomposed.segments[static_cast<std::size_t>(part.segment)].label;
+        if (end - begin >= shortest_cycle)
+            repetitions[label].push_back({{begin, end}});
+    }
+    return repetitions;
+}
+
+/// Rows of segments in motion one after another, which no hole interrupts.
+std::vector<phase::Range> moving_rows(const Decomposed& decomposed,
+                                      const std::vector<clip::Frames>& holes,
+                                      const Phased& phased) {
+    std::vector<phase::Range> ranges;
+    const auto row = [&](std::int64_t frame) {
+        return std::clamp<std::int64_t>(frame - phased.clip.first, 0, phased.rows.rows());
+    };
+    for (const stltsa_segment& segment : decomposed.segments) {
+        if (segment.kind == STLTSA_SEGMENT_REST)
+            continue;
+        if (!ranges.empty() && ranges.back().end == row(segment.begin))
+            ranges.back().end = row(segment.end);
+        else
+            ranges.push_back({row(segment.begin), row(segment.end)});
+    }
+    for (const clip::Frames& hole : holes)
+        for (std::size_t i = 0; i < ranges.size(); ++i) {
+            phase::Range& range = ranges[i];
+            if (row(hole.begin) > range.begin && row(hole.begin) < range.end) {
+                const phase::Range rest{std::max(row(hole.end), row(hole.begin)), range.end};
+                range.end = row(hole.begin);
+                ranges.insert(ranges.begin() + static_cast<std::ptrdiff_t>(i) + 1, rest);
+            }
+        }
+    return ranges;
+}
+
 void set_frames(const Decomposed& decomposed, Phased& phased) {
     const auto frames = static_cast<std::size_t>(phased.clip.frames);
     phased.phase.assign(frames, none);
     phased.residual.assign(frames, none);
     phased.cycle.assign(frames, -1);
     for (const PhasedMotion& motion : phased.motions) {
+        if (!motion.phases.cyclic)
+            continue;
         const Matrix both = phase::pose_and_velocity(phased.rows.view(), phased.clip.fps,
                                                      motion.phases.mean.period);
         for (const phase::Run& run : motion.phases.runs) {
@@ -108,7 +152,9 @@ std::string label_text(std::int32_t label) {
 
 phase::Resampled resample(const Phased& phased, std::int32_t label, ConstMatrixView signals,
                           std::int64_t samples) {
-    const auto motion = std::ranges::find(phased.motions, label, &PhasedMotion::label);
+    const auto motion = std::ranges::find_if(phased.motions, [&](const PhasedMotion& each) {
+        return each.label == label && each.phases.cyclic;
+    });
     if (motion == phased.motions.end())
         fail(Status::argument, "label {} has no cycles", label);
     if (signals.rows != phased.clip.frames)
@@ -168,6 +214,13 @@ Phased find_phase(const clip::Clip& clip, const Decomposed& decomposed,
                 "from the mean cycle, above 0.4",
                 label_text(label), phases.residual));
     }
+    for (auto& [label, repetitions] : repetitions_of(decomposed, phased.clip)) {
+        PhasedMotion& motion = phased.motions.emplace_back();
+        motion.label = label;
+        motion.phases =
+            phase::find_phases_of_repetitions(phased.rows.view(), clip.fps, repetitions);
+    }
+    phased.moving = moving_rows(decomposed, prepared.holes, phased);
     set_frames(decomposed, phased);
     return phased;
 }

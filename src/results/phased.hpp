@@ -12,7 +12,7 @@
 
 namespace stltsa::results {
 
-/// A motion of the clip that repeats.
+/// A motion of the clip that repeats: in cycles, or with pauses.
 struct PhasedMotion {
     std::int32_t label = 0;
     phase::Phases phases; ///< in rows of Phased
@@ -27,7 +27,8 @@ struct Phased {
     SampleFacts samples;               ///< the features; every frame from the first one on is a row
     Matrix rows;                       ///< features, not smoothed
     std::vector<double> side;          ///< see recording::Options
-    std::vector<PhasedMotion> motions; ///< by label
+    std::vector<PhasedMotion> motions; ///< in cycles, by label; then those with pauses
+    std::vector<phase::Range> moving;  ///< rows between rests and holes
     // Of each frame of the file.
     std::vector<double> phase;       ///< in [0, 1); NaN outside cycles
     std::vector<double> residual;    ///< NaN outside cycles

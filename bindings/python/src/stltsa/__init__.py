@@ -32,7 +32,7 @@ from .dimensions import Dimension, dimension
 from .errors import *  # noqa: F403
 from .events import Event
 from .model import Mapped, Model, fit
-from .phase import Cycles, Phase, cycles_between
+from .phase import Cycles, FoundEvent, FoundEvents, Phase, cycles_between
 from .synthesis import Piece, Seam, Synthesis, synthesize, synthesize_loop
 
 if TYPE_CHECKING:
@@ -72,6 +72,8 @@ __all__ = [  # noqa: PLE0604
     "Denoising",
     "Dimension",
     "Event",
+    "FoundEvent",
+    "FoundEvents",
     "Interval",
     "Mapped",
     "Model",

@@ -3,16 +3,18 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from ._arrays import FloatArray, IntArray, as_matrix, columns, read_from, write_to
+from ._arrays import FloatArray, IntArray, as_matrix, columns, read_from, write_list, write_to
 from ._call import check, owned, texts
 from ._native import ffi, lib
 from ._rows import number_of
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from ._given import Matrix
 
 _NULL = ffi.NULL
@@ -53,6 +55,45 @@ def cycles_between(borders: Any, signals: Matrix, *, samples: int = 101) -> Cycl
     out = ffi.new("stltsa_cycles **")
     check(lib.stltsa_cycles_between(read_from(at), read_from(given), samples, out))
     return Cycles(owned("cycles", out), samples, given.shape[1])
+
+
+class FoundEvent(NamedTuple):
+    """A moment that was marked elsewhere.
+
+    `frame` is not rounded; `cycle` is an index among :attr:`Decomposition.cycles`, -1 outside
+    cycles; `confidence`, 0 to 1, ranks events by the size of their likely errors; `marked` is true
+    for a mark itself.
+    """
+
+    frame: float
+    seconds: float
+    cycle: int
+    confidence: float
+    marked: bool
+
+
+class FoundEvents(tuple[FoundEvent, ...]):
+    """Events in order of time.
+
+    Attributes
+    ----------
+    likeness : float
+        Correlation of the mean cycles of the two clips; 1 within a clip. Below 0.95 trust events
+        less; below 0.6 it is another motion, and there are none.
+    """
+
+    likeness: float
+
+    def __new__(cls, handle: Any) -> FoundEvents:
+        found, raw = [], ffi.new("stltsa_event *", {"size": ffi.sizeof("stltsa_event")})
+        for index in range(lib.stltsa_events_count(handle)):
+            check(lib.stltsa_events_event(handle, index, raw))
+            found.append(
+                FoundEvent(raw.frame, raw.seconds, raw.cycle, raw.confidence, bool(raw.marked))
+            )
+        events = super().__new__(cls, found)
+        events.likeness = lib.stltsa_events_likeness(handle)
+        return events
 
 
 class Cycles:
@@ -127,34 +168,74 @@ class Phase:
         self._handle = handle
         self._frames = frames
 
-    def _column(self, index: int) -> Any:
-        result: Any = columns(self._frames, 1)
-        if index == 2:
-            result = np.empty((self._frames, 1), dtype=np.int64)
+    def _fill(self, index: int, values: FloatArray | IntArray) -> None:
         outputs = [_NULL, _NULL, _NULL]
-        outputs[index] = write_to(result)
+        outputs[index] = write_list(values)
         check(lib.stltsa_phase_values(self._handle, *outputs))
-        return result[:, 0]
 
     @property
     def values(self) -> FloatArray:
         """Phase of each frame in [0, 1); NaN outside cycles."""
-        return self._column(0)
+        values = np.empty(self._frames)
+        self._fill(0, values)
+        return values
 
     @property
     def residual(self) -> FloatArray:
         """Distance from the mean cycle, as a share of the motion's deviation; NaN outside cycles."""
-        return self._column(1)
+        residual = np.empty(self._frames)
+        self._fill(1, residual)
+        return residual
 
     @property
     def cycle(self) -> IntArray:
         """Index of the cycle of each frame among :attr:`Decomposition.cycles`; -1 outside."""
-        return self._column(2)
+        cycle = np.empty(self._frames, dtype=np.int64)
+        self._fill(2, cycle)
+        return cycle
 
     @property
     def warnings(self) -> tuple[str, ...]:
         """Of motions whose phase is linear in time, because the mean cycle explains too little."""
         return texts(lib.stltsa_phase_warning_count, lib.stltsa_phase_warning, self._handle)
+
+    def events(
+        self, marks: float | Sequence[float], other: Phase | None = None
+    ) -> FoundEvents:
+        """Find the event at one or more marked frames wherever it comes again.
+
+        Parameters
+        ----------
+        marks : float or sequence of float
+            Frames of this clip in cycles or repetitions, such as one heel strike; not rounded.
+        other : Phase, optional
+            Of another clip with the same features, such as another person's, in which to look.
+
+        Returns
+        -------
+        FoundEvents
+            In order of time.
+
+        Raises
+        ------
+        stltsa.ArgumentError
+            A mark lies in no motion that repeats.
+        stltsa.ShapeError
+            The features of the clips differ.
+
+        Examples
+        --------
+        >>> import stltsa
+        >>> phase = stltsa.decompose("walker.bvh").phase()
+        >>> events = phase.events(250)
+        >>> [round(event.seconds, 2) for event in events if event.cycle >= 0]
+        [2.08, 3.12, 4.17]
+        """
+        at = np.atleast_2d(np.asarray(marks, dtype=np.float64)).reshape(-1, 1)
+        out = ffi.new("stltsa_events **")
+        target = _NULL if other is None else other._handle
+        check(lib.stltsa_events_find(self._handle, read_from(at), target, out))
+        return FoundEvents(owned("events", out))
 
     def resample(self, signals: Matrix, *, label: str = "A", samples: int = 101) -> Cycles:
         """Resample any signals of the clip's frames on 0 to 100 % of each cycle.

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+#include <vector>
+
+#include "capi/boundary/arrays.hpp"
+#include "capi/boundary/guard.hpp"
+#include "capi/boundary/structs.hpp"
+#include "capi/handles.hpp"
+
+using namespace stltsa;
+using capi::compute;
+using capi::guard;
+using capi::required;
+
+namespace {
+
+/// Throws for no marks, and for frames that the clip does not have.
+std::vector<double> marks_of(const stltsa_in* marks, const results::Phased& from) {
+    const capi::InputFrames input(marks, "marks");
+    if (input.view().cols != 1 || input.view().rows < 1)
+        fail(Status::shape, "marks is {} x {}; it must have one column and at least one row",
+             input.view().rows, input.view().cols);
+    std::vector<double> frames;
+    for (int64_t i = 0; i < input.view().rows; ++i) {
+        const double frame = input.view()(i, 0);
+        if (!(frame >= 0 && frame <= static_cast<double>(from.clip.frames - 1)))
+            fail(Status::argument, "mark {} is frame {}; the clip has frames 0 to {}", i, frame,
+                 from.clip.frames - 1);
+        frames.push_back(frame);
+    }
+    return frames;
+}
+
+} // namespace
+
+stltsa_status stltsa_events_find(const stltsa_phase* from, const stltsa_in* marks,
+                                 const stltsa_phase* in, stltsa_events** events) noexcept {
+    return compute([&] {
+        required(events, "events") = nullptr;
+        const results::Phased& source = required(from, "from");
+        const results::Phased& target = in == nullptr ? source : *in;
+        *events = new stltsa_events(results::find_events(source, marks_of(marks, source), target));
+    });
+}
+
+void stltsa_events_free(stltsa_events* events) noexcept {
+    delete events;
+}
+
+int64_t stltsa_events_count(const stltsa_events* events) noexcept {
+    return events == nullptr ? 0 : static_cast<int64_t>(events->events.size());
+}
+
+stltsa_status stltsa_events_event(const stltsa_events* events, int64_t index,
+                                  stltsa_event* event) noexcept {
+    return guard([&] {
+        const auto& all = required(events, "events").events;
+        if (index < 0 || index >= static_cast<int64_t>(all.size()))
+            fail(Status::argument, "event {} does not exist: there are {}", index, all.size());
+        const results::FoundEvent& found = all[static_cast<std::size_t>(index)];
+        const stltsa_event copy = {sizeof(stltsa_event),
+                                   found.cycle,
+                                   found.frame,
+                                   found.seconds,
+                                   found.confidence,
+                                   found.marked ? 1 : 0,
+                                   0};
+        capi::give(copy, event, "event", "stltsa_event");
+    });
+}
+
+double stltsa_events_likeness(const stltsa_events* events) noexcept {
+    return events == nullptr ? 0 : events->likeness;
+}

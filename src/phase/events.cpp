@@ -1,0 +1,400 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "phase/events.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+#include "linalg/gaussian.hpp"
+#include "linalg/simd.hpp"
+#include "motion/curve/statistics.hpp"
+
+namespace stltsa::phase {
+namespace {
+
+constexpr double turn = 2 * std::numbers::pi;
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+/// Templates reach so far to each side, as a share of a cycle; longer ones follow the motion before
+/// and after the event.
+constexpr double half_window = 0.05;
+constexpr std::int64_t window_steps = 8; ///< to each side
+/// An event lies so near to where the phase comes round.
+constexpr double reach = 0.10;
+constexpr int rounds = 4;
+/// Added to the variance of each column, as a share of the mean one, before weighing by it.
+constexpr double variance_floor = 0.1;
+/// Cycles farther from the mean, in units of the usual distance, teach no template.
+constexpr double most_distance = 3;
+/// Median from this number on, mean of fewer.
+constexpr std::size_t many = 5;
+constexpr double of_phase = 0.25, of_direct = 0.25, of_group = 0.5;
+constexpr double least_error_ms = 3;
+/// Between recordings: range and step of the common shift, as shares of a cycle.
+constexpr double common_reach = 0.08;
+constexpr double common_step = 0.004;
+/// Smoothness of the map between two mean cycles.
+constexpr double map_share = 0.08;
+
+using Rows = std::vector<double>;
+
+/// Offsets of a template's samples from the event, in rows.
+Rows offsets_of(const Searched& in) {
+    const auto places = static_cast<double>(in.fine.places());
+    const double half = half_window * in.mean.period;
+    const double step = std::max(1.0, std::round(half * places / window_steps)) / places;
+    const auto count = static_cast<std::int64_t>(std::llround(half / step));
+    Rows offsets;
+    for (std::int64_t i = -count; i <= count; ++i)
+        offsets.push_back(static_cast<double>(i) * step);
+    return offsets;
+}
+
+/// Samples around a row: offsets x columns.
+Matrix window(const FineRows& fine, double row, const Rows& offsets) {
+    Matrix values(static_cast<std::int64_t>(offsets.size()), fine.cols());
+    for (std::size_t i = 0; i < offsets.size(); ++i)
+        fine.at(row + offsets[i], values.row(static_cast<std::int64_t>(i)));
+    return values;
+}
+
+struct Template {
+    Matrix values;
+    Rows weights; ///< of the columns
+};
+
+Matrix typical(const std::vector<Matrix>& windows) {
+    Matrix values(windows.front().rows(), windows.front().cols());
+    Rows of_all(windows.size());
+    for (std::int64_t i = 0; i < values.rows() * values.cols(); ++i) {
+        double sum = 0;
+        for (std::size_t w = 0; w < windows.size(); ++w)
+            sum += of_all[w] = windows[w].data()[i];
+        values.data()[i] = windows.size() < many ? sum / static_cast<double>(windows.size())
+                                                 : motion::median(of_all);
+    }
+    return values;
+}
+
+/// Columns count by how little they vary about the template.
+Rows weights_of(const std::vector<Matrix>& windows, const Matrix& about) {
+    Rows variance(static_cast<std::size_t>(about.cols()));
+    for (const Matrix& each : windows)
+        for (std::int64_t r = 0; r < about.rows(); ++r)
+            for (std::int64_t c = 0; c < about.cols(); ++c) {
+                const double off = each(r, c) - about(r, c);
+                variance[static_cast<std::size_t>(c)] += off * off;
+            }
+    double mean = 0;
+    for (const double v : variance)
+        mean += v / static_cast<double>(variance.size());
+    Rows weights;
+    for (const double v : variance)
+        weights.push_back(mean > 0 ? 1 / (v + variance_floor * mean) : 1);
+    return weights;
+}
+
+double cost_of(const Matrix& values, const Template& like) {
+    double cost = 0;
+    for (std::int64_t r = 0; r < values.rows(); ++r)
+        cost += sum_of(values.cols(), [&](std::int64_t c) {
+            const double off = values(r, c) - like.values(r, c);
+            return like.weights[static_cast<std::size_t>(c)] * off * off;
+        });
+    return cost;
+}
+
+/// The lowest of costs at even steps, with a parabola through it and its neighbors; in steps.
+double lowest(const Rows& costs) {
+    const auto at = std::ranges::min_element(costs) - costs.begin();
+    const auto i = static_cast<std::size_t>(at);
+    if (i == 0 || i + 1 == costs.size())
+        return static_cast<double>(i);
+    const double bend = costs[i - 1] - 2 * costs[i] + costs[i + 1];
+    return static_cast<double>(i) + (bend > 0 ? (costs[i - 1] - costs[i + 1]) / (2 * bend) : 0);
+}
+
+/// Where the recording is most like the template, near a row; NaN too near the ends.
+double refined(const Searched& in, double row, const Template& like, const Rows& offsets) {
+    const auto places = static_cast<double>(in.fine.places());
+    const double last = static_cast<double>(in.fine.rows() - 1);
+    const double far = std::round(reach * in.mean.period * places) / places;
+    const double center = std::round(row * places) / places;
+    const double begin = std::max(center - far, -offsets.front());
+    const double end = std::min(center + far, last - offsets.back());
+    if ((end - begin) * places < 2)
+        return none;
+    Rows costs;
+    for (double at = begin; at <= end + 0.5 / places; at += 1 / places)
+        costs.push_back(cost_of(window(in.fine, at, offsets), like));
+    return begin + lowest(costs) / places;
+}
+
+double interpolated(const std::vector<double>& values, double place) {
+    const double at = std::clamp(place, 0.0, static_cast<double>(values.size() - 1));
+    const auto i = std::min(static_cast<std::size_t>(at), values.size() - 1);
+    const auto next = std::min(i + 1, values.size() - 1);
+    return values[i] + (at - static_cast<double>(i)) * (values[next] - values[i]);
+}
+
+/// A place at which the phase comes round.
+struct Candidate {
+    double row = 0;
+    double distance = 0; ///< of the motion there from the mean cycle
+    bool teaches = false;
+};
+
+std::vector<Candidate> candidates_at(const Searched& in, double phase, const Rows& offsets) {
+    std::vector<Candidate> found;
+    const double last = static_cast<double>(in.fine.rows() - 1);
+    for (std::size_t r = 0; r < in.runs.size(); ++r) {
+        const std::vector<double>& phases = in.runs[r].phase;
+        const double first = in.cyclic ? phase + std::ceil(phases.front() - phase) : phase;
+        for (double next = first; next >= phases.front() && next <= phases.back(); ++next) {
+            const auto after = std::ranges::lower_bound(phases, next) - phases.begin();
+            const auto i = static_cast<std::size_t>(std::max<std::ptrdiff_t>(after, 1));
+            const double place =
+                static_cast<double>(i - 1) + (next - phases[i - 1]) / (phases[i] - phases[i - 1]);
+            const double row = static_cast<double>(in.runs[r].begin) + place;
+            const double distance = interpolated(in.distance[r], place);
+            const bool whole = row + offsets.front() > 0 && row + offsets.back() < last;
+            found.push_back({row, distance, whole && distance < most_distance * in.usual_distance});
+        }
+    }
+    std::ranges::sort(found, {}, &Candidate::row);
+    return found;
+}
+
+/// Mean of the phases of the marks, on the circle if the motion is cyclic; none if no mark lies
+/// within a run.
+std::optional<double> phase_of(const Searched& in, std::span<const double> marks) {
+    std::complex<double> sum = 0;
+    double total = 0, count = 0;
+    for (const double mark : marks)
+        for (const Run& run : in.runs)
+            if (mark >= static_cast<double>(run.begin) &&
+                mark <= static_cast<double>(run.end() - 1)) {
+                const double phase = interpolated(run.phase, mark - static_cast<double>(run.begin));
+                sum += std::polar(1.0, turn * phase);
+                total += phase;
+                ++count;
+            }
+    if (count == 0)
+        return std::nullopt;
+    return in.cyclic ? std::arg(sum) / turn : total / count;
+}
+
+Rows rows_of(const std::vector<Candidate>& candidates) {
+    Rows rows;
+    for (const Candidate& candidate : candidates)
+        rows.push_back(candidate.row);
+    return rows;
+}
+
+/// Median of how far the marks are from the nearest of the places.
+double offset_from(const Rows& places, std::span<const double> marks) {
+    Rows offsets;
+    for (const double mark : marks) {
+        double best = std::numeric_limits<double>::infinity();
+        for (const double place : places)
+            if (std::abs(mark - place) < std::abs(best))
+                best = mark - place;
+        offsets.push_back(best);
+    }
+    return motion::median(offsets);
+}
+
+void shift(Rows& places, double by) {
+    for (double& place : places)
+        place += by;
+}
+
+/// Windows at the candidates that teach, or at all if fewer than two do.
+std::vector<Matrix> taught(const Searched& in, const std::vector<Candidate>& candidates,
+                           const Rows& places, const Rows& offsets) {
+    const auto teachers = std::ranges::count_if(candidates, &Candidate::teaches);
+    std::vector<Matrix> windows;
+    for (std::size_t i = 0; i < candidates.size(); ++i)
+        if (candidates[i].teaches || teachers < 2)
+            windows.push_back(window(in.fine, places[i], offsets));
+    return windows;
+}
+
+/// The candidates moved such that their windows are alike; their median stays, because nothing
+/// else says where the group is.
+Rows group_places(const Searched& in, const std::vector<Candidate>& candidates,
+                  const Rows& offsets) {
+    const Rows start = rows_of(candidates);
+    Rows places = start;
+    for (int round = 0; round < rounds; ++round) {
+        const auto windows = taught(in, candidates, places, offsets);
+        Template like{typical(windows), {}};
+        like.weights = weights_of(windows, like.values);
+        Rows moved;
+        for (std::size_t i = 0; i < start.size(); ++i) {
+            const double at = refined(in, start[i], like, offsets);
+            places[i] = std::isnan(at) ? start[i] : at;
+            if (candidates[i].teaches && !std::isnan(at))
+                moved.push_back(at - start[i]);
+        }
+        shift(places, -motion::median(moved));
+    }
+    return places;
+}
+
+/// Where the recording is like the windows at the marks themselves.
+Rows direct_places(const Searched& in, const std::vector<Candidate>& candidates,
+                   std::span<const double> marks, const Rows& offsets) {
+    const auto windows = taught(in, candidates, rows_of(candidates), offsets);
+    std::vector<Matrix> marked;
+    for (const double mark : marks)
+        marked.push_back(window(in.fine, mark, offsets));
+    Matrix mean(marked.front().rows(), marked.front().cols());
+    for (const Matrix& each : marked)
+        axpy(1 / static_cast<double>(marked.size()), each.data(), mean.data(),
+             mean.rows() * mean.cols());
+    const Template like{std::move(mean), weights_of(windows, typical(windows))};
+    Rows places;
+    for (const Candidate& candidate : candidates) {
+        const double at = refined(in, candidate.row, like, offsets);
+        places.push_back(std::isnan(at) ? candidate.row : at);
+    }
+    return places;
+}
+
+double milliseconds(const Searched& in, double rows) {
+    return 1000 * rows / in.rate;
+}
+
+double remoteness(const Searched& in, const Candidate& candidate) {
+    return in.usual_distance > 0 ? std::max(1.0, candidate.distance / in.usual_distance) : 1;
+}
+
+/// The phase of `to` that looks like a phase of `from`.
+double mapped_phase(const MeanCycle& from, const MeanCycle& to, const Offset& offset,
+                    double phase) {
+    constexpr std::int64_t places = 100, turns = 3;
+    Loop centered = from.loop;
+    std::fill_n(centered.coefficients.row(0), centered.cols(), 0.0);
+    Loop other = to.loop;
+    std::fill_n(other.coefficients.row(0), other.cols(), 0.0);
+    const double scale = std::clamp(std::sqrt(centered.variance() / other.variance()), 0.5, 2.0);
+    Matrix cycle(places * turns, other.cols());
+    Run run{0, {}};
+    for (std::int64_t i = 0; i < cycle.rows(); ++i) {
+        run.phase.push_back(static_cast<double>(i) / places);
+        other.at(run.phase.back() + offset.shift, cycle.row(i));
+        for (std::int64_t c = 0; c < cycle.cols(); ++c)
+            cycle(i, c) *= scale;
+    }
+    const MeanCycle mean{std::move(centered), places, from.variance};
+    const std::vector<double> start = run.phase;
+    const Run found = register_with(cycle.view(), mean, std::move(run), 0.2, map_share);
+    const double wanted = 1 + phase - std::floor(phase);
+    const auto after = std::clamp<std::ptrdiff_t>(
+        std::ranges::lower_bound(found.phase, wanted) - found.phase.begin(), 1,
+        static_cast<std::ptrdiff_t>(found.phase.size()) - 1);
+    const auto i = static_cast<std::size_t>(after);
+    const double part = (wanted - found.phase[i - 1]) / (found.phase[i] - found.phase[i - 1]);
+    return start[i - 1] + part * (start[i] - start[i - 1]) + offset.shift;
+}
+
+/// Median windows of the group, moved by a common shift in rows.
+Matrix group_window(const Searched& in, const std::vector<Candidate>& candidates, Rows places,
+                    double by, const Rows& offsets) {
+    shift(places, by);
+    return typical(taught(in, candidates, places, offsets));
+}
+
+} // namespace
+
+Searched searched(ConstMatrixView rows, double rate, const Phases& phases, std::vector<Run> runs) {
+    const double period = phases.mean.period;
+    const Matrix both = pose_and_velocity(rows, rate, period);
+    Searched made{
+        phases.mean, std::move(runs), {}, 0, rate, phases.cyclic, FineRows(rows, rate, period)};
+    Rows within;
+    for (const Run& run : phases.runs)
+        std::ranges::copy(residuals(both.view(), made.mean, run), std::back_inserter(within));
+    made.usual_distance = motion::median(within);
+    for (const Run& run : made.runs) {
+        Rows distance = residuals(both.view(), made.mean, run);
+        const Matrix smooth =
+            gaussian_smoothed({distance.data(), run.rows(), 1, 1}, period / 20, Beyond::nothing);
+        made.distance.emplace_back(smooth.data(), smooth.data() + run.rows());
+    }
+    return made;
+}
+
+std::vector<Event> find_events(const Searched& in, std::span<const double> marks) {
+    const auto phase = phase_of(in, marks);
+    if (!phase)
+        return {};
+    const Rows offsets = offsets_of(in);
+    const auto candidates = candidates_at(in, *phase, offsets);
+    if (candidates.empty())
+        return {};
+    Rows by_phase = rows_of(candidates);
+    shift(by_phase, offset_from(by_phase, marks));
+    const Rows direct = direct_places(in, candidates, marks, offsets);
+    Rows group = group_places(in, candidates, offsets);
+    shift(group, offset_from(group, marks));
+    std::vector<Event> events;
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+        const double row = of_phase * by_phase[i] + of_direct * direct[i] + of_group * group[i];
+        const auto off = [&](double place) { return (place - row) * (place - row); };
+        const double apart = std::sqrt(of_phase * off(by_phase[i]) + of_direct * off(direct[i]) +
+                                       of_group * off(group[i]));
+        events.push_back(
+            {row, (least_error_ms + milliseconds(in, apart)) * remoteness(in, candidates[i])});
+    }
+    return events;
+}
+
+double likeness(const Searched& from, const Searched& in) {
+    return offset_between(from.mean.loop, in.mean.loop).likeness;
+}
+
+std::vector<Event> find_events(const Searched& from, std::span<const double> marks,
+                               const Searched& in) {
+    const auto phase = phase_of(from, marks);
+    if (!phase)
+        return {};
+    Offset offset = offset_between(from.mean.loop, in.mean.loop);
+    const Rows offsets = offsets_of(from);
+    // The template of the source, with the marks in its middle.
+    const auto sources = candidates_at(from, *phase, offsets);
+    Rows marked = group_places(from, sources, offsets);
+    shift(marked, offset_from(marked, marks));
+    const auto windows = taught(from, sources, marked, offsets);
+    Template like{typical(windows), {}};
+    like.weights = weights_of(windows, like.values);
+    // The same share of a cycle.
+    Rows scaled = offsets;
+    for (double& each : scaled)
+        each *= in.mean.period / from.mean.period;
+    const auto candidates =
+        candidates_at(in, mapped_phase(from.mean, in.mean, offset, *phase), offsets_of(in));
+    if (candidates.empty())
+        return {};
+    Rows group = group_places(in, candidates, offsets_of(in));
+    // One common shift: cycles of another recording differ alike.
+    Rows costs;
+    const auto steps = static_cast<int>(std::lround(common_reach / common_step));
+    for (int s = -steps; s <= steps; ++s)
+        costs.push_back(cost_of(
+            group_window(in, candidates, group, s * common_step * in.mean.period, scaled), like));
+    shift(group, (lowest(costs) - steps) * common_step * in.mean.period);
+    std::vector<Event> events;
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+        const double apart = std::abs(group[i] - candidates[i].row);
+        events.push_back({(group[i] + candidates[i].row) / 2,
+                          (least_error_ms + milliseconds(in, apart)) *
+                              remoteness(in, candidates[i]) * (2 - offset.likeness)});
+    }
+    return events;
+}
+
+} // namespace stltsa::phase

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Events marked in one clip, found in it or in another.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "results/phased.hpp"
+
+namespace stltsa::results {
+
+struct FoundEvent {
+    double frame = 0; ///< not rounded
+    double seconds = 0;
+    std::int64_t cycle = -1; ///< -1: outside cycles
+    double confidence = 0;
+    bool marked = false; ///< by the caller
+};
+
+struct FoundEvents {
+    std::vector<FoundEvent> events; ///< in order of time
+    double likeness = 1;            ///< of the mean cycles; 0: the other clip has no such motion
+};
+
+/// The event at `marks`, frames of `from`, in every cycle or repetition of that motion in `in`,
+/// which may be the same. Throws Status::argument for a mark in no motion that repeats, and
+/// Status::shape if the features of the clips differ.
+FoundEvents find_events(const Phased& from, std::span<const double> marks, const Phased& in);
+
+} // namespace stltsa::results
