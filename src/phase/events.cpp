@@ -28,6 +28,11 @@ constexpr int rounds = 4;
 constexpr double variance_floor = 0.1;
 /// Cycles farther from the mean, in units of the usual distance, teach no template.
 constexpr double most_distance = 3;
+/// Farther than this from the mean cycle, as a share of the deviation of the motion, it is another
+/// motion, such as the start of a walk, and has no event. Live, other motions are told by 0.65.
+constexpr double other_motion = 0.8;
+/// Distances below this say nothing of the error: motion without noise has 0.01, recorded 0.2.
+constexpr double least_usual = 0.1;
 /// Median from this number on, mean of fewer.
 constexpr std::size_t many = 5;
 constexpr double of_phase = 0.25, of_direct = 0.25, of_group = 0.5;
@@ -159,8 +164,12 @@ std::vector<Candidate> candidates_at(const Searched& in, double phase, const Row
                 static_cast<double>(i - 1) + (next - phases[i - 1]) / (phases[i] - phases[i - 1]);
             const double row = static_cast<double>(in.runs[r].begin) + place;
             const double distance = interpolated(in.distance[r], place);
+            if (distance > other_motion)
+                continue;
             const bool whole = row + offsets.front() > 0 && row + offsets.back() < last;
-            found.push_back({row, distance, whole && distance < most_distance * in.usual_distance});
+            found.push_back(
+                {row, distance,
+                 whole && distance < most_distance * std::max(in.usual_distance, least_usual)});
         }
     }
     std::ranges::sort(found, {}, &Candidate::row);
@@ -269,7 +278,7 @@ double milliseconds(const Searched& in, double rows) {
 }
 
 double remoteness(const Searched& in, const Candidate& candidate) {
-    return in.usual_distance > 0 ? std::max(1.0, candidate.distance / in.usual_distance) : 1;
+    return std::max(1.0, candidate.distance / std::max(in.usual_distance, least_usual));
 }
 
 /// The phase of `to` that looks like a phase of `from`.

@@ -17,7 +17,8 @@ WALKER = os.environ["STLTSA_WALKER"]
 SCHEMAS = pathlib.Path(os.environ["STLTSA_SCHEMAS"])
 MANUAL = pathlib.Path(os.environ["STLTSA_MANUAL"])
 
-COMMANDS = ("info", "fit", "map", "unmap", "dimension", "decompose", "denoise", "synthesize", "batch")
+COMMANDS = ("info", "fit", "map", "unmap", "dimension", "decompose", "denoise", "synthesize", "batch",
+            "events")
 
 _folder = tempfile.TemporaryDirectory(prefix="stltsa-cli-")
 CLIPS = pathlib.Path(_folder.name)

@@ -120,6 +120,7 @@ class Schemas(CommandTest):
         found = [self.check(command, walk()) for command in KINDS]
         found.append(self.json("map", model, walk(), "--curve"))
         found.append(self.json("synthesize", f"{walk()}:best*2", "-o", self.folder / "loop.bvh"))
+        found.append(self.json("events", walk(), "--mark", "250=strike"))
         schemas = {f"{o['format'].replace('/', '-')}.schema.json" for o in found}
         self.assertEqual(schemas, {path.name for path in SCHEMAS.iterdir()})
         return found

@@ -105,6 +105,7 @@ class Unreadable(CommandTest):
         for command in set(COMMANDS) - {"batch"}:  # there it is a row
             before = [model] if command in ("map", "unmap") else []
             after = ["-o", self.folder / "out.npy"] if command in ("unmap", "synthesize") else []
+            after += ["--mark", "1=step"] if command == "events" else []
             for path, hint in (
                 (self.folder / "missing.bvh", "missing.bvh"),
                 (self.folder, str(self.folder)),

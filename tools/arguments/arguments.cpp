@@ -33,6 +33,7 @@ std::int32_t calls_of(Command command) {
         return STLTSA_CALL_OPEN | STLTSA_CALL_DIMENSION;
     case Command::decompose:
     case Command::batch:
+    case Command::events:
         return STLTSA_CALL_OPEN | STLTSA_CALL_DECOMPOSE;
     case Command::denoise:
         return STLTSA_CALL_OPEN | STLTSA_CALL_FIT | STLTSA_CALL_DENOISE;
@@ -51,6 +52,10 @@ bool has_option(Command command, const stltsa::OptionInfo& option) {
         return false;
     if (command == Command::batch && option.key == STLTSA_OPT_THREADS)
         return false; // --workers
+    if (command == Command::events &&
+        (option.key == STLTSA_OPT_DIMENSION_ESTIMATE || option.key == STLTSA_OPT_EIGENGAP ||
+         option.key == STLTSA_OPT_VARIANCE))
+        return false;
     if (command == Command::synthesize &&
         (option.key == STLTSA_OPT_PERIOD_MIN || option.key == STLTSA_OPT_PERIOD_MAX))
         return true;
@@ -60,7 +65,7 @@ bool has_option(Command command, const stltsa::OptionInfo& option) {
 /// The text of an option, without what it does in other commands.
 std::string text_of(Command command, const stltsa::OptionInfo& option) {
     if (option.key == STLTSA_OPT_DIMENSION)
-        return command == Command::decompose || command == Command::batch
+        return (calls_of(command) & STLTSA_CALL_DECOMPOSE) != 0
                    ? "Tangent dimension (d); auto: the best of 1 to 3."
                    : "Tangent dimension, the number of coordinates (d); auto: 2.";
     if (option.key == STLTSA_OPT_FPS)
@@ -142,6 +147,7 @@ class Parser {
             ->required();
         add_plot(synthesize);
         add_batch();
+        add_events();
         set_groups();
     }
 
@@ -255,6 +261,19 @@ class Parser {
             ->check(CLI::Range(1, 1024))
             ->group(group::method);
     }
+    void add_events() {
+        CLI::App& events = clip_command(Command::events, "events", "The clip with the marks.");
+        events.add_option("others", to_.pieces, "Clips in which the events are found, too.");
+        events
+            .add_option("--mark", to_.marks,
+                        "A frame, which need not be whole, or seconds (2.5s), and the name of what "
+                        "happens then. Several with one name make it surer.")
+            ->type_name("FRAME=NAME")
+            ->required()
+            ->allow_extra_args(false)
+            ->group(group::method);
+        add_output(events);
+    }
     void add_denoise() {
         CLI::App& denoise = clip_command(Command::denoise, "denoise",
                                          "A model (.stltsa), a clip, or - for either.");
@@ -314,7 +333,9 @@ void check_arguments(const Arguments& arguments) {
         check_suffix("-o", arguments.product, {".bvh", ".amc", ".glb", ".npy", ".csv"});
     if (has_suffix(arguments.plot))
         check_suffix("--plot", arguments.plot, {".svg"});
-    if (arguments.command == Command::decompose && has_suffix(arguments.output))
+    const bool table =
+        arguments.command == Command::decompose || arguments.command == Command::events;
+    if (table && has_suffix(arguments.output))
         check_suffix("-o", arguments.output, {".csv", ".json", ".txt"});
     if (ends_in(arguments.output, ".csv") && arguments.json)
         throw Failure(

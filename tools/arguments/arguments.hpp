@@ -8,24 +8,36 @@
 
 namespace tool {
 
-enum class Command { info, fit, map, unmap, dimension, decompose, denoise, synthesize, batch };
+enum class Command {
+    info,
+    fit,
+    map,
+    unmap,
+    dimension,
+    decompose,
+    denoise,
+    synthesize,
+    batch,
+    events
+};
 
 /// The command line, read.
 struct Arguments {
     Command command = Command::info;
-    std::string input;                           ///< "-": standard input
-    std::string model;                           ///< map, unmap: the model file
-    std::vector<std::string> pieces;             ///< synthesize; batch: files and folders
+    std::string input;               ///< "-": standard input
+    std::string model;               ///< map, unmap: the model file
+    std::vector<std::string> pieces; ///< synthesize; batch: files and folders; events: more clips
     std::map<std::int32_t, std::string> options; ///< by STLTSA_* key, as typed
     std::string output;        ///< of the text that says what was found; empty: standard output
     std::string product;       ///< what fit, map, unmap, denoise, synthesize make; empty: nothing
     std::string curve_product; ///< denoise: the fitted curve
     std::string plot;
     std::string coords;
-    std::string phase; ///< decompose: the phase of each frame
-    std::string out;   ///< batch: the folder of results
-    std::string shard; ///< batch: "i/n"; empty: all
-    int workers = 1;   ///< batch
+    std::vector<std::string> marks; ///< events: "FRAME=NAME"
+    std::string phase;              ///< decompose: the phase of each frame
+    std::string out;                ///< batch: the folder of results
+    std::string shard;              ///< batch: "i/n"; empty: all
+    int workers = 1;                ///< batch
     bool json = false;
     bool curve = false;       ///< in the JSON
     bool coordinates = false; ///< denoise: the input's columns are coordinates

@@ -28,6 +28,7 @@ Examples:
   stltsa denoise walk.bvh --plot before_after.svg  the curve without noise
   stltsa synthesize walk.bvh --loop -o loop.bvh    a loop from its cycles
   stltsa batch recordings/ --out results           many clips
+  stltsa events walk.bvh --mark 131=strike         the same event in every cycle
   stltsa dimension walk.bvh
   stltsa info - < walk.bvh)";
 
@@ -124,6 +125,14 @@ Examples:
   stltsa batch *.bvh --out results --workers 4 --neighbors 1.2s
   stltsa batch recordings/ --out results --shard 2/8)";
 
+constexpr const char* about_events =
+    R"(Finds an event that you mark once in every cycle, and in other clips.
+
+Examples:
+  stltsa events walk.bvh --mark 131=left_strike
+  stltsa events walk.bvh --mark 131=strike --mark 2.5s=off -o events.csv
+  stltsa events walk.bvh other.bvh --mark 131=strike --json)";
+
 constexpr std::size_t name_columns = 32;
 
 class HelpFormat : public CLI::Formatter {
@@ -193,6 +202,8 @@ std::string about_command(Command command) {
         return about_synthesize();
     case Command::batch:
         return about_batch;
+    case Command::events:
+        return about_events;
     }
     return "";
 }

@@ -2217,6 +2217,143 @@ extern "C" {
 }
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
+pub struct stltsa_events {
+    _unused: [u8; 0],
+}
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct stltsa_event {
+    pub size: usize,
+    pub cycle: i64,
+    pub frame: f64,
+    pub seconds: f64,
+    pub confidence: f64,
+    pub marked: i32,
+    pub reserved: i32,
+}
+#[test]
+fn bindgen_test_layout_stltsa_event() {
+    assert_eq!(
+        ::std::mem::size_of::<stltsa_event>(),
+        48usize,
+        concat!("Size of: ", stringify!(stltsa_event))
+    );
+    assert_eq!(
+        ::std::mem::align_of::<stltsa_event>(),
+        8usize,
+        concat!("Alignment of ", stringify!(stltsa_event))
+    );
+    fn test_field_size() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_event>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).size) as usize - ptr as usize
+            },
+            0usize,
+            concat!("Offset of field: ", stringify!(stltsa_event), "::", stringify!(size))
+        );
+    }
+    test_field_size();
+    fn test_field_cycle() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_event>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).cycle) as usize - ptr as usize
+            },
+            8usize,
+            concat!("Offset of field: ", stringify!(stltsa_event), "::", stringify!(cycle))
+        );
+    }
+    test_field_cycle();
+    fn test_field_frame() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_event>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).frame) as usize - ptr as usize
+            },
+            16usize,
+            concat!("Offset of field: ", stringify!(stltsa_event), "::", stringify!(frame))
+        );
+    }
+    test_field_frame();
+    fn test_field_seconds() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_event>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).seconds) as usize - ptr as usize
+            },
+            24usize,
+            concat!("Offset of field: ", stringify!(stltsa_event), "::", stringify!(seconds))
+        );
+    }
+    test_field_seconds();
+    fn test_field_confidence() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_event>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).confidence) as usize - ptr as usize
+            },
+            32usize,
+            concat!("Offset of field: ", stringify!(stltsa_event), "::", stringify!(confidence))
+        );
+    }
+    test_field_confidence();
+    fn test_field_marked() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_event>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).marked) as usize - ptr as usize
+            },
+            40usize,
+            concat!("Offset of field: ", stringify!(stltsa_event), "::", stringify!(marked))
+        );
+    }
+    test_field_marked();
+    fn test_field_reserved() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_event>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).reserved) as usize - ptr as usize
+            },
+            44usize,
+            concat!("Offset of field: ", stringify!(stltsa_event), "::", stringify!(reserved))
+        );
+    }
+    test_field_reserved();
+}
+extern "C" {
+    pub fn stltsa_events_find(
+        from: *const stltsa_phase,
+        marks: *const stltsa_in,
+        in_: *const stltsa_phase,
+        events: *mut *mut stltsa_events,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_events_free(events: *mut stltsa_events);
+}
+extern "C" {
+    pub fn stltsa_events_count(events: *const stltsa_events) -> i64;
+}
+extern "C" {
+    pub fn stltsa_events_event(
+        events: *const stltsa_events,
+        index: i64,
+        event: *mut stltsa_event,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_events_likeness(events: *const stltsa_events) -> f64;
+}
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
 pub struct stltsa_denoising {
     _unused: [u8; 0],
 }
