@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // stltsa.hpp: phases and signals on 0 to 100 % of the cycles.
+#include <algorithm>
 #include <cmath>
 
 #include <stltsa.hpp>
@@ -38,6 +39,23 @@ void frames_have_phases(void**) {
     assert_int_equal(cycles.column_distance().cols, features.cols);
 }
 
+void a_mark_is_found_in_every_cycle(void**) {
+    const stltsa::Clip clip = stltsa::Clip::open(walker_path);
+    const stltsa::Decomposition found = stltsa::decompose(clip);
+    const stltsa::Phase phase = stltsa::find_phase(clip, found);
+    const stltsa::Events events = phase.events({250});
+    assert_non_null(events.get());
+    const std::vector<stltsa::Event> all = events.all();
+    assert_int_equal(all.size(), events.count());
+    ASSERT_NEAR(events.event(events.count() - 1).seconds, all.back().frame / 120, 1e-12);
+    const auto marked = std::ranges::find(all, 1, &stltsa::Event::marked);
+    assert_true(marked != all.end() && marked->frame == 250);
+    ASSERT_NEAR(events.likeness(), 1, 0);
+    const stltsa::Clip part = clip.stretch("170-600");
+    const stltsa::Phase other = stltsa::find_phase(part, stltsa::decompose(part));
+    assert_true(phase.events({250}, other).likeness() > 0.99);
+}
+
 void borders_may_be_given(void**) {
     const std::vector<double> ramp = {0, 1, 2, 3, 4, 5, 6, 7, 8};
     const stltsa::Cycles cycles = stltsa::cycles_between({0, 4, 8}, stltsa::MatrixView(ramp, 1), 5);
@@ -52,6 +70,7 @@ int main(int argc, char** argv) {
     walker_path = argv[1];
     const CMUnitTest tests[] = {
         cmocka_unit_test(frames_have_phases),
+        cmocka_unit_test(a_mark_is_found_in_every_cycle),
         cmocka_unit_test(borders_may_be_given),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);

@@ -126,7 +126,7 @@ Examples:
   stltsa batch recordings/ --out results --shard 2/8)";
 
 constexpr const char* about_events =
-    R"(Finds an event that you mark once in every cycle, and in other clips.
+    R"(Finds a marked event in every cycle, and in other clips.
 
 Examples:
   stltsa events walk.bvh --mark 131=left_strike

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
-#include <memory>
 #include <span>
 
 #include <fmt/format.h>
@@ -15,6 +14,7 @@
 
 #include "arguments/option_flags.hpp"
 #include "arguments/pieces.hpp"
+#include "base/npy_bytes.hpp"
 #include "commands/coords_file.hpp"
 #include "exit_status.hpp"
 #include "terminal/interrupt.hpp"
@@ -148,11 +148,9 @@ void Session::add_file(const std::string& path, std::string content) {
 
 void Session::add_table(const std::string& path, const stltsa::Matrix& table, const char* column,
                         double fps) {
-    if (!ends_in(path, ".npy"))
-        return add_file(path, csv_text(table, column, fps));
-    constexpr double any_rate = 1; // NPY has none
-    const auto clip = std::make_shared<stltsa::Clip>(stltsa::Clip::from_matrix(table, any_rate));
-    files_.add_written(path, [clip](const std::string& name) { save(*clip, name); });
+    add_file(path, ends_in(path, ".npy")
+                       ? stltsa::npy_bytes(table.values.data(), table.rows, table.cols)
+                       : csv_text(table, column, fps));
 }
 
 void Session::add_columns(const std::string& path, const stltsa::Matrix& table,

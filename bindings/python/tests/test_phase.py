@@ -73,7 +73,32 @@ def test_borders_may_be_given():
     assert abs(cycles.warp).max() < 1e-12
 
 
+def test_a_mark_is_found_in_every_cycle(result, phase):
+    events = phase.events(250)
+    assert events.likeness == 1
+    (mark,) = (e for e in events if e.marked)
+    assert mark.frame == 250
+    later = [e for e in events if e.cycle > mark.cycle]
+    assert len(later) == 2
+    for number, event in enumerate(later, 1):
+        assert event.frame == pytest.approx(250 + 132 * number, abs=0.25)
+        assert event.seconds == pytest.approx(event.frame / result.clip.fps)
+        assert event.confidence > 0.9
+    assert len(phase.events([250, 382])) == len(events)
+
+
+def test_a_mark_is_found_in_another_clip(clip, phase):
+    other = stltsa.decompose(clip.stretch("170-600")).phase()
+    events = phase.events(250, other)
+    assert events.likeness > 0.99
+    turns = [(e.frame + 170 - 250) / 132 for e in events if e.cycle >= 0]
+    assert len(turns) >= 2
+    np.testing.assert_allclose(turns, np.round(turns), atol=0.02)
+
+
 def test_errors_say_what_is_wrong(phase):
+    with pytest.raises(stltsa.ArgumentError, match="no motion that repeats"):
+        phase.events(2)
     with pytest.raises(stltsa.ArgumentError, match="label 25 has no cycles"):
         phase.resample(np.zeros(len(phase.values)), label="Z")
     with pytest.raises(ValueError, match="letters such as 'A'"):

@@ -313,9 +313,7 @@ class Decomposition(Described):
         """
         out = ffi.new("stltsa_phase **")
         with Call(self._options, working_rate(self.clip.fps, self._options)) as call:
-            call.check(
-                lib.stltsa_phase_find(self.clip._handle, self._handle, call.options, out)
-            )
+            call.check(lib.stltsa_phase_find(self.clip._handle, self._handle, call.options, out))
         return Phase(owned("phase", out), len(self.clip))
 
     def to_frame(self) -> DataFrame:

@@ -85,6 +85,7 @@ class FoundEvents(tuple[FoundEvent, ...]):
     likeness: float
 
     def __new__(cls, handle: Any) -> FoundEvents:
+        """Read the events of a handle."""
         found, raw = [], ffi.new("stltsa_event *", {"size": ffi.sizeof("stltsa_event")})
         for index in range(lib.stltsa_events_count(handle)):
             check(lib.stltsa_events_event(handle, index, raw))
@@ -144,7 +145,7 @@ class Cycles:
 
     @property
     def distance(self) -> FloatArray:
-        """Distance of each cycle from the mean, as a share of the deviation along the mean cycle."""
+        """Distance of each cycle from the mean, as a share of the mean cycle's deviation."""
         return self._pair(lib.stltsa_cycles_distance, 0, len(self), 1)[:, 0]
 
     @property
@@ -182,7 +183,7 @@ class Phase:
 
     @property
     def residual(self) -> FloatArray:
-        """Distance from the mean cycle, as a share of the motion's deviation; NaN outside cycles."""
+        """Distance from the mean cycle, as a share of the deviation; NaN outside cycles."""
         residual = np.empty(self._frames)
         self._fill(1, residual)
         return residual
@@ -199,9 +200,7 @@ class Phase:
         """Of motions whose phase is linear in time, because the mean cycle explains too little."""
         return texts(lib.stltsa_phase_warning_count, lib.stltsa_phase_warning, self._handle)
 
-    def events(
-        self, marks: float | Sequence[float], other: Phase | None = None
-    ) -> FoundEvents:
+    def events(self, marks: float | Sequence[float], other: Phase | None = None) -> FoundEvents:
         """Find the event at one or more marked frames wherever it comes again.
 
         Parameters
@@ -229,7 +228,7 @@ class Phase:
         >>> phase = stltsa.decompose("walker.bvh").phase()
         >>> events = phase.events(250)
         >>> [round(event.seconds, 2) for event in events if event.cycle >= 0]
-        [2.08, 3.12, 4.17]
+        [2.08, 3.18, 4.28]
         """
         at = np.atleast_2d(np.asarray(marks, dtype=np.float64)).reshape(-1, 1)
         out = ffi.new("stltsa_events **")

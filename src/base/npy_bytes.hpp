@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace stltsa {
+
+/// A file of float64, rows x cols, packed: version 1.0 of the format (NumPy Enhancement Proposal 1).
+std::string npy_bytes(const double* values, std::int64_t rows, std::int64_t cols);
+
+} // namespace stltsa

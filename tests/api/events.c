@@ -1,0 +1,151 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Events marked once and found in every cycle, through the public API. */
+#include "support.h"
+
+static const char* walker_path;
+
+static stltsa_phase* phase_of(const char* part) {
+    char* name = malloc(strlen(walker_path) + strlen(part) + 1);
+    strcat(strcpy(name, walker_path), part);
+    stltsa_clip* clip = NULL;
+    stltsa_decomposition* found = NULL;
+    stltsa_phase* phase = NULL;
+    must(stltsa_clip_open(name, NULL, &clip));
+    must(stltsa_decompose(clip, NULL, &found));
+    must(stltsa_phase_find(clip, found, NULL, &phase));
+    stltsa_decomposition_free(found);
+    stltsa_clip_free(clip);
+    free(name);
+    return phase;
+}
+
+static stltsa_events* found_in(const stltsa_phase* from, double mark, const stltsa_phase* in) {
+    const stltsa_in marks = packed_in(&mark, 1, 1);
+    stltsa_events* events = NULL;
+    must(stltsa_events_find(from, &marks, in, &events));
+    return events;
+}
+
+static stltsa_event event_of(const stltsa_events* events, int64_t index) {
+    stltsa_event event;
+    event.size = sizeof event;
+    must(stltsa_events_event(events, index, &event));
+    return event;
+}
+
+/* The walker repeats every 132 frames: the event does so, too, to a fraction of a frame. */
+static void a_mark_is_found_in_every_cycle(void** state) {
+    (void)state;
+    stltsa_phase* phase = phase_of("");
+    const double marks[] = {250, 263.4, 301.25};
+    for (size_t m = 0; m < sizeof marks / sizeof *marks; ++m) {
+        stltsa_events* events = found_in(phase, marks[m], NULL);
+        int64_t marked = -1;
+        for (int64_t i = 0; i < stltsa_events_count(events); ++i) {
+            const stltsa_event event = event_of(events, i);
+            assert_below(fabs(event.seconds - event.frame / 120), 1e-12, "seconds");
+            assert_true(event.confidence >= 0 && event.confidence <= 1);
+            if (event.marked) {
+                assert_true(event.frame == marks[m] && event.cycle == 0);
+                marked = i;
+            }
+        }
+        assert_true(marked >= 0);
+        for (int c = 1; c <= 2; ++c) {
+            const stltsa_event event = event_of(events, marked + c);
+            assert_int_equal(event.cycle, c);
+            assert_false(event.marked);
+            assert_below(fabs(event.frame - (marks[m] + c * 132)), 0.25, "frames off");
+            assert_true(event.confidence > 0.9);
+        }
+        assert_true(stltsa_events_likeness(events) == 1);
+        stltsa_events_free(events);
+    }
+    stltsa_phase_free(phase);
+}
+
+/* The same event in a stretch of the walk, which begins elsewhere in the cycle. */
+static void a_mark_is_found_in_another_clip(void** state) {
+    (void)state;
+    stltsa_phase *phase = phase_of(""), *other = phase_of(":170-600");
+    stltsa_events* events = found_in(phase, 250, other);
+    assert_true(stltsa_events_likeness(events) > 0.99);
+    int near_by = 0;
+    for (int64_t i = 0; i < stltsa_events_count(events); ++i) {
+        const stltsa_event event = event_of(events, i);
+        assert_false(event.marked);
+        const double cycles = (event.frame + 170 - 250) / 132;
+        if (event.cycle >= 0) {
+            assert_below(fabs(cycles - nearbyint(cycles)) * 132, 1.5, "frames off");
+            ++near_by;
+        }
+    }
+    assert_true(near_by >= 2);
+    stltsa_events_free(events);
+    stltsa_phase_free(phase);
+    stltsa_phase_free(other);
+}
+
+static void wrong_arguments_are_named(void** state) {
+    (void)state;
+    stltsa_phase* phase = phase_of("");
+    stltsa_events* events = NULL;
+    const double outside[] = {2, 99999, NAN};
+    const char* const texts[] = {"lies in no motion that repeats", "the clip has frames 0 to",
+                                 "mark 0 is frame"};
+    for (int i = 0; i < 3; ++i) {
+        const stltsa_in marks = packed_in(outside + i, 1, 1);
+        assert_int_equal(stltsa_events_find(phase, &marks, NULL, &events), STLTSA_E_ARGUMENT);
+        assert_non_null(strstr(stltsa_last_error(), texts[i]));
+    }
+    const stltsa_in none = packed_in(outside, 0, 1), wide = packed_in(outside, 1, 2);
+    assert_int_equal(stltsa_events_find(phase, &none, NULL, &events), STLTSA_E_SHAPE);
+    assert_int_equal(stltsa_events_find(phase, &wide, NULL, &events), STLTSA_E_SHAPE);
+    assert_null(events);
+    events = found_in(phase, 250, NULL);
+    stltsa_event event;
+    event.size = sizeof event;
+    assert_int_equal(stltsa_events_event(events, 99, &event), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_events_count(NULL), 0);
+    assert_true(stltsa_events_likeness(NULL) == 0);
+    stltsa_events_free(NULL);
+    stltsa_events_free(events);
+    stltsa_phase_free(phase);
+}
+
+/* Points whose columns differ from the walker's features. */
+static void other_features_are_refused(void** state) {
+    (void)state;
+    enum { rows = 300, cols = 4 };
+    double* x = new_motion(rows, cols, 2);
+    const stltsa_in in = packed_in(x, rows, cols);
+    stltsa_clip* clip = NULL;
+    stltsa_decomposition* found = NULL;
+    stltsa_phase *phase = phase_of(""), *other = NULL;
+    must(stltsa_clip_from_matrix(&in, 30, &clip));
+    must(stltsa_decompose(clip, NULL, &found));
+    must(stltsa_phase_find(clip, found, NULL, &other));
+    const double mark = 250;
+    const stltsa_in marks = packed_in(&mark, 1, 1);
+    stltsa_events* events = NULL;
+    assert_int_equal(stltsa_events_find(phase, &marks, other, &events), STLTSA_E_SHAPE);
+    assert_non_null(strstr(stltsa_last_error(), "other features"));
+    stltsa_phase_free(phase);
+    stltsa_phase_free(other);
+    stltsa_decomposition_free(found);
+    stltsa_clip_free(clip);
+    free(x);
+}
+
+int main(int argc, char** argv) {
+    if (argc != 2)
+        return 2;
+    walker_path = argv[1];
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_mark_is_found_in_every_cycle),
+        cmocka_unit_test(a_mark_is_found_in_another_clip),
+        cmocka_unit_test(wrong_arguments_are_named),
+        cmocka_unit_test(other_features_are_refused),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""stltsa events: a mark is found in every cycle and in other clips."""
+
+import csv
+import io
+import unittest
+
+from common import CommandTest, cut, walk
+
+
+class Events(CommandTest):
+    def test_json_csv_and_table_agree(self):
+        line = ("events", walk(), "--mark", "250=strike", "--mark", "2.5s=off, left")
+        found = self.json(*line)
+        self.assertEqual({e["name"] for e in found["events"]}, {"strike", "off, left"})
+        frames = [e["frame"] for e in found["events"]]
+        self.assertEqual(frames, sorted(frames))
+        marked = {e["name"]: e["frame"] for e in found["events"] if e["marked"]}
+        self.assertEqual(marked, {"strike": 250, "off, left": 300})
+        self.done(*line, "-o", self.folder / "events.csv")
+        rows = list(csv.DictReader(io.StringIO((self.folder / "events.csv").read_text())))
+        self.assertEqual([float(row["frame"]) for row in rows], frames)
+        self.assertEqual([row["name"] for row in rows], [e["name"] for e in found["events"]])
+        self.assertEqual([row["cycle"] or None for row in rows],
+                         [None if e["cycle"] is None else str(e["cycle"]) for e in found["events"]])
+        table = self.done(*line).decode()
+        self.assertEqual(table.count("strike"), sum(e["name"] == "strike" for e in found["events"]))
+
+    def test_cycles_are_those_of_decompose(self):
+        cycles = self.json("decompose", walk())["cycles"]
+        for event in self.json("events", walk(), "--mark", "250=strike")["events"]:
+            inside = [i for i, c in enumerate(cycles) if c["begin"] <= event["frame"] < c["end"]]
+            self.assertEqual(event["cycle"], inside[0] if inside else None)
+
+    def test_other_clips(self):
+        other = f"{walk()}:170-600"
+        found = self.json("events", walk(), other, "--mark", "250=strike")
+        self.assertEqual([s["clip"] for s in found["searches"]], [str(walk()), other])
+        there = [e for e in found["events"] if e["clip"] == other and e["cycle"] is not None]
+        self.assertGreaterEqual(len(there), 2)
+        for event in there:
+            turns = (event["frame"] + 170 - 250) / 132
+            self.assertAlmostEqual(turns, round(turns), delta=0.02)
+            self.assertFalse(event["marked"])
+
+    def test_a_clip_without_the_motion_has_no_events(self):
+        still = f"{walk()}:0-40"
+        found = self.json("events", walk(), still, "--mark", "250=strike")
+        self.assertEqual([e for e in found["events"] if e["clip"] == still], [])
+        self.assertIn("no motion like the marked one", found["warnings"][0])
+
+    def test_wrong_marks(self):
+        for mark in ("250", "=a", "x=a", "250=", "nans=a", "inf=a"):
+            self.assertIn("FRAME=NAME", self.fails(2, "events", walk(), "--mark", mark))
+        self.assertIn("--mark", self.fails(2, "events", walk()))
+        self.assertIn("no motion that repeats", self.fails(2, "events", walk(), "--mark", "2=a"))
+        self.fails(2, "events", cut(), "--mark", "2=a", "-o", self.folder / "events.png")
+
+
+if __name__ == "__main__":
+    unittest.main()
