@@ -6,7 +6,7 @@
 
 namespace stltsa {
 
-/// A file of float64, rows x cols, packed: version 1.0 of the format (NumPy Enhancement Proposal 1).
+/// A file of float64, rows x cols: version 1.0 of the format (NumPy Enhancement Proposal 1).
 std::string npy_bytes(const double* values, std::int64_t rows, std::int64_t cols);
 
 } // namespace stltsa

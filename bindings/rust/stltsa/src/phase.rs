@@ -56,12 +56,7 @@ impl Phase {
         let values = Matrix::filled(self.frames, 1, |out| {
             // SAFETY: a live handle, an array of the size it says.
             unsafe {
-                sys::stltsa_phase_values(
-                    self.handle.raw(),
-                    out,
-                    std::ptr::null(),
-                    std::ptr::null(),
-                )
+                sys::stltsa_phase_values(self.handle.raw(), out, std::ptr::null(), std::ptr::null())
             }
         })?;
         Ok(values.into_vec())
@@ -76,12 +71,7 @@ impl Phase {
         let values = Matrix::filled(self.frames, 1, |out| {
             // SAFETY: as above.
             unsafe {
-                sys::stltsa_phase_values(
-                    self.handle.raw(),
-                    std::ptr::null(),
-                    out,
-                    std::ptr::null(),
-                )
+                sys::stltsa_phase_values(self.handle.raw(), std::ptr::null(), out, std::ptr::null())
             }
         })?;
         Ok(values.into_vec())
@@ -161,11 +151,7 @@ impl Cycles {
     fn made(
         signals: &View<'_>,
         samples: usize,
-        make: impl FnOnce(
-            &sys::stltsa_in,
-            i64,
-            *mut *mut sys::stltsa_cycles,
-        ) -> sys::stltsa_status,
+        make: impl FnOnce(&sys::stltsa_in, i64, *mut *mut sys::stltsa_cycles) -> sys::stltsa_status,
     ) -> Result<Self> {
         let input = signals.raw()?;
         let wanted = c_count(samples)?;
