@@ -1,0 +1,427 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "phase/live.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <lapacke.h>
+
+#include "linalg/eigen.hpp"
+#include "linalg/simd.hpp"
+#include "motion/curve/statistics.hpp"
+
+namespace stltsa::phase {
+namespace {
+
+constexpr double turn = 2 * std::numbers::pi;
+/// Time constant of the filter, seconds: 0.015 is better without noise, and worse with it.
+constexpr double filter_s = 0.03;
+constexpr double velocity_weight = 2;
+/// Frames before this many time constants are not learned from.
+constexpr double warm_up = 5;
+constexpr std::int64_t most_directions = 16; ///< 32 give the same
+constexpr std::int64_t most_harmonics = 10;
+constexpr std::int64_t place_count = 100;
+constexpr std::int64_t rate_count = 17;
+constexpr double least_rate = 0.4, most_rate = 2; ///< of the usual one
+/// Added to the covariance of the residuals, as a share of the mean variance.
+constexpr double least_scatter = 0.02;
+/// Per frame: spread of the phase, in places, and of the rate, in usual rates.
+constexpr double phase_spread = 0.4;
+constexpr double rate_spread = 0.06;
+constexpr double prior_spread = 0.35;
+/// Share of anything being possible; more in unknown motion.
+constexpr double surprise = 0.002, surprise_far = 0.02;
+constexpr double far = 1.5;
+/// Distance from the mean cycle, as a share of the deviation, beyond which a motion is another one:
+/// of 42 clips of the same style none is flagged, waves, runs and kicks always.
+constexpr double other_motion = 0.65;
+/// Seconds beyond that, or within, until `known` changes.
+constexpr double flag_s = 0.1;
+/// What the delay of the filter at another rate adds to the phase: seconds times the difference of
+/// the rates. 1.4 time constants.
+constexpr double delay_s = 0.042;
+constexpr double longest_gap_s = 1;
+/// Speed, as a share of the usual one, below which the body is still.
+constexpr double still_speed = 0.1;
+
+double filter_share(double frames, double rate) {
+    return 1 - std::exp(-frames / (filter_s * rate));
+}
+
+/// One step of the filter: two low passes of the pose, and one of its velocity.
+void step(double share, double seconds, std::int64_t count, const double* row, double* first,
+          double* second, double* velocity) {
+    for (std::int64_t c = 0; c < count; ++c) {
+        first[c] += share * (row[c] - first[c]);
+        const double pose = second[c] + share * (first[c] - second[c]);
+        velocity[c] += share * ((pose - second[c]) / seconds - velocity[c]);
+        second[c] = pose;
+    }
+}
+
+double velocity_scale(double period_s) {
+    return velocity_weight * period_s / turn;
+}
+
+/// Pose and scaled velocity behind the filter, of every row.
+Matrix filtered(ConstMatrixView rows, double rate, double period_s) {
+    const std::int64_t p = rows.cols;
+    std::vector<double> first(rows.row(0), rows.row(0) + p), second = first;
+    std::vector<double> velocity(first.size());
+    Matrix both(rows.rows, 2 * p);
+    const double scale = velocity_scale(period_s);
+    for (std::int64_t i = 0; i < rows.rows; ++i) {
+        if (i > 0)
+            step(filter_share(1, rate), 1 / rate, p, rows.row(i), first.data(), second.data(),
+                 velocity.data());
+        std::ranges::copy(second, both.row(i));
+        axpy(scale, velocity.data(), both.row(i) + p, p);
+    }
+    return both;
+}
+
+/// The runs without what the filter has not yet seen enough of.
+std::vector<Run> warm(const std::vector<Run>& runs, double rate) {
+    const auto cold = static_cast<std::int64_t>(std::ceil(warm_up * filter_s * rate));
+    std::vector<Run> result;
+    for (const Run& run : runs) {
+        const std::int64_t drop = std::clamp<std::int64_t>(cold - run.begin, 0, run.rows());
+        if (drop < run.rows())
+            result.push_back({run.begin + drop, {run.phase.begin() + drop, run.phase.end()}});
+    }
+    return result;
+}
+
+/// Every row of the runs.
+Matrix gathered(const Matrix& rows, const std::vector<Run>& runs) {
+    std::int64_t count = 0;
+    for (const Run& run : runs)
+        count += run.rows();
+    Matrix result(count, rows.cols());
+    double* to = result.data();
+    for (const Run& run : runs)
+        to = std::copy_n(rows.row(run.begin), run.rows() * rows.cols(), to);
+    return result;
+}
+
+/// The runs, as if one after another.
+std::vector<Run> packed(const std::vector<Run>& runs) {
+    std::vector<Run> result;
+    std::int64_t begin = 0;
+    for (const Run& run : runs) {
+        result.push_back({begin, run.phase});
+        begin += run.rows();
+    }
+    return result;
+}
+
+void center(Matrix& rows, std::vector<double>& mean) {
+    mean.assign(static_cast<std::size_t>(rows.cols()), 0);
+    for (std::int64_t i = 0; i < rows.rows(); ++i)
+        axpy(1 / static_cast<double>(rows.rows()), rows.row(i), mean.data(), rows.cols());
+    for (std::int64_t i = 0; i < rows.rows(); ++i)
+        axpy(-1, mean.data(), rows.row(i), rows.cols());
+}
+
+/// Covariance of centered rows, the lower triangle by columns.
+void set_covariance(const Matrix& rows, double* matrix) {
+    const std::int64_t p = rows.cols();
+    std::fill_n(matrix, p * p, 0.0);
+    for (std::int64_t i = 0; i < rows.rows(); ++i)
+        for (std::int64_t c = 0; c < p; ++c)
+            axpy(rows(i, c) / static_cast<double>(rows.rows()), rows.row(i) + c, matrix + c * p + c,
+                 p - c);
+}
+
+Matrix principal_directions(const Matrix& centered) {
+    const std::int64_t p = centered.cols();
+    const std::int64_t count = std::min({most_directions, p, centered.rows()});
+    TopEigenpairs pairs(p, count);
+    set_covariance(centered, pairs.matrix());
+    pairs.solve();
+    Matrix directions(count, p);
+    for (std::int64_t d = 0; d < count; ++d)
+        std::copy_n(pairs.vector(d), p, directions.row(d));
+    return directions;
+}
+
+Matrix projected(const Matrix& rows, const Matrix& directions) {
+    Matrix result(rows.rows(), directions.rows());
+    for (std::int64_t i = 0; i < rows.rows(); ++i)
+        for (std::int64_t d = 0; d < directions.rows(); ++d)
+            result(i, d) = dot(rows.row(i), directions.row(d), rows.cols());
+    return result;
+}
+
+/// The inverse of the Cholesky factor of the residuals' covariance.
+Matrix whitening_of(const Matrix& residuals, double least_variance) {
+    const std::int64_t n = residuals.cols();
+    std::vector<double> matrix(static_cast<std::size_t>(n * n));
+    set_covariance(residuals, matrix.data());
+    for (std::int64_t i = 0; i < n; ++i)
+        matrix[static_cast<std::size_t>(i * n + i)] += least_variance;
+    const auto order = static_cast<lapack_int>(n);
+    if (LAPACKE_dpotrf_work(LAPACK_COL_MAJOR, 'L', order, matrix.data(), order) != 0 ||
+        LAPACKE_dtrtri_work(LAPACK_COL_MAJOR, 'L', 'N', order, matrix.data(), order) != 0)
+        fail(Status::degenerate, "the motion has no extent: nothing can be followed");
+    Matrix whitening(n, n);
+    for (std::int64_t c = 0; c < n; ++c)
+        for (std::int64_t r = c; r < n; ++r)
+            whitening(r, c) = matrix[static_cast<std::size_t>(c * n + r)];
+    return whitening;
+}
+
+/// whitening * values.
+void whiten(const Matrix& whitening, const double* values, double* whitened) {
+    for (std::int64_t r = 0; r < whitening.rows(); ++r)
+        whitened[r] = dot(whitening.row(r), values, r + 1);
+}
+
+double squares(const Matrix& matrix) {
+    return dot(matrix.data(), matrix.data(), matrix.rows() * matrix.cols());
+}
+
+double median_rate(const std::vector<Run>& runs, double rate) {
+    std::vector<double> steps;
+    for (const Run& run : runs)
+        for (std::size_t i = 0; i + 1 < run.phase.size(); ++i)
+            steps.push_back((run.phase[i + 1] - run.phase[i]) * rate);
+    return motion::median(steps);
+}
+
+} // namespace
+
+LiveCycle learn_live(ConstMatrixView rows, double rate, const Phases& phases,
+                     std::span<const std::int64_t> drifting) {
+    LiveCycle cycle;
+    cycle.rate = rate;
+    cycle.period = phases.mean.period / rate;
+    cycle.turns_per_second = median_rate(phases.runs, rate);
+    cycle.weights.assign(static_cast<std::size_t>(rows.cols), 1);
+    Matrix used = copied(rows);
+    for (const std::int64_t column : drifting) {
+        cycle.weights[static_cast<std::size_t>(column)] = 0;
+        for (std::int64_t i = 0; i < used.rows(); ++i)
+            used(i, column) = 0;
+    }
+    const std::vector<Run> runs = warm(phases.runs, rate);
+    if (runs.empty())
+        fail(Status::too_few_frames, "the cycles end before the filter has settled");
+    Matrix centered = gathered(filtered(used.view(), rate, cycle.period), runs);
+    center(centered, cycle.mean);
+    const auto count = static_cast<double>(centered.rows());
+    cycle.variance = squares(centered) / count;
+    double speed = 0;
+    for (std::int64_t i = 0; i < centered.rows(); ++i)
+        speed += dot(centered.row(i) + rows.cols, centered.row(i) + rows.cols, rows.cols) / count;
+    cycle.usual_speed = std::sqrt(speed);
+    cycle.directions = principal_directions(centered);
+    Matrix coordinates = projected(centered, cycle.directions);
+    const Loop loop = fit_loop(coordinates.view(), packed(runs),
+                               std::min(most_harmonics, harmonics_for(phases.mean.period)));
+    cycle.places = loop.sampled(place_count);
+    const double least =
+        least_scatter * squares(coordinates) / count / static_cast<double>(coordinates.cols());
+    std::vector<double> expected(static_cast<std::size_t>(coordinates.cols()));
+    std::int64_t row = 0;
+    for (const Run& run : runs)
+        for (const double phase : run.phase) {
+            loop.at(phase, expected.data());
+            axpy(-1, expected.data(), coordinates.row(row++), coordinates.cols());
+        }
+    cycle.whitening = whitening_of(coordinates, least);
+    std::vector<double> distances, whitened = expected;
+    for (std::int64_t i = 0; i < coordinates.rows(); ++i) {
+        whiten(cycle.whitening, coordinates.row(i), whitened.data());
+        distances.push_back(dot(whitened.data(), whitened.data(), coordinates.cols()));
+    }
+    cycle.typical = std::max(motion::median(distances), 1e-9);
+    return cycle;
+}
+
+LivePhase::LivePhase(const LiveCycle& cycle)
+    : cycle_(cycle), first_(cycle.weights.size()), second_(first_), velocity_(first_),
+      both_(2 * first_.size()), coordinates_(static_cast<std::size_t>(cycle.directions.rows())),
+      whitened_(coordinates_), whitened_places_(place_count, cycle.directions.rows()),
+      squared_(place_count), likely_(rate_count, place_count), before_(rate_count, place_count),
+      blur_(rate_count) {
+    for (std::int64_t g = 0; g < place_count; ++g)
+        whiten(cycle.whitening, cycle.places.row(g), whitened_places_.row(g));
+    double sum = 0;
+    for (std::int64_t r = 0; r < rate_count; ++r) {
+        const double share = least_rate + (most_rate - least_rate) * static_cast<double>(r) /
+                                              static_cast<double>(rate_count - 1);
+        rates_.push_back(share * cycle.turns_per_second);
+        const double off = (share - 1) / prior_spread;
+        prior_.push_back(std::exp(-off * off / 2));
+        sum += prior_.back();
+    }
+    for (double& value : prior_)
+        value /= sum;
+    for (std::int64_t r = 0; r < rate_count; ++r)
+        std::fill_n(likely_.row(r), place_count,
+                    prior_[static_cast<std::size_t>(r)] / static_cast<double>(place_count));
+}
+
+void LivePhase::filter(double seconds, const double* features) {
+    const std::int64_t p = cycle_.features();
+    for (std::int64_t c = 0; c < p; ++c) // both_ holds the used features for a moment
+        both_[static_cast<std::size_t>(c)] =
+            features[c] * cycle_.weights[static_cast<std::size_t>(c)];
+    if (!begun_) {
+        std::copy_n(both_.begin(), p, first_.begin());
+        second_ = first_;
+        std::ranges::fill(velocity_, 0);
+    } else {
+        step(filter_share(seconds * cycle_.rate, cycle_.rate), seconds, p, both_.data(),
+             first_.data(), second_.data(), velocity_.data());
+    }
+    const double scale = velocity_scale(cycle_.period);
+    for (std::int64_t c = 0; c < p; ++c) {
+        const auto at = static_cast<std::size_t>(c);
+        both_[at] = second_[at] - cycle_.mean[at];
+        both_[at + first_.size()] = scale * velocity_[at] - cycle_.mean[at + first_.size()];
+    }
+}
+
+void LivePhase::project() {
+    const std::int64_t n = cycle_.directions.cols();
+    double within = 0;
+    for (std::size_t d = 0; d < coordinates_.size(); ++d) {
+        coordinates_[d] = dot(cycle_.directions.row(static_cast<std::int64_t>(d)), both_.data(), n);
+        within += coordinates_[d] * coordinates_[d];
+    }
+    outside_ = std::max(0.0, dot(both_.data(), both_.data(), n) - within);
+    whiten(cycle_.whitening, coordinates_.data(), whitened_.data());
+}
+
+/// Sets the whitened distances, and gives the distance from the nearest place.
+double LivePhase::nearest_place() {
+    const auto count = static_cast<std::int64_t>(whitened_.size());
+    for (std::int64_t g = 0; g < place_count; ++g)
+        squared_[static_cast<std::size_t>(g)] =
+            squared_distance(whitened_places_.row(g), whitened_.data(), count);
+    const auto best = std::ranges::min_element(squared_) - squared_.begin();
+    const double off = squared_distance(cycle_.places.row(best), coordinates_.data(), count);
+    return std::sqrt((off + outside_) / cycle_.variance) / other_motion;
+}
+
+/// Every rate moves its phases on; then both blur, and a little of anything is possible.
+void LivePhase::predict(double seconds, bool is_far) {
+    const double frames = seconds * cycle_.rate;
+    std::swap(likely_, before_);
+    for (std::int64_t r = 0; r < rate_count; ++r) {
+        double moved = rates_[static_cast<std::size_t>(r)] * seconds;
+        moved = (moved - std::floor(moved)) * place_count;
+        const auto whole = static_cast<std::int64_t>(moved);
+        const double part = moved - static_cast<double>(whole);
+        for (std::int64_t g = 0; g < place_count; ++g) {
+            const std::int64_t from = (g - whole + 2 * place_count) % place_count;
+            const std::int64_t next = (from + place_count - 1) % place_count;
+            likely_(r, g) = (1 - part) * before_(r, from) + part * before_(r, next);
+        }
+    }
+    const double side = std::min(phase_spread * phase_spread * frames / 2, 1.0 / 3);
+    for (std::int64_t r = 0; r < rate_count; ++r)
+        for (std::int64_t g = 0; g < place_count; ++g)
+            before_(r, g) = (1 - 2 * side) * likely_(r, g) +
+                            side * (likely_(r, (g + 1) % place_count) +
+                                    likely_(r, (g + place_count - 1) % place_count));
+    const double rate_step =
+        (most_rate - least_rate) / static_cast<double>(rate_count - 1) / rate_spread;
+    for (std::int64_t d = 0; d < rate_count; ++d) {
+        const double off = static_cast<double>(d) * rate_step;
+        blur_[static_cast<std::size_t>(d)] = std::exp(-off * off / 2 / std::max(frames, 1e-9));
+    }
+    std::fill_n(likely_.data(), rate_count * place_count, 0.0);
+    for (std::int64_t from = 0; from < rate_count; ++from) {
+        double total = 0;
+        for (std::int64_t to = 0; to < rate_count; ++to)
+            total += blur_[static_cast<std::size_t>(std::abs(from - to))];
+        for (std::int64_t to = 0; to < rate_count; ++to)
+            axpy(blur_[static_cast<std::size_t>(std::abs(from - to))] / total, before_.row(from),
+                 likely_.row(to), place_count);
+    }
+    const double total = sum(likely_.data(), rate_count * place_count);
+    const double share = is_far ? surprise_far : surprise;
+    for (std::int64_t r = 0; r < rate_count; ++r)
+        for (std::int64_t g = 0; g < place_count; ++g)
+            likely_(r, g) = (1 - share) * likely_(r, g) / total +
+                            share * prior_[static_cast<std::size_t>(r)] / place_count;
+}
+
+/// The whole likelihood, softened only where the frame is far from the cycle.
+void LivePhase::correct() {
+    const double least = *std::ranges::min_element(squared_);
+    const double soft = std::max(1.0, least / (4 * cycle_.typical));
+    double total = 0;
+    for (std::int64_t g = 0; g < place_count; ++g) {
+        const double weight = std::exp(-(squared_[static_cast<std::size_t>(g)] - least) / 2 / soft);
+        for (std::int64_t r = 0; r < rate_count; ++r)
+            total += likely_(r, g) *= weight;
+    }
+    for (std::int64_t i = 0; i < rate_count * place_count; ++i)
+        likely_.data()[i] /= total;
+}
+
+LiveFrame LivePhase::answer(double seconds, double distance) {
+    double cosine = 0, sine = 0, rate = 0;
+    for (std::int64_t g = 0; g < place_count; ++g) {
+        double at_place = 0;
+        for (std::int64_t r = 0; r < rate_count; ++r) {
+            at_place += likely_(r, g);
+            rate += likely_(r, g) * rates_[static_cast<std::size_t>(r)];
+        }
+        const double angle = turn * static_cast<double>(g) / place_count;
+        cosine += at_place * std::cos(angle);
+        sine += at_place * std::sin(angle);
+    }
+    double phase = std::atan2(sine, cosine) / turn + delay_s * (rate - cycle_.turns_per_second);
+    phase -= std::floor(phase);
+    if (begun_)
+        turns_ += std::remainder(phase - last_phase_, 1.0);
+    last_phase_ = phase;
+    unknown_s_ = std::clamp(unknown_s_ + (distance > 1 ? seconds : -seconds), 0.0, 2 * flag_s);
+    known_ = known_ ? unknown_s_ < flag_s : unknown_s_ <= flag_s / 2;
+    const std::int64_t p = cycle_.features();
+    const double speed =
+        velocity_scale(cycle_.period) * std::sqrt(dot(velocity_.data(), velocity_.data(), p));
+    return {phase < 1 ? phase : 0,
+            rate,
+            turns_,
+            distance,
+            std::hypot(cosine, sine),
+            known_,
+            speed < still_speed * cycle_.usual_speed};
+}
+
+LiveFrame LivePhase::push(double seconds, const double* features) {
+    double passed = seconds - last_;
+    if (!(passed > 0) || passed > longest_gap_s) {
+        begun_ = false;
+        passed = 1 / cycle_.rate;
+    }
+    filter(passed, features);
+    project();
+    const double distance = nearest_place();
+    predict(passed, distance > far);
+    correct();
+    latest_ = answer(passed, distance);
+    begun_ = true;
+    last_ = seconds;
+    return latest_;
+}
+
+LiveFrame LivePhase::skip(double seconds) {
+    const double passed = std::clamp(seconds - last_, 0.0, longest_gap_s);
+    LiveFrame guess = latest_;
+    guess.phase += passed * guess.turns_per_second;
+    guess.phase -= std::floor(guess.phase);
+    guess.turns += passed * guess.turns_per_second;
+    guess.known = false;
+    return guess;
+}
+
+} // namespace stltsa::phase

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The phase of a stream, frame by frame.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "phase/phases.hpp"
+
+namespace stltsa::phase {
+
+/// What a stream is compared with. Learned through the same causal filter that the stream goes
+/// through, so that the delay of the filter is in the mean cycle, and cancels.
+struct LiveCycle {
+    double rate = 0;             ///< frames per second
+    double period = 0;           ///< seconds
+    double turns_per_second = 0; ///< median of the cycles
+    double variance = 0;         ///< of the filtered pose and velocity
+    double typical = 0;          ///< median squared whitened distance of the cycle's own frames
+    double usual_speed = 0;      ///< root mean square of the filtered velocity, scaled
+    std::vector<double> weights; ///< of the features; 0: one that drifts
+    std::vector<double> mean;    ///< of pose and velocity
+    Matrix directions;           ///< principal directions, a row each
+    Matrix places;               ///< mean cycle in these directions, at even phases
+    Matrix whitening;            ///< lower triangular: whitened = whitening * coordinates
+
+    std::int64_t features() const { return static_cast<std::int64_t>(weights.size()); }
+};
+
+/// `rows`: features, not smoothed. `drifting`: columns to leave out. The phases are cyclic.
+LiveCycle learn_live(ConstMatrixView rows, double rate, const Phases& phases,
+                     std::span<const std::int64_t> drifting);
+
+/// What a frame of a stream is.
+struct LiveFrame {
+    double phase = 0; ///< in [0, 1)
+    double turns_per_second = 0;
+    double turns = 0;      ///< since the first frame; also parts of a turn
+    double distance = 0;   ///< from the mean cycle: 1 is the limit of what is known
+    double confidence = 0; ///< 0 to 1: how sharply the phase is known
+    bool known = true;     ///< whether this is the motion of the cycle
+    bool still = false;    ///< the body does not move
+};
+
+/// Follows one stream. Allocates when it is made, and never again.
+class LivePhase {
+  public:
+    explicit LivePhase(const LiveCycle& cycle);
+
+    /// `features`: finite. `seconds` rises from frame to frame; if it falls, or after a gap of more
+    /// than a second, the filter starts anew.
+    LiveFrame push(double seconds, const double* features);
+    /// A frame of which nothing is known: the phase goes on as before.
+    LiveFrame skip(double seconds);
+
+  private:
+    void filter(double seconds, const double* features);
+    void project();
+    double nearest_place();
+    void predict(double seconds, bool is_far);
+    void correct();
+    LiveFrame answer(double seconds, double distance);
+
+    const LiveCycle& cycle_;
+    std::vector<double> first_, second_, velocity_; ///< the filter
+    std::vector<double> both_, coordinates_, whitened_;
+    Matrix whitened_places_;
+    std::vector<double> squared_; ///< distance of the frame from each place
+    Matrix likely_, before_;      ///< rates x places
+    std::vector<double> rates_, prior_, blur_;
+    double outside_ = 0; ///< squared distance from the principal directions
+    double last_ = 0, last_phase_ = 0, turns_ = 0, unknown_s_ = 0;
+    bool begun_ = false, known_ = true;
+    LiveFrame latest_;
+};
+
+} // namespace stltsa::phase
