@@ -1144,6 +1144,57 @@ STLTSA_API stltsa_status stltsa_events_event(const stltsa_events *events, int64_
  * be trusted less below 0.95; below 0.6 it is another motion, and there are none. */
 STLTSA_API double stltsa_events_likeness(const stltsa_events *events) STLTSA_NOEXCEPT;
 
+/* ---- Live phase ----------------------------------------------------------------------------- */
+
+/* Keeps in a model what a stream is compared with: the mean cycle of the clip's motion that has the
+ * most frames in cycles. Model files keep it. Marks that were kept before are forgotten.
+ * E_ARGUMENT: no cycles, or they are too short for the filter to settle. E_SHAPE: the features are
+ * not those of the model. */
+STLTSA_API stltsa_status stltsa_model_keep_cycle(stltsa_model *model,
+                                                 const stltsa_phase *phase) STLTSA_NOEXCEPT;
+/* Names the phase of a frame (not rounded) in those cycles, which a stream reports as it passes. At
+ * most 62. E_ARGUMENT: the frame lies in no cycle of that motion; no name. */
+STLTSA_API stltsa_status stltsa_model_keep_mark(stltsa_model *model, const stltsa_phase *phase,
+                                                double frame, const char *name) STLTSA_NOEXCEPT;
+/* 1 if the model keeps a mean cycle. */
+STLTSA_API int32_t stltsa_model_has_cycle(const stltsa_model *model) STLTSA_NOEXCEPT;
+
+/* Follows one stream. It does not refer to the model. Only stltsa_live_new allocates memory. */
+typedef struct stltsa_live stltsa_live;
+
+/* Append-only: set size to sizeof(stltsa_live_frame). */
+typedef struct stltsa_live_frame {
+    size_t size;
+    int64_t passed;    /* bit i: mark i (stltsa_live_mark_name) was passed since the frame before */
+    double phase;      /* of the clip that was kept, in [0, 1) */
+    double rate_hz;    /* turns a second */
+    double cycles;     /* turns since the first frame, not rounded */
+    double distance;   /* from the mean cycle; above 1 it is another motion */
+    double confidence; /* 0 to 1: how sharply the phase is known */
+    int32_t known;     /* 0: another motion, for 0.1 s at least, or a frame that is missing */
+    int32_t kind;      /* STLTSA_SEGMENT_CYCLIC, _ACTION (not known) or _REST (the body is still) */
+} stltsa_live_frame;
+
+/* E_UNSUPPORTED: the model keeps no mean cycle. */
+STLTSA_API stltsa_status stltsa_live_new(const stltsa_model *model,
+                                         stltsa_live **live) STLTSA_NOEXCEPT;
+STLTSA_API void stltsa_live_free(stltsa_live *live) STLTSA_NOEXCEPT;
+/* Marks of the model, in the order in which they were kept. */
+STLTSA_API int64_t stltsa_live_mark_count(const stltsa_live *live) STLTSA_NOEXCEPT;
+STLTSA_API const char *stltsa_live_mark_name(const stltsa_live *live,
+                                             int64_t index) STLTSA_NOEXCEPT;
+
+/* Takes the next frame. There is no delay: the answer is for this frame.
+ * seconds   of the frame; rises from call to call. Frames may be dropped: time counts. If it falls,
+ *           or after more than a second without frames, the filter starts anew and settles within
+ *           0.15 s.
+ * features  1 x features of the model, as of stltsa_clip_features. If a number is not finite, the
+ *           frame is missing: the phase goes on as before.
+ * E_SHAPE, E_ARGUMENT. */
+STLTSA_API stltsa_status stltsa_live_push(stltsa_live *live, double seconds,
+                                          const stltsa_in *features,
+                                          stltsa_live_frame *frame) STLTSA_NOEXCEPT;
+
 /* ---- Denoising (section 3.2) ------------------------------------------------------------- */
 
 typedef struct stltsa_denoising stltsa_denoising;

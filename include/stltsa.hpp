@@ -52,6 +52,7 @@ using Part = stltsa_part;
 using Summary = stltsa_summary;
 using Seam = stltsa_seam;
 using Event = stltsa_event;
+using LiveFrame = stltsa_live_frame;
 using Piece = stltsa_piece; ///< see Clip::piece()
 using OptionInfo = stltsa_option_info;
 using InfoKey = stltsa_info_key;
@@ -568,7 +569,9 @@ class Model {
                                options.get(), &distance, &nearest);
         return {std::move(clip), std::move(result.distance), std::move(result.nearest)};
     }
-
+    stltsa_model* get() noexcept { return handle_.get(); }
+    /// For Live.
+    bool has_cycle() const noexcept { return stltsa_model_has_cycle(get()) != 0; }
     const stltsa_model* get() const noexcept { return handle_.get(); }
 
   private:
@@ -905,6 +908,44 @@ class Phase {
     detail::Handle<stltsa_phase, stltsa_phase_free> handle_;
     std::int64_t frames_;
 };
+
+/// Follows one stream of frames.
+class Live {
+  public:
+    using Pointer = stltsa_live*;
+
+    explicit Live(const Model& model) : handle_(made(model)) {}
+
+    std::vector<std::string> marks() const {
+        return detail::texts(stltsa_live_mark_count, stltsa_live_mark_name, get());
+    }
+    LiveFrame push(double seconds, const MatrixView& features) {
+        LiveFrame frame{};
+        frame.size = sizeof frame;
+        detail::check(stltsa_live_push(handle_.get(), seconds, features.get(), &frame));
+        return frame;
+    }
+
+    const stltsa_live* get() const noexcept { return handle_.get(); }
+
+  private:
+    static stltsa_live* made(const Model& model) {
+        stltsa_live* live = nullptr;
+        detail::check(stltsa_live_new(model.get(), &live));
+        return live;
+    }
+
+    detail::Handle<stltsa_live, stltsa_live_free> handle_;
+};
+
+/// Keeps the mean cycle in the model, for Live.
+inline void keep_cycle(Model& model, const Phase& phase) {
+    detail::check(stltsa_model_keep_cycle(model.get(), phase.get()));
+}
+/// Names the phase of a frame.
+inline void keep_mark(Model& model, const Phase& phase, double frame, const std::string& name) {
+    detail::check(stltsa_model_keep_mark(model.get(), phase.get(), frame, name.c_str()));
+}
 
 /// `options`: as for the decomposition.
 inline Phase find_phase(const Clip& clip, const Decomposition& decomposition,

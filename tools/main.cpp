@@ -22,6 +22,8 @@ Exit run(const Arguments& arguments) {
         return run_info(arguments);
     case Command::fit:
         return run_fit(arguments);
+    case Command::live:
+        return run_live(arguments);
     case Command::map:
         return run_map(arguments);
     case Command::unmap:

@@ -79,6 +79,14 @@ struct stltsa_events : stltsa::results::FoundEvents {
     explicit stltsa_events(FoundEvents of) : FoundEvents(std::move(of)) {}
 };
 
+struct stltsa_live {
+    explicit stltsa_live(const stltsa::results::Live& live);
+
+    std::vector<std::string> names; ///< of the marks
+    std::vector<double> row;        ///< the features of a frame
+    stltsa::phase::LivePhase phase;
+};
+
 struct stltsa_denoising : stltsa_info, stltsa::results::Denoised {
     explicit stltsa_denoising(Denoised of)
         : stltsa_info{&stltsa::capi::denoising_table}, Denoised(std::move(of)) {}

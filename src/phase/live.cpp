@@ -22,7 +22,6 @@ constexpr double velocity_weight = 2;
 constexpr double warm_up = 5;
 constexpr std::int64_t most_directions = 16; ///< 32 give the same
 constexpr std::int64_t most_harmonics = 10;
-constexpr std::int64_t place_count = 100;
 constexpr std::int64_t rate_count = 17;
 constexpr double least_rate = 0.4, most_rate = 2; ///< of the usual one
 /// Added to the covariance of the residuals, as a share of the mean variance.
@@ -30,6 +29,7 @@ constexpr double least_scatter = 0.02;
 /// Per frame: spread of the phase, in places, and of the rate, in usual rates.
 constexpr double phase_spread = 0.4;
 constexpr double rate_spread = 0.06;
+constexpr double least_share = 1e-9; ///< of a rate that becomes another one
 constexpr double prior_spread = 0.35;
 /// Share of anything being possible; more in unknown motion.
 constexpr double surprise = 0.002, surprise_far = 0.02;
@@ -43,6 +43,8 @@ constexpr double flag_s = 0.1;
 /// the rates. 1.4 time constants.
 constexpr double delay_s = 0.042;
 constexpr double longest_gap_s = 1;
+/// A phase that falls by more is a jump of the stream, not noise; in turns.
+constexpr double jump_back = 0.25;
 /// Speed, as a share of the usual one, below which the body is still.
 constexpr double still_speed = 0.1;
 
@@ -241,14 +243,18 @@ LiveCycle learn_live(ConstMatrixView rows, double rate, const Phases& phases,
     return cycle;
 }
 
-LivePhase::LivePhase(const LiveCycle& cycle)
+LivePhase::LivePhase(const LiveCycle& cycle, std::span<const double> marks)
     : cycle_(cycle), first_(cycle.weights.size()), second_(first_), velocity_(first_),
       both_(2 * first_.size()), coordinates_(static_cast<std::size_t>(cycle.directions.rows())),
       whitened_(coordinates_), whitened_places_(place_count, cycle.directions.rows()),
       squared_(place_count), likely_(rate_count, place_count), before_(rate_count, place_count),
-      blur_(rate_count) {
-    for (std::int64_t g = 0; g < place_count; ++g)
+      blur_(rate_count), circle_(2, place_count), marks_(marks.begin(), marks.end()) {
+    for (std::int64_t g = 0; g < place_count; ++g) {
         whiten(cycle.whitening, cycle.places.row(g), whitened_places_.row(g));
+        const double angle = turn * static_cast<double>(g) / place_count;
+        circle_(0, g) = std::cos(angle);
+        circle_(1, g) = std::sin(angle);
+    }
     double sum = 0;
     for (std::int64_t r = 0; r < rate_count; ++r) {
         const double share = least_rate + (most_rate - least_rate) * static_cast<double>(r) /
@@ -341,8 +347,9 @@ void LivePhase::predict(double seconds, bool is_far) {
         for (std::int64_t to = 0; to < rate_count; ++to)
             total += blur_[static_cast<std::size_t>(std::abs(from - to))];
         for (std::int64_t to = 0; to < rate_count; ++to)
-            axpy(blur_[static_cast<std::size_t>(std::abs(from - to))] / total, before_.row(from),
-                 likely_.row(to), place_count);
+            if (const double share = blur_[static_cast<std::size_t>(std::abs(from - to))] / total;
+                share > least_share)
+                axpy(share, before_.row(from), likely_.row(to), place_count);
     }
     const double total = sum(likely_.data(), rate_count * place_count);
     const double share = is_far ? surprise_far : surprise;
@@ -366,6 +373,16 @@ void LivePhase::correct() {
         likely_.data()[i] /= total;
 }
 
+/// A body that stands still keeps its phase: without velocity, other places of the cycle look
+/// alike.
+void LivePhase::notice_rest(double seconds) {
+    const std::int64_t p = cycle_.features();
+    const double speed =
+        velocity_scale(cycle_.period) * std::sqrt(dot(velocity_.data(), velocity_.data(), p));
+    age_s_ = begun_ ? age_s_ + seconds : 0;
+    still_ = age_s_ > warm_up * filter_s && speed < still_speed * cycle_.usual_speed;
+}
+
 LiveFrame LivePhase::answer(double seconds, double distance) {
     double cosine = 0, sine = 0, rate = 0;
     for (std::int64_t g = 0; g < place_count; ++g) {
@@ -374,27 +391,43 @@ LiveFrame LivePhase::answer(double seconds, double distance) {
             at_place += likely_(r, g);
             rate += likely_(r, g) * rates_[static_cast<std::size_t>(r)];
         }
-        const double angle = turn * static_cast<double>(g) / place_count;
-        cosine += at_place * std::cos(angle);
-        sine += at_place * std::sin(angle);
+        cosine += at_place * circle_(0, g);
+        sine += at_place * circle_(1, g);
     }
     double phase = std::atan2(sine, cosine) / turn + delay_s * (rate - cycle_.turns_per_second);
     phase -= std::floor(phase);
-    if (begun_)
-        turns_ += std::remainder(phase - last_phase_, 1.0);
+    const double moved = begun_ ? std::remainder(phase - last_phase_, 1.0) : 0;
+    turns_ += moved;
+    unwrapped_ = begun_ ? unwrapped_ + moved : phase;
+    if (!begun_)
+        reached_ = unwrapped_;
     last_phase_ = phase;
     unknown_s_ = std::clamp(unknown_s_ + (distance > 1 ? seconds : -seconds), 0.0, 2 * flag_s);
     known_ = known_ ? unknown_s_ < flag_s : unknown_s_ <= flag_s / 2;
-    const std::int64_t p = cycle_.features();
-    const double speed =
-        velocity_scale(cycle_.period) * std::sqrt(dot(velocity_.data(), velocity_.data(), p));
-    return {phase < 1 ? phase : 0,
-            rate,
-            turns_,
-            distance,
-            std::hypot(cosine, sine),
-            known_,
-            speed < still_speed * cycle_.usual_speed};
+    LiveFrame frame;
+    frame.phase = phase < 1 ? phase : 0;
+    frame.turns_per_second = still_ ? 0 : rate;
+    frame.turns = turns_;
+    frame.distance = distance;
+    frame.confidence = std::hypot(cosine, sine);
+    frame.known = known_;
+    frame.still = still_;
+    frame.passed = passed();
+    return frame;
+}
+
+/// Marks between the furthest phase so far and this one. After a jump back they count anew.
+std::int64_t LivePhase::passed() {
+    if (unwrapped_ < reached_ - jump_back)
+        reached_ = unwrapped_;
+    std::int64_t bits = 0;
+    if (unwrapped_ <= reached_)
+        return 0;
+    for (std::size_t i = 0; i < marks_.size(); ++i)
+        if (known_ && std::floor(unwrapped_ - marks_[i]) > std::floor(reached_ - marks_[i]))
+            bits |= std::int64_t{1} << i;
+    reached_ = unwrapped_;
+    return bits;
 }
 
 LiveFrame LivePhase::push(double seconds, const double* features) {
@@ -406,21 +439,25 @@ LiveFrame LivePhase::push(double seconds, const double* features) {
     filter(passed, features);
     project();
     const double distance = nearest_place();
-    predict(passed, distance > far);
-    correct();
+    notice_rest(passed);
+    if (!still_) {
+        predict(passed, distance > far);
+        correct();
+    }
     latest_ = answer(passed, distance);
     begun_ = true;
     last_ = seconds;
     return latest_;
 }
 
-LiveFrame LivePhase::skip(double seconds) {
+LiveFrame LivePhase::go_on(double seconds) {
     const double passed = std::clamp(seconds - last_, 0.0, longest_gap_s);
     LiveFrame guess = latest_;
     guess.phase += passed * guess.turns_per_second;
     guess.phase -= std::floor(guess.phase);
     guess.turns += passed * guess.turns_per_second;
     guess.known = false;
+    guess.passed = 0;
     return guess;
 }
 

@@ -10,6 +10,9 @@
 
 namespace stltsa::phase {
 
+/// Even phases at which the mean cycle is kept.
+inline constexpr std::int64_t place_count = 100;
+
 /// What a stream is compared with. Learned through the same causal filter that the stream goes
 /// through, so that the delay of the filter is in the mean cycle, and cancels.
 struct LiveCycle {
@@ -36,23 +39,27 @@ LiveCycle learn_live(ConstMatrixView rows, double rate, const Phases& phases,
 struct LiveFrame {
     double phase = 0; ///< in [0, 1)
     double turns_per_second = 0;
-    double turns = 0;      ///< since the first frame; also parts of a turn
-    double distance = 0;   ///< from the mean cycle: 1 is the limit of what is known
-    double confidence = 0; ///< 0 to 1: how sharply the phase is known
-    bool known = true;     ///< whether this is the motion of the cycle
-    bool still = false;    ///< the body does not move
+    double turns = 0;        ///< since the first frame; also parts of a turn
+    double distance = 0;     ///< from the mean cycle: 1 is the limit of what is known
+    double confidence = 0;   ///< 0 to 1: how sharply the phase is known
+    bool known = true;       ///< whether this is the motion of the cycle
+    bool still = false;      ///< the body does not move
+    std::int64_t passed = 0; ///< bit i: mark i was passed since the frame before
 };
+
+inline constexpr std::size_t most_marks = 62;
 
 /// Follows one stream. Allocates when it is made, and never again.
 class LivePhase {
   public:
-    explicit LivePhase(const LiveCycle& cycle);
+    /// `marks`: phases, at most most_marks; they are reported as they pass.
+    LivePhase(const LiveCycle& cycle, std::span<const double> marks);
 
     /// `features`: finite. `seconds` rises from frame to frame; if it falls, or after a gap of more
     /// than a second, the filter starts anew.
     LiveFrame push(double seconds, const double* features);
     /// A frame of which nothing is known: the phase goes on as before.
-    LiveFrame skip(double seconds);
+    LiveFrame go_on(double seconds);
 
   private:
     void filter(double seconds, const double* features);
@@ -61,17 +68,23 @@ class LivePhase {
     void predict(double seconds, bool is_far);
     void correct();
     LiveFrame answer(double seconds, double distance);
+    void notice_rest(double seconds);
+    std::int64_t passed();
 
-    const LiveCycle& cycle_;
+    LiveCycle cycle_;
     std::vector<double> first_, second_, velocity_; ///< the filter
     std::vector<double> both_, coordinates_, whitened_;
     Matrix whitened_places_;
     std::vector<double> squared_; ///< distance of the frame from each place
     Matrix likely_, before_;      ///< rates x places
     std::vector<double> rates_, prior_, blur_;
+    Matrix circle_;      ///< cosine and sine of each place
     double outside_ = 0; ///< squared distance from the principal directions
-    double last_ = 0, last_phase_ = 0, turns_ = 0, unknown_s_ = 0;
-    bool begun_ = false, known_ = true;
+    std::vector<double> marks_;
+    double reached_ = 0; ///< unwrapped phase up to which marks were reported
+    double age_s_ = 0;   ///< since the filter started
+    double last_ = 0, last_phase_ = 0, unwrapped_ = 0, turns_ = 0, unknown_s_ = 0;
+    bool begun_ = false, known_ = true, still_ = false;
     LiveFrame latest_;
 };
 

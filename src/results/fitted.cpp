@@ -82,7 +82,7 @@ Fitted fit(ConstMatrixView samples, const std::vector<std::int64_t>& lengths,
     ltsa::check_frames(samples, lengths, "frames", options.threads);
     const auto parameters =
         choose_parameters(samples, lengths, options, standard_dimension, source, progress);
-    Fitted fitted{ltsa::fit(samples, lengths, parameters, progress), std::move(source), {}};
+    Fitted fitted{ltsa::fit(samples, lengths, parameters, progress), std::move(source), {}, {}};
     warn_of_parts(fitted.source, fitted.model);
     return fitted;
 }

@@ -8,6 +8,7 @@
 #include "clip/features/pose_code.hpp"
 #include "ltsa/dimension.hpp"
 #include "ltsa/model.hpp"
+#include "results/live.hpp"
 #include "results/parameters.hpp"
 #include "results/samples.hpp"
 
@@ -26,6 +27,7 @@ struct Fitted {
     ltsa::Model model;
     Source source;
     Kept kept;
+    Live live;
 };
 
 /// Fits 2 coordinates unless the options say otherwise. Throws as ltsa::fit().

@@ -194,8 +194,8 @@ Phased find_phase(const clip::Clip& clip, const Decomposed& decomposed,
     prepare.smoothing = 0;
     const clip::Clip* single = &clip;
     ClipSamples prepared = prepare_clips({&single, 1}, prepare, progress);
-    clip::remove_drift(prepared.samples, clip.fps);
     Phased phased;
+    phased.drifting = clip::remove_drift(prepared.samples, clip.fps);
     phased.clip = prepared.source.clips.front();
     phased.samples = prepared.source.samples;
     phased.side = clip::side_weights(clip, found.features, found.up, prepared.samples.view());

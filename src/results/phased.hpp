@@ -24,11 +24,12 @@ struct PhasedMotion {
 
 struct Phased {
     ClipFacts clip;
-    SampleFacts samples;               ///< the features; every frame from the first one on is a row
-    Matrix rows;                       ///< features, not smoothed
-    std::vector<double> side;          ///< see recording::Options
-    std::vector<PhasedMotion> motions; ///< in cycles, by label; then those with pauses
-    std::vector<phase::Range> moving;  ///< rows between rests and holes
+    SampleFacts samples; ///< the features; every frame from the first one on is a row
+    Matrix rows;         ///< features, not smoothed
+    std::vector<std::int64_t> drifting; ///< columns whose slow part was subtracted
+    std::vector<double> side;           ///< see recording::Options
+    std::vector<PhasedMotion> motions;  ///< in cycles, by label; then those with pauses
+    std::vector<phase::Range> moving;   ///< rows between rests and holes
     // Of each frame of the file.
     std::vector<double> phase;       ///< in [0, 1); NaN outside cycles
     std::vector<double> residual;    ///< NaN outside cycles

@@ -56,6 +56,26 @@ void a_mark_is_found_in_every_cycle(void**) {
     assert_true(phase.events({250}, other).likeness() > 0.99);
 }
 
+void a_stream_is_followed(void**) {
+    const stltsa::Clip clip = stltsa::Clip::open(walker_path);
+    stltsa::Model model = stltsa::fit(clip);
+    assert_false(model.has_cycle());
+    const stltsa::Phase phase = stltsa::find_phase(clip, stltsa::decompose(clip));
+    stltsa::keep_cycle(model, phase);
+    stltsa::keep_mark(model, phase, 250, "strike");
+    stltsa::Live live(model);
+    assert_non_null(live.get());
+    assert_true(live.marks() == std::vector<std::string>{"strike"});
+    const stltsa::Matrix features = clip.features();
+    stltsa::LiveFrame frame{};
+    for (std::int64_t i = 270; i <= 300; ++i) {
+        const auto begin = features.values.begin() + i * features.cols;
+        const std::vector<double> row(begin, begin + features.cols);
+        frame = live.push(static_cast<double>(i) / 120, stltsa::MatrixView(row, features.cols));
+    }
+    ASSERT_NEAR(std::remainder(frame.phase - phase.values()[300], 1.0), 0, 0.05);
+}
+
 void borders_may_be_given(void**) {
     const std::vector<double> ramp = {0, 1, 2, 3, 4, 5, 6, 7, 8};
     const stltsa::Cycles cycles = stltsa::cycles_between({0, 4, 8}, stltsa::MatrixView(ramp, 1), 5);
@@ -71,6 +91,7 @@ int main(int argc, char** argv) {
     const CMUnitTest tests[] = {
         cmocka_unit_test(frames_have_phases),
         cmocka_unit_test(a_mark_is_found_in_every_cycle),
+        cmocka_unit_test(a_stream_is_followed),
         cmocka_unit_test(borders_may_be_given),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);

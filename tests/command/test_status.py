@@ -103,7 +103,7 @@ class Unreadable(CommandTest):
         model = self.folder / "model.stltsa"
         self.done("fit", circle(), "-o", model)
         for command in set(COMMANDS) - {"batch"}:  # there it is a row
-            before = [model] if command in ("map", "unmap") else []
+            before = [model] if command in ("map", "unmap", "live") else []
             after = ["-o", self.folder / "out.npy"] if command in ("unmap", "synthesize") else []
             after += ["--mark", "1=step"] if command == "events" else []
             for path, hint in (

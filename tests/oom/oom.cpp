@@ -405,6 +405,44 @@ bool survives(const Work& work, const std::string& input) {
     return failures > 50;
 }
 
+/// A stream allocates when it is made, and never again: each push would fail.
+bool streams_allocate_nothing(const std::string& input) {
+    stltsa_options* options = nullptr;
+    stltsa_clip* clip = nullptr;
+    stltsa_decomposition* found = nullptr;
+    stltsa_phase* phase = nullptr;
+    stltsa_model* model = nullptr;
+    stltsa_live* stream = nullptr;
+    stltsa_options_new(&options);
+    stltsa_options_set_real(options, STLTSA_OPT_FPS, 30);
+    stltsa_clip_parse(input.data(), input.size(), STLTSA_FORMAT_CSV, options, &clip);
+    stltsa_decompose(clip, nullptr, &found);
+    stltsa_phase_find(clip, found, nullptr, &phase);
+    stltsa_fit_clip(clip, nullptr, &model);
+    stltsa_status status = stltsa_model_keep_cycle(model, phase);
+    if (status == STLTSA_OK)
+        status = stltsa_live_new(model, &stream);
+    double row[8];
+    const stltsa_in features = {row, 1, 8, 0, 0, STLTSA_F64, 0};
+    stltsa_live_frame frame{};
+    frame.size = sizeof frame;
+    until_failure = 0;
+    for (int i = 0; i < 500 && status == STLTSA_OK; ++i) {
+        for (int c = 0; c < 8; ++c)
+            row[c] = i % 50 == 7 ? NAN : std::sin(0.21 * i * (1 + c % 2) + c);
+        status = stltsa_live_push(stream, i / 30.0 + (i > 300 ? 5 : 0), &features, &frame);
+    }
+    const bool untouched = until_failure.exchange(-1) == 0;
+    stltsa_live_free(stream);
+    stltsa_model_free(model);
+    stltsa_phase_free(phase);
+    stltsa_decomposition_free(found);
+    stltsa_clip_free(clip);
+    stltsa_options_free(options);
+    std::printf("live: 500 frames, %s\n", untouched ? "no allocation" : "allocations");
+    return status == STLTSA_OK && untouched;
+}
+
 } // namespace
 
 int main() {
@@ -418,5 +456,6 @@ int main() {
     bool good = true;
     for (const Work& work : works)
         good = survives(work, input) && good;
+    good = streams_allocate_nothing(input) && good;
     return good ? 0 : 1;
 }

@@ -39,6 +39,8 @@ std::int32_t calls_of(Command command) {
         return STLTSA_CALL_OPEN | STLTSA_CALL_FIT | STLTSA_CALL_DENOISE;
     case Command::synthesize:
         return STLTSA_CALL_OPEN | STLTSA_CALL_SYNTHESIZE;
+    case Command::live:
+        return STLTSA_CALL_OPEN;
     }
     return 0;
 }
@@ -113,7 +115,10 @@ class Parser {
         fit.add_option("--coords", to_.coords,
                        "Write the coordinates, rows x d, to a .npy or .csv file.")
             ->type_name("FILE");
-        add_product(fit, "Write the model (.stltsa), for map, unmap and denoise.");
+        add_product(fit, "Write the model (.stltsa), for map, unmap, denoise and live.");
+        add_marks(fit,
+                  "A frame of a cycle, which need not be whole, or seconds (2.5s), and the name "
+                  "of what happens then, for live.");
         add_plot(fit);
         CLI::App& map = model_command(Command::map, "map", a_clip);
         add_product(map, "Write the coordinates to a .npy or .csv file.");
@@ -148,6 +153,7 @@ class Parser {
         add_plot(synthesize);
         add_batch();
         add_events();
+        add_output(model_command(Command::live, "live", a_clip));
         set_groups();
     }
 
@@ -232,7 +238,7 @@ class Parser {
     CLI::App& model_command(Command command, const char* name, const char* input) {
         CLI::App& app = add(command, name);
         app.add_option("model", to_.model, "A model that stltsa fit -o wrote, or -.")->required();
-        app.add_option(command == Command::map ? "clip" : "coords", to_.input, input)->required();
+        app.add_option(command == Command::unmap ? "coords" : "clip", to_.input, input)->required();
         return app;
     }
     /// Other flags say what is written.
@@ -264,14 +270,9 @@ class Parser {
     void add_events() {
         CLI::App& events = clip_command(Command::events, "events", "The clip with the marks.");
         events.add_option("others", to_.pieces, "Clips in which the events are found, too.");
-        events
-            .add_option("--mark", to_.marks,
-                        "A frame, which need not be whole, or seconds (2.5s), and the name of what "
-                        "happens then. Several with one name make it surer.")
-            ->type_name("FRAME=NAME")
-            ->required()
-            ->allow_extra_args(false)
-            ->group(group::method);
+        add_marks(events, "A frame, which need not be whole, or seconds (2.5s), and the name of "
+                          "what happens then. Several with one name make it surer.")
+            ->required();
         add_output(events);
     }
     void add_denoise() {
@@ -290,6 +291,12 @@ class Parser {
         denoise.add_flag("--curve", to_.curve,
                          "Add coordinates, curve and cleaned coordinates, row by row, to the "
                          "JSON.");
+    }
+    CLI::Option* add_marks(CLI::App& app, const char* text) {
+        return app.add_option("--mark", to_.marks, text)
+            ->type_name("FRAME=NAME")
+            ->allow_extra_args(false)
+            ->group(group::method);
     }
     CLI::Option* add_product(CLI::App& app, const char* text) {
         return app.add_option("-o,--output", to_.product, text)->type_name("FILE");
@@ -352,6 +359,8 @@ void check_arguments(const Arguments& arguments) {
         throw Failure(Exit::usage, "standard input (-) is one file: the model or the other");
     if (arguments.curve && !arguments.json)
         throw Failure(Exit::usage, "--curve goes with --json");
+    if (arguments.command == Command::fit && !arguments.marks.empty() && arguments.product.empty())
+        throw Failure(Exit::usage, "--mark goes with -o: the model keeps the mark");
 }
 
 } // namespace

@@ -18,7 +18,8 @@ enum class Command {
     denoise,
     synthesize,
     batch,
-    events
+    events,
+    live
 };
 
 /// The command line, read.

@@ -29,6 +29,7 @@ Examples:
   stltsa synthesize walk.bvh --loop -o loop.bvh    a loop from its cycles
   stltsa batch recordings/ --out results           many clips
   stltsa events walk.bvh --mark 131=strike         the same event in every cycle
+  stltsa live walk.stltsa other.bvh --json         phase of each frame of a stream
   stltsa dimension walk.bvh
   stltsa info - < walk.bvh)";
 
@@ -133,6 +134,16 @@ Examples:
   stltsa events walk.bvh --mark 131=strike --mark 2.5s=off -o events.csv
   stltsa events walk.bvh other.bvh --mark 131=strike --json)";
 
+constexpr const char* about_live =
+    R"(Plays a clip to a model as a stream: phase, rate and events of each frame.
+
+The model is of a clip that has cycles. Each frame is answered without knowing
+the frames after it.
+
+Examples:
+  stltsa fit walk.bvh --mark 131=strike -o walk.stltsa
+  stltsa live walk.stltsa other.bvh --json)";
+
 constexpr std::size_t name_columns = 32;
 
 class HelpFormat : public CLI::Formatter {
@@ -204,6 +215,8 @@ std::string about_command(Command command) {
         return about_batch;
     case Command::events:
         return about_events;
+    case Command::live:
+        return about_live;
     }
     return "";
 }

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <charconv>
-#include <cmath>
 #include <map>
-#include <optional>
-#include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
 
+#include "arguments/marks.hpp"
 #include "commands/commands.hpp"
 #include "commands/session.hpp"
 #include "reports/events.hpp"
@@ -14,38 +12,6 @@
 
 namespace tool {
 namespace {
-
-std::optional<double> number_in(std::string_view text) {
-    double value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
-        return std::nullopt;
-    return value;
-}
-
-/// Frames by name, from "131=strike" and "2.5s=strike".
-std::map<std::string, std::vector<double>> marks_of(const Arguments& arguments, double fps) {
-    std::map<std::string, std::vector<double>> marks;
-    for (const std::string& typed : arguments.marks) {
-        const std::size_t sign = typed.find('=');
-        std::string_view place = std::string_view(typed).substr(0, sign);
-        const bool seconds = place.ends_with('s');
-        if (seconds)
-            place.remove_suffix(1);
-        const auto value = number_in(place);
-        if (!value || sign == std::string::npos || sign + 1 == typed.size())
-            throw Failure(Exit::usage,
-                          fmt::format("--mark is given '{}': it takes FRAME=NAME, such as "
-                                      "131=strike or 2.5s=strike",
-                                      typed));
-        if (seconds && !(fps > 0))
-            throw Failure(Exit::usage, fmt::format("--mark {}: the frame rate is unknown: give a "
-                                                   "frame, or --fps",
-                                                   typed));
-        marks[typed.substr(sign + 1)].push_back(seconds ? *value * fps : *value);
-    }
-    return marks;
-}
 
 struct Analyzed {
     std::string path;
@@ -57,8 +23,7 @@ Analyzed analyzed(const Session& session, const std::string& path, const stltsa:
     return {path, stltsa::find_phase(clip, found, session.options())};
 }
 
-void append(const Analyzed& from, const Analyzed& in,
-            const std::map<std::string, std::vector<double>>& marks, EventTable& table) {
+void append(const Analyzed& from, const Analyzed& in, const Marks& marks, EventTable& table) {
     for (const auto& [name, frames] : marks) {
         const stltsa::Events found = from.phase.events(frames, in.phase);
         table.searches.push_back({in.path, name, found.count(), found.likeness()});
@@ -81,7 +46,7 @@ void append(const Analyzed& from, const Analyzed& in,
 Exit run_events(const Arguments& arguments) {
     Session session(arguments);
     const stltsa::Clip& clip = session.open_input();
-    const auto marks = marks_of(arguments, clip.fps());
+    const auto marks = parse_marks(arguments.marks, clip.fps());
     const Analyzed from = analyzed(session, arguments.input, clip);
     EventTable table;
     append(from, from, marks, table);

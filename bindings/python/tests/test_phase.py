@@ -96,6 +96,33 @@ def test_a_mark_is_found_in_another_clip(clip, phase):
     np.testing.assert_allclose(turns, np.round(turns), atol=0.02)
 
 
+def test_a_stream_has_the_phase_of_the_clip(clip, phase, tmp_path):
+    model = stltsa.fit(clip)
+    assert not model.has_cycle
+    with pytest.raises(stltsa.UnsupportedError, match="keeps no mean cycle"):
+        stltsa.Live(model)
+    model.keep_cycle(phase, {"strike": 250, "off": 288})
+    model.save(tmp_path / "walk.stltsa")
+    loaded = stltsa.Model.load(tmp_path / "walk.stltsa")
+    assert loaded.has_cycle
+    one, two = stltsa.Live(model), stltsa.Live(loaded)
+    assert one.marks == ("off", "strike") or one.marks == ("strike", "off")
+    seen = []
+    for i, row in enumerate(clip.features()):
+        seen.append(one.push(row, i / clip.fps))
+        assert seen[-1] == two.push(row, i / clip.fps)
+    inside = ~np.isnan(phase.values)
+    off = (np.array([f.phase for f in seen]) - phase.values + 0.5) % 1 - 0.5
+    assert np.median(abs(off[inside])) < 0.005
+    assert (
+        sum("off" in f.events for f, cycle in zip(seen, phase.cycle, strict=True) if cycle >= 0)
+        == 3
+    )
+    assert seen[400].kind == "cyclic"
+    assert seen[-1].kind == "rest"
+    assert not one.push(np.full(clip.features().shape[1], np.nan), 99.0).known
+
+
 def test_errors_say_what_is_wrong(phase):
     with pytest.raises(stltsa.ArgumentError, match="no motion that repeats"):
         phase.events(2)

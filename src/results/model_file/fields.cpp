@@ -153,12 +153,36 @@ void check_kept(const Fitted& model) {
     expect(features.cols() == model.model.features, "features");
 }
 
+void check_live(const Live& live, std::int64_t features) {
+    if (!live.has_cycle)
+        return;
+    const phase::LiveCycle& c = live.cycle;
+    const auto amounts = {c.rate, c.period, c.turns_per_second, c.variance, c.typical};
+    expect(std::ranges::all_of(amounts, [](double v) { return amount(v) && v > 0; }) &&
+               amount(c.usual_speed),
+           "mean cycle");
+    const std::int64_t n = c.directions.rows();
+    expect(c.features() == features && std::ssize(c.mean) == 2 * features &&
+               c.directions.cols() == 2 * features && n >= 1 &&
+               c.places.rows() == phase::place_count && c.places.cols() == n &&
+               c.whitening.rows() == n && c.whitening.cols() == n,
+           "mean cycle");
+    expect(finite(c.weights) && finite(c.mean) && finite(c.directions.view()) &&
+               finite(c.places.view()) && finite(c.whitening.view()),
+           "mean cycle");
+    expect(live.marks.size() <= phase::most_marks &&
+               std::ranges::all_of(live.marks,
+                                   [](const PhasedMark& mark) { return amount(mark.phase); }),
+           "marks");
+}
+
 } // namespace
 
 void check_model_fields(const Fitted& model) {
     check_embedding(model.model);
     check_source(model.source, model.model.lengths, model.model.coords.rows());
     check_kept(model);
+    check_live(model.live, model.model.features);
 }
 
 } // namespace stltsa::results

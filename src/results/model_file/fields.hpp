@@ -66,11 +66,21 @@ void kept_fields(Archive& archive, T& kept) {
     archive(kept.poses);
 }
 
+template <class Archive, Is<Live> T>
+void live_fields(Archive& archive, T& live) {
+    archive(live.has_cycle, live.label);
+    auto& c = live.cycle;
+    archive(c.rate, c.period, c.turns_per_second, c.variance, c.typical, c.usual_speed);
+    archive(c.weights, c.mean, c.directions, c.places, c.whitening);
+    archive.list(live.marks, [](auto& each, auto& mark) { each(mark.name, mark.phase); });
+}
+
 template <class Archive, Is<Fitted> T>
 void model_fields(Archive& archive, T& model) {
     embedding_fields(archive, model.model);
     source_fields(archive, model.source);
     kept_fields(archive, model.kept);
+    live_fields(archive, model.live);
 }
 
 /// Throws Status::format if the fields contradict each other. A checksum does not prove who wrote a

@@ -31,6 +31,7 @@ from .denoising import Denoising, denoise
 from .dimensions import Dimension, dimension
 from .errors import *  # noqa: F403
 from .events import Event
+from .live import Live, LiveFrame
 from .model import Mapped, Model, fit
 from .phase import Cycles, FoundEvent, FoundEvents, Phase, cycles_between
 from .synthesis import Piece, Seam, Synthesis, synthesize, synthesize_loop
@@ -75,6 +76,8 @@ __all__ = [  # noqa: PLE0604
     "FoundEvent",
     "FoundEvents",
     "Interval",
+    "Live",
+    "LiveFrame",
     "Mapped",
     "Model",
     "Option",

@@ -28,10 +28,13 @@ from .clip import Clip, call_on_motion, opened
 from .errors import ShapeError, UnsupportedError, advice
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     from typing_extensions import Unpack
 
     from ._given import Labels, Matrix, Motions, Path
     from ._options import Options
+    from .phase import Phase
 
 
 class Mapped(NamedTuple):
@@ -106,7 +109,7 @@ def _as_hints(hints: Any, rows: int) -> IntArray | None:
 
 
 class Model(Described):
-    """A fitted model; made by :func:`fit`, :meth:`load` and unpickling. It does not change."""
+    """A fitted model; made by :func:`fit`, :meth:`load` and unpickling. Only :meth:`keep_cycle` changes it."""
 
     _kind = "model"
 
@@ -331,6 +334,35 @@ class Model(Described):
                 )
             )
         return Clip(owned("clip", out))
+
+    def keep_cycle(self, phase: Phase, marks: Mapping[str, float] | None = None) -> None:
+        """Keep what a stream is compared with; see :class:`stltsa.Live`.
+
+        Parameters
+        ----------
+        phase : Phase
+            Of a clip with the features of the model. The motion with the most frames in cycles is
+            kept, also in model files.
+        marks : mapping of str to float, optional
+            Names of events and the frame of each in one of the cycles; streams report them as they
+            pass.
+
+        Raises
+        ------
+        stltsa.ArgumentError
+            The clip has no cycles, or a mark lies in none.
+        stltsa.ShapeError
+            The features differ from those of the model.
+        """
+        check(lib.stltsa_model_keep_cycle(self._handle, phase._handle))
+        for name, frame in (marks or {}).items():
+            text = name.encode()
+            check(lib.stltsa_model_keep_mark(self._handle, phase._handle, frame, text))
+
+    @property
+    def has_cycle(self) -> bool:
+        """Whether the model keeps a mean cycle."""
+        return bool(lib.stltsa_model_has_cycle(self._handle))
 
     def to_bytes(self) -> bytes:
         """Return the model as bytes: versioned, checksummed, the same on every machine."""

@@ -2352,6 +2352,193 @@ extern "C" {
 extern "C" {
     pub fn stltsa_events_likeness(events: *const stltsa_events) -> f64;
 }
+extern "C" {
+    pub fn stltsa_model_keep_cycle(
+        model: *mut stltsa_model,
+        phase: *const stltsa_phase,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_model_keep_mark(
+        model: *mut stltsa_model,
+        phase: *const stltsa_phase,
+        frame: f64,
+        name: *const ::std::os::raw::c_char,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_model_has_cycle(model: *const stltsa_model) -> i32;
+}
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct stltsa_live {
+    _unused: [u8; 0],
+}
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct stltsa_live_frame {
+    pub size: usize,
+    pub passed: i64,
+    pub phase: f64,
+    pub rate_hz: f64,
+    pub cycles: f64,
+    pub distance: f64,
+    pub confidence: f64,
+    pub known: i32,
+    pub kind: i32,
+}
+#[test]
+fn bindgen_test_layout_stltsa_live_frame() {
+    assert_eq!(
+        ::std::mem::size_of::<stltsa_live_frame>(),
+        64usize,
+        concat!("Size of: ", stringify!(stltsa_live_frame))
+    );
+    assert_eq!(
+        ::std::mem::align_of::<stltsa_live_frame>(),
+        8usize,
+        concat!("Alignment of ", stringify!(stltsa_live_frame))
+    );
+    fn test_field_size() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_live_frame>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).size) as usize - ptr as usize
+            },
+            0usize,
+            concat!("Offset of field: ", stringify!(stltsa_live_frame), "::", stringify!(size))
+        );
+    }
+    test_field_size();
+    fn test_field_passed() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_live_frame>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).passed) as usize - ptr as usize
+            },
+            8usize,
+            concat!("Offset of field: ", stringify!(stltsa_live_frame), "::", stringify!(passed))
+        );
+    }
+    test_field_passed();
+    fn test_field_phase() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_live_frame>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).phase) as usize - ptr as usize
+            },
+            16usize,
+            concat!("Offset of field: ", stringify!(stltsa_live_frame), "::", stringify!(phase))
+        );
+    }
+    test_field_phase();
+    fn test_field_rate_hz() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_live_frame>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).rate_hz) as usize - ptr as usize
+            },
+            24usize,
+            concat!("Offset of field: ", stringify!(stltsa_live_frame), "::", stringify!(rate_hz))
+        );
+    }
+    test_field_rate_hz();
+    fn test_field_cycles() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_live_frame>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).cycles) as usize - ptr as usize
+            },
+            32usize,
+            concat!("Offset of field: ", stringify!(stltsa_live_frame), "::", stringify!(cycles))
+        );
+    }
+    test_field_cycles();
+    fn test_field_distance() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_live_frame>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).distance) as usize - ptr as usize
+            },
+            40usize,
+            concat!("Offset of field: ", stringify!(stltsa_live_frame), "::", stringify!(distance))
+        );
+    }
+    test_field_distance();
+    fn test_field_confidence() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_live_frame>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).confidence) as usize - ptr as usize
+            },
+            48usize,
+            concat!(
+                "Offset of field: ",
+                stringify!(stltsa_live_frame),
+                "::",
+                stringify!(confidence)
+            )
+        );
+    }
+    test_field_confidence();
+    fn test_field_known() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_live_frame>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).known) as usize - ptr as usize
+            },
+            56usize,
+            concat!("Offset of field: ", stringify!(stltsa_live_frame), "::", stringify!(known))
+        );
+    }
+    test_field_known();
+    fn test_field_kind() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_live_frame>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).kind) as usize - ptr as usize
+            },
+            60usize,
+            concat!("Offset of field: ", stringify!(stltsa_live_frame), "::", stringify!(kind))
+        );
+    }
+    test_field_kind();
+}
+extern "C" {
+    pub fn stltsa_live_new(
+        model: *const stltsa_model,
+        live: *mut *mut stltsa_live,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_live_free(live: *mut stltsa_live);
+}
+extern "C" {
+    pub fn stltsa_live_mark_count(live: *const stltsa_live) -> i64;
+}
+extern "C" {
+    pub fn stltsa_live_mark_name(
+        live: *const stltsa_live,
+        index: i64,
+    ) -> *const ::std::os::raw::c_char;
+}
+extern "C" {
+    pub fn stltsa_live_push(
+        live: *mut stltsa_live,
+        seconds: f64,
+        features: *const stltsa_in,
+        frame: *mut stltsa_live_frame,
+    ) -> stltsa_status;
+}
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct stltsa_denoising {

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "results/keep_cycle.hpp"
+
+#include <cmath>
+
+namespace stltsa::results {
+namespace {
+
+std::int64_t frames_of(const PhasedMotion& motion) {
+    std::int64_t count = 0;
+    for (const phase::Run& run : motion.phases.runs)
+        count += run.rows();
+    return count;
+}
+
+const PhasedMotion* longest(const Phased& phased) {
+    const PhasedMotion* chosen = nullptr;
+    for (const PhasedMotion& motion : phased.motions)
+        if (motion.phases.cyclic && (chosen == nullptr || frames_of(motion) > frames_of(*chosen)))
+            chosen = &motion;
+    return chosen;
+}
+
+} // namespace
+
+void keep_cycle(Fitted& model, const Phased& phased) {
+    const PhasedMotion* motion = longest(phased);
+    if (motion == nullptr)
+        fail(Status::argument, "the clip has no cycles, so a stream has nothing to be compared "
+                               "with");
+    if (phased.rows.cols() != model.model.features ||
+        phased.samples.features != model.source.samples.features)
+        fail(Status::shape,
+             "the clip has {} features, the model {}: decompose with the same "
+             "option features",
+             phased.rows.cols(), model.model.features);
+    model.live.cycle =
+        phase::learn_live(phased.rows.view(), phased.clip.fps, motion->phases, phased.drifting);
+    model.live.label = motion->label;
+    model.live.marks.clear();
+    model.live.has_cycle = true;
+}
+
+void keep_mark(Fitted& model, const Phased& phased, double frame, const std::string& name) {
+    if (!model.live.has_cycle)
+        fail(Status::argument, "the model has no mean cycle: keep it first");
+    if (name.empty())
+        fail(Status::argument, "the mark at frame {} has no name", frame);
+    if (model.live.marks.size() == phase::most_marks)
+        fail(Status::argument, "a model has at most {} marks", phase::most_marks);
+    const double row = frame - static_cast<double>(phased.clip.first);
+    for (const PhasedMotion& motion : phased.motions) {
+        if (motion.label != model.live.label || !motion.phases.cyclic)
+            continue;
+        for (const phase::Run& run : motion.phases.runs) {
+            const double place = row - static_cast<double>(run.begin);
+            if (!(place >= 0 && place <= static_cast<double>(run.rows() - 1)))
+                continue;
+            const auto i = std::min(static_cast<std::size_t>(place), run.phase.size() - 2);
+            const double phase =
+                run.phase[i] + (place - static_cast<double>(i)) * (run.phase[i + 1] - run.phase[i]);
+            model.live.marks.push_back({name, phase - std::floor(phase)});
+            return;
+        }
+    }
+    fail(Status::argument, "the mark at frame {} lies in no cycle of the motion that was kept",
+         frame);
+}
+
+} // namespace stltsa::results

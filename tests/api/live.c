@@ -1,0 +1,226 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* The phase of a stream, through the public API. */
+#include "support.h"
+
+static const char* walker_path;
+
+typedef struct {
+    stltsa_model* model;
+    stltsa_phase* phase;
+    double *features, *offline;
+    int64_t frames, count;
+} walk;
+
+static walk opened(void) {
+    walk w = {NULL, NULL, NULL, NULL, 0, 0};
+    stltsa_clip* clip = NULL;
+    stltsa_decomposition* found = NULL;
+    must(stltsa_clip_open(walker_path, NULL, &clip));
+    must(stltsa_fit_clip(clip, NULL, &w.model));
+    must(stltsa_decompose(clip, NULL, &found));
+    must(stltsa_phase_find(clip, found, NULL, &w.phase));
+    w.frames = stltsa_clip_frames(clip);
+    must(stltsa_clip_feature_count(clip, NULL, &w.count));
+    w.features = new_matrix(w.frames, w.count);
+    w.offline = new_matrix(w.frames, 1);
+    const stltsa_out features = packed_out(w.features, w.frames, w.count),
+                     offline = packed_out(w.offline, w.frames, 1);
+    must(stltsa_clip_features(clip, NULL, &features));
+    must(stltsa_phase_values(w.phase, &offline, NULL, NULL));
+    stltsa_decomposition_free(found);
+    stltsa_clip_free(clip);
+    return w;
+}
+
+static void closed(walk w) {
+    stltsa_model_free(w.model);
+    stltsa_phase_free(w.phase);
+    free(w.features);
+    free(w.offline);
+}
+
+static stltsa_live* started(walk w) {
+    must(stltsa_model_keep_cycle(w.model, w.phase));
+    must(stltsa_model_keep_mark(w.model, w.phase, 250, "strike"));
+    stltsa_live* live = NULL;
+    must(stltsa_live_new(w.model, &live));
+    return live;
+}
+
+static stltsa_live_frame pushed(stltsa_live* live, walk w, int64_t frame, double seconds) {
+    stltsa_live_frame found;
+    found.size = sizeof found;
+    const stltsa_in row = packed_in(w.features + frame * w.count, 1, w.count);
+    must(stltsa_live_push(live, seconds, &row, &found));
+    return found;
+}
+
+static double off(double a, double b) {
+    return fabs(remainder(a - b, 1));
+}
+
+static void the_stream_has_the_phase_of_the_clip(void** state) {
+    (void)state;
+    walk w = opened();
+    assert_int_equal(stltsa_model_has_cycle(w.model), 0);
+    stltsa_live* live = started(w);
+    assert_int_equal(stltsa_model_has_cycle(w.model), 1);
+    assert_int_equal(stltsa_live_mark_count(live), 1);
+    assert_string_equal(stltsa_live_mark_name(live, 0), "strike");
+    assert_string_equal(stltsa_live_mark_name(live, 1), "");
+    int64_t inside = 0, passed = 0;
+    double sum = 0;
+    for (int64_t i = 0; i < w.frames; ++i) {
+        const stltsa_live_frame frame = pushed(live, w, i, (double)i / 120);
+        assert_true(frame.phase >= 0 && frame.phase < 1);
+        assert_true(frame.confidence >= 0 && frame.confidence <= 1.0001);
+        if (isnan(w.offline[i]))
+            continue;
+        ++inside;
+        sum += off(frame.phase, w.offline[i]);
+        passed += frame.passed;
+        assert_true(frame.known);
+        assert_int_equal(frame.kind, STLTSA_SEGMENT_CYCLIC);
+    }
+    assert_below(sum / (double)inside, 0.005, "mean error of the phase");
+    assert_int_equal(passed, 3); /* once in each cycle */
+    stltsa_live_free(live);
+    closed(w);
+}
+
+/* Two streams side by side do not disturb each other; a saved model gives the same bits. */
+static void streams_are_independent(void** state) {
+    (void)state;
+    walk w = opened();
+    stltsa_live *one = started(w), *two = NULL, *again = NULL;
+    unsigned char* bytes = NULL;
+    size_t size = 0;
+    stltsa_model* loaded = NULL;
+    must(stltsa_model_serialize(w.model, &bytes, &size));
+    must(stltsa_model_parse(bytes, size, &loaded));
+    must(stltsa_live_new(w.model, &two));
+    must(stltsa_live_new(loaded, &again));
+    stltsa_model_free(loaded); /* a stream does not refer to its model */
+    for (int64_t i = 0; i < w.frames; ++i) {
+        const stltsa_live_frame a = pushed(one, w, i, (double)i / 120);
+        pushed(two, w, w.frames - 1 - i, (double)i / 120);
+        const stltsa_live_frame b = pushed(again, w, i, (double)i / 120);
+        assert_memory_equal(&a, &b, sizeof a);
+    }
+    stltsa_free(bytes);
+    stltsa_live_free(one);
+    stltsa_live_free(two);
+    stltsa_live_free(again);
+    closed(w);
+}
+
+/* Dropped and missing frames, a jump, a stop and a restart. */
+static void streams_survive(void** state) {
+    (void)state;
+    walk w = opened();
+    stltsa_live* live = started(w);
+    stltsa_live_frame frame;
+    for (int64_t i = 150; i < 500; ++i) {
+        if (i % 3 == 1)
+            continue; /* dropped */
+        if (i % 50 == 0) {
+            const double kept = w.features[i * w.count + 4];
+            w.features[i * w.count + 4] = NAN;
+            frame = pushed(live, w, i, (double)i / 120);
+            w.features[i * w.count + 4] = kept;
+            assert_int_equal(frame.known, 0);
+        } else {
+            frame = pushed(live, w, i, (double)i / 120);
+        }
+        if (i > 250)
+            assert_below(off(frame.phase, w.offline[i]), 0.03, "error with dropped frames");
+    }
+    /* 0.4 cycles are cut out; 0.3 s later the phase is right again. */
+    for (int64_t i = 552; i < 610; ++i)
+        frame = pushed(live, w, i, (double)(i - 52) / 120);
+    assert_below(off(frame.phase, w.offline[609]), 0.03, "error after a jump");
+    /* The same frame again and again: the phase creeps no further than the filter. */
+    const double stopped = frame.phase;
+    for (int64_t i = 0; i < 240; ++i)
+        frame = pushed(live, w, 609, (double)(558 + i) / 120);
+    assert_below(off(frame.phase, stopped), 0.15, "creep of a stopped stream");
+    assert_int_equal(frame.kind, STLTSA_SEGMENT_REST);
+    /* Time begins anew. */
+    for (int64_t i = 300; i < 360; ++i)
+        frame = pushed(live, w, i, (double)(i - 300) / 120);
+    assert_below(off(frame.phase, w.offline[359]), 0.03, "error after a restart");
+    stltsa_live_free(live);
+    closed(w);
+}
+
+static void other_motion_is_not_known(void** state) {
+    (void)state;
+    walk w = opened();
+    stltsa_live* live = started(w);
+    for (int64_t i = 200; i < 400; ++i)
+        pushed(live, w, i, (double)i / 120);
+    int64_t told = -1;
+    for (int64_t i = 400; i < 460; ++i) {
+        double* row = w.features + i * w.count;
+        for (int64_t c = 0; c < w.count; ++c)
+            row[c] += 40 * sin(0.9 * (double)c); /* a body bent in half */
+        const stltsa_live_frame frame = pushed(live, w, i, (double)i / 120);
+        assert_true(frame.known || frame.distance > 1);
+        if (!frame.known && told < 0) {
+            told = i;
+            assert_int_equal(frame.kind, STLTSA_SEGMENT_ACTION);
+        }
+    }
+    assert_true(told >= 0 && told < 400 + 24); /* 0.2 s */
+    stltsa_live_free(live);
+    closed(w);
+}
+
+static void wrong_arguments_are_named(void** state) {
+    (void)state;
+    walk w = opened();
+    stltsa_live* live = NULL;
+    assert_int_equal(stltsa_live_new(w.model, &live), STLTSA_E_UNSUPPORTED);
+    assert_null(live);
+    assert_int_equal(stltsa_model_keep_mark(w.model, w.phase, 250, "a"), STLTSA_E_ARGUMENT);
+    live = started(w);
+    assert_int_equal(stltsa_model_keep_mark(w.model, w.phase, 2, "a"), STLTSA_E_ARGUMENT);
+    assert_non_null(strstr(stltsa_last_error(), "lies in no cycle"));
+    assert_int_equal(stltsa_model_keep_mark(w.model, w.phase, 250, ""), STLTSA_E_ARGUMENT);
+    stltsa_live_frame frame;
+    frame.size = sizeof frame;
+    const stltsa_in narrow = packed_in(w.features, 1, w.count - 1),
+                    right = packed_in(w.features, 1, w.count);
+    assert_int_equal(stltsa_live_push(live, 0, &narrow, &frame), STLTSA_E_SHAPE);
+    assert_int_equal(stltsa_live_push(live, NAN, &right, &frame), STLTSA_E_ARGUMENT);
+    frame.size = 3;
+    assert_int_equal(stltsa_live_push(live, 0, &right, &frame), STLTSA_E_ARGUMENT);
+    enum { rows = 200, cols = 4 };
+    double* x = new_motion(rows, cols, 2);
+    const stltsa_in in = packed_in(x, rows, cols);
+    stltsa_model* other = NULL;
+    must(stltsa_fit(&in, NULL, NULL, &other));
+    assert_int_equal(stltsa_model_keep_cycle(other, w.phase), STLTSA_E_SHAPE);
+    assert_int_equal(stltsa_model_has_cycle(other), 0);
+    assert_int_equal(stltsa_model_has_cycle(NULL), 0);
+    assert_int_equal(stltsa_live_mark_count(NULL), 0);
+    stltsa_live_free(NULL);
+    stltsa_live_free(live);
+    stltsa_model_free(other);
+    free(x);
+    closed(w);
+}
+
+int main(int argc, char** argv) {
+    if (argc != 2)
+        return 2;
+    walker_path = argv[1];
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_stream_has_the_phase_of_the_clip),
+        cmocka_unit_test(streams_are_independent),
+        cmocka_unit_test(streams_survive),
+        cmocka_unit_test(other_motion_is_not_known),
+        cmocka_unit_test(wrong_arguments_are_named),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

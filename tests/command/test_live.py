@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""stltsa live: a clip as a stream."""
+
+import json
+import unittest
+
+import numpy
+
+from common import CommandTest, cut, walk
+
+
+class Live(CommandTest):
+    def model(self, *marks):
+        path = self.folder / "walk.stltsa"
+        line = [word for mark in marks for word in ("--mark", mark)]
+        self.done("fit", walk(), "-o", path, *line)
+        return path
+
+    def lines(self, *arguments):
+        text = self.done("live", *arguments, "--json").decode()
+        return [json.loads(line) for line in text.splitlines()]
+
+    def test_phases_are_those_of_the_whole_clip(self):
+        lines = self.lines(self.model(), walk())
+        self.done("decompose", walk(), "--phase", self.folder / "phase.npy")
+        offline = numpy.load(self.folder / "phase.npy")[:, 4]
+        self.assertEqual([line["frame"] for line in lines], list(range(len(offline))))
+        off = (numpy.array([line["phase"] for line in lines]) - offline + 0.5) % 1 - 0.5
+        inside = ~numpy.isnan(offline)
+        self.assertLess(numpy.median(abs(off[inside])), 0.005)
+        self.assertTrue(all(line["known"] for line, cycle in zip(lines, inside) if cycle))
+        kinds = [line["segment_kind"] for line in lines]
+        self.assertEqual((kinds[60], kinds[400], kinds[-1]), ("rest", "cyclic", "rest"))
+        rates = [line["rate_hz"] for line, cycle in zip(lines, inside) if cycle]
+        self.assertAlmostEqual(numpy.median(rates), 120 / 132, delta=0.03)
+        turns = lines[550]["cycles"] - lines[286]["cycles"]
+        self.assertAlmostEqual(turns, 2, delta=0.02)
+
+    def test_marks_pass_once_a_cycle(self):
+        model = self.model("250=strike", "2.4s=off")
+        lines = self.lines(model, walk())
+        for name, frame in (("strike", 250), ("off", 288)):
+            passed = [line["frame"] for line in lines if name in line["events"]]
+            for cycle in range(3):
+                self.assertIn(1, [sum(abs(p - (frame + 132 * cycle)) <= 3 for p in passed)])
+        table = self.done("live", model, walk()).decode().splitlines()
+        self.assertEqual(len(table), len(lines) + 1)
+        self.assertEqual(sum("strike" in line for line in table),
+                         sum("strike" in line["events"] for line in lines))
+
+    def test_a_model_without_cycles(self):
+        path = self.folder / "cut.stltsa"
+        self.done("fit", f"{walk()}:150-240", "-o", path)
+        self.assertIn("no mean cycle", self.fails(4, "live", path, walk()))
+        self.assertIn("no cycles", self.fails(4, "fit", f"{walk()}:150-240", "-o", path, "--mark",
+                                              "5=a"))
+        self.assertIn("-o", self.fails(2, "fit", walk(), "--mark", "250=a"))
+        self.fails(2, "fit", walk(), "-o", path, "--mark", "2=a")
+        self.assertIn("features", self.fails(1, "live", self.model(), cut(), "--fps", "30"))
+
+
+if __name__ == "__main__":
+    unittest.main()
