@@ -676,11 +676,13 @@ STLTSA_API stltsa_status stltsa_clip_features(const stltsa_clip *clip,
 STLTSA_API stltsa_status stltsa_clip_json(const stltsa_clip *clip, char **json) STLTSA_NOEXCEPT;
 
 /* Writes a clip, completely or not at all. The suffix decides the format: .bvh (any skeleton, with
- * its hierarchy, channel order, units and frame time), .amc (only clips read from AMC; the ASF file
- * is not changed), .csv, .npy (the numbers of any clip; CSV begins with a column of time if the
- * frame rate is known). Numbers read back to the same bits.
+ * its hierarchy, channel order, units and frame time), .amc (only clips read from AMC; their ASF
+ * file is written beside it, under the same name), .csv, .npy (the numbers of any clip; CSV begins
+ * with a column of time if the frame rate is known). Numbers read back to the same bits.
+ * .glb (skeleton and animation, or moving points, for other programs) has 32-bit numbers.
  * E_ARGUMENT (another suffix), E_UNSUPPORTED (the clip lacks a skeleton, the kind of skeleton or
- * the frame rate that the format needs), E_IO. */
+ * the frame rate that the format needs), E_IO (also if another skeleton has the place of the ASF
+ * file). */
 STLTSA_API stltsa_status stltsa_clip_save(const stltsa_clip *clip,
                                           const char *path) STLTSA_NOEXCEPT;
 

@@ -51,6 +51,7 @@ struct Skeleton {
     bool fixed_axes = false;
     /// Translation channels add to the joint's offset (ASF); else they replace it (BVH).
     bool translations_add = false;
+    std::string asf; ///< text of the ASF file from which it was read; empty if from elsewhere
 };
 
 struct Clip {

@@ -113,6 +113,36 @@ class Synthesize(CommandTest):
 
         self.assertEqual(numbers(made), numbers(source))
 
+    def test_amc_has_its_skeleton_beside_it(self):
+        skeleton, source = self.folder / "7.asf", self.folder / "7_01.amc"
+        skeleton.write_text(SKELETON)
+        source.write_text(swings(300))
+        model, coords = self.folder / "m.stltsa", self.folder / "c.csv"
+        self.done("fit", source, "-o", model)
+        self.done("map", model, source, "-o", coords)
+        out = self.folder / "out"
+        out.mkdir()
+        made, poses = out / "made.amc", out / "poses.amc"
+        for _ in range(2):  # the second time, the same skeleton is there
+            self.done("synthesize", f"{source}:0-150", f"{source}:150-300", "-o", made)
+            self.done("unmap", model, coords, "-o", poses)
+        names = ["made.amc", "made.asf", "poses.amc", "poses.asf"]
+        self.assertEqual(sorted(p.name for p in out.iterdir()), names)
+        for clip in (made, poses):
+            self.assertEqual(clip.with_suffix(".asf").read_text(), SKELETON)
+            self.json("info", clip)
+        answers = [self.json("decompose", clip) for clip in (made, source)]
+        for answer in answers:
+            del answer["clip"]
+        self.assertEqual(*answers)
+
+        made.unlink()
+        made.with_suffix(".asf").write_text("another")
+        message = self.fails(1, "synthesize", f"{source}:0-150", "-o", made)
+        self.assertIn("made.asf: exists and is another skeleton", message)
+        self.assertEqual(made.with_suffix(".asf").read_text(), "another")
+        self.assertEqual(sorted(p.name for p in out.iterdir()), names[1:])
+
     def test_a_cycle_again_and_again(self):
         cycle = self.units()["best_cycle"]
         length = cycle["end"] - cycle["begin"]

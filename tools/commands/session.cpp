@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <span>
 
 #include <fmt/format.h>
@@ -48,6 +50,11 @@ void save(const Product& product, const std::string& path) {
     } catch (const stltsa::Error& error) {
         throw error.status() == STLTSA_E_IO ? Failure(Exit::failed, error.what()) : Failure(error);
     }
+}
+
+std::string file_text(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
 }
 
 /// Calls `read`; its errors count as an unreadable input.
@@ -169,7 +176,26 @@ void Session::add_columns(const std::string& path, const stltsa::Matrix& table,
 }
 
 void Session::add_clip(const std::string& path, const stltsa::Clip& clip) {
-    files_.add_written(path, [&clip](const std::string& name) { save(clip, name); });
+    files_.add_written(path, [this, path, &clip](const std::string& name) {
+        save(clip, name);
+        if (ends_in(path, ".amc") && name != path)
+            add_skeleton(name, path);
+    });
+}
+
+/// The library wrote the skeleton beside the temporary file.
+void Session::add_skeleton(const std::string& temporary, const std::string& amc) {
+    std::filesystem::path written = temporary, place = amc;
+    const std::string text = file_text(written.replace_extension(".asf"));
+    std::error_code none;
+    std::filesystem::remove(written, none);
+    if (!std::filesystem::exists(place.replace_extension(".asf"), none))
+        files_.add(place.string(), text);
+    else if (file_text(place) != text)
+        throw Failure(Exit::failed,
+                      fmt::format("{}: exists and is another skeleton, but that of {} would be "
+                                  "written there: choose another name for the clip",
+                                  place.string(), amc));
 }
 
 void Session::add_model(const std::string& path, const stltsa::Model& model) {

@@ -65,6 +65,7 @@ class Session {
     void finish(const Answer& answer);
 
   private:
+    void add_skeleton(const std::string& temporary, const std::string& amc);
     void warn(const std::vector<std::string>& warnings) const;
     /// Reads standard input on the first call.
     const std::string& standard_input() const;

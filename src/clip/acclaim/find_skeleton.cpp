@@ -25,7 +25,8 @@ bool is_regular_file(const std::string& path) {
 }
 
 /// The sorted names of the ASF files of a folder. Regular files only: opening a pipe would wait for
-/// its writer. std::filesystem's iterator would terminate the process if memory runs out.
+/// its writer. Not hidden ones: another program may be writing one. std::filesystem's iterator
+/// would terminate the process if memory runs out.
 std::vector<std::string> asf_files(const std::string& folder) {
     const std::unique_ptr<DIR, int (*)(DIR*)> listed(::opendir(folder.c_str()), &::closedir);
     if (!listed && errno == ENOMEM)
@@ -33,7 +34,8 @@ std::vector<std::string> asf_files(const std::string& folder) {
     std::vector<std::string> names; // empty if the folder cannot be listed
     while (const dirent* entry = listed ? ::readdir(listed.get()) : nullptr) {
         const std::string name = entry->d_name;
-        if (equals_ignoring_case(fs::path(name).extension().string(), ".asf") &&
+        if (!name.starts_with('.') &&
+            equals_ignoring_case(fs::path(name).extension().string(), ".asf") &&
             is_regular_file(folder + '/' + name))
             names.push_back(name);
     }
@@ -48,6 +50,8 @@ std::string find_skeleton(const std::string& amc_path) {
     const fs::path folder = amc.has_parent_path() ? amc.parent_path() : fs::path(".");
     const std::vector<std::string> files = asf_files(folder.string());
     const std::string stem = amc.stem().string();
+    if (const std::string own = stem + ".asf"; std::ranges::binary_search(files, own))
+        return (amc.parent_path() / own).string(); // as written beside it, whatever else is here
     for (const std::string& wanted : {stem, stem.substr(0, stem.find('_'))})
         for (const std::string& file : files)
             if (equals_ignoring_case(fs::path(file).stem().string(), wanted))

@@ -175,7 +175,9 @@ void set_rate(Clip& clip, const ReadOptions& options) {
 
 Clip parse_amc(std::string_view bytes, const std::string& name, const ReadOptions& options) {
     const std::string& skeleton_path = options.skeleton;
-    AsfFile asf = parse_asf(read_file(skeleton_path, options.progress), skeleton_path);
+    std::string text = read_file(skeleton_path, options.progress);
+    AsfFile asf = parse_asf(text, skeleton_path);
+    asf.skeleton.asf = std::move(text);
     if (channel_count(asf.skeleton) == 0)
         fail(Status::format, "{}: nothing in this skeleton can move", skeleton_path);
     TextCursor in(bytes, name);

@@ -128,6 +128,7 @@ void check_code(const clip::PoseCode& code) {
                code.channel_names.size() == channels,
            "channels");
     expect(clip::find_format(code.format) != nullptr &&
+               (code.format != clip::Format::amc || !code.skeleton.asf.empty()) &&
                in_range(code.up, clip::Axis::x, clip::Axis::z) && amount(code.frame_time) &&
                code.root < code.skeleton.joints.size() &&
                code.means.size() == clip::turning_joints(code.skeleton, code.root).size() &&

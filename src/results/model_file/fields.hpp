@@ -50,7 +50,8 @@ void quaternion_fields(Archive& archive, T& q) {
 
 template <class Archive, Is<clip::PoseCode> T>
 void code_fields(Archive& archive, T& code) {
-    archive(code.format, code.skeleton.fixed_axes, code.skeleton.translations_add);
+    archive(code.format, code.skeleton.fixed_axes, code.skeleton.translations_add,
+            code.skeleton.asf);
     archive.list(code.skeleton.joints, [](auto& each, auto& joint) {
         each(joint.name, joint.parent, joint.offset, joint.channels, joint.end_site);
         quaternion_fields(each, joint.axis);

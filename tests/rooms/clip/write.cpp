@@ -17,6 +17,7 @@
 #include "clip/files/read_file.hpp"
 #include "clip/files/write_file.hpp"
 #include "clip/formats.hpp"
+#include "clip/stretch.hpp"
 #include "clip/text/number.hpp"
 #include "clip/write.hpp"
 
@@ -26,6 +27,10 @@ using namespace clip_testing;
 using namespace stltsa::clip;
 using stltsa::Matrix;
 namespace fs = std::filesystem;
+
+std::string content_of(const std::string& path) {
+    return read_file(path, {});
+}
 
 void check_same_bits(const Matrix& a, const Matrix& b) {
     assert_int_equal(a.rows(), b.rows());
@@ -234,6 +239,39 @@ void amc_comes_back(void**) {
                         replaced(small_amc, "#!OML:ASF small.ASF\n", "").c_str());
 }
 
+void amc_has_its_skeleton_beside_it(void**) {
+    const SmallAmc small;
+    const TemporaryFolder folder;
+    const std::string other = replaced(small_asf, "length 10", "length 20");
+    for (const char* name : {"X_1.ASF", "x.asf"}) // would be found if there were no x_1.asf
+        folder.write(name, other);
+    const std::string amc = folder.path("x_1.amc");
+    for (int time = 0; time < 2; ++time) {
+        write(small.clip, amc);
+        const Clip again = read(amc, {});
+        check_same(again, small.clip);
+        assert_true(again.skeleton->asf == small_asf);
+    }
+    write(cut(small.clip, {{1, 2}}), folder.path("part.amc"));
+    check_same_bits(positions(read(folder.path("part.amc"), {})),
+                    positions(cut(small.clip, {{1, 2}})));
+}
+
+void skeletons_of_others_stay(void**) {
+    const SmallAmc small;
+    const TemporaryFolder folder;
+    const std::string other = folder.write("x.asf", "another");
+    ASSERT_FAILS(Status::io, "x.asf: exists and is another skeleton",
+                 write(small.clip, folder.path("x.amc")));
+    assert_true(content_of(other) == "another" && !fs::exists(folder.path("x.amc")));
+    fs::create_symlink("no folder/y.amc", folder.path("y.amc"));
+    ASSERT_FAILS(Status::io, "y.amc: cannot write", write(small.clip, folder.path("y.amc")));
+    assert_false(fs::exists(folder.path("y.asf")));
+    fs::create_symlink("/dev/null", folder.path("z.amc"));
+    write(small.clip, folder.path("z.amc"));
+    assert_false(fs::exists(folder.path("z.asf")));
+}
+
 /// All features of ASF: a turned root, orders of axes, bones with one and two axes, a rigid bone
 /// with a child.
 std::string elaborate_asf() {
@@ -312,10 +350,6 @@ void clips_that_a_format_cannot_hold_are_refused(void**) {
     assert_true(fs::is_empty(folder.path("")));
 }
 
-std::string content_of(const std::string& path) {
-    return read_file(path, {});
-}
-
 void a_file_is_replaced_whole(void**) {
     const TemporaryFolder folder;
     const std::string path = folder.write("a.txt", "old");
@@ -373,6 +407,8 @@ int main() {
         cmocka_unit_test(positions_are_written_to_replace_offsets),
         cmocka_unit_test(positions_that_would_be_misread_are_converted),
         cmocka_unit_test(amc_comes_back),
+        cmocka_unit_test(amc_has_its_skeleton_beside_it),
+        cmocka_unit_test(skeletons_of_others_stay),
         cmocka_unit_test(amc_becomes_a_bvh_of_the_same_motion),
         cmocka_unit_test(angles_do_not_jump_when_amc_becomes_bvh),
         cmocka_unit_test(bare_numbers_come_back),

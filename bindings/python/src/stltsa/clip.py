@@ -352,8 +352,8 @@ class Clip(Described):
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write the clip, completely or not at all; the suffix determines the format.
 
-        ``.bvh``: any skeleton; ``.amc``: clips read from AMC; ``.csv`` and ``.npy``: the numbers of
-        any clip. Numbers read back to the same bits.
+        ``.bvh``: any skeleton; ``.amc``: clips read from AMC, with their ASF file beside it;
+        ``.csv`` and ``.npy``: the numbers of any clip. Numbers read back to the same bits.
 
         Raises
         ------

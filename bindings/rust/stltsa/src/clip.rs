@@ -376,8 +376,8 @@ impl Clip {
     }
 
     /// Writes the clip, completely or not at all. The suffix determines the format: `.bvh` (any
-    /// skeleton), `.amc` (clips read from AMC; the ASF file does not change), `.csv`, `.npy` (the
-    /// numbers of any clip). Numbers read back to the same bits.
+    /// skeleton), `.amc` (clips read from AMC; their ASF file is written beside it), `.csv`, `.npy`
+    /// (the numbers of any clip). Numbers read back to the same bits.
     ///
     /// # Errors
     /// [`Argument`](crate::ErrorKind::Argument) (other suffix),
