@@ -126,7 +126,8 @@ class Parser {
                      "Add coordinates, distances and nearest rows of all frames to the JSON.");
         CLI::App& unmap =
             model_command(Command::unmap, "unmap", "Coordinates: a CSV or NPY file, or - .");
-        add_product(unmap, "Write poses (.bvh, .amc, .glb) or frames (.npy, .csv).")->required();
+        add_product(unmap, "Write poses (.bvh, .amc, .glb: glTF) or frames (.npy, .csv).")
+            ->required();
         unmap
             .add_flag("--follow", to_.follow,
                       "Continue from the previous point, for coordinates that do not determine the "
@@ -148,7 +149,8 @@ class Parser {
         CLI::App& synthesize = add(Command::synthesize, "synthesize");
         synthesize.add_option("pieces", to_.pieces, "Pieces, in the order of the new motion.")
             ->required();
-        add_product(synthesize, "Write the new motion to a .bvh, .amc, .glb, .csv or .npy file.")
+        add_product(synthesize,
+                    "Write the new motion to a .bvh, .amc, .glb (glTF), .csv or .npy file.")
             ->required();
         add_plot(synthesize);
         add_batch();

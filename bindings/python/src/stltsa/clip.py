@@ -354,6 +354,7 @@ class Clip(Described):
 
         ``.bvh``: any skeleton; ``.amc``: clips read from AMC, with their ASF file beside it;
         ``.csv`` and ``.npy``: the numbers of any clip. Numbers read back to the same bits.
+        ``.glb``: glTF binary, skeleton and animation or moving points, for other programs.
 
         Raises
         ------

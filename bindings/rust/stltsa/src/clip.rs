@@ -377,7 +377,8 @@ impl Clip {
 
     /// Writes the clip, completely or not at all. The suffix determines the format: `.bvh` (any
     /// skeleton), `.amc` (clips read from AMC; their ASF file is written beside it), `.csv`, `.npy`
-    /// (the numbers of any clip). Numbers read back to the same bits.
+    /// (the numbers of any clip). Numbers read back to the same bits. `.glb`: glTF binary, skeleton
+    /// and animation or moving points, for other programs.
     ///
     /// # Errors
     /// [`Argument`](crate::ErrorKind::Argument) (other suffix),
