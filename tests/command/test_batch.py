@@ -104,6 +104,16 @@ class Batch(CommandTest):
         self.assertFalse((self.out / "bad.bvh.json").exists())
         text = self.batch(status=5)
         self.assertIn("0 decomposed, 3 kept from before, 1 failed", text)
+        self.assertIn("\n  bad.bvh  line 1: a BVH file must begin", text)
+
+    def test_a_long_name_has_its_line(self):
+        name = 150 * "n" + ".bvh"
+        (self.clips / name).write_text("hello\n")
+        (self.clips / "bad.bvh").write_text("hello\n")
+        text = self.batch(status=5)
+        self.assertEqual(text.count(name), 1)
+        self.assertIn("\n  bad.bvh  line 1: ", text)
+        self.assertIn(f"\n  {name}\n           line 1: ", text)
 
     def test_shards(self):
         whole = self.folder / "whole"

@@ -211,6 +211,18 @@ class Synthesize(CommandTest):
         self.assertIn("1 seam", text)
         self.assertIn("best*2", text)
 
+    def test_a_long_name_is_shown_once(self):
+        name = 150 * "n" + ".bvh"
+        clip = self.folder / name
+        clip.symlink_to(walk())
+        pieces = [f"{clip}:{what}" for what in ("initial", "best*5", "final")]
+        text = self.done("synthesize", *pieces, "-o", self.folder / "x.bvh").decode()
+        self.assertEqual(text.count(name), 1)
+        self.assertIn("1  " + name + ":initial\n", text)
+        self.assertIn("\n  2  :best*5\n  3  :final\n", text)
+        self.assertEqual([line.split()[2:4] for line in text.splitlines()[9:]],
+                         4 * [["2", "2"]] + [["2", "3"]])
+
     def test_what_cannot_be_written_is_told_first(self):
         """Fails before any result; fails() checks that nothing was printed."""
         message = self.fails(1, "synthesize", f"{walk()}:0-100", "-o", self.folder / "o.amc")

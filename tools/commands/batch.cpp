@@ -173,7 +173,16 @@ std::string summary_place(const Arguments& arguments) {
     return fmt::format("{}/summary{}{}.csv", arguments.out, part.empty() ? "" : "-", part);
 }
 
-std::string report(const std::vector<Row>& rows, const std::string& place) {
+/// The message without the path of the clip, whose name is beside it.
+std::string without_path(const std::string& message, const std::string& path) {
+    if (!message.starts_with(path + ':'))
+        return message;
+    const std::string rest = message.substr(path.size() + 1);
+    return rest.starts_with(' ') ? rest.substr(1) : "line " + rest;
+}
+
+std::string report(const std::vector<Row>& rows, const std::vector<ClipPath>& clips,
+                   const std::string& place) {
     constexpr std::size_t most_rows = 60;
     const auto count = [&](auto which) { return std::ranges::count_if(rows, which); };
     const auto failed = static_cast<std::size_t>(count(&Row::failed));
@@ -187,9 +196,9 @@ std::string report(const std::vector<Row>& rows, const std::string& place) {
         text += '\n';
     Facts facts;
     std::size_t listed = 0;
-    for (const Row& row : rows)
-        if (row.failed && listed++ < most_rows)
-            facts.add(row.name, row.message);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        if (rows[i].failed && listed++ < most_rows)
+            facts.add(rows[i].name, without_path(rows[i].message, clips[i].path));
     text += facts.text();
     if (failed > most_rows)
         text += fmt::format("  ... and {} more failed\n", failed - most_rows);
@@ -224,7 +233,7 @@ Exit run_batch(const Arguments& arguments) {
     files.add(place, batch::summary_csv(rows));
     files.commit();
     write_stdout(arguments.json ? report_json(rows, place)
-                                : shown(report(rows, place),
+                                : shown(report(rows, clips, place),
                                         colors_wanted(STDOUT_FILENO, !arguments.no_color)));
     return std::ranges::any_of(rows, &Row::failed) ? Exit::partly : Exit::done;
 }

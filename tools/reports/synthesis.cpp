@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "arguments/pieces.hpp"
 #include "reports/report.hpp"
 #include "reports/table.hpp"
 #include "terminal/style.hpp"
@@ -11,12 +14,46 @@
 namespace tool {
 namespace {
 
+/// Names may be long: they are listed once, and the table has their numbers.
+class PieceNumbers {
+  public:
+    /// `pieces`: as typed; a label gives several pieces.
+    explicit PieceNumbers(const std::vector<std::string>& pieces) {
+        std::string before;
+        for (const std::string& piece : pieces) {
+            auto found = std::ranges::find(typed_, piece);
+            if (found == typed_.end()) {
+                list_ += fmt::format("  {}  {}\n", typed_.size() + 1, after(piece, before));
+                found = typed_.insert(found, piece);
+            }
+            numbers_.push_back(std::to_string(found - typed_.begin() + 1));
+        }
+    }
+
+    const std::string& operator[](std::int64_t piece) const {
+        return numbers_[static_cast<std::size_t>(piece)];
+    }
+    std::string list() const { return "\n  piece\n" + list_; }
+
+  private:
+    /// ":best*8" if the piece before it in the list is of the same clip.
+    static std::string after(const std::string& piece, std::string& before) {
+        const std::string path = parse_piece(piece).path;
+        const bool same = path == std::exchange(before, path);
+        return same ? piece.substr(path.size()) : piece_name(piece);
+    }
+
+    std::vector<std::string> typed_, numbers_;
+    std::string list_;
+};
+
 std::string seams_table(const std::vector<stltsa::Seam>& seams, std::int64_t end, double fps,
                         const std::vector<std::string>& pieces) {
     using enum Align;
     if (seams.empty())
         return "";
-    Table table({right, right, left, left, right, right, right, right, right, right}, 2);
+    const PieceNumbers numbers(pieces);
+    Table table({right, right, right, right, right, right, right, right, right, right}, 2);
     table.add({"seam", "", "earlier", "later", "cut before", "continued", "blended each", "posture",
                "step", "acceleration"});
     table.add({"frame", "seconds", "piece", "piece", "frame", "at frame", "side (s)", "/ typical",
@@ -24,16 +61,13 @@ std::string seams_table(const std::vector<stltsa::Seam>& seams, std::int64_t end
     const auto seconds = [&](std::int64_t frames) {
         return fmt::format("{:.3f}", static_cast<double>(frames) / fps);
     };
-    const auto name = [&](std::int64_t piece) {
-        return piece_name(pieces[static_cast<std::size_t>(piece)]);
-    };
     const auto ratio = [](double value) { return fmt::format("{:.2f}", value); };
     for (const stltsa::Seam& seam : seams)
         table.add({seam.frame == end ? "wrap" : std::to_string(seam.frame), seconds(seam.frame),
-                   name(seam.piece), name(seam.next), std::to_string(seam.cut_end),
+                   numbers[seam.piece], numbers[seam.next], std::to_string(seam.cut_end),
                    std::to_string(seam.cut_begin), seconds(seam.crossfade), ratio(seam.posture),
                    ratio(seam.step), ratio(seam.acceleration)});
-    return '\n' + table.text();
+    return numbers.list() + '\n' + table.text();
 }
 
 /// What share of the source a loop is, and how far it goes.

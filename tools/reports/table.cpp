@@ -62,12 +62,18 @@ void Facts::add(std::string name, std::string value) {
 }
 
 std::string Facts::text() const {
+    constexpr std::size_t widest = 40; // longer names, those of files, get a line of their own
     std::size_t width = 0;
     for (const auto& [name, value] : facts_)
-        width = std::max(width, characters(name));
+        if (characters(name) <= widest)
+            width = std::max(width, characters(name));
     std::string result;
-    for (const auto& [name, value] : facts_)
-        result += hanging("  " + padded(name, width, Align::left) + "  ", value);
+    for (const auto& [name, value] : facts_) {
+        const bool beside = characters(name) <= widest;
+        if (!beside)
+            result += "  " + name + '\n';
+        result += hanging("  " + padded(beside ? name : "", width, Align::left) + "  ", value);
+    }
     return result;
 }
 
