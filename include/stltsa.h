@@ -712,7 +712,9 @@ STLTSA_API stltsa_status stltsa_fit(const stltsa_in *frames, const stltsa_in *le
 
 /* The same from the features of a clip, without a T-pose at its start, smoothed and (option
  * sample_rate) decimated. Row i of the model is source frame
- * STLTSA_INFO_FIRST_FRAME + i * STLTSA_INFO_FRAME_STEP. */
+ * STLTSA_INFO_FIRST_FRAME + i * STLTSA_INFO_FRAME_STEP. Temporal neighbors do not cross a break
+ * (stretches that were joined, as in "walk.bvh:A") nor the middle of a gap that is too long to
+ * fill; a note says where. E_TOO_FEW_FRAMES: too few frames between two of them. */
 STLTSA_API stltsa_status stltsa_fit_clip(const stltsa_clip *clip, const stltsa_options *options,
                                          stltsa_model **model) STLTSA_NOEXCEPT;
 

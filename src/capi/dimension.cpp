@@ -16,11 +16,11 @@ stltsa_status stltsa_estimate_dimension(const stltsa_in* frames, const stltsa_in
     return compute([&] {
         required(dimension, "dimension") = nullptr;
         const capi::InputFrames input(frames, "frames");
+        const auto clip_lengths = capi::clip_lengths(lengths, input.view().rows);
         const capi::OptionsReader reader(options);
         const ConstMatrixView x = input.view();
         *dimension = new stltsa_dimension(results::estimate_dimension(
-            x, capi::clip_lengths(lengths, x.rows), reader.fit_options(),
-            reader.dimension_options(),
+            x, {clip_lengths, clip_lengths}, reader.fit_options(), reader.dimension_options(),
             results::matrix_source(x, reader.real_if_set(STLTSA_OPT_FPS).value_or(0)),
             reader.progress()));
     });

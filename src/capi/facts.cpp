@@ -177,7 +177,7 @@ constexpr InfoRow of_component(std::int32_t key, Get get) {
 
 constexpr InfoRow model_rows[] = {
     list<Model>(
-        STLTSA_INFO_LENGTH, [](const Model& m) -> const auto& { return m.model.lengths; }),
+        STLTSA_INFO_LENGTH, [](const Model& m) -> const auto& { return m.lengths; }),
     one<Model>(STLTSA_INFO_REPEATED, [](const Model& m) { return m.model.repeated_frames; }),
     one<Model>(STLTSA_INFO_TIME_CORRELATION,
                [](const Model& m) { return m.model.time_correlation; }),

@@ -18,9 +18,10 @@ stltsa_status stltsa_fit(const stltsa_in* frames, const stltsa_in* lengths,
         required(model, "model") = nullptr;
         const capi::InputFrames input(frames, "frames");
         const ConstMatrixView x = input.view();
+        const auto clip_lengths = capi::clip_lengths(lengths, input.view().rows);
         const capi::OptionsReader reader(options);
         auto fitted =
-            results::fit(x, capi::clip_lengths(lengths, x.rows), reader.fit_options(),
+            results::fit(x, {clip_lengths, clip_lengths}, reader.fit_options(),
                          results::matrix_source(x, reader.real_if_set(STLTSA_OPT_FPS).value_or(0)),
                          reader.progress());
         if (reader.integer(STLTSA_OPT_KEEP_FRAMES) != 0)

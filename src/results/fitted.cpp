@@ -6,31 +6,77 @@
 #include "ltsa/fit.hpp"
 #include "ltsa/frames.hpp"
 #include "ltsa/warnings.hpp"
+#include "motion/choose_neighbors.hpp"
 
 namespace stltsa::results {
 namespace {
 
 constexpr int standard_dimension = 2;
 
-/// Each clip is a component of its own; more components than clips mean that a clip is cut.
-void warn_of_parts(const Source& source, ltsa::Model& model) {
+/// A row as the user knows it.
+struct Place {
+    std::string text; ///< "frame 120 of clips[1]"
+    double seconds = no_time;
+};
+
+Place place_of(std::int64_t row, const Source& source, const std::vector<std::int64_t>& lengths) {
+    if (source.clips.empty())
+        return {format_text("frame {}", row)};
+    std::size_t c = 0;
+    for (; row >= lengths[c]; ++c)
+        row -= lengths[c];
+    const ClipFacts& clip = source.clips[c];
+    const std::int64_t frame = clip.first + row * clip.step;
+    const std::string of = source.clips.size() > 1 ? format_text(" of clips[{}]", c) : "";
+    return {format_text("frame {}{}", frame, of),
+            clip.fps > 0 ? static_cast<double>(frame) / clip.fps : no_time};
+}
+
+/// Each run is a component of its own; more components than runs mean that a run is cut.
+void warn_of_parts(const Source& source, const std::vector<std::int64_t>& lengths,
+                   ltsa::Model& model) {
     if (model.components.size() <= model.lengths.size())
         return;
-    std::int64_t row = ltsa::first_cut(model);
-    std::string cut;
-    double cut_s = no_time;
-    if (row >= 0 && source.clips.empty())
-        cut = format_text("frame {}", row);
-    for (std::size_t c = 0; row >= 0 && c < source.clips.size(); row -= model.lengths[c++])
-        if (row < model.lengths[c]) {
-            const ClipFacts& clip = source.clips[c];
-            const std::int64_t frame = clip.first + row * clip.step;
-            const std::string of = source.clips.size() > 1 ? format_text(" of clips[{}]", c) : "";
-            cut = format_text("frame {}{}", frame, of);
-            if (clip.fps > 0)
-                cut_s = static_cast<double>(frame) / clip.fps;
-        }
-    model.warnings.insert(model.warnings.begin(), ltsa::parts_warning(model, cut, cut_s));
+    const std::int64_t row = ltsa::first_cut(model);
+    const Place cut = row < 0 ? Place() : place_of(row, source, lengths);
+    model.warnings.insert(model.warnings.begin(),
+                          ltsa::parts_warning(model, cut.text, cut.seconds));
+}
+
+/// Names the frames of a run that is too short; ltsa::fit() knows no clips.
+void check_runs(ConstMatrixView samples, const Lengths& lengths, const ltsa::Parameters& p,
+                const Source& source) {
+    if (p.mode == ltsa::Mode::spatial || lengths.runs.size() == lengths.clips.size())
+        return;
+    std::int64_t begin = 0;
+    for (const std::int64_t length : lengths.runs) {
+        const std::int64_t distinct = motion::distinct_frames(samples.block(begin, length));
+        if (distinct <= p.neighbors)
+            fail(Status::too_few_frames,
+                 "between two breaks or ends of the clip, from {} to {}, there are {} distinct "
+                 "samples, too few for {} neighbors: use fewer neighbors, or leave this stretch of "
+                 "the clip out",
+                 place_of(begin, source, lengths.clips).text,
+                 place_of(begin + length - 1, source, lengths.clips).text, distinct, p.neighbors);
+        begin += length;
+    }
+}
+
+/// Says where neighborhoods end.
+void note_breaks(const Lengths& lengths, ltsa::Mode mode, Source& source) {
+    if (mode == ltsa::Mode::spatial || source.clips.empty())
+        return;
+    std::int64_t row = 0, clip_end = 0;
+    std::size_t clip = 0;
+    for (const std::int64_t length : lengths.runs) {
+        if (row == clip_end)
+            clip_end += lengths.clips[clip++];
+        else
+            source.clips[clip - 1].notes.push_back(
+                format_text("the clip does not continue at {}: no neighbors in time go beyond",
+                            place_of(row, source, lengths.clips).text));
+        row += length;
+    }
 }
 
 /// The clips, one after another, as one clip with the skeleton of the first.
@@ -65,7 +111,7 @@ void keep_poses(Fitted& fitted, Clips clips) {
     std::int64_t begin = 0;
     for (std::size_t c = 0; c < clips.size(); ++c) {
         const ClipFacts& facts = fitted.source.clips[c];
-        for (std::int64_t i = 0; i < fitted.model.lengths[c]; ++i, ++row)
+        for (std::int64_t i = 0; i < fitted.lengths[c]; ++i, ++row)
             std::copy_n(coded.vectors.row(begin + facts.first + i * facts.step), poses.cols(),
                         poses.row(row));
         begin += facts.frames;
@@ -77,13 +123,19 @@ void keep_poses(Fitted& fitted, Clips clips) {
 
 } // namespace
 
-Fitted fit(ConstMatrixView samples, const std::vector<std::int64_t>& lengths,
-           const FitOptions& options, Source source, const Progress& progress) {
-    ltsa::check_frames(samples, lengths, "frames", options.threads);
+Fitted fit(ConstMatrixView samples, const Lengths& lengths, const FitOptions& options,
+           Source source, const Progress& progress) {
+    ltsa::check_frames(samples, lengths.clips, "frames", options.threads);
     const auto parameters =
-        choose_parameters(samples, lengths, options, standard_dimension, source, progress);
-    Fitted fitted{ltsa::fit(samples, lengths, parameters, progress), std::move(source), {}, {}};
-    warn_of_parts(fitted.source, fitted.model);
+        choose_parameters(samples, lengths.runs, options, standard_dimension, source, progress);
+    check_runs(samples, lengths, parameters, source);
+    note_breaks(lengths, parameters.mode, source);
+    Fitted fitted{ltsa::fit(samples, lengths.runs, parameters, progress),
+                  std::move(source),
+                  {},
+                  lengths.clips,
+                  {}};
+    warn_of_parts(fitted.source, fitted.lengths, fitted.model);
     return fitted;
 }
 
@@ -111,15 +163,16 @@ std::vector<std::int64_t> unbroken_lengths(const ltsa::Model& model) {
     return lengths;
 }
 
-EstimatedDimension estimate_dimension(ConstMatrixView samples,
-                                      const std::vector<std::int64_t>& lengths,
+EstimatedDimension estimate_dimension(ConstMatrixView samples, const Lengths& lengths,
                                       const FitOptions& options,
                                       const ltsa::DimensionOptions& limits, Source source,
                                       const Progress& progress) {
-    ltsa::check_frames(samples, lengths, "frames", options.threads);
-    const auto parameters =
-        choose_parameters(samples, lengths, options, ltsa::eigengap_tangents, source, progress);
-    return {ltsa::intrinsic_dimension(samples, lengths, parameters, limits, progress),
+    ltsa::check_frames(samples, lengths.clips, "frames", options.threads);
+    const auto parameters = choose_parameters(samples, lengths.runs, options,
+                                              ltsa::eigengap_tangents, source, progress);
+    check_runs(samples, lengths, parameters, source);
+    note_breaks(lengths, parameters.mode, source);
+    return {ltsa::intrinsic_dimension(samples, lengths.runs, parameters, limits, progress),
             std::move(source)};
 }
 

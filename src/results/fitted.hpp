@@ -24,15 +24,16 @@ struct Kept {
 };
 
 struct Fitted {
-    ltsa::Model model;
+    ltsa::Model model; ///< its lengths are those of the runs
     Source source;
     Kept kept;
+    std::vector<std::int64_t> lengths; ///< rows of each clip
     Live live;
 };
 
 /// Fits 2 coordinates unless the options say otherwise. Throws as ltsa::fit().
-Fitted fit(ConstMatrixView samples, const std::vector<std::int64_t>& lengths,
-           const FitOptions& options, Source source, const Progress& progress);
+Fitted fit(ConstMatrixView samples, const Lengths& lengths, const FitOptions& options,
+           Source source, const Progress& progress);
 
 /// Keeps the samples that were fitted and, if the clips have a skeleton, their poses.
 void keep_clips(Fitted& fitted, Clips clips, Matrix samples);
@@ -40,7 +41,7 @@ void keep_clips(Fitted& fitted, Clips clips, Matrix samples);
 /// The features of one pose vector, as one row; of the kind that was fitted.
 Matrix features_of_pose(const Fitted& fitted, ConstMatrixView vector);
 
-/// Numbers of consecutive rows of one clip and one component; the curve is interrupted between
+/// Numbers of consecutive rows of one run and one component; the curve is interrupted between
 /// them.
 std::vector<std::int64_t> unbroken_lengths(const ltsa::Model& model);
 
@@ -50,8 +51,7 @@ struct EstimatedDimension {
 };
 
 /// Throws as ltsa::intrinsic_dimension().
-EstimatedDimension estimate_dimension(ConstMatrixView samples,
-                                      const std::vector<std::int64_t>& lengths,
+EstimatedDimension estimate_dimension(ConstMatrixView samples, const Lengths& lengths,
                                       const FitOptions& options,
                                       const ltsa::DimensionOptions& limits, Source source,
                                       const Progress& progress);

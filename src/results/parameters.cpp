@@ -19,7 +19,7 @@ motion::Period find_period(ConstMatrixView samples, const PeriodSearch& search, 
     return found;
 }
 
-/// Neighbors come from the same clip, so the shortest clip limits their number.
+/// Neighbors come from the same run, so the shortest limits their number.
 std::int64_t distinct_in_reach(ConstMatrixView samples, std::span<const std::int64_t> lengths,
                                ltsa::Mode mode) {
     if (mode == ltsa::Mode::spatial)

@@ -105,7 +105,7 @@ std::int64_t own_row(const Fitted& fitted, const Matrix& features, std::int64_t 
     std::int64_t begin = 0;
     for (std::size_t c = 0; c < fitted.source.clips.size(); ++c) {
         const ClipFacts& clip = fitted.source.clips[c];
-        const std::int64_t rows = fitted.model.lengths[c];
+        const std::int64_t rows = fitted.lengths[c];
         const std::int64_t row = (frame - clip.first) / clip.step;
         if (frame >= clip.first && (frame - clip.first) % clip.step == 0 && row < rows) {
             const double* own = fitted.kept.frames.row(begin + row);

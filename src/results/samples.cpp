@@ -17,6 +17,23 @@ constexpr std::int64_t least_samples = 4;
 /// default k, 36 at 30 Hz, then changes by less than one.
 constexpr double same_rate = 0.01;
 
+/// Breaks, and the middles of holes, divide the samples. A hole at an end has nothing beyond it.
+std::vector<std::int64_t> runs_of(const clip::Prepared& prepared, std::int64_t frames) {
+    std::vector<std::int64_t> runs;
+    std::int64_t begin = 0;
+    for (const clip::Frames& hole : prepared.holes) {
+        const std::int64_t from_first = (hole.begin + hole.end) / 2 - prepared.first;
+        const std::int64_t row = (from_first + prepared.step - 1) / prepared.step;
+        if (hole.begin <= prepared.first || hole.end >= frames || row <= begin ||
+            row >= prepared.samples.rows())
+            continue;
+        runs.push_back(row - begin);
+        begin = row;
+    }
+    runs.push_back(prepared.samples.rows() - begin);
+    return runs;
+}
+
 ClipSamples prepare_clip(const clip::Clip& clip, const clip::PrepareOptions& prepare) {
     clip::Prepared prepared = clip::prepare(clip, prepare);
     if (prepared.step > 1 && prepared.samples.rows() < least_samples)
@@ -37,7 +54,7 @@ ClipSamples prepare_clip(const clip::Clip& clip, const clip::PrepareOptions& pre
                              prepared.samples.cols(),
                              prepared.up,
                              clip.fps > 0 ? prepare.smoothing : 0};
-    result.lengths = {prepared.samples.rows()};
+    result.lengths = {{prepared.samples.rows()}, runs_of(prepared, clip.frames())};
     result.samples = std::move(prepared.samples);
     result.jump = prepared.jump;
     result.holes = std::move(prepared.holes);
@@ -94,7 +111,8 @@ ClipSamples prepare_clips(Clips clips, clip::PrepareOptions options, const Progr
         check_same_samples(all.source.samples, next.source.samples, c);
         all.source.clips.push_back(next.source.clips.front());
         all.source.samples.count += next.source.samples.count;
-        all.lengths.push_back(next.samples.rows());
+        all.lengths.clips.push_back(next.samples.rows());
+        std::ranges::copy(next.lengths.runs, std::back_inserter(all.lengths.runs));
         parts.push_back(std::move(next.samples));
         report(c + 1);
     }

@@ -14,10 +14,16 @@ namespace stltsa::results {
 
 using Clips = std::span<const clip::Clip* const>;
 
+/// Numbers of consecutive rows.
+struct Lengths {
+    std::vector<std::int64_t> clips; ///< of each clip
+    std::vector<std::int64_t> runs;  ///< without a break; neighbors in time are of the same run
+};
+
 /// Working samples of clips, one clip after another, and their source.
 struct ClipSamples {
     Matrix samples;
-    std::vector<std::int64_t> lengths; ///< samples of each clip
+    Lengths lengths;
     Source source;
     std::int64_t jump = 0;           ///< of a single clip: see clip::Prepared
     std::vector<clip::Frames> holes; ///< of a single clip: see clip::Prepared

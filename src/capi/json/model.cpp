@@ -30,7 +30,7 @@ std::string model_json(const Fitted& fitted) {
     JsonObject object = json_head("model");
     object.set("clip", json_clip(fitted.source));
     JsonObject samples = json_samples(fitted.source.samples);
-    samples.set("lengths", model.lengths);
+    samples.set("lengths", fitted.lengths);
     object.set("samples", samples);
     object.set("parameters", json_parameters(model.parameters, fitted.source.period));
     object.set("period_s", json_positive_or_null(fitted.source.period.period));

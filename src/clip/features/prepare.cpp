@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "clip/features/features.hpp"
 #include "clip/features/jump.hpp"
@@ -18,6 +20,25 @@ std::int64_t dropped_frames(const Clip& clip, const Matrix& features, bool drop_
 
 ConstMatrixView from_row(const Matrix& matrix, std::int64_t first) {
     return matrix.view().block(first, matrix.rows() - first);
+}
+
+/// Smoothed over time, but not over breaks of the clip. Row 0 is frame `first`.
+Matrix smoothed_rows(const Clip& clip, ConstMatrixView rows, std::int64_t first, double sigma) {
+    if (clip.breaks.empty())
+        return gaussian_smoothed(rows, sigma, Beyond::reflection);
+    Matrix result = Matrix::unset(rows.rows, rows.cols);
+    std::vector<std::int64_t> ends = clip.breaks;
+    ends.push_back(first + rows.rows);
+    std::int64_t begin = 0;
+    for (const std::int64_t end : ends) {
+        const std::int64_t count = end - first - begin;
+        if (count <= 0)
+            continue; // within the T-pose
+        const Matrix run = gaussian_smoothed(rows.block(begin, count), sigma, Beyond::reflection);
+        std::copy_n(run.data(), count * rows.cols, result.row(begin));
+        begin += count;
+    }
+    return result;
 }
 
 } // namespace
@@ -36,7 +57,7 @@ Prepared prepare(const Clip& clip, const PrepareOptions& options) {
     std::ranges::sort(prepared.holes, {}, &Frames::begin);
     Matrix& all = made.rows;
     prepared.first = dropped_frames(clip, all, options.drop_tpose);
-    const ConstMatrixView kept = from_row(all, prepared.first);
+    ConstMatrixView kept = from_row(all, prepared.first);
     if (const std::int64_t jump = find_jump(kept); jump > 0)
         prepared.jump = prepared.first + jump;
     // Decimation and smoothing are in seconds, so they need a frame rate.
@@ -44,12 +65,16 @@ Prepared prepare(const Clip& clip, const PrepareOptions& options) {
         prepared.step = static_cast<std::int64_t>(
             std::clamp(std::round(clip.fps / options.rate), 1.0, static_cast<double>(all.rows())));
     prepared.fps = clip.fps / static_cast<double>(prepared.step);
-    const double sigma = options.smoothing * clip.fps;
+    double sigma = options.smoothing * clip.fps;
+    if (!clip.breaks.empty() && sigma > 0) {
+        all = smoothed_rows(clip, kept, prepared.first, std::exchange(sigma, 0));
+        kept = all.view();
+    }
     if (prepared.step > 1) {
         prepared.samples = gaussian_smoothed(kept, sigma, Beyond::reflection, prepared.step);
         return prepared;
     }
-    prepared.samples = prepared.first == 0 ? std::move(all) : copied(kept);
+    prepared.samples = kept.rows == all.rows() ? std::move(all) : copied(kept);
     if (sigma > 0)
         smooth_in_place(prepared.samples, sigma, Beyond::reflection);
     return prepared;
@@ -59,8 +84,7 @@ Matrix smoothed_features(const Clip& clip, Features kind, Axis up, double smooth
                          bool drop_tpose) {
     const Matrix all = features(clip, kind, up);
     const std::int64_t first = dropped_frames(clip, all, drop_tpose);
-    const Matrix smoothed =
-        gaussian_smoothed(from_row(all, first), smoothing * clip.fps, Beyond::reflection);
+    const Matrix smoothed = smoothed_rows(clip, from_row(all, first), first, smoothing * clip.fps);
     Matrix result = copied(all.view());
     std::copy_n(smoothed.data(), smoothed.rows() * smoothed.cols(), result.row(first));
     return result;

@@ -181,7 +181,8 @@ void check_live(const Live& live, std::int64_t features) {
 
 void check_model_fields(const Fitted& model) {
     check_embedding(model.model);
-    check_source(model.source, model.model.lengths, model.model.coords.rows());
+    expect(sums_to(model.lengths, model.model.coords.rows()), "lengths");
+    check_source(model.source, model.lengths, model.model.coords.rows());
     check_kept(model);
     check_live(model.live, model.model.features);
 }

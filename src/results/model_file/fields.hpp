@@ -81,6 +81,7 @@ void model_fields(Archive& archive, T& model) {
     embedding_fields(archive, model.model);
     source_fields(archive, model.source);
     kept_fields(archive, model.kept);
+    archive(model.lengths);
     live_fields(archive, model.live);
 }
 
