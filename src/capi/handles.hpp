@@ -80,8 +80,6 @@ struct stltsa_events : stltsa::results::FoundEvents {
 };
 
 struct stltsa_live {
-    explicit stltsa_live(const stltsa::results::Live& live);
-
     std::vector<std::string> names; ///< of the marks
     std::vector<double> row;        ///< the features of a frame
     stltsa::phase::LivePhase phase;

@@ -22,6 +22,13 @@ std::vector<double> phases_of(const std::vector<results::PhasedMark>& marks) {
     return phases;
 }
 
+std::vector<std::string> names_of(const std::vector<results::PhasedMark>& marks) {
+    std::vector<std::string> names;
+    for (const results::PhasedMark& mark : marks)
+        names.push_back(mark.name);
+    return names;
+}
+
 /// Copies one row of any stride and type without allocating.
 void read_row(const stltsa_in& in, std::vector<double>& row) {
     const auto cols = static_cast<int64_t>(row.size());
@@ -55,12 +62,6 @@ int32_t kind_of(const phase::LiveFrame& frame) {
 
 } // namespace
 
-stltsa_live::stltsa_live(const results::Live& live)
-    : row(live.cycle.weights.size()), phase(live.cycle, phases_of(live.marks)) {
-    for (const results::PhasedMark& mark : live.marks)
-        names.push_back(mark.name);
-}
-
 stltsa_status stltsa_model_keep_cycle(stltsa_model* model, const stltsa_phase* phase) noexcept {
     return compute(
         [&] { results::keep_cycle(required(model, "model"), required(phase, "phase")); });
@@ -86,7 +87,9 @@ stltsa_status stltsa_live_new(const stltsa_model* model, stltsa_live** live) noe
             fail(Status::unsupported, "the model keeps no mean cycle: keep it with "
                                       "stltsa_model_keep_cycle (stltsa fit -o does so if the clip "
                                       "has cycles)");
-        *live = new stltsa_live(kept);
+        *live =
+            new stltsa_live{names_of(kept.marks), std::vector<double>(kept.cycle.weights.size()),
+                            phase::LivePhase(kept.cycle, phases_of(kept.marks))};
     });
 }
 

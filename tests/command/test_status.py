@@ -102,8 +102,10 @@ class Unreadable(CommandTest):
         unfinite = write_csv("inf.csv", [[1, 2], [float("inf"), 4]])
         model = self.folder / "model.stltsa"
         self.done("fit", circle(), "-o", model)
+        walking = self.folder / "walking.stltsa"
+        self.done("fit", walk(), "-o", walking)
         for command in set(COMMANDS) - {"batch"}:  # there it is a row
-            before = [model] if command in ("map", "unmap", "live") else []
+            before = {"map": [model], "unmap": [model], "live": [walking]}.get(command, [])
             after = ["-o", self.folder / "out.npy"] if command in ("unmap", "synthesize") else []
             after += ["--mark", "1=step"] if command == "events" else []
             for path, hint in (

@@ -135,7 +135,7 @@ Examples:
   stltsa events walk.bvh other.bvh --mark 131=strike --json)";
 
 constexpr const char* about_live =
-    R"(Plays a clip to a model as a stream: phase, rate and events of each frame.
+    R"(Plays a clip to a model as a stream, frame by frame.
 
 The model is of a clip that has cycles. Each frame is answered without knowing
 the frames after it.

@@ -106,7 +106,7 @@ def test_a_stream_has_the_phase_of_the_clip(clip, phase, tmp_path):
     loaded = stltsa.Model.load(tmp_path / "walk.stltsa")
     assert loaded.has_cycle
     one, two = stltsa.Live(model), stltsa.Live(loaded)
-    assert one.marks == ("off", "strike") or one.marks == ("strike", "off")
+    assert one.marks == ("strike", "off")
     seen = []
     for i, row in enumerate(clip.features()):
         seen.append(one.push(row, i / clip.fps))

@@ -109,7 +109,10 @@ def _as_hints(hints: Any, rows: int) -> IntArray | None:
 
 
 class Model(Described):
-    """A fitted model; made by :func:`fit`, :meth:`load` and unpickling. Only :meth:`keep_cycle` changes it."""
+    """A fitted model; made by :func:`fit`, :meth:`load` and unpickling.
+
+    Only :meth:`keep_cycle` changes it.
+    """
 
     _kind = "model"
 
