@@ -29,7 +29,7 @@ Examples:
   stltsa synthesize walk.bvh --loop -o loop.bvh    a loop from its cycles
   stltsa batch recordings/ --out results           many clips
   stltsa events walk.bvh --mark 131=strike         the same event in every cycle
-  stltsa live walk.stltsa other.bvh --json         phase of each frame of a stream
+  stltsa live walk.stltsa other.bvh --json         the phase of a stream
   stltsa dimension walk.bvh
   stltsa info - < walk.bvh)";
 
