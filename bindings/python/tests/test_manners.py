@@ -19,6 +19,7 @@ def test_lengths_in_seconds_are_those_of_the_command(clip, walker, command, tmp_
     subprocess.run([command, "fit", walker, *flags, "-o", out], check=True, capture_output=True)
     model = stltsa.fit(clip, neighbors="1.21s", window="1.5s", sample_rate=40)
     assert (model.neighbors, model.window) == (48, 60)
+    model.keep_cycle(stltsa.decompose(clip).phase())
     assert model.to_bytes() == out.read_bytes()
 
 
