@@ -863,6 +863,31 @@ enum {
     STLTSA_PART_REPETITION = 3 /* one action of a segment of repetitions */
 };
 
+/* How the body travels over the ground during one part: the body root of a skeleton, or the mean of
+ * points. Lengths in the unit of the file. NaN: unknown, as in a matrix of bare numbers. Frozen. */
+typedef struct stltsa_travel {
+    double way;        /* length of the path */
+    double stride;     /* distance between the ends of the path */
+    double speed;      /* way / second */
+    double turn;       /* degrees, counterclockwise as seen from above; points: unknown if fewer than
+                          three are seen at both ends */
+} stltsa_travel;
+
+enum {
+    STLTSA_QUANTITY_TIME = 1,   /* length in seconds */
+    STLTSA_QUANTITY_WAY = 2,    /* these four: see stltsa_travel */
+    STLTSA_QUANTITY_STRIDE = 3,
+    STLTSA_QUANTITY_SPEED = 4,
+    STLTSA_QUANTITY_TURN = 5
+};
+
+/* Of one quantity of several parts; all are NaN if count is 0. Frozen. */
+typedef struct stltsa_statistics {
+    int64_t count;
+    double mean, sd, cv; /* cv = sd / mean; sd and cv are 0 for one part */
+    double trend;      /* relative change per minute; NaN, as cv is, of turns */
+} stltsa_statistics;
+
 /* Of the cycles or repetitions of one label. Frozen. */
 typedef struct stltsa_summary {
     int64_t count;
@@ -915,6 +940,15 @@ STLTSA_API int64_t stltsa_decomposition_part_count(const stltsa_decomposition *d
 STLTSA_API stltsa_status stltsa_decomposition_part(const stltsa_decomposition *decomposition,
                                                    int32_t kind, int64_t index,
                                                    stltsa_part *part) STLTSA_NOEXCEPT;
+STLTSA_API stltsa_status stltsa_decomposition_travel(const stltsa_decomposition *decomposition,
+                                                     int32_t kind, int64_t index,
+                                                     stltsa_travel *travel) STLTSA_NOEXCEPT;
+/* Of a quantity (STLTSA_QUANTITY_*) of the parts of one kind, label and side (-1: of both). Parts
+ * whose quantity is unknown are left out. */
+STLTSA_API stltsa_status
+stltsa_decomposition_statistics(const stltsa_decomposition *decomposition, int32_t kind,
+                                int32_t label, int32_t side, int32_t quantity,
+                                stltsa_statistics *statistics) STLTSA_NOEXCEPT;
 /* How often and how fast, for each label of which there are cycles or repetitions. */
 STLTSA_API int64_t
 stltsa_decomposition_summary_count(const stltsa_decomposition *decomposition) STLTSA_NOEXCEPT;

@@ -49,6 +49,8 @@ class Error : public std::runtime_error {
 using Interval = stltsa_interval;
 using Segment = stltsa_segment;
 using Part = stltsa_part;
+using Travel = stltsa_travel;
+using Statistics = stltsa_statistics;
 using Summary = stltsa_summary;
 using Seam = stltsa_seam;
 using Event = stltsa_event;
@@ -719,6 +721,16 @@ class Decomposition {
     std::vector<Part> parts(std::int32_t kind) const {
         return detail::list(part_count(kind),
                             [this, kind](std::int64_t index) { return part(kind, index); });
+    }
+    /// How the body travels during a part.
+    Travel travel(std::int32_t kind, std::int64_t index) const {
+        return detail::got<Travel>(stltsa_decomposition_travel, get(), kind, index);
+    }
+    /// STLTSA_PART_*, STLTSA_QUANTITY_*; side -1: both.
+    Statistics statistics(std::int32_t kind, std::int32_t label, std::int32_t side,
+                          std::int32_t quantity) const {
+        return detail::got<Statistics>(stltsa_decomposition_statistics, get(), kind, label, side,
+                                       quantity);
     }
     std::int64_t summary_count() const noexcept {
         return stltsa_decomposition_summary_count(get());

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <iterator>
+#include <span>
+#include <type_traits>
 
 #include "capi/boundary/arrays.hpp"
 #include "capi/boundary/guard.hpp"
 #include "capi/handles.hpp"
 #include "capi/json/results.hpp"
 #include "capi/options/reader.hpp"
+#include "results/summary.hpp"
 
 using namespace stltsa;
 using capi::compute;
@@ -48,7 +51,8 @@ static_assert(segment_kinds[0].value == STLTSA_SEGMENT_CYCLIC &&
               segment_kinds[3].value == STLTSA_SEGMENT_REST);
 
 template <class T>
-void copy_one(const std::vector<T>& from, int64_t index, const char* what, T& to) {
+void copy_one(std::span<const std::type_identity_t<T>> from, int64_t index, const char* what,
+              T& to) {
     if (index < 0 || index >= static_cast<int64_t>(from.size()))
         fail(Status::argument, "{} {} does not exist: there are {}", what, index, from.size());
     to = from[static_cast<std::size_t>(index)];
@@ -60,18 +64,11 @@ const char* name_in(const KindName (&kinds)[Count], int32_t kind) {
     return row == std::end(kinds) ? "unknown" : row->name;
 }
 
-/// Null for an unknown kind.
-const std::vector<stltsa_part>* parts_of(const stltsa_decomposition& decomposition, int32_t kind) {
-    switch (kind) {
-    case STLTSA_PART_CYCLE:
-        return &decomposition.cycle_parts;
-    case STLTSA_PART_STEP:
-        return &decomposition.steps;
-    case STLTSA_PART_REPETITION:
-        return &decomposition.repetitions;
-    default:
-        return nullptr;
-    }
+results::Parts parts_of(const stltsa_decomposition* decomposition, int32_t kind) {
+    if (kind < STLTSA_PART_CYCLE || kind > STLTSA_PART_REPETITION)
+        fail(Status::argument, "kind is {}; it must be STLTSA_PART_CYCLE, _STEP or _REPETITION",
+             kind);
+    return required(decomposition, "decomposition").parts(kind);
 }
 
 /// The element of a list of lists; null if an index is out of range.
@@ -143,19 +140,40 @@ const char* stltsa_decomposition_carrier(const stltsa_decomposition* decompositi
 
 int64_t stltsa_decomposition_part_count(const stltsa_decomposition* decomposition,
                                         int32_t kind) noexcept {
-    const auto* parts = decomposition == nullptr ? nullptr : parts_of(*decomposition, kind);
-    return parts == nullptr ? 0 : static_cast<int64_t>(parts->size());
+    return decomposition == nullptr ? 0
+                                    : static_cast<int64_t>(decomposition->parts(kind).parts.size());
 }
 
 stltsa_status stltsa_decomposition_part(const stltsa_decomposition* decomposition, int32_t kind,
                                         int64_t index, stltsa_part* part) noexcept {
     return guard([&] {
         required(part, "part");
-        const auto* parts = parts_of(required(decomposition, "decomposition"), kind);
-        if (parts == nullptr)
-            fail(Status::argument, "kind is {}; it must be STLTSA_PART_CYCLE, _STEP or _REPETITION",
-                 kind);
-        copy_one(*parts, index, "part", *part);
+        copy_one(parts_of(decomposition, kind).parts, index, "part", *part);
+    });
+}
+
+stltsa_status stltsa_decomposition_travel(const stltsa_decomposition* decomposition, int32_t kind,
+                                          int64_t index, stltsa_travel* travel) noexcept {
+    return guard([&] {
+        required(travel, "travel");
+        copy_one(parts_of(decomposition, kind).travels, index, "part", *travel);
+    });
+}
+
+stltsa_status stltsa_decomposition_statistics(const stltsa_decomposition* decomposition,
+                                              int32_t kind, int32_t label, int32_t side,
+                                              int32_t quantity,
+                                              stltsa_statistics* statistics) noexcept {
+    return guard([&] {
+        required(statistics, "statistics");
+        parts_of(decomposition, kind);
+        if (side < -1 || side > 1)
+            fail(Status::argument, "side is {}; it must be 0, 1 or, for both, -1", side);
+        if (quantity < STLTSA_QUANTITY_TIME || quantity > STLTSA_QUANTITY_TURN)
+            fail(Status::argument,
+                 "quantity is {}; it must be STLTSA_QUANTITY_TIME, _WAY, _STRIDE, _SPEED or _TURN",
+                 quantity);
+        *statistics = results::statistics_of(*decomposition, label, kind, side, quantity);
     });
 }
 

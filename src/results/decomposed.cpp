@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "clip/body/course.hpp"
 #include "clip/features/column_owners.hpp"
 #include "clip/features/drift.hpp"
+#include "clip/features/points.hpp"
 #include "results/summary.hpp"
 
 namespace stltsa::results {
@@ -167,6 +169,26 @@ void set_parts(const Recording& found, const SourceFrames& frames, Decomposed& m
     }
 }
 
+void set_travels(const clip::Clip& clip, Decomposed& made) {
+    const SampleFacts& samples = made.source.samples;
+    const bool points = !clip.skeleton && samples.features == clip::Features::points;
+    const clip::Course course(clip, points ? samples.up : default_up(clip),
+                              points ? clip::point_columns(clip) : 0);
+    const auto travels_of = [&](const std::vector<stltsa_part>& parts) {
+        std::vector<stltsa_travel> travels;
+        for (const stltsa_part& part : parts) {
+            const clip::Travel found =
+                course.between(part.begin_s * clip.fps, part.end_s * clip.fps);
+            travels.push_back(
+                {found.way, found.stride, found.way / (part.end_s - part.begin_s), found.turn});
+        }
+        return travels;
+    };
+    made.cycle_travels = travels_of(made.cycle_parts);
+    made.step_travels = travels_of(made.steps);
+    made.repetition_travels = travels_of(made.repetitions);
+}
+
 double period_of_longest(const std::vector<stltsa_segment>& segments) {
     double longest = 0, period = 0;
     for (const stltsa_segment& segment : segments)
@@ -228,6 +250,19 @@ std::vector<recording::Hole> holes_of(const ClipSamples& prepared) {
 
 } // namespace
 
+Parts Decomposed::parts(std::int32_t kind) const {
+    switch (kind) {
+    case STLTSA_PART_CYCLE:
+        return {cycle_parts, cycle_travels};
+    case STLTSA_PART_STEP:
+        return {steps, step_travels};
+    case STLTSA_PART_REPETITION:
+        return {repetitions, repetition_travels};
+    default:
+        return {};
+    }
+}
+
 Decomposed decompose(const clip::Clip& clip, const clip::PrepareOptions& prepare,
                      recording::Options options, const Progress& progress) {
     if (!(clip.fps > 0))
@@ -259,6 +294,7 @@ Decomposed decompose(const clip::Clip& clip, const clip::PrepareOptions& prepare
     frames.cover_file(made.segments);
     made.units = units_of(found, frames);
     set_parts(found, frames, made);
+    set_travels(clip, made);
     made.source.period.period = period_of_longest(made.segments);
     made.summaries = summaries_of(made.segments, made.cycle_parts, made.repetitions);
     made.result = std::move(found.shown);

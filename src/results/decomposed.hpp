@@ -2,6 +2,7 @@
 // A decomposition in frames and seconds of the source file.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,12 @@
 #include "stltsa.h"
 
 namespace stltsa::results {
+
+/// Parts of one kind and how the body travels during each.
+struct Parts {
+    std::span<const stltsa_part> parts;
+    std::span<const stltsa_travel> travels;
+};
 
 struct Decomposed {
     motion::Decomposition result; ///< embedding, curve, reason, warnings; in samples
@@ -24,7 +31,10 @@ struct Decomposed {
     std::vector<stltsa_part> cycle_parts;
     std::vector<stltsa_part> steps;
     std::vector<stltsa_part> repetitions;
+    std::vector<stltsa_travel> cycle_travels, step_travels, repetition_travels;
     std::vector<stltsa_summary> summaries; ///< by label, of labels that repeat
+
+    Parts parts(std::int32_t kind) const; ///< STLTSA_PART_*; none of an unknown kind
 };
 
 /// Throws Status::argument if the clip's frame rate is unknown. Sets the fields of `options` that

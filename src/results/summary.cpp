@@ -2,22 +2,29 @@
 #include "results/summary.hpp"
 
 #include <cmath>
+#include <limits>
 #include <map>
+
+#include "results/decomposed.hpp"
 
 namespace stltsa::results {
 namespace {
 
 constexpr double minute = 60;
 
-/// Lengths and middles of the parts of one label, in seconds.
-struct Lengths {
-    std::vector<double> length, middle;
-    double covered = 0; ///< seconds from the first begin to the last end in each segment
+/// One quantity of several parts, and their middles in seconds.
+struct Values {
+    std::vector<double> value, middle;
 
-    void add(const stltsa_part& part) {
-        length.push_back(part.end_s - part.begin_s);
+    void add(double of_part, const stltsa_part& part) {
+        value.push_back(of_part);
         middle.push_back((part.begin_s + part.end_s) / 2);
     }
+};
+
+/// Lengths in seconds.
+struct PartLengths : Values {
+    double covered = 0; ///< seconds from the first begin to the last end in each segment
 };
 
 double mean_of(const std::vector<double>& values) {
@@ -27,26 +34,59 @@ double mean_of(const std::vector<double>& values) {
     return sum / static_cast<double>(values.size());
 }
 
-stltsa_summary summary_of(int32_t label, const Lengths& all) {
-    stltsa_summary summary{};
-    summary.label = label;
-    summary.count = static_cast<int64_t>(all.length.size());
-    summary.mean_s = mean_of(all.length);
-    summary.per_minute = minute * static_cast<double>(summary.count) / all.covered;
-    if (summary.count < 2)
-        return summary;
+/// `ratios`: the values have a zero, so that their spread can be divided by their mean.
+stltsa_statistics statistics_of(const Values& all, bool ratios) {
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    if (all.value.empty())
+        return {0, unknown, unknown, unknown, unknown};
+    stltsa_statistics found{};
+    found.count = static_cast<std::int64_t>(all.value.size());
+    found.mean = mean_of(all.value);
+    found.cv = found.trend = ratios ? 0 : unknown;
+    if (found.count < 2)
+        return found;
     const double center = mean_of(all.middle);
     double squares = 0, slope = 0, spread = 0;
-    for (std::size_t i = 0; i < all.length.size(); ++i) {
-        const double apart = all.length[i] - summary.mean_s, at = all.middle[i] - center;
+    for (std::size_t i = 0; i < all.value.size(); ++i) {
+        const double apart = all.value[i] - found.mean, at = all.middle[i] - center;
         squares += apart * apart;
         slope += apart * at;
         spread += at * at;
     }
-    summary.sd_s = std::sqrt(squares / static_cast<double>(summary.count - 1));
-    summary.cv = summary.sd_s / summary.mean_s;
-    summary.trend = spread > 0 ? minute * slope / spread / summary.mean_s : 0;
+    found.sd = std::sqrt(squares / static_cast<double>(found.count - 1));
+    if (ratios && found.mean > 0) {
+        found.cv = found.sd / found.mean;
+        found.trend = spread > 0 ? minute * slope / spread / found.mean : 0;
+    }
+    return found;
+}
+
+stltsa_summary summary_of(int32_t label, const PartLengths& all) {
+    const stltsa_statistics lengths = statistics_of(all, true);
+    stltsa_summary summary{};
+    summary.label = label;
+    summary.count = lengths.count;
+    summary.mean_s = lengths.mean;
+    summary.per_minute = minute * static_cast<double>(summary.count) / all.covered;
+    summary.sd_s = lengths.sd;
+    summary.cv = lengths.cv;
+    summary.trend = lengths.trend;
     return summary;
+}
+
+double quantity_of(const stltsa_part& part, const stltsa_travel& travel, std::int32_t quantity) {
+    switch (quantity) {
+    case STLTSA_QUANTITY_TIME:
+        return part.end_s - part.begin_s;
+    case STLTSA_QUANTITY_WAY:
+        return travel.way;
+    case STLTSA_QUANTITY_STRIDE:
+        return travel.stride;
+    case STLTSA_QUANTITY_SPEED:
+        return travel.speed;
+    default:
+        return travel.turn;
+    }
 }
 
 } // namespace
@@ -54,13 +94,13 @@ stltsa_summary summary_of(int32_t label, const Lengths& all) {
 std::vector<stltsa_summary> summaries_of(std::span<const stltsa_segment> segments,
                                          std::span<const stltsa_part> cycles,
                                          std::span<const stltsa_part> repetitions) {
-    std::map<int32_t, Lengths> labels;
+    std::map<int32_t, PartLengths> labels;
     for (const auto parts : {cycles, repetitions}) {
         int64_t segment = -1;
         double until = 0;
         for (const stltsa_part& part : parts) {
-            Lengths& of_label = labels[segments[static_cast<std::size_t>(part.segment)].label];
-            of_label.add(part);
+            PartLengths& of_label = labels[segments[static_cast<std::size_t>(part.segment)].label];
+            of_label.add(part.end_s - part.begin_s, part);
             of_label.covered += part.end_s - (part.segment == segment ? until : part.begin_s);
             segment = part.segment;
             until = part.end_s;
@@ -70,6 +110,20 @@ std::vector<stltsa_summary> summaries_of(std::span<const stltsa_segment> segment
     for (const auto& [label, lengths] : labels)
         summaries.push_back(summary_of(label, lengths));
     return summaries;
+}
+
+stltsa_statistics statistics_of(const Decomposed& decomposed, std::int32_t label, std::int32_t kind,
+                                std::int32_t side, std::int32_t quantity) {
+    const auto [parts, travels] = decomposed.parts(kind);
+    Values values;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const auto segment = static_cast<std::size_t>(parts[i].segment);
+        const double value = quantity_of(parts[i], travels[i], quantity);
+        if (decomposed.segments[segment].label == label && (side < 0 || parts[i].side == side) &&
+            std::isfinite(value))
+            values.add(value, parts[i]);
+    }
+    return statistics_of(values, quantity != STLTSA_QUANTITY_TURN);
 }
 
 } // namespace stltsa::results

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -8,10 +9,16 @@
 
 namespace stltsa::results {
 
+struct Decomposed;
+
 /// How often and how fast, for each label of which there are cycles or repetitions. Parts are in
 /// temporal order, those of each segment one after another.
 std::vector<stltsa_summary> summaries_of(std::span<const stltsa_segment> segments,
                                          std::span<const stltsa_part> cycles,
                                          std::span<const stltsa_part> repetitions);
+
+/// Of the parts of one label; those whose quantity is unknown are left out. side -1: of both sides.
+stltsa_statistics statistics_of(const Decomposed& decomposed, std::int32_t label, std::int32_t kind,
+                                std::int32_t side, std::int32_t quantity);
 
 } // namespace stltsa::results

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // stltsa.hpp: the segments of a recording, its loop, stretches of it, and clips of arrays.
 #include <algorithm>
+#include <cmath>
 
 #include <stltsa.hpp>
 
@@ -39,6 +40,38 @@ void a_recording_is_divided_into_segments(void**) {
     assert_int_equal(found.summary_count(), 1);
     assert_int_equal(found.summary(0).count, 3);
     ASSERT_NEAR(found.summaries()[0].mean_s, found.info().real(STLTSA_INFO_PERIOD), 0.1);
+}
+
+/// The walker goes straight ahead at 126 units a second, 110 steps a minute at most (its README).
+void travel_and_its_statistics_are_the_walkers(void**) {
+    const stltsa::Decomposition found = stltsa::decompose(walker());
+    const stltsa::Travel stride = found.travel(STLTSA_PART_CYCLE, 1);
+    ASSERT_NEAR(stride.speed, 126, 1.5);
+    ASSERT_NEAR(stride.stride, 126 * 1.1, 2);
+    ASSERT_NEAR(stride.turn, 0, 0.5);
+    assert_true(stride.way >= stride.stride);
+    const auto of = [&](std::int32_t kind, std::int32_t side, std::int32_t quantity) {
+        return found.statistics(kind, 0, side, quantity);
+    };
+    const stltsa::Statistics time = of(STLTSA_PART_CYCLE, -1, STLTSA_QUANTITY_TIME);
+    ASSERT_NEAR(time.mean, found.summary(0).mean_s, 0);
+    ASSERT_NEAR(time.sd, found.summary(0).sd_s, 0);
+    const stltsa::Statistics left = of(STLTSA_PART_STEP, 0, STLTSA_QUANTITY_TIME),
+                             right = of(STLTSA_PART_STEP, 1, STLTSA_QUANTITY_TIME),
+                             both = of(STLTSA_PART_STEP, -1, STLTSA_QUANTITY_TIME);
+    assert_int_equal(left.count + right.count, both.count);
+    ASSERT_NEAR((left.mean + right.mean) / 2, both.mean, 1e-12);
+    assert_true(std::isnan(of(STLTSA_PART_CYCLE, -1, STLTSA_QUANTITY_TURN).cv));
+    assert_int_equal(of(STLTSA_PART_REPETITION, -1, STLTSA_QUANTITY_WAY).count, 0);
+    assert_int_equal(found.statistics(STLTSA_PART_CYCLE, 9, -1, STLTSA_QUANTITY_WAY).count, 0);
+    const auto refused = [&](auto... arguments) {
+        stltsa_statistics none{};
+        return stltsa_decomposition_statistics(found.get(), arguments..., &none) ==
+               STLTSA_E_ARGUMENT;
+    };
+    assert_true(refused(7, 0, -1, STLTSA_QUANTITY_TIME));
+    assert_true(refused(STLTSA_PART_CYCLE, 0, 2, STLTSA_QUANTITY_TIME));
+    assert_true(refused(STLTSA_PART_CYCLE, 0, -1, 6));
 }
 
 void cycles_become_a_loop(void**) {
@@ -93,6 +126,7 @@ int main(int argc, char** argv) {
     walker_path = argv[1];
     const CMUnitTest tests[] = {
         cmocka_unit_test(a_recording_is_divided_into_segments),
+        cmocka_unit_test(travel_and_its_statistics_are_the_walkers),
         cmocka_unit_test(cycles_become_a_loop),
         cmocka_unit_test(clips_are_made_of_arrays_and_cut),
     };

@@ -53,6 +53,15 @@ class Part(ctypes.Structure):
                 ("confidence", c_double), ("side", c_int32), ("reserved", c_int32)]
 
 
+class Travel(ctypes.Structure):
+    _fields_ = [("way", c_double), ("stride", c_double), ("speed", c_double), ("turn", c_double)]
+
+
+class Statistics(ctypes.Structure):
+    _fields_ = [("count", c_int64), ("mean", c_double), ("sd", c_double), ("cv", c_double),
+                ("trend", c_double)]
+
+
 class Summary(ctypes.Structure):
     _fields_ = [("count", c_int64), ("per_minute", c_double), ("mean_s", c_double),
                 ("sd_s", c_double), ("cv", c_double), ("trend", c_double), ("label", c_int32),
@@ -287,6 +296,37 @@ def parts(kind, field, convert=lambda found: found):
     return lambda h: list(of(h))
 
 
+def travels(kind, name):
+    """Key and getter of each fact of the travel of the parts of a kind."""
+    def of(field):
+        def get(h):
+            for index in range(len(parts(kind, "begin")(h))):
+                found = Travel()
+                call("decomposition_travel", h.pointer, c_int32(kind), c_int64(index), byref(found))
+                yield number(getattr(found, field))
+
+        return lambda h: list(get(h))
+
+    return {f"{name}.{key}": of(field) for key, field in
+            (("way", "way"), ("stride", "stride"), ("speed", "speed"), ("turn_deg", "turn"))}
+
+
+def statistics(kind, quantity, field, side=-1, convert=lambda found: number(found)):
+    def of(h):
+        for label in summaries("label")(h):
+            found = Statistics()
+            call("decomposition_statistics", h.pointer, c_int32(kind), c_int32(label),
+                 c_int32(side), c_int32(quantity), byref(found))
+            yield convert(getattr(found, field))
+
+    return lambda h: list(of(h))
+
+
+def both_sides(h):
+    sides = [statistics(2, 1, "mean", side)(h) for side in (0, 1)]
+    return [mean for means in zip(*sides) for mean in means]
+
+
 def labels_of_parts(kind):
     return lambda h: [letters(segments("label")(h)[s]) for s in parts(kind, "segment")(h)]
 
@@ -320,15 +360,18 @@ CYCLES = {
     **{field: parts(1, field) for field in (*SPAN, "segment", "confidence")},
     "side": parts(1, "side", chosen),
     "likeness": parts(1, "likeness", number),
+    **travels(1, "travel"),
 }
 STEPS = {
     **{field: parts(2, field) for field in (*SPAN, "segment", "side")},
     "cycle": parts(2, "parent"),
+    **travels(2, "travel"),
 }
 REPETITIONS = {
     **{field: parts(3, field) for field in (*SPAN, "segment", "confidence")},
     "label": labels_of_parts(3),
     "likeness": parts(3, "likeness", number),
+    **travels(3, "travel"),
 }
 SUMMARY = {
     "label": lambda h: [letters(label) for label in summaries("label")(h)],
@@ -336,6 +379,12 @@ SUMMARY = {
     "cycles_per_min": summaries("per_minute"),
     **{f"cycle_time_s.{name}": summaries(field) for name, field in
        (("mean", "mean_s"), ("sd", "sd_s"), ("cv", "cv"), ("trend", "trend"))},
+    "steps_per_min": statistics(2, 1, "mean", convert=lambda mean: 60 / mean),
+    "step_time_s.side_means": both_sides,
+    **{f"{name}.{field}": statistics(kind, quantity, field)
+       for name, kind, quantity in (("step_time_s", 2, 1), ("way", 1, 2), ("stride", 1, 3),
+                                    ("speed", 1, 4), ("turn_deg", 1, 5))
+       for field in ("mean", "sd", "cv", "trend")},
 }
 TIMED_WARNINGS = {
     "warnings.code": lambda h: h.list("warning_code"),

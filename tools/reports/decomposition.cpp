@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -120,7 +122,54 @@ std::string dimension_text(const stltsa::Info& info) {
                        estimate(STLTSA_INFO_EIGENGAP));
 }
 
-Facts facts_of(const stltsa::Info& info) {
+/// The label of most cycles; empty: there are none.
+std::optional<std::int32_t> main_label(const stltsa::Decomposition& result) {
+    std::optional<std::int32_t> label;
+    std::int64_t most = 0;
+    for (const stltsa::Summary& summary : result.summaries()) {
+        const std::int64_t count =
+            result.statistics(STLTSA_PART_CYCLE, summary.label, -1, STLTSA_QUANTITY_TIME).count;
+        if (count > most) {
+            most = count;
+            label = summary.label;
+        }
+    }
+    return label;
+}
+
+/// Cadence and travel of the motion with most cycles.
+void add_gait(const stltsa::Decomposition& result, Facts& facts) {
+    const std::optional<std::int32_t> label = main_label(result);
+    if (!label)
+        return;
+    const auto of = [&](std::int32_t kind, std::int32_t side, std::int32_t quantity) {
+        return result.statistics(kind, *label, side, quantity);
+    };
+    const stltsa::Statistics cycles = of(STLTSA_PART_CYCLE, -1, STLTSA_QUANTITY_TIME);
+    const std::string which =
+        result.summary_count() > 1 ? fmt::format(" of {}", label_text(*label)) : "";
+    facts.add("cycle time" + which, fmt::format("{} s, SD {} s ({:.1f} %)", seconds(cycles.mean),
+                                                seconds(cycles.sd), 100 * cycles.cv));
+    if (const auto steps = of(STLTSA_PART_STEP, -1, STLTSA_QUANTITY_TIME); steps.count > 0)
+        facts.add("steps" + which,
+                  fmt::format("{:.1f} a minute; {} s on side 0, {} s on side 1", 60 / steps.mean,
+                              seconds(of(STLTSA_PART_STEP, 0, STLTSA_QUANTITY_TIME).mean),
+                              seconds(of(STLTSA_PART_STEP, 1, STLTSA_QUANTITY_TIME).mean)));
+    const auto travel = [&](std::int32_t quantity) { return of(STLTSA_PART_CYCLE, -1, quantity); };
+    if (const auto speed = travel(STLTSA_QUANTITY_SPEED); speed.count > 0) {
+        const auto turn = travel(STLTSA_QUANTITY_TURN);
+        facts.add("travel" + which,
+                  fmt::format("stride {:.4g}, speed {:.4g} a second, in the file's unit{}",
+                              travel(STLTSA_QUANTITY_STRIDE).mean, speed.mean,
+                              turn.count == 0
+                                  ? ""
+                                  : fmt::format("; turn {:.1f} degrees a cycle",
+                                                std::round(10 * turn.mean) / 10 + 0.0)));
+    }
+}
+
+Facts facts_of(const stltsa::Decomposition& result) {
+    const stltsa::Info info = result.info();
     Facts facts;
     if (const double period = info.real(STLTSA_INFO_PERIOD); period > 0)
         facts.add("period", fmt::format("{} s, lag quality {:.2f} (1: perfect repetition)",
@@ -130,6 +179,7 @@ Facts facts_of(const stltsa::Info& info) {
                                        "(1: perfect oscillation)",
                                        coordinate, info.integer(STLTSA_INFO_DIMENSION),
                                        info.real(STLTSA_INFO_CYCLICITY)));
+    add_gait(result, facts);
     facts.add("neighbors", neighbors_text(info));
     facts.add("samples", samples_text(info));
     facts.add("features", features_text(info));
@@ -159,7 +209,7 @@ std::string decomposition_report(const stltsa::Decomposition& result, const std:
     const std::string first =
         wrapped(title + ": " + decomposition_summary(result), terminal_columns(STDOUT_FILENO));
     return bold(first) + "\n\n" + segments_table(result) + units_table(result) +
-           cycles_table(result) + '\n' + facts_of(info).text() +
+           cycles_table(result) + '\n' + facts_of(result).text() +
            listed("note:", info.texts(STLTSA_INFO_NOTE)) +
            listed("warning:", info.texts(STLTSA_INFO_WARNING));
 }

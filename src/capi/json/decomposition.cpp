@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+
 #include "capi/json/parts.hpp"
+#include "results/summary.hpp"
 
 namespace stltsa::capi {
 namespace {
@@ -52,24 +55,33 @@ Json side_json(int32_t side) {
     return side < 0 ? Json(nullptr) : Json(side);
 }
 
-Json cycles_json(std::span<const stltsa_part> cycles) {
+/// Null if nothing is known.
+Json travel_json(const stltsa_travel& travel) {
+    if (!std::isfinite(travel.way))
+        return nullptr;
+    return JsonObject("way", travel.way, "stride", travel.stride, "speed", travel.speed, "turn_deg",
+                      travel.turn);
+}
+
+Json cycles_json(const Decomposed& decomposed) {
     std::vector<Json> list;
-    for (const stltsa_part& cycle : cycles) {
+    for (const stltsa_part& cycle : decomposed.cycle_parts) {
         JsonObject object("segment", cycle.segment);
         set_span(object, cycle);
         object.set("side", side_json(cycle.side), "likeness", cycle.likeness, "confidence",
-                   cycle.confidence);
+                   cycle.confidence, "travel", travel_json(decomposed.cycle_travels[list.size()]));
         list.push_back(object);
     }
     return list;
 }
 
-Json steps_json(std::span<const stltsa_part> steps) {
+Json steps_json(const Decomposed& decomposed) {
     std::vector<Json> list;
-    for (const stltsa_part& step : steps) {
+    for (const stltsa_part& step : decomposed.steps) {
         JsonObject object("segment", step.segment, "cycle", step.parent);
         set_span(object, step);
-        object.set("side", side_json(step.side));
+        object.set("side", side_json(step.side), "travel",
+                   travel_json(decomposed.step_travels[list.size()]));
         list.push_back(object);
     }
     return list;
@@ -82,19 +94,59 @@ Json repetitions_json(const Decomposed& decomposed) {
         JsonObject object("segment", repetition.segment, "label",
                           label_json(decomposed.segments[segment].label));
         set_span(object, repetition);
-        object.set("likeness", repetition.likeness, "confidence", repetition.confidence);
+        object.set("likeness", repetition.likeness, "confidence", repetition.confidence, "travel",
+                   travel_json(decomposed.repetition_travels[list.size()]));
         list.push_back(object);
     }
     return list;
 }
 
-Json summary_json(std::span<const stltsa_summary> summaries) {
+JsonObject statistics_object(const stltsa_statistics& found) {
+    return JsonObject("mean", found.mean, "sd", found.sd, "cv", found.cv, "trend", found.trend);
+}
+
+/// Null if there is nothing of it.
+Json statistics_json(const stltsa_statistics& found) {
+    return found.count == 0 ? Json(nullptr) : Json(statistics_object(found));
+}
+
+/// With the means of both sides, to compare them; null without steps.
+Json step_time_json(const Decomposed& decomposed, std::int32_t label) {
+    const auto of_side = [&](std::int32_t side) {
+        return results::statistics_of(decomposed, label, STLTSA_PART_STEP, side,
+                                      STLTSA_QUANTITY_TIME);
+    };
+    const stltsa_statistics both = of_side(-1);
+    if (both.count == 0)
+        return nullptr;
+    JsonObject object = statistics_object(both);
+    object.set("side_means", std::vector<double>{of_side(0).mean, of_side(1).mean});
+    return object;
+}
+
+Json summary_json(const Decomposed& decomposed) {
+    constexpr double minute = 60;
     std::vector<Json> list;
-    for (const stltsa_summary& summary : summaries)
-        list.push_back(JsonObject("label", label_json(summary.label), "count", summary.count,
-                                  "cycles_per_min", summary.per_minute, "cycle_time_s",
-                                  JsonObject("mean", summary.mean_s, "sd", summary.sd_s, "cv",
-                                             summary.cv, "trend", summary.trend)));
+    for (const stltsa_summary& summary : decomposed.summaries) {
+        const auto of = [&](std::int32_t kind, std::int32_t quantity) {
+            return results::statistics_of(decomposed, summary.label, kind, -1, quantity);
+        };
+        const bool cycles = of(STLTSA_PART_CYCLE, STLTSA_QUANTITY_TIME).count > 0;
+        const auto travel = [&](std::int32_t quantity) {
+            return statistics_json(
+                of(cycles ? STLTSA_PART_CYCLE : STLTSA_PART_REPETITION, quantity));
+        };
+        const stltsa_statistics steps = of(STLTSA_PART_STEP, STLTSA_QUANTITY_TIME);
+        list.push_back(JsonObject(
+            "label", label_json(summary.label), "count", summary.count, "cycles_per_min",
+            summary.per_minute, "cycle_time_s",
+            JsonObject("mean", summary.mean_s, "sd", summary.sd_s, "cv", summary.cv, "trend",
+                       summary.trend),
+            "steps_per_min", steps.count == 0 ? Json(nullptr) : Json(minute / steps.mean),
+            "step_time_s", step_time_json(decomposed, summary.label), "way",
+            travel(STLTSA_QUANTITY_WAY), "stride", travel(STLTSA_QUANTITY_STRIDE), "speed",
+            travel(STLTSA_QUANTITY_SPEED), "turn_deg", travel(STLTSA_QUANTITY_TURN)));
+    }
     return list;
 }
 
@@ -143,10 +195,10 @@ std::string decomposition_json(const Decomposed& decomposed) {
     object.set("lag_quality", decomposed.source.period.lag_quality);
     object.set("segments", segments_json(decomposed));
     object.set("units", units_json(decomposed.units));
-    object.set("cycles", cycles_json(decomposed.cycle_parts));
-    object.set("steps", steps_json(decomposed.steps));
+    object.set("cycles", cycles_json(decomposed));
+    object.set("steps", steps_json(decomposed));
     object.set("repetitions", repetitions_json(decomposed));
-    object.set("summary", summary_json(decomposed.summaries));
+    object.set("summary", summary_json(decomposed));
     object.set("representative_cycle", chosen_cycle(decomposed.cycles, found.representative));
     object.set("best_cycle", chosen_cycle(decomposed.cycles, found.best));
     object.set("reason", json_string_or_null(found.reason));

@@ -22,7 +22,7 @@ from . import errors
 from ._batch import BatchRow, batch
 from ._native import lib as _lib
 from ._options import Option, Options, OptionTable, options
-from ._rows import Interval, Part, Segment, Summary
+from ._rows import Interval, Part, Segment, Statistics, Summary
 from ._text import names as _names
 from ._text import string as _string
 from .clip import Clip, read_clip
@@ -88,6 +88,7 @@ __all__ = [  # noqa: PLE0604
     "Piece",
     "Seam",
     "Segment",
+    "Statistics",
     "Summary",
     "Synthesis",
     "__version__",

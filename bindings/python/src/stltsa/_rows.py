@@ -64,7 +64,10 @@ class Part(NamedTuple):
     """A cycle, a step or a repetition: ``[begin, end)`` in source frames, and in seconds.
 
     `segment` is an index into the segments; `cycle`, of a step, one into the cycles, else -1.
-    `side` tells which side of the body leads, 0 or 1, and -1 if it is unknown.
+    `side` tells which side of the body leads, 0 or 1, and -1 if it is unknown. `way` is the length of
+    the body's path over the ground, `stride` the distance between its ends, `speed` `way` a second,
+    all in the unit of the file, and `turn` in degrees, counterclockwise as seen from above. NaN:
+    unknown.
     """
 
     segment: int
@@ -76,6 +79,10 @@ class Part(NamedTuple):
     side: int
     likeness: float
     confidence: float
+    way: float
+    stride: float
+    speed: float
+    turn: float
 
     @property
     def duration_s(self) -> float:
@@ -94,6 +101,25 @@ class Summary(NamedTuple):
     per_minute: float
     mean_s: float
     sd_s: float
+    cv: float
+    trend: float
+
+
+class Statistics(NamedTuple):
+    """Mean, standard deviation and trend of one quantity of the parts of one label.
+
+    `kind` is ``"cycle"``, ``"step"`` or ``"repetition"``; `side` 0 or 1, or -1 for both; `quantity`
+    ``"time"`` (seconds), ``"way"``, ``"stride"``, ``"speed"`` or ``"turn"`` (see :class:`Part`).
+    `cv` is ``sd / mean``, `trend` the relative change per minute; both are NaN of turns.
+    """
+
+    label: str
+    kind: str
+    side: int
+    quantity: str
+    number: int
+    mean: float
+    sd: float
     cv: float
     trend: float
 
@@ -119,6 +145,6 @@ def number_of(label: str) -> int:
 
 def without_seconds(row: Row) -> Row:
     """Return the row of a motion whose rate is unknown: what depends on the rate is NaN."""
-    times = [n for n in row._fields if n.endswith("_s") or n in ("per_minute", "trend")]
+    times = [n for n in row._fields if n.endswith("_s") or n in ("per_minute", "trend", "speed")]
     unknown: dict[str, Any] = dict.fromkeys(times, float("nan"))
     return row._replace(**unknown)

@@ -13,7 +13,18 @@ from ._call import Call, check, owned, texts
 from ._facts import Described
 from ._native import ffi, lib
 from ._options import working_rate
-from ._rows import Interval, Part, Row, Segment, Summary, letters, without_seconds
+from ._rows import (
+    Interval,
+    Part,
+    Row,
+    Segment,
+    Statistics,
+    Summary,
+    letters,
+    number_of,
+    without_seconds,
+)
+from ._statistics import in_frames, statistics_of
 from ._tables import table
 from ._text import string
 from .clip import Clip, as_clip, one_matrix, opened
@@ -192,9 +203,10 @@ class Decomposition(Described):
         )
 
     def _parts(self, kind: int) -> tuple[Part, ...]:
-        result, raw = [], ffi.new("stltsa_part *")
+        result, raw, travel = [], ffi.new("stltsa_part *"), ffi.new("stltsa_travel *")
         for index in range(lib.stltsa_decomposition_part_count(self._handle, kind)):
             check(lib.stltsa_decomposition_part(self._handle, kind, index, raw))
+            check(lib.stltsa_decomposition_travel(self._handle, kind, index, travel))
             result.append(
                 Part(
                     segment=raw.segment,
@@ -206,6 +218,10 @@ class Decomposition(Described):
                     side=raw.side,
                     likeness=raw.likeness,
                     confidence=raw.confidence,
+                    way=travel.way,
+                    stride=travel.stride,
+                    speed=travel.speed,
+                    turn=travel.turn,
                 )
             )
         return self._rows(result)
@@ -235,7 +251,7 @@ class Decomposition(Described):
 
     @property
     def cycle_facts(self) -> DataFrame:
-        """Segment, side, likeness and confidence of each cycle, as a table."""
+        """Segment, side, likeness, confidence and travel of each cycle, as a table."""
         return table(self._cycles, Part)
 
     @property
@@ -256,6 +272,20 @@ class Decomposition(Described):
                 )
             )
         return table(self._rows(result), Summary)
+
+    @property
+    def statistics(self) -> DataFrame:
+        """Times, ways, strides, speeds and turns of cycles, steps and repetitions, as a table.
+
+        One row for each label, kind, side and quantity that is known; side -1 is both. Times are in
+        seconds, lengths in the unit of the file, turns in degrees. Without a frame rate, times and
+        speeds count frames instead of seconds, and trends are NaN.
+        """
+        labels = sorted({s.label for s in self.segment_list if s.label}, key=number_of)
+        rows = statistics_of(self._handle, labels)
+        if not self.clip.fps:
+            rows = [in_frames(row, _FRAMES_A_SECOND) for row in rows]
+        return table(tuple(rows), Statistics)
 
     @property
     def units(self) -> DataFrame:

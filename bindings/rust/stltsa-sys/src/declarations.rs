@@ -1812,6 +1812,162 @@ pub const STLTSA_PART_STEP: i32 = 2;
 pub const STLTSA_PART_REPETITION: i32 = 3;
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
+pub struct stltsa_travel {
+    pub way: f64,
+    pub stride: f64,
+    pub speed: f64,
+    pub turn: f64,
+}
+#[test]
+fn bindgen_test_layout_stltsa_travel() {
+    assert_eq!(
+        ::std::mem::size_of::<stltsa_travel>(),
+        32usize,
+        concat!("Size of: ", stringify!(stltsa_travel))
+    );
+    assert_eq!(
+        ::std::mem::align_of::<stltsa_travel>(),
+        8usize,
+        concat!("Alignment of ", stringify!(stltsa_travel))
+    );
+    fn test_field_way() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_travel>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).way) as usize - ptr as usize
+            },
+            0usize,
+            concat!("Offset of field: ", stringify!(stltsa_travel), "::", stringify!(way))
+        );
+    }
+    test_field_way();
+    fn test_field_stride() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_travel>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).stride) as usize - ptr as usize
+            },
+            8usize,
+            concat!("Offset of field: ", stringify!(stltsa_travel), "::", stringify!(stride))
+        );
+    }
+    test_field_stride();
+    fn test_field_speed() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_travel>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).speed) as usize - ptr as usize
+            },
+            16usize,
+            concat!("Offset of field: ", stringify!(stltsa_travel), "::", stringify!(speed))
+        );
+    }
+    test_field_speed();
+    fn test_field_turn() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_travel>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).turn) as usize - ptr as usize
+            },
+            24usize,
+            concat!("Offset of field: ", stringify!(stltsa_travel), "::", stringify!(turn))
+        );
+    }
+    test_field_turn();
+}
+pub const STLTSA_QUANTITY_TIME: i32 = 1;
+pub const STLTSA_QUANTITY_WAY: i32 = 2;
+pub const STLTSA_QUANTITY_STRIDE: i32 = 3;
+pub const STLTSA_QUANTITY_SPEED: i32 = 4;
+pub const STLTSA_QUANTITY_TURN: i32 = 5;
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct stltsa_statistics {
+    pub count: i64,
+    pub mean: f64,
+    pub sd: f64,
+    pub cv: f64,
+    pub trend: f64,
+}
+#[test]
+fn bindgen_test_layout_stltsa_statistics() {
+    assert_eq!(
+        ::std::mem::size_of::<stltsa_statistics>(),
+        40usize,
+        concat!("Size of: ", stringify!(stltsa_statistics))
+    );
+    assert_eq!(
+        ::std::mem::align_of::<stltsa_statistics>(),
+        8usize,
+        concat!("Alignment of ", stringify!(stltsa_statistics))
+    );
+    fn test_field_count() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_statistics>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).count) as usize - ptr as usize
+            },
+            0usize,
+            concat!("Offset of field: ", stringify!(stltsa_statistics), "::", stringify!(count))
+        );
+    }
+    test_field_count();
+    fn test_field_mean() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_statistics>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).mean) as usize - ptr as usize
+            },
+            8usize,
+            concat!("Offset of field: ", stringify!(stltsa_statistics), "::", stringify!(mean))
+        );
+    }
+    test_field_mean();
+    fn test_field_sd() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_statistics>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).sd) as usize - ptr as usize
+            },
+            16usize,
+            concat!("Offset of field: ", stringify!(stltsa_statistics), "::", stringify!(sd))
+        );
+    }
+    test_field_sd();
+    fn test_field_cv() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_statistics>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).cv) as usize - ptr as usize
+            },
+            24usize,
+            concat!("Offset of field: ", stringify!(stltsa_statistics), "::", stringify!(cv))
+        );
+    }
+    test_field_cv();
+    fn test_field_trend() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_statistics>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).trend) as usize - ptr as usize
+            },
+            32usize,
+            concat!("Offset of field: ", stringify!(stltsa_statistics), "::", stringify!(trend))
+        );
+    }
+    test_field_trend();
+}
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
 pub struct stltsa_summary {
     pub count: i64,
     pub per_minute: f64,
@@ -1987,6 +2143,24 @@ extern "C" {
         kind: i32,
         index: i64,
         part: *mut stltsa_part,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_decomposition_travel(
+        decomposition: *const stltsa_decomposition,
+        kind: i32,
+        index: i64,
+        travel: *mut stltsa_travel,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_decomposition_statistics(
+        decomposition: *const stltsa_decomposition,
+        kind: i32,
+        label: i32,
+        side: i32,
+        quantity: i32,
+        statistics: *mut stltsa_statistics,
     ) -> stltsa_status;
 }
 extern "C" {

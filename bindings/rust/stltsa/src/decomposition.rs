@@ -55,112 +55,6 @@ impl Interval {
     }
 }
 
-/// A stretch of one behavior: half-open, in frames of the source and in seconds.
-#[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
-pub struct Segment {
-    /// Kind of segment.
-    pub kind: SegmentKind,
-    /// 0, 1, ... in order of appearance: the same number is the same motion; `None`: a rest.
-    pub label: Option<usize>,
-    /// First frame, rounded.
-    pub begin: usize,
-    /// The frame after the last one, rounded.
-    pub end: usize,
-    /// Begin in seconds, fractions of a frame kept.
-    pub begin_s: f64,
-    /// End in seconds, fractions of a frame kept.
-    pub end_s: f64,
-    /// Cycles or repetitions.
-    pub count: usize,
-    /// Median length of the cycles in seconds.
-    pub period: Option<f64>,
-    /// A period that was seen, but is not claimed, in seconds.
-    pub candidate_period: Option<f64>,
-    /// Mean likeness to the others of its label, 0 to 1.
-    pub likeness: Option<f64>,
-    /// Share of such answers that are right, 0 to 1.
-    pub confidence: f64,
-    /// The same of the border at its begin; `None` for the first segment.
-    pub begin_confidence: Option<f64>,
-    /// Whether the clip begins within this motion.
-    pub open_begin: bool,
-    /// Whether the clip ends within this motion.
-    pub open_end: bool,
-    /// Joints, markers or columns that move most.
-    pub carried_by: Vec<String>,
-    /// Why there are no cycles, with the numbers.
-    pub reason: Option<String>,
-}
-
-/// A cycle, a step or a repetition: half-open, in frames of the source and in seconds.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub struct Part {
-    /// Index of its segment.
-    pub segment: usize,
-    /// Of a step the index of its cycle.
-    pub cycle: Option<usize>,
-    /// First frame, rounded.
-    pub begin: usize,
-    /// The frame after the last one, rounded.
-    pub end: usize,
-    /// Begin in seconds, fractions of a frame kept.
-    pub begin_s: f64,
-    /// End in seconds, fractions of a frame kept.
-    pub end_s: f64,
-    /// Which side of the body leads: 0 or 1, the same in all clips of a skeleton.
-    pub side: Option<usize>,
-    /// To the mean cycle of its segment, or to the other repetitions, 0 to 1.
-    pub likeness: Option<f64>,
-    /// Share of such answers that are right, 0 to 1.
-    pub confidence: f64,
-}
-
-/// The cycles or repetitions of one label; seconds.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub struct Summary {
-    /// See [`Segment::label`].
-    pub label: usize,
-    /// Cycles or repetitions.
-    pub count: usize,
-    /// Within the time from the first to the last of each segment.
-    pub per_minute: f64,
-    /// Mean length.
-    pub mean: f64,
-    /// Standard deviation of the lengths; 0 for a single one.
-    pub sd: f64,
-    /// `sd / mean`.
-    pub cv: f64,
-    /// Relative change of the length per minute.
-    pub trend: f64,
-}
-
-fn positive(value: f64) -> Option<f64> {
-    Some(value).filter(|value| *value > 0.0)
-}
-
-fn number(value: f64) -> Option<f64> {
-    Some(value).filter(|value| value.is_finite())
-}
-
-impl Part {
-    fn of(raw: sys::stltsa_part) -> Result<Self> {
-        Ok(Self {
-            segment: count(raw.segment)?,
-            cycle: usize::try_from(raw.parent).ok(),
-            begin: count(raw.begin)?,
-            end: count(raw.end)?,
-            begin_s: raw.begin_s,
-            end_s: raw.end_s,
-            side: usize::try_from(raw.side).ok(),
-            likeness: number(raw.likeness),
-            confidence: raw.confidence,
-        })
-    }
-}
-
 /// Parameters and quality of a decomposition.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
@@ -251,17 +145,20 @@ impl Decomposition {
         // SAFETY: a live handle.
         let count = unsafe { sys::stltsa_decomposition_part_count(self.raw(), kind) };
         let part = |index| {
-            let mut raw = std::mem::MaybeUninit::zeroed();
-            // SAFETY: a live handle; a struct of numbers, which the call fills.
-            Part::of(unsafe {
-                check(sys::stltsa_decomposition_part(self.raw(), kind, index, raw.as_mut_ptr()))?;
-                raw.assume_init()
-            })
+            let mut part = std::mem::MaybeUninit::zeroed();
+            let mut travel = std::mem::MaybeUninit::zeroed();
+            // SAFETY: a live handle; structs of numbers, which the calls fill.
+            unsafe {
+                let handle = self.raw();
+                check(sys::stltsa_decomposition_part(handle, kind, index, part.as_mut_ptr()))?;
+                check(sys::stltsa_decomposition_travel(handle, kind, index, travel.as_mut_ptr()))?;
+                Part::of(part.assume_init(), travel.assume_init())
+            }
         };
         (0..count).map(part).collect()
     }
 
-    /// Segment, side, likeness and confidence of each cycle.
+    /// Segment, side, likeness, confidence and travel of each cycle.
     ///
     /// # Errors
     /// None in practice: the numbers of a live handle are valid.
@@ -283,6 +180,57 @@ impl Decomposition {
     /// None in practice: the numbers of a live handle are valid.
     pub fn repetitions(&self) -> Result<Vec<Part>> {
         self.parts(sys::STLTSA_PART_REPETITION)
+    }
+
+    /// Of a quantity of the parts of one kind and label, see [`Segment::label`], and of one side,
+    /// 0 or 1, or of both. `None` if there is no such part of which the quantity is known.
+    ///
+    /// # Errors
+    /// `side` is neither 0 nor 1.
+    pub fn statistics(
+        &self,
+        kind: PartKind,
+        label: usize,
+        side: Option<usize>,
+        quantity: Quantity,
+    ) -> Result<Option<Statistics>> {
+        let kind = match kind {
+            PartKind::Cycle => sys::STLTSA_PART_CYCLE,
+            PartKind::Step => sys::STLTSA_PART_STEP,
+            PartKind::Repetition => sys::STLTSA_PART_REPETITION,
+        };
+        let quantity = match quantity {
+            Quantity::Time => sys::STLTSA_QUANTITY_TIME,
+            Quantity::Way => sys::STLTSA_QUANTITY_WAY,
+            Quantity::Stride => sys::STLTSA_QUANTITY_STRIDE,
+            Quantity::Speed => sys::STLTSA_QUANTITY_SPEED,
+            Quantity::Turn => sys::STLTSA_QUANTITY_TURN,
+        };
+        let label = i32::try_from(label).unwrap_or(i32::MAX);
+        let side = side.map_or(-1, |side| i32::try_from(side).unwrap_or(i32::MAX));
+        let mut raw = std::mem::MaybeUninit::<sys::stltsa_statistics>::zeroed();
+        // SAFETY: a live handle; a struct of numbers, which the call fills.
+        let raw = unsafe {
+            check(sys::stltsa_decomposition_statistics(
+                self.raw(),
+                kind,
+                label,
+                side,
+                quantity,
+                raw.as_mut_ptr(),
+            ))?;
+            raw.assume_init()
+        };
+        if raw.count == 0 {
+            return Ok(None);
+        }
+        Ok(Some(Statistics {
+            count: count(raw.count)?,
+            mean: raw.mean,
+            sd: raw.sd,
+            cv: number(raw.cv),
+            trend: number(raw.trend),
+        }))
     }
 
     /// How often and how fast, for each label that repeats.

@@ -59,6 +59,7 @@ mod kinds;
 mod mapping;
 mod model;
 mod options;
+mod parts;
 mod phase;
 mod progress;
 mod synthesis;
@@ -67,7 +68,7 @@ mod with_ndarray;
 
 pub use array::{Element, Matrix, View};
 pub use clip::{Clip, Joint, Points, Rotations};
-pub use decomposition::{Decomposition, DecompositionInfo, Interval, Part, Segment, Summary};
+pub use decomposition::{Decomposition, DecompositionInfo, Interval};
 pub use denoising::{DenoisedColumn, Denoising};
 pub use dimension::{Dimension, Estimate};
 pub use error::{Error, ErrorKind, Result};
@@ -78,6 +79,7 @@ pub use kinds::{
 pub use mapping::{Mapped, Poses, Unmapped};
 pub use model::{Model, ModelInfo};
 pub use options::{options_table, OptionInfo, Options};
+pub use parts::{Part, PartKind, Quantity, Segment, Statistics, Summary, Travel};
 pub use phase::{Cycles, Phase};
 pub use synthesis::{Piece, Seam, Synthesis};
 

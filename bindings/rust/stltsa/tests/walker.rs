@@ -52,6 +52,14 @@ fn a_recording_has_segments_steps_and_a_summary() {
     assert_eq!(sides, [Some(0), Some(1)].repeat(3));
     assert_eq!(steps[5].cycle, Some(2));
     assert!(found.repetitions().unwrap().is_empty());
+    let travel = found.cycle_facts().unwrap()[1].travel.unwrap();
+    assert!((travel.speed - 126.0).abs() < 1.5 && travel.turn.unwrap().abs() < 0.5);
+    let of = |side| found.statistics(PartKind::Step, 0, side, Quantity::Time).unwrap();
+    assert_eq!(of(None).unwrap().count, of(Some(0)).unwrap().count + of(Some(1)).unwrap().count);
+    assert!(found.statistics(PartKind::Step, 0, Some(2), Quantity::Time).is_err());
+    let turn = found.statistics(PartKind::Cycle, 0, None, Quantity::Turn).unwrap().unwrap();
+    assert_eq!((turn.count, turn.cv), (3, None));
+    assert_eq!(found.statistics(PartKind::Repetition, 0, None, Quantity::Way).unwrap(), None);
     let summary = found.summary().unwrap();
     assert_eq!((summary.len(), summary[0].label, summary[0].count), (1, 0, 3));
     assert!((summary[0].mean - found.info().period.unwrap()).abs() < 0.1);
