@@ -9,7 +9,6 @@
 #include "capi/handles.hpp"
 #include "capi/json/results.hpp"
 #include "capi/options/reader.hpp"
-#include "results/summary.hpp"
 
 using namespace stltsa;
 using capi::compute;
@@ -166,14 +165,14 @@ stltsa_status stltsa_decomposition_statistics(const stltsa_decomposition* decomp
                                               stltsa_statistics* statistics) noexcept {
     return guard([&] {
         required(statistics, "statistics");
-        parts_of(decomposition, kind);
+        const results::Parts parts = parts_of(decomposition, kind);
         if (side < -1 || side > 1)
             fail(Status::argument, "side is {}; it must be 0, 1 or, for both, -1", side);
         if (quantity < STLTSA_QUANTITY_TIME || quantity > STLTSA_QUANTITY_TURN)
             fail(Status::argument,
                  "quantity is {}; it must be STLTSA_QUANTITY_TIME, _WAY, _STRIDE, _SPEED or _TURN",
                  quantity);
-        *statistics = results::statistics_of(*decomposition, label, kind, side, quantity);
+        *statistics = results::statistics_of(decomposition->segments, parts, label, side, quantity);
     });
 }
 

@@ -8,7 +8,6 @@
 #include "clip/features/column_owners.hpp"
 #include "clip/features/drift.hpp"
 #include "clip/features/points.hpp"
-#include "results/summary.hpp"
 
 namespace stltsa::results {
 namespace {

@@ -2,22 +2,16 @@
 // A decomposition in frames and seconds of the source file.
 #pragma once
 
-#include <span>
 #include <string>
 #include <vector>
 
 #include "base/progress.hpp"
 #include "recording/analyze.hpp"
 #include "results/samples.hpp"
+#include "results/summary.hpp"
 #include "stltsa.h"
 
 namespace stltsa::results {
-
-/// Parts of one kind and how the body travels during each.
-struct Parts {
-    std::span<const stltsa_part> parts;
-    std::span<const stltsa_travel> travels;
-};
 
 struct Decomposed {
     motion::Decomposition result; ///< embedding, curve, reason, warnings; in samples

@@ -5,8 +5,6 @@
 #include <limits>
 #include <map>
 
-#include "results/decomposed.hpp"
-
 namespace stltsa::results {
 namespace {
 
@@ -112,14 +110,14 @@ std::vector<stltsa_summary> summaries_of(std::span<const stltsa_segment> segment
     return summaries;
 }
 
-stltsa_statistics statistics_of(const Decomposed& decomposed, std::int32_t label, std::int32_t kind,
-                                std::int32_t side, std::int32_t quantity) {
-    const auto [parts, travels] = decomposed.parts(kind);
+stltsa_statistics statistics_of(std::span<const stltsa_segment> segments, const Parts& all,
+                                std::int32_t label, std::int32_t side, std::int32_t quantity) {
+    const auto& [parts, travels] = all;
     Values values;
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const auto segment = static_cast<std::size_t>(parts[i].segment);
         const double value = quantity_of(parts[i], travels[i], quantity);
-        if (decomposed.segments[segment].label == label && (side < 0 || parts[i].side == side) &&
+        if (segments[segment].label == label && (side < 0 || parts[i].side == side) &&
             std::isfinite(value))
             values.add(value, parts[i]);
     }

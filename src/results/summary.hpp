@@ -9,7 +9,11 @@
 
 namespace stltsa::results {
 
-struct Decomposed;
+/// Parts of one kind and how the body travels during each.
+struct Parts {
+    std::span<const stltsa_part> parts;
+    std::span<const stltsa_travel> travels;
+};
 
 /// How often and how fast, for each label of which there are cycles or repetitions. Parts are in
 /// temporal order, those of each segment one after another.
@@ -18,7 +22,7 @@ std::vector<stltsa_summary> summaries_of(std::span<const stltsa_segment> segment
                                          std::span<const stltsa_part> repetitions);
 
 /// Of the parts of one label; those whose quantity is unknown are left out. side -1: of both sides.
-stltsa_statistics statistics_of(const Decomposed& decomposed, std::int32_t label, std::int32_t kind,
-                                std::int32_t side, std::int32_t quantity);
+stltsa_statistics statistics_of(std::span<const stltsa_segment> segments, const Parts& all,
+                                std::int32_t label, std::int32_t side, std::int32_t quantity);
 
 } // namespace stltsa::results

@@ -13,6 +13,7 @@ import os
 import pathlib
 import re
 import unittest
+from math import isnan
 from ctypes import (
     POINTER, byref, c_char_p, c_double, c_int32, c_int64, c_size_t, c_void_p, sizeof)
 
@@ -303,7 +304,7 @@ def travels(kind, name):
             for index in range(len(parts(kind, "begin")(h))):
                 found = Travel()
                 call("decomposition_travel", h.pointer, c_int32(kind), c_int64(index), byref(found))
-                yield number(getattr(found, field))
+                yield Missing if isnan(found.way) else number(getattr(found, field))
 
         return lambda h: list(get(h))
 
@@ -311,20 +312,33 @@ def travels(kind, name):
             (("way", "way"), ("stride", "stride"), ("speed", "speed"), ("turn_deg", "turn"))}
 
 
-def statistics(kind, quantity, field, side=-1, convert=lambda found: number(found)):
-    def of(h):
-        for label in summaries("label")(h):
-            found = Statistics()
-            call("decomposition_statistics", h.pointer, c_int32(kind), c_int32(label),
-                 c_int32(side), c_int32(quantity), byref(found))
-            yield convert(getattr(found, field))
+def found_statistics(h, label, kind, side, quantity):
+    found = Statistics()
+    call("decomposition_statistics", h.pointer, c_int32(kind), c_int32(label), c_int32(side),
+         c_int32(quantity), byref(found))
+    return found
 
-    return lambda h: list(of(h))
+
+def statistics(kinds, quantity, field, side=-1):
+    """Of the first kind that each label has."""
+    def of(h, label):
+        for kind in kinds:
+            found = found_statistics(h, label, kind, side, quantity)
+            if found.count > 0:
+                return number(getattr(found, field))
+        return Missing
+
+    return lambda h: [of(h, label) for label in summaries("label")(h)]
+
+
+def cadence(h):
+    found = [found_statistics(h, label, 2, -1, 1) for label in summaries("label")(h)]
+    return [60 / steps.mean if steps.count > 0 else None for steps in found]
 
 
 def both_sides(h):
-    sides = [statistics(2, 1, "mean", side)(h) for side in (0, 1)]
-    return [mean for means in zip(*sides) for mean in means]
+    sides = [statistics((2,), 1, "mean", side)(h) for side in (0, 1)]
+    return [mean for means in zip(*sides) for mean in (means if Missing not in means else [Missing])]
 
 
 def labels_of_parts(kind):
@@ -379,11 +393,12 @@ SUMMARY = {
     "cycles_per_min": summaries("per_minute"),
     **{f"cycle_time_s.{name}": summaries(field) for name, field in
        (("mean", "mean_s"), ("sd", "sd_s"), ("cv", "cv"), ("trend", "trend"))},
-    "steps_per_min": statistics(2, 1, "mean", convert=lambda mean: 60 / mean),
+    "steps_per_min": cadence,
     "step_time_s.side_means": both_sides,
-    **{f"{name}.{field}": statistics(kind, quantity, field)
-       for name, kind, quantity in (("step_time_s", 2, 1), ("way", 1, 2), ("stride", 1, 3),
-                                    ("speed", 1, 4), ("turn_deg", 1, 5))
+    **{f"{name}.{field}": statistics(kinds, quantity, field)
+       for name, kinds, quantity in (("step_time_s", (2,), 1), ("way", (1, 3), 2),
+                                     ("stride", (1, 3), 3), ("speed", (1, 3), 4),
+                                     ("turn_deg", (1, 3), 5))
        for field in ("mean", "sd", "cv", "trend")},
 }
 TIMED_WARNINGS = {

@@ -2,7 +2,6 @@
 #include <cmath>
 
 #include "capi/json/parts.hpp"
-#include "results/summary.hpp"
 
 namespace stltsa::capi {
 namespace {
@@ -113,8 +112,8 @@ Json statistics_json(const stltsa_statistics& found) {
 /// With the means of both sides, to compare them; null without steps.
 Json step_time_json(const Decomposed& decomposed, std::int32_t label) {
     const auto of_side = [&](std::int32_t side) {
-        return results::statistics_of(decomposed, label, STLTSA_PART_STEP, side,
-                                      STLTSA_QUANTITY_TIME);
+        return results::statistics_of(decomposed.segments, decomposed.parts(STLTSA_PART_STEP),
+                                      label, side, STLTSA_QUANTITY_TIME);
     };
     const stltsa_statistics both = of_side(-1);
     if (both.count == 0)
@@ -129,7 +128,8 @@ Json summary_json(const Decomposed& decomposed) {
     std::vector<Json> list;
     for (const stltsa_summary& summary : decomposed.summaries) {
         const auto of = [&](std::int32_t kind, std::int32_t quantity) {
-            return results::statistics_of(decomposed, summary.label, kind, -1, quantity);
+            return results::statistics_of(decomposed.segments, decomposed.parts(kind),
+                                          summary.label, -1, quantity);
         };
         const bool cycles = of(STLTSA_PART_CYCLE, STLTSA_QUANTITY_TIME).count > 0;
         const auto travel = [&](std::int32_t quantity) {

@@ -78,7 +78,7 @@ void points_come_and_go(void**) {
     for (std::int64_t i = 200; i < 210; ++i) // none is seen
         for (std::int64_t p = 0; p < 4; ++p)
             clip.values(i, 3 * p) = std::numeric_limits<double>::quiet_NaN();
-    check_round_walk(clip, Axis::z, 0.02);
+    check_round_walk(clip, Axis::z, 0.1);
 }
 
 void too_few_points_do_not_show_a_turn(void**) {

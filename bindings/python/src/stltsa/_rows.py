@@ -64,10 +64,10 @@ class Part(NamedTuple):
     """A cycle, a step or a repetition: ``[begin, end)`` in source frames, and in seconds.
 
     `segment` is an index into the segments; `cycle`, of a step, one into the cycles, else -1.
-    `side` tells which side of the body leads, 0 or 1, and -1 if it is unknown. `way` is the length of
-    the body's path over the ground, `stride` the distance between its ends, `speed` `way` a second,
-    all in the unit of the file, and `turn` in degrees, counterclockwise as seen from above. NaN:
-    unknown.
+    `side` tells which side of the body leads, 0 or 1, and -1 if it is unknown. `way` is the length
+    of the body's path over the ground, `stride` the distance between its ends, `speed` `way` a
+    second, all in the unit of the file, and `turn` in degrees, counterclockwise as seen from above.
+    NaN: unknown.
     """
 
     segment: int

@@ -12,6 +12,7 @@ use crate::facts::Facts;
 use crate::handle::Owned;
 use crate::kinds::{Fact, Features, SegmentKind, UnitKind};
 use crate::options::Options;
+use crate::parts::{number, positive, Part, PartKind, Quantity, Segment, Statistics, Summary};
 
 /// Motion units and cycles of a clip, and the curve from which they were cut. Made by
 /// [`Clip::decompose`].

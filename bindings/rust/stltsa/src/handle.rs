@@ -32,6 +32,8 @@ handles! {
     stltsa_decomposition: stltsa_decomposition_free
     stltsa_denoising: stltsa_denoising_free
     stltsa_phase: stltsa_phase_free
+    stltsa_events: stltsa_events_free
+    stltsa_live: stltsa_live_free
     stltsa_cycles: stltsa_cycles_free
     stltsa_synthesis: stltsa_synthesis_free
 }

@@ -53,9 +53,11 @@ mod decomposition;
 mod denoising;
 mod dimension;
 mod error;
+mod events;
 mod facts;
 mod handle;
 mod kinds;
+mod live;
 mod mapping;
 mod model;
 mod options;
@@ -72,10 +74,12 @@ pub use decomposition::{Decomposition, DecompositionInfo, Interval};
 pub use denoising::{DenoisedColumn, Denoising};
 pub use dimension::{Dimension, Estimate};
 pub use error::{Error, ErrorKind, Result};
+pub use events::{Event, Events};
 pub use facts::Facts;
 pub use kinds::{
     Axis, Component, Fact, Features, Format, Gaps, Mode, OptionKey, SegmentKind, Stage, UnitKind,
 };
+pub use live::{Live, LiveFrame};
 pub use mapping::{Mapped, Poses, Unmapped};
 pub use model::{Model, ModelInfo};
 pub use options::{options_table, OptionInfo, Options};

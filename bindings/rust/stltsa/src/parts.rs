@@ -3,7 +3,8 @@
 
 use stltsa_sys as sys;
 
-use crate::error::Result;
+use crate::error::{count, Result};
+use crate::kinds::SegmentKind;
 
 /// A stretch of one behavior: half-open, in frames of the source and in seconds.
 #[derive(Clone, Debug, PartialEq)]

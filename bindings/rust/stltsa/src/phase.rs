@@ -48,6 +48,10 @@ impl Phase {
         Ok(Self { handle, frames: clip.frames() })
     }
 
+    pub(crate) fn raw(&self) -> *const sys::stltsa_phase {
+        self.handle.raw()
+    }
+
     /// Phase of each frame in [0, 1); NaN outside cycles.
     ///
     /// # Errors

@@ -3,7 +3,7 @@
 
 mod common;
 
-use stltsa::{Cycles, ErrorKind, Options, Phase};
+use stltsa::{Cycles, ErrorKind, Live, Model, Options, Phase, SegmentKind};
 
 #[test]
 #[ignore = "needs STLTSA_TEST_CLIP"]
@@ -43,4 +43,65 @@ fn borders_may_be_given() {
     let cycles = Cycles::between(&[0.0, 4.0, 8.0], &ramp, 5).unwrap();
     assert_eq!(cycles.mean().unwrap()[(1, 0)], 3.0);
     assert!(Cycles::between(&[4.0, 4.0], &ramp, 5).is_err());
+}
+
+#[test]
+#[ignore = "needs STLTSA_TEST_CLIP"]
+fn a_mark_is_found_in_every_cycle() {
+    let clip = common::walker();
+    let options = Options::new();
+    let found = clip.decompose(&options).unwrap();
+    let phase = Phase::find(&clip, &found, &options).unwrap();
+    let middle = |cycle: usize| {
+        let part = &found.cycles()[cycle];
+        (part.begin_s + part.end_s) / 2.0 * clip.fps().unwrap()
+    };
+    let events = phase.events(&[middle(1)], None).unwrap();
+    assert_eq!(events.likeness, 1.0);
+    for cycle in 0..found.cycles().len() {
+        let event = events.events.iter().find(|event| event.cycle == Some(cycle)).unwrap();
+        assert!((event.frame - middle(cycle)).abs() < 3.0);
+        assert_eq!(event.marked, cycle == 1);
+        assert!((event.seconds * clip.fps().unwrap() - event.frame).abs() < 1e-9);
+        assert!((0.0..=1.0).contains(&event.confidence));
+    }
+    assert_eq!(phase.events(&[middle(1)], Some(&phase)).unwrap(), events);
+    assert_eq!(phase.events(&[2.0], None).unwrap_err().kind(), ErrorKind::Argument);
+}
+
+#[test]
+#[ignore = "needs STLTSA_TEST_CLIP"]
+fn a_stream_has_the_phase_of_the_clip() {
+    let clip = common::walker();
+    let options = Options::new();
+    let found = clip.decompose(&options).unwrap();
+    let phase = Phase::find(&clip, &found, &options).unwrap();
+    let mut model = Model::fit_clip(&clip, &options).unwrap();
+    assert!(!model.has_cycle());
+    assert_eq!(Live::new(&model).unwrap_err().kind(), ErrorKind::Unsupported);
+    model.keep_cycle(&phase).unwrap();
+    let marked = found.cycles()[1].begin + 40;
+    model.keep_mark(&phase, marked as f64, "strike").unwrap();
+    assert!(model.keep_mark(&phase, 2.0, "standing").is_err());
+    assert!(model.keep_mark(&phase, marked as f64, "").is_err());
+
+    let model = Model::parse(&model.serialize().unwrap()).unwrap();
+    let mut live = Live::new(&model).unwrap();
+    assert_eq!(live.marks(), ["strike"]);
+    let (frames, phases) = (clip.features(&options).unwrap(), phase.values().unwrap());
+    let mut passed = Vec::new();
+    for row in 0..frames.rows() {
+        let now = live.push(row as f64 / clip.fps().unwrap(), frames.row(row)).unwrap();
+        if now.passed(0) {
+            passed.push(row);
+        }
+        if (found.cycles()[1].begin..found.cycles()[2].end).contains(&row) {
+            let apart = (now.phase - phases[row]).rem_euclid(1.0);
+            assert!(apart.min(1.0 - apart) < 0.02);
+            assert!(now.known && now.kind == SegmentKind::Cyclic);
+            assert!((now.rate_hz - 1.0 / 1.1).abs() < 0.05);
+        }
+    }
+    assert!(passed.iter().any(|&row| (row as f64 - marked as f64).abs() <= 2.0));
+    assert_eq!(live.push(9.0, &[1.0]).unwrap_err().kind(), ErrorKind::Shape);
 }

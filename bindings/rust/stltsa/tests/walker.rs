@@ -5,8 +5,8 @@ mod common;
 
 use common::{same_bits, scratch, walker, walker_path};
 use stltsa::{
-    Clip, Dimension, ErrorKind, Fact, Format, Model, Options, Piece, SegmentKind, Synthesis,
-    UnitKind,
+    Clip, Dimension, ErrorKind, Fact, Format, Model, Options, PartKind, Piece, Quantity,
+    SegmentKind, Synthesis, UnitKind,
 };
 
 #[test]

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//! [`Live`]: the phase of a stream, frame by frame.
+
+use std::ffi::CString;
+
+use stltsa_sys as sys;
+
+use crate::array::View;
+use crate::error::{check, texts, Error, ErrorKind, Result};
+use crate::handle::Owned;
+use crate::kinds::SegmentKind;
+use crate::model::Model;
+use crate::phase::Phase;
+
+impl Model {
+    /// Keeps the mean cycle of the clip's motion that has the most frames in cycles, for [`Live`].
+    /// Model files keep it. Marks that were kept before are forgotten.
+    ///
+    /// # Errors
+    /// [`Argument`](ErrorKind::Argument) if there are no cycles, or they are too short for the
+    /// filter to settle; [`Shape`](ErrorKind::Shape) if the features are not those of the model.
+    pub fn keep_cycle(&mut self, phase: &Phase) -> Result<()> {
+        // SAFETY: live handles; the model is not shared.
+        check(unsafe { sys::stltsa_model_keep_cycle(self.handle.raw_mut(), phase.raw()) })
+    }
+
+    /// Names the phase of a frame, which need not be whole, in those cycles; a stream reports it as
+    /// it passes. At most 62.
+    ///
+    /// # Errors
+    /// [`Argument`](ErrorKind::Argument) if the frame lies in no cycle of that motion, or the name
+    /// is empty.
+    pub fn keep_mark(&mut self, phase: &Phase, frame: f64, name: &str) -> Result<()> {
+        let name = CString::new(name)
+            .map_err(|_| Error::new(ErrorKind::Argument, "the name has a zero".to_owned()))?;
+        // SAFETY: live handles; the model is not shared; a text that ends with zero.
+        check(unsafe {
+            sys::stltsa_model_keep_mark(self.handle.raw_mut(), phase.raw(), frame, name.as_ptr())
+        })
+    }
+
+    /// Whether the model keeps a mean cycle.
+    pub fn has_cycle(&self) -> bool {
+        // SAFETY: a live handle.
+        unsafe { sys::stltsa_model_has_cycle(self.handle.raw()) == 1 }
+    }
+}
+
+/// What a frame of a stream is.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct LiveFrame {
+    /// Of the clip that was kept, in [0, 1).
+    pub phase: f64,
+    /// Turns a second.
+    pub rate_hz: f64,
+    /// Turns since the first frame, not rounded.
+    pub cycles: f64,
+    /// From the mean cycle; above 1 it is another motion.
+    pub distance: f64,
+    /// 0 to 1: how sharply the phase is known.
+    pub confidence: f64,
+    /// False: another motion, for 0.1 s at least, or a frame that is missing.
+    pub known: bool,
+    /// Cyclic, action (not known) or rest (the body is still).
+    pub kind: SegmentKind,
+    /// Indexes of the marks, see [`Live::marks`], that were passed since the frame before.
+    passed: i64,
+}
+
+impl LiveFrame {
+    /// Whether this mark was passed since the frame before, by its index in [`Live::marks`].
+    pub fn passed(&self, mark: usize) -> bool {
+        mark < 63 && self.passed >> mark & 1 == 1
+    }
+}
+
+/// Follows one stream of frames with a model that keeps a mean cycle. Pushing frames allocates no
+/// memory and has no delay.
+///
+/// ```no_run
+/// use stltsa::{Clip, Live, Model, Options, Phase};
+///
+/// let walk = Clip::open("walk.bvh")?;
+/// let options = Options::new();
+/// let phase = Phase::find(&walk, &walk.decompose(&options)?, &options)?;
+/// let mut model = Model::fit_clip(&walk, &options)?;
+/// model.keep_cycle(&phase)?;
+/// let mut live = Live::new(&model)?;
+/// let frames = walk.features(&options)?;
+/// for row in 0..frames.rows() {
+///     let now = live.push(row as f64 / walk.fps().unwrap(), frames.row(row))?;
+///     println!("{:.2} {:.2} Hz", now.phase, now.rate_hz);
+/// }
+/// # Ok::<(), stltsa::Error>(())
+/// ```
+#[derive(Debug)]
+pub struct Live {
+    handle: Owned<sys::stltsa_live>,
+    marks: Vec<String>,
+}
+
+impl Live {
+    /// Starts a stream. It does not refer to the model.
+    ///
+    /// # Errors
+    /// [`Unsupported`](ErrorKind::Unsupported) if the model keeps no mean cycle.
+    pub fn new(model: &Model) -> Result<Self> {
+        // SAFETY: a live handle.
+        let handle: Owned<sys::stltsa_live> =
+            Owned::make(|out| unsafe { sys::stltsa_live_new(model.handle.raw(), out) })?;
+        // SAFETY: a live handle.
+        let marks = unsafe {
+            texts(sys::stltsa_live_mark_count(handle.raw()), |index| {
+                sys::stltsa_live_mark_name(handle.raw(), index)
+            })
+        };
+        Ok(Self { handle, marks })
+    }
+
+    /// Names of the model's marks, in the order in which they were kept.
+    pub fn marks(&self) -> &[String] {
+        &self.marks
+    }
+
+    /// Takes the next frame, features as a row of [`Clip::features`](crate::Clip::features).
+    ///
+    /// `seconds` rises from call to call. Frames may be dropped. If the time falls, or after more
+    /// than a second without frames, the filter starts anew and settles within 0.15 s. A frame with
+    /// a number that is not finite is missing: the phase goes on as before.
+    ///
+    /// # Errors
+    /// [`Shape`](ErrorKind::Shape), [`Argument`](ErrorKind::Argument) if `seconds` is not finite.
+    pub fn push(&mut self, seconds: f64, features: &[f64]) -> Result<LiveFrame> {
+        let input = View::new(features, 1, features.len())?.raw()?;
+        // SAFETY: a struct of numbers, for which zeros are valid.
+        let mut raw: sys::stltsa_live_frame = unsafe { std::mem::zeroed() };
+        raw.size = std::mem::size_of::<sys::stltsa_live_frame>();
+        // SAFETY: a live handle that is not shared, an array of the size it says.
+        check(unsafe { sys::stltsa_live_push(self.handle.raw_mut(), seconds, &input, &mut raw) })?;
+        Ok(LiveFrame {
+            phase: raw.phase,
+            rate_hz: raw.rate_hz,
+            cycles: raw.cycles,
+            distance: raw.distance,
+            confidence: raw.confidence,
+            known: raw.known == 1,
+            kind: SegmentKind::from_raw(raw.kind),
+            passed: raw.passed,
+        })
+    }
+}
