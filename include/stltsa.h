@@ -566,9 +566,10 @@ enum {
 STLTSA_API stltsa_status stltsa_clip_open(const char *path, const stltsa_options *options,
                                           stltsa_clip **clip) STLTSA_NOEXCEPT;
 
-/* The same from memory; if format is 0, the content decides. */
+/* The same from memory; if format is 0, the content decides. name: for messages and as the path of the
+ * clip, a stretch may follow it as above; NULL: it has none. */
 STLTSA_API stltsa_status stltsa_clip_parse(const void *bytes, size_t size, int32_t format,
-                                           const stltsa_options *options,
+                                           const char *name, const stltsa_options *options,
                                            stltsa_clip **clip) STLTSA_NOEXCEPT;
 
 /* A clip without a skeleton from a matrix, rows = frames, which is copied. fps > 0. */

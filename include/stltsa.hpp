@@ -365,11 +365,11 @@ class Clip {
     static Clip open(const std::string& path, const Options& options = {}) {
         return detail::made<Clip>(stltsa_clip_open, path.c_str(), options.get());
     }
-    /// If `format` is 0, the content decides.
+    /// If `format` is 0, the content decides. `name`: see stltsa_clip_parse; empty: none.
     static Clip parse(std::span<const std::byte> bytes, std::int32_t format = 0,
-                      const Options& options = {}) {
+                      const Options& options = {}, const std::string& name = {}) {
         return detail::made<Clip>(stltsa_clip_parse, bytes.data(), bytes.size(), format,
-                                  options.get());
+                                  name.empty() ? nullptr : name.c_str(), options.get());
     }
     static Clip from_matrix(const MatrixView& frames, double fps) {
         return detail::made<Clip>(stltsa_clip_from_matrix, frames.get(), fps);

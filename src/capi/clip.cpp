@@ -58,10 +58,9 @@ std::vector<clip::Frames> find(const clip::Clip& clip, const std::string& what,
     });
 }
 
-/// The clip at a path, or the stretch of it that follows the path.
-clip::Clip read_path(const std::string& text, const capi::OptionsReader& reader) {
-    const auto [path, what] = clip::split_stretch(text);
-    clip::Clip whole = clip::read(path, reader.read_options());
+/// The stretch of the clip; all of it if `what` is empty. `text`: how the caller names it.
+clip::Clip stretch_of(clip::Clip whole, const std::string& what, const std::string& text,
+                      const capi::OptionsReader& reader) {
     if (what.empty())
         return whole;
     try {
@@ -69,6 +68,12 @@ clip::Clip read_path(const std::string& text, const capi::OptionsReader& reader)
     } catch (const Error& error) {
         fail(error.status(), "{}: {}", text, error.what());
     }
+}
+
+/// The clip at a path, or the stretch of it that follows the path.
+clip::Clip read_path(const std::string& text, const capi::OptionsReader& reader) {
+    const auto [path, what] = clip::split_stretch(text);
+    return stretch_of(clip::read(path, reader.read_options()), what, text, reader);
 }
 
 clip::Format format_of(int32_t format, std::string_view bytes) {
@@ -89,7 +94,7 @@ stltsa_status stltsa_clip_open(const char* path, const stltsa_options* options,
     });
 }
 
-stltsa_status stltsa_clip_parse(const void* bytes, size_t size, int32_t format,
+stltsa_status stltsa_clip_parse(const void* bytes, size_t size, int32_t format, const char* name,
                                 const stltsa_options* options, stltsa_clip** clip) noexcept {
     return guard([&] {
         required(clip, "clip") = nullptr;
@@ -99,9 +104,12 @@ stltsa_status stltsa_clip_parse(const void* bytes, size_t size, int32_t format,
         const std::string_view all(text, size);
         const capi::OptionsReader reader(options);
         reader.progress().report(Stage::read, 0);
+        const auto [path, what] = clip::split_stretch(name == nullptr ? "" : name);
+        clip::Clip whole = clip::parse(all, format_of(format, all), path.empty() ? "memory" : path,
+                                       reader.read_options());
+        whole.path = path;
         auto made = std::make_unique<stltsa_clip>(
-            clip::parse(all, format_of(format, all), "memory", reader.read_options()));
-        made->clip.path.clear();
+            stretch_of(std::move(whole), what, name == nullptr ? "" : name, reader));
         reader.progress().report(Stage::read, 1);
         *clip = made.release();
     });

@@ -17,7 +17,7 @@ static const char leg[] =
 
 static stltsa_clip* parsed(const char* text, int32_t format) {
     stltsa_clip* clip = NULL;
-    must(stltsa_clip_parse(text, strlen(text), format, NULL, &clip));
+    must(stltsa_clip_parse(text, strlen(text), format, NULL, NULL, &clip));
     return clip;
 }
 
@@ -148,11 +148,11 @@ static void what_cannot_be_read_is_said(void** state) {
     char text[sizeof leg];
     strcpy(text, leg);
     memcpy(strstr(text, "-3 0"), "-3 x", 4); /* in line 11 */
-    assert_int_equal(stltsa_clip_parse(text, strlen(text), 0, NULL, &clip), STLTSA_E_FORMAT);
+    assert_int_equal(stltsa_clip_parse(text, strlen(text), 0, NULL, NULL, &clip), STLTSA_E_FORMAT);
     assert_non_null(strstr(stltsa_last_error(), "12"));
-    assert_int_equal(stltsa_clip_parse(leg, strlen(leg), 99, NULL, &clip), STLTSA_E_ARGUMENT);
-    assert_int_equal(stltsa_clip_parse(NULL, 4, 0, NULL, &clip), STLTSA_E_ARGUMENT);
-    assert_true(stltsa_clip_parse(NULL, 0, 0, NULL, &clip) < 0);
+    assert_int_equal(stltsa_clip_parse(leg, strlen(leg), 99, NULL, NULL, &clip), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_clip_parse(NULL, 4, 0, NULL, NULL, &clip), STLTSA_E_ARGUMENT);
+    assert_true(stltsa_clip_parse(NULL, 0, 0, NULL, NULL, &clip) < 0);
     assert_null(clip);
 }
 

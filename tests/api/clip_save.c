@@ -35,7 +35,7 @@ static const char* in_folder(const char* name) {
 
 static stltsa_clip* parsed(const char* text) {
     stltsa_clip* clip = NULL;
-    must(stltsa_clip_parse(text, strlen(text), 0, NULL, &clip));
+    must(stltsa_clip_parse(text, strlen(text), 0, NULL, NULL, &clip));
     return clip;
 }
 

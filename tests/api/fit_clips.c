@@ -193,7 +193,7 @@ static void a_body_of_another_hierarchy_is_refused(void** state) {
                          "}\n}\nMOTION\nFrames: 2\nFrame Time: 0.0083333\n0 1 0 0 0 0\n"
                          "0 1 0 0 10 0\n";
     stltsa_clip* clip = NULL;
-    must(stltsa_clip_parse(other, sizeof other - 1, STLTSA_FORMAT_BVH, NULL, &clip));
+    must(stltsa_clip_parse(other, sizeof other - 1, STLTSA_FORMAT_BVH, NULL, NULL, &clip));
     assert_refused(two->walk, clip, STLTSA_E_SHAPE, "other joints or channels");
     stltsa_clip_free(clip);
 }

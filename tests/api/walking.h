@@ -157,7 +157,7 @@ static inline stltsa_clip* new_figure(struct figure f) {
             at += snprintf(text + at, size - (size_t)at, "%.17g%c", row[k], k < 20 ? ' ' : '\n');
     }
     stltsa_clip* clip = NULL;
-    must(stltsa_clip_parse(text, (size_t)at, STLTSA_FORMAT_BVH, NULL, &clip));
+    must(stltsa_clip_parse(text, (size_t)at, STLTSA_FORMAT_BVH, NULL, NULL, &clip));
     free(text);
     return clip;
 }

@@ -99,7 +99,8 @@ stltsa_status decompose(const std::string& input) {
     if (status == STLTSA_OK)
         status = stltsa_options_set_real(options, STLTSA_OPT_FPS, 30);
     if (status == STLTSA_OK)
-        status = stltsa_clip_parse(input.data(), input.size(), STLTSA_FORMAT_CSV, options, &clip);
+        status = stltsa_clip_parse(input.data(), input.size(), STLTSA_FORMAT_CSV, nullptr, options,
+                                   &clip);
     if (status == STLTSA_OK)
         status = stltsa_decompose(clip, options, &units);
     else if (clip != nullptr)
@@ -124,7 +125,7 @@ stltsa_status save(const std::string&) {
     static const std::string paths[] = {folder + "/a.bvh", folder + "/a.csv", folder + "/a.npy"};
     stltsa_clip* clip = nullptr;
     stltsa_status status =
-        stltsa_clip_parse(bvh.data(), bvh.size(), STLTSA_FORMAT_BVH, nullptr, &clip);
+        stltsa_clip_parse(bvh.data(), bvh.size(), STLTSA_FORMAT_BVH, nullptr, nullptr, &clip);
     ::mkdir(folder.c_str(), 0777);
     for (const std::string& path : paths) {
         if (status == STLTSA_OK)
@@ -152,7 +153,7 @@ const stltsa_clip* swinging() {
     static stltsa_clip* clip = [] {
         const std::string bvh = swinging_bvh();
         stltsa_clip* made = nullptr;
-        stltsa_clip_parse(bvh.data(), bvh.size(), STLTSA_FORMAT_BVH, nullptr, &made);
+        stltsa_clip_parse(bvh.data(), bvh.size(), STLTSA_FORMAT_BVH, nullptr, nullptr, &made);
         return made;
     }();
     return clip;
@@ -415,7 +416,7 @@ bool streams_allocate_nothing(const std::string& input) {
     stltsa_live* stream = nullptr;
     stltsa_options_new(&options);
     stltsa_options_set_real(options, STLTSA_OPT_FPS, 30);
-    stltsa_clip_parse(input.data(), input.size(), STLTSA_FORMAT_CSV, options, &clip);
+    stltsa_clip_parse(input.data(), input.size(), STLTSA_FORMAT_CSV, nullptr, options, &clip);
     stltsa_decompose(clip, nullptr, &found);
     stltsa_phase_find(clip, found, nullptr, &phase);
     stltsa_fit_clip(clip, nullptr, &model);

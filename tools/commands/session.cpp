@@ -112,10 +112,28 @@ const stltsa::Clip& Session::open_input() {
 }
 
 stltsa::Clip Session::open_clip(const std::string& path) const {
+    if (path != "-")
+        if (const auto foreign = read_by_python(path, option_text(STLTSA_OPT_FPS)))
+            return parse_foreign(*foreign, path);
     return reading([&] {
         return path == "-"
                    ? stltsa::Clip::parse(std::as_bytes(std::span(standard_input())), 0, options())
                    : stltsa::Clip::open(path, options());
+    });
+}
+
+std::string Session::option_text(std::int32_t key) const {
+    const auto given = arguments_.options.find(key);
+    return given == arguments_.options.end() ? "" : given->second;
+}
+
+stltsa::Clip Session::parse_foreign(const ForeignClip& foreign, const std::string& path) const {
+    stltsa::Options options;
+    set_options(options, arguments_.options);
+    if (foreign.fps > 0)
+        options.set(STLTSA_OPT_FPS, foreign.fps);
+    return reading([&] {
+        return stltsa::Clip::parse(std::as_bytes(std::span(foreign.bytes)), 0, options, path);
     });
 }
 

@@ -9,6 +9,7 @@
 #include <stltsa.hpp>
 
 #include "arguments/arguments.hpp"
+#include "commands/foreign.hpp"
 #include "terminal/output.hpp"
 #include "terminal/progress_bar.hpp"
 
@@ -65,6 +66,9 @@ class Session {
     void finish(const Answer& answer);
 
   private:
+    /// The text of an option as the user gave it; empty: not given.
+    std::string option_text(std::int32_t key) const;
+    stltsa::Clip parse_foreign(const ForeignClip& foreign, const std::string& path) const;
     void add_skeleton(const std::string& temporary, const std::string& amc);
     void warn(const std::vector<std::string>& warnings) const;
     /// Reads standard input on the first call.

@@ -52,8 +52,9 @@ std::string archived(const stltsa::results::Fitted& model) {
 std::string serialized_model() {
     const std::string bvh = swinging_bvh(rows);
     stltsa_clip* clip = nullptr;
-    assert_int_equal(stltsa_clip_parse(bvh.data(), bvh.size(), STLTSA_FORMAT_BVH, nullptr, &clip),
-                     STLTSA_OK);
+    assert_int_equal(
+        stltsa_clip_parse(bvh.data(), bvh.size(), STLTSA_FORMAT_BVH, nullptr, nullptr, &clip),
+        STLTSA_OK);
     stltsa_options* options = nullptr;
     assert_int_equal(stltsa_options_new(&options), STLTSA_OK);
     stltsa_options_set_int(options, STLTSA_OPT_NEIGHBORS, 8);

@@ -857,6 +857,7 @@ extern "C" {
         bytes: *const ::std::os::raw::c_void,
         size: usize,
         format: i32,
+        name: *const ::std::os::raw::c_char,
         options: *const stltsa_options,
         clip: *mut *mut stltsa_clip,
     ) -> stltsa_status;

@@ -115,7 +115,9 @@ impl Clip {
         let format = format.map_or(0, Format::raw);
         options.call(|options| {
             // SAFETY: `size` bytes from `data` live through the call.
-            let parse = |out| unsafe { sys::stltsa_clip_parse(data, size, format, options, out) };
+            let parse = |out| unsafe {
+                sys::stltsa_clip_parse(data, size, format, std::ptr::null(), options, out)
+            };
             Ok(Self { handle: Owned::make(parse)? })
         })
     }

@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The command ``stltsa`` that pip installs."""
+
+from __future__ import annotations
+
+import os
+import sys
+from pathlib import Path
+
+
+def main() -> int:
+    """Run the command inside the package; it reads C3D, TRC and the like by this interpreter."""
+    command = Path(__file__).parent / "bin" / "stltsa"
+    if not command.is_file():
+        sys.stderr.write(
+            "stltsa: this package was built against an installed libstltsa and does not carry the "
+            "command: install it beside the library\n"
+        )
+        return 1
+    os.environ.setdefault("STLTSA_PYTHON", sys.executable)
+    os.execv(command, ["stltsa", *sys.argv[1:]])
+
+
+if __name__ == "__main__":
+    sys.exit(main())
