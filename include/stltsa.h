@@ -567,7 +567,7 @@ STLTSA_API stltsa_status stltsa_clip_open(const char *path, const stltsa_options
                                           stltsa_clip **clip) STLTSA_NOEXCEPT;
 
 /* The same from memory; if format is 0, the content decides. name: for messages and as the path of the
- * clip, a stretch may follow it as above; NULL: it has none. */
+ * clip; a stretch may follow if that file exists, as above; NULL: it has none. */
 STLTSA_API stltsa_status stltsa_clip_parse(const void *bytes, size_t size, int32_t format,
                                            const char *name, const stltsa_options *options,
                                            stltsa_clip **clip) STLTSA_NOEXCEPT;

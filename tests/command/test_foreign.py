@@ -3,7 +3,7 @@
 
 import unittest
 
-from common import WALKER, CommandTest, plain_environment, run
+from common import CommandTest, plain_environment, run, walk
 
 READER = """#!/bin/sh
 [ "$1 $2" = "-m stltsa.readers" ] || exit 9
@@ -20,25 +20,26 @@ class Foreign(CommandTest):
     def setUp(self):
         super().setUp()
         self.reader = self.folder / "python3"
-        self.reader.write_text(READER.replace("WALKER", WALKER))
+        self.reader.write_text(READER.replace("WALKER", str(walk())))
         self.reader.chmod(0o755)
+        (self.folder / "walk.c3d").touch()
 
     def run_with(self, reader, *arguments):
         return run(*arguments, env=plain_environment(STLTSA_PYTHON=str(reader)))
 
     def test_the_clip_is_that_of_the_reader(self):
         there = self.run_with(self.reader, "decompose", self.folder / "walk.c3d", "--json")
-        here = run("decompose", WALKER, "--json")
+        here = run("decompose", walk(), "--json")
         self.assertEqual(there.returncode, 0, there.stderr)
         path = str(self.folder / "walk.c3d").encode()
-        self.assertEqual(there.stdout.replace(path, WALKER.encode()), here.stdout)
+        self.assertEqual(there.stdout.replace(path, str(walk()).encode()), here.stdout)
 
     def test_a_stretch_may_follow(self):
         there = self.run_with(self.reader, "info", f"{self.folder}/walk.c3d:1s-3s", "--json")
-        here = run("info", f"{WALKER}:1s-3s", "--json")
+        here = run("info", f"{walk()}:1s-3s", "--json")
         self.assertEqual(there.returncode, 0, there.stderr)
         path = str(self.folder / "walk.c3d").encode()
-        self.assertEqual(there.stdout.replace(path, WALKER.encode()), here.stdout)
+        self.assertEqual(there.stdout.replace(path, str(walk()).encode()), here.stdout)
 
     def test_the_rate_is_passed_on(self):
         there = self.run_with(self.reader, "info", self.folder / "walk.c3d", "--fps", "60")
@@ -57,7 +58,7 @@ class Foreign(CommandTest):
         done = self.run_with(self.folder / "absent", "info", "walk.c3d")
         self.assertEqual(done.returncode, 3)
         self.assertIn(b"cannot run the Python interpreter", done.stderr)
-        done = run("info", "walk.c3d")
+        done = run("info", self.folder / "walk.c3d")
         self.assertEqual(done.returncode, 3)
         self.assertIn(b"pip install 'stltsa[c3d]'", done.stderr)
 
