@@ -8,18 +8,13 @@ import sys
 from pathlib import Path
 
 
-def main() -> int:
+def main() -> None:
     """Run the command inside the package; it reads C3D, TRC and the like by this interpreter."""
     command = Path(__file__).parent / "bin" / "stltsa"
     if not command.is_file():
-        sys.stderr.write(
+        sys.exit(
             "stltsa: this package was built against an installed libstltsa and does not carry the "
-            "command: install it beside the library\n"
+            "command: install it beside the library"
         )
-        return 1
     os.environ.setdefault("STLTSA_PYTHON", sys.executable)
     os.execv(command, ["stltsa", *sys.argv[1:]])
-
-
-if __name__ == "__main__":
-    sys.exit(main())

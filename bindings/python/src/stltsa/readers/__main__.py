@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""``python -m stltsa.readers FILE FPS`` writes a clip to standard output, for the command ``stltsa``.
+"""Read a file for the command ``stltsa``: ``python -m stltsa.readers FILE FPS``.
 
-The first line is ``fps`` and the frame rate; the bytes of a BVH or CSV file follow. If FILE cannot be
-read, standard output is a sentence that says why, and the exit status is 3. FPS may be empty.
+The first line of standard output is ``fps`` and the frame rate; the bytes of a BVH or CSV file
+follow. If FILE cannot be read, it is a sentence that says why, and the exit status is 3. FPS may be
+empty.
 """
 
 from __future__ import annotations
