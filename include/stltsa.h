@@ -643,6 +643,12 @@ STLTSA_API stltsa_status stltsa_clip_from_skeleton(const stltsa_joint *joints, i
 STLTSA_API stltsa_status stltsa_clip_stretch(const stltsa_clip *clip, const char *what,
                                              const stltsa_options *options,
                                              stltsa_clip **stretch) STLTSA_NOEXCEPT;
+/* The mirror image of a clip: what the left side did, the right one does. Joints or points whose names
+ * differ in the side only (LeftFoot and RightFoot, L_toe and R_toe, lfemur and rfemur) change places.
+ * Events that are marked on one side are found on the other in the phase of the mirror image. Option:
+ * up axis. E_UNSUPPORTED: no two such names, a skeleton whose sides differ, or a matrix. */
+STLTSA_API stltsa_status stltsa_clip_mirror(const stltsa_clip *clip, const stltsa_options *options,
+                                            stltsa_clip **mirrored) STLTSA_NOEXCEPT;
 STLTSA_API void stltsa_clip_free(stltsa_clip *clip) STLTSA_NOEXCEPT;
 /* Path, format, frames, notes, ...: see STLTSA_INFO_*. */
 STLTSA_API const stltsa_info *stltsa_clip_info(const stltsa_clip *clip) STLTSA_NOEXCEPT;

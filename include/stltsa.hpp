@@ -415,6 +415,10 @@ class Clip {
     Clip stretch(const std::string& what, const Options& options = {}) const {
         return detail::made<Clip>(stltsa_clip_stretch, get(), what.c_str(), options.get());
     }
+    /// See stltsa_clip_mirror.
+    Clip mirrored(const Options& options = {}) const {
+        return detail::made<Clip>(stltsa_clip_mirror, get(), options.get());
+    }
     /// See stltsa_clip_find.
     std::vector<stltsa_interval> find(const std::string& what, const Options& options = {}) const {
         std::int64_t count = 0;

@@ -9,6 +9,7 @@
 #include "capi/handles.hpp"
 #include "capi/json/results.hpp"
 #include "capi/options/reader.hpp"
+#include "clip/arrays/mirror.hpp"
 #include "clip/features/features.hpp"
 #include "clip/stretch.hpp"
 #include "clip/text/text_cursor.hpp"
@@ -138,6 +139,16 @@ stltsa_status stltsa_clip_stretch(const stltsa_clip* clip, const char* what,
         auto made = std::make_unique<stltsa_clip>(
             clip::cut(whole, find(whole, &required(what, "what"), capi::OptionsReader(options))));
         *stretch = made.release();
+    });
+}
+
+stltsa_status stltsa_clip_mirror(const stltsa_clip* clip, const stltsa_options* options,
+                                 stltsa_clip** mirrored) noexcept {
+    return guard([&] {
+        required(mirrored, "mirrored") = nullptr;
+        auto made = std::make_unique<stltsa_clip>(clip::mirrored(
+            required(clip, "clip").clip, capi::OptionsReader(options).prepare_options().up));
+        *mirrored = made.release();
     });
 }
 

@@ -74,6 +74,25 @@ void travel_and_its_statistics_are_the_walkers(void**) {
     assert_true(refused(STLTSA_PART_CYCLE, 0, -1, 6));
 }
 
+void the_mirror_image_has_the_other_sides(void**) {
+    const stltsa::Clip image = walker().mirrored();
+    assert_int_equal(image.frames(), walker().frames());
+    const stltsa::Decomposition here = stltsa::decompose(walker()),
+                                there = stltsa::decompose(image);
+    ASSERT_NEAR(there.travel(STLTSA_PART_CYCLE, 0).speed, here.travel(STLTSA_PART_CYCLE, 0).speed,
+                1);
+    // Cycles begin on the same side, which does now what the other one did half a cycle later.
+    const double period = here.cycle(0).end_s - here.cycle(0).begin_s;
+    const double apart = std::abs(there.cycle(0).begin_s - here.cycle(0).begin_s);
+    ASSERT_NEAR(std::fmod(apart, period), period / 2, 0.03);
+    stltsa_clip* none = nullptr;
+    const Matrix numbers(9, 4);
+    const Clip bare = Clip::from_matrix(stltsa::MatrixView(numbers), 30);
+    assert_int_equal(stltsa_clip_mirror(bare.get(), nullptr, &none), STLTSA_E_UNSUPPORTED);
+    assert_null(none);
+    assert_int_equal(stltsa_clip_mirror(bare.get(), nullptr, nullptr), STLTSA_E_ARGUMENT);
+}
+
 void cycles_become_a_loop(void**) {
     const stltsa::Synthesis loop = stltsa::synthesize_loop(walker(), stltsa::decompose(walker()));
     assert_int_equal(loop.seam(0).frame, loop.clip().frames());
@@ -127,6 +146,7 @@ int main(int argc, char** argv) {
     const CMUnitTest tests[] = {
         cmocka_unit_test(a_recording_is_divided_into_segments),
         cmocka_unit_test(travel_and_its_statistics_are_the_walkers),
+        cmocka_unit_test(the_mirror_image_has_the_other_sides),
         cmocka_unit_test(cycles_become_a_loop),
         cmocka_unit_test(clips_are_made_of_arrays_and_cut),
     };

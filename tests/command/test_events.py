@@ -49,6 +49,23 @@ class Events(CommandTest):
         self.assertEqual([e for e in found["events"] if e["clip"] == still], [])
         self.assertIn("no motion like the marked one", found["warnings"][0])
 
+    def test_the_other_side_is_half_a_cycle_later(self):
+        found = self.json("events", walk(), "--mark", "250=left_strike", "--both-sides")["events"]
+        sides = {side: [e for e in found if e["name"] == side + "_strike" and e["cycle"] is not None]
+                 for side in ("left", "right")}
+        self.assertGreaterEqual(len(sides["right"]), 2)
+        for event in sides["right"]:
+            self.assertFalse(event["marked"])
+            turns = (event["frame"] - 250) / 132
+            self.assertAlmostEqual(turns % 1, 0.5, delta=0.03)
+        cycles = self.json("decompose", walk())["cycles"]
+        for event in sides["right"]:
+            cycle = cycles[event["cycle"]]
+            self.assertTrue(cycle["begin"] <= event["frame"] < cycle["end"])
+        names = {e["name"] for e in
+                 self.json("events", walk(), "--mark", "250=landing", "--both-sides")["events"]}
+        self.assertEqual(names, {"landing", "landing (other side)"})
+
     def test_wrong_marks(self):
         for mark in ("250", "=a", "x=a", "250=", "nans=a", "inf=a"):
             self.assertIn("FRAME=NAME", self.fails(2, "events", walk(), "--mark", mark))

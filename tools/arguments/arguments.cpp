@@ -275,6 +275,11 @@ class Parser {
         add_marks(events, "A frame, which need not be whole, or seconds (2.5s), and the name of "
                           "what happens then. Several with one name make it surer.")
             ->required();
+        events
+            .add_flag("--both-sides", to_.both_sides,
+                      "Find each mark on the other side of the body, too: left_strike as "
+                      "right_strike.")
+            ->group(group::method);
         add_output(events);
     }
     void add_denoise() {

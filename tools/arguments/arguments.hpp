@@ -34,6 +34,7 @@ struct Arguments {
     std::string curve_product; ///< denoise: the fitted curve
     std::string plot;
     std::string coords;
+    bool both_sides = false;        ///< events: those of the other side as well
     std::vector<std::string> marks; ///< events: "FRAME=NAME"
     std::string phase;              ///< decompose: the phase of each frame
     std::string out;                ///< batch: the folder of results

@@ -130,7 +130,7 @@ constexpr const char* about_events =
     R"(Finds a marked event in every cycle, and in other clips.
 
 Examples:
-  stltsa events walk.bvh --mark 131=left_strike
+  stltsa events walk.bvh --mark 131=left_strike --both-sides
   stltsa events walk.bvh --mark 131=strike --mark 2.5s=off -o events.csv
   stltsa events walk.bvh other.bvh --mark 131=strike --json)";
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <map>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "arguments/marks.hpp"
+#include "base/side_name.hpp"
 #include "commands/commands.hpp"
 #include "commands/session.hpp"
 #include "reports/events.hpp"
@@ -15,12 +17,43 @@ namespace {
 
 struct Analyzed {
     std::string path;
+    stltsa::Decomposition found;
     stltsa::Phase phase;
 };
 
 Analyzed analyzed(const Session& session, const std::string& path, const stltsa::Clip& clip) {
-    const stltsa::Decomposition found = stltsa::decompose(clip, session.options());
-    return {path, stltsa::find_phase(clip, found, session.options())};
+    stltsa::Decomposition found = stltsa::decompose(clip, session.options());
+    stltsa::Phase phase = stltsa::find_phase(clip, found, session.options());
+    return {path, std::move(found), std::move(phase)};
+}
+
+/// Of an event on the other side of the body.
+std::string other_side(const std::string& name) {
+    const auto names = stltsa::other_side_names(name, false);
+    return names.empty() ? name + " (other side)" : names.front();
+}
+
+/// The cycle of an event that was found in the mirror image is that of the clip itself.
+std::int64_t cycle_at(const stltsa::Decomposition& found, double frame) {
+    for (std::int64_t i = 0; i < found.cycle_count(); ++i)
+        if (const stltsa::Interval cycle = found.cycle(i);
+            static_cast<double>(cycle.begin) <= frame && frame < static_cast<double>(cycle.end))
+            return i;
+    return -1;
+}
+
+void append_other_side(const Session& session, const Analyzed& from, const Analyzed& in,
+                       const stltsa::Clip& clip, const Marks& marks, EventTable& table) {
+    const stltsa::Clip image = clip.mirrored(session.options());
+    const Analyzed mirrored = analyzed(session, in.path, image);
+    for (const auto& [name, frames] : marks) {
+        const stltsa::Events found = from.phase.events(frames, mirrored.phase);
+        table.searches.push_back({in.path, other_side(name), found.count(), found.likeness()});
+        for (stltsa::Event event : found.all()) {
+            event.cycle = cycle_at(in.found, event.frame);
+            table.events.push_back({in.path, other_side(name), event});
+        }
+    }
 }
 
 void append(const Analyzed& from, const Analyzed& in, const Marks& marks, EventTable& table) {
@@ -49,9 +82,16 @@ Exit run_events(const Arguments& arguments) {
     const auto marks = parse_marks(arguments.marks, clip.fps());
     const Analyzed from = analyzed(session, arguments.input, clip);
     EventTable table;
-    append(from, from, marks, table);
-    for (const std::string& path : arguments.pieces)
-        append(from, analyzed(session, path, session.open_clip(path)), marks, table);
+    const auto find_in = [&](const Analyzed& in, const stltsa::Clip& of) {
+        append(from, in, marks, table);
+        if (arguments.both_sides)
+            append_other_side(session, from, in, of, marks, table);
+    };
+    find_in(from, clip);
+    for (const std::string& path : arguments.pieces) {
+        const stltsa::Clip other = session.open_clip(path);
+        find_in(analyzed(session, path, other), other);
+    }
     sort_events(table);
     session.finish({[&] { return events_json(table); }, [&] { return events_report(table); },
                     table.warnings, [&] { return events_csv(table); }});

@@ -134,3 +134,11 @@ def test_errors_say_what_is_wrong(phase):
         phase.resample([1.0, 2.0, 3.0])
     with pytest.raises(stltsa.ArgumentError, match="border 1"):
         stltsa.cycles_between([5, 5], np.zeros(9))
+
+
+def test_marks_are_found_on_the_other_side(clip, result):
+    image = stltsa.decompose(clip.mirrored()).phase()
+    found = result.phase().events(250, image)
+    turns = [(event.frame - 250) / 132 for event in found if event.cycle is not None]
+    assert len(turns) >= 2
+    assert np.asarray(turns) % 1 == pytest.approx(0.5, abs=0.03)

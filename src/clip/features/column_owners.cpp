@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "clip/body/heading.hpp"
+#include "clip/body/level_axes.hpp"
 #include "clip/body/skeleton.hpp"
 #include "clip/features/point_names.hpp"
 #include "clip/features/points.hpp"
@@ -47,40 +48,6 @@ std::vector<std::string> rotation_owners(const Clip& clip, std::size_t root) {
             if (is_rotation(channel))
                 names.push_back(name_of(clip, j));
     return names;
-}
-
-/// Positions of the joints in the axes of the body root if no joint turns.
-std::vector<Vec3> neutral_positions(const Skeleton& skeleton, std::size_t root) {
-    std::vector<Vec3> places(skeleton.joints.size());
-    for (std::size_t j = root + 1; j < places.size(); ++j)
-        if (const int parent = skeleton.joints[j].parent; parent >= static_cast<int>(root))
-            for (std::size_t a = 0; a < 3; ++a)
-                places[j][a] =
-                    places[static_cast<std::size_t>(parent)][a] + skeleton.joints[j].offset[a];
-    return places;
-}
-
-struct Directions {
-    std::size_t lateral = 0;
-    std::size_t forward = 0;
-};
-
-/// Of the two level axes, the lateral one is that along which the neutral joints lie on both sides
-/// alike. It follows from the skeleton alone, so that clips agree.
-Directions level_axes(const Clip& clip, std::size_t root, std::size_t up) {
-    const std::size_t axes[] = {(up + 1) % 3, (up + 2) % 3};
-    double both_sides[2] = {};
-    const auto places = neutral_positions(*clip.skeleton, root);
-    for (int a = 0; a < 2; ++a) {
-        double sum = 0, sizes = 0;
-        for (const Vec3& place : places) {
-            sum += place[axes[a]];
-            sizes += std::abs(place[axes[a]]);
-        }
-        both_sides[a] = sizes - std::abs(sum);
-    }
-    const bool first = both_sides[0] >= both_sides[1];
-    return {axes[first ? 0 : 1], axes[first ? 1 : 0]};
 }
 
 /// Mean positions of the joints in the features.
@@ -137,7 +104,7 @@ std::vector<double> side_weights(const Clip& clip, Features kind, Axis up,
     if (!clip.skeleton || kind != Features::positions || up == Axis::none)
         return {};
     const auto above = static_cast<std::size_t>(up) - 1;
-    const Directions axes = level_axes(clip, body_root(clip), above);
+    const LevelAxes axes = level_axes(*clip.skeleton, body_root(clip), up);
     const std::vector<Vec3> means = mean_positions(samples);
     const std::vector<bool> of_trunk = on_trunk(*clip.skeleton, body_root(clip), means, above);
     std::vector<std::size_t> low;

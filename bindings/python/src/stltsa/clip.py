@@ -276,6 +276,17 @@ class Clip(Described):
         made.events = tuple(e for e in inside if 0 <= e.seconds < end - begin)
         return made
 
+    def mirrored(self, **options: Unpack[Options]) -> Clip:
+        """Return the mirror image: what the left side did, the right one does.
+
+        Joints or points whose names differ in the side only change places. Events that are marked
+        on one side are found on the other in the phase of the mirror image. Used: `up_axis`.
+        """
+        out = ffi.new("stltsa_clip **")
+        with Call(options) as call:
+            call.check(lib.stltsa_clip_mirror(self._handle, call.options, out))
+        return Clip(owned("clip", out), self.path)
+
     def _seconds(self, what: str, options: Options) -> tuple[float, float]:
         """Return where the first interval of a stretch begins and ends."""
         found, count = ffi.new("stltsa_interval *"), ffi.new("int64_t *")

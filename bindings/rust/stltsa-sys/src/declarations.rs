@@ -1128,6 +1128,13 @@ extern "C" {
     ) -> stltsa_status;
 }
 extern "C" {
+    pub fn stltsa_clip_mirror(
+        clip: *const stltsa_clip,
+        options: *const stltsa_options,
+        mirrored: *mut *mut stltsa_clip,
+    ) -> stltsa_status;
+}
+extern "C" {
     pub fn stltsa_clip_free(clip: *mut stltsa_clip);
 }
 extern "C" {

@@ -227,6 +227,21 @@ impl Clip {
         })
     }
 
+    /// The mirror image: what the left side did, the right one does. Joints or points whose names
+    /// differ in the side only change places. Events that are marked on one side are found on the
+    /// other in the [`Phase`](crate::Phase) of the mirror image.
+    ///
+    /// # Errors
+    /// [`Unsupported`](ErrorKind::Unsupported) if no two names differ in the side only, if the sides
+    /// of the skeleton differ, and for a matrix.
+    pub fn mirrored(&self, options: &Options) -> Result<Self> {
+        options.call(|options| {
+            // SAFETY: a live handle.
+            let mirror = |out| unsafe { sys::stltsa_clip_mirror(self.raw(), options, out) };
+            Ok(Self { handle: Owned::make(mirror)? })
+        })
+    }
+
     /// The frames of a stretch, as [`Clip::stretch`] names it: one range, or those of a label.
     ///
     /// # Errors

@@ -66,6 +66,10 @@ fn a_mark_is_found_in_every_cycle() {
         assert!((0.0..=1.0).contains(&event.confidence));
     }
     assert_eq!(phase.events(&[middle(1)], Some(&phase)).unwrap(), events);
+    let image = clip.mirrored(&options).unwrap();
+    let image = Phase::find(&image, &image.decompose(&options).unwrap(), &options).unwrap();
+    let other_side = phase.events(&[middle(1)], Some(&image)).unwrap();
+    assert!(other_side.likeness > 0.9 && !other_side.events.is_empty());
     assert_eq!(phase.events(&[2.0], None).unwrap_err().kind(), ErrorKind::Argument);
 }
 
