@@ -2,6 +2,7 @@
 #include "clip/arrays/mirror.hpp"
 
 #include <algorithm>
+#include <map>
 
 #include "base/side_name.hpp"
 #include "clip/body/angles.hpp"
@@ -18,15 +19,26 @@ namespace {
 
 using Partners = std::vector<std::size_t>;
 
+/// Indices by name. Files may have several points of one name; they are told apart by their order.
+std::map<std::string, Partners> places_of(const std::vector<std::string>& names) {
+    std::map<std::string, Partners> places;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        places[names[i]].push_back(i);
+    return places;
+}
+
 /// Of each name the index of that on the other side; its own without one.
 Partners partners_by_name(const std::vector<std::string>& names) {
+    const auto places = places_of(names);
     Partners partners(names.size());
     for (std::size_t i = 0; i < names.size(); ++i) {
+        const Partners& same = places.at(names[i]);
+        const auto number = static_cast<std::size_t>(std::ranges::find(same, i) - same.begin());
         partners[i] = i;
         for (const std::string& other : other_side_names(names[i], true))
-            if (const auto found = std::ranges::find(names, other);
-                found != names.end() && partners[i] == i)
-                partners[i] = static_cast<std::size_t>(found - names.begin());
+            if (const auto found = places.find(other);
+                found != places.end() && found->second.size() > number && partners[i] == i)
+                partners[i] = found->second[number];
     }
     for (std::size_t i = 0; i < names.size(); ++i)
         if (partners[partners[i]] != i)

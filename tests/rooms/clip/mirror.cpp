@@ -93,6 +93,22 @@ void points_change_places(void**) {
         assert_true(image.values(0, c) == expected[c]);
 }
 
+void points_of_one_name_are_told_apart_by_order(void**) {
+    Clip clip;
+    clip.fps = 100;
+    clip.space = 2;
+    for (const char* name : {"L_toe", "L_toe", "R_toe", "R_toe"})
+        for (const char* axis : {"_x", "_y"})
+            clip.channel_names.push_back(std::string(name) + axis);
+    clip.values = stltsa::Matrix(1, 8);
+    for (std::int64_t c = 0; c < 8; ++c)
+        clip.values(0, c) = static_cast<double>(c + 1);
+    const Clip image = mirrored(clip, {});
+    const double expected[] = {-5, 6, -7, 8, -1, 2, -3, 4};
+    for (std::int64_t c = 0; c < 8; ++c)
+        assert_true(image.values(0, c) == expected[c]);
+}
+
 void what_has_no_sides_is_refused(void**) {
     Clip numbers;
     numbers.fps = 100;
@@ -133,6 +149,7 @@ int main() {
         cmocka_unit_test(joints_are_where_their_partners_were),
         cmocka_unit_test(twice_is_the_clip),
         cmocka_unit_test(points_change_places),
+        cmocka_unit_test(points_of_one_name_are_told_apart_by_order),
         cmocka_unit_test(what_has_no_sides_is_refused),
         cmocka_unit_test(names_of_the_other_side),
     };
