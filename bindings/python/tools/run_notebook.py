@@ -36,7 +36,8 @@ def main(path: str, update: str | None = None) -> int:
         notebook.metadata.pop("language_info", None)
         nbformat.write(notebook, path)
         return 0
-    for number, (before, now) in enumerate(zip(code_cells(stored), code_cells(notebook)), 1):
+    pairs = zip(code_cells(stored), code_cells(notebook), strict=True)
+    for number, (before, now) in enumerate(pairs, 1):
         if list(texts(before)) != list(texts(now)):
             print(f"cell {number}: stored {list(texts(before))}, found {list(texts(now))}")
             print("the outputs in the notebook are old: store new ones with --update")
