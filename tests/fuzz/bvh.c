@@ -1,0 +1,7 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+#include "target.h"
+
+int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+    read_as(STLTSA_FORMAT_BVH, data, size);
+    return 0;
+}

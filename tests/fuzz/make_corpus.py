@@ -1,0 +1,144 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Writes the seeds of tests/fuzz/corpus: small files of each kind, made of synthetic motion.
+
+Usage: make_corpus.py STLTSA (the command, which writes a model)
+"""
+
+import math
+import pathlib
+import random
+import struct
+import subprocess
+import sys
+import tempfile
+
+CORPUS = pathlib.Path(__file__).parent / "corpus"
+
+
+def put(kind, name, content):
+    folder = CORPUS / kind
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / name).write_bytes(content if isinstance(content, bytes) else content.encode())
+
+
+def angles(frames, channels):
+    return [[round(20 * math.sin(2 * math.pi * i / 15 + c), 2) for c in range(channels)]
+            for i in range(frames)]
+
+
+def lines(rows, separator=" "):
+    return "\n".join(separator.join(map(str, row)) for row in rows) + "\n"
+
+
+def bvh(frames=60):
+    return f"""HIERARCHY
+ROOT hips
+{{
+ OFFSET 0 0 0
+ CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation
+ JOINT LeftLeg
+ {{
+  OFFSET 1 -1 0
+  CHANNELS 3 Zrotation Xrotation Yrotation
+  End Site
+  {{
+   OFFSET 0 -8 0
+  }}
+ }}
+ JOINT RightLeg
+ {{
+  OFFSET -1 -1 0
+  CHANNELS 3 Zrotation Xrotation Yrotation
+  End Site
+  {{
+   OFFSET 0 -8 0
+  }}
+ }}
+}}
+MOTION
+Frames: {frames}
+Frame Time: 0.0333333
+{lines(angles(frames, 12))}"""
+
+
+ASF = """:version 1.10
+:units
+  mass 1.0
+  length 0.45
+  angle deg
+:root
+  order TX TY TZ RX RY RZ
+  axis XYZ
+  position 0 0 0
+  orientation 0 0 0
+:bonedata
+  begin
+    id 1
+    name lfemur
+    direction 0.3 -0.9 0
+    length 7
+    axis 0 0 20 XYZ
+    dof rx ry rz
+  end
+  begin
+    id 2
+    name rfemur
+    direction -0.3 -0.9 0
+    length 7
+    axis 0 0 -20 XYZ
+    dof rx
+  end
+:hierarchy
+  begin
+    root lfemur rfemur
+  end
+"""
+
+
+def amc(frames=40):
+    text = ":FULLY-SPECIFIED\n:DEGREES\n"
+    for i, row in enumerate(angles(frames, 10), 1):
+        text += f"{i}\nroot {' '.join(map(str, row[:6]))}\n"
+        text += f"lfemur {' '.join(map(str, row[6:9]))}\nrfemur {row[9]}\n"
+    return text
+
+
+def npy(rows, shape, descr="<f8", order="False"):
+    header = f"{{'descr': '{descr}', 'fortran_order': {order}, 'shape': {shape}, }}"
+    header += " " * (63 - (10 + len(header)) % 64) + "\n"
+    code = {"<f8": "<d", "<f4": "<f", ">f8": ">d"}[descr]
+    return (b"\x93NUMPY\x01\x00" + struct.pack("<H", len(header)) + header.encode()
+            + b"".join(struct.pack(code, value) for row in rows for value in row))
+
+
+def main():
+    put("bvh", "walk", bvh())
+    put("bvh", "few", bvh(3))
+    put("acclaim", "walk", f"{ASF}\0{amc()}")
+    rows = angles(60, 6)
+    put("csv", "numbers", lines(rows, ","))
+    put("csv", "points", "time,heel_x,heel_y,heel_z,toe_x,toe_y,toe_z\n"
+        + lines(([i / 30, *row] for i, row in enumerate(rows)), ","))
+    put("csv", "gaps", "a_x;a_y;a_z;b_x;b_y;b_z\n" + lines(rows, ";").replace("20.0", ""))
+    put("csv", "two-lines", "scorer,m,m,m\nbodyparts,nose,nose,nose\ncoords,x,y,likelihood\n"
+        + lines(([i, *row[:3]] for i, row in enumerate(rows)), ","))
+    put("npy", "rows", npy(rows, "(60, 6)"))
+    put("npy", "points", npy(rows, "(60, 2, 3)", "<f4"))
+    put("npy", "fortran", npy(rows, "(60, 6)", ">f8", "True"))
+    with tempfile.TemporaryDirectory() as folder:
+        clip = pathlib.Path(folder) / "walk.bvh"
+        clip.write_text(bvh(90))
+        for name, more in (("plain", ["--features", "euler"]), ("positions", [])):
+            model = pathlib.Path(folder) / f"{name}.stltsa"
+            subprocess.run([sys.argv[1], "fit", clip, "-o", model, "-q", *more], check=True)
+            put("model", name, model.read_bytes())
+    numbers = random.Random(4)
+    for what in range(4):
+        cycles = [int(124 + 60 * math.sin(2 * math.pi * i / 20)) for i in range(300)]
+        put("api", f"call{what}", bytes([what, 0, 59, 3, *cycles]))
+        put("api", f"random{what}", bytes([what, 3, *numbers.randbytes(400)]))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,96 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Shared by the fuzz targets: each takes any bytes, must answer with a status, and leaks nothing.
+ */
+#ifndef STLTSA_FUZZ_TARGET_H
+#define STLTSA_FUZZ_TARGET_H
+
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <stltsa.h>
+
+int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size);
+
+/* Ends the process: a broken promise of the interface is a finding, as a crash is. */
+static inline void promise(int kept, const char* text) {
+    if (!kept) {
+        fprintf(stderr, "broken promise: %s (%s)\n", text, stltsa_last_error());
+        abort();
+    }
+}
+
+static inline void promise_status(stltsa_status status, const void* made) {
+    promise((status == STLTSA_OK) == (made != NULL), "a handle if, and only if, the call succeeds");
+    promise(status != STLTSA_E_INTERNAL, "no internal error");
+    promise(status == STLTSA_OK || stltsa_last_error()[0] != '\0', "a sentence for each error");
+}
+
+/* The call must make the handle or fail; the handle is looked at afterwards. */
+#define MAKES(call, made)                                                                          \
+    do {                                                                                           \
+        const stltsa_status status_ = (call);                                                      \
+        promise_status(status_, made);                                                             \
+    } while (0)
+
+static inline stltsa_out packed(double* values, int64_t rows, int64_t cols) {
+    stltsa_out out = {NULL, 0, 0, 0, 0, STLTSA_F64, 0};
+    out.data = values;
+    out.rows = rows;
+    out.cols = cols;
+    return out;
+}
+
+static inline stltsa_in given(const double* values, int64_t rows, int64_t cols) {
+    stltsa_in in = {NULL, 0, 0, 0, 0, STLTSA_F64, 0};
+    in.data = values;
+    in.rows = rows;
+    in.cols = cols;
+    return in;
+}
+
+/* Asks a clip for all that is cheap, and decomposes it if it is small. */
+static inline void use_clip(const stltsa_clip* clip) {
+    const int64_t frames = stltsa_clip_frames(clip);
+    int64_t columns = 0;
+    char* json = NULL;
+    MAKES(stltsa_clip_json(clip, &json), json);
+    stltsa_free(json);
+    if (stltsa_clip_feature_count(clip, NULL, &columns) != STLTSA_OK || frames * columns > 20000)
+        return;
+    double* values = malloc((size_t)(frames * columns) * sizeof *values);
+    const stltsa_out out = packed(values, frames, columns);
+    if (values != NULL)
+        promise(stltsa_clip_features(clip, NULL, &out) != STLTSA_E_INTERNAL, "no internal error");
+    free(values);
+    if (frames * columns > 4000)
+        return;
+    stltsa_decomposition* found = NULL;
+    stltsa_phase* phase = NULL;
+    stltsa_clip* image = NULL;
+    MAKES(stltsa_decompose(clip, NULL, &found), found);
+    if (found != NULL)
+        MAKES(stltsa_phase_find(clip, found, NULL, &phase), phase);
+    MAKES(stltsa_clip_mirror(clip, NULL, &image), image);
+    stltsa_clip_free(image);
+    stltsa_phase_free(phase);
+    stltsa_decomposition_free(found);
+}
+
+/* Reads bytes in a format; the rate is given, since many formats have none. */
+static inline void read_as(int32_t format, const uint8_t* data, size_t size) {
+    stltsa_options* options = NULL;
+    stltsa_clip* clip = NULL;
+    if (stltsa_options_new(&options) != STLTSA_OK)
+        return;
+    stltsa_options_set_real(options, STLTSA_OPT_FPS, 30);
+    MAKES(stltsa_clip_parse(data, size, format, NULL, options, &clip), clip);
+    if (clip != NULL)
+        use_clip(clip);
+    stltsa_clip_free(clip);
+    stltsa_options_free(options);
+}
+
+#endif
