@@ -100,7 +100,7 @@ enum {
     STLTSA_E_NOT_CONVERGED = -10, /* the eigensolver did not converge */
     STLTSA_E_CANCELLED = -11,    /* the progress callback asked to stop */
     STLTSA_E_UNSUPPORTED = -12,  /* not in this build (CHOLMOD), or not for this clip or model */
-    STLTSA_E_INTERNAL = -13,     /* a bug in the library: please report it */
+    STLTSA_E_INTERNAL = -13,     /* a bug in the library; the text says where to report it */
     STLTSA_E_NO_COMMON_POSTURE = -14, /* two pieces have no common posture at which to join */
     STLTSA_E_NO_SUCH_PART = -15   /* a clip lacks the stretch that was asked for */
 };

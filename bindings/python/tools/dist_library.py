@@ -13,12 +13,16 @@ PARTS = (
     "CHANGELOG.md",
     "LICENSE",
     "README.md",
+    "docs/man",
+    "docs/schema",
     "include",
     "measure",
     "meson.build",
     "meson_options.txt",
+    "packaging/metadata",
     "pkgconfig",
     "src",
+    "tools",
 )
 
 
@@ -30,6 +34,7 @@ def main() -> None:
     target.mkdir(parents=True, exist_ok=True)
     for name in PARTS:
         part = source / name
+        (target / name).parent.mkdir(parents=True, exist_ok=True)
         if part.is_dir():
             shutil.copytree(part, target / name, dirs_exist_ok=True)
         else:

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <string_view>
 
 #include "base/progress.hpp"
 #include "capi/boundary/guard.hpp"
@@ -56,6 +57,10 @@ constexpr std::array<const char*, 16> status_names = {"STLTSA_OK",
                                                       "STLTSA_E_NO_COMMON_POSTURE",
                                                       "STLTSA_E_NO_SUCH_PART"};
 
+constexpr std::string_view report =
+    " (this is a defect of libstltsa: please report it, with the data if you may, at " STLTSA_BUGS
+    ")";
+
 // Fixed storage, because the error may be that memory ran out. A trivial type, so that threads may
 // end in any order.
 thread_local std::array<char, 1024> last_error_text{};
@@ -63,14 +68,17 @@ thread_local std::array<char, 1024> last_error_text{};
 } // namespace
 
 stltsa_status remember(Status status, const char* text) noexcept {
+    // What is no fault of the caller ends with where to report it.
+    const std::string_view end = status == Status::internal ? report : "";
     auto& to = last_error_text;
-    std::size_t size = std::min(std::strlen(text), to.size() - 1);
+    std::size_t size = std::min(std::strlen(text), to.size() - 1 - end.size());
     // A text that is too long is cut between two UTF-8 characters.
     if (text[size] != '\0')
         while (size > 0 && (static_cast<unsigned char>(text[size]) & 0xC0) == 0x80)
             --size;
     std::memcpy(to.data(), text, size);
-    to[size] = '\0';
+    std::ranges::copy(end, to.begin() + static_cast<std::ptrdiff_t>(size));
+    to[size + end.size()] = '\0';
     return static_cast<stltsa_status>(status);
 }
 

@@ -403,7 +403,7 @@ kinds! {
         Cancelled = STLTSA_E_CANCELLED,
         /// Not in this build (CHOLMOD), or not for this clip or model.
         Unsupported = STLTSA_E_UNSUPPORTED,
-        /// A bug in the library: please report it.
+        /// A bug in the library; the text says where to report it.
         Internal = STLTSA_E_INTERNAL,
         /// Two pieces have no common posture at which to join.
         NoCommonPosture = STLTSA_E_NO_COMMON_POSTURE,
