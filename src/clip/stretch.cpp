@@ -15,6 +15,13 @@ constexpr std::string_view names[] = {"preparing", "initial", "cyclic", "final",
                                       "action",    "hold",    "best",   "representative"};
 constexpr double most_frames = 1e15;
 
+/// A folder is no clip, and must not hide a stretch of one.
+bool is_file(const std::string& path) {
+    std::error_code ignored;
+    const auto status = std::filesystem::status(path, ignored);
+    return std::filesystem::exists(status) && !std::filesystem::is_directory(status);
+}
+
 /// "300" or "2.5s", not negative.
 std::optional<double> place_in(std::string_view text, bool& in_seconds) {
     in_seconds = text.ends_with('s');
@@ -95,10 +102,8 @@ std::optional<Stretch> parse_stretch(std::string_view what) {
 }
 
 StretchPath split_stretch(const std::string& text) {
-    std::error_code ignored;
     const std::size_t colon = text.rfind(':');
-    if (colon == text.npos || std::filesystem::exists(text, ignored) ||
-        !std::filesystem::exists(text.substr(0, colon), ignored))
+    if (colon == text.npos || is_file(text) || !is_file(text.substr(0, colon)))
         return {text, {}};
     return {text.substr(0, colon), text.substr(colon + 1)};
 }

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "base/utf8.hpp"
+
 namespace stltsa::clip {
 namespace {
 
@@ -17,6 +19,14 @@ bool is_brace(char c) {
 }
 char lower(char c) {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+/// Not a byte outside UTF-8, nor a control character of ASCII or of Latin-1 (U+0080 to U+009F).
+bool is_printable(std::string_view character) {
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(character[i]); };
+    if (character.size() == 1)
+        return byte(0) >= ' ' && byte(0) <= '~';
+    return byte(0) != 0xC2 || byte(1) >= 0xA0;
 }
 
 } // namespace
@@ -60,12 +70,19 @@ std::string_view next_word(std::string_view& line, std::string_view separators) 
 }
 
 std::string quoted(std::string_view text) {
-    constexpr std::size_t longest = 40;
-    std::string result(text.substr(0, longest));
-    for (char& c : result)
-        if (static_cast<unsigned char>(c) < ' ' || static_cast<unsigned char>(c) > '~')
-            c = '?';
-    return "'" + result + (text.size() > longest ? "...'" : "'");
+    constexpr std::size_t longest = 40; // characters
+    std::string result;
+    for (std::size_t at = 0, count = 0; at < text.size(); ++count) {
+        if (count == longest) {
+            result += "...";
+            break;
+        }
+        const std::size_t length = std::max<std::size_t>(utf8_length(text, at), 1);
+        const std::string_view character = text.substr(at, length);
+        result += is_printable(character) ? character : "?";
+        at += length;
+    }
+    return "'" + result + "'";
 }
 
 TextCursor::TextCursor(std::string_view text, std::string name)
