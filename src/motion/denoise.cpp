@@ -102,6 +102,12 @@ double unscaled(double value, int exponent) {
     return std::clamp(std::ldexp(value, exponent), -most, most);
 }
 
+/// The noise as a share of the curve's range.
+double share_of(double noise, const Values& curve) {
+    const auto [low, high] = std::ranges::minmax_element(curve);
+    return *high > *low ? noise / (*high - *low) : 0;
+}
+
 DenoisedColumn denoise_column(ConstMatrixView coords, std::int64_t c, const ScaledColumn& column,
                               const DenoiseOptions& options, Denoised& result) {
     const Noise noise = measure_noise(column, options);
@@ -115,8 +121,11 @@ DenoisedColumn denoise_column(ConstMatrixView coords, std::int64_t c, const Scal
         result.moves(i, c) = same ? 0 : unscaled(moved - point, column.exponent);
     }
     return {options.gamma ? *options.gamma : unscaled(noise.gamma, column.exponent),
-            unscaled(noise.shift, column.exponent), unscaled(noise.deviation, column.exponent),
-            column.degrees_of_freedom, noise.points};
+            unscaled(noise.shift, column.exponent),
+            unscaled(noise.deviation, column.exponent),
+            share_of(noise.deviation, column.curve),
+            column.degrees_of_freedom,
+            noise.points};
 }
 
 } // namespace
@@ -135,6 +144,16 @@ Denoised denoise(ConstMatrixView coords, std::span<const std::int64_t> lengths,
     }
     progress.report(Stage::denoise, 1);
     return result;
+}
+
+// A robust standard deviation of the points below this share of the curve's range cannot be seen in
+// a figure. Synthetic walks without noise have up to 0.4 %; with noise of 6 degrees on every
+// channel they have 1.1 to 1.4 % at 30 frames a second, and 0.36 to 0.8 % at 120, where smoothing
+// the features has removed most of it.
+bool nothing_to_clean(const std::vector<DenoisedColumn>& columns) {
+    constexpr double visible = 0.005;
+    return std::ranges::all_of(
+        columns, [](const DenoisedColumn& column) { return column.noise_share < visible; });
 }
 
 double knot_step_for(const Period& period) {

@@ -24,6 +24,7 @@ struct DenoisedColumn {
     double gamma = 0;              ///< threshold used
     double shift = 0;              ///< d_t: mean distance of the noisy points from the curve
     double noise = 0;              ///< robust standard deviation of the points about the curve
+    double noise_share = 0;        ///< the same as a share of the curve's range; 0 without a range
     double degrees_of_freedom = 0; ///< effective degrees of freedom of the curve
     std::int64_t moved = 0;        ///< noisy points
 };
@@ -42,6 +43,9 @@ struct Denoised {
 /// coordinates are not finite or a clip has fewer than 8 rows.
 Denoised denoise(ConstMatrixView coords, std::span<const std::int64_t> lengths,
                  const DenoiseOptions& options, const Progress& progress);
+
+/// Whether the noise of all columns is so small a share that it cannot be seen in a figure.
+bool nothing_to_clean(const std::vector<DenoisedColumn>& columns);
 
 /// Rows between knots: a tenth of the period; 2 without one, where only the penalty smooths.
 double knot_step_for(const Period& period);

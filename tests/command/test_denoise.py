@@ -50,6 +50,12 @@ class Denoise(CommandTest):
         self.assertRegex(clean, r"nothing to clean: the noise is 0\.\d+ % of the range")
         self.assertNotIn("nothing to clean", noisy)
         self.assertRegex(" ".join(noisy.split()), r"; the noise is \d\.\d+ % of the range")
+        for clip, verdict in ((walk(), True), (path, False)):
+            found, _, curve, _ = self.denoised(clip)
+            self.assertEqual(found["nothing_to_clean"], verdict)
+            for column, values in zip(found["columns"], curve.T):
+                share = column["noise"] / (values.max() - values.min())
+                self.assertAlmostEqual(column["noise_share"], share)
 
     def test_the_curve_is_nearer_the_truth(self):
         options = ("--dimension", "1", "--smoothing", "0", "--neighbors", "40")

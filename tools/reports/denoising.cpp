@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 #include <unistd.h>
 
 #include "reports/report.hpp"
@@ -29,30 +30,6 @@ std::string columns_table(const stltsa::Info& denoising) {
     return table.text();
 }
 
-/// A robust standard deviation of the points below this share of the curve's range cannot be seen
-/// in a figure. Synthetic walks without noise have up to 0.4 %; with noise of 6 degrees on every
-/// channel they have 1.1 to 1.4 % at 30 frames a second, and 0.36 to 0.8 % at 120, where smoothing
-/// the features has removed most of it.
-constexpr double clean = 0.005;
-
-/// The noise of the worst coordinate as a share of its curve's range.
-double noise_share(const stltsa::Denoising& denoising) {
-    const stltsa::Info info = denoising.info();
-    const stltsa::Matrix curve = denoising.curve();
-    double worst = 0;
-    for (std::int64_t c = 0; c < curve.cols && curve.rows > 0; ++c) {
-        double low = curve(0, c);
-        double high = low;
-        for (std::int64_t i = 1; i < curve.rows; ++i) {
-            low = std::min(low, curve(i, c));
-            high = std::max(high, curve(i, c));
-        }
-        if (high > low)
-            worst = std::max(worst, info.real(STLTSA_INFO_NOISE, c) / (high - low));
-    }
-    return worst;
-}
-
 } // namespace
 
 std::string knots_text(const stltsa::Info& denoising) {
@@ -70,12 +47,16 @@ std::string denoising_summary(const stltsa::Denoising& denoising) {
     for (const std::int64_t of_column : info.integers(STLTSA_INFO_MOVED))
         moved += of_column;
     const std::int64_t points = info.count(STLTSA_INFO_MOVED) * info.integer(STLTSA_INFO_ROWS);
-    const double share = noise_share(denoising);
+    const auto found = nlohmann::json::parse(denoising.json());
+    double share = 0;
+    for (const nlohmann::json& column : found["columns"])
+        share = std::max(share, column["noise_share"].get<double>());
     const std::string what =
         fmt::format("{} of {} moved towards a smooth curve", moved, counted(points, "point"));
-    return share < clean ? fmt::format("nothing to clean: the noise is {:.2g} % of the range ({})",
-                                       100 * share, what)
-                         : fmt::format("{}; the noise is {:.2g} % of the range", what, 100 * share);
+    return found["nothing_to_clean"]
+               ? fmt::format("nothing to clean: the noise is {:.2g} % of the range ({})",
+                             100 * share, what)
+               : fmt::format("{}; the noise is {:.2g} % of the range", what, 100 * share);
 }
 
 std::string denoising_report(const stltsa::Denoising& denoising, const std::string& title) {

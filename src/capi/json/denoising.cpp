@@ -15,7 +15,8 @@ Json parameters_json(const Denoised& denoised) {
 
 Json column_json(const motion::DenoisedColumn& column) {
     return JsonObject("gamma", column.gamma, "shift", column.shift, "noise", column.noise,
-                      "degrees_of_freedom", column.degrees_of_freedom, "moved", column.moved);
+                      "noise_share", column.noise_share, "degrees_of_freedom",
+                      column.degrees_of_freedom, "moved", column.moved);
 }
 
 } // namespace
@@ -34,6 +35,7 @@ std::string denoising_json(const Denoised& denoised) {
     for (const motion::DenoisedColumn& column : denoised.result.columns)
         columns.push_back(column_json(column));
     object.set("columns", columns);
+    object.set("nothing_to_clean", motion::nothing_to_clean(denoised.result.columns));
     object.set("warnings", json_warnings(denoised.warnings));
     return object.text();
 }
