@@ -4,7 +4,7 @@
 import re
 import unittest
 
-from common import CommandTest, circle, walk
+from common import CommandTest, circle, plain_environment, walk
 
 
 class Reports(CommandTest):
@@ -33,9 +33,19 @@ class Reports(CommandTest):
             self.assertAlmostEqual(end, unit["end_s"], delta=0.0006)
             self.assertAlmostEqual(length, unit["end_s"] - unit["begin_s"], delta=0.0006)
 
+    def test_remarks_fit_into_the_terminal(self):
+        for columns in (60, 80, 120):
+            environment = plain_environment(COLUMNS=str(columns))
+            text = self.done("decompose", walk(), env=environment).decode("ascii")
+            self.assertLessEqual(max(map(len, text.splitlines())), columns)
+            beside = [line for line in text.splitlines() if re.match("  cyclic +A .*confidence", line)]
+            self.assertEqual(len(beside), columns // 120)
+            self.assertEqual(len(re.findall(r"^ {6}3 cycles of ", text, re.M)), 1 - columns // 120)
+
     def test_fit(self):
         found = self.json("fit", walk())
-        text = self.done("fit", walk()).decode("ascii")
+        wide = plain_environment(COLUMNS="120")
+        text = self.done("fit", walk(), env=wide).decode("ascii")
         (row,) = list(self.rows(text, "piece"))[:1]
         eigenvalues = [float(cell) for cell in row[6:]]
         expected = found["components"][0]["eigenvalues"]
@@ -43,6 +53,8 @@ class Reports(CommandTest):
         for shown, value in zip(eigenvalues, expected):
             self.assertAlmostEqual(shown, value, delta=0.006 * abs(value))
         self.assertIn(f"k = {found['parameters']['neighbors']} ", text)
+        narrow = self.done("fit", walk(), env=plain_environment(COLUMNS="80")).decode("ascii")
+        self.assertIn("\n      " + " ".join(row[6:]) + "\n", narrow)
 
     def test_dimension(self):
         found = self.json("dimension", walk())

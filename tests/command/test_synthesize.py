@@ -220,8 +220,16 @@ class Synthesize(CommandTest):
         self.assertEqual(text.count(name), 1)
         self.assertIn("1  " + name + ":initial\n", text)
         self.assertIn("\n  2  :best*5\n  3  :final\n", text)
-        self.assertEqual([line.split()[2:4] for line in text.splitlines()[9:]],
-                         4 * [["2", "2"]] + [["2", "3"]])
+        self.assertEqual([line.split()[2:4] for line in text.splitlines()[9:13]],
+                         [["2", "2"], ["more", "like"], ["2", "2"], ["2", "3"]])
+
+    def test_equal_seams_are_folded(self):
+        text = self.done("synthesize", f"{walk()}:best*300", "-o", self.folder / "x.bvh").decode()
+        self.assertIn("  ... 297 more like these\n", text)
+        self.assertLess(text.count("\n"), 15)
+        self.assertLessEqual(max(map(len, text.splitlines())), 80)
+        short = self.done("synthesize", f"{walk()}:best*4", "-o", self.folder / "x.bvh").decode()
+        self.assertNotIn("more like", short)
 
     def test_what_cannot_be_written_is_told_first(self):
         """Fails before any result; fails() checks that nothing was printed."""

@@ -54,10 +54,9 @@ std::string seams_table(const std::vector<stltsa::Seam>& seams, std::int64_t end
         return "";
     const PieceNumbers numbers(pieces);
     Table table({right, right, right, right, right, right, right, right, right, right}, 2);
-    table.add({"seam", "", "earlier", "later", "cut before", "continued", "blended each", "posture",
-               "step", "acceleration"});
-    table.add({"frame", "seconds", "piece", "piece", "frame", "at frame", "side (s)", "/ typical",
-               "/ typical", "/ typical"});
+    table.add({"seam", "", "from", "to", "cut", "goes on", "blend", "", "", ""});
+    table.add(
+        {"frame", "seconds", "piece", "piece", "before", "at", "(s)", "posture", "step", "accel."});
     const auto seconds = [&](std::int64_t frames) {
         return fmt::format("{:.3f}", static_cast<double>(frames) / fps);
     };
@@ -67,7 +66,10 @@ std::string seams_table(const std::vector<stltsa::Seam>& seams, std::int64_t end
                    numbers[seam.piece], numbers[seam.next], std::to_string(seam.cut_end),
                    std::to_string(seam.cut_begin), seconds(seam.crossfade), ratio(seam.posture),
                    ratio(seam.step), ratio(seam.acceleration)});
-    return numbers.list() + '\n' + table.text();
+    constexpr std::size_t place = 2; // cells that say where the seam is
+    table.fold(place);
+    return numbers.list() + '\n' + table.text() +
+           "  posture, step, acceleration: 1 is typical of the pieces\n";
 }
 
 /// What share of the source a loop is, and how far it goes.

@@ -41,20 +41,57 @@ std::string hanging(const std::string& start, const std::string& text) {
 
 } // namespace
 
+std::string Table::line_of(const std::vector<std::string>& row,
+                           const std::vector<std::size_t>& widths) const {
+    constexpr std::size_t indent = 6; // of a remark on lines of its own
+    std::string line, before_remark;
+    for (std::size_t c = 0; c < row.size(); ++c) {
+        if (c + 1 == columns_.size())
+            before_remark = line;
+        line += "  " + padded(row[c], widths[c], columns_[c]);
+    }
+    line = without_trailing_blanks(line);
+    const bool fits = characters(line) <= terminal_columns(STDOUT_FILENO);
+    if (fits || before_remark.empty() || columns_.back() == Align::right)
+        return line + '\n';
+    return without_trailing_blanks(before_remark) + '\n' +
+           hanging(std::string(indent, ' '), row.back());
+}
+
 std::string Table::text() const {
     std::vector<std::size_t> widths(columns_.size(), 0);
     for (const auto& row : rows_)
-        for (std::size_t c = 0; c < row.size(); ++c)
+        for (std::size_t c = 0; row.size() > 1 && c < row.size(); ++c)
             widths[c] = std::max(widths[c], characters(row[c]));
     std::string result;
     for (std::size_t r = 0; r < rows_.size(); ++r) {
-        std::string line;
-        for (std::size_t c = 0; c < rows_[r].size(); ++c)
-            line += "  " + padded(rows_[r][c], widths[c], columns_[c]);
-        line = without_trailing_blanks(line);
-        result += (r < heading_rows_ ? dim(line) : line) + '\n';
+        const std::string line = line_of(rows_[r], widths);
+        result += r < heading_rows_ ? dim(line.substr(0, line.size() - 1)) + '\n' : line;
     }
     return result;
+}
+
+void Table::fold(std::size_t first_cells) {
+    constexpr std::ptrdiff_t shown = 3;
+    const auto equal = [&](const auto& one, const auto& other) {
+        const auto from = static_cast<std::ptrdiff_t>(first_cells);
+        return std::equal(one.begin() + from, one.end(), other.begin() + from, other.end());
+    };
+    std::vector<std::vector<std::string>> folded(
+        rows_.begin(), rows_.begin() + static_cast<std::ptrdiff_t>(heading_rows_));
+    for (auto first = rows_.begin() + std::ssize(folded); first != rows_.end();) {
+        const auto last = std::find_if_not(first, rows_.end(),
+                                           [&](const auto& row) { return equal(*first, row); });
+        if (const auto count = last - first; count > shown) {
+            folded.push_back(*first);
+            folded.push_back({fmt::format("... {} more like these", count - 2)});
+            folded.push_back(*(last - 1));
+        } else {
+            folded.insert(folded.end(), first, last);
+        }
+        first = last;
+    }
+    rows_ = std::move(folded);
 }
 
 void Facts::add(std::string name, std::string value) {

@@ -14,10 +14,18 @@ class Table {
     explicit Table(std::vector<Align> columns, std::size_t heading_rows = 1)
         : columns_(std::move(columns)), heading_rows_(heading_rows) {}
     void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
-    /// One indented line per row; the first rows are the heading.
+    /// One indented line per row; the first rows are the heading. If a row does not fit into the
+    /// terminal, its last cell, a remark, goes to lines of its own.
     std::string text() const;
 
+    /// Of more than three rows in a run that differ only in their first cells, the first and the
+    /// last are shown, with the number of the others between them.
+    void fold(std::size_t first_cells);
+
   private:
+    std::string line_of(const std::vector<std::string>& row,
+                        const std::vector<std::size_t>& widths) const;
+
     std::vector<Align> columns_;
     std::size_t heading_rows_;
     std::vector<std::vector<std::string>> rows_;
