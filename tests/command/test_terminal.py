@@ -101,6 +101,7 @@ class Colors(CommandTest):
             self.shown("--no-color"),
             self.shown(NO_COLOR="1"),
             self.shown(TERM="dumb"),
+            self.shown(TERM=""),
             self.done("info", walk(), env=plain_environment(TERM="xterm")),
         ):
             self.assertNotRegex(plain, COLOR)

@@ -42,7 +42,8 @@ bool colors_wanted(int descriptor, bool allowed) {
 
 bool obeys_codes(int descriptor) {
     const char* terminal = std::getenv("TERM");
-    const bool dumb = terminal == nullptr || std::string_view(terminal) == "dumb";
+    const std::string_view kind = terminal == nullptr ? "" : terminal;
+    const bool dumb = kind.empty() || kind == "dumb";
     return !dumb && ::isatty(descriptor) != 0;
 }
 

@@ -2,7 +2,6 @@
 #include "terminal/text.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -11,19 +10,23 @@ namespace tool {
 
 namespace {
 
-/// Insertions, deletions and substitutions (Levenshtein distance).
+/// Insertions, deletions, substitutions, and exchanges of neighbors (optimal string alignment).
 std::size_t edits(std::string_view from, std::string_view to) {
-    std::vector<std::size_t> row(to.size() + 1);
-    std::iota(row.begin(), row.end(), std::size_t{0});
-    for (const char c : from) {
-        std::size_t diagonal = row[0]++;
-        for (std::size_t i = 0; i < to.size(); ++i) {
-            const std::size_t changed = diagonal + (c == to[i] ? 0 : 1);
-            diagonal = row[i + 1];
-            row[i + 1] = std::min({changed, row[i] + 1, row[i + 1] + 1});
+    std::vector<std::vector<std::size_t>> table(from.size() + 1,
+                                                std::vector<std::size_t>(to.size() + 1));
+    for (std::size_t i = 0; i <= from.size(); ++i)
+        for (std::size_t j = 0; j <= to.size(); ++j) {
+            std::size_t& least = table[i][j];
+            if (i == 0 || j == 0) {
+                least = i + j;
+                continue;
+            }
+            least = std::min({table[i - 1][j] + 1, table[i][j - 1] + 1,
+                              table[i - 1][j - 1] + (from[i - 1] == to[j - 1] ? 0 : 1)});
+            if (i > 1 && j > 1 && from[i - 1] == to[j - 2] && from[i - 2] == to[j - 1])
+                least = std::min(least, table[i - 2][j - 2] + 1);
         }
-    }
-    return row.back();
+    return table.back().back();
 }
 
 } // namespace
@@ -31,7 +34,10 @@ std::size_t edits(std::string_view from, std::string_view to) {
 std::string hint(std::string_view word, const std::vector<std::string>& names) {
     const auto distance = [&](const std::string& name) { return edits(word, name); };
     const auto nearest = std::ranges::min_element(names, {}, distance);
-    constexpr std::size_t slips = 2; // three edits turn short words into others
+    // One slip in three letters, or else short words turn into others, and at most two.
+    const auto letters =
+        static_cast<std::size_t>(std::ranges::count_if(word, [](char c) { return c != '-'; }));
+    const std::size_t slips = std::min<std::size_t>(letters / 3, 2);
     if (nearest == names.end() || distance(*nearest) > slips)
         return "";
     return fmt::format("\nDid you mean {}?", *nearest);
