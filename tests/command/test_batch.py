@@ -11,6 +11,13 @@ import unittest
 
 from common import CommandTest, plain_environment, run, walk
 
+READER = """#!/bin/sh
+case $3 in
+*.c3d) printf 'fps 120.0\\n'; cat WALKER ;;
+*) printf '%s: has no points' "$3"; exit 3 ;;
+esac
+"""
+
 
 class Batch(CommandTest):
     def setUp(self):
@@ -33,8 +40,8 @@ class Batch(CommandTest):
         path.write_text("\n".join([names, *rows]) + "\n")
 
     def batch(self, *arguments, status=0, out=None, **settings):
-        line = ("batch", self.clips, "--out", out or self.out, "--fps", "30", *arguments)
-        result = run(*line, **settings)
+        line = ("batch", "clips", "--out", out or self.out, "--fps", "30", *arguments)
+        result = run(*line, cwd=self.folder, **settings)
         self.assertEqual(result.returncode, status, result.stderr.decode())
         return result.stdout.decode()
 
@@ -48,27 +55,56 @@ class Batch(CommandTest):
 
     def test_results_and_summary(self):
         self.assertIn("3 clips: 3 decomposed, 0 kept from before, 0 failed", self.batch())
-        names = ["more/swing, noisy.csv", "more/walk.bvh", "walk.bvh"]
+        names = ["clips/more/swing, noisy.csv", "clips/more/walk.bvh", "clips/walk.bvh"]
         rows = self.summary()
-        self.assertEqual([row["clip"] for row in rows], names)
-        self.assertEqual(sorted(map(str, self.files())), [*(f"{n}.json" for n in names[:2]),
-                                                          "summary.csv", "walk.bvh.json"])  # fmt: skip
-        result = json.loads((self.out / "walk.bvh.json").read_text())
+        columns = ["path", "status", "error", "frames", "segments", "cycles", "repetitions", "period_s"]
+        self.assertEqual(list(rows[0])[:8], columns)
+        self.assertEqual([row["path"] for row in rows], names)
+        self.assertEqual(sorted(map(str, self.files())), [
+            *(n.replace("/", "__") + ".json" for n in names), "summary.csv"])  # fmt: skip
+        result = json.loads((self.out / "clips__walk.bvh.json").read_text())
         origin = result.pop("batch")
         self.assertEqual(origin["bytes"], (self.clips / "walk.bvh").stat().st_size)
         self.assertEqual(origin["options"], {"fps": "30"})
-        alone = self.json("decompose", self.clips / "walk.bvh", "--fps", "30", "--threads", "1")
+        line = ("decompose", "clips/walk.bvh", "--fps", "30", "--threads", "1")
+        alone = self.json(*line, cwd=self.folder)
         self.assertEqual(result, alone)
         self.assertEqual(int(rows[2]["cycles"]), len(alone["cycles"]))
         self.assertEqual(float(rows[2]["period_s"]), alone["period_s"])
-        self.assertEqual((rows[2]["status"], rows[2]["message"]), ("done", ""))
+        self.assertEqual([rows[2][name] for name in ("status", "error", "reason")], ["done", "", ""])
 
-    def test_same_bytes_for_any_number_of_workers(self):
+    def test_the_path_as_given_names_the_result(self):
+        line = ("./walk.bvh", "more//../walk.bvh", "../clips/more/walk.bvh", ".")
+        self.done("batch", *line, "--out", self.out, "--fps", "30", cwd=self.clips)
+        paths = ["../clips/more/walk.bvh", "more/../walk.bvh", "more/swing, noisy.csv",
+                 "more/walk.bvh", "walk.bvh"]  # fmt: skip
+        self.assertEqual([row["path"] for row in self.summary()], paths)
+        for path in paths:
+            name = path.removeprefix("../").replace("/", "__")
+            self.assertTrue((self.out / f"{name}.json").exists(), path)
+
+    def test_a_clip_given_twice_counts_once(self):
+        line = ("clips/walk.bvh", "./clips/walk.bvh", "clips", "clips/")
+        text = self.done("batch", *line, "--out", self.out, "--fps", "30", cwd=self.folder)
+        self.assertIn(b"3 clips: 3 decomposed", text)
+
+    def test_links_that_lead_back(self):
+        (self.clips / "loop").symlink_to(".")
+        (self.clips / "more" / "up").symlink_to("..")
+        elsewhere = self.folder / "elsewhere"
+        elsewhere.mkdir()
+        shutil.copy(walk(), elsewhere / "other.bvh")
+        (self.clips / "link").symlink_to(elsewhere)
+        (self.clips / "dangling").symlink_to("nothing")
+        self.assertIn("4 clips: 4 decomposed", self.batch())
+        self.assertTrue((self.out / "clips__link__other.bvh.json").exists())
+
+    def test_same_bytes_for_any_number_of_jobs(self):
         self.batch()
-        for workers, blas in ((2, 1), (3, 2)):
-            other = self.folder / f"out{workers}"
+        for jobs, blas in ((2, 1), (3, 2)):
+            other = self.folder / f"out{jobs}"
             environment = plain_environment(OPENBLAS_NUM_THREADS=str(blas))
-            self.batch("--workers", str(workers), out=other, env=environment)
+            self.batch("--jobs", str(jobs), out=other, env=environment)
             self.assertEqual(self.files(other), self.files())
 
     def test_only_what_changed_is_done_again(self):
@@ -76,10 +112,10 @@ class Batch(CommandTest):
         before = self.files()
         self.assertIn("0 decomposed, 3 kept", self.batch())
         self.assertEqual(self.files(), before)
-        (self.out / "walk.bvh.json").unlink()
+        (self.out / "clips__walk.bvh.json").unlink()
         self.assertIn("1 decomposed, 2 kept", self.batch())
         self.assertEqual(self.files(), before)
-        with (self.out / "walk.bvh.json").open("r+b") as file:  # a write that was cut off
+        with (self.out / "clips__walk.bvh.json").open("r+b") as file:  # a write that was cut off
             file.truncate(1000)
         self.assertIn("1 decomposed, 2 kept", self.batch())
         with (self.clips / "walk.bvh").open("a") as file:
@@ -91,20 +127,35 @@ class Batch(CommandTest):
 
     def test_bad_files_are_rows(self):
         (self.clips / "bad.bvh").write_text("hello\n")
-        line = ("batch", self.clips, self.folder / "missing.csv", "--out", self.out, "--json")
-        result = run(*line, "--fps", "30")
+        line = ("batch", "clips", "missing.csv", "--out", self.out, "--json")
+        result = run(*line, "--fps", "30", cwd=self.folder)
         self.assertEqual(result.returncode, 5)
         told = json.loads(result.stdout)
         self.assertEqual((told["clips"], told["failed"]), (5, 2))
-        rows = {row["clip"]: row for row in self.summary()}
-        self.assertEqual(rows["bad.bvh"]["status"], "STLTSA_E_FORMAT")
-        self.assertIn("must begin with HIERARCHY", rows["bad.bvh"]["message"])
+        rows = {row["path"]: row for row in self.summary()}
+        self.assertEqual(rows["clips/bad.bvh"]["status"], "STLTSA_E_FORMAT")
+        self.assertIn("must begin with HIERARCHY", rows["clips/bad.bvh"]["error"])
         self.assertEqual(rows["missing.csv"]["status"], "STLTSA_E_IO")
-        self.assertEqual(rows["walk.bvh"]["status"], "done")
-        self.assertFalse((self.out / "bad.bvh.json").exists())
+        self.assertEqual(rows["clips/walk.bvh"]["status"], "done")
+        self.assertFalse((self.out / "clips__bad.bvh.json").exists())
         text = self.batch(status=5)
         self.assertIn("0 decomposed, 3 kept from before, 1 failed", text)
-        self.assertIn("\n  bad.bvh  line 1: a BVH file must begin", text)
+        self.assertIn("\n  clips/bad.bvh  line 1: a BVH file must begin", text)
+
+    def test_a_length_in_seconds_that_a_clip_cannot_have(self):
+        """Only that clip fails."""
+        line = ("batch", "clips", "--out", self.out, "--neighbors", "1s")
+        self.assertEqual(run(*line, cwd=self.folder).returncode, 5)
+        status = {row["path"]: row["status"] for row in self.summary()}
+        self.assertEqual(status["clips/more/swing, noisy.csv"], "STLTSA_E_ARGUMENT")
+        self.assertEqual(status["clips/walk.bvh"], "done")
+
+    def test_a_folder_of_results_that_cannot_be_written(self):
+        full = self.folder / "out"
+        full.mkdir()
+        (full / "clips__walk.bvh.json").mkdir()
+        line = ("batch", "clips", "--out", full, "--fps", "30")
+        self.assertIn("cannot write", self.fails(1, *line, cwd=self.folder))
 
     def test_a_long_name_has_its_line(self):
         name = 150 * "n" + ".bvh"
@@ -112,8 +163,8 @@ class Batch(CommandTest):
         (self.clips / "bad.bvh").write_text("hello\n")
         text = self.batch(status=5)
         self.assertEqual(text.count(name), 1)
-        self.assertIn("\n  bad.bvh  line 1: ", text)
-        self.assertIn(f"\n  {name}\n           line 1: ", text)
+        self.assertIn("\n  clips/bad.bvh  line 1: ", text)
+        self.assertIn(f"\n  clips/{name}\n                 line 1: ", text)
 
     def test_shards(self):
         whole = self.folder / "whole"
@@ -131,14 +182,53 @@ class Batch(CommandTest):
 
     def test_wrong_command_lines(self):
         for line, hint in (
-            ((self.clips, self.clips), "same result"),
+            (("a__b.bvh", "a/b.bvh"), "same result"),
+            (("-",), "stltsa decompose -"),
             ((self.folder / "empty",), "no .bvh"),
             ((self.clips, "--neighbors", "x"), "--neighbors"),
-            ((self.clips, "--workers", "0"), "--workers"),
+            ((self.clips, "--jobs", "0"), "--jobs"),
         ):
             (self.folder / "empty").mkdir(exist_ok=True)
             self.assertIn(hint, self.fails(2, "batch", *line, "--out", self.out))
         self.assertFalse(self.out.exists())
+
+
+class PythonReaders(CommandTest):
+    """Files that the Python package reads for the command."""
+
+    def setUp(self):
+        super().setUp()
+        (self.folder / "clips").mkdir()
+        shutil.copy(walk(), self.folder / "clips" / "walk.bvh")
+        for name in ("a.c3d", "b.TRC"):
+            (self.folder / "clips" / name).write_text(name)
+        reader = self.folder / "python3"
+        reader.write_text(READER.replace("WALKER", str(walk())))
+        reader.chmod(0o755)
+        self.reader = str(reader)
+
+    def test_they_are_clips(self):
+        line = ("batch", "clips", "--out", "out", "--jobs", "3", "--json")
+        environment = plain_environment(STLTSA_PYTHON=self.reader)
+        result = run(*line, cwd=self.folder, env=environment)
+        self.assertEqual(result.returncode, 5, result.stderr)
+        told = json.loads(result.stdout)
+        self.assertEqual((told["clips"], told["failed"]), (3, 1))
+        with (self.folder / "out" / "summary.csv").open(newline="") as file:
+            rows = {row["path"]: row for row in csv.DictReader(file)}
+        self.assertEqual(rows["clips/a.c3d"]["cycles"], rows["clips/walk.bvh"]["cycles"])
+        self.assertEqual(rows["clips/b.TRC"]["status"], "STLTSA_E_FORMAT")
+        self.assertIn("has no points", rows["clips/b.TRC"]["error"])
+        again = run(*line, cwd=self.folder, env=environment)
+        self.assertEqual(json.loads(again.stdout)["kept"], 2)
+
+    def test_without_the_package_they_are_mentioned(self):
+        line = ("batch", "clips", "--out", "out")
+        result = run(*line, cwd=self.folder)
+        self.assertEqual(result.returncode, 0)
+        self.assertIn(b"warning: 2 files left out, such as C3D", result.stderr)
+        (self.folder / "clips" / "walk.bvh").unlink()
+        self.assertIn("2 files left out", self.fails(2, *line, cwd=self.folder))
 
 
 if __name__ == "__main__":

@@ -45,6 +45,8 @@ class Mapping(CommandTest):
         far = write_csv("far.csv", [[50 + math.cos(t), 50.0, 0.0] for t in range(40)])
         found = self.json("map", model, far, "--fps", "30")
         self.assertEqual(found["beyond"]["stretches"], [{"begin": 0, "end": 40}])
+        self.assertEqual(found["beyond"]["verdict"], "another motion")
+        self.assertIsNone(self.json("map", model, circle(), "--fps", "30")["beyond"]["verdict"])
         told = self.done("map", model, far, "--fps", "30").decode()
         self.assertIn("40 outside", told)
         self.assertRegex(told, r"how far +\d+\.\d times the model's range at the median, as another")
@@ -96,6 +98,8 @@ class Mapping(CommandTest):
         ):
             found = self.json("unmap", model, points, "-o", self.folder / product, *flags)
             self.assertEqual(found["fps"], rate)
+            self.assertEqual(["taken as 30 per second" in note for note in found["notes"]],
+                             [] if flags else [True])
             self.check_schema(found)
 
     def test_points_with_a_time(self):
@@ -203,7 +207,7 @@ class Mapping(CommandTest):
         self.assertNotIn("stltsa_", message)
         self.assertIn("--follow", self.fails(2, "unmap", model, self.folder / "y.csv", "-o",
                                              self.folder / "x.csv", "--hint-window", "3"))
-        for name in ("m.bvh", "m", "-"):
+        for name in ("m.bvh", "m"):
             self.assertIn(".stltsa", self.fails(2, "fit", circle(), "-o", name, cwd=self.folder))
         two = write_csv("two.csv", [[0.0, float(i)] for i in range(40)])
         self.assertIn("features", self.fails(1, "map", model, two, "--fps", "30"))

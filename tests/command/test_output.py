@@ -29,6 +29,40 @@ class Streams(CommandTest):
                 self.assertIsNone(from_stdin["clip"].pop("path"))
                 self.assertEqual(from_file, from_stdin)
 
+    def test_a_stretch_of_standard_input(self):
+        for arguments in (("info",), ("decompose",), ("synthesize", "-o", self.folder / "x.bvh")):
+            from_file = self.json(arguments[0], f"{walk()}:cyclic", *arguments[1:])
+            from_stdin = self.json(arguments[0], "-:cyclic", *arguments[1:], input=walk().read_bytes())
+            for found, path in ((from_file, str(walk())), (from_stdin, None)):
+                clips = found.get("pieces", [found["clip"]])
+                self.assertEqual([clip.pop("path") for clip in clips], [path])
+            self.assertEqual(from_file, from_stdin)
+        text = self.done("info", "-:cyclic", input=walk().read_bytes()).decode()
+        self.assertTrue(text.startswith("standard input:cyclic: BVH, "), text)
+        message = self.fails(2, "map", "-", "-:cyclic", input=b"")
+        self.assertIn("standard input", message)
+
+    def test_a_folder_does_not_hide_a_stretch(self):
+        clip = self.folder / "walk.bvh"
+        clip.write_bytes(walk().read_bytes())
+        (self.folder / "walk.bvh:cyclic").mkdir()
+        found = self.json("info", f"{clip}:cyclic")
+        self.assertLess(found["clip"]["frames"], self.json("info", clip)["clip"]["frames"])
+        self.done("synthesize", f"{clip}:cyclic", "-o", self.folder / "x.bvh")
+        (self.folder / "walk.bvh:best").write_bytes(walk(60).read_bytes())
+        self.assertEqual(self.json("info", f"{clip}:best")["clip"]["fps"], 60)
+        self.assertIn("'cyclé' is no stretch", self.fails(2, "info", f"{clip}:cyclé"))
+
+    def test_errors_name_standard_input(self):
+        for line, text in (
+            (("info", "-"), "standard input:1: "),
+            (("info", "-:cyclic"), "standard input:1: "),
+            (("synthesize", "-:best", "-o", "x.bvh"), "standard input:1: "),
+            (("map", "-", walk()), "standard input: this is not a model"),
+        ):
+            message = self.fails(3, *line, input=b"junk\n", cwd=self.folder)
+            self.assertTrue(message.startswith(f"stltsa: {text}"), message)
+
     def test_full_disk(self):
         with open("/dev/full", "wb") as full:
             self.assertIn("No space", self.fails(1, "info", walk(), stdout=full))
@@ -62,10 +96,11 @@ class Files(CommandTest):
         self.assertEqual(path.read_bytes(), text)
 
     def test_failed_writes_leave_nothing(self):
-        for full in ("/dev/full", "/nonexistent/x", self.folder):
-            with self.subTest(full=full):
-                self.fails(1, "decompose", walk(), "-o", full)
-                self.fails(1, "decompose", walk(), "-o", self.folder / "a", "--plot", full)
+        places = ((full, full) for full in ("/dev/full", self.folder))
+        for text, plot in (*places, ("/nonexistent/x.txt", "/nonexistent/x.svg")):
+            with self.subTest(text):
+                self.fails(1, "decompose", walk(), "-o", text)
+                self.fails(1, "decompose", walk(), "-o", self.folder / "a.txt", "--plot", plot)
                 self.assert_empty(self.folder)
         self.assertTrue(os.path.exists("/dev/full"))
 
@@ -78,7 +113,9 @@ class Files(CommandTest):
         for same in (clip, link, self.folder / "sub" / ".." / "walk.svg"):
             self.assertIn("input", self.fails(2, "decompose", clip, "--plot", same))
             self.assertIn("input", self.fails(2, "fit", walk(), "--skeleton", clip, "--plot", same))
-        self.assertIn("input", self.fails(2, "dimension", "walk.svg", "-o", clip, cwd=self.folder))
+        text = self.folder / "walk.txt"
+        text.write_bytes(walk().read_bytes())
+        self.assertIn("input", self.fails(2, "dimension", "walk.txt", "-o", text, cwd=self.folder))
         self.assertEqual(clip.read_bytes(), walk().read_bytes())
         new = self.folder / "new.npy"
         message = self.fails(
@@ -162,6 +199,87 @@ class Files(CommandTest):
         self.assertEqual(
             self.done("decompose", walk(), "-o", "/dev/stdout"), self.done("decompose", walk())
         )
+
+
+class StandardOutput(CommandTest):
+    """"-" is standard output for every file that is written."""
+
+    def test_it_gets_the_bytes_of_the_file(self):
+        model, y = self.folder / "m.stltsa", self.folder / "y.csv"
+        self.done("fit", walk(), "--dimension", "3", "-o", model)
+        self.done("map", model, walk(), "-o", y)
+        for suffix, *line in (
+            (".svg", "decompose", walk(), "--plot"),
+            (".csv", "decompose", walk(), "--phase"),
+            (".csv", "fit", walk(), "--coords"),
+            (".stltsa", "fit", walk(), "-o"),
+            (".svg", "fit", walk(), "--plot"),
+            (".csv", "map", model, walk(), "-o"),
+            (".bvh", "unmap", model, y, "-o"),
+            (".csv", "denoise", walk(), "-o"),
+            (".csv", "denoise", walk(), "--curve-out"),
+            (".svg", "denoise", walk(), "--plot"),
+            (".bvh", "synthesize", f"{walk()}:best", "-o"),
+        ):
+            with self.subTest(line):
+                file = self.folder / f"file{suffix}"
+                self.done(*line, file)
+                result = run(*line, "-", cwd=self.folder)
+                self.assertEqual((result.returncode, result.stderr), (0, b""))
+                self.assertEqual(result.stdout, file.read_bytes())
+                self.assertFalse((self.folder / "-").exists())
+
+    def test_pipes(self):
+        model = self.done("fit", walk(), "--dimension", "3", "-o", "-")
+        y = self.done("map", "-", walk(), "-o", "-", input=model)
+        self.assertEqual(y.count(b"\n"), self.json("info", walk())["clip"]["frames"] + 1)
+        loop = self.done("synthesize", walk(), "--loop", "-o", "-")
+        self.assertIn(b"standard input: BVH", self.done("info", "-", input=loop))
+
+    def test_it_takes_one_result(self):
+        for line in (
+            ("decompose", walk(), "--json", "--plot", "-"),
+            ("decompose", walk(), "-o", "-", "--plot", "-"),
+            ("decompose", walk(), "--phase", "-", "--plot", "-"),
+            ("fit", walk(), "--json", "--coords", "-"),
+        ):
+            self.assertIn("one result", self.fails(2, *line))
+        path = self.folder / "x.json"
+        self.assertIn(b"<svg", self.done("decompose", walk(), "-o", path, "--plot", "-"))
+        self.assertEqual(json.loads(path.read_text())["format"], "stltsa-decomposition/2")
+
+    def test_what_the_table_would_say_goes_to_standard_error(self):
+        model, y = self.folder / "m.stltsa", self.folder / "y.npy"
+        self.done("fit", walk(), "--dimension", "3", "-o", model)
+        self.done("map", model, walk(), "-o", y)
+        self.assertIn(b"note: the coordinates carry no rate", run("unmap", model, y, "-o", "-").stderr)
+        self.assertEqual(run("unmap", model, y, "-o", "-", "-q").stderr, b"")
+
+    def test_a_closed_pipe_leaves_no_file(self):
+        reader, writer = os.pipe()
+        os.close(reader)
+        with os.fdopen(writer, "wb") as closed:
+            line = ("fit", walk(), "-o", self.folder / "m.stltsa", "--coords", "-")
+            self.assertIn("standard output", self.fails(1, *line, stdout=closed))
+        self.assert_empty(self.folder)
+
+
+class Suffixes(CommandTest):
+    def test_json_implies_json(self):
+        for line in (("decompose", walk()), ("dimension", walk()),
+                     ("events", walk(), "--mark", "300=strike")):
+            path = self.folder / f"{line[0]}.json"
+            self.assertEqual(self.done(*line, "-o", path), b"")
+            self.assertEqual(path.read_bytes(), self.done(*line, "--json"))
+
+    def test_others_are_refused(self):
+        for suffix in ("", ".md"):
+            for command in ("decompose", "dimension"):
+                message = self.fails(2, command, walk(), "-o", self.folder / f"u{suffix}")
+                self.assertIn("must end in", message)
+        self.assertIn("must end in", self.fails(2, "dimension", walk(), "-o", self.folder / "u.csv"))
+        self.assertIn("must end in", self.fails(2, "decompose", walk(), "--plot", self.folder / "u"))
+        self.assert_empty(self.folder)
 
 
 class Coordinates(CommandTest):

@@ -34,7 +34,7 @@ class Usage(CommandTest):
             (("decompose", clip, "--curve"), "--json"),
             (("decompose", clip, "--plot", "y.png"), ".svg"),
             (("fit", clip, "--plot", "./y.pdf"), ".svg"),
-            (("decompose", clip, "-o", "y.json"), "--json"),
+            (("decompose", clip, "--json", "-o", "y.csv"), ".json"),
             (("decompose", clip, "--period-min", "3", "--period-max", "1"), "--period-min is 3"),
             (("fit", clip, "--neighbors", "3", "--dimension", "2"), "neighbors"),
         ):
@@ -48,10 +48,16 @@ class Usage(CommandTest):
             (("fit", walk(), "--neigbors=36"), "Did you mean --neighbors?"),
             (("fit", walk(), "--no-include-slf"), "Did you mean --no-include-self?"),
             (("decompse", walk()), "Did you mean decompose?"),
+            (("--verison",), "Did you mean --version?"),
+            (("-v",), "there are -h, --help, --version"),
+            (("nosuch.bvh",), "neither a command nor a file"),
+            (("-",), "try 'stltsa decompose -'"),
+            ((walk().parent,), f"try 'stltsa batch {walk().parent} --out results'"),
+            ((f"{walk()}:cyclic",), f"try 'stltsa decompose {walk()}:cyclic'"),
         ):
             with self.subTest(arguments):
                 self.assertIn(hint, self.fails(2, *arguments))
-        for arguments in (("fit", walk(), "--bogus"), ("frobnicate",), ("fit", walk(), walk())):
+        for arguments in (("fit", walk(), "--bogus"), ("frobnicate",), ("fit", walk(), "--foo", "1"), ("fit", walk(), walk())):
             with self.subTest(arguments):
                 self.assertNotIn("Did you mean", self.fails(2, *arguments))
 

@@ -3,15 +3,18 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <stltsa.hpp>
 
+#include "arguments/checks.hpp"
 #include "arguments/completions.hpp"
 #include "arguments/help.hpp"
 #include "arguments/option_flags.hpp"
+#include "arguments/pieces.hpp"
 #include "exit_status.hpp"
 #include "terminal/text.hpp"
 
@@ -53,7 +56,7 @@ bool has_option(Command command, const stltsa::OptionInfo& option) {
     if (command == Command::denoise && option.key == STLTSA_OPT_KEEP_FRAMES)
         return false;
     if (command == Command::batch && option.key == STLTSA_OPT_THREADS)
-        return false; // --workers
+        return false; // --jobs
     if (command == Command::events &&
         (option.key == STLTSA_OPT_DIMENSION_ESTIMATE || option.key == STLTSA_OPT_EIGENGAP ||
          option.key == STLTSA_OPT_VARIANCE))
@@ -94,9 +97,23 @@ const char* group_of(const stltsa::OptionInfo& option) {
     }
 }
 
-bool is_regular_file(const std::string& path) {
-    std::error_code none;
-    return std::filesystem::is_regular_file(path, none);
+/// The name of a file, or of none that is there.
+bool looks_like_a_path(const std::string& word) {
+    return word.find_first_of("./:") != word.npos;
+}
+
+// CLI11 would take a stretch of standard input, "-:cyclic", for an option.
+constexpr char shield = '\x01';
+
+void shield_stretches(std::vector<std::string>& words) {
+    for (std::string& word : words)
+        if (word.starts_with("-:"))
+            word.insert(word.begin(), shield);
+}
+
+void remove_shield(std::string& word) {
+    if (word.starts_with(shield))
+        word.erase(word.begin());
 }
 
 /// Builds the parser; what it reads goes into `to`.
@@ -170,6 +187,7 @@ class Parser {
             words.back() = "--help";
         }
         check_command(words);
+        shield_stretches(words);
         std::ranges::reverse(words); // as CLI11 takes them
         try {
             app_.parse(words);
@@ -185,6 +203,9 @@ class Parser {
                                       chosen == nullptr ? "" : option_hint(*chosen),
                                       chosen == nullptr ? "" : chosen->get_name() + " "));
         }
+        remove_shield(to_.input);
+        remove_shield(to_.model);
+        std::ranges::for_each(to_.pieces, remove_shield);
     }
 
   private:
@@ -192,8 +213,7 @@ class Parser {
     static std::string option_hint(const CLI::App& command) {
         std::vector<std::string> flags;
         for (const CLI::Option* option : command.get_options())
-            for (const std::string& name : option->get_lnames())
-                flags.push_back("--" + name);
+            std::ranges::copy(dashed_names(*option), std::back_inserter(flags));
         for (const std::string& word : command.remaining())
             if (word.starts_with("--"))
                 return hint(word.substr(0, word.find('=')), flags);
@@ -206,16 +226,49 @@ class Parser {
         std::vector<std::string> names;
         for (const CLI::App* command : app_.get_subcommands({}))
             names.push_back(command->get_name());
-        if (first.starts_with('-') || std::ranges::find(names, first) != names.end())
+        if (std::ranges::find(names, first) != names.end())
             return;
-        if (is_regular_file(first))
-            throw Failure(Exit::usage, fmt::format("'{0}' is a file, and a command is missing: try "
-                                                   "'stltsa decompose {0}'",
-                                                   first));
+        if (first.starts_with('-') && !is_standard_input(first))
+            return check_flag(first);
+        check_not_a_path(first);
         const std::string what =
             words.empty() ? "a command is missing" : "there is no command '" + first + "'";
         throw Failure(Exit::usage, fmt::format("{}: give one of {}{}\nTry 'stltsa --help'.", what,
                                                fmt::join(names, ", "), hint(first, names)));
+    }
+
+    /// An option before any command.
+    void check_flag(const std::string& word) const {
+        std::vector<std::string> flags;
+        for (const CLI::Option* option : app_.get_options())
+            std::ranges::copy(dashed_names(*option), std::back_inserter(flags));
+        if (std::ranges::find(flags, word) == flags.end())
+            throw Failure(Exit::usage,
+                          fmt::format("there is no option '{}' without a command: there are {}{}"
+                                      "\nTry 'stltsa --help'.",
+                                      word, fmt::join(flags, ", "), hint(word, flags)));
+    }
+
+    /// A clip, where a command belongs.
+    static void check_not_a_path(const std::string& word) {
+        std::error_code none;
+        const std::string file = file_of(word);
+        const auto missing = [&word](const char* what, const char* line) {
+            throw Failure(Exit::usage,
+                          fmt::format("'{0}' is {1}, and a command is missing: try "
+                                      "'stltsa {2}'",
+                                      word, what, fmt::format(fmt::runtime(line), word)));
+        };
+        if (is_standard_input(word))
+            missing("standard input", "decompose {}");
+        if (std::filesystem::is_directory(word, none))
+            missing("a folder", "batch {} --out results");
+        if (std::filesystem::exists(file, none))
+            missing("a file", "decompose {}");
+        if (looks_like_a_path(word))
+            throw Failure(Exit::usage, fmt::format("'{}' is neither a command nor a file\n"
+                                                   "Try 'stltsa --help'.",
+                                                   word));
     }
 
     CLI::App& add(Command command, const char* name) {
@@ -264,7 +317,7 @@ class Parser {
             .add_option("--shard", to_.shard, "Take every n-th clip, from the i-th on: 1/8 to 8/8.")
             ->type_name("I/N")
             ->group(group::method);
-        batch.add_option("--workers", to_.workers, "Clips at the same time. Default: 1.")
+        batch.add_option("--jobs", to_.jobs, "Clips at the same time. Default: 1.")
             ->type_name("N")
             ->check(CLI::Range(1, 1024))
             ->group(group::method);
@@ -309,8 +362,7 @@ class Parser {
         return app.add_option("-o,--output", to_.product, text)->type_name("FILE");
     }
     void add_output(CLI::App& app) {
-        app.add_option("-o,--output", to_.output, "Write the result to a file; -: standard output.")
-            ->type_name("FILE");
+        app.add_option("-o,--output", to_.output, "Write the result to a file.")->type_name("FILE");
     }
     void add_plot(CLI::App& app) {
         app.add_option("--plot", to_.plot, "Write a figure as SVG.")->type_name("FILE");
@@ -320,62 +372,14 @@ class Parser {
     CLI::App app_;
 };
 
-void check_suffix(const char* flag, const std::string& path,
-                  std::initializer_list<std::string_view> suffixes) {
-    if (path.empty() || std::ranges::any_of(suffixes, [&](std::string_view suffix) {
-            return ends_in(path, suffix);
-        }))
-        return;
-    throw Failure(Exit::usage, fmt::format("{} {}: the name must end in {}", flag, path,
-                                           fmt::join(suffixes, ", ")));
-}
-
-/// A name without a suffix, as /dev/stdout, promises nothing.
-bool has_suffix(const std::string& path) {
-    return path.find('.', path.find_last_of('/') + 1) != path.npos; // npos + 1 is 0
-}
-
-void check_arguments(const Arguments& arguments) {
-    check_suffix("--coords", arguments.coords, {".npy", ".csv"});
-    check_suffix("--phase", arguments.phase, {".npy", ".csv"});
-    if (arguments.command == Command::fit)
-        check_suffix("-o", arguments.product, {".stltsa"});
-    check_suffix("--curve-out", arguments.curve_product, {".npy", ".csv"});
-    if (arguments.command == Command::map || arguments.command == Command::denoise)
-        check_suffix("-o", arguments.product, {".npy", ".csv"});
-    if (arguments.command == Command::unmap || arguments.command == Command::synthesize)
-        check_suffix("-o", arguments.product, {".bvh", ".amc", ".glb", ".npy", ".csv"});
-    if (has_suffix(arguments.plot))
-        check_suffix("--plot", arguments.plot, {".svg"});
-    const bool table =
-        arguments.command == Command::decompose || arguments.command == Command::events;
-    if (table && has_suffix(arguments.output))
-        check_suffix("-o", arguments.output, {".csv", ".json", ".txt"});
-    if (ends_in(arguments.output, ".csv") && arguments.json)
-        throw Failure(
-            Exit::usage,
-            fmt::format("--output {}: JSON goes to a file that ends in .json", arguments.output));
-    if (ends_in(arguments.output, ".json") && !arguments.json)
-        throw Failure(Exit::usage, fmt::format("--output {}: the result is a table for people; "
-                                               "--json makes it JSON",
-                                               arguments.output));
-    if (arguments.command == Command::unmap && !arguments.follow &&
-        arguments.options.contains(STLTSA_OPT_HINT_WINDOW))
-        throw Failure(Exit::usage, "--hint-window goes with --follow");
-    if (arguments.model == "-" && arguments.input == "-")
-        throw Failure(Exit::usage, "standard input (-) is one file: the model or the other");
-    if (arguments.curve && !arguments.json)
-        throw Failure(Exit::usage, "--curve goes with --json");
-    if (arguments.command == Command::fit && !arguments.marks.empty() && arguments.product.empty())
-        throw Failure(Exit::usage, "--mark goes with -o: the model keeps the mark");
-}
-
 } // namespace
 
 Arguments parse_arguments(int argc, const char* const* argv) {
     Arguments arguments;
     Parser parser(arguments);
     parser.parse(argc, argv);
+    if (ends_in(arguments.output, ".json"))
+        arguments.json = true;
     if (arguments.answer.empty())
         check_arguments(arguments);
     return arguments;

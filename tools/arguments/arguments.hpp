@@ -39,7 +39,7 @@ struct Arguments {
     std::string phase;              ///< decompose: the phase of each frame
     std::string out;                ///< batch: the folder of results
     std::string shard;              ///< batch: "i/n"; empty: all
-    int workers = 1;                ///< batch
+    int jobs = 1;                   ///< batch: clips at the same time
     bool json = false;
     bool curve = false;       ///< in the JSON
     bool coordinates = false; ///< denoise: the input's columns are coordinates
@@ -47,8 +47,16 @@ struct Arguments {
     bool quiet = false;
     bool no_color = false;
 
+    /// The files that the options name, apart from the text.
+    std::vector<std::string> products() const {
+        return {product, curve_product, coords, phase, plot};
+    }
+
     std::string answer; ///< not empty: a --help or --version to print instead
 };
+
+/// Whether one of the products goes to standard output, so that the text does not.
+bool stdout_is_taken(const Arguments& arguments);
 
 /// Throws Failure with Exit::usage for a wrong command line.
 Arguments parse_arguments(int argc, const char* const* argv);

@@ -54,10 +54,7 @@ std::string first_sentence(const std::string& text) {
 /// A value's name lists what it can be: "auto|N", "temporal|spatial".
 Flag flag_of(const CLI::Option& option) {
     Flag flag;
-    for (const std::string& name : option.get_snames())
-        flag.names.push_back("-" + name);
-    for (const std::string& name : option.get_lnames())
-        flag.names.push_back("--" + name);
+    flag.names = dashed_names(option);
     flag.text = first_sentence(option.get_description());
     if (option.get_items_expected_max() == 0)
         return flag;
@@ -232,6 +229,15 @@ std::string fish(const std::vector<CommandFlags>& commands) {
 }
 
 } // namespace
+
+std::vector<std::string> dashed_names(const CLI::Option& option) {
+    std::vector<std::string> names;
+    for (const std::string& name : option.get_snames())
+        names.push_back("-" + name);
+    for (const std::string& name : option.get_lnames())
+        names.push_back("--" + name);
+    return names;
+}
 
 std::string completions(const CLI::App& app, const std::string& shell) {
     const std::vector<CommandFlags> commands = commands_of(app);

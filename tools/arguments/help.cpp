@@ -34,7 +34,8 @@ Examples:
   stltsa info - < walk.bvh)";
 
 const char* const ending =
-    R"(Clips are BVH, AMC (with its ASF), CSV or NPY files; "-" is standard input.
+    R"(Clips are BVH, AMC (with its ASF), CSV or NPY files; "-" is standard input, and
+for an output standard output: tables as CSV, figures as SVG, clips as BVH.
 Exit status: 0 done, 1 failed, 2 usage, 3 unreadable input, 4 no trustworthy
 result, 5 some clips of a batch failed, 130 cancelled.
 See also: man stltsa, stltsa help COMMAND.)";
@@ -118,12 +119,13 @@ Examples:
 
 constexpr const char* about_batch = R"(Decomposes many clips: one result each, and a summary.
 
-A result is DIR/NAME.json. A run that was stopped goes on where it was: a
-result is kept if clip, options and version of the library are the same.
+The result of a/b.bvh is FOLDER/a__b.bvh.json. A run that was stopped goes on
+where it was: a result is kept if clip, options and version of the library are
+the same.
 
 Examples:
   stltsa batch recordings/ --out results
-  stltsa batch *.bvh --out results --workers 4 --neighbors 1.2s
+  stltsa batch *.bvh --out results --jobs 4 --neighbors 1.2s
   stltsa batch recordings/ --out results --shard 2/8)";
 
 constexpr const char* about_events =

@@ -32,15 +32,21 @@ std::optional<T> number_in(std::string_view text) {
                   fmt::format("'{}': {}; a piece is CLIP[:STRETCH][*TIMES]", text, why));
 }
 
+/// A folder is no clip, and must not hide a stretch of one.
 bool is_file(const std::string& path) {
     std::error_code ignored;
-    return std::filesystem::exists(path, ignored);
+    const auto status = std::filesystem::status(path, ignored);
+    return std::filesystem::exists(status) && !std::filesystem::is_directory(status);
 }
 
 } // namespace
 
 std::string file_of(const std::string& text) {
     return is_file(text) ? text : text.substr(0, text.rfind(':'));
+}
+
+bool is_standard_input(const std::string& text) {
+    return file_of(text) == "-";
 }
 
 PieceText parse_piece(const std::string& text) {

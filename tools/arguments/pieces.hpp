@@ -15,6 +15,9 @@ namespace tool {
 /// The path without a stretch of the clip after it: "walk.bvh" of "walk.bvh:cyclic".
 std::string file_of(const std::string& text);
 
+/// "-", perhaps with a stretch after it.
+bool is_standard_input(const std::string& text);
+
 /// A piece, parsed but not looked up.
 struct PieceText {
     std::string path;

@@ -6,11 +6,15 @@
 #include <charconv>
 #include <filesystem>
 #include <fstream>
+#include <map>
+#include <set>
 #include <system_error>
 
 #include <fmt/format.h>
 #include <zlib.h>
 
+#include "arguments/pieces.hpp"
+#include "commands/foreign.hpp"
 #include "exit_status.hpp"
 #include "terminal/text.hpp"
 
@@ -21,19 +25,60 @@ namespace fs = std::filesystem;
 
 constexpr const char* suffixes[] = {".bvh", ".amc", ".csv", ".tsv", ".npy"};
 
-bool is_readable(const fs::path& path) {
-    return std::ranges::any_of(suffixes,
-                               [&](const char* suffix) { return ends_in(path.string(), suffix); });
+bool is_readable(const std::string& path) {
+    return std::ranges::any_of(suffixes, [&](const char* suffix) { return ends_in(path, suffix); });
 }
 
-void add_folder(const fs::path& folder, std::vector<ClipPath>& clips) {
-    constexpr auto options = fs::directory_options::follow_directory_symlink |
-                             fs::directory_options::skip_permission_denied;
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder, options))
-        if (entry.is_regular_file() && is_readable(entry.path()))
-            clips.push_back(
-                {entry.path().string(), entry.path().lexically_relative(folder).generic_string()});
+/// Without "." and double slashes; ".." stays, since links may come before it.
+std::string plain(const fs::path& path) {
+    fs::path result;
+    for (const fs::path& part : path)
+        if (part != "." && !part.empty())
+            result /= part;
+    return result.empty() ? "." : result.string();
 }
+
+/// Folders above are left out, so that no name begins with dots, which would hide the file.
+std::string result_name(std::string path) {
+    while (path.starts_with("../"))
+        path.erase(0, 3);
+    for (std::size_t at = 0; (at = path.find('/', at)) != path.npos;)
+        path.replace(at, 1, "__");
+    return path + ".json";
+}
+
+/// The clips of a folder and of those in it. Links are followed, into each folder once: they may
+/// lead back. What cannot be listed is left out.
+class Search {
+  public:
+    explicit Search(Found& found) : found_(found) {}
+
+    void folder(const fs::path& folder) {
+        std::error_code none;
+        if (!seen_.insert(fs::weakly_canonical(folder, none)).second)
+            return;
+        std::vector<fs::path> entries;
+        for (fs::directory_iterator entry(folder, none), end; entry != end; entry.increment(none))
+            entries.push_back(entry->path());
+        std::ranges::sort(entries);
+        for (const fs::path& entry : entries)
+            if (fs::is_directory(entry, none))
+                this->folder(entry);
+            else if (fs::is_regular_file(entry, none))
+                file(plain(entry));
+    }
+
+  private:
+    void file(const std::string& path) {
+        if (is_readable(path) || (is_foreign(path) && has_python()))
+            found_.clips.push_back({path, result_name(path)});
+        else if (is_foreign(path))
+            ++found_.foreign;
+    }
+
+    Found& found_;
+    std::set<fs::path> seen_;
+};
 
 void add_content(const std::string& path, Content& content) {
     std::ifstream file(path, std::ios::binary);
@@ -63,23 +108,41 @@ std::vector<std::string> skeletons_beside(const fs::path& clip) {
 
 } // namespace
 
-std::vector<ClipPath> find_clips(const std::vector<std::string>& paths) {
-    std::vector<ClipPath> clips;
-    for (const std::string& path : paths)
-        if (fs::is_directory(path))
-            add_folder(path, clips);
+Found find_clips(const std::vector<std::string>& paths) {
+    Found found;
+    std::vector<ClipPath>& clips = found.clips;
+    for (const std::string& given : paths) {
+        std::error_code none;
+        if (is_standard_input(given))
+            throw Failure(Exit::usage, "batch takes files and folders: for standard input, use "
+                                       "stltsa decompose - --json");
+        if (fs::is_directory(given, none))
+            Search(found).folder(plain(given));
         else // also one that does not exist, which becomes a row with its error
-            clips.push_back({path, fs::path(path).filename().generic_string()});
-    std::ranges::sort(clips, {}, &ClipPath::name);
-    const auto twice = std::ranges::adjacent_find(clips, {}, &ClipPath::name);
-    if (twice != clips.end())
-        throw Failure(Exit::usage,
-                      fmt::format("{} and {} would have the same result, {}.json: give their "
-                                  "common folder",
-                                  twice->path, std::next(twice)->path, twice->name));
+            clips.push_back({plain(given), result_name(plain(given))});
+    }
+    std::ranges::sort(clips, {}, &ClipPath::path);
+    const auto [first, last] = std::ranges::unique(clips, {}, &ClipPath::path);
+    clips.erase(first, last);
+    std::map<std::string, std::string> taken;
+    for (const ClipPath& clip : clips)
+        if (const auto [other, fresh] = taken.emplace(clip.result, clip.path); !fresh)
+            throw Failure(Exit::usage, fmt::format("{} and {} would have the same result, {}: "
+                                                   "decompose them into two folders",
+                                                   other->second, clip.path, clip.result));
     if (clips.empty())
-        throw Failure(Exit::usage, "there are no .bvh, .amc, .csv, .tsv or .npy files");
-    return clips;
+        throw Failure(Exit::usage,
+                      fmt::format("there are no .bvh, .amc, .csv, .tsv or .npy files{}{}",
+                                  found.foreign > 0 ? "; " : "",
+                                  found.foreign > 0 ? left_out(found.foreign) : ""));
+    return found;
+}
+
+std::string left_out(std::size_t foreign) {
+    return fmt::format(
+        "{} left out, such as C3D, which the command reads only if it comes with the "
+        "Python package: pip install stltsa",
+        counted(static_cast<std::int64_t>(foreign), "file"));
 }
 
 Shard parse_shard(const std::string& text) {

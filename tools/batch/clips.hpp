@@ -9,13 +9,21 @@
 namespace tool::batch {
 
 struct ClipPath {
-    std::string path; ///< to open
-    std::string name; ///< of the result, below the folder of results; '/' between folders
+    std::string path;   ///< to open: as given, or below a folder given; without "." and "//"
+    std::string result; ///< file name of the result: the path with "__" for "/", and ".json"
 };
 
-/// The files among `paths`, and those of readable formats below the folders among them, by name.
-/// Throws Failure with Exit::usage if two have one name, or if there is none.
-std::vector<ClipPath> find_clips(const std::vector<std::string>& paths);
+struct Found {
+    std::vector<ClipPath> clips;
+    std::size_t foreign = 0; ///< files in folders that only the Python package reads, left out
+};
+
+/// The files among `paths`, and those of readable formats below the folders among them, by path,
+/// each once. Throws Failure with Exit::usage if two have one result, or if there is none.
+Found find_clips(const std::vector<std::string>& paths);
+
+/// "3 files left out, ...": how they are read.
+std::string left_out(std::size_t foreign);
 
 /// Part i of n, "i/n" counted from 1: every n-th clip, so that long folders are spread.
 struct Shard {

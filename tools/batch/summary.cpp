@@ -10,7 +10,7 @@ namespace tool::batch {
 namespace {
 
 constexpr const char* numbers_head =
-    "frames,fps,duration_s,segments,cycles,repetitions,period_s,confidence";
+    "frames,segments,cycles,repetitions,period_s,fps,duration_s,confidence";
 
 std::string number(const nlohmann::json& value) {
     return value.is_null() ? "" : value.dump();
@@ -40,28 +40,28 @@ std::string confidence_of(const nlohmann::json& segments) {
 
 } // namespace
 
-Row row_of(const std::string& name, const nlohmann::json& result) {
+Row row_of(const std::string& path, const nlohmann::json& result) {
     const nlohmann::json& clip = result.at("clip");
-    Row row{name, "done", "", "", false, false};
-    row.numbers =
-        fmt::format("{},{},{},{},{},{},{},{}", number(clip.at("frames")), number(clip.at("fps")),
-                    number(clip.at("duration_s")), result.at("segments").size(),
-                    result.at("cycles").size(), result.at("repetitions").size(),
-                    number(result.at("period_s")), confidence_of(result.at("segments")));
+    const auto count = [&](const char* parts) { return result.at(parts).size(); };
+    Row row{path, "done", "", "", "", false};
+    row.numbers = fmt::format("{},{},{},{},{},{},{},{}", number(clip.at("frames")),
+                              count("segments"), count("cycles"), count("repetitions"),
+                              number(result.at("period_s")), number(clip.at("fps")),
+                              number(clip.at("duration_s")), confidence_of(result.at("segments")));
     if (result.at("reason").is_string())
-        row.message = result.at("reason").get<std::string>();
+        row.reason = result.at("reason").get<std::string>();
     return row;
 }
 
-Row failed_row(const std::string& name, const std::string& status, const std::string& message) {
-    return {name, status, ",,,,,,,", message, false, true};
+Row failed_row(const std::string& path, const std::string& status, const std::string& error) {
+    return {path, status, error, ",,,,,,,", "", false};
 }
 
 std::string summary_csv(const std::vector<Row>& rows) {
-    std::string text = fmt::format("clip,status,{},message\n", numbers_head);
+    std::string text = fmt::format("path,status,error,{},reason\n", numbers_head);
     for (const Row& row : rows)
-        text += fmt::format("{},{},{},{}\n", cell(row.name), row.status, row.numbers,
-                            cell(row.message));
+        text += fmt::format("{},{},{},{},{}\n", cell(row.path), row.status, cell(row.error),
+                            row.numbers, cell(row.reason));
     return text;
 }
 

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <sstream>
@@ -19,6 +20,7 @@
 #include "batch/clips.hpp"
 #include "batch/summary.hpp"
 #include "commands/commands.hpp"
+#include "commands/foreign.hpp"
 #include "commands/session.hpp"
 #include "reports/json.hpp"
 #include "reports/table.hpp"
@@ -43,7 +45,7 @@ class Progress {
     void finished(const Row& row) {
         const std::lock_guard lock(mutex_);
         ++done_;
-        failed_ += row.failed ? 1 : 0;
+        failed_ += row.failed() ? 1 : 0;
         std::string label = fmt::format("{} of {} clips", done_, clips_);
         if (failed_ > 0)
             label += fmt::format(", {} failed", failed_);
@@ -64,19 +66,27 @@ class Work {
     explicit Work(const Arguments& arguments) : arguments_(arguments) {}
 
     Row done(const ClipPath& clip) const {
-        const std::string place = fmt::format("{}/{}.json", arguments_.out, clip.name);
+        const std::string place = fmt::format("{}/{}", arguments_.out, clip.result);
         try {
             const std::string origin = origin_of(clip);
             if (auto kept = kept_row(clip, place, origin))
                 return *kept;
             const std::string result = result_of(clip);
             write(place, with_member(result, "batch", origin));
-            return batch::row_of(clip.name, nlohmann::json::parse(result));
+            return batch::row_of(clip.path, nlohmann::json::parse(result));
         } catch (const stltsa::Error& error) {
             stop_if_interrupted();
-            return batch::failed_row(clip.name, error.name(), with_flags(error.what()));
+            return batch::failed_row(clip.path, error.name(), with_flags(error.what()));
+        } catch (const Failure& failure) { // of the Python package, or of a length in seconds
+            stop_if_interrupted();
+            if (failure.status() == Exit::failed) // the folder of results cannot be written to
+                throw;
+            const bool input = failure.status() == Exit::unreadable;
+            return batch::failed_row(
+                clip.path, stltsa::status_name(input ? STLTSA_E_FORMAT : STLTSA_E_ARGUMENT),
+                failure.what());
         } catch (const std::system_error& error) {
-            return batch::failed_row(clip.name, stltsa::status_name(STLTSA_E_IO), error.what());
+            return batch::failed_row(clip.path, stltsa::status_name(STLTSA_E_IO), error.what());
         }
     }
 
@@ -110,23 +120,30 @@ class Work {
         text << file.rdbuf();
         if (!file || !text.str().ends_with(with_member("}", "batch", origin)))
             return std::nullopt;
-        Row row = batch::row_of(clip.name, nlohmann::json::parse(text.str()));
+        Row row = batch::row_of(clip.path, nlohmann::json::parse(text.str()));
         row.kept = true;
         return row;
     }
 
     std::string result_of(const ClipPath& path) const {
         stltsa::Options options;
-        options.set(STLTSA_OPT_THREADS, std::int64_t{1}); // the workers are threads
+        options.set(STLTSA_OPT_THREADS, std::int64_t{1}); // the jobs are threads
         options.set_progress([](std::int32_t, double) { return interrupted(); });
         set_options(options, arguments_.options);
-        const stltsa::Clip clip = stltsa::Clip::open(path.path, options);
+        const stltsa::Clip clip = open(path.path, options);
         set_lengths(options, arguments_.options, working_rate(clip, options));
         return stltsa::decompose(clip, options).json();
     }
 
+    stltsa::Clip open(const std::string& path, const stltsa::Options& options) const {
+        const auto fps = arguments_.options.find(STLTSA_OPT_FPS);
+        const auto foreign =
+            read_by_python(path, fps == arguments_.options.end() ? "" : fps->second);
+        return foreign ? parse_foreign(*foreign, path, arguments_.options)
+                       : stltsa::Clip::open(path, options);
+    }
+
     static void write(const std::string& place, const std::string& text) {
-        fs::create_directories(fs::path(place).parent_path());
         OutputFiles files;
         files.add(place, text);
         files.commit();
@@ -136,7 +153,7 @@ class Work {
 };
 
 /// The rows in the order of the clips, made by several threads.
-std::vector<Row> rows_of(const Work& work, const std::vector<ClipPath>& clips, int workers,
+std::vector<Row> rows_of(const Work& work, const std::vector<ClipPath>& clips, int jobs,
                          Progress& progress) {
     std::vector<Row> rows(clips.size());
     std::atomic<std::size_t> next{0};
@@ -158,7 +175,7 @@ std::vector<Row> rows_of(const Work& work, const std::vector<ClipPath>& clips, i
     };
     {
         std::vector<std::jthread> threads;
-        for (int i = 1; i < workers; ++i)
+        for (int i = 1; i < jobs; ++i)
             threads.emplace_back(run);
         run();
     }
@@ -181,11 +198,10 @@ std::string without_path(const std::string& message, const std::string& path) {
     return rest.starts_with(' ') ? rest.substr(1) : "line " + rest;
 }
 
-std::string report(const std::vector<Row>& rows, const std::vector<ClipPath>& clips,
-                   const std::string& place) {
+std::string report(const std::vector<Row>& rows, const std::string& place) {
     constexpr std::size_t most_rows = 60;
     const auto count = [&](auto which) { return std::ranges::count_if(rows, which); };
-    const auto failed = static_cast<std::size_t>(count(&Row::failed));
+    const auto failed = static_cast<std::size_t>(count(std::mem_fn(&Row::failed)));
     std::string text =
         bold(fmt::format("{}: {} decomposed, {} kept from before, {} failed",
                          counted(std::ssize(rows), "clip"),
@@ -197,8 +213,8 @@ std::string report(const std::vector<Row>& rows, const std::vector<ClipPath>& cl
     Facts facts;
     std::size_t listed = 0;
     for (std::size_t i = 0; i < rows.size(); ++i)
-        if (rows[i].failed && listed++ < most_rows)
-            facts.add(rows[i].name, without_path(rows[i].message, clips[i].path));
+        if (rows[i].failed() && listed++ < most_rows)
+            facts.add(rows[i].path, without_path(rows[i].error, rows[i].path));
     text += facts.text();
     if (failed > most_rows)
         text += fmt::format("  ... and {} more failed\n", failed - most_rows);
@@ -208,7 +224,7 @@ std::string report(const std::vector<Row>& rows, const std::vector<ClipPath>& cl
 std::string report_json(const std::vector<Row>& rows, const std::string& place) {
     return JsonObject("format", "stltsa-batch/1", "clips", std::ssize(rows), "kept",
                       std::ranges::count_if(rows, &Row::kept), "failed",
-                      std::ranges::count_if(rows, &Row::failed), "summary", place)
+                      std::ranges::count_if(rows, std::mem_fn(&Row::failed)), "summary", place)
                .text() +
            '\n';
 }
@@ -218,7 +234,8 @@ std::string report_json(const std::vector<Row>& rows, const std::string& place) 
 Exit run_batch(const Arguments& arguments) {
     const batch::Shard shard =
         arguments.shard.empty() ? batch::Shard{} : batch::parse_shard(arguments.shard);
-    const std::vector<ClipPath> clips = batch::clips_of(shard, batch::find_clips(arguments.pieces));
+    const batch::Found found = batch::find_clips(arguments.pieces);
+    const std::vector<ClipPath> clips = batch::clips_of(shard, found.clips);
     stltsa::Options checked;
     set_options(checked, arguments.options); // a wrong option fails once, not for each clip
     std::error_code error;
@@ -227,15 +244,18 @@ Exit run_batch(const Arguments& arguments) {
         throw Failure(Exit::failed,
                       fmt::format("cannot create {}: {}", arguments.out, error.message()));
     Progress progress(!arguments.quiet && obeys_codes(STDERR_FILENO), clips.size());
-    const std::vector<Row> rows = rows_of(Work(arguments), clips, arguments.workers, progress);
+    const std::vector<Row> rows = rows_of(Work(arguments), clips, arguments.jobs, progress);
     const std::string place = summary_place(arguments);
     OutputFiles files;
     files.add(place, batch::summary_csv(rows));
     files.commit();
     write_stdout(arguments.json ? report_json(rows, place)
-                                : shown(report(rows, clips, place),
+                                : shown(report(rows, place),
                                         colors_wanted(STDOUT_FILENO, !arguments.no_color)));
-    return std::ranges::any_of(rows, &Row::failed) ? Exit::partly : Exit::done;
+    if (found.foreign > 0 && !arguments.quiet)
+        print_message("warning: " + batch::left_out(found.foreign), Tone::warning,
+                      !arguments.no_color);
+    return std::ranges::any_of(rows, std::mem_fn(&Row::failed)) ? Exit::partly : Exit::done;
 }
 
 } // namespace tool

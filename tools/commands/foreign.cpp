@@ -3,21 +3,23 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cerrno>
 #include <charconv>
 #include <cstdlib>
 #include <cstring>
-#include <filesystem>
+#include <span>
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "arguments/option_flags.hpp"
 #include "arguments/pieces.hpp"
 #include "exit_status.hpp"
 #include "terminal/interrupt.hpp"
+#include "terminal/text.hpp"
 
 namespace tool {
 namespace {
@@ -25,11 +27,10 @@ namespace {
 constexpr std::array suffixes = {".c3d", ".trc", ".mot", ".sto", ".npz"};
 constexpr std::string_view rate_mark = "fps ";
 
-bool is_foreign(const std::string& path) {
-    std::string suffix = std::filesystem::path(path).extension().string();
-    std::ranges::transform(suffix, suffix.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return std::ranges::find(suffixes, suffix) != suffixes.end();
+/// The interpreter of the package; "" for none.
+std::string python_interpreter() {
+    const char* python = std::getenv("STLTSA_PYTHON");
+    return python == nullptr ? "" : python;
 }
 
 [[noreturn]] void cannot_run(const std::string& python, int error) {
@@ -42,7 +43,7 @@ struct Pipe {
     int ends[2] = {-1, -1};
 
     Pipe() {
-        if (::pipe(ends) != 0)
+        if (::pipe2(ends, O_CLOEXEC) != 0) // several clips may be read at the same time
             throw Failure(Exit::failed,
                           fmt::format("cannot make a pipe: {}", std::strerror(errno)));
     }
@@ -65,7 +66,6 @@ pid_t start(const std::string& python, const std::string& path, const std::strin
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_adddup2(&actions, output.ends[1], STDOUT_FILENO);
-    posix_spawn_file_actions_addclose(&actions, output.ends[0]);
     std::array<std::string, 5> words = {python, "-m", "stltsa.readers", path, fps};
     std::array<char*, 6> arguments{};
     std::ranges::transform(words, arguments.begin(), [](std::string& word) { return word.data(); });
@@ -115,10 +115,27 @@ ForeignClip clip_in(const std::string& answer, const std::string& path) {
 
 } // namespace
 
+bool is_foreign(const std::string& path) {
+    return std::ranges::any_of(suffixes, [&](const char* suffix) { return ends_in(path, suffix); });
+}
+
+bool has_python() {
+    return !python_interpreter().empty();
+}
+
+stltsa::Clip parse_foreign(const ForeignClip& foreign, const std::string& path,
+                           const std::map<std::int32_t, std::string>& typed) {
+    stltsa::Options options;
+    set_options(options, typed);
+    if (foreign.fps > 0)
+        options.set(STLTSA_OPT_FPS, foreign.fps);
+    return stltsa::Clip::parse(std::as_bytes(std::span(foreign.bytes)), 0, options, path);
+}
+
 std::optional<ForeignClip> read_by_python(const std::string& path, const std::string& fps) {
-    const char* python = std::getenv("STLTSA_PYTHON");
+    const std::string python = python_interpreter();
     const std::string file = file_of(path);
-    if (python == nullptr || *python == '\0' || !is_foreign(file))
+    if (python.empty() || !is_foreign(file))
         return {};
     Pipe output;
     const pid_t child = start(python, file, fps, output);

@@ -3,8 +3,12 @@
 // names its interpreter in STLTSA_PYTHON.
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
+
+#include <stltsa.hpp>
 
 namespace tool {
 
@@ -18,5 +22,13 @@ struct ForeignClip {
 /// the path. `fps`: the rate that the user gave; empty: none. Throws Failure with the sentence of
 /// the Python package if it cannot.
 std::optional<ForeignClip> read_by_python(const std::string& path, const std::string& fps);
+
+/// The clip of these bytes; `typed`: the options as typed.
+stltsa::Clip parse_foreign(const ForeignClip& foreign, const std::string& path,
+                           const std::map<std::int32_t, std::string>& typed);
+
+/// Whether the file's name is that of such a format, and whether the package can be asked.
+bool is_foreign(const std::string& path);
+bool has_python();
 
 } // namespace tool

@@ -19,6 +19,7 @@ struct Mapping {
     stltsa::Mapped rows;
     double fps = 0; ///< rows per second; 0: unknown
     std::vector<std::string> warnings;
+    std::vector<std::string> notes = {}; ///< assumptions
 
     bool is_map() const { return arguments.command == Command::map; }
 };
@@ -31,6 +32,10 @@ struct Distances {
     std::vector<std::pair<std::int64_t, std::int64_t>> stretches; ///< of such rows, [begin, end)
 };
 Distances distances_of(const stltsa::Mapped& rows);
+
+/// What frames usually are whose median distance is this, as "another style of the motion"; empty:
+/// the motion of the model.
+std::string motion_at(double median);
 
 /// The object of schema stltsa-mapping/1.
 std::string mapping_json(const Mapping& mapping);

@@ -67,6 +67,22 @@ auto reading(Read read) {
     }
 }
 
+/// Calls `read` for the bytes of standard input, for which the library has no name or "memory".
+template <class Read>
+auto reading_stdin(Read read) {
+    constexpr std::string_view memory = "memory:";
+    return reading([&] {
+        try {
+            return read();
+        } catch (const stltsa::Error& error) {
+            const std::string text = error.what();
+            throw stltsa::Error(error.status(), text.starts_with(memory)
+                                                    ? "standard input:" + text.substr(memory.size())
+                                                    : "standard input: " + text);
+        }
+    });
+}
+
 void check_outputs(const Arguments& arguments) {
     std::vector<std::string> taken{file_of(arguments.input), arguments.model};
     for (const std::string& piece : arguments.pieces)
@@ -76,7 +92,7 @@ void check_outputs(const Arguments& arguments) {
         taken.push_back(skeleton->second);
     for (const std::string& path : {arguments.output, arguments.plot, arguments.coords,
                                     arguments.phase, arguments.product, arguments.curve_product}) {
-        if (path.empty() || path == "-")
+        if (path.empty() || path == standard_output)
             continue;
         check_output_place(path, taken);
         taken.push_back(path);
@@ -112,13 +128,19 @@ const stltsa::Clip& Session::open_input() {
 }
 
 stltsa::Clip Session::open_clip(const std::string& path) const {
-    if (path != "-")
-        if (const auto foreign = read_by_python(path, option_text(STLTSA_OPT_FPS)))
-            return parse_foreign(*foreign, path);
-    return reading([&] {
-        return path == "-"
-                   ? stltsa::Clip::parse(std::as_bytes(std::span(standard_input())), 0, options())
-                   : stltsa::Clip::open(path, options());
+    if (is_standard_input(path))
+        return parse_stdin(path.substr(std::min<std::size_t>(path.size(), 2))); // after "-:"
+    if (const auto foreign = read_by_python(path, option_text(STLTSA_OPT_FPS)))
+        return reading([&] { return parse_foreign(*foreign, path, arguments_.options); });
+    return reading([&] { return stltsa::Clip::open(path, options()); });
+}
+
+/// `what`: a stretch; empty: the whole clip.
+stltsa::Clip Session::parse_stdin(const std::string& what) const {
+    return reading_stdin([&] {
+        stltsa::Clip clip =
+            stltsa::Clip::parse(std::as_bytes(std::span(standard_input())), 0, options());
+        return what.empty() ? std::move(clip) : clip.stretch(what, options());
     });
 }
 
@@ -127,21 +149,11 @@ std::string Session::option_text(std::int32_t key) const {
     return given == arguments_.options.end() ? "" : given->second;
 }
 
-stltsa::Clip Session::parse_foreign(const ForeignClip& foreign, const std::string& path) const {
-    stltsa::Options options;
-    set_options(options, arguments_.options);
-    if (foreign.fps > 0)
-        options.set(STLTSA_OPT_FPS, foreign.fps);
-    return reading([&] {
-        return stltsa::Clip::parse(std::as_bytes(std::span(foreign.bytes)), 0, options, path);
-    });
-}
-
 stltsa::Model Session::open_model(const std::string& path) const {
-    return reading([&] {
-        return path == "-" ? stltsa::Model::parse(std::as_bytes(std::span(standard_input())))
-                           : stltsa::Model::load(path);
-    });
+    if (path != "-")
+        return reading([&] { return stltsa::Model::load(path); });
+    return reading_stdin(
+        [&] { return stltsa::Model::parse(std::as_bytes(std::span(standard_input()))); });
 }
 
 bool Session::input_is_model() const {
@@ -162,8 +174,8 @@ void Session::set_fps(double fps) {
 }
 
 std::string Session::title() const {
-    if (arguments_.input == "-")
-        return "standard input";
+    if (is_standard_input(arguments_.input))
+        return "standard input" + arguments_.input.substr(1);
     return std::filesystem::path(arguments_.input).filename().string();
 }
 
@@ -194,7 +206,9 @@ void Session::add_columns(const std::string& path, const stltsa::Matrix& table,
 }
 
 void Session::add_clip(const std::string& path, const stltsa::Clip& clip) {
-    files_.add_written(path, [this, path, &clip](const std::string& name) {
+    const std::string suffix =
+        path == standard_output ? ".bvh" : std::filesystem::path(path).extension().string();
+    files_.add_written(path, suffix, [this, path, &clip](const std::string& name) {
         save(clip, name);
         if (ends_in(path, ".amc") && name != path)
             add_skeleton(name, path);
@@ -217,33 +231,50 @@ void Session::add_skeleton(const std::string& temporary, const std::string& amc)
 }
 
 void Session::add_model(const std::string& path, const stltsa::Model& model) {
-    files_.add_written(path, [&model](const std::string& name) { save(model, name); });
+    files_.add_written(path, ".stltsa", [&model](const std::string& name) { save(model, name); });
 }
 
-/// Warnings are part of the table; if the user does not see it, they go to stderr too.
-void Session::warn(const std::vector<std::string>& warnings) const {
-    const bool seen = !arguments_.json && (arguments_.output.empty() || arguments_.output == "-");
-    if (arguments_.quiet || seen)
+bool Session::table_is_seen() const {
+    return !arguments_.json && text_place() == standard_output;
+}
+
+std::string Session::text_place() const {
+    if (!arguments_.output.empty())
+        return arguments_.output;
+    return stdout_is_taken(arguments_) ? "" : std::string(standard_output);
+}
+
+/// Warnings and notes are part of the table; if the user does not see it, they go to stderr.
+void Session::tell(const std::vector<std::string>& texts, const char* kind) const {
+    if (arguments_.quiet || table_is_seen())
         return;
-    for (const std::string& warning : warnings)
-        print_message("warning: " + with_flags(warning), Tone::warning, !arguments_.no_color);
+    for (const std::string& text : texts)
+        print_message(fmt::format("{}: {}", kind, with_flags(text)), Tone::warning,
+                      !arguments_.no_color);
+}
+
+std::string Session::text_of(const Answer& answer) const {
+    const bool colors =
+        text_place() == standard_output && colors_wanted(STDOUT_FILENO, !arguments_.no_color);
+    if (arguments_.json)
+        return answer.json() + '\n';
+    if (!ends_in(arguments_.output, ".csv"))
+        return shown(answer.table(), colors);
+    if (!answer.csv)
+        throw Failure(Exit::usage, fmt::format("-o {}: there is no CSV of this result: use .json "
+                                               "or .txt",
+                                               arguments_.output));
+    return answer.csv();
 }
 
 void Session::finish(const Answer& answer) {
-    const bool to_stdout = arguments_.output.empty() || arguments_.output == "-";
-    const bool colors = to_stdout && colors_wanted(STDOUT_FILENO, !arguments_.no_color);
-    const bool csv = answer.csv && ends_in(arguments_.output, ".csv");
-    const std::string text = arguments_.json ? answer.json() + '\n'
-                             : csv           ? answer.csv()
-                                             : shown(answer.table(), colors);
+    if (const std::string place = text_place(); !place.empty())
+        files_.add(place, text_of(answer));
     stop_if_interrupted();
     bar_.clear();
-    if (to_stdout)
-        write_stdout(text);
-    else
-        files_.add(arguments_.output, text);
     files_.commit();
-    warn(answer.warnings);
+    tell(answer.warnings, "warning");
+    tell(answer.notes, "note");
 }
 
 } // namespace tool

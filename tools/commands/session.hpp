@@ -60,17 +60,23 @@ class Session {
         std::function<std::string()> table;
         std::vector<std::string> warnings;
         std::function<std::string()> csv = {}; ///< empty: there is none
+        std::vector<std::string> notes = {};   ///< assumptions that the result depends on
     };
     /// Writes the JSON or, without --json, the table, or the CSV if --output ends in .csv; then
-    /// moves the files to their destinations.
+    /// moves the files to their destinations. If a file of the run goes to standard output, the
+    /// table does not.
     void finish(const Answer& answer);
 
   private:
     /// The text of an option as the user gave it; empty: not given.
     std::string option_text(std::int32_t key) const;
-    stltsa::Clip parse_foreign(const ForeignClip& foreign, const std::string& path) const;
+    stltsa::Clip parse_stdin(const std::string& what) const;
     void add_skeleton(const std::string& temporary, const std::string& amc);
-    void warn(const std::vector<std::string>& warnings) const;
+    /// Where the JSON or the table goes; empty: nowhere.
+    std::string text_place() const;
+    bool table_is_seen() const;
+    std::string text_of(const Answer& answer) const;
+    void tell(const std::vector<std::string>& texts, const char* kind) const;
     /// Reads standard input on the first call.
     const std::string& standard_input() const;
 

@@ -3,6 +3,8 @@
 #include <optional>
 #include <span>
 
+#include <fmt/format.h>
+
 #include "commands/commands.hpp"
 #include "commands/mapped.hpp"
 #include "commands/session.hpp"
@@ -26,7 +28,30 @@ double rate_of(const stltsa::Clip& points, const stltsa::Model& model) {
     return points.fps() > 0 ? points.fps() : model.info().real(STLTSA_INFO_FPS);
 }
 
-bool poses_wanted(const std::string& path) {
+/// An NPY file has no rate, and coordinates of another clip may have another one than the model's.
+std::vector<std::string> notes_of(const stltsa::Clip& points, double rate) {
+    if (points.fps() > 0 || !(rate > 0))
+        return {};
+    return {
+        fmt::format("the coordinates carry no rate, so they are taken as {:.6g} per second, the "
+                    "rate of the model's samples: if that is wrong, set --fps, or give a CSV "
+                    "file that map wrote, which carries it",
+                    rate)};
+}
+
+/// Whether the model is of a clip with a skeleton.
+bool has_poses(const stltsa::Model& model) {
+    const stltsa::Info info = model.info();
+    if (info.count(STLTSA_INFO_FORMAT) == 0)
+        return false;
+    const std::int64_t format = info.integer(STLTSA_INFO_FORMAT);
+    return format == STLTSA_FORMAT_BVH || format == STLTSA_FORMAT_AMC ||
+           format == STLTSA_FORMAT_SKELETON;
+}
+
+bool poses_wanted(const std::string& path, const stltsa::Model& model) {
+    if (path == standard_output)
+        return has_poses(model);
     return ends_in(path, ".bvh") || ends_in(path, ".amc") || ends_in(path, ".glb");
 }
 
@@ -61,9 +86,10 @@ Exit run_unmap(const Arguments& arguments) {
     session.set_fps(input.fps());
     const std::vector<std::int64_t> hints =
         arguments.follow ? followed(session, model, points) : std::vector<std::int64_t>();
-    Mapping mapping{arguments, model, {}, rate_of(input, model), {}};
+    const double rate = rate_of(input, model);
+    Mapping mapping{arguments, model, {}, rate, {}, notes_of(input, rate)};
     std::optional<stltsa::Clip> clip;
-    if (poses_wanted(arguments.product)) {
+    if (poses_wanted(arguments.product, model)) {
         stltsa::Poses poses = model.unmap_clip(points, session.options(), hints);
         mapping.rows = {{}, std::move(poses.distance), std::move(poses.nearest)};
         clip = std::move(poses.clip);
@@ -74,7 +100,9 @@ Exit run_unmap(const Arguments& arguments) {
     }
     session.finish({[&] { return mapping_json(mapping); },
                     [&] { return mapping_report(mapping, session.title()); },
-                    {}});
+                    {},
+                    {},
+                    mapping.notes});
     return Exit::done;
 }
 

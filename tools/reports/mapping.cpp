@@ -43,17 +43,10 @@ std::string stretches_text(const Distances& distances) {
     return text;
 }
 
-/// Of 1392 pairs of short moves, the median distance was 0.4 to 1 for another take of the same
-/// motion, for another style of it 1.7, 2.3 and 3.3 (quartiles), and for another motion 3.1, 5.3
-/// and 9.4.
 std::string beyond_text(double median) {
-    constexpr double style = 3;
-    constexpr double other = 9;
-    const char* what = median <= style   ? "another style of the motion"
-                       : median <= other ? "another style of the motion, or another motion,"
-                                         : "another motion";
-    return fmt::format("{:.1f} times the model's range at the median, as {} usually is", median,
-                       what);
+    const std::string what = motion_at(median);
+    return fmt::format("{:.1f} times the model's range at the median, as {}{} usually is", median,
+                       what, what.find(',') == what.npos ? "" : ",");
 }
 
 } // namespace
@@ -73,11 +66,12 @@ std::string mapping_report(const Mapping& mapping, const std::string& title) {
                                       distances.median, distances.p90, distances.largest));
     if (distances.beyond > 0)
         facts.add("outside", stretches_text(distances));
-    if (distances.median > 1)
+    if (!motion_at(distances.median).empty())
         facts.add("how far", beyond_text(distances.median));
     return bold(wrapped(sentence(mapping, title, distances.beyond),
                         terminal_columns(STDOUT_FILENO))) +
-           "\n\n" + facts.text() + listed("warning:", mapping.warnings);
+           "\n\n" + facts.text() + listed("note:", mapping.notes) +
+           listed("warning:", mapping.warnings);
 }
 
 } // namespace tool

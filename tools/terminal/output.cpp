@@ -4,6 +4,8 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -21,6 +23,8 @@ using stltsa::clip::TemporaryFile;
 using stltsa::clip::write_all;
 using stltsa::clip::write_directly;
 
+constexpr const char* stdout_name = "standard output";
+
 [[noreturn]] void fail_writing(const std::string& name, const std::string& why) {
     throw Failure(Exit::failed, fmt::format("cannot write {}: {}", name, why));
 }
@@ -32,6 +36,24 @@ auto writing(const std::string& name, Write write) {
         return write();
     } catch (const std::system_error& error) {
         fail_writing(name, error.code().message());
+    }
+}
+
+std::string content_of(const std::string& name) {
+    std::ifstream file(name, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// Calls `write` for a temporary file; the user knows it as `path`.
+void write_named(const OutputFiles::Write& write, const std::string& temporary,
+                 const std::string& path) {
+    try {
+        write(temporary);
+    } catch (const Failure& failure) {
+        std::string text = failure.what();
+        if (text.starts_with(temporary))
+            text.replace(0, temporary.size(), path);
+        throw Failure(failure.status(), std::move(text));
     }
 }
 
@@ -47,10 +69,17 @@ bool same_place(const std::string& path, const std::string& other) {
 } // namespace
 
 void write_stdout(std::string_view text) {
-    writing("standard output", [&] { write_all(STDOUT_FILENO, text); });
+    writing(stdout_name, [&] { write_all(STDOUT_FILENO, text); });
+}
+
+void OutputFiles::add_to_stdout(std::string content) {
+    staged_.push_back(
+        {stdout_name, {}, [text = std::move(content)] { write_all(STDOUT_FILENO, text); }});
 }
 
 void OutputFiles::add(const std::string& path, std::string content) {
+    if (path == standard_output)
+        return add_to_stdout(std::move(content));
     const std::string place = followed(path);
     if (!regular_or_new(place)) {
         staged_.push_back({path, {}, [place, text = std::move(content)] {
@@ -65,34 +94,33 @@ void OutputFiles::add(const std::string& path, std::string content) {
     });
 }
 
-void OutputFiles::add_written(const std::string& path, const Write& write) {
+void OutputFiles::add_written(const std::string& path, const std::string& suffix,
+                              const Write& write) {
+    if (path == standard_output) { // `write` needs a name
+        const std::string place = (fs::temp_directory_path() / "stdout").string();
+        const TemporaryFile file =
+            writing(stdout_name, [&] { return TemporaryFile(place, suffix); });
+        write_named(write, file.name(), stdout_name);
+        return add_to_stdout(content_of(file.name()));
+    }
     const std::string place = followed(path);
     if (!regular_or_new(place)) {
         staged_.push_back(
             {path, {}, [path, write] { write(path); }}); // not `place`: the link has the suffix
         return;
     }
-    TemporaryFile file =
-        writing(path, [&] { return TemporaryFile(place, fs::path(path).extension().string()); });
-    try {
-        write(file.name());
-    } catch (const Failure& failure) { // the user knows `path`, not the temporary name
-        std::string text = failure.what();
-        if (text.starts_with(file.name()))
-            text.replace(0, file.name().size(), path);
-        throw Failure(failure.status(), std::move(text));
-    }
+    TemporaryFile file = writing(path, [&] { return TemporaryFile(place, suffix); });
+    write_named(write, file.name(), path);
     staged_.push_back({path, std::move(file), {}});
 }
 
 void OutputFiles::commit() {
+    for (const Staged& file : staged_)
+        if (!file.temporary)
+            writing(file.name, file.write);
     for (Staged& file : staged_)
-        writing(file.name, [&] {
-            if (file.temporary)
-                file.temporary->move_to_place();
-            else
-                file.write();
-        });
+        if (file.temporary)
+            writing(file.name, [&] { file.temporary->move_to_place(); });
     staged_.clear();
 }
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Batches: the command's files, resumed, for any number of workers."""
+"""Batches: the command's files, resumed, for any number of jobs."""
 
 import os
 import re
@@ -37,7 +37,10 @@ def test_the_commands_files(clips, tmp_path, command):
     subprocess.run([command, "batch", clips, "--out", tmp_path / "command", *flags], check=True,
                    capture_output=True)  # fmt: skip
     assert files(tmp_path / "python") == files(tmp_path / "command")
-    assert list(rows["clip"]) == ["more/swing, noisy.csv", "walk.bvh"]
+    names = [str(clips / "more" / "swing, noisy.csv"), str(clips / "walk.bvh")]
+    assert list(rows["path"]) == names
+    results = {name.replace("/", "__") + ".json" for name in names}
+    assert {str(name) for name in files(tmp_path / "python")} == results | {"summary.csv"}
     assert list(rows["status"]) == ["done", "done"]
     assert not any(rows["kept"])
     again = stltsa.batch(clips, tmp_path / "command", fps=30, neighbors=36)
@@ -46,10 +49,10 @@ def test_the_commands_files(clips, tmp_path, command):
     assert not any(stltsa.batch(clips, tmp_path / "python", fps=30)["kept"])
 
 
-def test_workers(clips, tmp_path):
+def test_jobs(clips, tmp_path):
     pytest.importorskip("joblib")
     stltsa.batch(clips, tmp_path / "one", fps=30)
-    stltsa.batch([clips], tmp_path / "two", workers=2, fps=30)
+    stltsa.batch([clips], tmp_path / "two", jobs=2, fps=30)
     assert files(tmp_path / "one") == files(tmp_path / "two")
     for i in (1, 2):
         stltsa.batch(clips, tmp_path / "parts", shard=(i, 2), fps=30)
@@ -70,15 +73,38 @@ def test_a_cluster(clips, tmp_path):
     assert files(tmp_path / "one") == files(tmp_path / "two")
 
 
+def test_paths_as_the_command_takes_them(clips, tmp_path, command, monkeypatch):
+    """Clips given twice, links that lead back, names with dots."""
+    (clips / "loop").symlink_to(".")
+    (clips / "more" / "up").symlink_to("..")
+    (tmp_path / "elsewhere").mkdir()
+    shutil.copy(clips / "walk.bvh", tmp_path / "elsewhere" / "other.bvh")
+    (clips / "link").symlink_to(tmp_path / "elsewhere")
+    (clips / "bad.bvh").write_text("hello\n")
+    monkeypatch.chdir(clips)
+    paths = ["./walk.bvh", ".", "more//", "../elsewhere/other.bvh", "more/../walk.bvh", "absent.bvh"]
+    stltsa.batch(paths, tmp_path / "python", fps=30)
+    line = [command, "batch", *paths, "--out", tmp_path / "command", "--fps", "30"]
+    assert subprocess.run(line, capture_output=True, check=False).returncode == 5
+    found = files(tmp_path / "command")
+    assert files(tmp_path / "python") == found
+    assert len(found) == 6
+    assert "elsewhere__other.bvh.json" in {str(name) for name in found}
+
+
 def test_bad_files_are_rows(clips, tmp_path):
     (clips / "bad.bvh").write_text("hello\n")
     rows = stltsa.batch([clips, tmp_path / "missing.bvh"], tmp_path / "out", fps=30)
-    status = dict(zip(rows["clip"], rows["status"], strict=True))
-    assert status["bad.bvh"] == "STLTSA_E_FORMAT"
-    assert status["missing.bvh"] == "STLTSA_E_IO"
-    assert status["walk.bvh"] == "done"
+    status = dict(zip(rows["path"], rows["status"], strict=True))
+    assert status[str(clips / "bad.bvh")] == "STLTSA_E_FORMAT"
+    assert status[str(tmp_path / "missing.bvh")] == "STLTSA_E_IO"
+    assert status[str(clips / "walk.bvh")] == "done"
     with pytest.raises(ValueError, match="same result"):
-        stltsa.batch([clips / "walk.bvh", str(clips / "walk.bvh"), clips], tmp_path / "out")
+        stltsa.batch(["a__b.bvh", "a/b.bvh"], tmp_path / "out")
+    with pytest.raises(ValueError, match="standard input"):
+        stltsa.batch("-", tmp_path / "out")
+    with pytest.raises(TypeError, match="workers"):
+        stltsa.batch(clips, tmp_path / "out", workers=2)
     seen = []
     stltsa.batch(clips / "walk.bvh", tmp_path / "out", progress=lambda *a: seen.append(a))
     assert seen == [("clips", 1.0)]

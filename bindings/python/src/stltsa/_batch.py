@@ -10,7 +10,7 @@ import math
 import os
 import zlib
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
 
 from ._exports import write_text
 from ._native import lib
@@ -36,38 +36,50 @@ _SUFFIXES = (".bvh", ".amc", ".csv", ".tsv", ".npy", *READERS)
 class BatchRow(NamedTuple):
     """One clip of a batch: numbers are NaN, and counts 0, if it failed.
 
-    `status` is ``"done"`` or the name of the failure; `message` the error, or why nothing repeats;
-    `kept` tells that the result is of an earlier run.
+    `status` is ``"done"`` or the name of the failure, and `error` its text; `confidence` is that of
+    the longest segment in motion, `reason` why nothing repeats; `kept` tells that the result is of
+    an earlier run.
     """
 
-    clip: str
+    path: str
     status: str
+    error: str
     frames: int
-    fps: float
-    duration_s: float
     segments: int
     cycles: int
     repetitions: int
     period_s: float
+    fps: float
+    duration_s: float
     confidence: float
-    message: str
+    reason: str
     kept: bool
+
+
+class Client(Protocol):
+    """What a batch asks of a ``dask.distributed.Client``."""
+
+    def map(self, func: Any, *iterables: Any, pure: bool) -> Any:
+        """Run the function for each item."""
+
+    def gather(self, futures: Any) -> Any:
+        """Return the results."""
 
 
 def batch(
     paths: str | os.PathLike[str] | Iterable[str | os.PathLike[str]],
     out: str | os.PathLike[str],
     *,
-    workers: int = 1,
-    client: Any = None,
+    jobs: int = 1,
+    client: Client | None = None,
     shard: tuple[int, int] = (1, 1),
     **options: Unpack[Options],
 ) -> DataFrame:
     """Decompose many clips into a folder: a JSON file for each, and ``summary.csv``.
 
-    The files have the same bytes for any number of workers. A run that was stopped goes on where
-    it was: a result is kept if the content of the clip, the options and the library's version are
-    the same. A clip that fails is a row with its error.
+    The result of ``a/b.bvh`` is ``a__b.bvh.json``. The files have the same bytes for any number of
+    jobs. A run that was stopped goes on where it was: a result is kept if the content of the clip,
+    the options and the library's version are the same. A clip that fails is a row with its error.
 
     Parameters
     ----------
@@ -75,10 +87,10 @@ def batch(
         Clips, and folders of clips, which are searched for files of readable formats.
     out : path
         The folder of the results.
-    workers : int
-        Processes; more than 1 need joblib.
+    jobs : int
+        Clips at the same time, each in a process of its own; more than 1 need joblib.
     client : dask.distributed.Client, optional
-        Runs the clips on a cluster, whose workers see the same files, in place of `workers`.
+        Runs the clips on a cluster, whose workers see the same files, in place of `jobs`.
     shard : (int, int)
         ``(i, n)``: every n-th clip from the i-th on, counted from 1; the summary is
         ``summary-i-n.csv``.
@@ -102,70 +114,94 @@ def batch(
         raise ValueError(f"shard is {shard!r}, and must be (i, n) with 1 <= i <= n")
     chosen = list(_clips(paths))[index - 1 :: count]
     report = reporter(options.pop("progress", None))
-    jobs = [(path, name, str(Path(out)), dict(options)) for path, name in chosen]
+    work = [(path, str(Path(out) / result), dict(options)) for path, result in chosen]
+    Path(out).mkdir(parents=True, exist_ok=True)
     rows = []
     try:
-        for row in _run(jobs, workers, client):
+        for row in _run(work, jobs, client):
             rows.append(row)
-            report.report("clips", len(rows) / len(jobs))
+            report.report("clips", len(rows) / len(work))
     finally:
         report.close()
     name = "summary.csv" if count == 1 else f"summary-{index}-{count}.csv"
-    Path(out).mkdir(parents=True, exist_ok=True)
     write_text(Path(out) / name, _summary(rows))
     return table(rows, BatchRow)
 
 
-def _run(jobs: list[tuple[Any, ...]], workers: int, client: Any) -> Iterator[BatchRow]:
+def _run(work: list[tuple[Any, ...]], jobs: int, client: Client | None) -> Iterator[BatchRow]:
     if client is not None:
-        futures = client.map(_one, *zip(*jobs, strict=True), pure=False) if jobs else []
+        futures = client.map(_one, *zip(*work, strict=True), pure=False) if work else []
         return iter(client.gather(futures))
-    if workers == 1:
-        return (_one(*job) for job in jobs)
+    if jobs == 1:
+        return (_one(*each) for each in work)
     joblib = extra("joblib", "batch")
-    parallel = joblib.Parallel(n_jobs=workers, return_as="generator")
-    return iter(parallel(joblib.delayed(_one)(*job) for job in jobs))
+    parallel = joblib.Parallel(n_jobs=jobs, return_as="generator")
+    return iter(parallel(joblib.delayed(_one)(*each) for each in work))
 
 
 def _clips(paths: Any) -> Iterator[tuple[str, str]]:
-    """Return path and name of each clip, by name; the name is relative to the folder given."""
-    found: dict[str, str] = {}
+    """Return path of each clip and file name of its result, by path."""
+    found: set[str] = set()
     for path in [paths] if isinstance(paths, str | os.PathLike) else paths:
         given = Path(path)
-        files = sorted(given.rglob("*")) if given.is_dir() else [given]
-        for file in files:
-            name = file.name if file == given else file.relative_to(given).as_posix()
-            if file != given and (file.suffix.lower() not in _SUFFIXES or not file.is_file()):
-                continue
-            if name in found:
-                raise ValueError(
-                    f"{found[name]} and {file} would have the same result, {name}.json: give "
-                    "their common folder"
-                )
-            found[name] = str(file)
+        if str(given) == "-":
+            raise ValueError("batch takes files and folders, not standard input")
+        found.update(_in_folder(given, set()) if given.is_dir() else [str(given)])
     if not found:
         raise ValueError(f"there are no {', '.join(_SUFFIXES)} files")
-    return ((found[name], name) for name in sorted(found))
+    taken: dict[str, str] = {}
+    for path in sorted(found):
+        name = _result_name(path)
+        if name in taken:
+            raise ValueError(
+                f"{taken[name]} and {path} would have the same result, {name}: decompose them into "
+                "two folders"
+            )
+        taken[name] = path
+    return ((path, name) for name, path in taken.items())
 
 
-def _one(path: str, name: str, out: str, options: Mapping[str, Any]) -> BatchRow:
-    """Decompose one clip unless its result is there; the processes of `workers` call this."""
-    place = Path(out) / f"{name}.json"
+def _in_folder(folder: Path, seen: set[Path]) -> Iterator[str]:
+    """Return the clips below a folder. Links are followed, into each folder once."""
+    real = folder.resolve()
+    if real in seen:
+        return
+    seen.add(real)
+    try:
+        entries = sorted(folder.iterdir())
+    except OSError:  # what cannot be listed is left out
+        return
+    for entry in entries:
+        if entry.is_dir():
+            yield from _in_folder(entry, seen)
+        elif entry.suffix.lower() in _SUFFIXES and entry.is_file():
+            yield str(entry)
+
+
+def _result_name(path: str) -> str:
+    """Return the path with ``__`` for ``/``, without leading dots, which would hide the file."""
+    while path.startswith("../"):
+        path = path[3:]
+    return path.replace("/", "__") + ".json"
+
+
+def _one(path: str, result: str, options: Mapping[str, Any]) -> BatchRow:
+    """Decompose one clip unless its result is there; the processes of `jobs` call this."""
+    place = Path(result)
     try:
         end = f',"batch":{_origin(path, options)}}}\n'
         before = place.read_text(encoding="utf-8") if place.exists() else ""
         if before.endswith(end):
-            return _row(name, json.loads(before), kept=True)
+            return _row(path, json.loads(before), kept=True)
         used: Any = {**options, "threads": 1}
         text = decompose(path, **used).to_json()
-        place.parent.mkdir(parents=True, exist_ok=True)
         write_text(place, text[:-1] + end)
-        return _row(name, json.loads(text), kept=False)
+        return _row(path, json.loads(text), kept=False)
     except StltsaError as error:
-        return _failed(name, error.name, error)
+        return _failed(path, error.name, error)
     except (OSError, ImportError, ValueError, TypeError) as error:
         status = "STLTSA_E_IO" if isinstance(error, OSError) else type(error).__name__
-        return _failed(name, status, error)
+        return _failed(path, status, error)
 
 
 def _origin(path: str, options: Mapping[str, Any]) -> str:
@@ -201,35 +237,36 @@ def _number(value: Any) -> float:
     return float("nan") if value is None else float(value)
 
 
-def _row(name: str, result: Any, *, kept: bool) -> BatchRow:
+def _row(path: str, result: Any, *, kept: bool) -> BatchRow:
     clip, segments = result["clip"], result["segments"]
     moving = [s for s in segments if s["kind"] != "rest"]
     longest = max(moving, key=lambda s: s["end_s"] - s["begin_s"], default={"confidence": None})
     return BatchRow(
-        clip=name,
+        path=path,
         status="done",
+        error="",
         frames=clip["frames"],
-        fps=_number(clip["fps"]),
-        duration_s=_number(clip["duration_s"]),
         segments=len(segments),
         cycles=len(result["cycles"]),
         repetitions=len(result["repetitions"]),
         period_s=_number(result["period_s"]),
+        fps=_number(clip["fps"]),
+        duration_s=_number(clip["duration_s"]),
         confidence=_number(longest["confidence"]),
-        message=result["reason"] or "",
+        reason=result["reason"] or "",
         kept=kept,
     )
 
 
-def _failed(name: str, status: str, error: Exception) -> BatchRow:
+def _failed(path: str, status: str, error: Exception) -> BatchRow:
     nan = float("nan")
-    return BatchRow(name, status, 0, nan, nan, 0, 0, 0, nan, nan, str(error), kept=False)
+    return BatchRow(path, status, str(error), 0, 0, 0, 0, nan, nan, nan, nan, "", kept=False)
 
 
 def _cells(row: BatchRow) -> list[str]:
     """Return the row as the command writes it: without `kept`, and without unknown numbers."""
-    if row.status != "done":
-        return [row.clip, row.status, *[""] * (len(row) - 4), row.message]
+    if row.error:
+        return [row.path, row.status, row.error, *[""] * (len(row) - 4)]
     unknown = [isinstance(value, float) and math.isnan(value) for value in row]
     return ["" if nan else _typed(value) for nan, value in zip(unknown, row[:-1], strict=False)]
 
