@@ -82,13 +82,20 @@ def test_paths_as_the_command_takes_them(clips, tmp_path, command, monkeypatch):
     (clips / "link").symlink_to(tmp_path / "elsewhere")
     (clips / "bad.bvh").write_text("hello\n")
     monkeypatch.chdir(clips)
-    paths = ["./walk.bvh", ".", "more//", "../elsewhere/other.bvh", "more/../walk.bvh", "absent.bvh"]
+    paths = [
+        "./walk.bvh",
+        ".",
+        "more//",
+        "../elsewhere/other.bvh",
+        "more/../walk.bvh",
+        "absent.bvh",
+    ]
     stltsa.batch(paths, tmp_path / "python", fps=30)
     line = [command, "batch", *paths, "--out", tmp_path / "command", "--fps", "30"]
     assert subprocess.run(line, capture_output=True, check=False).returncode == 5
     found = files(tmp_path / "command")
     assert files(tmp_path / "python") == found
-    assert len(found) == 6
+    assert len(found) == 8
     assert "elsewhere__other.bvh.json" in {str(name) for name in found}
 
 

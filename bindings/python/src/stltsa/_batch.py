@@ -114,6 +114,8 @@ def batch(
         raise ValueError(f"shard is {shard!r}, and must be (i, n) with 1 <= i <= n")
     chosen = list(_clips(paths))[index - 1 :: count]
     report = reporter(options.pop("progress", None))
+    for name in options:
+        option_named(name)  # a wrong one fails once, not for each clip
     work = [(path, str(Path(out) / result), dict(options)) for path, result in chosen]
     Path(out).mkdir(parents=True, exist_ok=True)
     rows = []
@@ -199,14 +201,17 @@ def _one(path: str, result: str, options: Mapping[str, Any]) -> BatchRow:
         return _row(path, json.loads(text), kept=False)
     except StltsaError as error:
         return _failed(path, error.name, error)
-    except (OSError, ImportError, ValueError, TypeError) as error:
-        status = "STLTSA_E_IO" if isinstance(error, OSError) else type(error).__name__
-        return _failed(path, status, error)
+    except OSError as error:
+        return _failed(path, "STLTSA_E_IO", f"{error.filename or path}: {error.strerror}")
+    except (ImportError, ValueError, TypeError) as error:
+        return _failed(path, type(error).__name__, error)
 
 
 def _origin(path: str, options: Mapping[str, Any]) -> str:
     """Return what the result depends on, as the command writes it."""
-    file = path if Path(path).exists() else path.rpartition(":")[0]
+    before, colon, _ = path.rpartition(":")
+    is_path = not colon or (Path(path).exists() and not Path(path).is_dir())
+    file = path if is_path else before
     content = Path(file).read_bytes()
     skeleton = options.get("skeleton")
     beside = [Path(skeleton)] if skeleton else []
@@ -258,7 +263,7 @@ def _row(path: str, result: Any, *, kept: bool) -> BatchRow:
     )
 
 
-def _failed(path: str, status: str, error: Exception) -> BatchRow:
+def _failed(path: str, status: str, error: object) -> BatchRow:
     nan = float("nan")
     return BatchRow(path, status, str(error), 0, 0, 0, 0, nan, nan, nan, nan, "", kept=False)
 
