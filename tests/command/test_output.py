@@ -255,6 +255,11 @@ class StandardOutput(CommandTest):
         self.assertIn(b"note: the coordinates carry no rate", run("unmap", model, y, "-o", "-").stderr)
         self.assertEqual(run("unmap", model, y, "-o", "-", "-q").stderr, b"")
 
+    def test_a_folder_for_temporary_files_is_needed_for_clips(self):
+        environment = plain_environment(TMPDIR="/nonexistent")
+        line = ("synthesize", f"{walk()}:best", "-o", "-")
+        self.assertIn("cannot write standard output: ", self.fails(1, *line, env=environment))
+
     def test_a_closed_pipe_leaves_no_file(self):
         reader, writer = os.pipe()
         os.close(reader)

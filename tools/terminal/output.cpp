@@ -97,9 +97,9 @@ void OutputFiles::add(const std::string& path, std::string content) {
 void OutputFiles::add_written(const std::string& path, const std::string& suffix,
                               const Write& write) {
     if (path == standard_output) { // `write` needs a name
-        const std::string place = (fs::temp_directory_path() / "stdout").string();
-        const TemporaryFile file =
-            writing(stdout_name, [&] { return TemporaryFile(place, suffix); });
+        const TemporaryFile file = writing(stdout_name, [&] {
+            return TemporaryFile((fs::temp_directory_path() / "stdout").string(), suffix);
+        });
         write_named(write, file.name(), stdout_name);
         return add_to_stdout(content_of(file.name()));
     }
