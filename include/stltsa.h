@@ -454,6 +454,10 @@ enum {
                                                   these are; 0: none */
     STLTSA_INFO_FIT_PERIOD_MAX = 89,    /* real   period_max of that model; 0: none */
     STLTSA_INFO_COLUMNS = 90,           /* int    columns of the coordinates */
+    STLTSA_INFO_NOISE_SHARE = 91,       /* real[] noise of each column as a share of its curve's
+                                                  range */
+    STLTSA_INFO_NOTHING_TO_CLEAN = 92,  /* int    1: the noise of every column is below 0.5 % of
+                                                  its range, which cannot be seen in a figure */
     /* Syntheses. */
     STLTSA_INFO_CROSSFADE = 100,        /* real   option crossfade; none: chosen for each seam */
     STLTSA_INFO_CUT_RANGE = 101,        /* real   option cut_range; none: chosen for each seam */

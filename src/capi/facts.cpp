@@ -280,6 +280,10 @@ constexpr InfoRow denoising_rows[] = {
     one<Denoising>(STLTSA_INFO_FIT_PERIOD_MAX,
                    [](const Denoising& d) { return d.source.period.longest; }),
     one<Denoising>(STLTSA_INFO_COLUMNS, [](const Denoising& d) { return d.result.columns.size(); }),
+    of_column(STLTSA_INFO_NOISE_SHARE,
+              [](const motion::DenoisedColumn& c) { return c.noise_share; }),
+    one<Denoising>(STLTSA_INFO_NOTHING_TO_CLEAN,
+                   [](const Denoising& d) { return motion::nothing_to_clean(d.result.columns); }),
 };
 
 // ---- Syntheses ----

@@ -532,6 +532,8 @@ FACTS = {
         "columns.gamma": lambda h: h.list("gamma"),
         "columns.shift": lambda h: h.list("shift"),
         "columns.noise": lambda h: h.list("noise"),
+        "columns.noise_share": lambda h: h.list("noise_share"),
+        "nothing_to_clean": lambda h: bool(h["nothing_to_clean"]),
         "columns.degrees_of_freedom": lambda h: h.list("degrees_of_freedom"),
         "columns.moved": lambda h: h.list("moved"),
         **WARNINGS,

@@ -2,7 +2,6 @@
 #include <algorithm>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 #include <unistd.h>
 
 #include "reports/report.hpp"
@@ -47,13 +46,12 @@ std::string denoising_summary(const stltsa::Denoising& denoising) {
     for (const std::int64_t of_column : info.integers(STLTSA_INFO_MOVED))
         moved += of_column;
     const std::int64_t points = info.count(STLTSA_INFO_MOVED) * info.integer(STLTSA_INFO_ROWS);
-    const auto found = nlohmann::json::parse(denoising.json());
     double share = 0;
-    for (const nlohmann::json& column : found["columns"])
-        share = std::max(share, column["noise_share"].get<double>());
+    for (const double of_column : info.reals(STLTSA_INFO_NOISE_SHARE))
+        share = std::max(share, of_column);
     const std::string what =
         fmt::format("{} of {} moved towards a smooth curve", moved, counted(points, "point"));
-    return found["nothing_to_clean"]
+    return info.integer(STLTSA_INFO_NOTHING_TO_CLEAN) != 0
                ? fmt::format("nothing to clean: the noise is {:.2g} % of the range ({})",
                              100 * share, what)
                : fmt::format("{}; the noise is {:.2g} % of the range", what, 100 * share);

@@ -108,6 +108,11 @@ constexpr stltsa_info_key rows[] = {
          "period_min of the model whose coordinates these are; 0: none."),
     real(STLTSA_INFO_FIT_PERIOD_MAX, "fit_period_max", "period_max of that model; 0: none."),
     whole(STLTSA_INFO_COLUMNS, "columns", "Columns of the coordinates."),
+    real(STLTSA_INFO_NOISE_SHARE, "noise_share",
+         "Noise of each column as a share of its curve's range."),
+    whole(STLTSA_INFO_NOTHING_TO_CLEAN, "nothing_to_clean",
+          "1: the noise of every column is below 0.5 % of its range, which cannot be seen in a "
+          "figure."),
     real(STLTSA_INFO_CROSSFADE, "crossfade",
          "Option crossfade, if it was set; otherwise chosen for each seam."),
     real(STLTSA_INFO_CUT_RANGE, "cut_range",

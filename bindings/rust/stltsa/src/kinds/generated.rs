@@ -337,6 +337,11 @@ kinds! {
         FitPeriodMax = STLTSA_INFO_FIT_PERIOD_MAX,
         /// `int`: columns of the coordinates.
         Columns = STLTSA_INFO_COLUMNS,
+        /// `real[]`: noise of each column as a share of its curve's range.
+        NoiseShare = STLTSA_INFO_NOISE_SHARE,
+        /// `int`: 1: the noise of every column is below 0.5 % of its range, which cannot be seen in
+        /// a figure.
+        NothingToClean = STLTSA_INFO_NOTHING_TO_CLEAN,
         /// `real`: option crossfade; none: chosen for each seam.
         Crossfade = STLTSA_INFO_CROSSFADE,
         /// `real`: option cut_range; none: chosen for each seam.
