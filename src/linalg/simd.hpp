@@ -27,6 +27,16 @@ double sum_of(std::int64_t count, const Term& term) {
     return sum_lanes(s);
 }
 
+/// squared_distance() of rows of eight, without a call.
+[[gnu::always_inline]] inline double squared_distance_of_lanes(const double* a, const double* b) {
+    double s[lanes];
+    for (std::int64_t l = 0; l < lanes; ++l) {
+        const double d = a[l] - b[l];
+        s[l] = d * d;
+    }
+    return sum_lanes(s);
+}
+
 /// |a - b|^2 by subtraction: exactly zero for equal frames, without cancellation of large norms.
 inline double squared_distance(const double* a, const double* b, std::int64_t count) {
     return sum_of(count, [=](std::int64_t i) {

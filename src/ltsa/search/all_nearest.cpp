@@ -28,21 +28,13 @@ struct Leaves {
 
     explicit Leaves(ConstMatrixView rows);
 
-    std::span<const Segment> rows_of(std::int32_t node) const { return tree.segments_of(node); }
+    std::span<const std::int32_t> rows_of(std::int32_t node) const { return tree.rows_of(node); }
     const double* columns_of(std::int32_t node) const {
         return columns.data() + number[static_cast<std::size_t>(node)] * x.cols * lanes;
     }
 };
 
-std::vector<Segment> every_row(std::int64_t rows) {
-    std::vector<Segment> segments;
-    segments.reserve(static_cast<std::size_t>(rows));
-    for (std::int32_t r = 0; r < rows; ++r)
-        segments.push_back({r, r});
-    return segments;
-}
-
-Leaves::Leaves(ConstMatrixView rows) : x(rows), tree(x, every_row(x.rows)) {
+Leaves::Leaves(ConstMatrixView rows) : x(rows), tree(x, BallTree::Parts::pieces) {
     for (std::size_t i = 0; i < tree.nodes().size(); ++i) {
         number.push_back(static_cast<std::int32_t>(nodes.size()));
         if (tree.nodes()[i].left == 0)
@@ -52,8 +44,8 @@ Leaves::Leaves(ConstMatrixView rows) : x(rows), tree(x, every_row(x.rows)) {
     std::array<const double*, leaf_rows> row;
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         std::int64_t count = 0;
-        for (const Segment& segment : rows_of(nodes[i]))
-            row[static_cast<std::size_t>(count++)] = x.row(segment.row);
+        for (const std::int32_t r : rows_of(nodes[i]))
+            row[static_cast<std::size_t>(count++)] = x.row(r);
         fill_leaf(row.data(), count, x.cols,
                   columns.data() + static_cast<std::int64_t>(i) * x.cols * lanes);
     }
@@ -71,7 +63,7 @@ class Group {
             leaves_.tree.center(node), own.radius, own.begin, [this] { return largest_reach_; },
             [this](std::int32_t leaf) { visit(leaf); });
         for (std::size_t q = 0; q < rows_.size(); ++q)
-            wanted_.store(rows_[q].row, best_[q].sorted());
+            wanted_.store(rows_[q], best_[q].sorted());
     }
 
   private:
@@ -81,7 +73,7 @@ class Group {
         best_.clear();
         for (std::size_t q = 0; q < rows_.size(); ++q) {
             best_.emplace_back(static_cast<std::size_t>(std::min(wanted_.count, leaves_.x.rows)));
-            zones_[q] = wanted_.zone_of(rows_[q].row);
+            zones_[q] = wanted_.zone_of(rows_[q]);
             reach_[q] = best_[q].reach();
         }
         largest_reach_ = best_.front().reach();
@@ -98,7 +90,7 @@ class Group {
         std::size_t count = 0;
         for (std::size_t q = 0; q < rows_.size(); ++q)
             if (leaves_.tree.within(to_center[q], reach_[q] + radius)) {
-                points[count] = leaves_.x.row(rows_[q].row);
+                points[count] = leaves_.x.row(rows_[q]);
                 queries[count++] = q;
             }
         std::array<double, leaf_rows * leaf_rows> distances;
@@ -114,13 +106,13 @@ class Group {
                                              leaves_.x.cols, out});
     }
 
-    void offer(std::size_t query, std::span<const Segment> rows, const double* distances) {
+    void offer(std::size_t query, std::span<const std::int32_t> rows, const double* distances) {
         const RowRange zone = zones_[query];
         Best<Candidate>& best = best_[query];
         double limit = best.reach();
         for (std::size_t i = 0; i < rows.size(); ++i)
-            if (distances[i] <= limit && (rows[i].row < zone.begin || rows[i].row >= zone.end)) {
-                best.offer({distances[i], rows[i].row});
+            if (distances[i] <= limit && (rows[i] < zone.begin || rows[i] >= zone.end)) {
+                best.offer({distances[i], rows[i]});
                 limit = best.reach();
             }
         reach_[query] = std::sqrt(limit);
@@ -128,7 +120,7 @@ class Group {
 
     const Leaves& leaves_;
     const NearestOfAll& wanted_;
-    std::span<const Segment> rows_;
+    std::span<const std::int32_t> rows_;
     const double* columns_ = nullptr;
     std::vector<Best<Candidate>> best_;
     std::array<RowRange, leaf_rows> zones_;

@@ -12,13 +12,11 @@ namespace stltsa::ltsa {
 namespace {
 
 /// Whether consecutive rows are much nearer to each other than other pairs of rows.
-bool in_order(ConstMatrixView x, const std::vector<Segment>& segments) {
-    const std::size_t count = segments.size();
+bool in_order(ConstMatrixView x) {
     double steps = 0, jumps = 0;
-    for (std::size_t i = 0; i + 1 < count; ++i) {
-        const double* row = x.row(segments[i].row);
-        steps += squared_distance(row, x.row(segments[i + 1].row), x.cols);
-        jumps += squared_distance(row, x.row(segments[(i + count / 2) % count].row), x.cols);
+    for (std::int64_t i = 0; i + 1 < x.rows; ++i) {
+        steps += squared_distance(x.row(i), x.row(i + 1), x.cols);
+        jumps += squared_distance(x.row(i), x.row((i + x.rows / 2) % x.rows), x.cols);
     }
     return steps <= jumps / 4;
 }
@@ -40,13 +38,14 @@ std::int64_t node_count(std::int32_t rows) {
 /// synthetic frames with many repetitions.
 constexpr double time_order_bonus = 1.1;
 
-/// Arranges segments in the order of the tree. The units are pieces of motion as long as a leaf,
-/// each represented by its middle row, or single rows.
+/// Arranges rows in the order of the tree. Its units are pieces of motion as long as a leaf, each
+/// represented by its middle row, or single rows.
 class Arrangement {
   public:
-    Arrangement(ConstMatrixView x, const std::vector<Segment>& segments)
-        : x_(x), segments_(segments), length_(in_order(x, segments) ? BallTree::leaf_size : 1),
-          pieces_((segments.size() + length_ - 1) / length_) {
+    Arrangement(ConstMatrixView x, BallTree::Parts parts)
+        : x_(x), rows_(static_cast<std::size_t>(x.rows)),
+          length_(parts == BallTree::Parts::pieces && in_order(x) ? BallTree::leaf_size : 1),
+          pieces_((rows_ + length_ - 1) / length_) {
         std::iota(pieces_.begin(), pieces_.end(), std::size_t{0});
     }
 
@@ -67,13 +66,12 @@ class Arrangement {
             in_time();
     }
 
-    std::vector<Segment> arranged() const {
-        std::vector<Segment> order;
-        order.reserve(segments_.size());
+    std::vector<std::int32_t> arranged() const {
+        std::vector<std::int32_t> order;
+        order.reserve(rows_);
         for (const std::size_t piece : pieces_)
-            for (std::size_t i = piece * length_;
-                 i < std::min((piece + 1) * length_, segments_.size()); ++i)
-                order.push_back(segments_[i]);
+            for (std::size_t i = piece * length_; i < std::min((piece + 1) * length_, rows_); ++i)
+                order.push_back(static_cast<std::int32_t>(i));
         return order;
     }
 
@@ -92,9 +90,10 @@ class Arrangement {
     Piece piece_at(std::int32_t place) {
         return pieces_.begin() + place / static_cast<std::int32_t>(length_);
     }
-    bool is_short(std::size_t piece) const { return (piece + 1) * length_ > segments_.size(); }
+    bool is_short(std::size_t piece) const { return (piece + 1) * length_ > rows_; }
     const double* row_of(std::size_t piece) const {
-        return x_.row(segments_[std::min(piece * length_ + length_ / 2, segments_.size() - 1)].row);
+        return x_.row(
+            static_cast<std::int64_t>(std::min(piece * length_ + length_ / 2, rows_ - 1)));
     }
 
     /// By the column in which they differ most; the incomplete piece stays at the end, because the
@@ -143,20 +142,20 @@ class Arrangement {
     }
 
     ConstMatrixView x_;
-    const std::vector<Segment>& segments_;
+    std::size_t rows_;
     std::size_t length_; ///< of a piece
     std::vector<std::size_t> pieces_;
 };
 
 } // namespace
 
-BallTree::BallTree(ConstMatrixView x, const std::vector<Segment>& segments) : x_(x) {
+BallTree::BallTree(ConstMatrixView x, Parts parts, std::span<const double> margins) : x_(x) {
     rounding_ = 4e-12 + static_cast<double>(x.cols) * std::numeric_limits<double>::epsilon();
-    if (segments.empty())
+    if (x.rows == 0)
         return;
-    const auto size = static_cast<std::int32_t>(segments.size());
+    const auto size = static_cast<std::int32_t>(x.rows);
     nodes_.reserve(static_cast<std::size_t>(node_count(size)));
-    Arrangement arrangement(x, segments);
+    Arrangement arrangement(x, parts);
     nodes_.push_back({0, size});
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
         const auto [begin, end, radius, left] = nodes_[i];
@@ -176,7 +175,7 @@ BallTree::BallTree(ConstMatrixView x, const std::vector<Segment>& segments) : x_
         const auto leaf = leaves.begin() + node.begin / leaf_size;
         if (node.left == 0) {
             *leaf = i;
-            enclose_rows(i);
+            enclose_rows(i, margins);
         } else {
             enclose_leaves(i, {leaf, leaves.begin() + (node.end + leaf_size - 1) / leaf_size});
         }
@@ -184,18 +183,17 @@ BallTree::BallTree(ConstMatrixView x, const std::vector<Segment>& segments) : x_
 }
 
 /// Computes the ball of a leaf, around the mean of its rows.
-void BallTree::enclose_rows(std::int32_t index) {
+void BallTree::enclose_rows(std::int32_t index, std::span<const double> margins) {
     double* center = centers_.row(index);
-    const auto segments = segments_of(index);
-    for (const Segment& segment : segments)
-        axpy(1 / static_cast<double>(segments.size()), x_.row(segment.row), center, x_.cols);
-    double square = 0;
-    for (const auto [row, next] : segments) {
-        square = std::max(square, squared_distance(x_.row(row), center, x_.cols));
-        if (next != row)
-            square = std::max(square, squared_distance(x_.row(next), center, x_.cols));
+    const auto rows = rows_of(index);
+    for (const std::int32_t row : rows)
+        axpy(1 / static_cast<double>(rows.size()), x_.row(row), center, x_.cols);
+    double& radius = nodes_[static_cast<std::size_t>(index)].radius;
+    for (const std::int32_t row : rows) {
+        const double margin = margins.empty() ? 0 : margins[static_cast<std::size_t>(row)];
+        radius =
+            std::max(radius, std::sqrt(squared_distance(x_.row(row), center, x_.cols)) + margin);
     }
-    nodes_[static_cast<std::size_t>(index)].radius = std::sqrt(square);
 }
 
 /// Computes the ball of another node, around the mean of its leaves' centers. Their balls are

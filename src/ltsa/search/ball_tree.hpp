@@ -13,20 +13,19 @@
 
 namespace stltsa::ltsa {
 
-/// The segment from a row to the next, or a single row, which is its own next.
-struct Segment {
-    std::int32_t row, next;
-};
-
-/// Each half of a ball's rows is a ball again. A leaf is a short piece of motion, which has a
-/// smaller ball than rows that are neighbors in a column. Larger nodes are split in time or along
-/// the column in which the pieces differ most, whichever gives smaller halves.
+/// Each half of a ball's rows is a ball again. Nodes are split in time or along the column in which
+/// their parts differ most, whichever gives smaller halves.
 class BallTree {
   public:
+    /// What is never split: rows, or, if the rows are in order of time, pieces of motion as long as
+    /// a leaf. Neighbors of the rows of a piece are much the same, which a joint search for all
+    /// rows uses; a search for a single one looks at a fifth of the rows in a tree of rows.
+    enum class Parts { rows, pieces };
+
     /// Rows of a leaf; the last one may have fewer.
     static constexpr std::int32_t leaf_size = 8;
 
-    /// Segments [begin, end) of the order lie within the radius of the center.
+    /// Rows [begin, end) of the order, with what extends from them, lie within the radius.
     struct Node {
         std::int32_t begin, end;
         double radius = 0;
@@ -34,12 +33,13 @@ class BallTree {
     };
 
     BallTree() = default;
-    /// `segments`: one from each row to index, ascending. The entries of x are not copied.
-    BallTree(ConstMatrixView x, const std::vector<Segment>& segments);
+    /// Of all rows of x, whose entries are not copied. `margins`: how far something extends from
+    /// each row; none: nothing does.
+    BallTree(ConstMatrixView x, Parts parts, std::span<const double> margins = {});
 
     const std::vector<Node>& nodes() const { return nodes_; }
     const double* center(std::int32_t node) const { return centers_.row(node); }
-    std::span<const Segment> segments_of(std::int32_t index) const {
+    std::span<const std::int32_t> rows_of(std::int32_t index) const {
         const Node& node = nodes_[static_cast<std::size_t>(index)];
         return std::span(order_).subspan(static_cast<std::size_t>(node.begin),
                                          static_cast<std::size_t>(node.end - node.begin));
@@ -54,8 +54,8 @@ class BallTree {
     }
 
     /// Calls visit(leaf) for each leaf that may contain a point within reach() of the ball with
-    /// this center and radius: beginning with the leaf of segment `start` of the order, or, if that
-    /// is -1, with the nearest.
+    /// this center and radius: beginning with the leaf of row `start` of the order, or, if that is
+    /// -1, with the nearest.
     template <class Reach, class Visit>
     void search(const double* center, double radius, std::int32_t start, const Reach& reach,
                 const Visit& visit) const {
@@ -90,15 +90,18 @@ class BallTree {
     };
 
     Unvisited unvisited(const double* from, std::int32_t node) const {
-        return {squared_distance(from, center(node), x_.cols), node};
+        const double* to = center(node);
+        return {x_.cols == lanes ? squared_distance_of_lanes(from, to)
+                                 : squared_distance(from, to, x_.cols),
+                node};
     }
-    void enclose_rows(std::int32_t index);
+    void enclose_rows(std::int32_t index, std::span<const double> margins);
     void enclose_leaves(std::int32_t index, std::span<const std::int32_t> leaves);
 
     ConstMatrixView x_;
     double rounding_ = 0;
-    std::vector<Segment> order_; ///< the segments of a node are adjacent
-    std::vector<Node> nodes_;    ///< the root first
+    std::vector<std::int32_t> order_; ///< the rows of a node are adjacent
+    std::vector<Node> nodes_;         ///< the root first
     Matrix centers_;
 };
 

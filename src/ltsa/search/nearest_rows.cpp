@@ -8,12 +8,22 @@
 
 namespace stltsa::ltsa {
 
-NearestRows::NearestRows(ConstMatrixView x, const std::vector<Segment>& segments)
-    : x_(x), segments_(segments), tree_(x, segments) {
-    rows_.reserve(segments.size());
+namespace {
+
+std::vector<std::int32_t> beginnings(const std::vector<Segment>& segments) {
+    std::vector<std::int32_t> rows;
+    rows.reserve(segments.size());
     for (const Segment& segment : segments)
-        rows_.push_back(segment.row);
+        rows.push_back(segment.row);
+    return rows;
 }
+
+} // namespace
+
+NearestRows::NearestRows(ConstMatrixView x, const std::vector<Segment>& segments)
+    : x_(x), rows_(beginnings(segments)), segments_(segments), reduced_(x, rows_),
+      middles_(x, segments_, reduced_.view()), tree_(reduced_.view(), BallTree::Parts::rows),
+      segment_tree_(middles_.middles(), BallTree::Parts::rows, middles_.margins()) {}
 
 /// The foot of the perpendicular, computed from the lengths of the three sides, or an end.
 NearSegment NearestRows::nearest_point(const double* query, Segment segment) const {
@@ -58,33 +68,46 @@ std::vector<NearSegment> NearestRows::nearest_segments_within(const double* quer
     return best.sorted();
 }
 
-template <class Found, class OfferLeaf>
-std::vector<Found> NearestRows::search(const double* query, std::int64_t count,
-                                       const OfferLeaf& offer_leaf) const {
+template <class Found, class Bound, class Offer>
+std::vector<Found> NearestRows::search(const BallTree& tree, const double* query,
+                                       std::int64_t count, const Bound& bound,
+                                       const Offer& offer) const {
     if (count < 1 || rows_.empty())
         return {};
+    const ReducedRows::Query reduced = reduced_.reduce(query);
     Best<Found> best(std::min(static_cast<std::size_t>(count), rows_.size()));
-    tree_.search(
-        query, 0, -1, [&] { return std::sqrt(best.reach()); },
-        [&](std::int32_t leaf) { offer_leaf(tree_.segments_of(leaf), best); });
+    tree.search(
+        reduced.reduced.data(), reduced.error, -1, [&] { return std::sqrt(best.reach()); },
+        [&](std::int32_t leaf) {
+            for (const std::int32_t i : tree.rows_of(leaf))
+                if (!(bound(reduced, i, best.reach()) > best.reach()))
+                    offer(static_cast<std::size_t>(i), best);
+        });
     return best.sorted();
 }
 
 std::vector<Candidate> NearestRows::nearest_outside(const double* query, std::int64_t count,
                                                     RowRange zone) const {
-    return search<Candidate>(query, count, [&](std::span<const Segment> leaf, auto& best) {
-        for (const Segment& segment : leaf)
-            if (segment.row < zone.begin || segment.row >= zone.end)
-                best.offer({squared_distance(query, x_.row(segment.row), x_.cols), segment.row});
-    });
+    return search<Candidate>(
+        tree_, query, count,
+        [&](const auto& reduced, std::int32_t i, double) { return reduced_.bound(reduced, i); },
+        [&](std::size_t i, Best<Candidate>& best) {
+            const std::int32_t row = rows_[i];
+            if (row < zone.begin || row >= zone.end)
+                best.offer({squared_distance(query, x_.row(row), x_.cols), row});
+        });
 }
 
 std::vector<NearSegment> NearestRows::nearest_segments(const double* query,
                                                        std::int64_t count) const {
-    return search<NearSegment>(query, count, [&](std::span<const Segment> leaf, auto& best) {
-        for (const Segment& segment : leaf)
-            best.offer(nearest_point(query, segment));
-    });
+    return search<NearSegment>(
+        segment_tree_, query, count,
+        [&](const auto& reduced, std::int32_t i, double reach) {
+            return middles_.bound(reduced, i, reach);
+        },
+        [&](std::size_t i, Best<NearSegment>& best) {
+            best.offer(nearest_point(query, segments_[i]));
+        });
 }
 
 } // namespace stltsa::ltsa

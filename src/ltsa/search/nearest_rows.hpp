@@ -11,6 +11,7 @@
 #include "linalg/matrix.hpp"
 #include "ltsa/search/ball_tree.hpp"
 #include "ltsa/search/best.hpp"
+#include "ltsa/search/reduced_rows.hpp"
 
 namespace stltsa::ltsa {
 
@@ -34,7 +35,7 @@ struct NearSegment {
     }
 };
 
-/// Rows of a matrix in a ball tree, with the segments that begin there. Any number of threads may
+/// Rows of a matrix in ball trees, with the segments that begin there. Any number of threads may
 /// search at once.
 class NearestRows {
   public:
@@ -63,15 +64,19 @@ class NearestRows {
 
   private:
     NearSegment nearest_point(const double* query, Segment segment) const;
-    /// The `count` nearest of the elements that `offer_leaf` offers from the leaves.
-    template <class Found, class OfferLeaf>
-    std::vector<Found> search(const double* query, std::int64_t count,
-                              const OfferLeaf& offer_leaf) const;
+    /// The `count` nearest of the elements that offer(i) offers. `bound`: at most the squared
+    /// distance of element i; those beyond reach are skipped.
+    template <class Found, class Bound, class Offer>
+    std::vector<Found> search(const BallTree& tree, const double* query, std::int64_t count,
+                              const Bound& bound, const Offer& offer) const;
 
     ConstMatrixView x_;
     std::vector<std::int32_t> rows_;
     std::vector<Segment> segments_; ///< of the rows, in the same order
-    BallTree tree_;
+    ReducedRows reduced_;           ///< the same
+    ReducedSegments middles_;       ///< the same
+    BallTree tree_;                 ///< of the reduced rows
+    BallTree segment_tree_;         ///< of the middles
 };
 
 } // namespace stltsa::ltsa

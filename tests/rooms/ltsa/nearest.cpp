@@ -147,15 +147,16 @@ void assert_same(const std::vector<NearSegment>& found, const std::vector<NearSe
     }
 }
 
-void nearest_segments_of_all(void**) {
-    const Matrix x = curve(700, 7, 8);
+/// With fewer and with more columns than a search looks at first.
+void compare_segments(std::int64_t cols) {
+    const Matrix x = curve(700, cols, 8);
     const std::vector<Segment> segments = chained(every(700, 2));
     const NearestRows nearest(x.view(), segments);
     const auto count = static_cast<std::int64_t>(segments.size());
     stltsa::Random random(3);
-    std::vector<double> query(7);
+    std::vector<double> query(static_cast<std::size_t>(cols));
     for (std::int64_t q = 0; q < 700; q += 23) {
-        for (std::size_t c = 0; c < 7; ++c)
+        for (std::size_t c = 0; c < query.size(); ++c)
             query[c] = x.row(q)[c] + (q % 2 == 0 ? 0.05 : 3) * random.symmetric();
         const auto all = nearest.nearest_segments(query.data(), 2 * count);
         assert_int_equal(all.size(), count);
@@ -167,6 +168,11 @@ void nearest_segments_of_all(void**) {
                         {all.begin(), all.begin() + static_cast<std::ptrdiff_t>(few)});
         assert_same(nearest.nearest_segments_within(query.data(), count, {}), all);
     }
+}
+
+void nearest_segments_of_all(void**) {
+    for (const std::int64_t cols : {2, 7, 20})
+        compare_segments(cols);
 }
 
 void segments_end_with_their_range(void**) {
