@@ -161,7 +161,7 @@ typedef struct stltsa_options stltsa_options;
  * the command's flags and the bindings' keywords are generated from that table. */
 enum {
     STLTSA_OPT_NEIGHBORS = 1,    /* int   k; auto: 1.2 periods if a period is found, otherwise
-                                      1.2 s, or 12 if the frame rate is unknown */
+                                      1.2 s, or 12 rows if the frame rate is unknown */
     STLTSA_OPT_WINDOW = 2,       /* int   w, frames to each side; auto: as neighbors */
     STLTSA_OPT_DIMENSION = 3,    /* int   d; auto: fit 2, decompose the best of 1 to 3 */
     STLTSA_OPT_MODE = 4,         /* int   STLTSA_MODE_* */
@@ -183,8 +183,10 @@ enum {
                                       all */
     STLTSA_OPT_SMOOTHING = 14,   /* real  sigma in seconds of the Gaussian on the features;
                                       0: none */
-    STLTSA_OPT_PERIOD_MIN = 15,  /* real  shortest period looked for, seconds */
-    STLTSA_OPT_PERIOD_MAX = 16,  /* real  longest period looked for, seconds */
+    STLTSA_OPT_PERIOD_MIN = 15,  /* real  shortest period looked for, seconds; rows if the rate is
+                                      unknown, 4 unless it is set */
+    STLTSA_OPT_PERIOD_MAX = 16,  /* real  longest period looked for, seconds; rows if the rate is
+                                      unknown, half of all and at most 1000 unless it is set */
     STLTSA_OPT_EIGENGAP = 17,    /* real  tau of section 2.3 as a fraction of k */
     STLTSA_OPT_VARIANCE = 18,    /* real  share of local variance that local PCA must explain */
     STLTSA_OPT_SKELETON = 19,    /* text  path of the ASF file of an AMC clip; auto: found beside
@@ -385,13 +387,15 @@ enum {
                                                   exclusion zone */
     STLTSA_INFO_EXCLUSION = 26,         /* int    Recurrent: half width of that zone in rows */
     /* The period, if one was looked for. */
-    STLTSA_INFO_PERIOD = 30,            /* real   period in seconds; 0: none */
+    STLTSA_INFO_PERIOD = 30,            /* real   period in seconds; 0: none, or the rate is
+                                                  unknown: see PERIOD_ROWS */
     STLTSA_INFO_LAG_QUALITY = 31,       /* real   1 - D(T) of the period; 1: perfect, 0: no
                                                   period */
     STLTSA_INFO_PERIOD_MIN = 32,        /* real   shortest period looked for, in seconds; 0: no
                                                   search was made */
     STLTSA_INFO_PERIOD_MAX = 33,        /* real   longest period looked for, in seconds; 0: no
                                                   search was made */
+    STLTSA_INFO_PERIOD_ROWS = 34,       /* real   period in rows; 0: none */
     /* Models. */
     STLTSA_INFO_REPEATED = 40,          /* int    rows collapsed because they repeat the one
                                                   before */

@@ -45,12 +45,17 @@ struct Places {
     }
 };
 
-const PeriodFacts& period_of(const stltsa_denoising& denoising) {
+const PeriodFacts& found_period(const stltsa_denoising& denoising) {
     return denoising.period;
 }
 template <class Handle>
-const PeriodFacts& period_of(const Handle& handle) {
+const PeriodFacts& found_period(const Handle& handle) {
     return handle.source.period;
+}
+
+template <class Handle>
+PeriodFacts period_of(const Handle& handle) {
+    return in_seconds(found_period(handle), handle.source.samples);
 }
 
 template <class H>
@@ -81,6 +86,8 @@ constexpr InfoRow source_rows[] = {
         [](const Place& place) { return place.step; }),
     one<H>(STLTSA_INFO_FPS, [](const H& h) { return h.source.samples.fps; }),
     one<H>(STLTSA_INFO_PERIOD, [](const H& h) { return period_of(h).period; }),
+    one<H>(STLTSA_INFO_PERIOD_ROWS,
+           [](const H& h) { return rows_of_period(found_period(h), h.source.samples); }),
     one<H>(STLTSA_INFO_LAG_QUALITY, [](const H& h) { return period_of(h).lag_quality; }),
     one<H>(STLTSA_INFO_PERIOD_MIN, [](const H& h) { return period_of(h).shortest; }),
     one<H>(STLTSA_INFO_PERIOD_MAX, [](const H& h) { return period_of(h).longest; }),
@@ -275,10 +282,12 @@ constexpr InfoRow denoising_rows[] = {
         [](const Denoising& d) -> const auto& { return d.options.gamma; }),
     one<Denoising>(STLTSA_INFO_KNOT_ROWS, [](const Denoising& d) { return d.options.knot_step; }),
     one<Denoising>(STLTSA_INFO_ROBUST, [](const Denoising& d) { return d.options.robust; }),
-    one<Denoising>(STLTSA_INFO_FIT_PERIOD_MIN,
-                   [](const Denoising& d) { return d.source.period.shortest; }),
-    one<Denoising>(STLTSA_INFO_FIT_PERIOD_MAX,
-                   [](const Denoising& d) { return d.source.period.longest; }),
+    one<Denoising>(
+        STLTSA_INFO_FIT_PERIOD_MIN,
+        [](const Denoising& d) { return in_seconds(d.source.period, d.source.samples).shortest; }),
+    one<Denoising>(
+        STLTSA_INFO_FIT_PERIOD_MAX,
+        [](const Denoising& d) { return in_seconds(d.source.period, d.source.samples).longest; }),
     one<Denoising>(STLTSA_INFO_COLUMNS, [](const Denoising& d) { return d.result.columns.size(); }),
     of_column(STLTSA_INFO_NOISE_SHARE,
               [](const motion::DenoisedColumn& c) { return c.noise_share; }),

@@ -36,7 +36,7 @@ const ltsa::Mapping* mapping_of(const stltsa_model& model) {
         return nullptr;
     std::call_once(model.mapping_asked, [&model] {
         model.mapping.emplace(model.kept.frames.view(), model.model,
-                              model.source.period.period * model.source.samples.fps);
+                              results::rows_of_period(model.source.period, model.source.samples));
     });
     return &*model.mapping;
 }

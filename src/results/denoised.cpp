@@ -12,14 +12,12 @@ namespace {
 /// The source's period; if it was not searched for, the period of the longest clip's coordinates.
 PeriodFacts period_of(ConstMatrixView coords, const std::vector<std::int64_t>& lengths,
                       const PeriodSearch& search, const Source& source) {
-    const double fps = source.samples.fps;
-    if (!(fps > 0) || source.period.longest > 0)
-        return source.period;
     const auto longest = std::max_element(lengths.begin(), lengths.end());
     const std::int64_t first = std::accumulate(lengths.begin(), longest, std::int64_t{0});
-    const motion::Period found =
-        motion::find_period(coords.block(first, *longest), fps, search.shortest, search.longest);
-    return {found.samples / fps, found.quality, search.shortest, search.longest};
+    const double fps = source.samples.fps;
+    const PeriodRange range = range_of(search, fps, *longest);
+    return source.period.longest > 0 ? source.period
+                                     : look_for_period(coords.block(first, *longest), fps, range);
 }
 
 } // namespace
@@ -34,8 +32,8 @@ Denoised denoise(ConstMatrixView coords, std::vector<std::int64_t> lengths,
         denoised.options.knot_step = *options.knot_spacing * (fps > 0 ? fps : 1);
     } else {
         denoised.period = period_of(coords, lengths, options.search, source);
-        denoised.options.knot_step =
-            motion::knot_step_for({denoised.period.period * fps, denoised.period.lag_quality});
+        denoised.options.knot_step = motion::knot_step_for(
+            {rows_of_period(denoised.period, source.samples), denoised.period.lag_quality});
     }
     denoised.result = motion::denoise(coords, lengths, denoised.options, progress);
     denoised.lengths = std::move(lengths);

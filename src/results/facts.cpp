@@ -6,6 +6,14 @@
 
 namespace stltsa::results {
 
+double rows_of_period(const PeriodFacts& period, const SampleFacts& samples) {
+    return samples.fps > 0 ? period.period * samples.fps : period.period;
+}
+
+PeriodFacts in_seconds(const PeriodFacts& period, const SampleFacts& samples) {
+    return samples.fps > 0 ? period : PeriodFacts{0, period.lag_quality, 0, 0};
+}
+
 ClipFacts clip_facts(const clip::Clip& clip) {
     return {clip.path, clip.format, clip.frames(), clip.fps, clip.notes, 0, 1};
 }

@@ -35,13 +35,20 @@ struct SampleFacts {
     double smoothing = 0;             ///< seconds
 };
 
-/// The period that the number of neighbors was chosen by.
+/// The period that the number of neighbors was chosen by. In seconds; in rows if the rate is
+/// unknown.
 struct PeriodFacts {
-    double period = 0;      ///< seconds; 0: none found
+    double period = 0;      ///< 0: none found
     double lag_quality = 0; ///< 1 - D(period); 0 without a period
-    double shortest = 0;    ///< seconds, of the search; 0: no search was made
+    double shortest = 0;    ///< of the search; 0: no search was made
     double longest = 0;
 };
+
+/// The period in rows; 0: none.
+double rows_of_period(const PeriodFacts& period, const SampleFacts& samples);
+
+/// The same facts with all lengths in seconds, which are 0 if the rate is unknown.
+PeriodFacts in_seconds(const PeriodFacts& period, const SampleFacts& samples);
 
 /// The clips and working samples of a result, and the period.
 struct Source {

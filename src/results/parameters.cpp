@@ -8,15 +8,31 @@
 namespace stltsa::results {
 namespace {
 
-motion::Period find_period(ConstMatrixView samples, const PeriodSearch& search, Source& source,
+constexpr double shortest_s = 0.3;
+constexpr double longest_s = 6;
+
+/// In frames, if the rate is unknown. Fewer than 4 frames show no course of a cycle; the cost grows
+/// with the longest lag.
+constexpr double shortest_frames = 4;
+constexpr std::int64_t longest_frames = 1000;
+/// The search smooths and thins out at a rate: with this one it keeps every frame.
+constexpr double frames_a_second = 30;
+/// In the longer search of rows without a rate, which need not be motion, chance finds more: white
+/// noise, clusters and scikit-learn's digits, in no order, give qualities up to 0.21. Of the 41
+/// real clips in which a period is found 35 give 0.35 to 0.99; the others are waves, 0.01 to 0.17.
+constexpr double least_quality = 0.3;
+/// So many frames hold the longest period 20 times: of a longer recording the middle is searched.
+constexpr std::int64_t most_frames = 20 * longest_frames;
+
+PeriodFacts look_in_frames(ConstMatrixView samples, const PeriodRange& range,
                            const Progress& progress) {
-    const double fps = source.samples.fps;
-    if (!(fps > 0))
-        return {};
-    const motion::Period found =
-        motion::find_period(samples, fps, search.shortest, search.longest, progress);
-    source.period = {found.samples / fps, found.quality, search.shortest, search.longest};
-    return found;
+    const std::int64_t rows = std::min(samples.rows, most_frames);
+    const motion::Period found = motion::find_period(
+        samples.block((samples.rows - rows) / 2, rows), frames_a_second,
+        range.shortest / frames_a_second, range.longest / frames_a_second, progress);
+    const bool is_sure = found.quality >= least_quality;
+    return {is_sure ? found.samples : 0, is_sure ? found.quality : 0, range.shortest,
+            range.longest};
 }
 
 /// Neighbors come from the same run, so the shortest limits their number.
@@ -35,6 +51,27 @@ std::int64_t distinct_in_reach(ConstMatrixView samples, std::span<const std::int
 
 } // namespace
 
+PeriodRange range_of(const PeriodSearch& search, double fps, std::int64_t frames) {
+    const bool known = fps > 0;
+    const auto longest = static_cast<double>(std::min(frames / 2, longest_frames));
+    const PeriodRange range = {
+        search.shortest.value_or(known ? shortest_s : shortest_frames),
+        search.longest.value_or(known ? longest_s : std::max(longest, shortest_frames))};
+    if (range.shortest > range.longest)
+        fail(Status::argument, "option period_min is {}{}, longer than option period_max, {}{}",
+             range.shortest, known ? " s" : " frames", range.longest, known ? " s" : " frames");
+    return range;
+}
+
+PeriodFacts look_for_period(ConstMatrixView samples, double fps, const PeriodRange& range,
+                            const Progress& progress) {
+    if (!(fps > 0))
+        return look_in_frames(samples, range, progress);
+    const motion::Period found =
+        motion::find_period(samples, fps, range.shortest, range.longest, progress);
+    return {found.samples / fps, found.quality, range.shortest, range.longest};
+}
+
 ltsa::Parameters choose_parameters(ConstMatrixView samples, std::span<const std::int64_t> lengths,
                                    const FitOptions& options, int standard_dimension,
                                    Source& source, const Progress& progress) {
@@ -44,11 +81,16 @@ ltsa::Parameters choose_parameters(ConstMatrixView samples, std::span<const std:
     p.include_self = options.include_self;
     p.links = options.links;
     p.threads = options.threads;
+    const double fps = source.samples.fps;
+    const PeriodRange range = range_of(options.search, fps, std::ranges::max(lengths));
+    const bool has_time = fps > 0 || p.mode != ltsa::Mode::spatial;
+    if (!options.neighbors && has_time)
+        source.period = look_for_period(samples, fps, range, progress);
     p.neighbors =
         options.neighbors
             ? *options.neighbors
             : motion::choose_neighbors(
-                  find_period(samples, options.search, source, progress), source.samples.fps,
+                  {rows_of_period(source.period, source.samples), source.period.lag_quality}, fps,
                   {distinct_in_reach(samples, lengths, p.mode), p.dimension, p.dimension});
     p.window = options.window.value_or(p.neighbors);
     p.exclusion = options.exclusion.value_or(p.window);

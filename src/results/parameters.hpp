@@ -13,11 +13,25 @@
 
 namespace stltsa::results {
 
-/// The range of the search for the period, in seconds.
-struct PeriodSearch {
-    double shortest = 0.3;
-    double longest = 6;
+/// The range of the search for the period, in the unit of results::PeriodFacts.
+struct PeriodRange {
+    double shortest = 0;
+    double longest = 0;
 };
+
+/// What the caller says of that range.
+struct PeriodSearch {
+    std::optional<double> shortest; ///< empty: 0.3 s, or 4 frames
+    std::optional<double> longest;  ///< empty: 6 s, or half of the frames, at most 1000
+};
+
+/// The range for this rate and number of frames that follow one another. Throws Status::argument if
+/// it is empty.
+PeriodRange range_of(const PeriodSearch& search, double fps, std::int64_t frames);
+
+/// The period in that range, with the facts to keep of it.
+PeriodFacts look_for_period(ConstMatrixView samples, double fps, const PeriodRange& range,
+                            const Progress& progress = {});
 
 struct FitOptions {
     std::optional<std::int64_t> neighbors; ///< empty: motion::choose_neighbors()

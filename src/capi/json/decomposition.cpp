@@ -188,7 +188,7 @@ std::string decomposition_json(const Decomposed& decomposed) {
     JsonObject object = json_head("decomposition", 2);
     object.set("clip", json_clip(decomposed.source));
     object.set("samples", json_samples(decomposed.source.samples));
-    object.set("parameters", json_parameters(found.parameters, decomposed.source.period));
+    object.set("parameters", json_parameters(found.parameters, decomposed.source));
     object.set("embedding", embedding_json(found));
     object.set("intrinsic_dimension", intrinsic_json(found.intrinsic));
     object.set("period_s", json_positive_or_null(decomposed.source.period.period));

@@ -7,10 +7,11 @@ namespace {
 Json parameters_json(const Denoised& denoised) {
     const double fps = denoised.source.samples.fps;
     const double step = denoised.options.knot_step;
+    const PeriodFacts period = in_seconds(denoised.period, denoised.source.samples);
     return JsonObject("gamma", json_or_null(denoised.options.gamma), "knot_rows", step, "knot_s",
                       fps > 0 ? Json(step / fps) : Json(nullptr), "robust", denoised.options.robust,
-                      "period_min_s", json_positive_or_null(denoised.period.shortest),
-                      "period_max_s", json_positive_or_null(denoised.period.longest));
+                      "period_min_s", json_positive_or_null(period.shortest), "period_max_s",
+                      json_positive_or_null(period.longest));
 }
 
 Json column_json(const motion::DenoisedColumn& column) {
@@ -27,9 +28,10 @@ std::string denoising_json(const Denoised& denoised) {
     JsonObject samples = json_samples(denoised.source.samples);
     samples.set("lengths", denoised.lengths);
     object.set("samples", samples);
-    object.set("fit", denoised.fit ? json_parameters(*denoised.fit, denoised.source.period)
-                                   : Json(nullptr));
-    object.set("period_s", json_positive_or_null(denoised.period.period));
+    object.set("fit",
+               denoised.fit ? json_parameters(*denoised.fit, denoised.source) : Json(nullptr));
+    object.set("period_s",
+               json_positive_or_null(in_seconds(denoised.period, denoised.source.samples).period));
     object.set("parameters", parameters_json(denoised));
     std::vector<Json> columns;
     for (const motion::DenoisedColumn& column : denoised.result.columns)

@@ -32,8 +32,9 @@ std::string model_json(const Fitted& fitted) {
     JsonObject samples = json_samples(fitted.source.samples);
     samples.set("lengths", fitted.lengths);
     object.set("samples", samples);
-    object.set("parameters", json_parameters(model.parameters, fitted.source.period));
-    object.set("period_s", json_positive_or_null(fitted.source.period.period));
+    object.set("parameters", json_parameters(model.parameters, fitted.source));
+    object.set("period_s", json_positive_or_null(
+                               in_seconds(fitted.source.period, fitted.source.samples).period));
     object.set("time_correlation", model.time_correlation);
     object.set("repeated_frames", model.repeated_frames);
     object.set("components", components_json(model.components));
@@ -46,8 +47,10 @@ std::string dimension_json(const EstimatedDimension& estimated) {
     JsonObject object = json_head("dimension");
     object.set("clip", json_clip(estimated.source));
     object.set("samples", json_samples(estimated.source.samples));
-    object.set("parameters", json_parameters(dimension.parameters, estimated.source.period));
-    object.set("period_s", json_positive_or_null(estimated.source.period.period));
+    object.set("parameters", json_parameters(dimension.parameters, estimated.source));
+    object.set("period_s",
+               json_positive_or_null(
+                   in_seconds(estimated.source.period, estimated.source.samples).period));
     JsonObject local_pca = estimate(dimension.local_pca, dimension.local_pca_reason);
     local_pca.set("variance", dimension.local_variance, "shares", dimension.local_variances);
     object.set("local_pca", local_pca);

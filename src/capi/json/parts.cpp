@@ -103,13 +103,14 @@ Json json_warnings(std::span<const Warning> warnings) {
     return texts;
 }
 
-Json json_parameters(const ltsa::Parameters& parameters, const PeriodFacts& period) {
+Json json_parameters(const ltsa::Parameters& parameters, const Source& source) {
     JsonObject object("mode", json_name(parameters.mode), "neighbors", parameters.neighbors,
                       "window", parameters.window, "dimension", parameters.dimension,
                       "include_self", parameters.include_self);
     const bool recurrent = parameters.mode == ltsa::Mode::recurrent;
     object.set("links", recurrent ? Json(parameters.links) : Json(nullptr));
     object.set("exclusion", recurrent ? Json(parameters.exclusion) : Json(nullptr));
+    const PeriodFacts period = in_seconds(source.period, source.samples);
     object.set("period_min_s", json_positive_or_null(period.shortest));
     object.set("period_max_s", json_positive_or_null(period.longest));
     return object;

@@ -34,6 +34,6 @@ Json json_clip(const Source& source);
 JsonObject json_samples(const SampleFacts& samples);
 /// Their texts.
 Json json_warnings(std::span<const Warning> warnings);
-Json json_parameters(const ltsa::Parameters& parameters, const PeriodFacts& period);
+Json json_parameters(const ltsa::Parameters& parameters, const Source& source);
 
 } // namespace stltsa::capi

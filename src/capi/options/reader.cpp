@@ -129,9 +129,9 @@ recording::Options OptionsReader::decompose_options() const {
     decompose.window = integer_if_set(STLTSA_OPT_WINDOW);
     decompose.dimension = integer_if_set<int>(STLTSA_OPT_DIMENSION);
     decompose.mode = static_cast<ltsa::Mode>(integer(STLTSA_OPT_MODE));
-    const results::PeriodSearch search = period_search();
-    decompose.shortest_period = search.shortest;
-    decompose.longest_period = search.longest;
+    const results::PeriodRange range = results::range_of(period_search(), 1, 0); // in seconds
+    decompose.shortest_period = range.shortest;
+    decompose.longest_period = range.longest;
     if (integer(STLTSA_OPT_DIMENSION_ESTIMATE) != 0)
         decompose.estimate = dimension_options();
     decompose.threads = threads();
@@ -139,11 +139,7 @@ recording::Options OptionsReader::decompose_options() const {
 }
 
 results::PeriodSearch OptionsReader::period_search() const {
-    const results::PeriodSearch search = {real(STLTSA_OPT_PERIOD_MIN), real(STLTSA_OPT_PERIOD_MAX)};
-    if (search.shortest > search.longest)
-        fail(Status::argument, "option period_min is {} s, longer than option period_max, {} s",
-             search.shortest, search.longest);
-    return search;
+    return {real_if_set(STLTSA_OPT_PERIOD_MIN), real_if_set(STLTSA_OPT_PERIOD_MAX)};
 }
 
 results::FitOptions OptionsReader::fit_options() const {

@@ -41,7 +41,7 @@ constexpr int32_t maps = STLTSA_CALL_MAP | STLTSA_CALL_UNMAP;
 constexpr stltsa_option_info rows[] = {
     whole(STLTSA_OPT_NEIGHBORS, analyzes, "neighbors",
           "Neighbors of each frame (k); auto: 1.2 periods if a period is found, otherwise 1.2 "
-          "seconds, or 12 if the frame rate is unknown.",
+          "seconds, or 12 frames if the rate is unknown.",
           1, most_frames, automatic),
     whole(STLTSA_OPT_WINDOW, analyzes, "window",
           "Frames on each side in which neighbors may lie (w); auto: as neighbors.", 1, most_frames,
@@ -89,9 +89,14 @@ constexpr stltsa_option_info rows[] = {
          "smoothing.",
          0, 10, 0.05),
     real(STLTSA_OPT_PERIOD_MIN, analyzes | STLTSA_CALL_DENOISE, "period_min",
-         "Shortest period of the search, in seconds.", 0.01, 3600, 0.3),
+         "Shortest period of the search, in seconds; in frames if the rate is unknown, 4 by "
+         "default.",
+         0.01, 3600, 0.3),
     real(STLTSA_OPT_PERIOD_MAX, analyzes | STLTSA_CALL_DENOISE, "period_max",
-         "Longest period of the search, in seconds.", 0.01, 3600, 6),
+         "Longest period of the search, in seconds; in frames if the rate is unknown, half of all "
+         "and "
+         "at most 1000 by default.",
+         0.01, 3600, 6),
     real(STLTSA_OPT_EIGENGAP, STLTSA_CALL_DIMENSION | STLTSA_CALL_DECOMPOSE, "eigengap",
          "Smallest gap between eigenvalues that determines the dimension, as a fraction of the "
          "neighbors.",

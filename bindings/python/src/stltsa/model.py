@@ -168,8 +168,13 @@ class Model(Described):
 
     @property
     def period(self) -> float:
-        """Period in seconds that determines the automatic number of neighbors; 0: none found."""
+        """Period in seconds that gives the automatic `neighbors`; 0: none, or the rate is unknown."""
         return self._real("period")
+
+    @property
+    def period_frames(self) -> float:
+        """Period in rows, also if the frame rate is unknown; 0: none."""
+        return self._real("period_rows")
 
     @property
     def time_correlation(self) -> float:

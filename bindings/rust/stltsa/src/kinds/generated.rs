@@ -10,8 +10,8 @@ kinds! {
     }
     /// Options by key, with their types, for `Options::unset`.
     OptionKey {
-        /// `int`: k; auto: 1.2 periods if a period is found, otherwise 1.2 s, or 12 if the frame
-        /// rate is unknown.
+        /// `int`: k; auto: 1.2 periods if a period is found, otherwise 1.2 s, or 12 rows if the
+        /// frame rate is unknown.
         Neighbors = STLTSA_OPT_NEIGHBORS,
         /// `int`: w, frames to each side; auto: as neighbors.
         Window = STLTSA_OPT_WINDOW,
@@ -43,9 +43,11 @@ kinds! {
         SampleRate = STLTSA_OPT_SAMPLE_RATE,
         /// `real`: sigma in seconds of the Gaussian on the features; 0: none.
         Smoothing = STLTSA_OPT_SMOOTHING,
-        /// `real`: shortest period looked for, seconds.
+        /// `real`: shortest period looked for, seconds; rows if the rate is unknown, 4 unless it is
+        /// set.
         PeriodMin = STLTSA_OPT_PERIOD_MIN,
-        /// `real`: longest period looked for, seconds.
+        /// `real`: longest period looked for, seconds; rows if the rate is unknown, half of all and
+        /// at most 1000 unless it is set.
         PeriodMax = STLTSA_OPT_PERIOD_MAX,
         /// `real`: tau of section 2.3 as a fraction of k.
         Eigengap = STLTSA_OPT_EIGENGAP,
@@ -256,7 +258,7 @@ kinds! {
         Links = STLTSA_INFO_LINKS,
         /// `int`: Recurrent: half width of that zone in rows.
         Exclusion = STLTSA_INFO_EXCLUSION,
-        /// `real`: period in seconds; 0: none.
+        /// `real`: period in seconds; 0: none, or the rate is unknown: see PERIOD_ROWS.
         Period = STLTSA_INFO_PERIOD,
         /// `real`: 1 - D(T) of the period; 1: perfect, 0: no period.
         LagQuality = STLTSA_INFO_LAG_QUALITY,
@@ -264,6 +266,8 @@ kinds! {
         PeriodMin = STLTSA_INFO_PERIOD_MIN,
         /// `real`: longest period looked for, in seconds; 0: no search was made.
         PeriodMax = STLTSA_INFO_PERIOD_MAX,
+        /// `real`: period in rows; 0: none.
+        PeriodRows = STLTSA_INFO_PERIOD_ROWS,
         /// `int`: rows collapsed because they repeat the one before.
         Repeated = STLTSA_INFO_REPEATED,
         /// `real`: absolute rank correlation of coordinate 1 with time, over at most 2^14 frames of

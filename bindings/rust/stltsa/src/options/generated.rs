@@ -4,7 +4,7 @@ use super::*;
 
 impl Options {
     /// Neighbors of each frame (k); auto: 1.2 periods if a period is found, otherwise 1.2 seconds,
-    /// or 12 if the frame rate is unknown.
+    /// or 12 frames if the rate is unknown.
     #[must_use]
     pub fn neighbors(self, value: usize) -> Self {
         self.with(sys::STLTSA_OPT_NEIGHBORS, int(value))
@@ -95,13 +95,14 @@ impl Options {
         self.with(sys::STLTSA_OPT_SMOOTHING, Value::Real(value))
     }
 
-    /// Shortest period of the search, in seconds.
+    /// Shortest period of the search, in seconds; in frames if the rate is unknown, 4 by default.
     #[must_use]
     pub fn period_min(self, value: f64) -> Self {
         self.with(sys::STLTSA_OPT_PERIOD_MIN, Value::Real(value))
     }
 
-    /// Longest period of the search, in seconds.
+    /// Longest period of the search, in seconds; in frames if the rate is unknown, half of all and
+    /// at most 1000 by default.
     #[must_use]
     pub fn period_max(self, value: f64) -> Self {
         self.with(sys::STLTSA_OPT_PERIOD_MAX, Value::Real(value))
