@@ -74,10 +74,22 @@ double share_in_order(const DistinctFrames& frames) {
             return squared_distance(frames.x.row(a), frames.x.row(b), frames.x.cols);
         };
         const std::int64_t one = any_row(), other = any_row();
-        if (distance(row, row + 1) < distance(one, other))
+        // Not the other way around: with a missing value there is no distance, and no evidence.
+        if (!(distance(row, row + 1) >= distance(one, other)))
             ++closer;
     }
     return pairs < least_ordered / 2 ? 1 : static_cast<double>(closer) / static_cast<double>(pairs);
+}
+
+std::optional<Warning> order_warning(double share) {
+    if (!(share < least_order))
+        return std::nullopt;
+    return Warning{WarningCode::no_order,
+                   format_text("the rows show no order in time: consecutive rows are closer than "
+                               "two random rows in only {:.0f} % of cases (50 % at random; motion: "
+                               "above 75 %); if they are not frames in order of time, fit with "
+                               "option mode spatial and option include_self off",
+                               100 * share)};
 }
 
 Warnings warnings_of(const Graph& graph, const Model& model) {
@@ -86,13 +98,8 @@ Warnings warnings_of(const Graph& graph, const Model& model) {
         warnings.push_back({code, std::move(text)});
     };
     const double order = model.parameters.mode == Mode::spatial ? 1 : share_in_order(graph.frames);
-    if (order < least_order)
-        warn(WarningCode::no_order,
-             format_text("the rows show no order in time: consecutive rows are closer than two "
-                         "random rows in only {:.0f} % of cases (50 % at random; motion: above "
-                         "75 %); if they are not frames in order of time, fit with option mode "
-                         "spatial and option include_self off",
-                         100 * order));
+    if (auto warning = order_warning(order))
+        warnings.push_back(*std::move(warning));
     else if (model.parameters.mode == Mode::temporal &&
              model.time_correlation > largest_time_correlation)
         warn(WarningCode::follows_time,

@@ -2,6 +2,7 @@
 // Warnings about an embedding.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,8 @@ double time_correlation(const Graph& graph, const Matrix& coords);
 /// about 0.5 for frames in random order; more than 0.87 for each of about 60 recorded motions at 30
 /// frames a second, more than 0.75 for each stretch of 40 frames. 1 for fewer than 50 frames.
 double share_in_order(const DistinctFrames& frames);
+/// The warning that such a share calls for, if it does.
+std::optional<Warning> order_warning(double share);
 
 /// All warnings except parts_warning(), because only the caller can name the cut.
 Warnings warnings_of(const Graph& graph, const Model& model);

@@ -8,6 +8,8 @@
 #include "clip/features/column_owners.hpp"
 #include "clip/features/drift.hpp"
 #include "clip/features/points.hpp"
+#include "ltsa/frames.hpp"
+#include "ltsa/warnings.hpp"
 
 namespace stltsa::results {
 namespace {
@@ -247,6 +249,17 @@ std::vector<recording::Hole> holes_of(const ClipSamples& prepared) {
     return holes;
 }
 
+/// Poses come in order of time, but bare numbers may be rows of anything. Read before smoothing,
+/// after which neighboring rows are alike in any order.
+void warn_of_order(const clip::Clip& clip, clip::Features features, Warnings& warnings) {
+    if (features != clip::Features::raw)
+        return;
+    const std::int64_t rows = clip.values.rows();
+    const auto distinct = ltsa::collapse_repeats(clip.values.view(), std::span(&rows, 1), 1);
+    if (auto warning = ltsa::order_warning(ltsa::share_in_order(distinct)))
+        warnings.push_back(*std::move(warning));
+}
+
 } // namespace
 
 Parts Decomposed::parts(std::int32_t kind) const {
@@ -297,6 +310,7 @@ Decomposed decompose(const clip::Clip& clip, const clip::PrepareOptions& prepare
     made.source.period.period = period_of_longest(made.segments);
     made.summaries = summaries_of(made.segments, made.cycle_parts, made.repetitions);
     made.result = std::move(found.shown);
+    warn_of_order(clip, made.source.samples.features, made.result.warnings);
     return made;
 }
 

@@ -207,3 +207,14 @@ def test_pieces_are_checked(clip):
     for piece in ("walk.bvh", ("walk.bvh", 0, 10), ()):
         with pytest.raises(TypeError, match=r"a piece is .*or a tuple"):
             stltsa.synthesize([piece])
+
+
+def test_rows_without_order_are_named(clip):
+    rows = clip.features()
+    shuffled = rows[np.random.default_rng(0).permutation(len(rows))]
+    for options in ({}, {"fps": 30}):
+        with pytest.warns(stltsa.QualityWarning, match='order.*mode="spatial", include_self=False'):
+            result = stltsa.decompose(shuffled, **options)
+        assert sum("no order in time" in text for text in result.warnings) == 1
+    stltsa.decompose(rows, fps=clip.fps)  # warnings are errors here
+    stltsa.decompose(np.ones((300, 3)), fps=30)

@@ -134,3 +134,43 @@ def test_several_clips_are_fitted_together(clip, walker):
         stltsa.fit([clip, stltsa.Clip.from_array(alone.coords, 120)])
     with pytest.raises(ValueError, match="a clip of its own"):
         stltsa.fit([clip, clip], groups=[0, 1])
+
+
+def rows_of_cycles(period=50, rows=500):
+    t = 2 * np.pi * np.arange(rows) / period
+    noise = np.random.default_rng(3).normal(scale=0.02, size=(rows, 3))
+    return np.column_stack([np.cos(t), np.sin(t), np.sin(2 * t)]) + noise
+
+
+def test_the_period_of_rows_without_a_rate_is_looked_for_in_rows():
+    rows = rows_of_cycles()
+    model, timed = stltsa.fit(rows), stltsa.fit(rows, fps=50)
+    assert model.neighbors == timed.neighbors == 60
+    assert model.period == 0
+    assert model.period_frames == pytest.approx(timed.period_frames, abs=0.1)
+    assert timed.period_frames == pytest.approx(50 * timed.period)
+    assert json.loads(model.to_json())["period_s"] is None
+    assert json.loads(model.to_json())["parameters"]["period_max_s"] is None
+    again = pickle.loads(pickle.dumps(model))
+    assert again.period_frames == model.period_frames
+    dimension = stltsa.dimension(rows)
+    assert dimension.facts["neighbors"] == 60
+    # Nor is the period of a shorter range found.
+    assert stltsa.fit(rows, period_max=40).neighbors == 12
+    with pytest.raises(stltsa.ArgumentError, match=r"300 frames, longer than .* 250 frames"):
+        stltsa.fit(rows, period_min=300)
+    with pytest.raises(ValueError, match="rate is unknown"):
+        stltsa.fit(rows, period_max="1s")
+
+
+def test_rows_in_no_order_have_no_period():
+    random = np.random.default_rng(0)
+    for rows in (100, 300, 1000):
+        with pytest.warns(stltsa.QualityWarning, match='mode="spatial", include_self=False'):
+            assert stltsa.fit(random.normal(size=(rows, 5))).neighbors == 12
+    assert stltsa.fit(rows_of_cycles(), mode="spatial").neighbors == 12
+
+
+def test_knots_follow_the_period_of_rows():
+    cleaned = stltsa.denoise(rows_of_cycles(100))
+    assert cleaned.facts["knot_rows"] == pytest.approx(10, abs=0.1)

@@ -66,7 +66,7 @@ def test_choices_are_the_table():
 def test_what_the_library_chooses_is_none_or_auto():
     automatic = {option.name for option in stltsa.options() if option.default is None}
     assert automatic > {"neighbors", "features", "skeleton", "gamma"}
-    frames = np.random.default_rng(0).random((60, 3))
+    frames = np.random.default_rng(0).random((60, 3)).cumsum(axis=0)
     default = stltsa.fit(frames).coords
     for value in (None, "auto"):
         options = dict.fromkeys(automatic, value)

@@ -14,6 +14,9 @@ import numpy.typing as npt
 
 from ._arrays import as_matrix, unmasked
 
+if TYPE_CHECKING:
+    from typing_extensions import Self
+
 
 class OwnBase:
     """Parameters, their representation, and checks of arrays, as in scikit-learn."""
@@ -29,7 +32,7 @@ class OwnBase:
         names = list(inspect.signature(type(self).__init__).parameters)[1:]
         return {name: getattr(self, name) for name in names}
 
-    def set_params(self, **params: Any) -> Any:
+    def set_params(self, **params: object) -> Self:
         """Set parameters of the constructor, and return the estimator."""
         known = self.get_params()
         for name, value in params.items():
@@ -38,7 +41,7 @@ class OwnBase:
             setattr(self, name, value)
         return self
 
-    def set_output(self, *, transform: str | None = None) -> Any:  # noqa: ARG002
+    def set_output(self, *, transform: str | None = None) -> Self:  # noqa: ARG002
         """Choose the container for the output of `transform`; needs scikit-learn."""
         raise ImportError("set_output needs scikit-learn")
 

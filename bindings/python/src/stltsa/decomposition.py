@@ -28,6 +28,7 @@ from ._statistics import in_frames, statistics_of
 from ._tables import table
 from ._text import string
 from .clip import Clip, as_clip, one_matrix, opened
+from .errors import in_keywords, warn_of_order
 from .phase import Phase
 from .readers import is_points
 
@@ -107,6 +108,11 @@ def decompose(motion: Motion, **options: Unpack[Options]) -> Decomposition:
     stltsa.TooFewFramesError
         The clip is too short. (A clip without movement is not an error: it is standing.)
 
+    Warns
+    -----
+    QualityWarning
+        The rows of an array show no order in time.
+
     Examples
     --------
     >>> import stltsa
@@ -126,7 +132,9 @@ def decompose(motion: Motion, **options: Unpack[Options]) -> Decomposition:
     out = ffi.new("stltsa_decomposition **")
     with Call(rest, working_rate(clip.fps, rest)) as call:
         call.check(lib.stltsa_decompose(clip._handle, call.options, out))
-    return Decomposition(owned("decomposition", out), clip, rest)
+    result = Decomposition(owned("decomposition", out), clip, rest)
+    warn_of_order(result.warnings)
+    return result
 
 
 class Decomposition(Described):
@@ -477,9 +485,8 @@ class Decomposition(Described):
     @property
     def warnings(self) -> tuple[str, ...]:
         """Warnings about the result."""
-        found = texts(
-            lib.stltsa_decomposition_warning_count, lib.stltsa_decomposition_warning, self._handle
-        )
+        count = lib.stltsa_decomposition_warning_count
+        found = in_keywords(texts(count, lib.stltsa_decomposition_warning, self._handle))
         if self.clip.fps:
             return found
         return (_UNKNOWN_RATE, *found)

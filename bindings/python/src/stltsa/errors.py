@@ -7,11 +7,12 @@ from the matching built-in exception, so ``except ValueError`` works too.
 
 from __future__ import annotations
 
+import warnings
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterable, Iterator
 
 __all__ = [
     "ArgumentError",
@@ -141,6 +142,25 @@ _CLASSES: dict[str, type[StltsaError]] = {
 def error_for(status: int, name: str, text: str) -> StltsaError:
     """Return the exception for a status; an unknown status is an error too."""
     return _CLASSES.get(name, StltsaError)(text, status, name)
+
+
+# The library's words, and the keywords of :func:`stltsa.fit`.
+_UNORDERED = (
+    "option mode spatial and option include_self off",
+    'mode="spatial", include_self=False',
+)
+
+
+def in_keywords(texts: Iterable[str]) -> tuple[str, ...]:
+    """Return the library's warnings with the keywords of this package."""
+    return tuple(text.replace(*_UNORDERED) for text in texts)
+
+
+def warn_of_order(texts: Iterable[str]) -> None:
+    """Raise the warning that rows have no order in time, for the caller of the caller."""
+    for text in texts:
+        if _UNORDERED[1] in text:
+            warnings.warn(text, QualityWarning, stacklevel=3)
 
 
 @contextmanager

@@ -11,7 +11,7 @@ from ._clips import is_sequence_of_clips
 from ._estimator_base import Base
 from .clip import Clip
 from .errors import NotFiniteError, QualityWarning
-from .model import Model, fit
+from .model import Model, fitted
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -20,13 +20,6 @@ if TYPE_CHECKING:
     from ._given import Labels, Matrix, Motions
     from ._keywords import Auto, Mode, Seconds
     from ._progress import Progress
-
-
-# The library's words, and the estimator's.
-_UNORDERED = (
-    "option mode spatial and option include_self off",
-    'neighbors="spatial", include_self=False',
-)
 
 
 @contextmanager
@@ -207,12 +200,13 @@ class STLTSA(Base):
         self.window_ = self.model_.window
         self._n_features_out = self.embedding_.shape[1]
         for text in self.model_.warnings:
-            warnings.warn(text.replace(*_UNORDERED), QualityWarning, stacklevel=2)
+            warnings.warn(text.replace("mode=", "neighbors="), QualityWarning, stacklevel=2)
         return self
 
     def _fit_model(self, X: Any, groups: Any) -> Model:
         with _in_the_words_of_sklearn():
-            model = fit(self._motion(X, reset=True), groups=groups, **self._fit_options())
+            options: Any = self._fit_options()
+            model = fitted(self._motion(X, reset=True), groups, options)
         if isinstance(X, Clip):
             self.n_features_in_ = model.n_features
             vars(self).pop("feature_names_in_", None)  # from an array fitted before

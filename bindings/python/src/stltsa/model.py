@@ -25,7 +25,7 @@ from ._facts import Described
 from ._native import ffi, lib
 from ._text import c_path
 from .clip import Clip, call_on_motion, opened
-from .errors import ShapeError, UnsupportedError, advice
+from .errors import ShapeError, UnsupportedError, advice, in_keywords, warn_of_order
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -87,6 +87,11 @@ def fit(motion: Motions, *, groups: Labels | None = None, **options: Unpack[Opti
     stltsa.UnsupportedError
         ``mode="spatial"`` or ``"recurrent"`` in a build without CHOLMOD.
 
+    Warns
+    -----
+    QualityWarning
+        The rows show no order in time; :attr:`Model.warnings` has all warnings.
+
     Examples
     --------
     >>> import numpy as np
@@ -96,6 +101,13 @@ def fit(motion: Motions, *, groups: Labels | None = None, **options: Unpack[Opti
     >>> model.coords.shape
     (300, 2)
     """
+    model = fitted(motion, groups, options)
+    warn_of_order(model.warnings)
+    return model
+
+
+def fitted(motion: Any, groups: Any, options: Options) -> Model:
+    """Return the model of :func:`fit`, which raises no warnings."""
     out = ffi.new("stltsa_model **")
     call_on_motion("fit", motion, groups, options, out)
     return Model(owned("model", out))
@@ -168,7 +180,7 @@ class Model(Described):
 
     @property
     def period(self) -> float:
-        """Period in seconds that gives the automatic `neighbors`; 0: none, or the rate is unknown."""
+        """Period in seconds that gives `neighbors`; 0: none, or the rate is unknown."""
         return self._real("period")
 
     @property
@@ -218,7 +230,9 @@ class Model(Described):
     @property
     def warnings(self) -> tuple[str, ...]:
         """Warnings about the result."""
-        return texts(lib.stltsa_model_warning_count, lib.stltsa_model_warning, self._handle)
+        return in_keywords(
+            texts(lib.stltsa_model_warning_count, lib.stltsa_model_warning, self._handle)
+        )
 
     def map(
         self, motion: Motions, *, hints: Labels | None = None, **options: Unpack[Options]
