@@ -594,12 +594,12 @@ typedef struct stltsa_points {
     const char *const *names;    /* one per point; NULL: they have none */
     stltsa_in confidence;        /* frames x points, 0: missing; data NULL: all are seen */
     stltsa_in times;             /* frames x 1, seconds, increasing; data NULL: even, by fps */
-    double fps;                  /* 0: given by the times */
+    double fps;                  /* 0: given by the times, with which it must agree within 1 % */
 } stltsa_points;
 
 /* A clip of points, which are copied. Frames at uneven times are resampled to the rate of the
- * median step, which a note says; frames that are missing there are gaps. Option: least_confidence.
- * E_SHAPE, E_ARGUMENT (times that do not increase, no rate), E_FORMAT (more frames are missing than
+ * usual step, which a note says; frames that are missing there are gaps. Option: least_confidence.
+ * E_SHAPE, E_ARGUMENT (times that do not increase, no rate, another rate than fps), E_FORMAT (more frames are missing than
  * there are), E_NOT_FINITE (infinities). */
 STLTSA_API stltsa_status stltsa_clip_from_points(const stltsa_points *points,
                                                  const stltsa_options *options,

@@ -8,10 +8,13 @@
 
 namespace stltsa {
 
-std::string npy_bytes(const double* values, std::int64_t rows, std::int64_t cols) {
+std::string npy_bytes(const double* values, std::int64_t rows, std::int64_t cols,
+                      std::int64_t space) {
     constexpr char order = std::endian::native == std::endian::little ? '<' : '>';
-    std::string header = format_text(
-        "{{'descr': '{}f8', 'fortran_order': False, 'shape': ({}, {}), }}", order, rows, cols);
+    std::string header =
+        format_text("{{'descr': '{}f8', 'fortran_order': False, 'shape': ({}), }}", order,
+                    space > 0 ? format_text("{}, {}, {}", rows, cols / space, space)
+                              : format_text("{}, {}", rows, cols));
     constexpr std::size_t preamble = 10; // magic, version, two bytes of header length
     constexpr std::size_t alignment = 64;
     const std::size_t unpadded = preamble + header.size() + 1;

@@ -134,3 +134,39 @@ def test_stretches(clip, walker, result):
     assert len(stltsa.decompose(f"{walker}:100-500").curve) == 100
     with pytest.raises(stltsa.NoSuchPartError):
         clip.stretch("Z")
+
+
+@pytest.mark.parametrize("space", [2, 3])
+@pytest.mark.parametrize(
+    "names", [None, ("", "b", "c"), ("left\nheel", "b", "c"), ("a", 'the "b"', "")]
+)
+def test_points_are_read_back_as_points(tmp_path, space, names):
+    values = np.random.default_rng(0).normal(size=(50, 3, space))
+    values[4, 1] = np.nan
+    clip = stltsa.Clip.from_points(values, 50, names=names)
+    for suffix, rate in ((".csv", {}), (".npy", {"fps": 50})):
+        clip.save(tmp_path / f"walk{suffix}")
+        again = stltsa.read_clip(tmp_path / f"walk{suffix}", **rate)
+        assert np.array_equal(again.features("raw"), clip.features("raw"))
+        assert np.array_equal(again.features(), clip.features())
+    assert np.load(tmp_path / "walk.npy").shape == values.shape
+
+
+@pytest.mark.parametrize("count", [1, 2])
+def test_few_points_are_points_from_any_door(tmp_path, count):
+    values = np.random.default_rng(0).normal(size=(50, count, 3)).cumsum(axis=0)
+    clip = stltsa.Clip.from_points(values, 50)
+    clip.save(tmp_path / "few.csv")
+    notes = [stltsa.decompose(each).to_json() for each in (clip, tmp_path / "few.csv")]
+    assert all('"features":"points"' in text.replace(" ", "") for text in notes)
+
+
+def test_times_and_rate_agree():
+    values = np.random.default_rng(0).normal(size=(100, 4, 3)).cumsum(axis=0)
+    times = np.arange(100) / 50
+    with pytest.raises(stltsa.ArgumentError, match="fps is 25, but the times are 50 a second"):
+        stltsa.Clip.from_points(values, 25, times=times)
+    times[60:] += 0.2
+    for fps in (None, 50):
+        clip = stltsa.Clip.from_points(values, fps, times=times)
+        assert (clip.fps, len(clip)) == (50, 110)

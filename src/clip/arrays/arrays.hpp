@@ -34,7 +34,7 @@ struct PointArrays {
     ConstMatrixView confidence;  ///< frames x points; no rows: all points are seen
     double least_confidence = 0; ///< a point with less, or with 0, is missing
     ConstMatrixView times;       ///< frames x 1, seconds; no rows: frames are 1 / fps apart
-    double fps = 0;              ///< 0: given by the times
+    double fps = 0;              ///< 0: given by the times, which it must agree with
 };
 
 /// Throws Status::shape, argument, not_finite.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 #include "clip/text/number.hpp"
@@ -11,8 +12,13 @@
 namespace stltsa::clip {
 namespace {
 
-/// A longer step, in median steps, is a gap: at least one row is missing.
+/// Single steps that are shorter tell no rate; longer ones are gaps. In median steps.
+constexpr double shortest_step = 0.5;
 constexpr double longest_step = 1.5;
+/// Times that jitter by up to half a step have steps up to twice as long as usual.
+constexpr double longest_jittered = 2.5;
+/// Steps jitter if the middle half of them differ by more than this share of the median.
+constexpr double most_jitter = 0.2;
 /// More rows than this share of those given are not made up.
 constexpr double most_missing = 1;
 
@@ -27,13 +33,24 @@ TimeSteps::TimeSteps(std::span<const double> times) {
     median = steps[steps.size() / 2];
     most = steps.back();
     mean = (times.back() - times.front()) / static_cast<double>(steps.size());
+    usual = mean;
+    if (!(least > 0))
+        return;                                         // these are no times
+    const std::size_t quarter = (steps.size() + 2) / 4; // so that one of three is an exception
+    const double spread = steps[steps.size() - 1 - quarter] - steps[quarter];
+    const bool jitters = spread > most_jitter * median;
+    longest = (jitters ? longest_jittered : longest_step) * median;
+    // The median is not the mean of steps that jitter, nor of rounded ones.
+    const auto begin = std::ranges::lower_bound(steps, jitters ? 0 : shortest_step * median);
+    const auto end = std::ranges::upper_bound(steps, longest);
+    usual = std::accumulate(begin, end, 0.0) / static_cast<double>(end - begin);
 }
 
 EvenRows even_rows(Matrix rows, std::span<const double> times, const std::string& where) {
     const TimeSteps steps(times);
     if (steps.even())
         return {std::move(rows), rate_of(steps.mean), {}};
-    const double fps = rate_of(steps.median);
+    const double fps = rate_of(steps.usual);
     const double count = std::floor((times.back() - times.front()) * fps + 1e-6) + 1;
     if (!(count <= (1 + most_missing) * static_cast<double>(rows.rows())))
         fail(Status::format,
@@ -52,15 +69,14 @@ EvenRows even_rows(Matrix rows, std::span<const double> times, const std::string
         const double share = std::clamp((time - times[next - 1]) / step, 0.0, 1.0);
         // Beside a break, the rows at its ends are still good within half a step.
         const double away = std::min(share, 1 - share) * step * fps;
-        const bool absent = step > longest_step * steps.median && away > 0.5;
+        const bool absent = step > steps.longest && away > 0.5;
         missing += absent ? 1 : 0;
         const double* before = rows.row(static_cast<std::int64_t>(next) - 1);
         const double* after = rows.row(static_cast<std::int64_t>(next));
         for (std::int64_t c = 0; c < even.cols(); ++c)
-            even(i, c) = absent ? std::numeric_limits<double>::quiet_NaN()
-                         : step > longest_step * steps.median
-                             ? (share < 0.5 ? before[c] : after[c])
-                             : (1 - share) * before[c] + share * after[c];
+            even(i, c) = absent                 ? std::numeric_limits<double>::quiet_NaN()
+                         : step > steps.longest ? (share < 0.5 ? before[c] : after[c])
+                                                : (1 - share) * before[c] + share * after[c];
     }
     return {std::move(even), fps,
             format_text("steps of time from {:.6g} to {:.6g} s: resampled to {:.6g} frames a "

@@ -11,6 +11,8 @@ namespace stltsa::clip {
 /// The steps between times.
 struct TimeSteps {
     double least = 0, median = 0, most = 0, mean = 0;
+    double usual = 0;   ///< of rows that follow one another
+    double longest = 0; ///< a longer step is a gap: at least one row is missing
 
     explicit TimeSteps(std::span<const double> times);
 
@@ -28,7 +30,7 @@ struct EvenRows {
 };
 
 /// Rows at increasing times, in seconds. If the steps are uneven, they are resampled linearly at
-/// the rate of the median step; where rows are missing, their values are NaN. Throws Status::format
+/// the rate of the usual step; where rows are missing, their values are NaN. Throws Status::format
 /// with `where` before the text if more rows are missing than there are.
 EvenRows even_rows(Matrix rows, std::span<const double> times, const std::string& where);
 

@@ -5,9 +5,13 @@
 
 #include "clip/arrays/arrays.hpp"
 #include "clip/arrays/even_times.hpp"
+#include "clip/text/number.hpp"
 
 namespace stltsa::clip {
 namespace {
+
+/// Rates with a smaller relative difference are one: 29.97 and 30.
+constexpr double same_rate = 0.01;
 
 void check_shapes(const PointArrays& arrays) {
     const ConstMatrixView& given = arrays.positions;
@@ -56,11 +60,16 @@ void complete_gaps(Matrix& positions, int space) {
 
 void set_rate(const PointArrays& arrays, Clip& clip) {
     clip.fps = arrays.fps;
-    if (arrays.times.rows < 2 || arrays.fps > 0)
+    if (arrays.times.rows < 2)
         return;
     std::vector<double> times;
     for (std::int64_t i = 0; i < arrays.times.rows; ++i)
         times.push_back(arrays.times(i, 0));
+    const double rate = rate_of(TimeSteps(times).usual);
+    if (arrays.fps > 0 && std::abs(rate - arrays.fps) > same_rate * arrays.fps)
+        fail(Status::argument,
+             "fps is {:g}, but the times are {:g} a second: give one of them, or correct the other",
+             arrays.fps, rate);
     EvenRows even = even_rows(std::move(clip.values), times, "times");
     clip.values = std::move(even.rows);
     clip.fps = even.fps;

@@ -2,9 +2,11 @@
 #include "clip/csv/point_columns.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "clip/arrays/arrays.hpp"
 #include "clip/features/point_names.hpp"
+#include "clip/text/text_cursor.hpp"
 
 namespace stltsa::clip {
 namespace {
@@ -13,34 +15,77 @@ namespace {
 struct Columns {
     std::vector<std::int64_t> coordinates;
     std::vector<std::int64_t> confidence; ///< one per point, or none
-    std::vector<std::string> left_out;    ///< names of other quantities
-    int space = 0;                        ///< 0: the columns are no points
+    std::vector<std::string> quantities;  ///< names of triples of other quantities
+    std::vector<std::string> others;      ///< names of columns that belong to no point
+    std::int64_t points = 0;
+    int space = 0;
+    bool same_space = true;
+    bool are_set_apart = true; ///< the axes in all names
 };
 
 Columns find_points(const std::vector<std::string>& names) {
     Columns found;
-    std::int64_t points = 0;
     for (std::size_t c = 0; c < names.size();) {
         const PointColumns next = point_at(names, c);
-        if (next.space == 0)
-            return {}; // some other column: nothing is taken for granted
+        if (next.space == 0) {
+            found.others.push_back(names[c++]);
+            continue;
+        }
         const auto column = static_cast<std::int64_t>(c);
         c += static_cast<std::size_t>(next.space) + (next.has_confidence ? 1 : 0);
         if (next.other_quantity) {
-            found.left_out.push_back(next.stem);
+            found.quantities.push_back(next.stem);
             continue;
         }
-        if (found.space != 0 && found.space != next.space)
-            return {};
+        found.same_space = found.same_space && (found.points == 0 || found.space == next.space);
+        found.are_set_apart = found.are_set_apart && next.is_set_apart;
         found.space = next.space;
         for (int axis = 0; axis < next.space; ++axis)
             found.coordinates.push_back(column + axis);
         if (next.has_confidence)
             found.confidence.push_back(column + next.space);
-        ++points;
+        ++found.points;
     }
-    const bool all_or_none = found.confidence.empty() || std::ssize(found.confidence) == points;
-    return points >= least_points && all_or_none ? found : Columns();
+    return found;
+}
+
+std::vector<std::string> renamed(const std::vector<std::string>& names,
+                                 std::string (*rename)(std::string_view)) {
+    std::vector<std::string> result;
+    std::ranges::transform(names, std::back_inserter(result), rename);
+    return result;
+}
+
+/// Why columns that are named as points may be something else; empty: they are points. A few points
+/// must have all columns, and more of them the most: nothing is taken for granted.
+std::string doubt(const Columns& found) {
+    const auto others = std::ssize(found.others);
+    if (!found.same_space)
+        return "some have 2 coordinates, and some 3";
+    if (!found.confidence.empty() && std::ssize(found.confidence) != found.points)
+        return "only some have a confidence";
+    if (others > 0 && (found.points < least_points || others >= std::ssize(found.coordinates)))
+        return "there are as many other columns, or fewer than 3 points: " +
+               quoted(found.others[0]);
+    if (!found.quantities.empty() && found.points < least_points)
+        return "there are other quantities, and fewer than 3 points: " +
+               quoted(found.quantities[0]);
+    if (!found.are_set_apart && found.points < least_points)
+        return "fewer than 3 points need names such as 'heel_x'";
+    return {};
+}
+
+void note_left_out(const Columns& found, Clip& clip) {
+    if (!found.quantities.empty())
+        clip.notes.push_back(format_text("{} columns of other quantities than positions are left "
+                                         "out, the first are those of {}",
+                                         3 * found.quantities.size(), found.quantities.front()));
+    if (!found.others.empty())
+        clip.notes.push_back(format_text("left out, as not among the coordinates of points: {} "
+                                         "{}, the first is {}",
+                                         found.others.size(),
+                                         found.others.size() == 1 ? "column" : "columns",
+                                         quoted(found.others.front())));
 }
 
 Matrix columns_of(const Matrix& values, const std::vector<std::int64_t>& columns) {
@@ -62,17 +107,26 @@ void keep_columns(Clip& clip, const std::vector<std::int64_t>& columns) {
 }
 
 void take_points(Clip& clip, const ReadOptions& options) {
-    const Columns found = find_points(clip.channel_names);
-    if (found.space == 0)
+    std::vector<std::string> names = renamed(clip.channel_names, without_unit);
+    Columns found = find_points(names);
+    if (found.points == 0) {
+        names = renamed(names, axis_last);
+        found = find_points(names);
+    }
+    if (found.points == 0)
         return;
+    if (const std::string why = doubt(found); !why.empty()) {
+        clip.notes.push_back(format_text("{} columns are named as coordinates, but not taken as "
+                                         "those of points: {}",
+                                         found.coordinates.size(), why));
+        return;
+    }
+    clip.channel_names = std::move(names);
     const Matrix confidence = columns_of(clip.values, found.confidence);
     if (std::ssize(found.coordinates) < clip.values.cols())
         keep_columns(clip, found.coordinates);
     clip.space = found.space;
-    if (!found.left_out.empty())
-        clip.notes.push_back(format_text("{} columns of other quantities than positions are left "
-                                         "out, the first are those of {}",
-                                         3 * found.left_out.size(), found.left_out.front()));
+    note_left_out(found, clip);
     if (found.confidence.empty())
         return;
     const std::int64_t dropped =

@@ -8,7 +8,8 @@ namespace stltsa::clip {
 /// If the columns are the coordinates of points, with or without their confidence, the clip becomes
 /// one of points: columns of confidence go, and points that are seen with less than the option says
 /// are missing. If there are enough points beside triples of other quantities, such as angles and
-/// forces, these are left out.
+/// forces, or beside fewer other columns, these are left out. Notes say what is left out, and why
+/// columns that are named as points are not taken.
 void take_points(Clip& clip, const ReadOptions& options);
 
 /// Keeps these columns only.

@@ -81,7 +81,10 @@ bool take_time(Clip& clip, std::int64_t column, double unit, const ReadOptions& 
     const bool complete = is_complete(seconds);
     const TimeSteps steps(complete ? seconds : std::vector<double>{0, 0});
     if (!(steps.least > 0)) {
-        clip.notes.push_back(format_text("column {} does not increase: kept as a channel", title));
+        clip.notes.push_back(
+            format_text("column {} {}: not taken as time, but kept as a channel unless it is left "
+                        "out below",
+                        title, complete ? "does not increase" : "has missing values"));
         return false;
     }
     const double rate = rate_of(steps.mean * unit);
@@ -147,8 +150,15 @@ void extract_time(Clip& clip, const std::string& name, const ReadOptions& option
         fail(Status::format, "{}: there is no channel besides time and frame numbers", name);
     if (std::ssize(kept) < clip.values.cols())
         keep_columns(clip, kept);
-    if (times.empty() || options.fps)
+    if (times.empty())
         return;
+    if (options.fps) {
+        if (const TimeSteps steps(times); !steps.even())
+            clip.notes.push_back(format_text("the steps of time, from {:.6g} to {:.6g} s, are not "
+                                             "used: option fps is set",
+                                             steps.least, steps.most));
+        return;
+    }
     EvenRows even = even_rows(std::move(clip.values), times, name);
     clip.values = std::move(even.rows);
     clip.fps = even.fps;

@@ -4,6 +4,7 @@
 
 #include "clip/clip.hpp"
 #include "clip/csv/cells.hpp"
+#include "clip/features/point_names.hpp"
 #include "clip/text/number.hpp"
 #include "clip/text/text_cursor.hpp"
 
@@ -21,8 +22,8 @@ void append_name(std::string& text, std::string_view name) {
         return;
     }
     text += '"';
-    for (const char c : name)
-        text += c == '"' ? '\'' : c;
+    for (const char c : name) // a quoted cell ends with its line
+        text += c == '"' ? '\'' : c == '\n' || c == '\r' ? ' ' : c;
     text += '"';
 }
 
@@ -32,15 +33,24 @@ bool can_be_header(const std::vector<std::string>& names) {
                        [](const std::string& name) { return !is_gap(name) && !parse_cell(name); });
 }
 
+/// The name of a column. Points without names get some, by which they are read back as points.
+std::string column_name(const Clip& clip, std::int64_t column) {
+    const std::string given =
+        clip.channel_names.empty() ? "" : clip.channel_names[static_cast<std::size_t>(column)];
+    const bool has_point = clip.space > 0 && given.size() > 1 && !point_name(given).empty();
+    if (clip.space == 0 || has_point)
+        return clip.channel_names.empty() ? format_text("{}", column + 1) : given;
+    return format_text("p{}_{}", column / clip.space + 1,
+                       "xyz"[static_cast<std::size_t>(column % clip.space)]);
+}
+
 /// Gives every column a name if any column has one.
 std::string header(const Clip& clip, bool with_time) {
     std::vector<std::string> names;
     if (with_time)
         names.emplace_back("time");
     for (std::int64_t c = 0; c < clip.values.cols(); ++c)
-        names.push_back(clip.channel_names.empty()
-                            ? format_text("{}", c + 1)
-                            : clip.channel_names[static_cast<std::size_t>(c)]);
+        names.push_back(column_name(clip, c));
     std::string text;
     if (!can_be_header(names))
         return text;

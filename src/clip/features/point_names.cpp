@@ -9,6 +9,9 @@
 namespace stltsa::clip {
 namespace {
 
+/// Between the name of a point and the axis.
+constexpr std::string_view separators = "_. :-";
+
 /// The name of the point in lower case; empty if the coordinate is not the one along `axis`.
 std::string stem_of(std::string_view name, char axis) {
     const std::string lower = to_lower(trim(name));
@@ -58,10 +61,32 @@ bool is_confidence(std::string_view name, const std::string& stem) {
 
 } // namespace
 
+std::string without_unit(std::string_view name) {
+    const std::string_view whole = trim(name);
+    const char last = whole.empty() ? '\0' : whole.back();
+    const std::size_t begin = last == ']'   ? whole.rfind('[')
+                              : last == ')' ? whole.rfind('(')
+                                            : whole.npos;
+    return std::string(trim(whole.substr(0, begin)));
+}
+
+std::string axis_last(std::string_view name) {
+    constexpr std::string_view axes = "xyzXYZ", digits = "0123456789";
+    const std::string_view whole = trim(name);
+    if (whole.size() < 2 || axes.find(whole[0]) == axes.npos)
+        return std::string(name);
+    std::string_view stem = whole.substr(1);
+    if (separators.find(stem[0]) != separators.npos)
+        stem.remove_prefix(1);
+    else if (digits.find(stem[0]) == digits.npos)
+        return std::string(name);
+    return stem.empty() ? std::string(name) : std::string(stem) + '_' + whole[0];
+}
+
 std::string_view point_name(std::string_view coordinate) {
     std::string_view name = trim(coordinate);
     name.remove_suffix(1);
-    if (!name.empty() && std::string_view("_. :-").find(name.back()) != name.npos)
+    if (!name.empty() && separators.find(name.back()) != name.npos)
         name.remove_suffix(1);
     return name;
 }
@@ -81,6 +106,8 @@ PointColumns point_at(const std::vector<std::string>& names, std::size_t first) 
     if (found.stem.empty() || stem_of(names[first + 1], 'y') != found.stem)
         return found;
     found.space = first + 2 < names.size() && stem_of(names[first + 2], 'z') == found.stem ? 3 : 2;
+    const std::string_view name = trim(names[first]);
+    found.is_set_apart = found.stem.size() + 1 < name.size() || name.back() == 'X';
     found.other_quantity = is_other_quantity(found.stem);
     const std::size_t next = first + static_cast<std::size_t>(found.space);
     found.has_confidence = next < names.size() && is_confidence(names[next], found.stem);

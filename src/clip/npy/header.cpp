@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "clip/npy/header.hpp"
 
+#include <algorithm>
 #include <bit>
+#include <iterator>
 
 #include "base/error.hpp"
 #include "clip/text/number.hpp"
@@ -82,19 +84,22 @@ class DictReader {
         if (take('['))
             unsupported("a structured array");
         const std::string_view descr = string();
+        constexpr std::string_view types[] = {"f4", "f8", "i1", "i2", "i4",
+                                              "i8", "u1", "u2", "u4", "u8"};
         const bool known =
-            descr.size() == 3 && std::string_view("<>=").find(descr[0]) != descr.npos;
-        if (!known || (descr.substr(1) != "f4" && descr.substr(1) != "f8"))
+            descr.size() == 3 && std::string_view("<>=|").find(descr[0]) != descr.npos;
+        if (!known || std::ranges::find(types, descr.substr(1)) == std::end(types))
             unsupported(format_text("an array of dtype {}", quoted(descr)));
         header_.big_endian =
             descr[0] == '>' || (descr[0] == '=' && std::endian::native == std::endian::big);
-        header_.item_size = descr[2] == '4' ? 4 : 8;
+        header_.kind = descr[1];
+        header_.item_size = static_cast<std::size_t>(descr[2] - '0');
     }
 
     [[noreturn]] void unsupported(const std::string& what) const {
         fail(Status::unsupported,
-             "{}: {}; only float32 and float64 are read: save array.astype('float64')", name_,
-             what);
+             "{}: {}; only integers, float32 and float64 are read: save array.astype('float64')",
+             name_, what);
     }
 
     void order() {

@@ -10,7 +10,8 @@
 namespace stltsa::clip {
 
 struct NpyHeader {
-    std::size_t item_size = 8; ///< 4 or 8: float32, float64
+    char kind = 'f';           ///< f: floats of 4 or 8 bytes; i, u: integers, u without sign
+    std::size_t item_size = 8; ///< 1, 2, 4 or 8
     bool big_endian = false;
     bool fortran_order = false;
     std::vector<std::int64_t> shape;

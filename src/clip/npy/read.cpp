@@ -2,9 +2,9 @@
 #include "clip/npy/header.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
-#include <cstring>
 #include <limits>
 
 #include "clip/clip.hpp"
@@ -47,17 +47,21 @@ Shape checked_shape(const NpyHeader& header, std::size_t data_size, const std::s
     return shape;
 }
 
-template <class Float, class Bits>
+template <class Number>
 double load(const char* from, bool swap) {
-    Bits bits;
-    std::memcpy(&bits, from, sizeof bits);
-    if (swap) {
-        if constexpr (sizeof bits == 4)
-            bits = __builtin_bswap32(bits);
-        else
-            bits = __builtin_bswap64(bits);
-    }
-    return std::bit_cast<Float>(bits);
+    std::array<char, sizeof(Number)> bytes;
+    std::copy_n(from, bytes.size(), bytes.begin());
+    if (swap)
+        std::ranges::reverse(bytes);
+    return static_cast<double>(std::bit_cast<Number>(bytes));
+}
+
+template <class One, class Two, class Four, class Eight>
+double load_sized(const char* from, std::size_t size, bool swap) {
+    return size == 1   ? load<One>(from, swap)
+           : size == 2 ? load<Two>(from, swap)
+           : size == 4 ? load<Four>(from, swap)
+                       : load<Eight>(from, swap);
 }
 
 bool is_swapped(const NpyHeader& header) {
@@ -67,8 +71,13 @@ bool is_swapped(const NpyHeader& header) {
 double item(const NpyHeader& header, const char* data, std::int64_t index) {
     const bool swap = is_swapped(header);
     const char* from = data + static_cast<std::size_t>(index) * header.item_size;
-    return header.item_size == 4 ? load<float, std::uint32_t>(from, swap)
-                                 : load<double, std::uint64_t>(from, swap);
+    if (header.kind == 'i')
+        return load_sized<std::int8_t, std::int16_t, std::int32_t, std::int64_t>(
+            from, header.item_size, swap);
+    if (header.kind == 'u')
+        return load_sized<std::uint8_t, std::uint16_t, std::uint32_t, std::uint64_t>(
+            from, header.item_size, swap);
+    return header.item_size == 4 ? load<float>(from, swap) : load<double>(from, swap);
 }
 
 Matrix converted(const NpyHeader& header, const char* data, Shape shape) {

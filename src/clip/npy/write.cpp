@@ -5,7 +5,7 @@
 namespace stltsa::clip {
 
 std::string format_npy(const Clip& clip) {
-    return npy_bytes(clip.values.data(), clip.values.rows(), clip.values.cols());
+    return npy_bytes(clip.values.data(), clip.values.rows(), clip.values.cols(), clip.space);
 }
 
 } // namespace stltsa::clip

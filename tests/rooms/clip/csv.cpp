@@ -129,9 +129,40 @@ void uneven_times_are_resampled(void**) {
         assert_true(i == 3 || std::abs(jitter.values(i, 0) - static_cast<double>(i)) < 1e-9);
     ASSERT_FAILS(Status::format, "more frames are missing than there are",
                  csv("time,x\n0,7\n0.01,8\n0.02,9\n0.2,9\n"));
+    assert_true(csv(text, 100).notes.back().find("option fps is set") != std::string::npos);
     const Clip kept = csv("t,x\n3,7\n1,8\n2,9\n"); // for example a torque
     CHECK_VALUES(kept, {{3, 7}, {1, 8}, {2, 9}});
     assert_int_equal(kept.notes.size(), 1);
+}
+
+/// Stamps of a camera that wait up to 9 of 20 ms: no frame is missing, and the rate is 50.
+void jitter_loses_no_frame(void**) {
+    std::string text = "time,x\n";
+    unsigned state = 1;
+    for (int i = 0; i < 400; ++i) {
+        state = state * 1664525u + 1013904223u;
+        const double late = (static_cast<double>(state >> 8) / (1 << 24) * 2 - 1) * 0.009;
+        text += stltsa::format_text("{:.5f},{}\n", 1 + i / 50.0 + late, i);
+    }
+    const Clip clip = csv(text);
+    assert_true(std::abs(clip.fps - 50) < 0.2);
+    assert_true(std::abs(static_cast<double>(clip.frames()) - 400) <= 2);
+    for (std::int64_t i = 0; i < clip.frames(); ++i)
+        assert_false(is_missing(clip, i, 0));
+}
+
+/// A column of time that cannot be used does not cost the points.
+void points_beside_a_damaged_time(void**) {
+    const std::string head = "time,a_x,a_y,a_z,b_x,b_y,b_z,c_x,c_y,c_z\n";
+    const std::string row = ",1,2,3,4,5,6,7,8,9\n";
+    for (const char* times : {"0 nan 2", "0 1 1", "0 2 1"}) {
+        std::string text = head;
+        for (const char time : {times[0], times[2], times[std::strlen(times) - 1]})
+            text += (time == 'n' ? std::string() : std::string(1, time)) + row;
+        const Clip clip = csv(text);
+        assert_true(clip.space == 3 && clip.values.cols() == 9 && clip.fps == 0);
+        assert_true(clip.notes.back().find("'time'") != std::string::npos);
+    }
 }
 
 void frame_numbers_are_not_a_channel(void**) {
@@ -254,6 +285,8 @@ int main() {
         cmocka_unit_test(key_points_with_likelihoods),
         cmocka_unit_test(preambles_of_clinical_exports),
         cmocka_unit_test(broken_rows_are_no_headers),
+        cmocka_unit_test(jitter_loses_no_frame),
+        cmocka_unit_test(points_beside_a_damaged_time),
         cmocka_unit_test(frame_numbers_are_not_a_channel),
         cmocka_unit_test(malformed),
     };

@@ -105,6 +105,19 @@ void headers_in_any_notation(void**) {
         check_values(npy(header(text) + data), 2, six);
 }
 
+void integers(void**) {
+    const std::string shape = "(1, 3)";
+    check_values(npy(header(dict("<i2", "False", shape)) + std::string("\x01\0\xfe\xff\0\x01", 6)),
+                 1, {1, -2, 256});
+    check_values(npy(header(dict(">u2", "False", shape)) + std::string("\0\x01\xff\xfe\x01\0", 6)),
+                 1, {1, 65534, 256});
+    check_values(npy(header(dict("|i1", "False", shape)) + "\x01\xff\x7f"), 1, {1, -1, 127});
+    check_values(npy(header(dict("|u1", "False", shape)) + "\x01\xff\x7f"), 1, {1, 255, 127});
+    const std::string eight = std::string("\x05\0\0\0\0\0\0\0", 8);
+    check_values(npy(header(dict("<i8", "False", "(1,)")) + eight), 1, {5});
+    check_values(npy(header(dict("<i4", "False", "(2,)")) + eight), 2, {5, 0});
+}
+
 void refuses(const std::string& bytes, Status status, std::string_view part, int line) {
     check_fails(
         status, part, [&] { npy(bytes); }, __FILE__, line);
@@ -113,9 +126,9 @@ void refuses(const std::string& bytes, Status status, std::string_view part, int
 
 void types_that_are_not_numbers(void**) {
     const std::string data = numbers("<f8", six);
-    for (const char* descr : {"<i8", "|O", "<f2", "<c16", "|b1", "<f16", "<U3", "f8", ""})
+    for (const char* descr : {"<i3", "|O", "<f2", "<c16", "|b1", "<f16", "<U3", "f8", ""})
         REFUSES(header(dict(descr, "False", "(2, 3)")) + data, unsupported,
-                "only float32 and float64 are read");
+                "only integers, float32 and float64 are read");
     REFUSES(header("{'descr': [('x', '<f8')], 'fortran_order': False, 'shape': (6,)}") + data,
             unsupported, "a structured array");
 }
@@ -176,6 +189,7 @@ int main() {
         cmocka_unit_test(one_dimension_is_one_column),
         cmocka_unit_test(numbers_at_odd_addresses),
         cmocka_unit_test(headers_in_any_notation),
+        cmocka_unit_test(integers),
         cmocka_unit_test(types_that_are_not_numbers),
         cmocka_unit_test(sizes_that_do_not_fit),
         cmocka_unit_test(broken_headers),

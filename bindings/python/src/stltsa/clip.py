@@ -76,8 +76,8 @@ class Clip(Described):
         confidence : array-like of shape (frames, points), optional
             0: missing, and so are points below `least_confidence`.
         times : array-like of shape (frames,), optional
-            Seconds, increasing. Uneven ones are resampled to the rate of the median step, which a
-            note says.
+            Seconds, increasing. Uneven ones are resampled to the rate of the usual step, which a
+            note says. If `fps` is given too, both must agree within 1 %.
         least_confidence : float, optional
             As the option of that name: by default 0.6.
 
@@ -121,7 +121,9 @@ class Clip(Described):
             is joint 0), and its offset from the parent in the parent's axes; shape (joints, 3).
         rotations : array-like
             Of shape (frames, joints, 4): quaternions w x y z, child axes to parent axes; (frames,
-            joints, 3, 3): rotation matrices; (frames, channels): a value for each channel.
+            joints, 3, 3): rotation matrices; (frames, channels): a value for each channel. Joints
+            below the root that move against their parents need channels: rotations alone leave
+            them at their offsets.
         fps : float
             Frames per second.
         root_positions : array-like of shape (frames, 3), optional
