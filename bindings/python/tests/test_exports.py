@@ -93,6 +93,25 @@ def test_events_in_c3d(tmp_path):
     )
 
 
+def test_events_in_c3d_without_contexts(tmp_path):
+    ezc3d = pytest.importorskip("ezc3d")
+    source = write_c3d(tmp_path / "walk.c3d", walk())
+    for used in (0, 1):
+        file = ezc3d.c3d(str(source))
+        file["parameters"]["EVENT"] = {"__METADATA__": {"DESCRIPTION": "", "IS_LOCKED": False}}
+        file.add_parameter("EVENT", "USED", [used])
+        if used:
+            file.add_parameter("EVENT", "LABELS", ["Own"])
+            file.add_parameter("EVENT", "TIMES", np.array([[0.0], [1.5]]))
+        bare = tmp_path / "bare.c3d"
+        file.write(str(bare))
+        result = stltsa.decompose(bare)
+        result.save_events(tmp_path / "marked.c3d")
+        labels = [event.label for event in stltsa.read_clip(tmp_path / "marked.c3d").events]
+        assert labels.count("cycle") == len(result.cycle_list)
+        assert labels.count("Own") == used
+
+
 def test_events_that_cannot_be_written(result, tmp_path):
     with pytest.raises(ValueError, match=r"must be \.tsv"):
         result.save_events(tmp_path / "walk.txt")
@@ -101,4 +120,6 @@ def test_events_that_cannot_be_written(result, tmp_path):
     unknown = stltsa.decompose(walk()[:, 0])
     with pytest.raises(ValueError, match="give fps="):
         unknown.save_events(tmp_path / "walk.tsv")
+    with pytest.raises(FileNotFoundError, match=f"no such folder: .*{tmp_path.name}/nodir'"):
+        result.save_events(tmp_path / "nodir" / "x_events.tsv")
     assert list(tmp_path.iterdir()) == []

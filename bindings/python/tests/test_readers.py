@@ -116,6 +116,13 @@ def test_points_that_a_model_computed_are_left_out(tmp_path):
     assert stltsa.read_clip(path).channels == 12
 
 
+def test_points_that_are_named_as_results_of_a_model(tmp_path):
+    names = ("LHipAngles", "Powerpoint", "LForceps", "LELB", "RELB")
+    path = write_c3d(tmp_path / "walk.c3d", walk(), names=names)
+    with pytest.warns(stltsa.QualityWarning, match=r"walk\.c3d: left out .*: LHipAngles$"):
+        assert stltsa.read_clip(path).channels == 12
+
+
 def test_mot(tmp_path):
     path = tmp_path / "walk.mot"
     rows = [f"{i / 50}\t{np.sin(i / 8)}\t{np.cos(i / 8)}" for i in range(100)]
@@ -143,8 +150,12 @@ def test_amass(tmp_path):
     turned = (y * np.cos(angle) - z * np.sin(angle), y * np.sin(angle) + z * np.cos(angle))
     assert bone[15, 1:] == pytest.approx(turned)
     assert clip.positions[60, 0, 2] - clip.positions[0, 0, 2] == pytest.approx(1)
+    parts = {"root_orient": poses[:, :3], "pose_body": poses[:, 3:66]}
+    np.savez(tmp_path / "x.npz", **parts, trans=trans, mocap_frame_rate=60.0)
+    again = stltsa.read_clip(tmp_path / "x.npz")
+    assert np.array_equal(again.positions, clip.positions)
     np.savez(tmp_path / "other.npz", other=poses)
-    with pytest.raises(stltsa.FormatError, match="poses, trans"):
+    with pytest.raises(stltsa.FormatError, match=r"has the arrays poses .*has other"):
         stltsa.read_clip(tmp_path / "other.npz")
 
 
@@ -200,9 +211,15 @@ def test_models_of_datasets_and_points():
         ("a.mot", "hello\n", "endheader"),
         ("a.mot", "endheader\ntime\tx\n0\tone\n", "cannot be read"),
         ("a.mot", "endheader\ntime\tx\n1\t1\n1\t2\n", "does not increase"),
+        ("a.c3d", "", r"a\.c3d: the file cannot be read"),
+        ("a.c3d", "HIERARCHY\nROOT hip\n", r"a\.c3d: the file cannot be read"),
+        ("a.npz", "hello\n", r"a\.npz: the file cannot be read"),
+        ("a.npz", "", r"a\.npz: the file cannot be read"),
     ],
 )
 def test_files_that_are_something_else(tmp_path, name, text, said):
     (tmp_path / name).write_text(text)
+    if name.endswith("c3d"):
+        pytest.importorskip("ezc3d")
     with pytest.raises(stltsa.FormatError, match=said):
         stltsa.read_clip(tmp_path / name)

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import csv
+import errno
 import io
 import json
 import tempfile
@@ -168,8 +169,29 @@ def _c3d_events(rows: list[Row]) -> list[tuple[float, str]]:
     return sorted((time, name) for (_, time), name in events.items())
 
 
+_EVENT_COLUMNS = (("CONTEXTS", ""), ("DESCRIPTIONS", ""), ("SUBJECTS", ""), ("ICON_IDS", 0),
+    ("GENERIC_FLAGS", 0))  # fmt: skip
+
+
+def _complete_events(file: Any) -> None:
+    """Give a file's events the columns that it may lack, without which ezc3d adds none."""
+    group = file["parameters"].get("EVENT")
+    if not group:
+        return
+    if not {"USED", "LABELS", "TIMES"} <= set(group):
+        del file["parameters"]["EVENT"]  # it holds no events
+        return
+    count = len(group["LABELS"]["value"])
+    for name, empty in _EVENT_COLUMNS:
+        values = list(group[name]["value"]) if name in group else []
+        values += [empty] * (count - len(values))
+        group[name] = {"type": -1 if empty == "" else 2, "description": "", "is_locked": False,
+                       "value": values if empty == "" else np.array(values, dtype=np.int64)}  # fmt: skip
+
+
 def _write_c3d(path: Path, rows: list[Row], source: Path) -> None:
     file = readers.extra("ezc3d", "c3d").c3d(str(source))
+    _complete_events(file)
     header = file["header"]["points"]
     first = header["first_frame"] / header["frame_rate"]
     for seconds, name in _c3d_events(rows):
@@ -180,6 +202,8 @@ def _write_c3d(path: Path, rows: list[Row], source: Path) -> None:
 
 def _replace(path: Path, write: Callable[[Path], Any]) -> None:
     """Write a file completely or not at all."""
+    if not path.parent.is_dir():
+        raise FileNotFoundError(errno.ENOENT, "there is no such folder", str(path.parent))
     with tempfile.TemporaryDirectory(dir=path.parent) as folder:
         made = Path(folder) / path.name
         write(made)

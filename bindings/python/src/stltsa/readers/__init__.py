@@ -15,12 +15,14 @@
 from __future__ import annotations
 
 import importlib
+from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
 from .._native import lib
 from ..errors import FormatError
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
     from pathlib import Path
 
 # The module that reads a suffix.
@@ -40,6 +42,18 @@ def is_points(value: Any) -> bool:
 def bad(path: Path, text: str) -> FormatError:
     """Return the error for a file that is not what its suffix says."""
     return FormatError(f"{path}: {text}", lib.STLTSA_E_FORMAT, "STLTSA_E_FORMAT")
+
+
+@contextmanager
+def said_of(path: Path, *kinds: type[Exception]) -> Iterator[None]:
+    """Name the file in the errors of another reader."""
+    try:
+        yield
+    except (FileNotFoundError, FormatError):
+        raise  # they name the file
+    except kinds as error:
+        text = str(error).strip() or type(error).__name__
+        raise bad(path, f"the file cannot be read: {text}") from error
 
 
 def extra(name: str, of: str) -> Any:

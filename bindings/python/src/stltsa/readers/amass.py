@@ -8,11 +8,12 @@ The usual proportions of an adult stand in for them; give `offsets` to use those
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
+from zipfile import BadZipFile
 
 import numpy as np
 
 from ..clip import Clip
-from . import bad
+from . import bad, said_of
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -35,12 +36,16 @@ _BODY = (("pelvis", -1, (0, 0.95, 0)), ("left_hip", 0, (0.07, -0.09, 0)),
 
 def read(path: Path, fps: float | None = None, offsets: npt.ArrayLike | None = None) -> Clip:
     """Return the clip of a file; `offsets`: of the 22 body joints, shape (22, 3)."""
-    with np.load(path) as file:
+    with said_of(path, ValueError, BadZipFile, EOFError), np.load(path) as file:
         rates = [file[k] for k in ("mocap_framerate", "mocap_frame_rate") if k in file]
-        if "poses" not in file or "trans" not in file or not (rates or fps):
-            wanted = "an AMASS file has the arrays poses, trans and mocap_framerate"
-            raise bad(path, f"{wanted}; this one has {', '.join(file.files)}")
-        turns = np.asarray(file["poses"], dtype=np.float64)[:, : 3 * len(_BODY)]
+        # SMPL-X files may have the body in parts.
+        parts = [p for p in (("poses",), ("root_orient", "pose_body")) if set(p) <= set(file.files)]
+        if not parts or "trans" not in file or not (rates or fps):
+            wanted = "poses (or root_orient and pose_body), trans and mocap_framerate"
+            has = ", ".join(file.files)
+            raise bad(path, f"an AMASS file has the arrays {wanted}; this one has {has}")
+        poses = np.concatenate([file[name] for name in parts[0]], axis=1)
+        turns = poses[:, : 3 * len(_BODY)].astype(np.float64)
         way = np.asarray(file["trans"], dtype=np.float64)
     turns = turns.reshape(len(turns), -1, 3)  # axis times angle
     half = np.linalg.norm(turns, axis=2, keepdims=True) / 2

@@ -3,20 +3,24 @@
 
 from __future__ import annotations
 
+import errno
+import os
+import warnings
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from ..clip import Clip
+from ..errors import QualityWarning
 from ..events import Event
-from . import extra
+from . import extra, said_of
 
 if TYPE_CHECKING:
     from pathlib import Path
 
-# Results of a model, which are not positions: parameters that list them, and words of their names.
+# Results of a model, which are not positions: parameters that list them, and ends of their names.
 _MODELED = ("ANGLES", "FORCES", "MOMENTS", "POWERS", "SCALARS", "REACTIONS")
-_WORDS = ("Angle", "Force", "Moment", "Power")
+_ENDS = tuple(f"{word}{s}" for word in ("Angle", "Force", "Moment", "Power") for s in ("", "s"))
 
 
 def _values(group: Any, name: str) -> list[Any]:
@@ -44,12 +48,20 @@ def read_events(file: Any) -> tuple[Event, ...]:
 
 def read(path: Path, fps: float | None = None) -> Clip:
     """Return the markers of a file as a clip of points, with its events."""
-    file = extra("ezc3d", "c3d").c3d(str(path))  # missing points are NaN
+    ezc3d = extra("ezc3d", "c3d")
+    if not path.exists():
+        raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), str(path))
+    with said_of(path, OSError, RuntimeError, ValueError):
+        file = ezc3d.c3d(str(path))  # missing points are NaN
     point = file["parameters"]["POINT"]
     points = np.asarray(file["data"]["points"], dtype=np.float64)[:3].transpose(2, 1, 0)
     names = [str(name).strip() for name in _values(point, "LABELS")[: points.shape[1]]]
     modeled = _modeled(point)
-    modeled |= {name for name in names if any(word in name for word in _WORDS)}
+    guessed = [name for name in names if name.endswith(_ENDS) and name not in modeled]
+    if guessed:
+        text = f"left out by their names, as results of a model: {', '.join(guessed)}"
+        warnings.warn(f"{path}: {text}", QualityWarning, stacklevel=3)
+    modeled |= set(guessed)
     kept = [i for i, name in enumerate(names) if name not in modeled]
     clip = Clip.from_points(
         points[:, kept], fps or float(point["RATE"]["value"][0]), names=[names[i] for i in kept]
