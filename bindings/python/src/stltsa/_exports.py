@@ -185,8 +185,10 @@ def _complete_events(file: Any) -> None:
     for name, empty in _EVENT_COLUMNS:
         values = list(group[name]["value"]) if name in group else []
         values += [empty] * (count - len(values))
-        group[name] = {"type": -1 if empty == "" else 2, "description": "", "is_locked": False,
-                       "value": values if empty == "" else np.array(values, dtype=np.int64)}  # fmt: skip
+        numbers = empty == 0
+        value = np.array(values, dtype=np.int64) if numbers else values
+        group[name] = {"type": 2 if numbers else -1, "description": "", "is_locked": False,
+                       "value": value}  # fmt: skip
 
 
 def _write_c3d(path: Path, rows: list[Row], source: Path) -> None:

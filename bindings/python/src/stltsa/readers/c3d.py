@@ -3,8 +3,6 @@
 
 from __future__ import annotations
 
-import errno
-import os
 import warnings
 from typing import TYPE_CHECKING, Any
 
@@ -27,10 +25,6 @@ def _values(group: Any, name: str) -> list[Any]:
     return list(group[name]["value"]) if name in group else []
 
 
-def _modeled(point: Any) -> set[str]:
-    return {str(label).strip() for kind in _MODELED for label in _values(point, kind)}
-
-
 def read_events(file: Any) -> tuple[Event, ...]:
     """Return the events of an opened file, in seconds from its first frame."""
     group = file["parameters"].get("EVENT", {})
@@ -39,30 +33,26 @@ def read_events(file: Any) -> tuple[Event, ...]:
     if not labels:
         return ()
     minutes, seconds = np.asarray(group["TIMES"]["value"], dtype=np.float64).reshape(2, -1)
-    header = file["header"]["points"]
-    first = header["first_frame"] / header["frame_rate"]
+    first, rate = (file["header"]["points"][key] for key in ("first_frame", "frame_rate"))
     contexts += [""] * (len(labels) - len(contexts))
-    events = zip(labels, contexts, 60 * minutes + seconds - first, strict=False)
-    return tuple(sorted((Event(*e[:2], float(e[2])) for e in events), key=lambda e: e.seconds))
+    events = map(Event, labels, contexts, (60 * minutes + seconds - first / rate).tolist())
+    return tuple(sorted(events, key=lambda event: event.seconds))
 
 
 def read(path: Path, fps: float | None = None) -> Clip:
     """Return the markers of a file as a clip of points, with its events."""
     ezc3d = extra("ezc3d", "c3d")
-    if not path.exists():
-        raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), str(path))
     with said_of(path, OSError, RuntimeError, ValueError):
         file = ezc3d.c3d(str(path))  # missing points are NaN
     point = file["parameters"]["POINT"]
     points = np.asarray(file["data"]["points"], dtype=np.float64)[:3].transpose(2, 1, 0)
     names = [str(name).strip() for name in _values(point, "LABELS")[: points.shape[1]]]
-    modeled = _modeled(point)
-    guessed = [name for name in names if name.endswith(_ENDS) and name not in modeled]
+    modeled = {str(label).strip() for kind in _MODELED for label in _values(point, kind)}
+    guessed = {name for name in names if name.endswith(_ENDS)} - modeled
     if guessed:
-        text = f"left out by their names, as results of a model: {', '.join(guessed)}"
+        text = f"left out by their names, as of a model: {', '.join(sorted(guessed))}"
         warnings.warn(f"{path}: {text}", QualityWarning, stacklevel=3)
-    modeled |= set(guessed)
-    kept = [i for i, name in enumerate(names) if name not in modeled]
+    kept = [i for i, name in enumerate(names) if name not in modeled | guessed]
     clip = Clip.from_points(
         points[:, kept], fps or float(point["RATE"]["value"][0]), names=[names[i] for i in kept]
     )
