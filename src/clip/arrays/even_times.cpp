@@ -34,9 +34,10 @@ TimeSteps::TimeSteps(std::span<const double> times) {
     most = steps.back();
     mean = (times.back() - times.front()) / static_cast<double>(steps.size());
     usual = mean;
-    if (!(least > 0))
-        return;                                         // these are no times
-    const std::size_t quarter = (steps.size() + 2) / 4; // so that one of three is an exception
+    if (!(least > 0)) // these are no times
+        return;
+    // Rounded up, so that one of three steps is an exception.
+    const std::size_t quarter = (steps.size() + 2) / 4;
     const double spread = steps[steps.size() - 1 - quarter] - steps[quarter];
     const bool jitters = spread > most_jitter * median;
     longest = (jitters ? longest_jittered : longest_step) * median;

@@ -80,12 +80,12 @@ void note_left_out(const Columns& found, Clip& clip) {
         clip.notes.push_back(format_text("{} columns of other quantities than positions are left "
                                          "out, the first are those of {}",
                                          3 * found.quantities.size(), found.quantities.front()));
-    if (!found.others.empty())
-        clip.notes.push_back(format_text("left out, as not among the coordinates of points: {} "
-                                         "{}, the first is {}",
-                                         found.others.size(),
-                                         found.others.size() == 1 ? "column" : "columns",
-                                         quoted(found.others.front())));
+    const std::size_t count = found.others.size();
+    if (count > 0)
+        clip.notes.push_back(
+            format_text("left out, as not among the coordinates of points: {} {}",
+                        count == 1 ? "column" : format_text("{} columns, the first is", count),
+                        quoted(found.others.front())));
 }
 
 Matrix columns_of(const Matrix& values, const std::vector<std::int64_t>& columns) {
