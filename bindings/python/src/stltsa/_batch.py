@@ -25,7 +25,6 @@ from .readers import READERS, extra
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Mapping
 
-    from distributed import Client
     from pandas import DataFrame
     from typing_extensions import Unpack
 
