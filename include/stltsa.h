@@ -1212,7 +1212,9 @@ STLTSA_API stltsa_status stltsa_model_keep_mark(stltsa_model *model, const stlts
 /* 1 if the model keeps a mean cycle. */
 STLTSA_API int32_t stltsa_model_has_cycle(const stltsa_model *model) STLTSA_NOEXCEPT;
 
-/* Follows one stream. It does not refer to the model. Only stltsa_live_new allocates memory. */
+/* Follows one stream: push one frame after another, each in the form in which it comes. It does not
+ * refer to the model. Only stltsa_live_new allocates memory. No frame depends on those after it, and
+ * there is no delay. */
 typedef struct stltsa_live stltsa_live;
 
 /* Append-only: set size to sizeof(stltsa_live_frame). */
@@ -1222,8 +1224,8 @@ typedef struct stltsa_live_frame {
     double phase;      /* of the clip that was kept, in [0, 1) */
     double rate_hz;    /* turns a second */
     double cycles;     /* turns since the first frame, not rounded */
-    double distance;   /* from the mean cycle; above 1 it is another motion */
-    double confidence; /* 0 to 1: how sharply the phase is known */
+    double distance;   /* from the mean cycle; above 1 it is another motion; NaN: missing frame */
+    double confidence; /* 0 to 1: how sharply the phase is known; falls while frames are missing */
     int32_t known;     /* 0: another motion, for 0.1 s at least, or a frame that is missing */
     int32_t kind;      /* STLTSA_SEGMENT_CYCLIC, _ACTION (not known) or _REST (the body is still) */
 } stltsa_live_frame;
@@ -1237,13 +1239,42 @@ STLTSA_API int64_t stltsa_live_mark_count(const stltsa_live *live) STLTSA_NOEXCE
 STLTSA_API const char *stltsa_live_mark_name(const stltsa_live *live,
                                              int64_t index) STLTSA_NOEXCEPT;
 
-/* Takes the next frame. There is no delay: the answer is for this frame.
- * seconds   of the frame; rises from call to call. Frames may be dropped: time counts. If it falls,
- *           or after more than a second without frames, the filter starts anew and settles within
- *           0.15 s.
- * features  1 x features of the model, as of stltsa_clip_features. If a number is not finite, the
- *           frame is missing: the phase goes on as before.
- * E_SHAPE, E_ARGUMENT. */
+/* Each of these takes the next frame.
+ * seconds   of the frame; rises from call to call. Frames may be dropped: time counts. A frame with
+ *           the time of the one before, or up to 0.25 s earlier (a coarse clock, a late packet), is
+ *           left out, and the answer is that of the frame before. If time falls by more, or after
+ *           more than a second without frames, the filter starts anew and settles within 0.15 s.
+ * frame     the answer
+ * A frame of which too little is known, or that lies too far away for any body, is missing: the
+ * phase goes on as before, less and less surely, and `known` is 0.
+ * E_SHAPE, E_ARGUMENT; E_UNSUPPORTED: frames of the model have another form. */
+
+/* points      points x 2 or 3, in the order of the model's clip and its unit; NaN, and 0 for all
+ *             coordinates, is a lost point. Where the body is and which way it faces does not count:
+ *             the mean of the points is removed, and the turn about the up axis that brings them
+ *             closest to the mean shape of the clip. A lost point gets the place that the others
+ *             imply. If more than half are lost, the frame is missing.
+ * confidence  points x 1, 0: lost; NULL: all are seen */
+STLTSA_API stltsa_status stltsa_live_push_points(stltsa_live *live, double seconds,
+                                                 const stltsa_in *points,
+                                                 const stltsa_in *confidence,
+                                                 stltsa_live_frame *frame) STLTSA_NOEXCEPT;
+/* form        STLTSA_ROTATIONS_*
+ * rotations   local rotations, joints x 4 or x 9, or 1 x channels, in the order of the skeleton of
+ *             the model's clip, which has the lengths; see stltsa_clip_from_skeleton. If a number is
+ *             not finite, the frame is missing. E_ARGUMENT: no rotation
+ * root        1 x 3, position of the root; NULL: it stays at its offset, or the channels say where
+ *             it is. It does not count unless a joint above the body's root moves. */
+STLTSA_API stltsa_status stltsa_live_push_pose(stltsa_live *live, double seconds, int32_t form,
+                                               const stltsa_in *rotations, const stltsa_in *root,
+                                               stltsa_live_frame *frame) STLTSA_NOEXCEPT;
+/* index       frame of a clip with the same joints or columns, which may have bones of other
+ *             lengths: replays a clip, without a look at its other frames */
+STLTSA_API stltsa_status stltsa_live_push_frame(stltsa_live *live, double seconds,
+                                                const stltsa_clip *clip, int64_t index,
+                                                stltsa_live_frame *frame) STLTSA_NOEXCEPT;
+/* features    1 x features of the model: of a skeleton as of stltsa_clip_features; else the numbers
+ *             of the columns, NaN where one is lost */
 STLTSA_API stltsa_status stltsa_live_push(stltsa_live *live, double seconds,
                                           const stltsa_in *features,
                                           stltsa_live_frame *frame) STLTSA_NOEXCEPT;

@@ -936,15 +936,38 @@ class Live {
         return detail::texts(stltsa_live_mark_count, stltsa_live_mark_name, get());
     }
     LiveFrame push(double seconds, const MatrixView& features) {
-        LiveFrame frame{};
-        frame.size = sizeof frame;
-        detail::check(stltsa_live_push(handle_.get(), seconds, features.get(), &frame));
-        return frame;
+        return answer(stltsa_live_push, seconds, features.get());
+    }
+    /// Points in space or in a plane, a row each; `confidence`: a number for each, 0: lost.
+    LiveFrame push_points(double seconds, const MatrixView& points) {
+        return answer(stltsa_live_push_points, seconds, points.get(), nullptr);
+    }
+    LiveFrame push_points(double seconds, const MatrixView& points, const MatrixView& confidence) {
+        return answer(stltsa_live_push_points, seconds, points.get(), confidence.get());
+    }
+    /// Local rotations of the joints, in a form STLTSA_ROTATIONS_*.
+    LiveFrame push_pose(double seconds, std::int32_t form, const MatrixView& rotations) {
+        return answer(stltsa_live_push_pose, seconds, form, rotations.get(), nullptr);
+    }
+    LiveFrame push_pose(double seconds, std::int32_t form, const MatrixView& rotations,
+                        const MatrixView& root) {
+        return answer(stltsa_live_push_pose, seconds, form, rotations.get(), root.get());
+    }
+    /// A frame of a clip, without a look at its other frames.
+    LiveFrame push(double seconds, const Clip& clip, std::int64_t index) {
+        return answer(stltsa_live_push_frame, seconds, clip.get(), index);
     }
 
     const stltsa_live* get() const noexcept { return handle_.get(); }
 
   private:
+    template <class Push, class... Frame>
+    LiveFrame answer(Push push, double seconds, Frame... given) {
+        LiveFrame frame{};
+        frame.size = sizeof frame;
+        detail::check(push(handle_.get(), seconds, given..., &frame));
+        return frame;
+    }
     static stltsa_live* made(const Model& model) {
         stltsa_live* live = nullptr;
         detail::check(stltsa_live_new(model.get(), &live));

@@ -81,8 +81,16 @@ struct stltsa_events : stltsa::results::FoundEvents {
 
 struct stltsa_live {
     std::vector<std::string> names; ///< of the marks
-    std::vector<double> row;        ///< the features of a frame
+    stltsa::clip::FrameFeatures features;
     stltsa::phase::LivePhase phase;
+    // Room for one frame.
+    std::vector<double> row;    ///< features
+    std::vector<double> values; ///< as they come
+    std::vector<double> unsure; ///< confidence of each point
+    std::vector<stltsa::clip::Quaternion> local;
+
+    stltsa_live(std::vector<std::string> of, stltsa::clip::FrameFeatures frames,
+                stltsa::phase::LivePhase follows);
 };
 
 struct stltsa_denoising : stltsa_info, stltsa::results::Denoised {

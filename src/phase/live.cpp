@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include <lapacke.h>
@@ -43,6 +44,11 @@ constexpr double flag_s = 0.1;
 /// the rates. 1.4 time constants.
 constexpr double delay_s = 0.042;
 constexpr double longest_gap_s = 1;
+/// Time that falls by less is a late packet or a coarse clock.
+constexpr double most_late_s = 0.25;
+/// Poses further away, in deviations of the cycle, are no poses. Another motion is less than 10
+/// away in every clip; a number of 1000 deviations is forgotten within 0.4 s, one of 1e30 in 3 s.
+constexpr double most_away = 1000;
 /// A phase that falls by more is a jump of the stream, not noise; in turns.
 constexpr double jump_back = 0.25;
 /// Speed, as a share of the usual one, below which the body is still.
@@ -266,9 +272,25 @@ LivePhase::LivePhase(const LiveCycle& cycle, std::span<const double> marks)
     }
     for (double& value : prior_)
         value /= sum;
+    start();
+}
+
+/// Without a word about what was before.
+void LivePhase::start() {
     for (std::int64_t r = 0; r < rate_count; ++r)
         std::fill_n(likely_.row(r), place_count,
                     prior_[static_cast<std::size_t>(r)] / static_cast<double>(place_count));
+    begun_ = false;
+    still_ = false;
+}
+
+bool LivePhase::possible(const double* features) const {
+    const double away = sum_of(cycle_.features(), [&](std::int64_t c) {
+        const auto at = static_cast<std::size_t>(c);
+        const double off = features[c] * cycle_.weights[at] - cycle_.mean[at];
+        return off * off;
+    });
+    return away <= most_away * most_away * cycle_.variance; // false for NaN
 }
 
 void LivePhase::filter(double seconds, const double* features) {
@@ -383,7 +405,8 @@ void LivePhase::notice_rest(double seconds) {
     still_ = age_s_ > warm_up * filter_s && speed < still_speed * cycle_.usual_speed;
 }
 
-LiveFrame LivePhase::answer(double seconds, double distance) {
+/// Phase, rate and how sure they are; counts turns.
+LiveFrame LivePhase::estimate() {
     double cosine = 0, sine = 0, rate = 0;
     for (std::int64_t g = 0; g < place_count; ++g) {
         double at_place = 0;
@@ -402,16 +425,21 @@ LiveFrame LivePhase::answer(double seconds, double distance) {
     if (!begun_)
         reached_ = unwrapped_;
     last_phase_ = phase;
-    unknown_s_ = std::clamp(unknown_s_ + (distance > 1 ? seconds : -seconds), 0.0, 2 * flag_s);
-    known_ = known_ ? unknown_s_ < flag_s : unknown_s_ <= flag_s / 2;
     LiveFrame frame;
     frame.phase = phase < 1 ? phase : 0;
     frame.turns_per_second = still_ ? 0 : rate;
     frame.turns = turns_;
-    frame.distance = distance;
     frame.confidence = std::hypot(cosine, sine);
-    frame.known = known_;
     frame.still = still_;
+    return frame;
+}
+
+LiveFrame LivePhase::answer(double seconds, double distance) {
+    LiveFrame frame = estimate();
+    unknown_s_ = std::clamp(unknown_s_ + (distance > 1 ? seconds : -seconds), 0.0, 2 * flag_s);
+    known_ = known_ ? unknown_s_ < flag_s : unknown_s_ <= flag_s / 2;
+    frame.distance = distance;
+    frame.known = known_;
     frame.passed = passed();
     return frame;
 }
@@ -431,34 +459,47 @@ std::int64_t LivePhase::passed() {
 }
 
 LiveFrame LivePhase::push(double seconds, const double* features) {
+    if (!possible(features))
+        return go_on(seconds);
     double passed = seconds - last_;
-    if (!(passed > 0) || passed > longest_gap_s) {
-        begun_ = false;
+    if (begun_ && passed <= 0 && passed >= -most_late_s) {
+        latest_.passed = 0;
+        return latest_;
+    }
+    if (!begun_ || passed < 0 || passed > longest_gap_s) {
+        start();
         passed = 1 / cycle_.rate;
+        now_ = seconds - passed;
     }
     filter(passed, features);
     project();
     const double distance = nearest_place();
     notice_rest(passed);
     if (!still_) {
-        predict(passed, distance > far);
+        predict(std::max(seconds - now_, 0.0), distance > far);
         correct();
     }
     latest_ = answer(passed, distance);
     begun_ = true;
     last_ = seconds;
+    now_ = std::max(now_, seconds);
     return latest_;
 }
 
 LiveFrame LivePhase::go_on(double seconds) {
-    const double passed = std::clamp(seconds - last_, 0.0, longest_gap_s);
-    LiveFrame guess = latest_;
-    guess.phase += passed * guess.turns_per_second;
-    guess.phase -= std::floor(guess.phase);
-    guess.turns += passed * guess.turns_per_second;
-    guess.known = false;
-    guess.passed = 0;
-    return guess;
+    const double passed = seconds - now_;
+    if (begun_ && passed > 0 && seconds - last_ <= longest_gap_s) {
+        if (!still_)
+            predict(passed, false);
+        latest_ = estimate();
+        now_ = seconds;
+    }
+    latest_.known = false;
+    latest_.passed = 0;
+    latest_.distance = std::numeric_limits<double>::quiet_NaN();
+    if (!begun_ || seconds - last_ > longest_gap_s)
+        latest_.confidence = 0;
+    return latest_;
 }
 
 } // namespace stltsa::phase

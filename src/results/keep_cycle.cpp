@@ -21,6 +21,25 @@ const PhasedMotion* longest(const Phased& phased) {
     return chosen;
 }
 
+std::vector<clip::Frames> frames_in(const PhasedMotion& motion) {
+    std::vector<clip::Frames> frames;
+    for (const phase::Run& run : motion.phases.runs)
+        frames.push_back({run.begin, run.end()});
+    return frames;
+}
+
+/// The features that a stream of the same frames has. Those of points are the clip's, moved and
+/// turned: what a stream removes is found without the frames around.
+Matrix streamed(const clip::Body& body, const Matrix& rows) {
+    if (!body.skeleton.joints.empty())
+        return copied(rows.view());
+    clip::FrameFeatures features(body);
+    Matrix result = Matrix::unset(rows.rows(), rows.cols());
+    for (std::int64_t i = 0; i < rows.rows(); ++i)
+        features.next(rows.row(i), result.row(i));
+    return result;
+}
+
 } // namespace
 
 void keep_cycle(Fitted& model, const Phased& phased) {
@@ -34,8 +53,12 @@ void keep_cycle(Fitted& model, const Phased& phased) {
              "the clip has {} features, the model {}: decompose with the same "
              "option features",
              phased.rows.cols(), model.model.features);
+    clip::Body body = phased.body;
+    clip::learn(body, phased.rows.view(), frames_in(*motion), phased.drifting);
+    const Matrix rows = streamed(body, phased.rows);
     model.live.cycle =
-        phase::learn_live(phased.rows.view(), phased.clip.fps, motion->phases, phased.drifting);
+        phase::learn_live(rows.view(), phased.clip.fps, motion->phases, phased.drifting);
+    model.live.body = std::move(body);
     model.live.label = motion->label;
     model.live.marks.clear();
     model.live.has_cycle = true;

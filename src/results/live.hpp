@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "clip/features/frame_features.hpp"
 #include "phase/live.hpp"
 
 namespace stltsa::results {
@@ -17,6 +18,7 @@ struct PhasedMark {
 struct Live {
     bool has_cycle = false; ///< else nothing below is there
     std::int32_t label = 0; ///< of the motion in its clip
+    clip::Body body; ///< what a frame's features need
     phase::LiveCycle cycle;
     std::vector<PhasedMark> marks;
 };

@@ -198,6 +198,7 @@ Phased find_phase(const clip::Clip& clip, const Decomposed& decomposed,
     phased.drifting = clip::remove_drift(prepared.samples, clip.fps);
     phased.clip = prepared.source.clips.front();
     phased.samples = prepared.source.samples;
+    phased.body = clip::body_of(clip, found.features, phased.samples.up, prepared.turned);
     phased.side = clip::side_weights(clip, found.features, found.up, prepared.samples.view());
     phased.rows = std::move(prepared.samples);
     for (auto& [label, sequences] : sequences_of(decomposed, phased.clip)) {

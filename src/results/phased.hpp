@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/progress.hpp"
+#include "clip/features/frame_features.hpp"
 #include "phase/phases.hpp"
 #include "phase/resample.hpp"
 #include "results/decomposed.hpp"
@@ -24,6 +25,7 @@ struct PhasedMotion {
 
 struct Phased {
     ClipFacts clip;
+    clip::Body body;     ///< what features of single frames need; it has learned nothing
     SampleFacts samples; ///< the features; every frame from the first one on is a row
     Matrix rows;         ///< features, not smoothed
     std::vector<std::int64_t> drifting; ///< columns whose slow part was subtracted

@@ -57,6 +57,7 @@ ClipSamples prepare_clip(const clip::Clip& clip, const clip::PrepareOptions& pre
     result.lengths = {{prepared.samples.rows()}, runs_of(prepared, clip.frames())};
     result.samples = std::move(prepared.samples);
     result.jump = prepared.jump;
+    result.turned = prepared.turned;
     result.holes = std::move(prepared.holes);
     return result;
 }

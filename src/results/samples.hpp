@@ -27,6 +27,7 @@ struct ClipSamples {
     Source source;
     std::int64_t jump = 0;           ///< of a single clip: see clip::Prepared
     std::vector<clip::Frames> holes; ///< of a single clip: see clip::Prepared
+    bool turned = false;             ///< of the first clip: see clip::Prepared
 };
 
 /// Takes at least one clip. Throws Status::shape if joints, channels, features or the rate of the

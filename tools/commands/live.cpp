@@ -11,16 +11,6 @@
 namespace tool {
 namespace {
 
-/// Features of each frame, as the model has them, without smoothing: the stream is filtered.
-stltsa::Matrix features_of(const stltsa::Clip& clip, const stltsa::Model& model) {
-    stltsa::Options options;
-    const stltsa::Info info = model.info();
-    options.set(STLTSA_OPT_FEATURES, info.integer(STLTSA_INFO_FEATURES));
-    if (info.integer(STLTSA_INFO_UP_AXIS) > 0)
-        options.set(STLTSA_OPT_UP_AXIS, info.integer(STLTSA_INFO_UP_AXIS));
-    return clip.features(options);
-}
-
 std::vector<std::string> names_in(const std::vector<std::string>& marks, std::int64_t passed) {
     std::vector<std::string> names;
     for (std::size_t i = 0; i < marks.size(); ++i)
@@ -50,14 +40,11 @@ std::string table_line(std::int64_t frame, double seconds, const stltsa::LiveFra
 std::string played(const stltsa::Model& model, const stltsa::Clip& clip, bool json) {
     stltsa::Live live(model);
     const std::vector<std::string> marks = live.marks();
-    const stltsa::Matrix features = features_of(clip, model);
     std::string text =
         json ? "" : "  frame   seconds  phase rate Hz  cycles distance  kind    events\n";
-    for (std::int64_t frame = 0; frame < features.rows; ++frame) {
+    for (std::int64_t frame = 0; frame < clip.frames(); ++frame) {
         const double seconds = static_cast<double>(frame) / clip.fps();
-        const stltsa_in row = {
-            features.values.data() + frame * features.cols, 1, features.cols, 0, 0, STLTSA_F64, 0};
-        const stltsa::LiveFrame found = live.push(seconds, row);
+        const stltsa::LiveFrame found = live.push(seconds, clip, frame);
         const auto names = names_in(marks, found.passed);
         text += json ? json_line(frame, seconds, found, names)
                      : table_line(frame, seconds, found, names);

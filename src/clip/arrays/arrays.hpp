@@ -2,6 +2,7 @@
 // Clips from a caller's arrays: a skeleton with rotations, or points in space.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,13 @@ struct SkeletonArrays {
 
 /// Throws Status::shape, argument, not_finite.
 Clip clip_from_skeleton(const SkeletonArrays& arrays);
+
+/// Sets the local rotations of a frame of quaternions or matrices; joints without channels have
+/// none. Gives the first joint whose numbers are no rotation, or the number of joints.
+std::size_t read_rotations(const Skeleton& skeleton, RotationForm form, const double* numbers,
+                           std::span<Quaternion> local);
+/// Says so.
+std::string no_rotation(const Skeleton& skeleton, RotationForm form, std::size_t joint);
 
 struct PointArrays {
     ConstMatrixView positions; ///< frames x (space * points); NaN: missing

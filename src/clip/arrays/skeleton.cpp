@@ -128,24 +128,21 @@ Quaternion rotation_at(RotationForm form, const double* row, std::size_t joint, 
     return normalized(q, length);
 }
 
-/// Channel values of a frame; `row` holds those of the previous one.
-void put_frame(const SkeletonArrays& arrays, std::int64_t frame, double* row) {
+/// Channel values of a frame; `row` holds those of the previous one. `local`: room.
+void put_frame(const SkeletonArrays& arrays, std::int64_t frame, std::span<Quaternion> local,
+               double* row) {
     const Skeleton& skeleton = arrays.skeleton;
+    if (const std::size_t wrong =
+            read_rotations(skeleton, arrays.form, arrays.rotations.row(frame), local);
+        wrong < local.size())
+        fail(Status::argument, "frame {}: {}", frame, no_rotation(skeleton, arrays.form, wrong));
     for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
         const Joint& joint = skeleton.joints[j];
-        double deviation = 0;
-        const Quaternion local =
-            rotation_at(arrays.form, arrays.rotations.row(frame), j, deviation);
-        if (!(deviation <= most_deviation) && !joint.channels.empty())
-            fail(Status::argument,
-                 "frame {}: the {} of joint {} ({}) is no rotation: it deviates from one by {:.3g}",
-                 frame, arrays.form == RotationForm::matrices ? "matrix" : "quaternion", j,
-                 quoted(joint.name), deviation);
         Vec3 place = joint.offset;
         if (j == 0 && arrays.root.rows > 0)
             std::copy_n(arrays.root.row(frame), 3, place.begin());
         put_position(joint, skeleton.translations_add, place, row);
-        put_rotation(joint, false, local, row);
+        put_rotation(joint, false, local[j], row);
         row += joint.channels.size();
     }
 }
@@ -165,12 +162,35 @@ Clip clip_from_skeleton(const SkeletonArrays& arrays) {
         return clip;
     }
     clip.values = Matrix(arrays.rotations.rows, channel_count(arrays.skeleton));
+    std::vector<Quaternion> local(arrays.skeleton.joints.size());
     for (std::int64_t i = 0; i < clip.frames(); ++i) {
         if (i > 0)
             std::copy_n(clip.values.row(i - 1), clip.values.cols(), clip.values.row(i));
-        put_frame(arrays, i, clip.values.row(i));
+        put_frame(arrays, i, local, clip.values.row(i));
     }
     return clip;
+}
+
+std::size_t read_rotations(const Skeleton& skeleton, RotationForm form, const double* numbers,
+                           std::span<Quaternion> local) {
+    for (std::size_t j = 0; j < local.size(); ++j) {
+        double deviation = 0;
+        local[j] = {};
+        if (skeleton.joints[j].channels.empty())
+            continue;
+        local[j] = rotation_at(form, numbers, j, deviation);
+        if (!(deviation <= most_deviation))
+            return j;
+    }
+    return local.size();
+}
+
+std::string no_rotation(const Skeleton& skeleton, RotationForm form, std::size_t joint) {
+    return format_text("the {} of joint {} ({}) is no rotation, whose {}",
+                       form == RotationForm::matrices ? "matrix" : "quaternion", joint,
+                       quoted(skeleton.joints[joint].name),
+                       form == RotationForm::matrices ? "columns are at right angles, of length 1"
+                                                      : "length is 1");
 }
 
 } // namespace stltsa::clip

@@ -64,8 +64,11 @@ std::size_t body_root(const Clip& clip) {
 }
 
 Heading::Heading(const Clip& clip, std::size_t root, Axis up)
+    : Heading(root, up, is_inverted(clip, root, static_cast<int>(up) - 1)) {}
+
+Heading::Heading(std::size_t root, Axis up, bool inverted)
     : root_(root), up_(static_cast<int>(up) - 1) {
-    if (is_inverted(clip, root, up_))
+    if (inverted)
         correction_ = about((up_ + 1) % 3, 0, 1);
 }
 

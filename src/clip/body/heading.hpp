@@ -19,6 +19,9 @@ class Heading {
   public:
     Heading(const Clip& clip, std::size_t root, Axis up);
 
+    /// Of another clip with the same root: `inverted` as found there.
+    Heading(std::size_t root, Axis up, bool inverted);
+
     /// For poses whose yaw has been removed.
     explicit Heading(std::size_t root) : root_(root) {}
 
@@ -26,6 +29,8 @@ class Heading {
     Quaternion next(const Pose& pose);
 
     std::size_t root() const { return root_; }
+    /// Whether the root's axes are upside down while the body is upright.
+    bool inverted() const { return correction_.w == 0; }
 
   private:
     std::size_t root_;

@@ -37,14 +37,26 @@ void Pose::place(const Skeleton& skeleton, const double* row, std::size_t count)
         local[j] = joint_rotation(joint, skeleton.fixed_axes, row);
         const Vec3 offset = joint_translation(joint, skeleton.translations_add, row);
         row += joint.channels.size();
-        if (joint.parent < 0) {
-            world[j] = local[j];
-            position[j] = offset;
-        } else {
-            const auto parent = static_cast<std::size_t>(joint.parent);
-            world[j] = world[parent] * local[j];
-            position[j] = position[parent] + rotate(world[parent], offset);
-        }
+        place_joint(joint, j, offset);
+    }
+}
+
+void Pose::place(const Skeleton& skeleton, const Vec3& root) {
+    const std::size_t count = skeleton.joints.size();
+    world.resize(count);
+    position.resize(count);
+    for (std::size_t j = 0; j < count; ++j)
+        place_joint(skeleton.joints[j], j, j == 0 ? root : skeleton.joints[j].offset);
+}
+
+void Pose::place_joint(const Joint& joint, std::size_t j, const Vec3& offset) {
+    if (joint.parent < 0) {
+        world[j] = local[j];
+        position[j] = offset;
+    } else {
+        const auto parent = static_cast<std::size_t>(joint.parent);
+        world[j] = world[parent] * local[j];
+        position[j] = position[parent] + rotate(world[parent], offset);
     }
 }
 

@@ -30,6 +30,12 @@ struct Pose {
     void place(const Skeleton& skeleton, const double* row) {
         place(skeleton, row, skeleton.joints.size());
     }
+    /// The same from `local`, which is set, and the position of the root; the other joints stay at
+    /// their offsets.
+    void place(const Skeleton& skeleton, const Vec3& root);
+
+  private:
+    void place_joint(const Joint& joint, std::size_t j, const Vec3& offset);
 };
 
 } // namespace stltsa::clip

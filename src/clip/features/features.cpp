@@ -9,6 +9,7 @@
 #include "clip/body/skeleton.hpp"
 #include "clip/features/gap_notes.hpp"
 #include "clip/features/points.hpp"
+#include "clip/features/pose_features.hpp"
 #include "clip/text/text_cursor.hpp"
 
 namespace stltsa::clip {
@@ -29,78 +30,6 @@ void need_points(const Clip& clip) {
              clip.values.cols());
 }
 
-/// Calls body(pose, back, row) for every frame; `back` reverses the yaw of the body root.
-template <class Body>
-void for_each_pose(const Clip& clip, Heading heading, Matrix& rows, const Body& body) {
-    Pose pose;
-    for (std::int64_t frame = 0; frame < clip.frames(); ++frame) {
-        pose.place(*clip.skeleton, clip.values.row(frame));
-        body(pose, conjugate(heading.next(pose)), rows.row(frame));
-    }
-}
-
-/// Positions relative to the body root and its heading.
-Matrix body_positions(const Clip& clip, Heading heading) {
-    const std::size_t root = heading.root();
-    const std::size_t count = clip.skeleton->joints.size();
-    Matrix result(clip.frames(), static_cast<std::int64_t>(3 * (count - root)));
-    for_each_pose(clip, heading, result,
-                  [&](const Pose& pose, const Quaternion& back, double* out) {
-                      for (std::size_t j = root; j < count; ++j) {
-                          const Vec3 p = rotate(back, pose.position[j] - pose.position[root]);
-                          out = std::copy(p.begin(), p.end(), out);
-                      }
-                  });
-    return result;
-}
-
-/// First two columns of the rotation matrix, which are continuous, unlike any set of angles (Zhou
-/// et al., "On the Continuity of Rotation Representations in Neural Networks", 2019).
-double* put_6d(const Quaternion& q, double* out) {
-    for (const Vec3& column : {rotate(q, {1, 0, 0}), rotate(q, {0, 1, 0})})
-        out = std::copy(column.begin(), column.end(), out);
-    return out;
-}
-
-Matrix rotations6d(const Clip& clip, Heading heading) {
-    const std::size_t root = heading.root();
-    const std::vector<std::size_t> joints = turning_joints(*clip.skeleton, root);
-    Matrix result(clip.frames(), static_cast<std::int64_t>(6 * joints.size()));
-    for_each_pose(clip, heading, result,
-                  [&](const Pose& pose, const Quaternion& back, double* out) {
-                      for (const std::size_t j : joints)
-                          out = put_6d(j == root ? back * pose.world[root] : pose.local[j], out);
-                  });
-    return result;
-}
-
-/// Columns of the rotation channels of all joints below the body root.
-std::vector<std::int64_t> angle_columns(const Clip& clip, std::size_t root) {
-    std::vector<std::int64_t> columns;
-    std::int64_t column = 0;
-    for (std::size_t j = 0; j < clip.skeleton->joints.size(); ++j)
-        for (const Channel channel : clip.skeleton->joints[j].channels) {
-            if (j > root && is_rotation(channel))
-                columns.push_back(column);
-            ++column;
-        }
-    return columns;
-}
-
-Matrix euler(const Clip& clip, std::size_t root) {
-    constexpr double turn = 2 * std::numbers::pi;
-    const std::vector<std::int64_t> columns = angle_columns(clip, root);
-    Matrix result(clip.frames(), static_cast<std::int64_t>(columns.size()));
-    for (std::int64_t frame = 0; frame < clip.frames(); ++frame)
-        for (std::int64_t c = 0; c < result.cols(); ++c) {
-            double angle = to_radians(clip.values(frame, columns[static_cast<std::size_t>(c)]));
-            if (frame > 0)
-                angle -= turn * std::round((angle - result(frame - 1, c)) / turn);
-            result(frame, c) = angle;
-        }
-    return result;
-}
-
 /// Values near the largest double can overflow in the forward kinematics.
 void check_finite(const Matrix& matrix) {
     for (std::int64_t i = 0; i < matrix.rows(); ++i)
@@ -112,7 +41,7 @@ void check_finite(const Matrix& matrix) {
 
 /// The values of a bare matrix, with its gaps filled.
 FeatureRows raw_rows(const Clip& clip, GapRule rule) {
-    FeatureRows made{copied(clip.values.view()), Axis::none, {}, {}};
+    FeatureRows made{copied(clip.values.view()), Axis::none, false, {}, {}};
     const Gaps gaps = fill_gaps(made.rows, 1, rule, clip.fps);
     if (gaps.filled.empty() && gaps.dropped.empty())
         return made;
@@ -172,31 +101,19 @@ Features feature_kind(const Clip& clip, std::optional<Features> requested) {
 
 std::int64_t feature_count(const Clip& clip, std::optional<Features> requested) {
     const Features kind = feature_kind(clip, requested);
-    const bool of_joints = kind != Features::raw && kind != Features::points;
-    const std::size_t root = of_joints ? body_root(clip) : 0;
-    std::int64_t count = clip.values.cols();
-    if (kind == Features::positions)
-        count = 3 * static_cast<std::int64_t>(clip.skeleton->joints.size() - root);
-    else if (kind == Features::rotations6d)
-        count = 6 * std::ssize(turning_joints(*clip.skeleton, root));
-    else if (kind == Features::euler)
-        count = std::ssize(angle_columns(clip, root));
-    if (count == 0)
-        fail(Status::unsupported, "no joint of this clip has rotations: use other features");
-    return count;
+    if (!clip.skeleton)
+        return clip.values.cols();
+    return PoseFeatures(*clip.skeleton, kind, Heading(body_root(clip))).count();
 }
 
 Matrix body_features(const Clip& clip, Features kind, Heading heading) {
-    switch (kind) {
-    case Features::positions:
-        return body_positions(clip, heading);
-    case Features::rotations6d:
-        return rotations6d(clip, heading);
-    case Features::euler:
-        return euler(clip, heading.root());
-    default:
+    if (kind == Features::raw)
         return clip.values;
-    }
+    PoseFeatures features(*clip.skeleton, kind, heading);
+    Matrix rows = Matrix::unset(clip.frames(), features.count());
+    for (std::int64_t frame = 0; frame < clip.frames(); ++frame)
+        features.next(clip.values.row(frame), rows.row(frame));
+    return rows;
 }
 
 FeatureRows feature_rows(const Clip& clip, std::optional<Features> requested,

@@ -38,6 +38,7 @@ std::int64_t feature_count(const Clip& clip, std::optional<Features> requested);
 struct FeatureRows {
     Matrix rows;
     Axis up = Axis::none;           ///< the axis used
+    bool turned = false;            ///< the heading of points was removed
     std::vector<std::string> notes; ///< what was filled, assumed and removed
     std::vector<Frames> holes;      ///< of which nothing is known
 };

@@ -20,12 +20,6 @@ constexpr int rounds = 4;
 /// leave the matrix regular.
 constexpr double ridge = 1e-4;
 
-bool is_missing(const double* group, int width) {
-    const bool zero =
-        width > 1 && std::all_of(group, group + width, [](double x) { return x == 0; });
-    return zero || std::any_of(group, group + width, [](double x) { return std::isnan(x); });
-}
-
 /// Fills the rows between `before` and `after`, of which one may lie beyond its end.
 void fill_between(Matrix& rows, std::int64_t column, int width, std::int64_t before,
                   std::int64_t after) {
@@ -195,6 +189,12 @@ void predict(Matrix& rows, int width, const Pattern& pattern, const Moments& mom
 }
 
 } // namespace
+
+bool is_missing(const double* group, int width) {
+    const bool zero =
+        width > 1 && std::all_of(group, group + width, [](double x) { return x == 0; });
+    return zero || std::any_of(group, group + width, [](double x) { return std::isnan(x); });
+}
 
 Gaps fill_gaps(Matrix& rows, int width, GapRule rule, double fps) {
     Gaps gaps;

@@ -46,6 +46,9 @@ struct Gaps {
     std::vector<Frames> holes;
 };
 
+/// Whether a group is missing in a frame, by the rule above.
+bool is_missing(const double* group, int width);
+
 /// Fills all gaps linearly over time, and with the nearest value at the ends. Sets the columns of
 /// dropped groups to 0, so that they carry no weight and the others keep their places. `width`:
 /// columns of a group. `fps` 0: unknown.

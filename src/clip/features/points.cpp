@@ -163,12 +163,12 @@ void remove_way(const Clip& clip, const Chosen& seen, bool in_plane, std::option
     if (!in_plane)
         keep_slow_height(path, made.up, fps);
     subtract(made.rows, seen, path);
-    const bool turned = in_plane ? remove_heading_in_plane(made.rows, fps)
-                                 : remove_heading(made.rows, made.up, fps);
+    made.turned = in_plane ? remove_heading_in_plane(made.rows, fps)
+                           : remove_heading(made.rows, made.up, fps);
     made.notes.push_back(
         format_text("columns taken as {} points in {}: removed {}; for the file's numbers set "
                     "option features to raw",
-                    seen.size(), in_plane ? "a plane" : "space", removed(in_plane, turned)));
+                    seen.size(), in_plane ? "a plane" : "space", removed(in_plane, made.turned)));
 }
 
 } // namespace
@@ -189,7 +189,7 @@ Axis points_up(const Clip& clip) {
 
 FeatureRows points(const Clip& clip, std::optional<Axis> up, GapRule rule) {
     const int width = point_columns(clip);
-    FeatureRows made{copied(clip.values.view()), Axis::none, {}, {}};
+    FeatureRows made{copied(clip.values.view()), Axis::none, false, {}, {}};
     const Gaps gaps = fill_gaps(made.rows, width, rule, clip.fps);
     note_gaps(clip, width, rule, gaps, made.notes);
     made.holes = gaps.holes;

@@ -50,6 +50,7 @@ Prepared prepare(const Clip& clip, const PrepareOptions& options) {
     prepared.features = feature_kind(clip, options.features);
     FeatureRows made = feature_rows(clip, prepared.features, options.up, options.gaps);
     prepared.up = made.up;
+    prepared.turned = made.turned;
     prepared.notes = std::move(made.notes);
     prepared.holes = std::move(made.holes);
     for (const std::int64_t frame : clip.breaks)

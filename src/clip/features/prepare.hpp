@@ -30,6 +30,7 @@ struct Prepared {
     std::int64_t jump = 0;             ///< source frame before which the pose jumps; 0: it does not
     Features features = Features::raw; ///< the kind used
     Axis up = Axis::none;              ///< the axis used
+    bool turned = false;               ///< of feature_rows()
     std::vector<std::string> notes;    ///< of feature_rows()
     /// Of feature_rows(), and empty ones at breaks of the clip, in source frames, ascending.
     std::vector<Frames> holes;

@@ -154,9 +154,40 @@ void check_kept(const Fitted& model) {
     expect(features.cols() == model.model.features, "features");
 }
 
+void check_shape(const clip::Shape& shape, std::int64_t features) {
+    const clip::ShapeRule& rule = shape.rule;
+    expect(rule.width >= 1 && rule.width <= 3 && features % rule.width == 0 &&
+               (!rule.travels || rule.width > 1) && (!rule.turns || rule.travels) &&
+               (!rule.turns || rule.width == 2 || in_range(rule.up, clip::Axis::x, clip::Axis::z)),
+           "shape");
+    const auto directions = static_cast<std::int64_t>(shape.variances.size());
+    expect(std::ssize(shape.used) * rule.width == features && std::ssize(shape.mean) == features &&
+               shape.directions.rows() == directions && shape.directions.cols() == features &&
+               std::ranges::all_of(shape.used, [](double u) { return u == 0 || u == 1; }) &&
+               std::ranges::all_of(shape.variances, amount) && amount(shape.rest) &&
+               finite(shape.mean) && finite(shape.directions.view()),
+           "shape");
+}
+
+void check_body(const clip::Body& body, std::int64_t features) {
+    expect(in_range(body.kind, clip::Features::positions, clip::Features::points) &&
+               in_range(body.up, clip::Axis::none, clip::Axis::z),
+           "body");
+    if (body.skeleton.joints.empty()) {
+        check_shape(body.shape, features);
+        return;
+    }
+    check_skeleton(body.skeleton);
+    expect(body.kind != clip::Features::points && body.root < body.skeleton.joints.size() &&
+               std::ssize(body.usual) == features && finite(body.usual) &&
+               clip::FrameFeatures(body).features() == features,
+           "body");
+}
+
 void check_live(const Live& live, std::int64_t features) {
     if (!live.has_cycle)
         return;
+    check_body(live.body, features);
     const phase::LiveCycle& c = live.cycle;
     const auto amounts = {c.rate, c.period, c.turns_per_second, c.variance, c.typical};
     expect(std::ranges::all_of(amounts, [](double v) { return amount(v) && v > 0; }) &&

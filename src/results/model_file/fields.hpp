@@ -48,14 +48,19 @@ void quaternion_fields(Archive& archive, T& q) {
     archive(q.w, q.x, q.y, q.z);
 }
 
-template <class Archive, Is<clip::PoseCode> T>
-void code_fields(Archive& archive, T& code) {
-    archive(code.format, code.skeleton.fixed_axes, code.skeleton.translations_add,
-            code.skeleton.asf);
-    archive.list(code.skeleton.joints, [](auto& each, auto& joint) {
+template <class Archive, Is<clip::Skeleton> T>
+void skeleton_fields(Archive& archive, T& skeleton) {
+    archive(skeleton.fixed_axes, skeleton.translations_add, skeleton.asf);
+    archive.list(skeleton.joints, [](auto& each, auto& joint) {
         each(joint.name, joint.parent, joint.offset, joint.channels, joint.end_site);
         quaternion_fields(each, joint.axis);
     });
+}
+
+template <class Archive, Is<clip::PoseCode> T>
+void code_fields(Archive& archive, T& code) {
+    archive(code.format);
+    skeleton_fields(archive, code.skeleton);
     archive(code.channel_names, code.up, code.frame_time, code.rest, code.root, code.moves);
     archive.list(code.means, [](auto& each, auto& mean) { quaternion_fields(each, mean); });
 }
@@ -67,9 +72,19 @@ void kept_fields(Archive& archive, T& kept) {
     archive(kept.poses);
 }
 
+template <class Archive, Is<clip::Body> T>
+void body_fields(Archive& archive, T& body) {
+    archive(body.kind, body.up, body.root, body.inverted, body.usual);
+    skeleton_fields(archive, body.skeleton);
+    auto& s = body.shape;
+    archive(s.rule.width, s.rule.travels, s.rule.turns, s.rule.up);
+    archive(s.used, s.mean, s.directions, s.variances, s.rest);
+}
+
 template <class Archive, Is<Live> T>
 void live_fields(Archive& archive, T& live) {
     archive(live.has_cycle, live.label);
+    body_fields(archive, live.body);
     auto& c = live.cycle;
     archive(c.rate, c.period, c.turns_per_second, c.variance, c.typical, c.usual_speed);
     archive(c.weights, c.mean, c.directions, c.places, c.whitening);

@@ -7,12 +7,13 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from ._arrays import read_from
+from ._arrays import FloatArray, as_matrix, read_from, unmasked
 from ._call import check, owned, texts
 from ._native import ffi, lib
 from ._text import string
 
 if TYPE_CHECKING:
+    from .clip import Clip
     from .model import Model
 
 
@@ -20,7 +21,8 @@ class LiveFrame(NamedTuple):
     """What a frame of a stream is.
 
     `phase` in [0, 1) is that of the kept clip; `rate_hz` turns a second; `cycles` turns since the
-    first frame; `distance` from the mean cycle, above 1 another motion; `confidence` 0 to 1;
+    first frame; `distance` from the mean cycle, above 1 another motion, NaN of a missing frame; `confidence` 0
+    to 1;
     `known` whether this is the kept motion; `kind` ``"cyclic"``, ``"action"`` or ``"rest"``;
     `events` the names of the marks that were passed since the frame before.
     """
@@ -37,6 +39,9 @@ class LiveFrame(NamedTuple):
 
 class Live:
     """Follow one stream of frames with a model that keeps a mean cycle.
+
+    Push one frame after another, each in the form in which it comes: points, rotations of joints,
+    features, or frames of a clip. No frame depends on those after it.
 
     Parameters
     ----------
@@ -55,8 +60,7 @@ class Live:
     >>> model = stltsa.fit(result.clip)
     >>> model.keep_cycle(result.phase(), {"strike": 250})
     >>> live = stltsa.Live(model)
-    >>> frames = result.clip.features()
-    >>> seen = [live.push(row, i / result.clip.fps) for i, row in enumerate(frames)]
+    >>> seen = [live.push_frame(result.clip, i) for i in range(len(result.clip))]
     >>> sum("strike" in frame.events for frame in seen)
     4
     """
@@ -71,18 +75,113 @@ class Live:
         )
 
     def push(self, features: Any, seconds: float) -> LiveFrame:
-        """Take the next frame; there is no delay.
+        """Take the next frame as features; there is no delay.
 
         Parameters
         ----------
         features : array-like of shape (features,)
-            As a row of :meth:`Clip.features`. If one is NaN, the frame is missing, and the phase
-            goes on as before.
+            Of a skeleton as a row of :meth:`Clip.features`; else the numbers of the columns, NaN
+            where one is lost. If too much is lost, the frame is missing, and the phase goes on as
+            before.
         seconds : float
-            Time of the frame; rises from call to call.
+            Time of the frame; rises from call to call. A frame with the time of the one before, or
+            up to 0.25 s earlier, is left out.
         """
-        row = np.ascontiguousarray(features, dtype=np.float64).reshape(1, -1)
-        check(lib.stltsa_live_push(self._handle, seconds, read_from(row), self._frame))
+        row = _numbers(features, "features").reshape(1, -1)
+        return self._answer(lib.stltsa_live_push, seconds, read_from(row))
+
+    def push_points(self, points: Any, seconds: float, confidence: Any = None) -> LiveFrame:
+        """Take the next frame as points in space or in a plane, such as markers.
+
+        Parameters
+        ----------
+        points : array-like of shape (points, 2 or 3)
+            In the order of the model's clip and its unit; NaN, and 0 for all coordinates, is a lost
+            point. Where the body is and which way it faces does not count.
+        seconds : float
+            As for :meth:`push`.
+        confidence : array-like of shape (points,), optional
+            0 is a lost point.
+
+        Raises
+        ------
+        stltsa.UnsupportedError
+            The model is of a clip without points.
+        """
+        rows = _numbers(points, "points")
+        seen = None
+        if confidence is not None:
+            seen = _numbers(confidence, "confidence").reshape(-1, 1)
+        return self._answer(
+            lib.stltsa_live_push_points,
+            seconds,
+            read_from(as_matrix(rows, "points")),
+            ffi.NULL if seen is None else read_from(seen),
+        )
+
+    def push_pose(
+        self, rotations: Any, seconds: float, root_position: Any = None
+    ) -> LiveFrame:
+        """Take the next frame as rotations of the joints of the model's skeleton.
+
+        Parameters
+        ----------
+        rotations : array-like of shape (joints, 4), (joints, 3, 3) or (channels,)
+            Local rotations as quaternions w x y z or matrices, or the channels of a file, in
+            degrees; see :meth:`Clip.from_skeleton`. If a number is NaN, the frame is missing.
+        seconds : float
+            As for :meth:`push`.
+        root_position : array-like of shape (3,), optional
+            It counts only if a joint above the body's root moves.
+
+        Raises
+        ------
+        stltsa.UnsupportedError
+            The model is of a clip without a skeleton, or its features are numbers of the file.
+        """
+        numbers = _numbers(rotations, "rotations")
+        forms = {
+            1: lib.STLTSA_ROTATIONS_CHANNELS,
+            2: lib.STLTSA_ROTATIONS_QUATERNION,
+            3: lib.STLTSA_ROTATIONS_MATRIX,
+        }
+        if numbers.ndim not in forms:
+            raise ValueError(
+                "rotations must be of the shape (joints, 4), (joints, 3, 3) or (channels,); it is "
+                f"of the shape {numbers.shape}"
+            )
+        rows = numbers.reshape(1 if numbers.ndim == 1 else len(numbers), -1)
+        root = None
+        if root_position is not None:
+            root = _numbers(root_position, "root_position").reshape(1, -1)
+        return self._answer(
+            lib.stltsa_live_push_pose,
+            seconds,
+            forms[numbers.ndim],
+            read_from(rows),
+            ffi.NULL if root is None else read_from(root),
+        )
+
+    def push_frame(self, clip: Clip, index: int, seconds: float | None = None) -> LiveFrame:
+        """Take a frame of a clip, without a look at its other frames.
+
+        Parameters
+        ----------
+        clip : Clip
+            With the joints, points or columns of the model's clip; bones may have other lengths.
+        index : int
+            The frame.
+        seconds : float, optional
+            As for :meth:`push`; ``index / clip.fps`` by default.
+        """
+        if seconds is None:
+            if clip.fps is None:
+                raise ValueError("the clip has no frame rate: give seconds")
+            seconds = index / clip.fps
+        return self._answer(lib.stltsa_live_push_frame, seconds, clip._handle, index)
+
+    def _answer(self, push: Any, seconds: float, *frame: Any) -> LiveFrame:
+        check(push(self._handle, seconds, *frame, self._frame))
         raw = self._frame
         passed = tuple(name for i, name in enumerate(self.marks) if raw.passed >> i & 1)
         return LiveFrame(
@@ -95,3 +194,11 @@ class Live:
             string(lib.stltsa_segment_name(raw.kind)),
             passed,
         )
+
+
+def _numbers(values: Any, what: str) -> FloatArray:
+    """Return numbers as packed float64, with NaN for masked ones."""
+    try:
+        return np.ascontiguousarray(unmasked(values), dtype=np.float64)
+    except (TypeError, ValueError) as error:
+        raise ValueError(f"{what} must hold numbers: {error}") from error

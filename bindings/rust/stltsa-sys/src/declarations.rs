@@ -2717,6 +2717,34 @@ extern "C" {
     ) -> *const ::std::os::raw::c_char;
 }
 extern "C" {
+    pub fn stltsa_live_push_points(
+        live: *mut stltsa_live,
+        seconds: f64,
+        points: *const stltsa_in,
+        confidence: *const stltsa_in,
+        frame: *mut stltsa_live_frame,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_live_push_pose(
+        live: *mut stltsa_live,
+        seconds: f64,
+        form: i32,
+        rotations: *const stltsa_in,
+        root: *const stltsa_in,
+        frame: *mut stltsa_live_frame,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_live_push_frame(
+        live: *mut stltsa_live,
+        seconds: f64,
+        clip: *const stltsa_clip,
+        index: i64,
+        frame: *mut stltsa_live_frame,
+    ) -> stltsa_status;
+}
+extern "C" {
     pub fn stltsa_live_push(
         live: *mut stltsa_live,
         seconds: f64,
