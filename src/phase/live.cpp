@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
+#include <utility>
 
 #include <lapacke.h>
 
@@ -30,6 +32,8 @@ constexpr double least_scatter = 0.02;
 /// Per frame: spread of the phase, in places, and of the rate, in usual rates.
 constexpr double phase_spread = 0.4;
 constexpr double rate_spread = 0.06;
+/// Per second: a body in motion stops, and one that rests goes on.
+constexpr double stops = 0.3, resumes = 3;
 constexpr double least_share = 1e-9; ///< of a rate that becomes another one
 constexpr double prior_spread = 0.35;
 /// Share of anything being possible; more in unknown motion.
@@ -187,6 +191,20 @@ void whiten(const Matrix& whitening, const double* values, double* whitened) {
         whitened[r] = dot(whitening.row(r), values, r + 1);
 }
 
+/// Poses at rest at even phases, in the directions. The filter has come to rest as well: they are
+/// not delayed, and have no velocity.
+Matrix places_at_rest(const Matrix& rows, const std::vector<Run>& runs, const LiveCycle& cycle,
+                      std::int64_t harmonics) {
+    const std::int64_t p = rows.cols();
+    const Matrix poses = fit_loop(rows.view(), runs, harmonics).sampled(place_count);
+    Matrix both(place_count, 2 * p);
+    for (std::int64_t g = 0; g < place_count; ++g) {
+        std::copy_n(poses.row(g), p, both.row(g));
+        axpy(-1, cycle.mean.data(), both.row(g), 2 * p);
+    }
+    return projected(both, cycle.directions);
+}
+
 double squares(const Matrix& matrix) {
     return dot(matrix.data(), matrix.data(), matrix.rows() * matrix.cols());
 }
@@ -227,9 +245,10 @@ LiveCycle learn_live(ConstMatrixView rows, double rate, const Phases& phases,
     cycle.usual_speed = std::sqrt(speed);
     cycle.directions = principal_directions(centered);
     Matrix coordinates = projected(centered, cycle.directions);
-    const Loop loop = fit_loop(coordinates.view(), packed(runs),
-                               std::min(most_harmonics, harmonics_for(phases.mean.period)));
+    const std::int64_t harmonics = std::min(most_harmonics, harmonics_for(phases.mean.period));
+    const Loop loop = fit_loop(coordinates.view(), packed(runs), harmonics);
     cycle.places = loop.sampled(place_count);
+    cycle.rests = places_at_rest(used, runs, cycle, harmonics);
     const double least =
         least_scatter * squares(coordinates) / count / static_cast<double>(coordinates.cols());
     std::vector<double> expected(static_cast<std::size_t>(coordinates.cols()));
@@ -253,10 +272,12 @@ LivePhase::LivePhase(const LiveCycle& cycle, std::span<const double> marks)
     : cycle_(cycle), first_(cycle.weights.size()), second_(first_), velocity_(first_),
       both_(2 * first_.size()), coordinates_(static_cast<std::size_t>(cycle.directions.rows())),
       whitened_(coordinates_), whitened_places_(place_count, cycle.directions.rows()),
-      squared_(place_count), likely_(rate_count, place_count), before_(rate_count, place_count),
-      blur_(rate_count), circle_(2, place_count), marks_(marks.begin(), marks.end()) {
+      whitened_rests_(whitened_places_), squared_(place_count), squared_rest_(place_count),
+      likely_(rate_count + 1, place_count), before_(rate_count + 1, place_count), blur_(rate_count),
+      circle_(2, place_count), marks_(marks.begin(), marks.end()) {
     for (std::int64_t g = 0; g < place_count; ++g) {
         whiten(cycle.whitening, cycle.places.row(g), whitened_places_.row(g));
+        whiten(cycle.whitening, cycle.rests.row(g), whitened_rests_.row(g));
         const double angle = turn * static_cast<double>(g) / place_count;
         circle_(0, g) = std::cos(angle);
         circle_(1, g) = std::sin(angle);
@@ -280,6 +301,7 @@ void LivePhase::start() {
     for (std::int64_t r = 0; r < rate_count; ++r)
         std::fill_n(likely_.row(r), place_count,
                     prior_[static_cast<std::size_t>(r)] / static_cast<double>(place_count));
+    std::fill_n(likely_.row(rate_count), place_count, 0.0);
     begun_ = false;
     still_ = false;
 }
@@ -328,9 +350,12 @@ void LivePhase::project() {
 /// Sets the whitened distances, and gives the distance from the nearest place.
 double LivePhase::nearest_place() {
     const auto count = static_cast<std::int64_t>(whitened_.size());
-    for (std::int64_t g = 0; g < place_count; ++g)
+    for (std::int64_t g = 0; g < place_count; ++g) {
         squared_[static_cast<std::size_t>(g)] =
             squared_distance(whitened_places_.row(g), whitened_.data(), count);
+        squared_rest_[static_cast<std::size_t>(g)] =
+            squared_distance(whitened_rests_.row(g), whitened_.data(), count);
+    }
     const auto best = std::ranges::min_element(squared_) - squared_.begin();
     const double off = squared_distance(cycle_.places.row(best), coordinates_.data(), count);
     return std::sqrt((off + outside_) / cycle_.variance) / other_motion;
@@ -373,26 +398,67 @@ void LivePhase::predict(double seconds, bool is_far) {
                 share > least_share)
                 axpy(share, before_.row(from), likely_.row(to), place_count);
     }
-    const double total = sum(likely_.data(), rate_count * place_count);
+    rest(seconds);
+    double total = 0;
+    for (std::int64_t r = 0; r <= rate_count; ++r)
+        total += sum(likely_.row(r), place_count);
     const double share = is_far ? surprise_far : surprise;
+    for (double& value : std::span(likely_.row(rate_count), place_count))
+        value *= (1 - share) / total;
     for (std::int64_t r = 0; r < rate_count; ++r)
         for (std::int64_t g = 0; g < place_count; ++g)
             likely_(r, g) = (1 - share) * likely_(r, g) / total +
                             share * prior_[static_cast<std::size_t>(r)] / place_count;
 }
 
+/// Some of what moves comes to rest where it is, and some of what rests moves on.
+void LivePhase::rest(double seconds) {
+    const double stop = -std::expm1(-stops * seconds), resume = -std::expm1(-resumes * seconds);
+    for (std::int64_t g = 0; g < place_count; ++g) {
+        const double rested = likely_(rate_count, g);
+        double stopped = 0;
+        for (std::int64_t r = 0; r < rate_count; ++r) {
+            stopped += stop * likely_(r, g);
+            likely_(r, g) =
+                (1 - stop) * likely_(r, g) + resume * rested * prior_[static_cast<std::size_t>(r)];
+        }
+        likely_(rate_count, g) = (1 - resume) * rested + stopped;
+    }
+}
+
 /// The whole likelihood, softened only where the frame is far from the cycle.
 void LivePhase::correct() {
-    const double least = *std::ranges::min_element(squared_);
+    const double least =
+        std::min(*std::ranges::min_element(squared_), *std::ranges::min_element(squared_rest_));
     const double soft = std::max(1.0, least / (4 * cycle_.typical));
     double total = 0;
     for (std::int64_t g = 0; g < place_count; ++g) {
-        const double weight = std::exp(-(squared_[static_cast<std::size_t>(g)] - least) / 2 / soft);
+        const auto at = static_cast<std::size_t>(g);
+        const double weight = std::exp(-(squared_[at] - least) / 2 / soft);
         for (std::int64_t r = 0; r < rate_count; ++r)
             total += likely_(r, g) *= weight;
+        total += likely_(rate_count, g) *= std::exp(-(squared_rest_[at] - least) / 2 / soft);
     }
-    for (std::int64_t i = 0; i < rate_count * place_count; ++i)
+    for (std::int64_t i = 0; i < (rate_count + 1) * place_count; ++i)
         likely_.data()[i] /= total;
+}
+
+/// All has come to rest where it is. Which place that is shows while the filter comes to rest.
+void LivePhase::settle() {
+    if (rested_s_ > warm_up * filter_s)
+        return;
+    const double least = *std::ranges::min_element(squared_rest_);
+    const double soft = std::max(1.0, least / (4 * cycle_.typical));
+    double total = 0;
+    for (std::int64_t g = 0; g < place_count; ++g) {
+        double at_place = likely_(rate_count, g);
+        for (std::int64_t r = 0; r < rate_count; ++r)
+            at_place += std::exchange(likely_(r, g), 0);
+        const double off = squared_rest_[static_cast<std::size_t>(g)] - least;
+        total += likely_(rate_count, g) = at_place * std::exp(-off / 2 / soft);
+    }
+    for (double& value : std::span(likely_.row(rate_count), place_count))
+        value /= total;
 }
 
 /// A body that stands still keeps its phase: without velocity, other places of the cycle look
@@ -403,13 +469,15 @@ void LivePhase::notice_rest(double seconds) {
         velocity_scale(cycle_.period) * std::sqrt(dot(velocity_.data(), velocity_.data(), p));
     age_s_ = begun_ ? age_s_ + seconds : 0;
     still_ = age_s_ > warm_up * filter_s && speed < still_speed * cycle_.usual_speed;
+    rested_s_ = still_ ? rested_s_ + seconds : 0;
 }
 
 /// Phase, rate and how sure they are; counts turns.
 LiveFrame LivePhase::estimate() {
-    double cosine = 0, sine = 0, rate = 0;
+    double cosine = 0, sine = 0, rate = 0, resting = 0;
     for (std::int64_t g = 0; g < place_count; ++g) {
-        double at_place = 0;
+        double at_place = likely_(rate_count, g);
+        resting += at_place;
         for (std::int64_t r = 0; r < rate_count; ++r) {
             at_place += likely_(r, g);
             rate += likely_(r, g) * rates_[static_cast<std::size_t>(r)];
@@ -417,7 +485,8 @@ LiveFrame LivePhase::estimate() {
         cosine += at_place * circle_(0, g);
         sine += at_place * circle_(1, g);
     }
-    double phase = std::atan2(sine, cosine) / turn + delay_s * (rate - cycle_.turns_per_second);
+    double phase = std::atan2(sine, cosine) / turn +
+                   delay_s * (rate - (1 - resting) * cycle_.turns_per_second);
     phase -= std::floor(phase);
     const double moved = begun_ ? std::remainder(phase - last_phase_, 1.0) : 0;
     turns_ += moved;
@@ -475,7 +544,9 @@ LiveFrame LivePhase::push(double seconds, const double* features) {
     project();
     const double distance = nearest_place();
     notice_rest(passed);
-    if (!still_) {
+    if (still_) {
+        settle();
+    } else {
         predict(std::max(seconds - now_, 0.0), distance > far);
         correct();
     }

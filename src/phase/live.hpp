@@ -26,6 +26,7 @@ struct LiveCycle {
     std::vector<double> mean;    ///< of pose and velocity
     Matrix directions;           ///< principal directions, a row each
     Matrix places;               ///< mean cycle in these directions, at even phases
+    Matrix rests;                ///< the same of a body that rests in these poses
     Matrix whitening;            ///< lower triangular: whitened = whitening * coordinates
 
     std::int64_t features() const { return static_cast<std::int64_t>(weights.size()); }
@@ -70,6 +71,8 @@ class LivePhase {
     void project();
     double nearest_place();
     void predict(double seconds, bool is_far);
+    void rest(double seconds);
+    void settle();
     void correct();
     LiveFrame estimate();
     LiveFrame answer(double seconds, double distance);
@@ -79,17 +82,18 @@ class LivePhase {
     LiveCycle cycle_;
     std::vector<double> first_, second_, velocity_; ///< the filter
     std::vector<double> both_, coordinates_, whitened_;
-    Matrix whitened_places_;
-    std::vector<double> squared_; ///< distance of the frame from each place
-    Matrix likely_, before_;      ///< rates x places
+    Matrix whitened_places_, whitened_rests_;
+    std::vector<double> squared_, squared_rest_; ///< distance of the frame from each place
+    Matrix likely_, before_;                     ///< rates x places; the last row rests
     std::vector<double> rates_, prior_, blur_;
     Matrix circle_;      ///< cosine and sine of each place
     double outside_ = 0; ///< squared distance from the principal directions
     std::vector<double> marks_;
-    double reached_ = 0; ///< unwrapped phase up to which marks were reported
-    double age_s_ = 0;   ///< since the filter started
-    double last_ = 0;    ///< time of the last frame that was not missing
-    double now_ = 0;     ///< time up to which the phase was moved on
+    double reached_ = 0;  ///< unwrapped phase up to which marks were reported
+    double age_s_ = 0;    ///< since the filter started
+    double rested_s_ = 0; ///< since the body is still
+    double last_ = 0;     ///< time of the last frame that was not missing
+    double now_ = 0;      ///< time up to which the phase was moved on
     double last_phase_ = 0, unwrapped_ = 0, turns_ = 0, unknown_s_ = 0;
     bool begun_ = false, known_ = true, still_ = false;
     LiveFrame latest_;

@@ -197,10 +197,11 @@ void check_live(const Live& live, std::int64_t features) {
     expect(c.features() == features && std::ssize(c.mean) == 2 * features &&
                c.directions.cols() == 2 * features && n >= 1 &&
                c.places.rows() == phase::place_count && c.places.cols() == n &&
+               c.rests.rows() == phase::place_count && c.rests.cols() == n &&
                c.whitening.rows() == n && c.whitening.cols() == n,
            "mean cycle");
     expect(finite(c.weights) && finite(c.mean) && finite(c.directions.view()) &&
-               finite(c.places.view()) && finite(c.whitening.view()),
+               finite(c.places.view()) && finite(c.rests.view()) && finite(c.whitening.view()),
            "mean cycle");
     expect(live.marks.size() <= phase::most_marks &&
                std::ranges::all_of(live.marks,

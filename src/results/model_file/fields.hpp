@@ -87,7 +87,7 @@ void live_fields(Archive& archive, T& live) {
     body_fields(archive, live.body);
     auto& c = live.cycle;
     archive(c.rate, c.period, c.turns_per_second, c.variance, c.typical, c.usual_speed);
-    archive(c.weights, c.mean, c.directions, c.places, c.whitening);
+    archive(c.weights, c.mean, c.directions, c.places, c.rests, c.whitening);
     archive.list(live.marks, [](auto& each, auto& mark) { each(mark.name, mark.phase); });
 }
 
