@@ -139,16 +139,97 @@ static void streams_survive(void** state) {
     for (int64_t i = 552; i < 610; ++i)
         frame = pushed(live, w, i, (double)(i - 52) / 120);
     assert_below(off(frame.phase, w.offline[609]), 0.03, "error after a jump");
-    /* The same frame again and again: the phase creeps no further than the filter. */
+    /* The same frame again and again: the phase is where the body has stopped. */
     const double stopped = frame.phase;
     for (int64_t i = 0; i < 240; ++i)
         frame = pushed(live, w, 609, (double)(558 + i) / 120);
-    assert_below(off(frame.phase, stopped), 0.15, "creep of a stopped stream");
+    assert_below(off(frame.phase, stopped), 0.03, "creep of a stopped stream");
     assert_int_equal(frame.kind, STLTSA_SEGMENT_REST);
     /* Time begins anew. */
     for (int64_t i = 300; i < 360; ++i)
         frame = pushed(live, w, i, (double)(i - 300) / 120);
     assert_below(off(frame.phase, w.offline[359]), 0.03, "error after a restart");
+    stltsa_live_free(live);
+    closed(w);
+}
+
+/* Coarse clocks give several frames one time, late packets an earlier one. */
+static void clocks_may_be_coarse(void** state) {
+    (void)state;
+    walk w = opened();
+    stltsa_live *coarse = started(w), *even = started(w);
+    stltsa_live_frame frame, right;
+    int64_t passed = 0;
+    for (int64_t i = 150; i < 500; ++i) {
+        right = pushed(even, w, i, (double)i / 120);
+        frame = pushed(coarse, w, i, (double)(i - i % 4) / 120);
+        passed += frame.passed;
+        if (i > 200 && i % 4 == 0)
+            assert_below(off(frame.phase, right.phase), 0.02, "difference of a coarse clock");
+        if (i % 50 == 0) { /* a frame from 0.1 s ago */
+            const stltsa_live_frame late = pushed(even, w, i - 12, (double)(i - 12) / 120);
+            assert_true(late.phase == right.phase && late.cycles == right.cycles);
+            assert_int_equal(late.passed, 0);
+        }
+    }
+    assert_below(fabs(frame.cycles - right.cycles), 0.03, "turns by a coarse clock");
+    assert_int_equal(passed, 2); /* at 250 and 382 */
+    stltsa_live_free(coarse);
+    stltsa_live_free(even);
+    closed(w);
+}
+
+/* A number that is no pose is a missing frame: it leaves no trace in the filter. */
+static void huge_numbers_do_no_harm(void** state) {
+    (void)state;
+    walk w = opened();
+    const double huge[] = {1e300, -1e30, 1e9, INFINITY, NAN};
+    for (size_t k = 0; k < sizeof huge / sizeof *huge; ++k) {
+        stltsa_live *live = started(w), *missed = started(w);
+        stltsa_live_frame frame, other;
+        for (int64_t i = 200; i < 400; ++i) {
+            if (i == 300) {
+                const double before = frame.confidence, kept = w.features[i * w.count + 4];
+                w.features[i * w.count + 4] = huge[k];
+                frame = pushed(live, w, i, (double)i / 120);
+                w.features[i * w.count + 4] = kept;
+                assert_int_equal(frame.known, 0);
+                assert_true(isnan(frame.distance));
+                assert_true(frame.confidence < before);
+                continue;
+            }
+            frame = pushed(live, w, i, (double)i / 120);
+            other = pushed(missed, w, i, (double)i / 120);
+            assert_true(frame.known && isfinite(frame.phase) && isfinite(frame.distance));
+            assert_below(off(frame.phase, other.phase), 0.001, "trace of a huge number");
+        }
+        stltsa_live_free(live);
+        stltsa_live_free(missed);
+    }
+    closed(w);
+}
+
+/* The longer frames are missing, the less the phase is known. */
+static void confidence_falls_while_frames_are_missing(void** state) {
+    (void)state;
+    walk w = opened();
+    stltsa_live* live = started(w);
+    stltsa_live_frame frame;
+    for (int64_t i = 200; i < 300; ++i)
+        frame = pushed(live, w, i, (double)i / 120);
+    double* lost = w.features + 300 * w.count;
+    *lost = NAN;
+    double before = frame.confidence;
+    for (int64_t i = 300; i < 418; ++i) {
+        frame = pushed(live, w, 300, (double)i / 120);
+        assert_true(frame.confidence < before);
+        before = frame.confidence;
+        if (i < 340)
+            assert_below(off(frame.phase, w.offline[i]), 0.05, "error while frames are missing");
+    }
+    assert_below(before, 0.8, "confidence after a second");
+    frame = pushed(live, w, 300, 450 / 120.0);
+    assert_true(frame.confidence == 0);
     stltsa_live_free(live);
     closed(w);
 }
@@ -219,6 +300,9 @@ int main(int argc, char** argv) {
         cmocka_unit_test(the_stream_has_the_phase_of_the_clip),
         cmocka_unit_test(streams_are_independent),
         cmocka_unit_test(streams_survive),
+        cmocka_unit_test(clocks_may_be_coarse),
+        cmocka_unit_test(huge_numbers_do_no_harm),
+        cmocka_unit_test(confidence_falls_while_frames_are_missing),
         cmocka_unit_test(other_motion_is_not_known),
         cmocka_unit_test(wrong_arguments_are_named),
     };
