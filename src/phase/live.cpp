@@ -8,27 +8,14 @@
 #include <span>
 #include <utility>
 
-#include <lapacke.h>
-
-#include "linalg/eigen.hpp"
 #include "linalg/simd.hpp"
-#include "motion/curve/statistics.hpp"
 
 namespace stltsa::phase {
 namespace {
 
 constexpr double turn = 2 * std::numbers::pi;
-/// Time constant of the filter, seconds: 0.015 is better without noise, and worse with it.
-constexpr double filter_s = 0.03;
-constexpr double velocity_weight = 2;
-/// Frames before this many time constants are not learned from.
-constexpr double warm_up = 5;
-constexpr std::int64_t most_directions = 16; ///< 32 give the same
-constexpr std::int64_t most_harmonics = 10;
 constexpr std::int64_t rate_count = 17;
 constexpr double least_rate = 0.4, most_rate = 2; ///< of the usual one
-/// Added to the covariance of the residuals, as a share of the mean variance.
-constexpr double least_scatter = 0.02;
 /// Per frame: spread of the phase, in places, and of the rate, in usual rates.
 constexpr double phase_spread = 0.4;
 constexpr double rate_spread = 0.06;
@@ -45,8 +32,8 @@ constexpr double other_motion = 0.65;
 /// Seconds beyond that, or within, until `known` changes.
 constexpr double flag_s = 0.1;
 /// What the delay of the filter at another rate adds to the phase: seconds times the difference of
-/// the rates. 1.4 time constants.
-constexpr double delay_s = 0.042;
+/// the rates. Poses are two time constants late, their velocity three.
+constexpr double delay_s = 2.5 * filter_s;
 constexpr double longest_gap_s = 1;
 /// Time that falls by less is a late packet or a coarse clock.
 constexpr double most_late_s = 0.25;
@@ -58,223 +45,15 @@ constexpr double jump_back = 0.25;
 /// Speed, as a share of the usual one, below which the body is still.
 constexpr double still_speed = 0.1;
 
-double filter_share(double frames, double rate) {
-    return 1 - std::exp(-frames / (filter_s * rate));
-}
-
-/// One step of the filter: two low passes of the pose, and one of its velocity.
-void step(double share, double seconds, std::int64_t count, const double* row, double* first,
-          double* second, double* velocity) {
-    for (std::int64_t c = 0; c < count; ++c) {
-        first[c] += share * (row[c] - first[c]);
-        const double pose = second[c] + share * (first[c] - second[c]);
-        velocity[c] += share * ((pose - second[c]) / seconds - velocity[c]);
-        second[c] = pose;
-    }
-}
-
-double velocity_scale(double period_s) {
-    return velocity_weight * period_s / turn;
-}
-
-/// Pose and scaled velocity behind the filter, of every row.
-Matrix filtered(ConstMatrixView rows, double rate, double period_s) {
-    const std::int64_t p = rows.cols;
-    std::vector<double> first(rows.row(0), rows.row(0) + p), second = first;
-    std::vector<double> velocity(first.size());
-    Matrix both(rows.rows, 2 * p);
-    const double scale = velocity_scale(period_s);
-    for (std::int64_t i = 0; i < rows.rows; ++i) {
-        if (i > 0)
-            step(filter_share(1, rate), 1 / rate, p, rows.row(i), first.data(), second.data(),
-                 velocity.data());
-        std::ranges::copy(second, both.row(i));
-        axpy(scale, velocity.data(), both.row(i) + p, p);
-    }
-    return both;
-}
-
-/// The runs without what the filter has not yet seen enough of.
-std::vector<Run> warm(const std::vector<Run>& runs, double rate) {
-    const auto cold = static_cast<std::int64_t>(std::ceil(warm_up * filter_s * rate));
-    std::vector<Run> result;
-    for (const Run& run : runs) {
-        const std::int64_t drop = std::clamp<std::int64_t>(cold - run.begin, 0, run.rows());
-        if (drop < run.rows())
-            result.push_back({run.begin + drop, {run.phase.begin() + drop, run.phase.end()}});
-    }
-    return result;
-}
-
-/// Every row of the runs.
-Matrix gathered(const Matrix& rows, const std::vector<Run>& runs) {
-    std::int64_t count = 0;
-    for (const Run& run : runs)
-        count += run.rows();
-    Matrix result(count, rows.cols());
-    double* to = result.data();
-    for (const Run& run : runs)
-        to = std::copy_n(rows.row(run.begin), run.rows() * rows.cols(), to);
-    return result;
-}
-
-/// The runs, as if one after another.
-std::vector<Run> packed(const std::vector<Run>& runs) {
-    std::vector<Run> result;
-    std::int64_t begin = 0;
-    for (const Run& run : runs) {
-        result.push_back({begin, run.phase});
-        begin += run.rows();
-    }
-    return result;
-}
-
-void center(Matrix& rows, std::vector<double>& mean) {
-    mean.assign(static_cast<std::size_t>(rows.cols()), 0);
-    for (std::int64_t i = 0; i < rows.rows(); ++i)
-        axpy(1 / static_cast<double>(rows.rows()), rows.row(i), mean.data(), rows.cols());
-    for (std::int64_t i = 0; i < rows.rows(); ++i)
-        axpy(-1, mean.data(), rows.row(i), rows.cols());
-}
-
-/// Covariance of centered rows, the lower triangle by columns.
-void set_covariance(const Matrix& rows, double* matrix) {
-    const std::int64_t p = rows.cols();
-    std::fill_n(matrix, p * p, 0.0);
-    for (std::int64_t i = 0; i < rows.rows(); ++i)
-        for (std::int64_t c = 0; c < p; ++c)
-            axpy(rows(i, c) / static_cast<double>(rows.rows()), rows.row(i) + c, matrix + c * p + c,
-                 p - c);
-}
-
-Matrix principal_directions(const Matrix& centered) {
-    const std::int64_t p = centered.cols();
-    const std::int64_t count = std::min({most_directions, p, centered.rows()});
-    TopEigenpairs pairs(p, count);
-    set_covariance(centered, pairs.matrix());
-    pairs.solve();
-    Matrix directions(count, p);
-    for (std::int64_t d = 0; d < count; ++d)
-        std::copy_n(pairs.vector(d), p, directions.row(d));
-    return directions;
-}
-
-Matrix projected(const Matrix& rows, const Matrix& directions) {
-    Matrix result(rows.rows(), directions.rows());
-    for (std::int64_t i = 0; i < rows.rows(); ++i)
-        for (std::int64_t d = 0; d < directions.rows(); ++d)
-            result(i, d) = dot(rows.row(i), directions.row(d), rows.cols());
-    return result;
-}
-
-/// The inverse of the Cholesky factor of the residuals' covariance.
-Matrix whitening_of(const Matrix& residuals, double least_variance) {
-    const std::int64_t n = residuals.cols();
-    std::vector<double> matrix(static_cast<std::size_t>(n * n));
-    set_covariance(residuals, matrix.data());
-    for (std::int64_t i = 0; i < n; ++i)
-        matrix[static_cast<std::size_t>(i * n + i)] += least_variance;
-    const auto order = static_cast<lapack_int>(n);
-    if (LAPACKE_dpotrf_work(LAPACK_COL_MAJOR, 'L', order, matrix.data(), order) != 0 ||
-        LAPACKE_dtrtri_work(LAPACK_COL_MAJOR, 'L', 'N', order, matrix.data(), order) != 0)
-        fail(Status::degenerate, "the motion has no extent: nothing can be followed");
-    Matrix whitening(n, n);
-    for (std::int64_t c = 0; c < n; ++c)
-        for (std::int64_t r = c; r < n; ++r)
-            whitening(r, c) = matrix[static_cast<std::size_t>(c * n + r)];
-    return whitening;
-}
-
-/// whitening * values.
-void whiten(const Matrix& whitening, const double* values, double* whitened) {
-    for (std::int64_t r = 0; r < whitening.rows(); ++r)
-        whitened[r] = dot(whitening.row(r), values, r + 1);
-}
-
-/// Poses at rest at even phases, in the directions. The filter has come to rest as well: they are
-/// not delayed, and have no velocity.
-Matrix places_at_rest(const Matrix& rows, const std::vector<Run>& runs, const LiveCycle& cycle,
-                      std::int64_t harmonics) {
-    const std::int64_t p = rows.cols();
-    const Matrix poses = fit_loop(rows.view(), runs, harmonics).sampled(place_count);
-    Matrix both(place_count, 2 * p);
-    for (std::int64_t g = 0; g < place_count; ++g) {
-        std::copy_n(poses.row(g), p, both.row(g));
-        axpy(-1, cycle.mean.data(), both.row(g), 2 * p);
-    }
-    return projected(both, cycle.directions);
-}
-
-double squares(const Matrix& matrix) {
-    return dot(matrix.data(), matrix.data(), matrix.rows() * matrix.cols());
-}
-
-double median_rate(const std::vector<Run>& runs, double rate) {
-    std::vector<double> steps;
-    for (const Run& run : runs)
-        for (std::size_t i = 0; i + 1 < run.phase.size(); ++i)
-            steps.push_back((run.phase[i + 1] - run.phase[i]) * rate);
-    return motion::median(steps);
-}
-
 } // namespace
 
-LiveCycle learn_live(ConstMatrixView rows, double rate, const Phases& phases,
-                     std::span<const std::int64_t> drifting) {
-    LiveCycle cycle;
-    cycle.rate = rate;
-    cycle.period = phases.mean.period / rate;
-    cycle.turns_per_second = median_rate(phases.runs, rate);
-    cycle.weights.assign(static_cast<std::size_t>(rows.cols), 1);
-    Matrix used = copied(rows);
-    for (const std::int64_t column : drifting) {
-        cycle.weights[static_cast<std::size_t>(column)] = 0;
-        for (std::int64_t i = 0; i < used.rows(); ++i)
-            used(i, column) = 0;
-    }
-    const std::vector<Run> runs = warm(phases.runs, rate);
-    if (runs.empty())
-        fail(Status::too_few_frames, "the cycles end before the filter has settled");
-    Matrix centered = gathered(filtered(used.view(), rate, cycle.period), runs);
-    center(centered, cycle.mean);
-    const auto count = static_cast<double>(centered.rows());
-    cycle.variance = squares(centered) / count;
-    double speed = 0;
-    for (std::int64_t i = 0; i < centered.rows(); ++i)
-        speed += dot(centered.row(i) + rows.cols, centered.row(i) + rows.cols, rows.cols) / count;
-    cycle.usual_speed = std::sqrt(speed);
-    cycle.directions = principal_directions(centered);
-    Matrix coordinates = projected(centered, cycle.directions);
-    const std::int64_t harmonics = std::min(most_harmonics, harmonics_for(phases.mean.period));
-    const Loop loop = fit_loop(coordinates.view(), packed(runs), harmonics);
-    cycle.places = loop.sampled(place_count);
-    cycle.rests = places_at_rest(used, runs, cycle, harmonics);
-    const double least =
-        least_scatter * squares(coordinates) / count / static_cast<double>(coordinates.cols());
-    std::vector<double> expected(static_cast<std::size_t>(coordinates.cols()));
-    std::int64_t row = 0;
-    for (const Run& run : runs)
-        for (const double phase : run.phase) {
-            loop.at(phase, expected.data());
-            axpy(-1, expected.data(), coordinates.row(row++), coordinates.cols());
-        }
-    cycle.whitening = whitening_of(coordinates, least);
-    std::vector<double> distances, whitened = expected;
-    for (std::int64_t i = 0; i < coordinates.rows(); ++i) {
-        whiten(cycle.whitening, coordinates.row(i), whitened.data());
-        distances.push_back(dot(whitened.data(), whitened.data(), coordinates.cols()));
-    }
-    cycle.typical = std::max(motion::median(distances), 1e-9);
-    return cycle;
-}
-
 LivePhase::LivePhase(const LiveCycle& cycle, std::span<const double> marks)
-    : cycle_(cycle), first_(cycle.weights.size()), second_(first_), velocity_(first_),
-      both_(2 * first_.size()), coordinates_(static_cast<std::size_t>(cycle.directions.rows())),
-      whitened_(coordinates_), whitened_places_(place_count, cycle.directions.rows()),
-      whitened_rests_(whitened_places_), squared_(place_count), squared_rest_(place_count),
-      likely_(rate_count + 1, place_count), before_(rate_count + 1, place_count), blur_(rate_count),
-      circle_(2, place_count), marks_(marks.begin(), marks.end()) {
+    : cycle_(cycle), filter_(cycle.weights.size()), both_(2 * cycle.weights.size()),
+      coordinates_(static_cast<std::size_t>(cycle.directions.rows())), whitened_(coordinates_),
+      whitened_places_(place_count, cycle.directions.rows()), whitened_rests_(whitened_places_),
+      squared_(place_count), squared_rest_(place_count), likely_(rate_count + 1, place_count),
+      before_(rate_count + 1, place_count), blur_(rate_count), circle_(2, place_count),
+      marks_(marks.begin(), marks.end()) {
     for (std::int64_t g = 0; g < place_count; ++g) {
         whiten(cycle.whitening, cycle.places.row(g), whitened_places_.row(g));
         whiten(cycle.whitening, cycle.rests.row(g), whitened_rests_.row(g));
@@ -320,19 +99,16 @@ void LivePhase::filter(double seconds, const double* features) {
     for (std::int64_t c = 0; c < p; ++c) // both_ holds the used features for a moment
         both_[static_cast<std::size_t>(c)] =
             features[c] * cycle_.weights[static_cast<std::size_t>(c)];
-    if (!begun_) {
-        std::copy_n(both_.begin(), p, first_.begin());
-        second_ = first_;
-        std::ranges::fill(velocity_, 0);
-    } else {
-        step(filter_share(seconds * cycle_.rate, cycle_.rate), seconds, p, both_.data(),
-             first_.data(), second_.data(), velocity_.data());
-    }
+    if (begun_)
+        filter_.step(seconds, both_.data());
+    else
+        filter_.start(both_.data());
     const double scale = velocity_scale(cycle_.period);
+    const auto count = static_cast<std::size_t>(p);
     for (std::int64_t c = 0; c < p; ++c) {
         const auto at = static_cast<std::size_t>(c);
-        both_[at] = second_[at] - cycle_.mean[at];
-        both_[at + first_.size()] = scale * velocity_[at] - cycle_.mean[at + first_.size()];
+        both_[at] = filter_.pose()[at] - cycle_.mean[at];
+        both_[at + count] = scale * filter_.velocity()[at] - cycle_.mean[at + count];
     }
 }
 
@@ -445,7 +221,7 @@ void LivePhase::correct() {
 
 /// All has come to rest where it is. Which place that is shows while the filter comes to rest.
 void LivePhase::settle() {
-    if (rested_s_ > warm_up * filter_s)
+    if (rested_s_ > warm_up_s)
         return;
     const double least = *std::ranges::min_element(squared_rest_);
     const double soft = std::max(1.0, least / (4 * cycle_.typical));
@@ -465,10 +241,10 @@ void LivePhase::settle() {
 /// alike.
 void LivePhase::notice_rest(double seconds) {
     const std::int64_t p = cycle_.features();
-    const double speed =
-        velocity_scale(cycle_.period) * std::sqrt(dot(velocity_.data(), velocity_.data(), p));
+    const double speed = velocity_scale(cycle_.period) *
+                         std::sqrt(dot(filter_.velocity().data(), filter_.velocity().data(), p));
     age_s_ = begun_ ? age_s_ + seconds : 0;
-    still_ = age_s_ > warm_up * filter_s && speed < still_speed * cycle_.usual_speed;
+    still_ = age_s_ > warm_up_s && speed < still_speed * cycle_.usual_speed;
     rested_s_ = still_ ? rested_s_ + seconds : 0;
 }
 
