@@ -12,11 +12,6 @@
 
 #include <stltsa.h>
 
-typedef struct features {
-    int64_t frames, columns;
-    double* values;
-} features;
-
 /* A model of the clip that keeps its mean cycle, and the middle of the second cycle as a mark. */
 static stltsa_status learn(const stltsa_clip* clip, stltsa_model** model) {
     stltsa_decomposition* found = NULL;
@@ -40,18 +35,6 @@ static stltsa_status learn(const stltsa_clip* clip, stltsa_model** model) {
     return status;
 }
 
-static stltsa_status read_features(const stltsa_clip* clip, features* all) {
-    stltsa_status status = stltsa_clip_feature_count(clip, NULL, &all->columns);
-    if (status != STLTSA_OK)
-        return status;
-    all->frames = stltsa_clip_frames(clip);
-    all->values = malloc((size_t)(all->frames * all->columns) * sizeof *all->values);
-    if (all->values == NULL)
-        return STLTSA_E_NO_MEMORY;
-    stltsa_out out = {all->values, all->frames, all->columns, 0, 0, STLTSA_F64, 0};
-    return stltsa_clip_features(clip, NULL, &out);
-}
-
 /* Prints every tenth frame, and those at which a mark passes. */
 static void show(const stltsa_live* live, int64_t frame, const stltsa_live_frame* now) {
     for (int64_t mark = 0; mark < stltsa_live_mark_count(live); ++mark)
@@ -62,23 +45,23 @@ static void show(const stltsa_live* live, int64_t frame, const stltsa_live_frame
                stltsa_segment_name(now->kind), now->phase, now->rate_hz, now->cycles);
 }
 
-static stltsa_status replay(const stltsa_model* model, const features* all, double fps,
-                            long repeats) {
+/* A sensor would push its points or its pose: stltsa_live_push_points, stltsa_live_push_pose. */
+static stltsa_status replay(const stltsa_model* model, const stltsa_clip* clip, long repeats) {
+    const int64_t frames = stltsa_clip_frames(clip);
+    const double fps = stltsa_clip_fps(clip);
     stltsa_live* live = NULL;
     stltsa_status status = stltsa_live_new(model, &live);
     const clock_t started = clock();
     for (long turn = 0; turn < (repeats > 0 ? repeats : 1); ++turn)
-        for (int64_t i = 0; i < all->frames && status == STLTSA_OK; ++i) {
-            const stltsa_in row = {
-                all->values + i * all->columns, 1, all->columns, 0, 0, STLTSA_F64, 0};
+        for (int64_t i = 0; i < frames && status == STLTSA_OK; ++i) {
             stltsa_live_frame now = {.size = sizeof now};
-            status = stltsa_live_push(live, (double)i / fps, &row, &now);
+            status = stltsa_live_push_frame(live, (double)i / fps, clip, i, &now);
             if (repeats == 0 && status == STLTSA_OK)
                 show(live, i, &now);
         }
     if (repeats > 0 && status == STLTSA_OK)
-        printf("%.1f microseconds a frame\n", 1e6 * (double)(clock() - started) / CLOCKS_PER_SEC /
-                                                  (double)(repeats * all->frames));
+        printf("%.1f microseconds a frame\n",
+               1e6 * (double)(clock() - started) / CLOCKS_PER_SEC / (double)(repeats * frames));
     stltsa_live_free(live);
     return status;
 }
@@ -90,18 +73,13 @@ int main(int argc, char** argv) {
     }
     stltsa_clip* clip = NULL;
     stltsa_model* model = NULL;
-    features all = {0, 0, NULL};
     stltsa_status status = stltsa_clip_open(argv[1], NULL, &clip);
     if (status == STLTSA_OK)
         status = learn(clip, &model);
     if (status == STLTSA_OK)
-        status = read_features(clip, &all);
-    if (status == STLTSA_OK)
-        status =
-            replay(model, &all, stltsa_clip_fps(clip), argc == 3 ? strtol(argv[2], NULL, 10) : 0);
+        status = replay(model, clip, argc == 3 ? strtol(argv[2], NULL, 10) : 0);
     if (status != STLTSA_OK)
         fprintf(stderr, "error: %s\n", stltsa_last_error());
-    free(all.values);
     stltsa_model_free(model);
     stltsa_clip_free(clip);
     return status == STLTSA_OK ? 0 : 1;

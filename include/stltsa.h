@@ -508,7 +508,9 @@ enum {
     STLTSA_WARNING_SEAM_SPEED = 12,     /* unusually fast near a seam */
     STLTSA_WARNING_SEAM_ACCELERATION = 13, /* unusual acceleration near a seam */
     STLTSA_WARNING_NOT_BLENDED = 14,    /* no frames beyond the cuts of a seam to blend */
-    STLTSA_WARNING_NO_ORDER = 15        /* consecutive rows are no closer than random ones */
+    STLTSA_WARNING_NO_ORDER = 15,       /* consecutive rows are no closer than random ones */
+    STLTSA_WARNING_LINEAR_PHASE = 16    /* of a model that keeps a mean cycle: its phases are linear
+                                           in time, so streams are followed less surely */
 };
 
 /* Number of values of a key; 0: none, or an unknown key. */

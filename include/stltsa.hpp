@@ -962,10 +962,10 @@ class Live {
 
   private:
     template <class Push, class... Frame>
-    LiveFrame answer(Push push, double seconds, Frame... given) {
+    LiveFrame answer(Push call, double seconds, Frame... given) {
         LiveFrame frame{};
         frame.size = sizeof frame;
-        detail::check(push(handle_.get(), seconds, given..., &frame));
+        detail::check(call(handle_.get(), seconds, given..., &frame));
         return frame;
     }
     static stltsa_live* made(const Model& model) {

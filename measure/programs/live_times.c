@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /*
- * Measures a pushed frame of a stream in microseconds of processor time: a clip is played to a model
- * of itself, each time from its first frame to its last. Part of measure/live.
+ * Measures a pushed frame of a stream in microseconds of processor time: a clip is played to a
+ * model of itself, each time from its first frame to its last. Part of measure/live.
  *
  *     live_times CLIP
  *
- * Of the fastest of ten passes, prints the mean of its frames and the longest, "..., mean 12.3", for
- * the frames of the clip, and for points of which every tenth is lost if the clip has points.
+ * Of the fastest of ten passes, prints the mean of its frames and the longest, "..., mean 12.3",
+ * for the frames of the clip, and for points of which every tenth is lost if the clip has points.
  */
 #define _POSIX_C_SOURCE 199309L
 #include <math.h>

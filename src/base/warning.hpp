@@ -26,6 +26,7 @@ enum class WarningCode : std::int32_t {
     seam_acceleration = 13,
     not_blended = 14,
     no_order = 15,
+    linear_phase = 16,
 };
 
 inline constexpr double no_time = std::numeric_limits<double>::quiet_NaN();

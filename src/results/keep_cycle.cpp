@@ -40,6 +40,19 @@ Matrix streamed(const clip::Body& body, const Matrix& rows) {
     return result;
 }
 
+/// In place of what was said of an earlier cycle.
+void warn_if_linear(const phase::Phases& phases, Warnings& warnings) {
+    std::erase_if(warnings,
+                  [](const Warning& each) { return each.code == WarningCode::linear_phase; });
+    if (phases.linear)
+        warnings.push_back(
+            {WarningCode::linear_phase,
+             format_text("the mean cycle explains too little for a phase that is surer than time: "
+                         "the frames lie {:.2f} of their variance from it, above 0.4; streams are "
+                         "followed less surely",
+                         phases.residual)});
+}
+
 } // namespace
 
 void keep_cycle(Fitted& model, const Phased& phased) {
@@ -59,6 +72,7 @@ void keep_cycle(Fitted& model, const Phased& phased) {
     model.live.cycle =
         phase::learn_live(rows.view(), phased.clip.fps, motion->phases, phased.drifting);
     model.live.body = std::move(body);
+    warn_if_linear(motion->phases, model.model.warnings);
     model.live.label = motion->label;
     model.live.marks.clear();
     model.live.has_cycle = true;

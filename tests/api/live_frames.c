@@ -95,7 +95,8 @@ static void put_elsewhere(const double* from, int64_t points, double angle, doub
     }
 }
 
-/* Where the body is and which way it faces does not count, and a tenth of the points may be lost. */
+/* Where the body is and which way it faces does not count, and a tenth of the points may be lost.
+ */
 static void points_are_followed_frame_by_frame(void** state) {
     (void)state;
     int64_t frames, points;
@@ -225,18 +226,20 @@ static void poses_are_followed_in_every_form(void** state) {
         for (int64_t j = 0; j < joints; ++j) {
             const double w = of_frame[4 * j], a = of_frame[4 * j + 1], b = of_frame[4 * j + 2],
                          c = of_frame[4 * j + 3];
-            const double rows[9] = {1 - 2 * (b * b + c * c), 2 * (a * b - w * c), 2 * (a * c + w * b),
-                                    2 * (a * b + w * c), 1 - 2 * (a * a + c * c), 2 * (b * c - w * a),
-                                    2 * (a * c - w * b), 2 * (b * c + w * a), 1 - 2 * (a * a + b * b)};
+            const double rows[9] = {
+                1 - 2 * (b * b + c * c), 2 * (a * b - w * c),     2 * (a * c + w * b),
+                2 * (a * b + w * c),     1 - 2 * (a * a + c * c), 2 * (b * c - w * a),
+                2 * (a * c - w * b),     2 * (b * c + w * a),     1 - 2 * (a * a + b * b)};
             memcpy(m + 9 * j, rows, sizeof rows);
         }
-        const stltsa_in quaternions = packed_in(of_frame, joints, 4), matrices = packed_in(m, joints, 9),
+        const stltsa_in quaternions = packed_in(of_frame, joints, 4),
+                        matrices = packed_in(m, joints, 9),
                         numbers = packed_in(raw + channels * i, 1, channels);
         for (int k = 0; k < 4; ++k)
             now[k].size = sizeof now[k];
         must(stltsa_live_push_frame(lives[0], seconds, t.clip, i, &now[0]));
-        must(stltsa_live_push_pose(lives[1], seconds, STLTSA_ROTATIONS_QUATERNION, &quaternions, NULL,
-                                   &now[1]));
+        must(stltsa_live_push_pose(lives[1], seconds, STLTSA_ROTATIONS_QUATERNION, &quaternions,
+                                   NULL, &now[1]));
         must(stltsa_live_push_pose(lives[2], seconds, STLTSA_ROTATIONS_MATRIX, &matrices, NULL,
                                    &now[2]));
         must(stltsa_live_push_pose(lives[3], seconds, STLTSA_ROTATIONS_CHANNELS, &numbers, NULL,
@@ -251,9 +254,9 @@ static void poses_are_followed_in_every_form(void** state) {
     must(stltsa_live_push_pose(lives[1], 99, STLTSA_ROTATIONS_QUATERNION, &bad, NULL, &now[1]));
     assert_false(now[1].known);
     q[5] = 3;
-    assert_int_equal(stltsa_live_push_pose(lives[1], 99, STLTSA_ROTATIONS_QUATERNION, &bad, NULL,
-                                           &now[1]),
-                     STLTSA_E_ARGUMENT);
+    assert_int_equal(
+        stltsa_live_push_pose(lives[1], 99, STLTSA_ROTATIONS_QUATERNION, &bad, NULL, &now[1]),
+        STLTSA_E_ARGUMENT);
     assert_non_null(strstr(stltsa_last_error(), "is no rotation"));
     for (int k = 0; k < 4; ++k)
         stltsa_live_free(lives[k]);

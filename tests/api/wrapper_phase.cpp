@@ -74,6 +74,32 @@ void a_stream_is_followed(void**) {
         frame = live.push(static_cast<double>(i) / 120, stltsa::MatrixView(row, features.cols));
     }
     ASSERT_NEAR(std::remainder(frame.phase - phase.values()[300], 1.0), 0, 0.05);
+    stltsa::Live of_frames(model), of_poses(model);
+    const stltsa::Matrix turns = clip.rotations();
+    for (std::int64_t i = 270; i <= 300; ++i) {
+        const double seconds = static_cast<double>(i) / 120;
+        frame = of_frames.push(seconds, clip, i);
+        const stltsa::LiveFrame of_pose = of_poses.push_pose(seconds, STLTSA_ROTATIONS_QUATERNION,
+                                                             stltsa::MatrixView(turns.row(i), 4));
+        ASSERT_NEAR(of_pose.phase, frame.phase, 1e-6);
+    }
+    ASSERT_NEAR(std::remainder(frame.phase - phase.values()[300], 1.0), 0, 0.05);
+    const std::vector<double> root = {0, 90, 0};
+    of_poses.push_pose(3, STLTSA_ROTATIONS_QUATERNION, stltsa::MatrixView(turns.row(301), 4),
+                       stltsa::MatrixView(root, 3));
+    const std::vector<double> points = {0, 0, 1, 1, 0, 0}, sure = {1, 0};
+    const auto refused = [&](const auto& push) {
+        try {
+            push();
+        } catch (const stltsa::Error& error) {
+            return error.status() == STLTSA_E_UNSUPPORTED;
+        }
+        return false;
+    };
+    assert_true(refused([&] { of_poses.push_points(4, stltsa::MatrixView(points, 3)); }));
+    assert_true(refused([&] {
+        of_poses.push_points(4, stltsa::MatrixView(points, 3), stltsa::MatrixView(sure, 1));
+    }));
 }
 
 void borders_may_be_given(void**) {

@@ -2,75 +2,19 @@
 // Tests memory exhaustion at every point: makes each allocation of a complete task fail in turn.
 // Each time the call must return STLTSA_E_NO_MEMORY with a text and no handle, must leak nothing
 // (the count of live allocations returns to its value), and the same task must then succeed.
-#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
-#include <new>
 #include <string>
 #include <vector>
 
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "allocations.hpp"
 #include "stltsa.h"
-
-namespace {
-
-std::atomic<std::int64_t> live{0};
-std::atomic<std::int64_t> until_failure{-1}; // negative: never
-
-void* allocate(std::size_t size, std::size_t alignment) {
-    if (until_failure.load() >= 0 && until_failure.fetch_sub(1) == 0)
-        throw std::bad_alloc();
-    const std::size_t rounded = (size + alignment - 1) / alignment * alignment;
-    void* memory = std::aligned_alloc(alignment, rounded == 0 ? alignment : rounded);
-    if (memory == nullptr)
-        throw std::bad_alloc();
-    ++live;
-    return memory;
-}
-
-void release(void* memory) noexcept {
-    if (memory != nullptr)
-        --live;
-    std::free(memory);
-}
-
-constexpr std::size_t usual = alignof(std::max_align_t);
-
-} // namespace
-
-void* operator new(std::size_t size) {
-    return allocate(size, usual);
-}
-void* operator new[](std::size_t size) {
-    return allocate(size, usual);
-}
-void* operator new(std::size_t size, std::align_val_t alignment) {
-    return allocate(size, static_cast<std::size_t>(alignment));
-}
-void operator delete(void* memory) noexcept {
-    release(memory);
-}
-void operator delete[](void* memory) noexcept {
-    release(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-    release(memory);
-}
-void operator delete[](void* memory, std::size_t) noexcept {
-    release(memory);
-}
-void operator delete(void* memory, std::align_val_t) noexcept {
-    release(memory);
-}
-void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
-    release(memory);
-}
 
 namespace {
 
@@ -78,16 +22,6 @@ struct Work {
     const char* name;
     stltsa_status (*run)(const std::string& input);
 };
-
-/// Eight channels of a motion of period 1 s at 30 fps, as CSV.
-std::string cyclic_csv() {
-    std::string text = "a,b,c,d,e,f,g,h\n";
-    for (int i = 0; i < 150; ++i)
-        for (int c = 0; c < 8; ++c)
-            text += std::to_string(std::sin(2 * M_PI * i / 30.0 * (1 + c % 2) + c) + 0.001 * i) +
-                    (c < 7 ? "," : "\n");
-    return text;
-}
 
 /// Returns the status of the first failed call; every handle must then be NULL.
 stltsa_status decompose(const std::string& input) {
@@ -406,44 +340,6 @@ bool survives(const Work& work, const std::string& input) {
     return failures > 50;
 }
 
-/// A stream allocates when it is made, and never again: each push would fail.
-bool streams_allocate_nothing(const std::string& input) {
-    stltsa_options* options = nullptr;
-    stltsa_clip* clip = nullptr;
-    stltsa_decomposition* found = nullptr;
-    stltsa_phase* phase = nullptr;
-    stltsa_model* model = nullptr;
-    stltsa_live* stream = nullptr;
-    stltsa_options_new(&options);
-    stltsa_options_set_real(options, STLTSA_OPT_FPS, 30);
-    stltsa_clip_parse(input.data(), input.size(), STLTSA_FORMAT_CSV, nullptr, options, &clip);
-    stltsa_decompose(clip, nullptr, &found);
-    stltsa_phase_find(clip, found, nullptr, &phase);
-    stltsa_fit_clip(clip, nullptr, &model);
-    stltsa_status status = stltsa_model_keep_cycle(model, phase);
-    if (status == STLTSA_OK)
-        status = stltsa_live_new(model, &stream);
-    double row[8];
-    const stltsa_in features = {row, 1, 8, 0, 0, STLTSA_F64, 0};
-    stltsa_live_frame frame{};
-    frame.size = sizeof frame;
-    until_failure = 0;
-    for (int i = 0; i < 500 && status == STLTSA_OK; ++i) {
-        for (int c = 0; c < 8; ++c)
-            row[c] = i % 50 == 7 ? NAN : std::sin(0.21 * i * (1 + c % 2) + c);
-        status = stltsa_live_push(stream, i / 30.0 + (i > 300 ? 5 : 0), &features, &frame);
-    }
-    const bool untouched = until_failure.exchange(-1) == 0;
-    stltsa_live_free(stream);
-    stltsa_model_free(model);
-    stltsa_phase_free(phase);
-    stltsa_decomposition_free(found);
-    stltsa_clip_free(clip);
-    stltsa_options_free(options);
-    std::printf("live: 500 frames, %s\n", untouched ? "no allocation" : "allocations");
-    return status == STLTSA_OK && untouched;
-}
-
 } // namespace
 
 int main() {
@@ -457,6 +353,5 @@ int main() {
     bool good = true;
     for (const Work& work : works)
         good = survives(work, input) && good;
-    good = streams_allocate_nothing(input) && good;
     return good ? 0 : 1;
 }

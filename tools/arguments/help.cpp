@@ -139,8 +139,8 @@ Examples:
 constexpr const char* about_live =
     R"(Plays a clip to a model as a stream, frame by frame.
 
-The model is of a clip that has cycles. Each frame is answered without knowing
-the frames after it.
+The model is of a clip that has cycles, and the clip has its joints or points.
+Each frame is answered without knowing the frames after it.
 
 Examples:
   stltsa fit walk.bvh --mark 131=strike -o walk.stltsa

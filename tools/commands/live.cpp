@@ -53,6 +53,17 @@ std::string played(const stltsa::Model& model, const stltsa::Clip& clip, bool js
     return text;
 }
 
+/// What the model says about its mean cycle.
+std::vector<std::string> warnings_of(const stltsa::Model& model) {
+    const std::vector<std::string> all = model.warnings();
+    const std::vector<std::int64_t> codes = model.info().integers(STLTSA_INFO_WARNING_CODE);
+    std::vector<std::string> warnings;
+    for (std::size_t i = 0; i < all.size() && i < codes.size(); ++i)
+        if (codes[i] == STLTSA_WARNING_LINEAR_PHASE)
+            warnings.push_back(all[i]);
+    return warnings;
+}
+
 } // namespace
 
 Exit run_live(const Arguments& arguments) {
@@ -68,7 +79,7 @@ Exit run_live(const Arguments& arguments) {
         throw Failure(Exit::usage, "the clip has no frame rate: set --fps");
     std::string lines = played(model, clip, arguments.json);
     lines.pop_back(); // finish() ends the last one
-    session.finish({[&] { return lines; }, [&] { return lines + '\n'; }, {}});
+    session.finish({[&] { return lines; }, [&] { return lines + '\n'; }, warnings_of(model)});
     return Exit::done;
 }
 

@@ -120,7 +120,59 @@ def test_a_stream_has_the_phase_of_the_clip(clip, phase, tmp_path):
     )
     assert seen[400].kind == "cyclic"
     assert seen[-1].kind == "rest"
-    assert not one.push(np.full(clip.features().shape[1], np.nan), 99.0).known
+    missing = one.push(np.full(clip.features().shape[1], np.nan), 99.0)
+    assert not missing.known
+    assert np.isnan(missing.distance)
+
+
+def test_poses_and_frames_are_pushed_as_they_come(clip, phase):
+    model = stltsa.fit(clip)
+    model.keep_cycle(phase)
+    streams = [stltsa.Live(model) for _ in range(4)]
+    turns, values = clip.rotations, clip.features(features="raw")
+    for i in range(200, 300):
+        w, x, y, z = turns[i].T
+        matrices = np.stack(
+            [
+                [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+                [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+                [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
+            ]
+        ).transpose(2, 0, 1)
+        seen = [
+            streams[0].push_frame(clip, i),
+            streams[1].push_pose(turns[i], i / clip.fps, root_position=[0, 90, 0]),
+            streams[2].push_pose(matrices, i / clip.fps),
+            streams[3].push_pose(values[i], i / clip.fps),
+        ]
+        np.testing.assert_allclose([f.phase for f in seen], seen[0].phase, atol=1e-5)
+    assert abs(seen[0].phase - phase.values[299]) < 0.03
+    with pytest.raises(ValueError, match="rotations must be of the shape"):
+        streams[1].push_pose(0.5, 99)
+    with pytest.raises(stltsa.UnsupportedError, match="without points"):
+        streams[1].push_points(np.zeros((4, 3)), 99)
+    with pytest.raises(stltsa.ArgumentError, match="frame 1000000 does not exist"):
+        streams[0].push_frame(clip, 1000000, 99)
+
+
+def test_points_are_pushed_as_they_come(clip):
+    points = clip.positions.reshape(len(clip), -1, 3)
+    markers = stltsa.Clip.from_points(points, clip.fps)
+    phase = stltsa.decompose(markers).phase()
+    model = stltsa.fit(markers)
+    model.keep_cycle(phase)
+    whole, lossy = stltsa.Live(model), stltsa.Live(model)
+    for i in range(150, 400):
+        sure = (np.arange(points.shape[1]) + i // 10) % 9 > 0
+        a = whole.push_points(points[i], i / clip.fps)
+        b = lossy.push_points(points[i] + [300, 0, 90], i / clip.fps, sure)
+        if i > 200:
+            assert abs((a.phase - b.phase + 0.5) % 1 - 0.5) < 0.01
+            assert abs((a.phase - phase.values[i] + 0.5) % 1 - 0.5) < 0.03
+    with pytest.raises(stltsa.ShapeError, match="points is"):
+        whole.push_points(points[0, :3], 99)
+    with pytest.raises(stltsa.UnsupportedError, match="without a skeleton"):
+        whole.push_pose(clip.rotations[0], 99)
 
 
 def test_errors_say_what_is_wrong(phase):

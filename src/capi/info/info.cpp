@@ -30,7 +30,8 @@ static_assert(same(WarningCode::follows_time, STLTSA_WARNING_FOLLOWS_TIME) &&
               same(WarningCode::seam_speed, STLTSA_WARNING_SEAM_SPEED) &&
               same(WarningCode::seam_acceleration, STLTSA_WARNING_SEAM_ACCELERATION) &&
               same(WarningCode::not_blended, STLTSA_WARNING_NOT_BLENDED) &&
-              same(WarningCode::no_order, STLTSA_WARNING_NO_ORDER));
+              same(WarningCode::no_order, STLTSA_WARNING_NO_ORDER) &&
+              same(WarningCode::linear_phase, STLTSA_WARNING_LINEAR_PHASE));
 
 const capi::InfoRow* row_of(const capi::InfoTable& table, int32_t key) {
     for (const auto rows : {table.own, table.source, table.fit, table.warnings})

@@ -66,7 +66,7 @@ void check_embedding(const ltsa::Model& model) {
                                    [&](std::int64_t c) { return c >= 0 && c < components; }),
            "components");
     for (const Warning& warning : model.warnings)
-        expect(in_range(warning.code, WarningCode::follows_time, WarningCode::no_order),
+        expect(in_range(warning.code, WarningCode::follows_time, WarningCode::linear_phase),
                "warnings");
     for (const ltsa::Component& component : model.components)
         expect(static_cast<std::int64_t>(component.eigenvalues.size()) >=

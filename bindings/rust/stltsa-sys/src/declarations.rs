@@ -675,6 +675,7 @@ pub const STLTSA_WARNING_SEAM_SPEED: i32 = 12;
 pub const STLTSA_WARNING_SEAM_ACCELERATION: i32 = 13;
 pub const STLTSA_WARNING_NOT_BLENDED: i32 = 14;
 pub const STLTSA_WARNING_NO_ORDER: i32 = 15;
+pub const STLTSA_WARNING_LINEAR_PHASE: i32 = 16;
 extern "C" {
     pub fn stltsa_info_count(info: *const stltsa_info, key: i32) -> i64;
 }

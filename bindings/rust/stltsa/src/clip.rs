@@ -49,6 +49,17 @@ pub enum Rotations<'a> {
     Channels(View<'a>),
 }
 
+impl<'a> Rotations<'a> {
+    /// The value of `STLTSA_ROTATIONS_*`, and the numbers.
+    pub(crate) fn parts(self) -> (i32, View<'a>) {
+        match self {
+            Rotations::Quaternions(view) => (sys::STLTSA_ROTATIONS_QUATERNION, view),
+            Rotations::Matrices(view) => (sys::STLTSA_ROTATIONS_MATRIX, view),
+            Rotations::Channels(view) => (sys::STLTSA_ROTATIONS_CHANNELS, view),
+        }
+    }
+}
+
 /// Points in space or in a plane, such as markers: see [`Clip::from_points`].
 #[derive(Clone, Copy, Debug)]
 pub struct Points<'a> {
@@ -194,11 +205,7 @@ impl Clip {
                 reserved: 0,
             })
             .collect();
-        let (form, frames) = match rotations {
-            Rotations::Quaternions(view) => (sys::STLTSA_ROTATIONS_QUATERNION, view),
-            Rotations::Matrices(view) => (sys::STLTSA_ROTATIONS_MATRIX, view),
-            Rotations::Channels(view) => (sys::STLTSA_ROTATIONS_CHANNELS, view),
-        };
+        let (form, frames) = rotations.parts();
         let (frames, root) = (frames.raw()?, optional(root_positions)?);
         let (data, count) = (list.as_ptr(), list.len() as i64);
         // SAFETY: `count` joints from `data`, their texts and the arrays live through the call.

@@ -6,7 +6,8 @@ use std::ffi::CString;
 use stltsa_sys as sys;
 
 use crate::array::View;
-use crate::error::{check, texts, Error, ErrorKind, Result};
+use crate::clip::{Clip, Rotations};
+use crate::error::{c_count, check, texts, Error, ErrorKind, Result};
 use crate::handle::Owned;
 use crate::kinds::SegmentKind;
 use crate::model::Model;
@@ -56,9 +57,9 @@ pub struct LiveFrame {
     pub rate_hz: f64,
     /// Turns since the first frame, not rounded.
     pub cycles: f64,
-    /// From the mean cycle; above 1 it is another motion.
+    /// From the mean cycle; above 1 it is another motion; NaN of a missing frame.
     pub distance: f64,
-    /// 0 to 1: how sharply the phase is known.
+    /// 0 to 1: how sharply the phase is known; falls while frames are missing.
     pub confidence: f64,
     /// False: another motion, for 0.1 s at least, or a frame that is missing.
     pub known: bool,
@@ -75,8 +76,9 @@ impl LiveFrame {
     }
 }
 
-/// Follows one stream of frames with a model that keeps a mean cycle. Pushing frames allocates no
-/// memory and has no delay.
+/// Follows one stream of frames with a model that keeps a mean cycle. Push one frame after another,
+/// each in the form in which it comes. Pushing frames allocates no memory and has no delay; no frame
+/// depends on those after it.
 ///
 /// ```no_run
 /// use stltsa::{Clip, Live, Model, Options, Phase};
@@ -87,9 +89,8 @@ impl LiveFrame {
 /// let mut model = Model::fit_clip(&walk, &options)?;
 /// model.keep_cycle(&phase)?;
 /// let mut live = Live::new(&model)?;
-/// let frames = walk.features(&options)?;
-/// for row in 0..frames.rows() {
-///     let now = live.push(row as f64 / walk.fps().unwrap(), frames.row(row))?;
+/// for index in 0..walk.frames() {
+///     let now = live.push_frame(index as f64 / walk.fps().unwrap(), &walk, index)?;
 ///     println!("{:.2} {:.2} Hz", now.phase, now.rate_hz);
 /// }
 /// # Ok::<(), stltsa::Error>(())
@@ -123,21 +124,91 @@ impl Live {
         &self.marks
     }
 
-    /// Takes the next frame, features as a row of [`Clip::features`](crate::Clip::features).
+    /// Takes the next frame as features: of a skeleton as a row of
+    /// [`Clip::features`](crate::Clip::features); else the numbers of the columns, NaN where one is
+    /// lost.
     ///
-    /// `seconds` rises from call to call. Frames may be dropped. If the time falls, or after more
-    /// than a second without frames, the filter starts anew and settles within 0.15 s. A frame with
-    /// a number that is not finite is missing: the phase goes on as before.
+    /// `seconds` rises from call to call. Frames may be dropped. A frame with the time of the one
+    /// before, or up to 0.25 s earlier, is left out. If the time falls by more, or after more than a
+    /// second without frames, the filter starts anew and settles within 0.15 s. A frame of which too
+    /// little is known is missing: the phase goes on as before, less and less surely.
     ///
     /// # Errors
     /// [`Shape`](ErrorKind::Shape), [`Argument`](ErrorKind::Argument) if `seconds` is not finite.
     pub fn push(&mut self, seconds: f64, features: &[f64]) -> Result<LiveFrame> {
         let input = View::new(features, 1, features.len())?.raw()?;
+        // SAFETY: a live handle that is not shared, an array of the size it says.
+        self.answer(|live, frame| unsafe { sys::stltsa_live_push(live, seconds, &input, frame) })
+    }
+
+    /// Takes the next frame as points, points x 2 or 3 in the order of the model's clip; NaN, and 0
+    /// for all coordinates, is a lost point. `confidence`: a number for each, 0: lost; empty: all
+    /// are seen. Where the body is and which way it faces does not count.
+    ///
+    /// # Errors
+    /// As [`push`](Self::push); [`Unsupported`](ErrorKind::Unsupported): the model is of a clip
+    /// without points.
+    pub fn push_points(
+        &mut self,
+        seconds: f64,
+        points: View<'_>,
+        confidence: &[f64],
+    ) -> Result<LiveFrame> {
+        let input = points.raw()?;
+        let sure = View::new(confidence, confidence.len(), 1)?.raw()?;
+        let sure: *const _ = if confidence.is_empty() { std::ptr::null() } else { &sure };
+        // SAFETY: a live handle that is not shared, arrays of the size they say or NULL.
+        self.answer(|live, frame| unsafe {
+            sys::stltsa_live_push_points(live, seconds, &input, sure, frame)
+        })
+    }
+
+    /// Takes the next frame as local rotations of the joints of the model's skeleton: joints x 4 or
+    /// 9, or 1 x channels. `root`: its position, which counts only if a joint above the body's root
+    /// moves.
+    ///
+    /// # Errors
+    /// As [`push`](Self::push); [`Argument`](ErrorKind::Argument) if numbers are no rotation;
+    /// [`Unsupported`](ErrorKind::Unsupported): the model is of a clip without a skeleton, or its
+    /// features are numbers of the file.
+    pub fn push_pose(
+        &mut self,
+        seconds: f64,
+        rotations: Rotations<'_>,
+        root: Option<[f64; 3]>,
+    ) -> Result<LiveFrame> {
+        let (form, rows) = rotations.parts();
+        let input = rows.raw()?;
+        let place = root.unwrap_or_default();
+        let place = View::new(&place, 1, 3)?.raw()?;
+        let place: *const _ = if root.is_some() { &place } else { std::ptr::null() };
+        // SAFETY: a live handle that is not shared, arrays of the size they say or NULL.
+        self.answer(|live, frame| unsafe {
+            sys::stltsa_live_push_pose(live, seconds, form, &input, place, frame)
+        })
+    }
+
+    /// Takes a frame of a clip with the joints or columns of the model's clip, without a look at its
+    /// other frames.
+    ///
+    /// # Errors
+    /// As [`push`](Self::push).
+    pub fn push_frame(&mut self, seconds: f64, clip: &Clip, index: usize) -> Result<LiveFrame> {
+        let index = c_count(index)?;
+        // SAFETY: live handles; the stream is not shared.
+        self.answer(|live, frame| unsafe {
+            sys::stltsa_live_push_frame(live, seconds, clip.raw(), index, frame)
+        })
+    }
+
+    fn answer<F>(&mut self, push: F) -> Result<LiveFrame>
+    where
+        F: FnOnce(*mut sys::stltsa_live, *mut sys::stltsa_live_frame) -> sys::stltsa_status,
+    {
         // SAFETY: a struct of numbers, for which zeros are valid.
         let mut raw: sys::stltsa_live_frame = unsafe { std::mem::zeroed() };
         raw.size = std::mem::size_of::<sys::stltsa_live_frame>();
-        // SAFETY: a live handle that is not shared, an array of the size it says.
-        check(unsafe { sys::stltsa_live_push(self.handle.raw_mut(), seconds, &input, &mut raw) })?;
+        check(push(self.handle.raw_mut(), &mut raw))?;
         Ok(LiveFrame {
             phase: raw.phase,
             rate_hz: raw.rate_hz,

@@ -3,7 +3,9 @@
 
 mod common;
 
-use stltsa::{Cycles, ErrorKind, Live, Model, Options, Phase, SegmentKind};
+use stltsa::{
+    Cycles, ErrorKind, Live, Model, Options, Phase, Rotations, SegmentKind, View,
+};
 
 #[test]
 #[ignore = "needs STLTSA_TEST_CLIP"]
@@ -108,4 +110,21 @@ fn a_stream_has_the_phase_of_the_clip() {
     }
     assert!(passed.iter().any(|&row| (row as f64 - marked as f64).abs() <= 2.0));
     assert_eq!(live.push(9.0, &[1.0]).unwrap_err().kind(), ErrorKind::Shape);
+    let (mut of_frames, mut of_poses) = (Live::new(&model).unwrap(), Live::new(&model).unwrap());
+    let turns = clip.rotations().unwrap();
+    for row in marked - 30..marked {
+        let seconds = row as f64 / clip.fps().unwrap();
+        let now = of_frames.push_frame(seconds, &clip, row).unwrap();
+        let pose = View::new(turns.row(row), turns.cols() / 4, 4).unwrap();
+        let root = (row % 2 == 0).then_some([0.0, 90.0, 0.0]);
+        let pose = of_poses.push_pose(seconds, Rotations::Quaternions(pose), root).unwrap();
+        assert!((now.phase - pose.phase).abs() < 1e-6);
+    }
+    let points = View::new(&[0.0, 1.0, 2.0], 1, 3).unwrap();
+    for sure in [&[][..], &[1.0]] {
+        let error = of_poses.push_points(9.0, points, sure).unwrap_err();
+        assert_eq!(error.kind(), ErrorKind::Unsupported);
+    }
+    let beyond = of_frames.push_frame(9.0, &clip, clip.frames()).unwrap_err();
+    assert_eq!(beyond.kind(), ErrorKind::Argument);
 }
