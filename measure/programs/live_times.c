@@ -3,7 +3,7 @@
  * Measures a pushed frame of a stream in microseconds of processor time: a clip is played to a
  * model of itself, each time from its first frame to its last. Part of measure/live.
  *
- *     live_times CLIP
+ *     live_times CLIP FPS
  *
  * Of the fastest of ten passes, prints the mean of its frames and the longest, "..., mean 12.3",
  * for the frames of the clip, and for points of which every tenth is lost if the clip has points.
@@ -72,30 +72,31 @@ static void measured(const char* name, const stltsa_model* model, const stltsa_c
 }
 
 int main(int argc, char** argv) {
+    stltsa_options* options = NULL;
     stltsa_clip* clip = NULL;
     stltsa_model* model;
-    if (argc != 2) {
-        fprintf(stderr, "usage: live_times CLIP\n");
+    if (argc != 3) {
+        fprintf(stderr, "usage: live_times CLIP FPS\n");
         return 2;
     }
-    check(stltsa_clip_open(argv[1], NULL, &clip));
+    check(stltsa_options_new(&options));
+    check(stltsa_options_set_real(options, STLTSA_OPT_FPS, atof(argv[2])));
+    check(stltsa_clip_open(argv[1], options, &clip));
     model = taught_by(clip);
     measured("frames of the clip", model, clip, NULL, 0);
     if (stltsa_clip_joints(clip) == 0) {
         const int64_t frames = stltsa_clip_frames(clip), columns = stltsa_clip_channels(clip);
         double* points = malloc((size_t)(frames * columns) * sizeof *points);
-        stltsa_options* options = NULL;
         const stltsa_out out = {points, frames, columns, 0, 0, STLTSA_F64, 0};
         int64_t i;
-        check(stltsa_options_new(&options));
         check(stltsa_options_set_int(options, STLTSA_OPT_FEATURES, STLTSA_FEATURES_RAW));
         check(stltsa_clip_features(clip, options, &out));
         for (i = 0; i < frames * columns; i += 30)
             points[i] = NAN;
         measured("a tenth of the points lost", model, clip, points, columns);
-        stltsa_options_free(options);
         free(points);
     }
+    stltsa_options_free(options);
     stltsa_model_free(model);
     stltsa_clip_free(clip);
     return 0;

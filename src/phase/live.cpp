@@ -16,10 +16,14 @@ namespace {
 constexpr double turn = 2 * std::numbers::pi;
 constexpr std::int64_t rate_count = 17;
 constexpr double least_rate = 0.4, most_rate = 2; ///< of the usual one
+/// Frames a second for which the next constants were found.
+constexpr double usual_rate = 30;
 /// Per frame: spread of the phase, in places, and of the rate, in usual rates.
 constexpr double phase_spread = 0.4;
 constexpr double rate_spread = 0.06;
-/// Per second: a body in motion stops, and one that rests goes on.
+/// Per second: a body in motion stops, and one that rests goes on. Without rest among what is
+/// possible, the phase moves on by 5.1 % at the median and 22.8 % at most until a body that was
+/// stopped is still; with it by 1.7 and 10.7 %.
 constexpr double stops = 0.3, resumes = 3;
 constexpr double least_share = 1e-9; ///< of a rate that becomes another one
 constexpr double prior_spread = 0.35;
@@ -139,7 +143,7 @@ double LivePhase::nearest_place() {
 
 /// Every rate moves its phases on; then both blur, and a little of anything is possible.
 void LivePhase::predict(double seconds, bool is_far) {
-    const double frames = seconds * cycle_.rate;
+    const double frames = seconds * usual_rate;
     std::swap(likely_, before_);
     for (std::int64_t r = 0; r < rate_count; ++r) {
         double moved = rates_[static_cast<std::size_t>(r)] * seconds;

@@ -148,7 +148,7 @@ def test_poses_and_frames_are_pushed_as_they_come(clip, phase):
         np.testing.assert_allclose([f.phase for f in seen], seen[0].phase, atol=1e-5)
     assert abs(seen[0].phase - phase.values[299]) < 0.03
     with pytest.raises(ValueError, match="rotations must be of the shape"):
-        streams[1].push_pose(0.5, 99)
+        streams[1].push_pose(np.zeros((2, 2, 2, 2)), 99)
     with pytest.raises(stltsa.UnsupportedError, match="without points"):
         streams[1].push_points(np.zeros((4, 3)), 99)
     with pytest.raises(stltsa.ArgumentError, match="frame 1000000 does not exist"):
@@ -166,7 +166,7 @@ def test_points_are_pushed_as_they_come(clip):
         sure = (np.arange(points.shape[1]) + i // 10) % 9 > 0
         a = whole.push_points(points[i], i / clip.fps)
         b = lossy.push_points(points[i] + [300, 0, 90], i / clip.fps, sure)
-        if i > 200:
+        if i > 200 and not np.isnan(phase.values[i]):
             assert abs((a.phase - b.phase + 0.5) % 1 - 0.5) < 0.01
             assert abs((a.phase - phase.values[i] + 0.5) % 1 - 0.5) < 0.03
     with pytest.raises(stltsa.ShapeError, match="points is"):
