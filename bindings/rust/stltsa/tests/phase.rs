@@ -3,9 +3,7 @@
 
 mod common;
 
-use stltsa::{
-    Cycles, ErrorKind, Live, Model, Options, Phase, Rotations, SegmentKind, View,
-};
+use stltsa::{Cycles, ErrorKind, Live, Model, Options, Phase, Rotations, SegmentKind, View};
 
 #[test]
 #[ignore = "needs STLTSA_TEST_CLIP"]
