@@ -8,10 +8,10 @@
 
 namespace stltsa::phase {
 
-/// Time constant of each stage of the filter, seconds. 0.027, with frames that do not lie on lines,
-/// had errors of 0.71 and 2.4 % (median, 95 %) in place of 0.62 and 2.1 % on a clip of markers at
-/// 150 Hz, and 0.71 and 2.5 % in place of 0.54 and 2.1 % where 30 % of the frames of pairs of clips
-/// at 30 Hz were dropped (measure/live).
+/// Time constant of each stage of the filter, seconds: the delay, at 30 Hz, of the discrete filter
+/// of 30 ms that it replaces. That one had errors of 0.71 and 2.5 % (median, 95 %) in place of 0.54
+/// and 2.1 % where 30 % of the frames of pairs of clips were dropped, and 0.70 and 2.4 % in place
+/// of 0.62 and 2.1 % on a clip of markers at 150 Hz (measure/live).
 inline constexpr double filter_s = 0.0165;
 /// Seconds until the filter has settled: earlier frames are not learned from.
 inline constexpr double warm_up_s = 0.15;
