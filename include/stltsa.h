@@ -1086,8 +1086,9 @@ STLTSA_API stltsa_status stltsa_model_load(const char *path, stltsa_model **mode
 
 /* A phase for every frame of the cycles of a clip: where it lies on the mean cycle of its motion,
  * in turns. It rises strictly and is continuous across the borders of cycles; 0 is at the same
- * place of the body in every cycle, clip and person with the same features, at most an eighth of a
- * cycle from the borders of the cycles. The frames of all segments of a label are registered to one
+ * place of the body in every cycle, clip and person with the same features, wherever the cycles
+ * begin: where the legs pass each other, if the two sides of the body are known and swing. The
+ * frames of all segments of a label are registered to one
  * mean cycle, by pose and velocity; afterwards the mean share of time at each phase is uniform. */
 typedef struct stltsa_phase stltsa_phase;
 
@@ -1124,15 +1125,17 @@ typedef struct stltsa_cycles stltsa_cycles;
  * signals   frames of the file x columns; NaN is a missing value, which means leave out
  * samples   of each cycle, at least 2; 101 for percent
  *
- * A turn of the phase begins at most an eighth of a cycle before or after its cycle. Samples that
- * the clip does not reach, at the first and the last cycle, are NaN.
- * E_ARGUMENT: the label has no cycles. E_SHAPE. */
+ * Of a label without cycles, each repetition is a cycle. A turn of the phase is that of the cycle
+ * whose begin is nearest to it, at most half a cycle away. Samples that the clip does not reach, or
+ * more than a quarter of a cycle outside the cycles, are NaN.
+ * E_ARGUMENT: the label has neither cycles nor repetitions. E_SHAPE. */
 STLTSA_API stltsa_status stltsa_cycles_resample(const stltsa_phase *phase, int32_t label,
                                                 const stltsa_in *signals, int64_t samples,
                                                 stltsa_cycles **cycles) STLTSA_NOEXCEPT;
 
 /* The same without registration: linear in time between borders, such as heel strikes.
- * borders   count x 1, ascending frames, not rounded, within the signals; at least 2 */
+ * borders   count x 1, ascending frames, not rounded, at least 2; from 0 to the number of frames,
+ *           which is the end of the last one: samples after the begin of the last frame are NaN */
 STLTSA_API stltsa_status stltsa_cycles_between(const stltsa_in *borders, const stltsa_in *signals,
                                                int64_t samples,
                                                stltsa_cycles **cycles) STLTSA_NOEXCEPT;
@@ -1185,9 +1188,10 @@ typedef struct stltsa_event {
  * in      where the events are found: NULL or `from` for the same clip, or another clip with the
  *         same features, such as another person's
  *
- * Events are in order of time; none if the other clip has no such motion (see
- * stltsa_events_likeness). E_ARGUMENT: a mark lies in no motion that repeats. E_SHAPE: the features
- * of the clips differ. */
+ * Marks farther than a tenth of a cycle apart are marks of several places of the cycle: each has its
+ * events, and a warning says so. Events are in order of time; none if the other clip has no such
+ * motion (see stltsa_events_likeness). E_ARGUMENT: a mark lies in no motion that repeats, or the
+ * marks are spread all over the cycle. E_SHAPE: the features of the clips differ. */
 STLTSA_API stltsa_status stltsa_events_find(const stltsa_phase *from, const stltsa_in *marks,
                                             const stltsa_phase *in,
                                             stltsa_events **events) STLTSA_NOEXCEPT;
@@ -1198,6 +1202,11 @@ STLTSA_API stltsa_status stltsa_events_event(const stltsa_events *events, int64_
 /* Correlation of the mean cycles of the two clips; 1 within a clip. Events of another person are to
  * be trusted less below 0.95; below 0.6 it is another motion, and there are none. */
 STLTSA_API double stltsa_events_likeness(const stltsa_events *events) STLTSA_NOEXCEPT;
+/* Of marks at several places of the cycle, repetitions without the event, and phases that are linear
+ * in time. Valid until the events are freed; "" beyond the last one. */
+STLTSA_API int64_t stltsa_events_warning_count(const stltsa_events *events) STLTSA_NOEXCEPT;
+STLTSA_API const char *stltsa_events_warning(const stltsa_events *events,
+                                             int64_t index) STLTSA_NOEXCEPT;
 
 /* ---- Live phase ----------------------------------------------------------------------------- */
 

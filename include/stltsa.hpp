@@ -864,6 +864,9 @@ class Events {
         return detail::list(count(), [this](std::int64_t index) { return event(index); });
     }
     double likeness() const noexcept { return stltsa_events_likeness(get()); }
+    std::vector<std::string> warnings() const {
+        return detail::texts(stltsa_events_warning_count, stltsa_events_warning, get());
+    }
 
     const stltsa_events* get() const noexcept { return handle_.get(); }
 

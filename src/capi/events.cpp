@@ -72,3 +72,13 @@ stltsa_status stltsa_events_event(const stltsa_events* events, int64_t index,
 double stltsa_events_likeness(const stltsa_events* events) noexcept {
     return events == nullptr ? 0 : events->likeness;
 }
+
+int64_t stltsa_events_warning_count(const stltsa_events* events) noexcept {
+    return events == nullptr ? 0 : static_cast<int64_t>(events->warnings.size());
+}
+
+const char* stltsa_events_warning(const stltsa_events* events, int64_t index) noexcept {
+    if (index < 0 || index >= stltsa_events_warning_count(events))
+        return "";
+    return events->warnings[static_cast<std::size_t>(index)].c_str();
+}

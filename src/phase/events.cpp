@@ -3,19 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <limits>
-#include <numbers>
-#include <optional>
 
-#include "linalg/gaussian.hpp"
 #include "linalg/simd.hpp"
 #include "motion/curve/statistics.hpp"
 
 namespace stltsa::phase {
 namespace {
 
-constexpr double turn = 2 * std::numbers::pi;
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 /// Templates reach so far to each side, as a share of a cycle; longer ones follow the motion before
 /// and after the event.
@@ -28,15 +23,15 @@ constexpr int rounds = 4;
 constexpr double variance_floor = 0.1;
 /// Cycles farther from the mean, in units of the usual distance, teach no template.
 constexpr double most_distance = 3;
-/// Farther than this from the mean cycle, as a share of the deviation of the motion, it is another
-/// motion, such as the start of a walk, and has no event. Live, other motions are told by 0.65.
-constexpr double other_motion = 0.8;
-/// Distances below this say nothing of the error: motion without noise has 0.01, recorded 0.2.
-constexpr double least_usual = 0.1;
 /// Median from this number on, mean of fewer.
 constexpr std::size_t many = 5;
 constexpr double of_phase = 0.25, of_direct = 0.25, of_group = 0.5;
 constexpr double least_error_ms = 3;
+/// Error between recordings, as a share of a cycle, where the mean cycles are not alike at all; it
+/// falls with the root of what they lack. Median errors: 0.4 % of a cycle at likeness 0.99 (next
+/// clip of a style), 1.1 % at 0.95 (other side of the body), 1.0 to 1.5 % at 0.9 (other styles and
+/// actors), 2.5 % at 0.83 (other people).
+constexpr double error_share = 0.05;
 /// Between recordings: range and step of the common shift, as shares of a cycle.
 constexpr double common_reach = 0.08;
 constexpr double common_step = 0.004;
@@ -137,13 +132,6 @@ double refined(const Searched& in, double row, const Template& like, const Rows&
     return begin + lowest(costs) / places;
 }
 
-double interpolated(const std::vector<double>& values, double place) {
-    const double at = std::clamp(place, 0.0, static_cast<double>(values.size() - 1));
-    const auto i = std::min(static_cast<std::size_t>(at), values.size() - 1);
-    const auto next = std::min(i + 1, values.size() - 1);
-    return values[i] + (at - static_cast<double>(i)) * (values[next] - values[i]);
-}
-
 /// A place at which the phase comes round.
 struct Candidate {
     double row = 0;
@@ -151,48 +139,43 @@ struct Candidate {
     bool teaches = false;
 };
 
+/// Where one run is at a phase.
+Candidate candidate_at(const Searched& in, std::size_t run, double phase, const Rows& offsets) {
+    const std::vector<double>& phases = in.runs[run].phase;
+    const auto after = std::ranges::lower_bound(phases, phase) - phases.begin();
+    const auto i = static_cast<std::size_t>(std::max<std::ptrdiff_t>(after, 1));
+    const double place =
+        static_cast<double>(i - 1) + (phase - phases[i - 1]) / (phases[i] - phases[i - 1]);
+    const double row = static_cast<double>(in.runs[run].begin) + place;
+    const double distance = interpolated(in.distance[run], place);
+    const bool whole =
+        row + offsets.front() > 0 && row + offsets.back() < static_cast<double>(in.fine.rows() - 1);
+    return {row, distance, whole && remoteness(in, distance) < most_distance};
+}
+
+/// One in every turn of the runs; of a repetition, which is a run of one turn, one.
 std::vector<Candidate> candidates_at(const Searched& in, double phase, const Rows& offsets) {
     std::vector<Candidate> found;
-    const double last = static_cast<double>(in.fine.rows() - 1);
     for (std::size_t r = 0; r < in.runs.size(); ++r) {
-        const std::vector<double>& phases = in.runs[r].phase;
-        const double first = in.cyclic ? phase + std::ceil(phases.front() - phase) : phase;
-        for (double next = first; next >= phases.front() && next <= phases.back(); ++next) {
-            const auto after = std::ranges::lower_bound(phases, next) - phases.begin();
-            const auto i = static_cast<std::size_t>(std::max<std::ptrdiff_t>(after, 1));
-            const double place =
-                static_cast<double>(i - 1) + (next - phases[i - 1]) / (phases[i] - phases[i - 1]);
-            const double row = static_cast<double>(in.runs[r].begin) + place;
-            const double distance = interpolated(in.distance[r], place);
-            if (distance > other_motion)
-                continue;
-            const bool whole = row + offsets.front() > 0 && row + offsets.back() < last;
-            found.push_back(
-                {row, distance,
-                 whole && distance < most_distance * std::max(in.usual_distance, least_usual)});
+        const double first = in.runs[r].phase.front(), last = in.runs[r].phase.back();
+        double next = in.cyclic ? phase + std::ceil(first - phase) : phase;
+        for (; next >= first && next <= last; ++next) {
+            const Candidate candidate = candidate_at(in, r, next, offsets);
+            if (candidate.distance <= other_motion)
+                found.push_back(candidate);
+            if (!in.cyclic)
+                break;
         }
     }
     std::ranges::sort(found, {}, &Candidate::row);
     return found;
 }
 
-/// Mean of the phases of the marks, on the circle if the motion is cyclic; none if no mark lies
-/// within a run.
-std::optional<double> phase_of(const Searched& in, std::span<const double> marks) {
-    std::complex<double> sum = 0;
-    double total = 0, count = 0;
-    for (const double mark : marks)
-        for (const Run& run : in.runs)
-            if (mark >= static_cast<double>(run.begin) &&
-                mark <= static_cast<double>(run.end() - 1)) {
-                const double phase = interpolated(run.phase, mark - static_cast<double>(run.begin));
-                sum += std::polar(1.0, turn * phase);
-                total += phase;
-                ++count;
-            }
-    if (count == 0)
-        return std::nullopt;
-    return in.cyclic ? std::arg(sum) / turn : total / count;
+double phase_of(const Place& marks) {
+    double sum = 0;
+    for (const Mark& mark : marks)
+        sum += mark.phase;
+    return sum / static_cast<double>(marks.size());
 }
 
 Rows rows_of(const std::vector<Candidate>& candidates) {
@@ -202,17 +185,19 @@ Rows rows_of(const std::vector<Candidate>& candidates) {
     return rows;
 }
 
-/// Median of how far the marks are from the nearest of the places.
-double offset_from(const Rows& places, std::span<const double> marks) {
+/// Median of how far the marks are from the nearest of the places; those in a cycle without a place
+/// do not count.
+double offset_from(const Searched& in, const Rows& places, const Place& marks) {
     Rows offsets;
-    for (const double mark : marks) {
+    for (const Mark& mark : marks) {
         double best = std::numeric_limits<double>::infinity();
         for (const double place : places)
-            if (std::abs(mark - place) < std::abs(best))
-                best = mark - place;
-        offsets.push_back(best);
+            if (std::abs(mark.row - place) < std::abs(best))
+                best = mark.row - place;
+        if (std::abs(best) < in.mean.period / 2)
+            offsets.push_back(best);
     }
-    return motion::median(offsets);
+    return offsets.empty() ? 0 : motion::median(offsets);
 }
 
 void shift(Rows& places, double by) {
@@ -254,12 +239,12 @@ Rows group_places(const Searched& in, const std::vector<Candidate>& candidates,
 }
 
 /// Where the recording is like the windows at the marks themselves.
-Rows direct_places(const Searched& in, const std::vector<Candidate>& candidates,
-                   std::span<const double> marks, const Rows& offsets) {
+Rows direct_places(const Searched& in, const std::vector<Candidate>& candidates, const Place& marks,
+                   const Rows& offsets) {
     const auto windows = taught(in, candidates, rows_of(candidates), offsets);
     std::vector<Matrix> marked;
-    for (const double mark : marks)
-        marked.push_back(window(in.fine, mark, offsets));
+    for (const Mark& mark : marks)
+        marked.push_back(window(in.fine, mark.row, offsets));
     Matrix mean(marked.front().rows(), marked.front().cols());
     for (const Matrix& each : marked)
         axpy(1 / static_cast<double>(marked.size()), each.data(), mean.data(),
@@ -273,12 +258,17 @@ Rows direct_places(const Searched& in, const std::vector<Candidate>& candidates,
     return places;
 }
 
-double milliseconds(const Searched& in, double rows) {
-    return 1000 * rows / in.rate;
+/// Where the motion is far from the mean cycle, its phase is not sure: neither are events that are
+/// found by marks there.
+double doubt_of(const Searched& from, const Place& marks) {
+    Rows distances;
+    for (const Mark& mark : marks)
+        distances.push_back(mark.distance);
+    return remoteness(from, motion::median(distances));
 }
 
-double remoteness(const Searched& in, const Candidate& candidate) {
-    return std::max(1.0, candidate.distance / std::max(in.usual_distance, least_usual));
+double milliseconds(const Searched& in, double rows) {
+    return 1000 * rows / in.rate;
 }
 
 /// The phase of `to` that looks like a phase of `from`.
@@ -319,45 +309,25 @@ Matrix group_window(const Searched& in, const std::vector<Candidate>& candidates
 
 } // namespace
 
-Searched searched(ConstMatrixView rows, double rate, const Phases& phases, std::vector<Run> runs) {
-    const double period = phases.mean.period;
-    const Matrix both = pose_and_velocity(rows, rate, period);
-    Searched made{
-        phases.mean, std::move(runs), {}, 0, rate, phases.cyclic, FineRows(rows, rate, period)};
-    Rows within;
-    for (const Run& run : phases.runs)
-        std::ranges::copy(residuals(both.view(), made.mean, run), std::back_inserter(within));
-    made.usual_distance = motion::median(within);
-    for (const Run& run : made.runs) {
-        Rows distance = residuals(both.view(), made.mean, run);
-        const Matrix smooth =
-            gaussian_smoothed({distance.data(), run.rows(), 1, 1}, period / 20, Beyond::nothing);
-        made.distance.emplace_back(smooth.data(), smooth.data() + run.rows());
-    }
-    return made;
-}
-
-std::vector<Event> find_events(const Searched& in, std::span<const double> marks) {
-    const auto phase = phase_of(in, marks);
-    if (!phase)
-        return {};
+std::vector<Event> find_events(const Searched& in, const Place& marks) {
     const Rows offsets = offsets_of(in);
-    const auto candidates = candidates_at(in, *phase, offsets);
+    const auto candidates = candidates_at(in, phase_of(marks), offsets);
     if (candidates.empty())
         return {};
     Rows by_phase = rows_of(candidates);
-    shift(by_phase, offset_from(by_phase, marks));
+    shift(by_phase, offset_from(in, by_phase, marks));
     const Rows direct = direct_places(in, candidates, marks, offsets);
     Rows group = group_places(in, candidates, offsets);
-    shift(group, offset_from(group, marks));
+    shift(group, offset_from(in, group, marks));
+    const double doubt = doubt_of(in, marks);
     std::vector<Event> events;
     for (std::size_t i = 0; i < candidates.size(); ++i) {
         const double row = of_phase * by_phase[i] + of_direct * direct[i] + of_group * group[i];
         const auto off = [&](double place) { return (place - row) * (place - row); };
         const double apart = std::sqrt(of_phase * off(by_phase[i]) + of_direct * off(direct[i]) +
                                        of_group * off(group[i]));
-        events.push_back(
-            {row, (least_error_ms + milliseconds(in, apart)) * remoteness(in, candidates[i])});
+        events.push_back({row, (least_error_ms + milliseconds(in, apart)) * doubt *
+                                   remoteness(in, candidates[i].distance)});
     }
     return events;
 }
@@ -366,17 +336,16 @@ double likeness(const Searched& from, const Searched& in) {
     return offset_between(from.mean.loop, in.mean.loop).likeness;
 }
 
-std::vector<Event> find_events(const Searched& from, std::span<const double> marks,
-                               const Searched& in) {
-    const auto phase = phase_of(from, marks);
-    if (!phase)
-        return {};
+std::vector<Event> find_events(const Searched& from, const Place& marks, const Searched& in) {
+    const double phase = phase_of(marks);
     Offset offset = offset_between(from.mean.loop, in.mean.loop);
     const Rows offsets = offsets_of(from);
     // The template of the source, with the marks in its middle.
-    const auto sources = candidates_at(from, *phase, offsets);
+    const auto sources = candidates_at(from, phase, offsets);
+    if (sources.empty())
+        return {};
     Rows marked = group_places(from, sources, offsets);
-    shift(marked, offset_from(marked, marks));
+    shift(marked, offset_from(from, marked, marks));
     const auto windows = taught(from, sources, marked, offsets);
     Template like{typical(windows), {}};
     like.weights = weights_of(windows, like.values);
@@ -385,7 +354,7 @@ std::vector<Event> find_events(const Searched& from, std::span<const double> mar
     for (double& each : scaled)
         each *= in.mean.period / from.mean.period;
     const auto candidates =
-        candidates_at(in, mapped_phase(from.mean, in.mean, offset, *phase), offsets_of(in));
+        candidates_at(in, mapped_phase(from.mean, in.mean, offset, phase), offsets_of(in));
     if (candidates.empty())
         return {};
     Rows group = group_places(in, candidates, offsets_of(in));
@@ -396,12 +365,16 @@ std::vector<Event> find_events(const Searched& from, std::span<const double> mar
         costs.push_back(cost_of(
             group_window(in, candidates, group, s * common_step * in.mean.period, scaled), like));
     shift(group, (lowest(costs) - steps) * common_step * in.mean.period);
+    const double doubt = doubt_of(from, marks);
+    const double least =
+        least_error_ms + milliseconds(in, error_share * in.mean.period *
+                                              std::sqrt(std::max(0.0, 1 - offset.likeness)));
     std::vector<Event> events;
     for (std::size_t i = 0; i < candidates.size(); ++i) {
         const double apart = std::abs(group[i] - candidates[i].row);
-        events.push_back({(group[i] + candidates[i].row) / 2,
-                          (least_error_ms + milliseconds(in, apart)) *
-                              remoteness(in, candidates[i]) * (2 - offset.likeness)});
+        events.push_back(
+            {(group[i] + candidates[i].row) / 2,
+             (least + milliseconds(in, apart)) * doubt * remoteness(in, candidates[i].distance)});
     }
     return events;
 }

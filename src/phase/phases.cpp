@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <numbers>
 
 #include "motion/curve/statistics.hpp"
@@ -14,11 +13,13 @@ namespace {
 /// Mean squared distance from the mean cycle, as a share of the variance, above which the phase is
 /// linear in time: 0.1 is usual; a column that drifts gives 0.57, zeros for gaps 0.9.
 constexpr double most_residual = 0.4;
+/// Sides that swing less, see Wave, say nothing of the cycle.
+constexpr double least_swing = 0.2;
 constexpr double turn = 2 * std::numbers::pi;
 
-double typical_length(std::span<const Sequence> sequences) {
+double typical_length(std::span<const Borders> sequences) {
     std::vector<double> lengths;
-    for (const auto& [borders, begins_at] : sequences)
+    for (const Borders& borders : sequences)
         for (std::size_t i = 0; i + 1 < borders.size(); ++i)
             lengths.push_back(borders[i + 1] - borders[i]);
     return motion::median(lengths);
@@ -34,13 +35,12 @@ double linear_phase(const Borders& borders, double row) {
     return static_cast<double>(i - 1) + (row - begin) / (end - begin);
 }
 
-Run linear_run(const Sequence& sequence, std::int64_t rows) {
-    const Borders& borders = sequence.borders;
+Run linear_run(const Borders& borders, std::int64_t rows) {
     Run run{std::max<std::int64_t>(0, std::llround(borders.front())), {}};
     const std::int64_t end =
         std::min(rows, static_cast<std::int64_t>(std::llround(borders.back())));
     for (std::int64_t row = run.begin; row < end; ++row)
-        run.phase.push_back(sequence.begins_at + linear_phase(borders, static_cast<double>(row)));
+        run.phase.push_back(linear_phase(borders, static_cast<double>(row)));
     return run;
 }
 
@@ -59,22 +59,6 @@ void align(ConstMatrixView rows, double period, std::vector<Run>& runs) {
     }
 }
 
-double phase_at(const Run& run, double row) {
-    const double place =
-        std::clamp(row - static_cast<double>(run.begin), 0.0, static_cast<double>(run.rows() - 1));
-    const auto i = std::min(static_cast<std::size_t>(place), run.phase.size() - 2);
-    return run.phase[i] + (place - static_cast<double>(i)) * (run.phase[i + 1] - run.phase[i]);
-}
-
-/// Circular mean of the phases at the borders, of those where the same side comes first.
-double phase_at_borders(const std::vector<Run>& runs, std::span<const Sequence> sequences) {
-    std::complex<double> sum = 0;
-    for (std::size_t s = 0; s < runs.size(); ++s)
-        for (const double border : sequences[s].borders)
-            sum += std::polar(1.0, turn * (phase_at(runs[s], border) - sequences[s].begins_at));
-    return std::arg(sum) / turn;
-}
-
 /// Weight of a column of a body without known sides: any weights do that are the same in every
 /// recording and do not cancel. By the golden angle no few columns have like weights.
 double fixed_weight(std::size_t column) {
@@ -82,19 +66,37 @@ double fixed_weight(std::size_t column) {
     return std::cos(golden_angle * static_cast<double>(column));
 }
 
-/// The phase at which the body is at a known place: a weighted sum of the poses follows a wave over
-/// the cycle, which has a peak, a valley and two passes between them. Of these four, the one
-/// nearest to the borders of the cycles.
-double body_zero(const Loop& loop, std::span<const double> side, double at_borders) {
-    const auto features = static_cast<std::size_t>(loop.cols() / 2);
-    double cosine = 0, sine = 0;
-    for (std::size_t c = 0; c < features; ++c) {
-        const double weight = side.empty() ? fixed_weight(c) : side[c];
-        cosine += weight * loop.coefficients(1, static_cast<std::int64_t>(c));
-        sine += weight * loop.coefficients(loop.harmonics() + 1, static_cast<std::int64_t>(c));
+/// First harmonic of a weighted sum of the poses over the mean cycle.
+struct Wave {
+    double peak = 0;  ///< its phase, in turns
+    double share = 0; ///< amplitude; 1 if the columns move as the weights say and no other way
+};
+
+template <class Weight>
+Wave wave_of(const Loop& loop, const Weight& weight_of) {
+    const std::int64_t features = loop.cols() / 2;
+    double cosine = 0, sine = 0, weights = 0, power = 0;
+    for (std::int64_t c = 0; c < features; ++c) {
+        const double weight = weight_of(static_cast<std::size_t>(c));
+        const double a = loop.coefficients(1, c), b = loop.coefficients(loop.harmonics() + 1, c);
+        cosine += weight * a;
+        sine += weight * b;
+        weights += weight * weight;
+        power += a * a + b * b;
     }
-    const double peak = std::atan2(sine, cosine) / turn;
-    return peak + std::round((at_borders - peak) * 4) / 4;
+    const double size = std::sqrt(weights * power);
+    return {std::atan2(sine, cosine) / turn, size > 0 ? std::hypot(cosine, sine) / size : 0};
+}
+
+/// The phase at which the body is at a known place, wherever cycles begin: where the sides pass
+/// each other, a quarter of a cycle after one of them is most forward; or, if the sides do not
+/// swing, the peak of a sum with fixed weights.
+double body_zero(const Loop& loop, std::span<const double> side) {
+    if (!side.empty())
+        if (const Wave sides = wave_of(loop, [&](std::size_t c) { return side[c]; });
+            sides.share > least_swing)
+            return sides.peak + 0.25;
+    return wave_of(loop, fixed_weight).peak;
 }
 
 void shift_zero(double zero, Phases& phases) {
@@ -104,10 +106,10 @@ void shift_zero(double zero, Phases& phases) {
             phase -= zero;
 }
 
-std::vector<Run> linear_runs(std::span<const Sequence> sequences, std::int64_t rows) {
+std::vector<Run> linear_runs(std::span<const Borders> sequences, std::int64_t rows) {
     std::vector<Run> runs;
-    for (const Sequence& sequence : sequences)
-        runs.push_back(linear_run(sequence, rows));
+    for (const Borders& borders : sequences)
+        runs.push_back(linear_run(borders, rows));
     return runs;
 }
 
@@ -126,19 +128,19 @@ Phases registered(ConstMatrixView both, std::vector<Run> runs, double period) {
 
 } // namespace
 
-Phases find_phases(ConstMatrixView rows, double rate, std::span<const Sequence> sequences,
+Phases find_phases(ConstMatrixView rows, double rate, std::span<const Borders> sequences,
                    std::span<const double> side) {
     const double period = typical_length(sequences);
     const Matrix both = pose_and_velocity(rows, rate, period);
     std::vector<Run> runs = linear_runs(sequences, rows.rows);
     align(both.view(), period, runs);
     Phases phases = registered(both.view(), std::move(runs), period);
-    shift_zero(body_zero(phases.mean.loop, side, phase_at_borders(phases.runs, sequences)), phases);
+    shift_zero(body_zero(phases.mean.loop, side), phases);
     return phases;
 }
 
 Phases find_phases_of_repetitions(ConstMatrixView rows, double rate,
-                                  std::span<const Sequence> repetitions) {
+                                  std::span<const Borders> repetitions) {
     const double period = typical_length(repetitions);
     const Matrix both = pose_and_velocity(rows, rate, period);
     Phases phases = registered(both.view(), linear_runs(repetitions, rows.rows), period);

@@ -12,12 +12,6 @@ namespace stltsa::phase {
 /// Borders of cycles back to back, in rows, not rounded: cycle i lasts from border i to i + 1.
 using Borders = std::vector<double>;
 
-/// Cycles back to back.
-struct Sequence {
-    Borders borders;
-    double begins_at = 0; ///< about this phase: 0.5 if the other side of the body comes first
-};
-
 /// Of one motion. Phase 0 is at the same place of the body in every cycle and every recording.
 struct Phases {
     MeanCycle mean;
@@ -29,14 +23,14 @@ struct Phases {
 
 /// Phases of the rows within the cycles. `rows`: features, not smoothed, finite; `rate`: rows per
 /// second. `side`: one weight for each column, whose weighted sum shows which side of the body is
-/// forward; empty: unknown. Sequences have a cycle of at least four rows each, and lie within the
+/// forward; empty: unknown. Phase 0 does not depend on where cycles begin. Sequences have a cycle of at least four rows each, and lie within the
 /// rows.
-Phases find_phases(ConstMatrixView rows, double rate, std::span<const Sequence> sequences,
+Phases find_phases(ConstMatrixView rows, double rate, std::span<const Borders> sequences,
                    std::span<const double> side);
 
 /// The same of an action that is repeated with pauses: each sequence is one repetition, from phase
 /// 0 to 1.
 Phases find_phases_of_repetitions(ConstMatrixView rows, double rate,
-                                  std::span<const Sequence> repetitions);
+                                  std::span<const Borders> repetitions);
 
 } // namespace stltsa::phase

@@ -8,6 +8,8 @@
 namespace stltsa::phase {
 namespace {
 
+/// Places between borders have such errors, in rows.
+constexpr double rounding = 1e-6;
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 /// The place at which the rising values reach `value`; NaN outside.
@@ -29,11 +31,12 @@ double share_of(std::int64_t sample, std::int64_t samples) {
 Matrix linear_rows(ConstMatrixView signals, const double* places, std::int64_t count) {
     Matrix result(count, signals.cols);
     for (std::int64_t s = 0; s < count; ++s) {
-        if (std::isnan(places[s])) {
+        const auto last = static_cast<double>(signals.rows - 1);
+        if (!(places[s] <= last + rounding)) {
             std::fill_n(result.row(s), signals.cols, none);
             continue;
         }
-        const double place = std::clamp(places[s], 0.0, static_cast<double>(signals.rows - 1));
+        const double place = std::clamp(places[s], 0.0, last);
         const auto i =
             std::min(static_cast<std::int64_t>(place), std::max<std::int64_t>(0, signals.rows - 2));
         const double part = place - static_cast<double>(i);

@@ -27,7 +27,7 @@ struct Resampled {
 };
 
 /// `signals`: a row each; NaN is a missing value and is left out of means. Linear between rows. A
-/// row that is NaN has no values.
+/// row that is NaN, or beyond the last one, has no values.
 Resampled resample(ConstMatrixView signals, Matrix rows);
 
 } // namespace stltsa::phase

@@ -18,11 +18,14 @@ constexpr double least_likeness = 0.6;
 /// Error at which an event is as likely wrong as right, in milliseconds.
 constexpr double doubtful_ms = 60;
 
-/// Where a run may grow: within motion, up to the next run of any motion.
+/// Where a run may grow: up to the next run of any motion; cycles within motion, a repetition also
+/// into the rests around it, as its ends are often marked.
 phase::Range room_of(const Phased& phased, const PhasedMotion& motion, const phase::Run& run) {
     phase::Range room{run.begin, run.end()};
+    if (!motion.phases.cyclic)
+        room = unbroken(phased, run);
     for (const phase::Range& moving : phased.moving)
-        if (moving.begin <= run.begin && run.end() <= moving.end)
+        if (motion.phases.cyclic && moving.begin <= run.begin && run.end() <= moving.end)
             room = moving;
     for (const PhasedMotion& other : phased.motions)
         for (const phase::Run& next : other.phases.runs) {
@@ -48,34 +51,32 @@ phase::Searched searched(const Phased& phased, const PhasedMotion& motion) {
     return phase::searched(phased.rows.view(), phased.clip.fps, motion.phases, std::move(runs));
 }
 
-bool holds(const phase::Searched& motion, double row) {
-    return std::ranges::any_of(motion.runs, [&](const phase::Run& run) {
-        return row >= static_cast<double>(run.begin) && row <= static_cast<double>(run.end() - 1);
-    });
-}
-
-/// The marks of each motion, in rows.
+/// The marks of a motion.
 struct Marked {
     phase::Searched motion;
-    std::vector<double> rows;
+    std::vector<phase::Mark> marks;
 };
+
+void add_mark(double frame, double row, std::vector<Marked>& motions) {
+    for (Marked& each : motions)
+        if (const auto mark = phase::mark_at(each.motion, row);
+            mark && mark->distance <= phase::other_motion) {
+            each.marks.push_back(*mark);
+            return;
+        }
+    fail(Status::argument,
+         "the mark at frame {} lies in no motion that repeats: mark a frame in a cycle or a "
+         "repetition",
+         frame);
+}
 
 std::vector<Marked> marked_motions(const Phased& from, std::span<const double> marks) {
     std::vector<Marked> all;
     for (const PhasedMotion& motion : from.motions)
         all.push_back({searched(from, motion), {}});
-    for (const double mark : marks) {
-        const double row = mark - static_cast<double>(from.clip.first);
-        const auto found =
-            std::ranges::find_if(all, [&](const Marked& each) { return holds(each.motion, row); });
-        if (found == all.end())
-            fail(Status::argument,
-                 "the mark at frame {} lies in no motion that repeats: mark a frame in a cycle or "
-                 "a repetition",
-                 mark);
-        found->rows.push_back(row);
-    }
-    std::erase_if(all, [](const Marked& each) { return each.rows.empty(); });
+    for (const double mark : marks)
+        add_mark(mark, mark - static_cast<double>(from.clip.first), all);
+    std::erase_if(all, [](const Marked& each) { return each.marks.empty(); });
     return all;
 }
 
@@ -89,25 +90,35 @@ std::int64_t cycle_at(const Phased& in, double frame) {
     return at >= 0 && at < in.clip.frames ? in.cycle[static_cast<std::size_t>(at)] : -1;
 }
 
-void append(const std::vector<phase::Event>& events, const Phased& in, FoundEvents& found) {
+std::vector<FoundEvent> found_in(const std::vector<phase::Event>& events, const Phased& in) {
+    std::vector<FoundEvent> found;
     for (const phase::Event& event : events) {
         const double frame = event.row + static_cast<double>(in.clip.first);
-        found.events.push_back({frame, frame / in.clip.fps, cycle_at(in, frame),
-                                confidence_of(event.error_ms), false});
+        found.push_back({frame, frame / in.clip.fps, cycle_at(in, frame),
+                         confidence_of(event.error_ms), false});
+    }
+    return found;
+}
+
+/// Each mark itself, in place of what was found near it.
+void set_marked(const phase::Place& marks, double period, const Phased& in,
+                std::vector<FoundEvent>& found) {
+    for (const phase::Mark& mark : marks) {
+        const double frame = mark.row + static_cast<double>(in.clip.first);
+        const auto off = [&](const FoundEvent& event) {
+            return event.marked ? period : std::abs(event.frame - frame);
+        };
+        const auto nearest = std::ranges::min_element(found, {}, off);
+        const FoundEvent marked{frame, frame / in.clip.fps, cycle_at(in, frame), 1, true};
+        if (nearest != found.end() && off(*nearest) < period / 4)
+            *nearest = marked;
+        else
+            found.push_back(marked);
     }
 }
 
-/// The marks themselves, in place of what was found there.
-void set_marked(std::span<const double> marks, const Phased& in, FoundEvents& found) {
-    for (const double mark : marks) {
-        const auto nearest =
-            std::ranges::min_element(found.events, {}, [&](const FoundEvent& event) {
-                return std::abs(event.frame - mark);
-            });
-        if (nearest == found.events.end())
-            continue;
-        *nearest = {mark, mark / in.clip.fps, cycle_at(in, mark), 1, true};
-    }
+void append(std::vector<FoundEvent> events, FoundEvents& found) {
+    std::ranges::move(events, std::back_inserter(found.events));
 }
 
 void check_features(const Phased& from, const Phased& in) {
@@ -118,6 +129,50 @@ void check_features(const Phased& from, const Phased& in) {
              from.rows.cols(), in.rows.cols());
 }
 
+void warn_of_repetitions(const phase::Searched& in, std::size_t events, FoundEvents& found) {
+    if (!in.cyclic && events < in.runs.size())
+        found.warnings.push_back(
+            format_text("{} of {} repetitions have no such event: the clip ends before it, or the "
+                        "motion differs there",
+                        in.runs.size() - events, in.runs.size()));
+}
+
+void append_other(const phase::Searched& from, const std::vector<phase::Place>& places,
+                  const Phased& in, FoundEvents& found) {
+    for (const PhasedMotion& motion : in.motions) {
+        if (motion.phases.cyclic != from.cyclic)
+            continue;
+        const phase::Searched target = searched(in, motion);
+        const double alike = phase::likeness(from, target);
+        found.likeness = std::max(found.likeness, alike);
+        if (alike < least_likeness)
+            continue;
+        for (const phase::Place& place : places) {
+            auto events = found_in(phase::find_events(from, place, target), in);
+            warn_of_repetitions(target, events.size(), found);
+            append(std::move(events), found);
+        }
+    }
+}
+
+void append_same(const phase::Searched& motion, const std::vector<phase::Place>& places,
+                 const Phased& in, FoundEvents& found) {
+    for (const phase::Place& place : places) {
+        auto events = found_in(phase::find_events(motion, place), in);
+        warn_of_repetitions(motion, events.size(), found);
+        set_marked(place, motion.mean.period, in, events);
+        append(std::move(events), found);
+    }
+}
+
+void warn_of_places(std::size_t places, bool cyclic, FoundEvents& found) {
+    if (places > 1)
+        found.warnings.push_back(format_text(
+            "the marks lie at {} places of the {}: each is found on its own, so give each a name "
+            "of its own if they are different events",
+            places, cyclic ? "cycle" : "repetition"));
+}
+
 } // namespace
 
 FoundEvents find_events(const Phased& from, std::span<const double> marks, const Phased& in) {
@@ -126,24 +181,18 @@ FoundEvents find_events(const Phased& from, std::span<const double> marks, const
     FoundEvents found;
     if (!same)
         found.likeness = 0;
+    found.warnings = in.warnings;
+    if (!same)
+        std::ranges::copy(from.warnings, std::back_inserter(found.warnings));
     for (const Marked& marked : marked_motions(from, marks)) {
-        if (same) {
-            append(phase::find_events(marked.motion, marked.rows), in, found);
-            continue;
-        }
-        for (const PhasedMotion& motion : in.motions) {
-            if (motion.phases.cyclic != marked.motion.cyclic)
-                continue;
-            const phase::Searched target = searched(in, motion);
-            const double alike = phase::likeness(marked.motion, target);
-            found.likeness = std::max(found.likeness, alike);
-            if (alike >= least_likeness)
-                append(phase::find_events(marked.motion, marked.rows, target), in, found);
-        }
+        const auto places = phase::places_of(marked.motion, marked.marks);
+        warn_of_places(places.size(), marked.motion.cyclic, found);
+        if (same)
+            append_same(marked.motion, places, in, found);
+        else
+            append_other(marked.motion, places, in, found);
     }
     std::ranges::sort(found.events, {}, &FoundEvent::frame);
-    if (same)
-        set_marked(marks, in, found);
     return found;
 }
 

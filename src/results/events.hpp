@@ -21,10 +21,12 @@ struct FoundEvent {
 struct FoundEvents {
     std::vector<FoundEvent> events; ///< in order of time
     double likeness = 1;            ///< of the mean cycles; 0: the other clip has no such motion
+    std::vector<std::string> warnings;
 };
 
 /// The event at `marks`, frames of `from`, in every cycle or repetition of that motion in `in`,
-/// which may be the same. Throws Status::argument for a mark in no motion that repeats, and
+/// which may be the same; at each place, if the marks are at several places of the cycle. Throws
+/// Status::argument for a mark in no motion that repeats and for marks all over the cycle, and
 /// Status::shape if the features of the clips differ.
 FoundEvents find_events(const Phased& from, std::span<const double> marks, const Phased& in);
 

@@ -8,6 +8,7 @@
 
 #include "clip/features/column_owners.hpp"
 #include "clip/features/drift.hpp"
+#include "clip/features/point_sides.hpp"
 
 namespace stltsa::results {
 namespace {
@@ -19,9 +20,9 @@ constexpr double touching = 0.5;
 constexpr double shortest_cycle = 6;
 
 /// Sequences of cycles back to back of each label, in rows.
-std::map<std::int32_t, std::vector<phase::Sequence>> sequences_of(const Decomposed& decomposed,
-                                                                  const ClipFacts& clip) {
-    std::map<std::int32_t, std::vector<phase::Sequence>> sequences;
+std::map<std::int32_t, std::vector<phase::Borders>> sequences_of(const Decomposed& decomposed,
+                                                                 const ClipFacts& clip) {
+    std::map<std::int32_t, std::vector<phase::Borders>> sequences;
     const stltsa_part* before = nullptr;
     for (const stltsa_part& cycle : decomposed.cycle_parts) {
         const double begin = cycle.begin_s * clip.fps - static_cast<double>(clip.first);
@@ -33,37 +34,22 @@ std::map<std::int32_t, std::vector<phase::Sequence>> sequences_of(const Decompos
         }
         auto& of_label = sequences[label];
         const bool goes_on = before != nullptr && before->segment == cycle.segment &&
-                             std::abs(begin - of_label.back().borders.back()) < touching;
+                             std::abs(begin - of_label.back().back()) < touching;
         if (!goes_on)
-            of_label.push_back({{begin}, cycle.side == 1 ? 0.5 : 0.0});
-        of_label.back().borders.push_back(end);
+            of_label.push_back({begin});
+        of_label.back().push_back(end);
         before = &cycle;
     }
     return sequences;
 }
 
-/// Rows around one of them that no hole interrupts.
-phase::Range unbroken(const std::vector<clip::Frames>& holes, const Phased& phased,
-                      const phase::Run& run) {
-    phase::Range range{0, phased.rows.rows()};
-    for (const clip::Frames& hole : holes) {
-        const std::int64_t begin = hole.begin - phased.clip.first;
-        const std::int64_t end = hole.end - phased.clip.first;
-        if (end <= run.begin)
-            range.begin = std::max(range.begin, end);
-        else if (begin >= run.end())
-            range.end = std::min(range.end, begin);
-    }
-    return range;
-}
-
 /// Continues the runs by a quarter of a cycle.
-void set_reach(const std::vector<clip::Frames>& holes, const Phased& phased, PhasedMotion& motion) {
+void set_reach(const Phased& phased, PhasedMotion& motion) {
     const phase::MeanCycle& mean = motion.phases.mean;
     const Matrix both = phase::pose_and_velocity(phased.rows.view(), phased.clip.fps, mean.period);
     const auto reach = static_cast<std::int64_t>(std::ceil(mean.period / 4));
     for (const phase::Run& run : motion.phases.runs) {
-        const phase::Range most = unbroken(holes, phased, run);
+        const phase::Range most = unbroken(phased, run);
         const phase::Range within{std::max(most.begin, run.begin - reach),
                                   std::min(most.end, run.end() + reach)};
         motion.reach.push_back(motion.phases.linear ? phase::continued(run, mean.period, within)
@@ -72,23 +58,21 @@ void set_reach(const std::vector<clip::Frames>& holes, const Phased& phased, Pha
 }
 
 /// The repetitions of each label.
-std::map<std::int32_t, std::vector<phase::Sequence>> repetitions_of(const Decomposed& decomposed,
-                                                                    const ClipFacts& clip) {
-    std::map<std::int32_t, std::vector<phase::Sequence>> repetitions;
+std::map<std::int32_t, std::vector<phase::Borders>> repetitions_of(const Decomposed& decomposed,
+                                                                   const ClipFacts& clip) {
+    std::map<std::int32_t, std::vector<phase::Borders>> repetitions;
     for (const stltsa_part& part : decomposed.repetitions) {
         const double begin = part.begin_s * clip.fps - static_cast<double>(clip.first);
         const double end = part.end_s * clip.fps - static_cast<double>(clip.first);
         const auto label = decomposed.segments[static_cast<std::size_t>(part.segment)].label;
         if (end - begin >= shortest_cycle)
-            repetitions[label].push_back({{begin, end}});
+            repetitions[label].push_back({begin, end});
     }
     return repetitions;
 }
 
 /// Rows of segments in motion one after another, which no hole interrupts.
-std::vector<phase::Range> moving_rows(const Decomposed& decomposed,
-                                      const std::vector<clip::Frames>& holes,
-                                      const Phased& phased) {
+std::vector<phase::Range> moving_rows(const Decomposed& decomposed, const Phased& phased) {
     std::vector<phase::Range> ranges;
     const auto row = [&](std::int64_t frame) {
         return std::clamp<std::int64_t>(frame - phased.clip.first, 0, phased.rows.rows());
@@ -101,12 +85,12 @@ std::vector<phase::Range> moving_rows(const Decomposed& decomposed,
         else
             ranges.push_back({row(segment.begin), row(segment.end)});
     }
-    for (const clip::Frames& hole : holes)
+    for (const phase::Range& hole : phased.holes)
         for (std::size_t i = 0; i < ranges.size(); ++i) {
             phase::Range& range = ranges[i];
-            if (row(hole.begin) > range.begin && row(hole.begin) < range.end) {
-                const phase::Range rest{std::max(row(hole.end), row(hole.begin)), range.end};
-                range.end = row(hole.begin);
+            if (hole.begin > range.begin && hole.begin < range.end) {
+                const phase::Range rest{hole.end, range.end};
+                range.end = hole.begin;
                 ranges.insert(ranges.begin() + static_cast<std::ptrdiff_t>(i) + 1, rest);
             }
         }
@@ -141,6 +125,14 @@ void set_frames(const Decomposed& decomposed, Phased& phased) {
                 phased.cycle[static_cast<std::size_t>(frame)] = static_cast<std::int64_t>(c);
 }
 
+/// The rows of frames of the file.
+phase::Range rows_of(const clip::Frames& frames, const Phased& phased) {
+    const auto row = [&](std::int64_t frame) {
+        return std::clamp<std::int64_t>(frame - phased.clip.first, 0, phased.rows.rows());
+    };
+    return {row(frames.begin), row(frames.end)};
+}
+
 std::string label_text(std::int32_t label) {
     std::string text;
     for (std::int32_t rest = label; rest >= 0; rest = rest / 26 - 1)
@@ -148,15 +140,34 @@ std::string label_text(std::int32_t label) {
     return text;
 }
 
+void warn_if_linear(const PhasedMotion& motion, Phased& phased) {
+    if (motion.phases.linear)
+        phased.warnings.push_back(format_text(
+            "the phase of motion {} is linear in time: its frames lie {:.2f} of their variance "
+            "from the mean cycle, above 0.4",
+            label_text(motion.label), motion.phases.residual));
+}
+
 } // namespace
+
+phase::Range unbroken(const Phased& phased, const phase::Run& run) {
+    phase::Range range{0, phased.rows.rows()};
+    for (const phase::Range& hole : phased.holes) {
+        if (hole.end <= run.begin)
+            range.begin = std::max(range.begin, hole.end);
+        else if (hole.begin >= run.end())
+            range.end = std::min(range.end, hole.begin);
+    }
+    return range;
+}
 
 phase::Resampled resample(const Phased& phased, std::int32_t label, ConstMatrixView signals,
                           std::int64_t samples) {
-    const auto motion = std::ranges::find_if(phased.motions, [&](const PhasedMotion& each) {
-        return each.label == label && each.phases.cyclic;
-    });
+    // Motions in cycles come first.
+    const auto motion = std::ranges::find(phased.motions, label, &PhasedMotion::label);
     if (motion == phased.motions.end())
-        fail(Status::argument, "label {} has no cycles", label);
+        fail(Status::argument, "label {} has neither cycles nor repetitions",
+             label < 0 ? format_text("{}", label) : label_text(label));
     if (signals.rows != phased.clip.frames)
         fail(Status::shape, "signals has {} rows; the clip has {} frames", signals.rows,
              phased.clip.frames);
@@ -166,9 +177,8 @@ phase::Resampled resample(const Phased& phased, std::int32_t label, ConstMatrixV
     Matrix rows(count, samples);
     double* to = rows.data();
     for (std::size_t r = 0; r < motion->reach.size(); ++r) {
-        // Cycles begin at phases from -1/8 to 1/8, or half a turn later.
-        const auto first =
-            static_cast<std::int64_t>(std::floor(motion->phases.runs[r].phase.front() + 0.25));
+        // A cycle may begin anywhere on the body's turn: it is that whose begin is nearest.
+        const std::int64_t first = std::llround(motion->phases.runs[r].phase.front());
         const Matrix of_run = phase::times_of(motion->reach[r], first, motion->cycles[r], samples);
         to = std::transform(
             of_run.data(), of_run.data() + of_run.rows() * samples, to,
@@ -199,29 +209,31 @@ Phased find_phase(const clip::Clip& clip, const Decomposed& decomposed,
     phased.clip = prepared.source.clips.front();
     phased.samples = prepared.source.samples;
     phased.body = clip::body_of(clip, found.features, phased.samples.up, prepared.turned);
-    phased.side = clip::side_weights(clip, found.features, found.up, prepared.samples.view());
+    phased.side = found.features == clip::Features::points
+                      ? clip::point_side_weights(clip, found.up, prepared.samples.view())
+                      : clip::side_weights(clip, found.features, found.up, prepared.samples.view());
     phased.rows = std::move(prepared.samples);
+    for (const clip::Frames& hole : prepared.holes)
+        phased.holes.push_back(rows_of(hole, phased));
     for (auto& [label, sequences] : sequences_of(decomposed, phased.clip)) {
         PhasedMotion& motion = phased.motions.emplace_back();
         motion.label = label;
         motion.phases = phase::find_phases(phased.rows.view(), clip.fps, sequences, phased.side);
-        for (const phase::Sequence& sequence : sequences)
-            motion.cycles.push_back(static_cast<std::int64_t>(sequence.borders.size()) - 1);
-        set_reach(prepared.holes, phased, motion);
-        const phase::Phases& phases = motion.phases;
-        if (phases.linear)
-            phased.warnings.push_back(format_text(
-                "the phase of motion {} is linear in time: its frames lie {:.2f} of their variance "
-                "from the mean cycle, above 0.4",
-                label_text(label), phases.residual));
+        for (const phase::Borders& borders : sequences)
+            motion.cycles.push_back(static_cast<std::int64_t>(borders.size()) - 1);
+        set_reach(phased, motion);
+        warn_if_linear(motion, phased);
     }
     for (auto& [label, repetitions] : repetitions_of(decomposed, phased.clip)) {
         PhasedMotion& motion = phased.motions.emplace_back();
         motion.label = label;
         motion.phases =
             phase::find_phases_of_repetitions(phased.rows.view(), clip.fps, repetitions);
+        motion.cycles.assign(repetitions.size(), 1);
+        set_reach(phased, motion);
+        warn_if_linear(motion, phased);
     }
-    phased.moving = moving_rows(decomposed, prepared.holes, phased);
+    phased.moving = moving_rows(decomposed, phased);
     set_frames(decomposed, phased);
     return phased;
 }

@@ -20,7 +20,7 @@ struct PhasedMotion {
     /// The runs, continued by a quarter of a cycle on each side as far as there are rows: the first
     /// and last turn end there.
     std::vector<phase::Run> reach;
-    std::vector<std::int64_t> cycles; ///< of each run, the number of its cycles
+    std::vector<std::int64_t> cycles; ///< of each run, the number of its cycles; 1: a repetition
 };
 
 struct Phased {
@@ -29,9 +29,10 @@ struct Phased {
     SampleFacts samples; ///< the features; every frame from the first one on is a row
     Matrix rows;         ///< features, not smoothed
     std::vector<std::int64_t> drifting; ///< columns whose slow part was subtracted
-    std::vector<double> side;           ///< see recording::Options
+    std::vector<double> side;           ///< see phase::find_phases()
     std::vector<PhasedMotion> motions;  ///< in cycles, by label; then those with pauses
     std::vector<phase::Range> moving;   ///< rows between rests and holes
+    std::vector<phase::Range> holes;    ///< rows that no motion goes across
     // Of each frame of the file.
     std::vector<double> phase;       ///< in [0, 1); NaN outside cycles
     std::vector<double> residual;    ///< NaN outside cycles
@@ -39,8 +40,11 @@ struct Phased {
     std::vector<std::string> warnings;
 };
 
-/// Signals on 0 to 100 % of the cycles of a motion, a row for each frame of the file. What the clip
-/// does not reach is NaN. Throws Status::argument for a label that has no cycles.
+/// Rows around a run that no hole interrupts.
+phase::Range unbroken(const Phased& phased, const phase::Run& run);
+
+/// Signals on 0 to 100 % of the cycles or repetitions of a motion, a row for each frame of the
+/// file. What the clip does not reach is NaN. Throws Status::argument for a label without them.
 phase::Resampled resample(const Phased& phased, std::int32_t label, ConstMatrixView signals,
                           std::int64_t samples);
 

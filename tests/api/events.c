@@ -86,6 +86,52 @@ static void a_mark_is_found_in_another_clip(void** state) {
     stltsa_phase_free(other);
 }
 
+/* Both feet under one name: each is found half a cycle from the other, and a warning says so. */
+static void marks_at_two_places_are_two_events(void** state) {
+    (void)state;
+    stltsa_phase* phase = phase_of("");
+    const double both[] = {250, 316};
+    const stltsa_in marks = packed_in(both, 2, 1);
+    stltsa_events *events = NULL, *one = found_in(phase, 250, NULL);
+    must(stltsa_events_find(phase, &marks, NULL, &events));
+    assert_int_equal(stltsa_events_warning_count(one), 0);
+    assert_string_equal(stltsa_events_warning(one, 0), "");
+    assert_int_equal(stltsa_events_warning_count(events), 1);
+    assert_non_null(strstr(stltsa_events_warning(events, 0), "2 places of the cycle"));
+    assert_int_equal(stltsa_events_warning_count(NULL), 0);
+    int marked = 0, of_first = 0;
+    for (int64_t i = 0; i < stltsa_events_count(events); ++i) {
+        const stltsa_event event = event_of(events, i);
+        if (event.marked)
+            assert_true(event.frame == both[marked++]);
+        const double turns = (event.frame - 250) / 66;
+        if (event.cycle >= 0)
+            assert_below(fabs(turns - nearbyint(turns)) * 66, 0.5, "frames off");
+        of_first += (int64_t)nearbyint(turns) % 2 == 0;
+    }
+    assert_int_equal(marked, 2);
+    assert_int_equal(of_first, stltsa_events_count(one));
+    stltsa_events_free(events);
+    stltsa_events_free(one);
+
+    /* All marks come back, also several in one cycle; marks all over it say no place. */
+    const double near_by[] = {250, 252, 254};
+    const stltsa_in few = packed_in(near_by, 3, 1);
+    must(stltsa_events_find(phase, &few, NULL, &events));
+    marked = 0;
+    for (int64_t i = 0; i < stltsa_events_count(events); ++i)
+        marked += event_of(events, i).marked;
+    assert_int_equal(marked, 3);
+    stltsa_events_free(events);
+    double all[30];
+    for (int i = 0; i < 30; ++i)
+        all[i] = 250 + 4 * i;
+    const stltsa_in many = packed_in(all, 30, 1);
+    assert_int_equal(stltsa_events_find(phase, &many, NULL, &events), STLTSA_E_ARGUMENT);
+    assert_non_null(strstr(stltsa_last_error(), "spread over"));
+    stltsa_phase_free(phase);
+}
+
 static void wrong_arguments_are_named(void** state) {
     (void)state;
     stltsa_phase* phase = phase_of("");
@@ -144,6 +190,7 @@ int main(int argc, char** argv) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_mark_is_found_in_every_cycle),
         cmocka_unit_test(a_mark_is_found_in_another_clip),
+        cmocka_unit_test(marks_at_two_places_are_two_events),
         cmocka_unit_test(wrong_arguments_are_named),
         cmocka_unit_test(other_features_are_refused),
     };

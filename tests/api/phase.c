@@ -177,6 +177,24 @@ static void between_borders_time_is_linear(void** state) {
     free(x);
 }
 
+/* A cycle may end with the last frame: what comes after the begin of that frame is unknown. */
+static void the_last_border_may_be_the_end(void** state) {
+    (void)state;
+    const double x[] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9}, at[] = {0, 5, 10};
+    const stltsa_in in = packed_in(x, 10, 1), borders = packed_in(at, 3, 1);
+    stltsa_cycles* cycles = NULL;
+    must(stltsa_cycles_between(&borders, &in, 6, &cycles));
+    double second[6], mean[6];
+    const stltsa_out to_second = packed_out(second, 6, 1), to_mean = packed_out(mean, 6, 1);
+    must(stltsa_cycles_cycle(cycles, 1, &to_second));
+    must(stltsa_cycles_mean(cycles, &to_mean, NULL));
+    for (int s = 0; s < 5; ++s)
+        assert_below(fabs(second[s] - (5 + s)), 1e-12, "second cycle");
+    assert_true(isnan(second[5]));
+    assert_below(fabs(mean[5] - 5), 1e-12, "mean of the first cycle alone");
+    stltsa_cycles_free(cycles);
+}
+
 static void wrong_arguments_are_named(void** state) {
     (void)state;
     walk w = opened();
@@ -184,7 +202,7 @@ static void wrong_arguments_are_named(void** state) {
     const stltsa_in in = packed_in(signals, w.frames, 1), few = packed_in(signals, 9, 1);
     stltsa_cycles* cycles = NULL;
     assert_int_equal(stltsa_cycles_resample(w.phase, 5, &in, 101, &cycles), STLTSA_E_ARGUMENT);
-    assert_non_null(strstr(stltsa_last_error(), "label 5 has no cycles"));
+    assert_non_null(strstr(stltsa_last_error(), "label F has neither cycles nor repetitions"));
     assert_int_equal(stltsa_cycles_resample(w.phase, 0, &few, 101, &cycles), STLTSA_E_SHAPE);
     assert_non_null(strstr(stltsa_last_error(), "signals has 9 rows"));
     assert_int_equal(stltsa_cycles_resample(w.phase, 0, &in, 1, &cycles), STLTSA_E_ARGUMENT);
@@ -223,6 +241,7 @@ int main(int argc, char** argv) {
         cmocka_unit_test(an_array_of_another_size_is_left_alone),
         cmocka_unit_test(signals_are_resampled_by_phase),
         cmocka_unit_test(between_borders_time_is_linear),
+        cmocka_unit_test(the_last_border_may_be_the_end),
         cmocka_unit_test(wrong_arguments_are_named),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

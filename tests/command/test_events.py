@@ -66,6 +66,18 @@ class Events(CommandTest):
                  self.json("events", walk(), "--mark", "250=landing", "--both-sides")["events"]}
         self.assertEqual(names, {"landing", "landing (other side)"})
 
+    def test_what_is_not_found_on_the_other_side_is_said(self):
+        still = f"{walk()}:0-40"
+        found = self.json("events", walk(), still, "--mark", "250=left_strike", "--both-sides")
+        self.assertEqual([s["count"] for s in found["searches"] if s["clip"] == still], [0, 0])
+        for name in ("left_strike", "right_strike"):
+            self.assertTrue(any(f"so no {name}" in text for text in found["warnings"]))
+
+    def test_marks_at_two_places_are_said(self):
+        found = self.json("events", walk(), "--mark", "250=strike", "--mark", "316=strike")
+        self.assertEqual([e["frame"] for e in found["events"] if e["marked"]], [250, 316])
+        self.assertIn("strike: the marks lie at 2 places", found["warnings"][0])
+
     def test_wrong_marks(self):
         for mark in ("250", "=a", "x=a", "250=", "nans=a", "inf=a"):
             self.assertIn("FRAME=NAME", self.fails(2, "events", walk(), "--mark", mark))

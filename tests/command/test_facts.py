@@ -569,10 +569,10 @@ FACTS = {
 
 
 def leaves(schema, path=""):
-    """Paths of the values of a schema, without those that only the command adds (--curve)."""
+    """Paths of the values of a schema, without those that only the command adds."""
     if "properties" in schema:
         for key, member in schema["properties"].items():
-            if (path, key) not in (("", "format"), ("", "curve")):
+            if (path, key) not in (("", "format"), ("", "curve"), ("", "phase_warnings")):
                 yield from leaves(member, f"{path}.{key}".lstrip("."))
     elif "items" in schema:
         yield from leaves(schema["items"], path)

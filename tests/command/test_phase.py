@@ -31,6 +31,11 @@ class Phase(CommandTest):
         self.assertTrue((inside >= 0).all() and (inside < 1).all())
         self.assertTrue((numpy.diff(inside) % 1 > 0).all())
 
+    def test_json_has_the_warnings_of_the_phase(self):
+        found = self.json("decompose", walk(), "--phase", self.folder / "phase.npy")
+        self.assertEqual(found["phase_warnings"], [])
+        self.assertNotIn("phase_warnings", self.json("decompose", walk()))
+
     def test_a_clip_without_cycles_has_no_phase(self):
         self.done("decompose", f"{walk()}:0-25", "--phase", self.folder / "none.npy")
         self.assertTrue(numpy.isnan(numpy.load(self.folder / "none.npy")[:, 3:]).all())

@@ -43,13 +43,12 @@ stltsa::Matrix phase_table(const stltsa::Clip& clip, const stltsa::Decomposition
     return table;
 }
 
-/// Writes the phase; its warnings are added to those of the decomposition.
-void add_phase(Session& session, const stltsa::Decomposition& found,
-               std::vector<std::string>& warnings) {
+/// Writes the phase, and returns its warnings.
+std::vector<std::string> add_phase(Session& session, const stltsa::Decomposition& found) {
     const stltsa::Phase phase = stltsa::find_phase(session.clip(), found, session.options());
     session.add_columns(session.arguments().phase, phase_table(session.clip(), found, phase),
                         {"frame", "seconds", "segment", "cycle", "phase", "residual"});
-    std::ranges::copy(phase.warnings(), std::back_inserter(warnings));
+    return phase.warnings();
 }
 
 } // namespace
@@ -59,11 +58,15 @@ Exit run_decompose(const Arguments& arguments) {
     const stltsa::Decomposition found = stltsa::decompose(session.open_input(), session.options());
     if (!arguments.plot.empty())
         session.add_file(arguments.plot, decomposition_figure(session, found));
-    std::vector<std::string> warnings = found.warnings();
+    std::vector<std::string> warnings = found.warnings(), of_phase;
     if (!arguments.phase.empty())
-        add_phase(session, found, warnings);
-    session.finish({[&] { return arguments.curve ? json_with_samples(found) : found.json(); },
-                    [&] { return decomposition_report(found, session.title()); }, warnings,
+        of_phase = add_phase(session, found);
+    std::ranges::copy(of_phase, std::back_inserter(warnings));
+    const auto json = [&] {
+        const std::string text = arguments.curve ? json_with_samples(found) : found.json();
+        return arguments.phase.empty() ? text : with_member(text, "phase_warnings", of_phase);
+    };
+    session.finish({json, [&] { return decomposition_report(found, session.title()); }, warnings,
                     [&] { return decomposition_csv(found); }});
     return Exit::done;
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <map>
 #include <utility>
 #include <vector>
@@ -42,6 +43,24 @@ std::int64_t cycle_at(const stltsa::Decomposition& found, double frame) {
     return -1;
 }
 
+/// Adds the warnings of a search: those of the library, and of what was not found.
+void warn(const stltsa::Events& found, const std::string& path, const std::string& name,
+          EventTable& table) {
+    for (const std::string& warning : found.warnings())
+        if (const std::string text = fmt::format("{}: {}: {}", path, name, warning);
+            std::ranges::find(table.warnings, text) == table.warnings.end())
+            table.warnings.push_back(text);
+    if (found.count() == 0)
+        table.warnings.push_back(
+            fmt::format("{}: no motion like the marked one, so no {} (likeness {:.2f})", path, name,
+                        found.likeness()));
+    else if (found.likeness() < doubtful_likeness)
+        table.warnings.push_back(fmt::format(
+            "{}: the motion differs from the marked one (likeness {:.2f}, below {}): mark one {} "
+            "in this clip if the place must be exact",
+            path, found.likeness(), doubtful_likeness, name));
+}
+
 void append_other_side(const Session& session, const Analyzed& from, const Analyzed& in,
                        const stltsa::Clip& clip, const Marks& marks, EventTable& table) {
     const stltsa::Clip image = clip.mirrored(session.options());
@@ -49,6 +68,7 @@ void append_other_side(const Session& session, const Analyzed& from, const Analy
     for (const auto& [name, frames] : marks) {
         const stltsa::Events found = from.phase.events(frames, mirrored.phase);
         table.searches.push_back({in.path, other_side(name), found.count(), found.likeness()});
+        warn(found, in.path, other_side(name), table);
         for (stltsa::Event event : found.all()) {
             event.cycle = cycle_at(in.found, event.frame);
             table.events.push_back({in.path, other_side(name), event});
@@ -62,15 +82,7 @@ void append(const Analyzed& from, const Analyzed& in, const Marks& marks, EventT
         table.searches.push_back({in.path, name, found.count(), found.likeness()});
         for (const stltsa::Event& event : found.all())
             table.events.push_back({in.path, name, event});
-        if (found.count() == 0)
-            table.warnings.push_back(
-                fmt::format("{}: no motion like the marked one, so no {} (likeness {:.2f})",
-                            in.path, name, found.likeness()));
-        else if (found.likeness() < doubtful_likeness)
-            table.warnings.push_back(fmt::format(
-                "{}: the motion differs from the marked one (likeness {:.2f}, below {}): mark one "
-                "{} in this clip if the place must be exact",
-                in.path, found.likeness(), doubtful_likeness, name));
+        warn(found, in.path, name, table);
     }
 }
 

@@ -87,6 +87,19 @@ def test_a_mark_is_found_in_every_cycle(result, phase):
     assert len(phase.events([250, 382])) == len(events)
 
 
+def test_marks_at_two_places_are_two_events(phase):
+    events = phase.events([250, 316])
+    assert [e.frame for e in events if e.marked] == [250, 316]
+    assert "2 places of the cycle" in events.warnings[0]
+    assert phase.events(250).warnings == ()
+
+
+def test_without_a_rate_there_are_no_seconds(clip):
+    events = stltsa.decompose(clip.features()).phase().events(250)
+    assert len(events) >= 3
+    assert all(np.isnan(e.seconds) for e in events)
+
+
 def test_a_mark_is_found_in_another_clip(clip, phase):
     other = stltsa.decompose(clip.stretch("170-600")).phase()
     events = phase.events(250, other)
@@ -178,7 +191,7 @@ def test_points_are_pushed_as_they_come(clip):
 def test_errors_say_what_is_wrong(phase):
     with pytest.raises(stltsa.ArgumentError, match="no motion that repeats"):
         phase.events(2)
-    with pytest.raises(stltsa.ArgumentError, match="label 25 has no cycles"):
+    with pytest.raises(stltsa.ArgumentError, match="label Z has neither cycles nor repetitions"):
         phase.resample(np.zeros(len(phase.values)), label="Z")
     with pytest.raises(ValueError, match="letters such as 'A'"):
         phase.resample(np.zeros(len(phase.values)), label=0)

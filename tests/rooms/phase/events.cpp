@@ -35,13 +35,24 @@ Matrix motion(double noise, unsigned seed) {
 }
 
 Searched cyclic(const Matrix& samples) {
-    Sequence given;
+    Borders given;
     for (int i = 1; i <= 11; ++i)
-        given.borders.push_back(row_at(i) + std::sin(3.1 * i)); // a frame off
+        given.push_back(row_at(i) + std::sin(3.1 * i)); // a frame off
     const Phases phases = find_phases(samples.view(), rate, {&given, 1}, {});
     const Matrix both = pose_and_velocity(samples.view(), rate, phases.mean.period);
     return searched(samples.view(), rate, phases,
                     {grown(both.view(), phases.mean, phases.runs[0], {0, 500})});
+}
+
+/// Events at the one place of the marks.
+std::vector<Event> events_of(const Searched& from, std::initializer_list<double> rows,
+                             const Searched* in = nullptr) {
+    std::vector<Mark> marks;
+    for (const double row : rows)
+        marks.push_back(mark_at(from, row).value());
+    const auto places = places_of(from, marks);
+    assert_int_equal(places.size(), 1);
+    return in == nullptr ? find_events(from, places[0]) : find_events(from, places[0], *in);
 }
 
 /// Largest distance of an event from the true place, in rows; events nearer than 10 rows to the
@@ -60,7 +71,7 @@ void one_mark_finds_all(void**) {
     const Searched in = cyclic(samples);
     for (const double phase : {0.1, 0.35, 0.8}) {
         const double mark = row_at(5 + phase);
-        const auto events = find_events(in, {&mark, 1});
+        const auto events = events_of(in, {mark});
         assert_true(events.size() >= 12);
         assert_true(worst(events, phase) < 0.5);
     }
@@ -70,10 +81,9 @@ void several_marks_average_their_errors(void**) {
     const Matrix samples = motion(0.02, 2);
     const Searched in = cyclic(samples);
     // Two rows late, early and right: the median is right.
-    const double marks[] = {row_at(3.2) + 2, row_at(5.2) - 2, row_at(7.2)};
     const double wrong = row_at(3.2) + 2;
-    assert_true(worst(find_events(in, marks), 0.2) < 0.7);
-    assert_true(worst(find_events(in, {&wrong, 1}), 0.2) > 1.5);
+    assert_true(worst(events_of(in, {wrong, row_at(5.2) - 2, row_at(7.2)}), 0.2) < 0.7);
+    assert_true(worst(events_of(in, {wrong}), 0.2) > 1.5);
 }
 
 void another_recording_has_them_too(void**) {
@@ -86,7 +96,7 @@ void another_recording_has_them_too(void**) {
     const Searched from = cyclic(samples), in = cyclic(other);
     const double mark = row_at(5.35);
     assert_true(likeness(from, in) > 0.95);
-    const auto events = find_events(from, {&mark, 1}, in);
+    const auto events = events_of(from, {mark}, &in);
     assert_true(events.size() >= 12);
     assert_true(worst(events, 0.35) < 1);
 }
@@ -101,7 +111,7 @@ void guessed_errors_rise_with_the_distance(void**) {
     const double mark = row_at(5.35);
     double at_bad = 0;
     std::vector<double> elsewhere;
-    for (const Event& event : find_events(in, {&mark, 1}))
+    for (const Event& event : events_of(in, {mark}))
         if (std::abs(event.row - bad) < 6)
             at_bad = event.error_ms;
         else
@@ -117,26 +127,79 @@ void repetitions_have_one_each(void**) {
         const double later = t > 8 && t < 40 ? (1 - std::cos(turn * (t - 8) / 32)) / 2 : 0;
         return c % 2 == 0 ? shape * static_cast<double>(c + 1) : later * static_cast<double>(c);
     });
-    std::vector<Sequence> given;
+    std::vector<Borders> given;
     for (int i = 0; i < 6; ++i)
-        given.push_back({{100.0 * i + 28 + i % 2, 100.0 * i + 72 - i % 2}, 0});
+        given.push_back({100.0 * i + 28 + i % 2, 100.0 * i + 72 - i % 2});
     const Phases phases = find_phases_of_repetitions(samples.view(), rate, given);
     assert_false(phases.cyclic);
     const Searched in = searched(samples.view(), rate, phases, phases.runs);
     const double mark = 242;
-    const auto events = find_events(in, {&mark, 1});
+    const auto events = events_of(in, {mark});
     assert_int_equal(events.size(), 6);
     for (std::size_t i = 0; i < events.size(); ++i)
         ASSERT_NEAR(events[i].row, 100.0 * static_cast<double>(i) + 42, 1);
+    // Also at the begin and the end, where runs that grow beyond them pass the phase twice.
+    const Matrix both = pose_and_velocity(samples.view(), rate, phases.mean.period);
+    std::vector<Run> grew;
+    for (const Run& run : phases.runs)
+        grew.push_back(grown(both.view(), phases.mean, run,
+                             {run.begin - 12, std::min<std::int64_t>(600, run.end() + 12)}));
+    const Searched wide = searched(samples.view(), rate, phases, grew);
+    for (const double at : {229.0, 233.0, 268.0})
+        assert_int_equal(events_of(wide, {at}).size(), 6);
 }
 
-void a_mark_outside_of_runs_finds_nothing(void**) {
+void marks_far_apart_are_several_places(void**) {
+    const Matrix samples = motion(0.02, 7);
+    const Searched in = cyclic(samples);
+    const auto marks_at = [&](std::initializer_list<double> phases) {
+        std::vector<Mark> marks;
+        for (const double phase : phases)
+            marks.push_back(mark_at(in, row_at(phase)).value());
+        return marks;
+    };
+    // Left and right feet, one of them across the border of the cycle.
+    const auto places = places_of(in, marks_at({3.97, 5.48, 6.02, 7.52, 8.99}));
+    assert_int_equal(places.size(), 2);
+    assert_int_equal(places[0].size() + places[1].size(), 5);
+    for (const Place& place : places)
+        assert_true(place.back().phase - place.front().phase < 0.1);
+    assert_int_equal(places_of(in, {}).size(), 0);
+    std::vector<Mark> all_over;
+    for (int i = 0; i < 20; ++i)
+        all_over.push_back(mark_at(in, row_at(3 + 0.04 * i)).value());
+    bool refused = false;
+    try {
+        places_of(in, all_over);
+    } catch (const stltsa::Error& error) {
+        refused = std::string(error.what()).find("spread over") != std::string::npos;
+    }
+    assert_true(refused);
+}
+
+void marks_in_another_motion_are_doubted(void**) {
+    Matrix samples = motion(0.002, 8);
+    for (std::int64_t i = 0; i < 80; ++i) // the first steps differ
+        for (std::int64_t c = 0; c < samples.cols(); ++c)
+            samples(i, c) += 0.25 * std::sin(0.2 * static_cast<double>(i + 3 * c));
+    Searched in = cyclic(samples);
+    const auto error_by = [&](double mark) {
+        std::vector<double> errors;
+        for (const Event& event : events_of(in, {mark}))
+            if (event.row > 150)
+                errors.push_back(event.error_ms);
+        return stltsa::motion::median(errors);
+    };
+    assert_true(error_by(40) > 1.5 * error_by(240));
+}
+
+void a_mark_outside_of_runs_is_in_no_motion(void**) {
     const Matrix samples = motion(0.02, 6);
     Searched in = cyclic(samples);
     in.runs[0].phase.resize(300);
     in.distance[0].resize(300);
-    const double mark = 400;
-    assert_int_equal(find_events(in, {&mark, 1}).size(), 0);
+    assert_true(mark_at(in, 299).has_value());
+    assert_false(mark_at(in, 400).has_value());
 }
 
 } // namespace
@@ -148,7 +211,9 @@ int main() {
         cmocka_unit_test(another_recording_has_them_too),
         cmocka_unit_test(guessed_errors_rise_with_the_distance),
         cmocka_unit_test(repetitions_have_one_each),
-        cmocka_unit_test(a_mark_outside_of_runs_finds_nothing),
+        cmocka_unit_test(marks_far_apart_are_several_places),
+        cmocka_unit_test(marks_in_another_motion_are_doubted),
+        cmocka_unit_test(a_mark_outside_of_runs_is_in_no_motion),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

@@ -32,7 +32,8 @@ def cycles_between(borders: Any, signals: Matrix, *, samples: int = 101) -> Cycl
     Parameters
     ----------
     borders : array-like of shape (count + 1,)
-        Ascending frames at which cycles begin and end, such as heel strikes; not rounded.
+        Ascending frames at which cycles begin and end, such as heel strikes; not rounded. The last
+        may be the number of frames; samples after the begin of the last frame are NaN.
     signals : array-like of shape (frames,) or (frames, columns)
         NaN is a missing value, which means leave out.
     samples : int
@@ -60,7 +61,7 @@ def cycles_between(borders: Any, signals: Matrix, *, samples: int = 101) -> Cycl
 class FoundEvent(NamedTuple):
     """A moment that was marked elsewhere.
 
-    `frame` is not rounded; `cycle` is an index among :attr:`Decomposition.cycles`, -1 outside
+    `frame` is not rounded; `seconds` is NaN if the frame rate is unknown; `cycle` is an index among :attr:`Decomposition.cycles`, -1 outside
     cycles; `confidence`, 0 to 1, ranks events by the size of their likely errors; `marked` is true
     for a mark itself.
     """
@@ -80,20 +81,31 @@ class FoundEvents(tuple[FoundEvent, ...]):
     likeness : float
         Correlation of the mean cycles of the two clips; 1 within a clip. Below 0.95 trust events
         less; below 0.6 it is another motion, and there are none.
+    warnings : tuple of str
+        Of marks at several places of the cycle, of repetitions without the event, and of phases
+        that are linear in time.
     """
 
     likeness: float
+    warnings: tuple[str, ...]
 
-    def __new__(cls, handle: Any) -> FoundEvents:
-        """Read the events of a handle."""
+    def __new__(cls, handle: Any, timed: bool = True) -> FoundEvents:
+        """Read the events of a handle; without seconds if they are not `timed`."""
         found, raw = [], ffi.new("stltsa_event *", {"size": ffi.sizeof("stltsa_event")})
         for index in range(lib.stltsa_events_count(handle)):
             check(lib.stltsa_events_event(handle, index, raw))
             found.append(
-                FoundEvent(raw.frame, raw.seconds, raw.cycle, raw.confidence, bool(raw.marked))
+                FoundEvent(
+                    raw.frame,
+                    raw.seconds if timed else np.nan,
+                    raw.cycle,
+                    raw.confidence,
+                    bool(raw.marked),
+                )
             )
         events = super().__new__(cls, found)
         events.likeness = lib.stltsa_events_likeness(handle)
+        events.warnings = texts(lib.stltsa_events_warning_count, lib.stltsa_events_warning, handle)
         return events
 
 
@@ -162,12 +174,13 @@ class Phase:
     """Where each frame lies on the mean cycle of its motion, in turns.
 
     The phase rises strictly and is continuous across the borders of cycles; 0 is at the same place
-    of the body in every cycle and clip.
+    of the body in every cycle and clip, wherever the cycles begin.
     """
 
-    def __init__(self, handle: Any, frames: int) -> None:
+    def __init__(self, handle: Any, frames: int, timed: bool = True) -> None:
         self._handle = handle
         self._frames = frames
+        self._timed = timed
 
     def _fill(self, index: int, values: FloatArray | IntArray) -> None:
         outputs = [_NULL, _NULL, _NULL]
@@ -207,6 +220,7 @@ class Phase:
         ----------
         marks : float or sequence of float
             Frames of this clip in cycles or repetitions, such as one heel strike; not rounded.
+            Marks farther than a tenth of a cycle apart are marks of several places.
         other : Phase, optional
             Of another clip with the same features, such as another person's, in which to look.
 
@@ -218,7 +232,7 @@ class Phase:
         Raises
         ------
         stltsa.ArgumentError
-            A mark lies in no motion that repeats.
+            A mark lies in no motion that repeats, or the marks are spread all over the cycle.
         stltsa.ShapeError
             The features of the clips differ.
 
@@ -234,7 +248,7 @@ class Phase:
         out = ffi.new("stltsa_events **")
         target = _NULL if other is None else other._handle
         check(lib.stltsa_events_find(self._handle, read_from(at), target, out))
-        return FoundEvents(owned("events", out))
+        return FoundEvents(owned("events", out), (other or self)._timed)
 
     def resample(self, signals: Matrix, *, label: str = "A", samples: int = 101) -> Cycles:
         """Resample any signals of the clip's frames on 0 to 100 % of each cycle.
@@ -244,7 +258,7 @@ class Phase:
         signals : array-like of shape (frames,) or (frames, columns)
             Features, joint angles, forces, EMG, ...; NaN is a missing value.
         label : str
-            Of the segments whose cycles are meant.
+            Of the segments whose cycles are meant, or repetitions, if they have no cycles.
         samples : int
             Of each cycle; the last one is phase 0 of the next cycle.
 
@@ -256,7 +270,7 @@ class Phase:
         Raises
         ------
         stltsa.ArgumentError
-            The label has no cycles.
+            The label has neither cycles nor repetitions.
         stltsa.ShapeError
             The signals have another number of frames.
         """

@@ -2539,6 +2539,15 @@ extern "C" {
     pub fn stltsa_events_likeness(events: *const stltsa_events) -> f64;
 }
 extern "C" {
+    pub fn stltsa_events_warning_count(events: *const stltsa_events) -> i64;
+}
+extern "C" {
+    pub fn stltsa_events_warning(
+        events: *const stltsa_events,
+        index: i64,
+    ) -> *const ::std::os::raw::c_char;
+}
+extern "C" {
     pub fn stltsa_model_keep_cycle(
         model: *mut stltsa_model,
         phase: *const stltsa_phase,

@@ -4,7 +4,7 @@
 use stltsa_sys as sys;
 
 use crate::array::View;
-use crate::error::{check, count, Result};
+use crate::error::{check, count, texts, Result};
 use crate::handle::Owned;
 use crate::phase::Phase;
 
@@ -33,6 +33,9 @@ pub struct Events {
     /// Correlation of the mean cycles of both clips; 1 within a clip. Below 0.95 trust events of
     /// another person less; below 0.6 it is another motion, and there are none.
     pub likeness: f64,
+    /// Of marks at several places of the cycle, of repetitions without the event, and of phases
+    /// that are linear in time.
+    pub warnings: Vec<String>,
 }
 
 impl Phase {
@@ -66,6 +69,16 @@ impl Phase {
             events: (0..events).map(|index| event(&found, index)).collect::<Result<_>>()?,
             // SAFETY: a live handle.
             likeness: unsafe { sys::stltsa_events_likeness(found.raw()) },
+            warnings: warnings(&found),
+        })
+    }
+}
+
+fn warnings(found: &Owned<sys::stltsa_events>) -> Vec<String> {
+    // SAFETY: a live handle.
+    unsafe {
+        texts(sys::stltsa_events_warning_count(found.raw()), |index| {
+            sys::stltsa_events_warning(found.raw(), index)
         })
     }
 }

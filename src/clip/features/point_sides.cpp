@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "clip/features/point_sides.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "base/side_name.hpp"
+#include "clip/features/point_names.hpp"
+#include "clip/features/points.hpp"
+
+namespace stltsa::clip {
+namespace {
+
+/// Points in this lowest share of the height are of the legs; hands hang higher.
+constexpr double low = 1.0 / 3;
+
+struct Pair {
+    std::size_t one = 0, other = 0;
+};
+
+std::vector<Pair> pairs_of(const Clip& clip) {
+    std::map<std::string, std::size_t> places;
+    const auto space = static_cast<std::size_t>(point_columns(clip));
+    std::vector<std::string> names;
+    for (std::size_t c = 0; c + space <= clip.channel_names.size(); c += space) {
+        if (clip.channel_names[c].empty())
+            return {};
+        names.emplace_back(point_name(clip.channel_names[c]));
+        places.emplace(names.back(), names.size() - 1);
+    }
+    std::vector<Pair> pairs;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        for (const std::string& other : other_side_names(names[i], true))
+            if (const auto found = places.find(other); found != places.end() && found->second > i)
+                pairs.push_back({i, found->second});
+    return pairs;
+}
+
+std::vector<double> mean_of(ConstMatrixView samples) {
+    std::vector<double> mean(static_cast<std::size_t>(samples.cols));
+    for (std::int64_t i = 0; i < samples.rows; ++i)
+        for (std::int64_t c = 0; c < samples.cols; ++c)
+            mean[static_cast<std::size_t>(c)] += samples(i, c) / static_cast<double>(samples.rows);
+    return mean;
+}
+
+/// The horizontal line along which the points of the pairs lie apart: the first principal direction
+/// of their differences, in which the first point of the first pair is positive.
+struct Line {
+    double a = 1, b = 0;
+};
+
+Line lateral(const std::vector<Pair>& pairs, const std::vector<double>& mean, std::size_t first,
+             std::size_t second) {
+    double aa = 0, ab = 0, bb = 0;
+    const auto apart = [&](const Pair& pair) {
+        return Line{mean[3 * pair.one + first] - mean[3 * pair.other + first],
+                    mean[3 * pair.one + second] - mean[3 * pair.other + second]};
+    };
+    for (const Pair& pair : pairs) {
+        const Line d = apart(pair);
+        aa += d.a * d.a, ab += d.a * d.b, bb += d.b * d.b;
+    }
+    const double angle = std::atan2(2 * ab, aa - bb) / 2;
+    const Line line{std::cos(angle), std::sin(angle)};
+    const Line d = apart(pairs.front());
+    return d.a * line.a + d.b * line.b < 0 ? Line{-line.a, -line.b} : line;
+}
+
+} // namespace
+
+std::vector<double> point_side_weights(const Clip& clip, Axis up, ConstMatrixView samples) {
+    const std::vector<Pair> pairs = pairs_of(clip);
+    if (pairs.empty() || point_columns(clip) != 3 || up == Axis::none)
+        return {};
+    const auto above = static_cast<std::size_t>(up) - 1;
+    const std::size_t first = (above + 1) % 3, second = (above + 2) % 3;
+    const std::vector<double> mean = mean_of(samples);
+    const Line line = lateral(pairs, mean, first, second);
+    double least = mean[above], most = least;
+    for (std::size_t c = above; c < mean.size(); c += 3) {
+        least = std::min(least, mean[c]);
+        most = std::max(most, mean[c]);
+    }
+    std::vector<double> weights(mean.size());
+    const auto set = [&](std::size_t point, double weight) {
+        weights[3 * point + first] = -line.b * weight;
+        weights[3 * point + second] = line.a * weight;
+    };
+    for (const auto& [one, other] : pairs) {
+        const double height = std::max(mean[3 * one + above], mean[3 * other + above]);
+        if (height > least + low * (most - least))
+            continue;
+        const double across = line.a * (mean[3 * one + first] - mean[3 * other + first]) +
+                              line.b * (mean[3 * one + second] - mean[3 * other + second]);
+        set(one, across > 0 ? 1 : -1);
+        set(other, across > 0 ? -1 : 1);
+    }
+    const bool none = std::ranges::all_of(weights, [](double weight) { return weight == 0; });
+    return none ? std::vector<double>() : weights;
+}
+
+} // namespace stltsa::clip
