@@ -1114,6 +1114,12 @@ STLTSA_API int64_t stltsa_phase_warning_count(const stltsa_phase *phase) STLTSA_
 STLTSA_API const char *stltsa_phase_warning(const stltsa_phase *phase,
                                             int64_t index) STLTSA_NOEXCEPT;
 
+/* The joint, or the point or column of the file, that each column of the features belongs to: groups
+ * for stltsa_cycles_group_distance. "" beyond the last one; valid until the phase is freed. */
+STLTSA_API int64_t stltsa_phase_column_count(const stltsa_phase *phase) STLTSA_NOEXCEPT;
+STLTSA_API const char *stltsa_phase_column_owner(const stltsa_phase *phase,
+                                                 int64_t index) STLTSA_NOEXCEPT;
+
 /* Signals on 0 to 100 % of each cycle. */
 typedef struct stltsa_cycles stltsa_cycles;
 
@@ -1161,6 +1167,14 @@ STLTSA_API stltsa_status stltsa_cycles_times(const stltsa_cycles *cycles, const 
 STLTSA_API stltsa_status stltsa_cycles_distance(const stltsa_cycles *cycles,
                                                 const stltsa_out *total,
                                                 const stltsa_out *columns) STLTSA_NOEXCEPT;
+
+/* The same of groups of columns, such as the three coordinates of each joint.
+ * groups    columns x 1, I64: the group of each column, from 0; -1: none
+ * distance  cycles x number of groups: root of the sum of squares over the columns of the group
+ * E_ARGUMENT, E_SHAPE. */
+STLTSA_API stltsa_status stltsa_cycles_group_distance(const stltsa_cycles *cycles,
+                                                      const stltsa_in *groups,
+                                                      const stltsa_out *distance) STLTSA_NOEXCEPT;
 
 /* ---- Events ------------------------------------------------------------------------------- */
 

@@ -839,6 +839,18 @@ class Cycles {
         return columns;
     }
 
+    /// The same for groups of columns: `groups` has that of each column, -1 for none.
+    Matrix group_distance(const std::vector<std::int64_t>& groups) const {
+        std::int64_t most = -1;
+        for (const std::int64_t group : groups)
+            most = std::max(most, group);
+        Matrix distance(count(), most + 1);
+        const detail::List given(groups);
+        const stltsa_out to = detail::out(distance);
+        detail::check(stltsa_cycles_group_distance(get(), given.get(), &to));
+        return distance;
+    }
+
     const stltsa_cycles* get() const noexcept { return handle_.get(); }
 
   private:
@@ -905,6 +917,10 @@ class Phase {
         return detail::texts(stltsa_phase_warning_count, stltsa_phase_warning, get());
     }
     /// The event at marked frames, in every cycle of the clip.
+    /// The joint, point or column of the file that each column of the features belongs to.
+    std::vector<std::string> column_owners() const {
+        return detail::texts(stltsa_phase_column_count, stltsa_phase_column_owner, get());
+    }
     Events events(const std::vector<double>& marks) const { return events(marks, *this); }
     /// The same in another clip.
     Events events(const std::vector<double>& marks, const Phase& in) const {

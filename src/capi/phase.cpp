@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <initializer_list>
+#include <span>
 #include <vector>
 
 #include "capi/boundary/arrays.hpp"
@@ -19,6 +20,17 @@ void check_samples(int64_t samples) {
     constexpr int64_t most = 1000000;
     if (samples < 2 || samples > most)
         fail(Status::argument, "samples is {}; it must be 2 to {}", samples, most);
+}
+
+/// Throws unless there is a group for each column, and a column in a group.
+void check_groups(std::span<const int64_t> groups, int64_t columns) {
+    if (static_cast<int64_t>(groups.size()) != columns)
+        fail(Status::shape, "groups has {} rows; the signals have {} columns", groups.size(),
+             columns);
+    const auto [least, most] = std::ranges::minmax(groups);
+    if (least < -1 || most >= columns || most < 0)
+        fail(Status::argument, "groups are {} to {}; they must be from 0 on, or -1 for no group",
+             least, most);
 }
 
 /// Throws unless the borders rise and lie within the rows.
@@ -107,6 +119,16 @@ const char* stltsa_phase_warning(const stltsa_phase* phase, int64_t index) noexc
     return phase->warnings[static_cast<std::size_t>(index)].c_str();
 }
 
+int64_t stltsa_phase_column_count(const stltsa_phase* phase) noexcept {
+    return phase == nullptr ? 0 : static_cast<int64_t>(phase->owners.size());
+}
+
+const char* stltsa_phase_column_owner(const stltsa_phase* phase, int64_t index) noexcept {
+    if (index < 0 || index >= stltsa_phase_column_count(phase))
+        return "";
+    return phase->owners[static_cast<std::size_t>(index)].c_str();
+}
+
 stltsa_status stltsa_cycles_resample(const stltsa_phase* phase, int32_t label,
                                      const stltsa_in* signals, int64_t samples,
                                      stltsa_cycles** cycles) noexcept {
@@ -176,5 +198,15 @@ stltsa_status stltsa_cycles_distance(const stltsa_cycles* cycles, const stltsa_o
     return guard([&] {
         const phase::Resampled& of = required(cycles, "cycles");
         write_all({{total, "total", column(of.total)}, {columns, "columns", of.distance}});
+    });
+}
+
+stltsa_status stltsa_cycles_group_distance(const stltsa_cycles* cycles, const stltsa_in* groups,
+                                           const stltsa_out* distance) noexcept {
+    return guard([&] {
+        const phase::Resampled& of = required(cycles, "cycles");
+        const std::vector<int64_t> group_of = capi::input_integers(groups, "groups");
+        check_groups(group_of, of.distance.cols());
+        capi::write_output(distance, "distance", phase::group_distance(of, group_of).view());
     });
 }

@@ -23,6 +23,9 @@ constexpr int rounds = 4;
 constexpr double variance_floor = 0.1;
 /// Cycles farther from the mean, in units of the usual distance, teach no template.
 constexpr double most_distance = 3;
+/// Marks within cycles are up to so remote, and rank no errors by it; marks in the start of a walk,
+/// which find nothing, have 7.
+constexpr double usual_remoteness = 2;
 /// Median from this number on, mean of fewer.
 constexpr std::size_t many = 5;
 constexpr double of_phase = 0.25, of_direct = 0.25, of_group = 0.5;
@@ -264,7 +267,7 @@ double doubt_of(const Searched& from, const Place& marks) {
     Rows distances;
     for (const Mark& mark : marks)
         distances.push_back(mark.distance);
-    return remoteness(from, motion::median(distances));
+    return std::max(1.0, remoteness(from, motion::median(distances)) / usual_remoteness);
 }
 
 double milliseconds(const Searched& in, double rows) {

@@ -115,6 +115,20 @@ void set_distances(Resampled& made) {
 
 } // namespace
 
+Matrix group_distance(const Resampled& of, std::span<const std::int64_t> groups) {
+    const std::int64_t count = std::ranges::max(groups) + 1;
+    Matrix result(of.distance.rows(), count);
+    for (std::int64_t k = 0; k < result.rows(); ++k) {
+        for (std::size_t c = 0; c < groups.size(); ++c)
+            if (const double off = of.distance(k, static_cast<std::int64_t>(c));
+                groups[c] >= 0 && !std::isnan(off))
+                result(k, groups[c]) += off * off;
+        for (std::int64_t g = 0; g < count; ++g)
+            result(k, g) = std::sqrt(result(k, g));
+    }
+    return result;
+}
+
 Matrix times_of(const Run& run, std::int64_t first, std::int64_t count, std::int64_t samples) {
     Matrix rows(count, samples);
     for (std::int64_t k = 0; k < count; ++k)

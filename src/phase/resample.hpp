@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "phase/phases.hpp"
@@ -25,6 +26,10 @@ struct Resampled {
     /// Of all columns, as a share of the root of their variance over the mean cycle.
     std::vector<double> total;
 };
+
+/// Distances of groups of columns, such as the coordinates of each joint, cycles x groups: the root
+/// of the sum of squares over the columns of known distance. `groups`: of each column, -1 for none.
+Matrix group_distance(const Resampled& of, std::span<const std::int64_t> groups);
 
 /// `signals`: a row each; NaN is a missing value and is left out of means. Linear between rows. A
 /// row that is NaN, or beyond the last one, has no values.

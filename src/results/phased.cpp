@@ -213,6 +213,7 @@ Phased find_phase(const clip::Clip& clip, const Decomposed& decomposed,
                       ? clip::point_side_weights(clip, found.up, prepared.samples.view())
                       : clip::side_weights(clip, found.features, found.up, prepared.samples.view());
     phased.rows = std::move(prepared.samples);
+    phased.owners = clip::column_owners(clip, found.features);
     for (const clip::Frames& hole : prepared.holes)
         phased.holes.push_back(rows_of(hole, phased));
     for (auto& [label, sequences] : sequences_of(decomposed, phased.clip)) {

@@ -32,6 +32,7 @@ struct Phased {
     std::vector<double> side;           ///< see phase::find_phases()
     std::vector<PhasedMotion> motions;  ///< in cycles, by label; then those with pauses
     std::vector<phase::Range> moving;   ///< rows between rests and holes
+    std::vector<std::string> owners;    ///< of each column, its joint or point
     std::vector<phase::Range> holes;    ///< rows that no motion goes across
     // Of each frame of the file.
     std::vector<double> phase;       ///< in [0, 1); NaN outside cycles

@@ -177,6 +177,42 @@ static void between_borders_time_is_linear(void** state) {
     free(x);
 }
 
+/* The distance of a group is the root of the sum of squares of its columns. */
+static void groups_of_columns_have_distances(void** state) {
+    (void)state;
+    walk w = opened();
+    enum { cols = 4 };
+    double* signals = new_motion(w.frames, cols, 4);
+    const stltsa_in in = packed_in(signals, w.frames, cols);
+    stltsa_cycles* cycles = NULL;
+    must(stltsa_cycles_resample(w.phase, 0, &in, 21, &cycles));
+    const int64_t count = stltsa_cycles_count(cycles);
+    double columns[8 * cols], groups[8 * 2];
+    const int64_t of[cols] = {1, 0, -1, 1}, bad[cols] = {0, -2, 0, 0},
+                  none[cols] = {-1, -1, -1, -1};
+    const stltsa_in of_column = list_in(of, cols), wrong = list_in(bad, cols),
+                    empty = list_in(none, cols), few = list_in(of, cols - 1);
+    const stltsa_out to_columns = packed_out(columns, count, cols),
+                     to_groups = packed_out(groups, count, 2);
+    must(stltsa_cycles_distance(cycles, NULL, &to_columns));
+    must(stltsa_cycles_group_distance(cycles, &of_column, &to_groups));
+    for (int64_t k = 0; k < count; ++k) {
+        const double* c = columns + cols * k;
+        assert_below(fabs(groups[2 * k] - c[1]), 1e-12, "group of one column");
+        assert_below(fabs(groups[2 * k + 1] - sqrt(c[0] * c[0] + c[3] * c[3])), 1e-12, "group");
+    }
+    assert_int_equal(stltsa_cycles_group_distance(cycles, &wrong, &to_groups), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_cycles_group_distance(cycles, &empty, &to_groups), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_cycles_group_distance(cycles, &few, &to_groups), STLTSA_E_SHAPE);
+    assert_true(stltsa_phase_column_count(w.phase) > 9);
+    assert_string_not_equal(stltsa_phase_column_owner(w.phase, 3), "");
+    assert_string_equal(stltsa_phase_column_owner(w.phase, -1), "");
+    assert_int_equal(stltsa_phase_column_count(NULL), 0);
+    stltsa_cycles_free(cycles);
+    free(signals);
+    closed(w);
+}
+
 /* A cycle may end with the last frame: what comes after the begin of that frame is unknown. */
 static void the_last_border_may_be_the_end(void** state) {
     (void)state;
@@ -242,6 +278,7 @@ int main(int argc, char** argv) {
         cmocka_unit_test(signals_are_resampled_by_phase),
         cmocka_unit_test(between_borders_time_is_linear),
         cmocka_unit_test(the_last_border_may_be_the_end),
+        cmocka_unit_test(groups_of_columns_have_distances),
         cmocka_unit_test(wrong_arguments_are_named),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

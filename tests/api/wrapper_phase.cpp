@@ -36,7 +36,16 @@ void frames_have_phases(void**) {
     assert_true(cycles.frames()(1, 25) > cycles.frames()(0, 25));
     assert_true(std::abs(cycles.warp()(1, 25)) < 0.1);
     assert_true(cycles.distance()[1] < 0.5);
-    assert_int_equal(cycles.column_distance().cols, features.cols);
+    const stltsa::Matrix columns = cycles.column_distance();
+    assert_int_equal(columns.cols, features.cols);
+    const std::vector<std::string> owners = phase.column_owners();
+    assert_int_equal(owners.size(), features.cols);
+    std::vector<std::int64_t> groups(owners.size(), -1);
+    groups[3] = groups[4] = groups[5] = 0;
+    assert_true(owners[3] == owners[5] && owners[3] != owners[6]);
+    const stltsa::Matrix joint = cycles.group_distance(groups);
+    assert_int_equal(joint.cols, 1);
+    ASSERT_NEAR(joint(1, 0), std::hypot(columns(1, 3), columns(1, 4), columns(1, 5)), 1e-12);
 }
 
 void a_mark_is_found_in_every_cycle(void**) {
@@ -51,6 +60,8 @@ void a_mark_is_found_in_every_cycle(void**) {
     const auto marked = std::ranges::find(all, 1, &stltsa::Event::marked);
     assert_true(marked != all.end() && marked->frame == 250);
     ASSERT_NEAR(events.likeness(), 1, 0);
+    assert_true(events.warnings().empty());
+    assert_int_equal(phase.events({250, 316}).warnings().size(), 1);
     const stltsa::Clip part = clip.stretch("170-600");
     const stltsa::Phase other = stltsa::find_phase(part, stltsa::decompose(part));
     assert_true(phase.events({250}, other).likeness() > 0.99);

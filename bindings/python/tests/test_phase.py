@@ -100,6 +100,43 @@ def test_without_a_rate_there_are_no_seconds(clip):
     assert all(np.isnan(e.seconds) for e in events)
 
 
+def test_labels_of_a_file_are_marks(result, phase):
+    labels = [
+        stltsa.Event("Foot Strike", "Left", 250 / 120),
+        stltsa.Event("Foot Strike", "Right", 316 / 120),
+        stltsa.Event("Start", "", 2 / 120),
+    ]
+    found = phase.events_like(labels)
+    assert list(found) == ["Left Foot Strike", "Right Foot Strike"]
+    for label, events in zip(labels, found.values(), strict=False):
+        assert events == phase.events(label.seconds * result.clip.fps)
+
+
+def test_joints_have_distances(clip, phase):
+    cycles = phase.resample(clip.features())
+    owners = phase.column_owners
+    assert len(owners) == clip.features().shape[1]
+    found = cycles.group_distance(owners)
+    for name, distance in found.items():
+        columns = [i for i, owner in enumerate(owners) if owner == name]
+        expected = np.sqrt((cycles.column_distance[:, columns] ** 2).sum(axis=1))
+        np.testing.assert_allclose(distance, expected, atol=1e-12)
+
+
+def test_repetitions_have_a_mean():
+    t = np.arange(600) % 200 / 30.0
+    pulse = np.where(t < 2, np.sin(np.pi * t / 2) ** 2, 0)
+    random = np.random.default_rng(5)
+    signals = np.outer(pulse, random.normal(size=6)) + np.outer(
+        np.roll(pulse, 9), random.normal(size=6)
+    )
+    result = stltsa.decompose(signals + random.normal(scale=1e-3, size=signals.shape), fps=30)
+    assert len(result.repetitions) >= 2 and not result.cycle_list
+    cycles = result.phase().resample(pulse)
+    assert len(cycles) == len(result.repetitions)
+    assert np.nanmax(cycles.mean) > 0.9
+
+
 def test_a_mark_is_found_in_another_clip(clip, phase):
     other = stltsa.decompose(clip.stretch("170-600")).phase()
     events = phase.events(250, other)

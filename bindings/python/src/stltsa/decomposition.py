@@ -352,7 +352,7 @@ class Decomposition(Described):
         out = ffi.new("stltsa_phase **")
         with Call(self._options, working_rate(self.clip.fps, self._options)) as call:
             call.check(lib.stltsa_phase_find(self.clip._handle, self._handle, call.options, out))
-        return Phase(owned("phase", out), len(self.clip), timed=self.clip.fps > 0)
+        return Phase(owned("phase", out), len(self.clip), self.clip.fps)
 
     def to_frame(self) -> DataFrame:
         """Return one table of all segments, units, cycles and repetitions; needs pandas.

@@ -7,15 +7,17 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from ._arrays import FloatArray, IntArray, as_matrix, columns, read_from, write_list, write_to
+from ._arrays import FloatArray, IntArray, as_matrix, columns, read_from, read_list, write_list, write_to
 from ._call import check, owned, texts
 from ._native import ffi, lib
 from ._rows import number_of
+from .errors import ArgumentError
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterable, Sequence
 
     from ._given import Matrix
+    from .events import Event
 
 _NULL = ffi.NULL
 
@@ -165,6 +167,37 @@ class Cycles:
         """Distance of each cycle from the mean in each column, in its unit."""
         return self._pair(lib.stltsa_cycles_distance, 1, len(self), self._shape[1])
 
+    def group_distance(self, owners: Sequence[str]) -> dict[str, FloatArray]:
+        """Distance of each cycle from the mean in each joint, in its unit.
+
+        Parameters
+        ----------
+        owners : sequence of str
+            What each column belongs to, such as :attr:`Phase.column_owners`; an empty text: nothing.
+
+        Returns
+        -------
+        dict of str to ndarray of shape (cycles,)
+            Root of the sum of squares over the columns of an owner.
+
+        Examples
+        --------
+        >>> import stltsa
+        >>> result = stltsa.decompose("walker.bvh")
+        >>> phase = result.phase()
+        >>> cycles = phase.resample(result.clip.features())
+        >>> len(cycles.group_distance(phase.column_owners)["LeftFoot"])
+        3
+        """
+        names = list(dict.fromkeys(name for name in owners if name))
+        number = {name: index for index, name in enumerate(names)}
+        groups = np.array([number.get(name, -1) for name in owners], dtype=np.int64)
+        result = columns(len(self), len(names))
+        check(
+            lib.stltsa_cycles_group_distance(self._handle, read_list(groups), write_to(result))
+        )
+        return {name: result[:, index] for name, index in number.items()}
+
     def __repr__(self) -> str:
         samples, signals = self._shape
         return f"<Cycles: {len(self)} of {samples} samples x {signals}>"
@@ -177,10 +210,10 @@ class Phase:
     of the body in every cycle and clip, wherever the cycles begin.
     """
 
-    def __init__(self, handle: Any, frames: int, timed: bool = True) -> None:
+    def __init__(self, handle: Any, frames: int, fps: float) -> None:
         self._handle = handle
         self._frames = frames
-        self._timed = timed
+        self._fps = fps
 
     def _fill(self, index: int, values: FloatArray | IntArray) -> None:
         outputs = [_NULL, _NULL, _NULL]
@@ -207,6 +240,11 @@ class Phase:
         cycle = np.empty(self._frames, dtype=np.int64)
         self._fill(2, cycle)
         return cycle
+
+    @property
+    def column_owners(self) -> tuple[str, ...]:
+        """The joint, point or column of the file that each column of the features belongs to."""
+        return texts(lib.stltsa_phase_column_count, lib.stltsa_phase_column_owner, self._handle)
 
     @property
     def warnings(self) -> tuple[str, ...]:
@@ -248,7 +286,34 @@ class Phase:
         out = ffi.new("stltsa_events **")
         target = _NULL if other is None else other._handle
         check(lib.stltsa_events_find(self._handle, read_from(at), target, out))
-        return FoundEvents(owned("events", out), (other or self)._timed)
+        return FoundEvents(owned("events", out), (other or self)._fps > 0)
+
+    def events_like(
+        self, labels: Iterable[Event], other: Phase | None = None
+    ) -> dict[str, FoundEvents]:
+        """Find what a file labels, such as foot strikes of a C3D file, wherever it comes again.
+
+        Parameters
+        ----------
+        labels : iterable of Event
+            Such as :attr:`Clip.events`. Those that lie in no motion that repeats are left out.
+        other : Phase, optional
+            Of another clip with the same features, in which to look.
+
+        Returns
+        -------
+        dict of str to FoundEvents
+            By context and label, such as ``"Left Foot Strike"``.
+        """
+        marks: dict[str, list[float]] = {}
+        for label in labels:
+            frame = label.seconds * self._fps
+            try:
+                self.events(frame)
+            except ArgumentError:
+                continue
+            marks.setdefault(f"{label.context} {label.label}".strip(), []).append(frame)
+        return {name: self.events(frames, other) for name, frames in marks.items()}
 
     def resample(self, signals: Matrix, *, label: str = "A", samples: int = 101) -> Cycles:
         """Resample any signals of the clip's frames on 0 to 100 % of each cycle.

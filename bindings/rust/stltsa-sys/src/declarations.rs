@@ -2345,6 +2345,15 @@ extern "C" {
         index: i64,
     ) -> *const ::std::os::raw::c_char;
 }
+extern "C" {
+    pub fn stltsa_phase_column_count(phase: *const stltsa_phase) -> i64;
+}
+extern "C" {
+    pub fn stltsa_phase_column_owner(
+        phase: *const stltsa_phase,
+        index: i64,
+    ) -> *const ::std::os::raw::c_char;
+}
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct stltsa_cycles {
@@ -2399,6 +2408,13 @@ extern "C" {
         cycles: *const stltsa_cycles,
         total: *const stltsa_out,
         columns: *const stltsa_out,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_cycles_group_distance(
+        cycles: *const stltsa_cycles,
+        groups: *const stltsa_in,
+        distance: *const stltsa_out,
     ) -> stltsa_status;
 }
 #[repr(C)]

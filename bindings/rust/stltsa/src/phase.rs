@@ -4,7 +4,7 @@
 
 use stltsa_sys as sys;
 
-use crate::array::{list_out, Matrix, View};
+use crate::array::{list_in, list_out, Matrix, View};
 use crate::clip::Clip;
 use crate::decomposition::Decomposition;
 use crate::error::{c_count, check, count, texts, Error, ErrorKind, Result};
@@ -101,6 +101,17 @@ impl Phase {
         unsafe {
             texts(sys::stltsa_phase_warning_count(self.handle.raw()), |index| {
                 sys::stltsa_phase_warning(self.handle.raw(), index)
+            })
+        }
+    }
+
+    /// The joint, point or column of the file that each column of the features belongs to.
+    #[must_use]
+    pub fn column_owners(&self) -> Vec<String> {
+        // SAFETY: a live handle.
+        unsafe {
+            texts(sys::stltsa_phase_column_count(self.handle.raw()), |index| {
+                sys::stltsa_phase_column_owner(self.handle.raw(), index)
             })
         }
     }
@@ -236,6 +247,23 @@ impl Cycles {
             unsafe { sys::stltsa_cycles_distance(self.handle.raw(), out, std::ptr::null()) }
         })?;
         Ok(total.into_vec())
+    }
+
+    /// The same for groups of columns, such as those of each joint: cycles x groups. `groups` has
+    /// the group of each column, `None` for none.
+    ///
+    /// # Errors
+    /// [`Shape`](crate::ErrorKind::Shape) unless there is one for each column,
+    /// [`Argument`](crate::ErrorKind::Argument) for no group at all.
+    pub fn group_distance(&self, groups: &[Option<usize>]) -> Result<Matrix> {
+        let of_column = |group: &Option<usize>| group.map_or(Ok(-1), c_count);
+        let list = groups.iter().map(of_column).collect::<Result<Vec<_>>>()?;
+        let input = list_in(&list)?;
+        let count = groups.iter().flatten().max().map_or(0, |most| most + 1);
+        Matrix::filled(self.len(), count, |out| {
+            // SAFETY: a live handle, arrays of the size they say.
+            unsafe { sys::stltsa_cycles_group_distance(self.handle.raw(), &input, out) }
+        })
     }
 
     /// The same for each column, in its unit: cycles x columns.
