@@ -145,7 +145,7 @@ void repetitions_have_one_each(void**) {
         grew.push_back(grown(both.view(), phases.mean, run,
                              {run.begin - 12, std::min<std::int64_t>(600, run.end() + 12)}));
     const Searched wide = searched(samples.view(), rate, phases, grew);
-    for (const double at : {229.0, 233.0, 268.0})
+    for (const double at : {227.0, 233.0, 268.0})
         assert_int_equal(events_of(wide, {at}).size(), 6);
 }
 
@@ -181,7 +181,7 @@ void marks_in_another_motion_are_doubted(void**) {
     Matrix samples = motion(0.002, 8);
     for (std::int64_t i = 0; i < 80; ++i) // the first steps differ
         for (std::int64_t c = 0; c < samples.cols(); ++c)
-            samples(i, c) += 0.25 * std::sin(0.2 * static_cast<double>(i + 3 * c));
+            samples(i, c) += 0.5 * std::sin(0.2 * static_cast<double>(i + 3 * c));
     Searched in = cyclic(samples);
     const auto error_by = [&](double mark) {
         std::vector<double> errors;
