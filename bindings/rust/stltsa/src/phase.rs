@@ -120,7 +120,7 @@ impl Phase {
     /// (0 for A). NaN is a missing value.
     ///
     /// # Errors
-    /// [`Argument`](crate::ErrorKind::Argument) if the label has no cycles,
+    /// [`Argument`](crate::ErrorKind::Argument) if the label has neither cycles nor repetitions,
     /// [`Shape`](crate::ErrorKind::Shape).
     pub fn resample<'a>(
         &self,

@@ -32,7 +32,12 @@ fn frames_of_cycles_have_phases() {
     assert!(cycles.deviation().unwrap()[(5, 0)] > 0.0);
     assert!(cycles.warp().unwrap()[(1, 5)].abs() < 0.1);
     assert_eq!(cycles.distance().unwrap().len(), cycles.len());
-    assert_eq!(cycles.column_distance().unwrap().cols(), 1);
+    let of_column = cycles.column_distance().unwrap();
+    assert_eq!(of_column.cols(), 1);
+    let of_group = cycles.group_distance(&[Some(0)]).unwrap();
+    assert_eq!(of_group[(1, 0)], of_column[(1, 0)]);
+    assert_eq!(cycles.group_distance(&[None]).unwrap_err().kind(), ErrorKind::Argument);
+    assert!(phase.column_owners().len() > 9);
     let error = phase.resample(7, &ramp, 11).unwrap_err();
     assert_eq!(error.kind(), ErrorKind::Argument);
 }
@@ -58,6 +63,7 @@ fn a_mark_is_found_in_every_cycle() {
     };
     let events = phase.events(&[middle(1)], None).unwrap();
     assert_eq!(events.likeness, 1.0);
+    assert!(events.warnings.is_empty());
     for cycle in 0..found.cycles().len() {
         let event = events.events.iter().find(|event| event.cycle == Some(cycle)).unwrap();
         assert!((event.frame - middle(cycle)).abs() < 3.0);
