@@ -7,7 +7,16 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from ._arrays import FloatArray, IntArray, as_matrix, columns, read_from, read_list, write_list, write_to
+from ._arrays import (
+    FloatArray,
+    IntArray,
+    as_matrix,
+    columns,
+    read_from,
+    read_list,
+    write_list,
+    write_to,
+)
 from ._call import check, owned, texts
 from ._native import ffi, lib
 from ._rows import number_of
@@ -63,9 +72,9 @@ def cycles_between(borders: Any, signals: Matrix, *, samples: int = 101) -> Cycl
 class FoundEvent(NamedTuple):
     """A moment that was marked elsewhere.
 
-    `frame` is not rounded; `seconds` is NaN if the frame rate is unknown; `cycle` is an index among :attr:`Decomposition.cycles`, -1 outside
-    cycles; `confidence`, 0 to 1, ranks events by the size of their likely errors; `marked` is true
-    for a mark itself.
+    `frame` is not rounded; `seconds` is NaN if the frame rate is unknown; `cycle` is an index among
+    :attr:`Decomposition.cycles`, -1 outside cycles; `confidence`, 0 to 1, ranks events by the size
+    of their likely errors; `marked` is true for a mark itself.
     """
 
     frame: float
@@ -173,7 +182,7 @@ class Cycles:
         Parameters
         ----------
         owners : sequence of str
-            What each column belongs to, such as :attr:`Phase.column_owners`; an empty text: nothing.
+            What each column belongs to, such as :attr:`Phase.column_owners`; "": nothing.
 
         Returns
         -------
@@ -193,9 +202,7 @@ class Cycles:
         number = {name: index for index, name in enumerate(names)}
         groups = np.array([number.get(name, -1) for name in owners], dtype=np.int64)
         result = columns(len(self), len(names))
-        check(
-            lib.stltsa_cycles_group_distance(self._handle, read_list(groups), write_to(result))
-        )
+        check(lib.stltsa_cycles_group_distance(self._handle, read_list(groups), write_to(result)))
         return {name: result[:, index] for name, index in number.items()}
 
     def __repr__(self) -> str:
