@@ -2,6 +2,7 @@
 // The opaque handles of stltsa.h.
 #pragma once
 
+#include <algorithm>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -90,7 +91,18 @@ struct stltsa_live {
     std::vector<stltsa::clip::Quaternion> local;
 
     stltsa_live(std::vector<std::string> of, stltsa::clip::FrameFeatures frames,
-                stltsa::phase::LivePhase follows);
+                stltsa::phase::LivePhase follows)
+        : names(std::move(of)), features(std::move(frames)), phase(std::move(follows)),
+          row(static_cast<std::size_t>(features.features())) {
+        std::size_t joints = 0;
+        if (features.has_skeleton())
+            joints = features.skeleton().joints.size();
+        // A frame comes as values of the file, or as quaternions or matrices.
+        values.resize(std::max(static_cast<std::size_t>(features.values()), 9 * joints));
+        local.resize(joints);
+        if (features.space() > 0)
+            unsure.resize(values.size() / static_cast<std::size_t>(features.space()));
+    }
 };
 
 struct stltsa_denoising : stltsa_info, stltsa::results::Denoised {

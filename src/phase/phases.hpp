@@ -23,8 +23,8 @@ struct Phases {
 
 /// Phases of the rows within the cycles. `rows`: features, not smoothed, finite; `rate`: rows per
 /// second. `side`: one weight for each column, whose weighted sum shows which side of the body is
-/// forward; empty: unknown. Phase 0 does not depend on where cycles begin. Sequences have a cycle of at least four rows each, and lie within the
-/// rows.
+/// forward; empty: unknown. Phase 0 does not depend on where cycles begin. Sequences have a cycle
+/// of at least four rows each, and lie within the rows.
 Phases find_phases(ConstMatrixView rows, double rate, std::span<const Borders> sequences,
                    std::span<const double> side);
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "base/utf8.hpp"
 #include "clip/acclaim/skeleton_file.hpp"
 #include "clip/features/features.hpp"
 #include "clip/features/prepare.hpp"
@@ -40,6 +41,20 @@ Reader reader(Format format) {
     return [format](std::string_view bytes) { check_clip(parse(bytes, format)); };
 }
 
+/// Letters of any script, but no control characters (C1 is U+0080 to U+009F) and no broken UTF-8.
+bool is_printable(std::string_view text) {
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t length = stltsa::utf8_length(text, at);
+        const auto first = static_cast<unsigned char>(text[at]);
+        const bool control = first < 0x20 || first == 0x7F;
+        const bool c1 = first == 0xC2 && static_cast<unsigned char>(text[at + 1]) < 0xA0;
+        if (length == 0 || control || c1)
+            return false;
+        at += length;
+    }
+    return true;
+}
+
 /// Reads; an exception must be an Error with a suitable status and a printable text.
 void read(const Reader& reader, const std::string& bytes) {
     const Failure failure = failure_of([&] { reader(bytes); });
@@ -47,9 +62,8 @@ void read(const Reader& reader, const std::string& bytes) {
         return;
     const bool fitting = failure.status == Status::format || failure.status == Status::not_finite ||
                          failure.status == Status::unsupported || failure.status == Status::shape;
-    const bool printable = std::all_of(failure.text.begin(), failure.text.end(),
-                                       [](char c) { return c >= ' ' && c <= '~'; });
-    if (!fitting || !printable || failure.text.empty() || failure.text.size() > 400)
+    if (!fitting || !is_printable(failure.text) || failure.text.empty() ||
+        failure.text.size() > 400)
         FAIL("status %d: %s", static_cast<int>(failure.status), failure.text.c_str());
 }
 
