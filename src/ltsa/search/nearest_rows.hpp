@@ -42,6 +42,9 @@ class NearestRows {
     NearestRows() = default;
     /// `segments`: one from each row to index, ascending. The entries of x are not copied.
     NearestRows(ConstMatrixView x, const std::vector<Segment>& segments);
+    // The trees refer to matrices of this object, which a move keeps in place.
+    NearestRows(NearestRows&&) = default;
+    NearestRows& operator=(NearestRows&&) = default;
 
     const std::vector<std::int32_t>& rows() const { return rows_; }
     bool contains(std::int64_t row) const {
