@@ -509,8 +509,8 @@ enum {
     STLTSA_WARNING_SEAM_ACCELERATION = 13, /* unusual acceleration near a seam */
     STLTSA_WARNING_NOT_BLENDED = 14,    /* no frames beyond the cuts of a seam to blend */
     STLTSA_WARNING_NO_ORDER = 15,       /* consecutive rows are no closer than random ones */
-    STLTSA_WARNING_LINEAR_PHASE = 16    /* of a model that keeps a mean cycle: its phases are linear
-                                           in time, so streams are followed less surely */
+    STLTSA_WARNING_LINEAR_PHASE = 16    /* the mean cycle that a model keeps has phases that are
+                                           linear in time, so streams are followed less surely */
 };
 
 /* Number of values of a key; 0: none, or an unknown key. */
@@ -560,8 +560,8 @@ enum {
     STLTSA_FORMAT_CSV = 3, /* numbers split by , ; tab or blanks; header lines are optional.
                               Columns named x, y, z of each point make a clip of points; an empty
                               cell is a missing value */
-    STLTSA_FORMAT_NPY = 4, /* NumPy 1.0 to 3.0, float32 or float64, C or Fortran order: frames,
-                              frames x columns, or frames x points x 2 or 3 */
+    STLTSA_FORMAT_NPY = 4, /* NumPy 1.0 to 3.0, float32, float64 or integers, C or Fortran order:
+                              frames, frames x columns, or frames x points x 2 or 3 */
     STLTSA_FORMAT_MATRIX = 5, /* no file: stltsa_clip_from_matrix */
     STLTSA_FORMAT_POINTS = 6, /* no file: stltsa_clip_from_points */
     STLTSA_FORMAT_SKELETON = 7, /* no file: stltsa_clip_from_skeleton */
@@ -572,12 +572,13 @@ enum {
  * stltsa_clip_stretch; a file of exactly this name comes first, and the options of
  * stltsa_decompose count for the names that need it. The suffix decides the format, or the content
  * if the suffix is unknown. Options:
- * fps, skeleton, least_confidence, progress. E_IO, E_FORMAT (the text has path, line and remedy), E_NOT_FINITE. */
+ * fps, skeleton, least_confidence, progress. E_IO, E_FORMAT (the text has path, line and remedy),
+ * E_NOT_FINITE. */
 STLTSA_API stltsa_status stltsa_clip_open(const char *path, const stltsa_options *options,
                                           stltsa_clip **clip) STLTSA_NOEXCEPT;
 
-/* The same from memory; if format is 0, the content decides. name: for messages and as the path of the
- * clip; a stretch may follow if that file exists, as above; NULL: it has none. */
+/* The same from memory; if format is 0, the content decides. name: for messages and as the path of
+ * the clip; a stretch may follow if that file exists, as above; NULL: it has none. */
 STLTSA_API stltsa_status stltsa_clip_parse(const void *bytes, size_t size, int32_t format,
                                            const char *name, const stltsa_options *options,
                                            stltsa_clip **clip) STLTSA_NOEXCEPT;
@@ -596,13 +597,14 @@ typedef struct stltsa_points {
     const char *const *names;    /* one per point; NULL: they have none */
     stltsa_in confidence;        /* frames x points, 0: missing; data NULL: all are seen */
     stltsa_in times;             /* frames x 1, seconds, increasing; data NULL: even, by fps */
-    double fps;                  /* 0: given by the times, with which it must agree within 1 % */
+    double fps;                  /* 0: given by the times; otherwise both must agree within
+                                    1 % */
 } stltsa_points;
 
 /* A clip of points, which are copied. Frames at uneven times are resampled to the rate of the
- * usual step, which a note says; frames that are missing there are gaps. Option: least_confidence.
- * E_SHAPE, E_ARGUMENT (times that do not increase, no rate, another rate than fps), E_FORMAT (more frames are missing than
- * there are), E_NOT_FINITE (infinities). */
+ * usual step, and a note says so; frames that are missing there are gaps. Option: least_confidence.
+ * E_SHAPE, E_ARGUMENT (times that do not increase, no rate, a rate that differs from fps), E_FORMAT
+ * (more frames are missing than there are), E_NOT_FINITE (infinities). */
 STLTSA_API stltsa_status stltsa_clip_from_points(const stltsa_points *points,
                                                  const stltsa_options *options,
                                                  stltsa_clip **clip) STLTSA_NOEXCEPT;
@@ -1085,11 +1087,11 @@ STLTSA_API stltsa_status stltsa_model_load(const char *path, stltsa_model **mode
 /* ---- Phase and mean cycles --------------------------------------------------------------- */
 
 /* A phase for every frame of the cycles of a clip: where it lies on the mean cycle of its motion,
- * in turns. It rises strictly and is continuous across the borders of cycles; 0 is at the same
- * place of the body in every cycle, clip and person with the same features, wherever the cycles
- * begin: where the legs pass each other, if the two sides of the body are known and swing. The
- * frames of all segments of a label are registered to one
- * mean cycle, by pose and velocity; afterwards the mean share of time at each phase is uniform. */
+ * in turns. It rises strictly and is continuous across the borders of cycles; 0 is the same
+ * posture in every cycle, clip and person with the same features, wherever the cycles begin: where
+ * the legs pass each other, if the two sides of the body are known and swing. The frames of all
+ * segments of a label are registered to one mean cycle, by pose and velocity; afterwards the mean
+ * share of time at each phase is uniform. */
 typedef struct stltsa_phase stltsa_phase;
 
 /* Finds the phase of a clip that was decomposed. Every frame counts, whatever option sample_rate
@@ -1114,8 +1116,9 @@ STLTSA_API int64_t stltsa_phase_warning_count(const stltsa_phase *phase) STLTSA_
 STLTSA_API const char *stltsa_phase_warning(const stltsa_phase *phase,
                                             int64_t index) STLTSA_NOEXCEPT;
 
-/* The joint, or the point or column of the file, that each column of the features belongs to: groups
- * for stltsa_cycles_group_distance. "" beyond the last one; valid until the phase is freed. */
+/* The joint, or the point or column of the file, that each column of the features belongs to: makes
+ * the groups of stltsa_cycles_group_distance. "" beyond the last one; valid until the phase is
+ * freed. */
 STLTSA_API int64_t stltsa_phase_column_count(const stltsa_phase *phase) STLTSA_NOEXCEPT;
 STLTSA_API const char *stltsa_phase_column_owner(const stltsa_phase *phase,
                                                  int64_t index) STLTSA_NOEXCEPT;
@@ -1131,17 +1134,19 @@ typedef struct stltsa_cycles stltsa_cycles;
  * signals   frames of the file x columns; NaN is a missing value, which means leave out
  * samples   of each cycle, at least 2; 101 for percent
  *
- * Of a label without cycles, each repetition is a cycle. A turn of the phase is that of the cycle
- * whose begin is nearest to it, at most half a cycle away. Samples that the clip does not reach, or
- * more than a quarter of a cycle outside the cycles, are NaN.
+ * If a label has no cycles, each repetition counts as a cycle. A turn of the phase belongs to the
+ * cycle whose beginning is nearest to that of the turn, at most half a cycle away. Samples are NaN
+ * if the clip does not reach them, or if they lie more than a quarter of a cycle outside the
+ * cycles.
  * E_ARGUMENT: the label has neither cycles nor repetitions. E_SHAPE. */
 STLTSA_API stltsa_status stltsa_cycles_resample(const stltsa_phase *phase, int32_t label,
                                                 const stltsa_in *signals, int64_t samples,
                                                 stltsa_cycles **cycles) STLTSA_NOEXCEPT;
 
 /* The same without registration: linear in time between borders, such as heel strikes.
- * borders   count x 1, ascending frames, not rounded, at least 2; from 0 to the number of frames,
- *           which is the end of the last one: samples after the begin of the last frame are NaN */
+ * borders   count x 1, at least 2 frames in ascending order, not rounded, from 0 to the number of
+ *           frames, which is the end of the last one: samples after the beginning of the last frame
+ *           are NaN */
 STLTSA_API stltsa_status stltsa_cycles_between(const stltsa_in *borders, const stltsa_in *signals,
                                                int64_t samples,
                                                stltsa_cycles **cycles) STLTSA_NOEXCEPT;
@@ -1168,7 +1173,7 @@ STLTSA_API stltsa_status stltsa_cycles_distance(const stltsa_cycles *cycles,
                                                 const stltsa_out *total,
                                                 const stltsa_out *columns) STLTSA_NOEXCEPT;
 
-/* The same of groups of columns, such as the three coordinates of each joint.
+/* The same for groups of columns, such as the three coordinates of each joint.
  * groups    columns x 1, I64: the group of each column, from 0; -1: none
  * distance  cycles x number of groups: root of the sum of squares over the columns of the group
  * E_ARGUMENT, E_SHAPE. */
@@ -1187,9 +1192,9 @@ typedef struct stltsa_event {
     int64_t cycle;     /* index among STLTSA_PART_CYCLE of the clip; -1: outside cycles */
     double frame;      /* of the file, not rounded */
     double seconds;
-    double confidence; /* 0 to 1: ranks the events by the size of their likely errors; in another
-                          clip, of those above 0.6, 99 in 100 were within 50 ms of the truth, of
-                          those below 0.4, 2 in 3 */
+    double confidence; /* 0 to 1: ranks the events by the size of their likely errors. In other
+                          clips, 99 of 100 events above 0.6 were within 50 ms of the truth, and 2 of
+                          3 events below 0.4 */
     int32_t marked;    /* 1: a mark of the caller, as it was given */
     int32_t reserved;  /* 0 */
 } stltsa_event;
@@ -1204,10 +1209,11 @@ typedef struct stltsa_event {
  * in      where the events are found: NULL or `from` for the same clip, or another clip with the
  *         same features, such as another person's
  *
- * Marks farther than a tenth of a cycle apart are marks of several places of the cycle: each has its
- * events, and a warning says so. Events are in order of time; none if the other clip has no such
- * motion (see stltsa_events_likeness). E_ARGUMENT: a mark lies in no motion that repeats, or the
- * marks are spread all over the cycle. E_SHAPE: the features of the clips differ. */
+ * If marks lie farther than a tenth of a cycle apart, they mark several places in the cycle: each
+ * place has its events, and a warning says so. Events are in order of time; there are none if the
+ * other clip has no such motion (see stltsa_events_likeness). E_ARGUMENT: a mark lies in no motion
+ * that repeats, or the marks are spread all over the cycle. E_SHAPE: the features of the clips
+ * differ. */
 STLTSA_API stltsa_status stltsa_events_find(const stltsa_phase *from, const stltsa_in *marks,
                                             const stltsa_phase *in,
                                             stltsa_events **events) STLTSA_NOEXCEPT;
@@ -1218,8 +1224,8 @@ STLTSA_API stltsa_status stltsa_events_event(const stltsa_events *events, int64_
 /* Correlation of the mean cycles of the two clips; 1 within a clip. Events of another person are to
  * be trusted less below 0.95; below 0.6 it is another motion, and there are none. */
 STLTSA_API double stltsa_events_likeness(const stltsa_events *events) STLTSA_NOEXCEPT;
-/* Of marks at several places of the cycle, repetitions without the event, and phases that are linear
- * in time. Valid until the events are freed; "" beyond the last one. */
+/* Warnings about marks at several places in the cycle, repetitions without the event, and phases
+ * that are linear in time. Valid until the events are freed; "" beyond the last one. */
 STLTSA_API int64_t stltsa_events_warning_count(const stltsa_events *events) STLTSA_NOEXCEPT;
 STLTSA_API const char *stltsa_events_warning(const stltsa_events *events,
                                              int64_t index) STLTSA_NOEXCEPT;
@@ -1239,9 +1245,9 @@ STLTSA_API stltsa_status stltsa_model_keep_mark(stltsa_model *model, const stlts
 /* 1 if the model keeps a mean cycle. */
 STLTSA_API int32_t stltsa_model_has_cycle(const stltsa_model *model) STLTSA_NOEXCEPT;
 
-/* Follows one stream: push one frame after another, each in the form in which it comes. It does not
- * refer to the model. Only stltsa_live_new allocates memory. No frame depends on those after it, and
- * there is no delay. */
+/* Follows one stream: push one frame after another, each in the form in which it comes. The model
+ * may be freed before it. Only stltsa_live_new allocates memory. No answer depends on later frames,
+ * and there is no delay. */
 typedef struct stltsa_live stltsa_live;
 
 /* Append-only: set size to sizeof(stltsa_live_frame). */
@@ -1266,21 +1272,22 @@ STLTSA_API int64_t stltsa_live_mark_count(const stltsa_live *live) STLTSA_NOEXCE
 STLTSA_API const char *stltsa_live_mark_name(const stltsa_live *live,
                                              int64_t index) STLTSA_NOEXCEPT;
 
-/* Each of these takes the next frame.
- * seconds   of the frame; rises from call to call. Frames may be dropped: time counts. A frame with
- *           the time of the one before, or up to 0.25 s earlier (a coarse clock, a late packet), is
- *           left out, and the answer is that of the frame before. If time falls by more, or after
- *           more than a second without frames, the filter starts anew and settles within 0.15 s.
+/* Each of these functions takes the next frame.
+ * seconds   time of the frame; rises from call to call. Frames may be dropped, since only their
+ *           times count. If a frame has the time of the one before, or one up to 0.25 s earlier (a
+ *           coarse clock, a late packet), it is left out, and the answer is that of the frame
+ *           before. If time falls by more, or after more than a second without frames, the filter
+ *           starts anew and settles within 0.15 s.
  * frame     the answer
- * A frame of which too little is known, or that lies too far away for any body, is missing: the
+ * If too little is known of a frame, or if it is too far away for any body, it is missing: the
  * phase goes on as before, less and less surely, and `known` is 0.
- * E_SHAPE, E_ARGUMENT; E_UNSUPPORTED: frames of the model have another form. */
+ * E_SHAPE, E_ARGUMENT; E_UNSUPPORTED: the model's frames have another form. */
 
-/* points      points x 2 or 3, in the order of the model's clip and its unit; NaN, and 0 for all
- *             coordinates, is a lost point. Where the body is and which way it faces does not count:
- *             the mean of the points is removed, and the turn about the up axis that brings them
- *             closest to the mean shape of the clip. A lost point gets the place that the others
- *             imply. If more than half are lost, the frame is missing.
+/* points      points x 2 or 3, in the order and the unit of the model's clip; a point is lost if it
+ *             is NaN, or if all of its coordinates are 0. Where the body is and which way it faces
+ *             does not count: the mean of the points is removed, and the points are turned about
+ *             the up axis to be closest to the mean shape of the clip. A lost point gets the place
+ *             that the others imply. If more than half are lost, the frame is missing.
  * confidence  points x 1, 0: lost; NULL: all are seen */
 STLTSA_API stltsa_status stltsa_live_push_points(stltsa_live *live, double seconds,
                                                  const stltsa_in *points,
@@ -1288,20 +1295,21 @@ STLTSA_API stltsa_status stltsa_live_push_points(stltsa_live *live, double secon
                                                  stltsa_live_frame *frame) STLTSA_NOEXCEPT;
 /* form        STLTSA_ROTATIONS_*
  * rotations   local rotations, joints x 4 or x 9, or 1 x channels, in the order of the skeleton of
- *             the model's clip, which has the lengths; see stltsa_clip_from_skeleton. If a number is
- *             not finite, the frame is missing. E_ARGUMENT: no rotation
+ *             the model's clip, which has the lengths of the bones; see stltsa_clip_from_skeleton.
+ *             If a number is not finite, the frame is missing. E_ARGUMENT: the numbers are no
+ *             rotation
  * root        1 x 3, position of the root; NULL: it stays at its offset, or the channels say where
- *             it is. It does not count unless a joint above the body's root moves. */
+ *             it is. It counts only if a joint above the body's root moves. */
 STLTSA_API stltsa_status stltsa_live_push_pose(stltsa_live *live, double seconds, int32_t form,
                                                const stltsa_in *rotations, const stltsa_in *root,
                                                stltsa_live_frame *frame) STLTSA_NOEXCEPT;
-/* index       frame of a clip with the same joints or columns, which may have bones of other
- *             lengths: replays a clip, without a look at its other frames */
+/* index       frame of a clip with the joints or columns of the model's clip; its bones may have
+ *             other lengths. To replay a clip: its other frames are not looked at */
 STLTSA_API stltsa_status stltsa_live_push_frame(stltsa_live *live, double seconds,
                                                 const stltsa_clip *clip, int64_t index,
                                                 stltsa_live_frame *frame) STLTSA_NOEXCEPT;
-/* features    1 x features of the model: of a skeleton as of stltsa_clip_features; else the numbers
- *             of the columns, NaN where one is lost */
+/* features    1 x features of the model. With a skeleton: a row of stltsa_clip_features; otherwise
+ *             the numbers of the columns of the file, NaN if one is lost */
 STLTSA_API stltsa_status stltsa_live_push(stltsa_live *live, double seconds,
                                           const stltsa_in *features,
                                           stltsa_live_frame *frame) STLTSA_NOEXCEPT;

@@ -916,11 +916,11 @@ class Phase {
     std::vector<std::string> warnings() const {
         return detail::texts(stltsa_phase_warning_count, stltsa_phase_warning, get());
     }
-    /// The event at marked frames, in every cycle of the clip.
     /// The joint, point or column of the file that each column of the features belongs to.
     std::vector<std::string> column_owners() const {
         return detail::texts(stltsa_phase_column_count, stltsa_phase_column_owner, get());
     }
+    /// The event at marked frames, in every cycle of the clip.
     Events events(const std::vector<double>& marks) const { return events(marks, *this); }
     /// The same in another clip.
     Events events(const std::vector<double>& marks, const Phase& in) const {
@@ -957,7 +957,7 @@ class Live {
     LiveFrame push(double seconds, const MatrixView& features) {
         return answer(stltsa_live_push, seconds, features.get());
     }
-    /// Points in space or in a plane, a row each; `confidence`: a number for each, 0: lost.
+    /// Points in space or in a plane, a row each; `confidence`: one number for each, 0: lost.
     LiveFrame push_points(double seconds, const MatrixView& points) {
         return answer(stltsa_live_push_points, seconds, points.get(), nullptr);
     }
@@ -972,7 +972,7 @@ class Live {
                         const MatrixView& root) {
         return answer(stltsa_live_push_pose, seconds, form, rotations.get(), root.get());
     }
-    /// A frame of a clip, without a look at its other frames.
+    /// A frame of a clip; its other frames are not looked at.
     LiveFrame push(double seconds, const Clip& clip, std::int64_t index) {
         return answer(stltsa_live_push_frame, seconds, clip.get(), index);
     }

@@ -37,8 +37,8 @@ class BatchRow(NamedTuple):
     """One clip of a batch: numbers are NaN, and counts 0, if it failed.
 
     `status` is ``"done"`` or the name of the failure, and `error` its text; `confidence` is that of
-    the longest segment in motion, `reason` why nothing repeats; `kept` tells that the result is of
-    an earlier run.
+    the longest segment in motion; `reason` says why nothing repeats; `kept` tells whether the
+    result is from an earlier run.
     """
 
     path: str
@@ -78,8 +78,9 @@ def batch(
     """Decompose many clips into a folder: a JSON file for each, and ``summary.csv``.
 
     The result of ``a/b.bvh`` is ``a__b.bvh.json``. The files have the same bytes for any number of
-    jobs. A run that was stopped goes on where it was: a result is kept if the content of the clip,
-    the options and the library's version are the same. A clip that fails is a row with its error.
+    jobs. If a run was stopped, the next one goes on from there: a result is kept if the content of
+    the clip, the options and the library's version are the same. If a clip fails, its row has the
+    error.
 
     Parameters
     ----------
@@ -88,7 +89,7 @@ def batch(
     out : path
         The folder of the results.
     jobs : int
-        Clips at the same time, each in a process of its own; more than 1 need joblib.
+        Clips at the same time, each in a process of its own; more than one needs joblib.
     client : dask.distributed.Client, optional
         Runs the clips on a cluster, whose workers see the same files, in place of `jobs`.
     shard : (int, int)
@@ -142,7 +143,7 @@ def _run(work: list[tuple[Any, ...]], jobs: int, client: Client | None) -> Itera
 
 
 def _clips(paths: Any) -> Iterator[tuple[str, str]]:
-    """Return path of each clip and file name of its result, by path."""
+    """Return the path of each clip and the file name of its result, sorted by path."""
     found: set[str] = set()
     for path in [paths] if isinstance(paths, str | os.PathLike) else paths:
         given = Path(path)
@@ -164,7 +165,7 @@ def _clips(paths: Any) -> Iterator[tuple[str, str]]:
 
 
 def _in_folder(folder: Path, seen: set[Path]) -> Iterator[str]:
-    """Return the clips below a folder. Links are followed, into each folder once."""
+    """Return the clips below a folder. Links are followed, but each folder is visited once."""
     real = folder.resolve()
     if real in seen:
         return

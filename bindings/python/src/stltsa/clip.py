@@ -76,8 +76,8 @@ class Clip(Described):
         confidence : array-like of shape (frames, points), optional
             0: missing, and so are points below `least_confidence`.
         times : array-like of shape (frames,), optional
-            Seconds, increasing. Uneven ones are resampled to the rate of the usual step, which a
-            note says. If `fps` is given too, both must agree within 1 %.
+            Seconds, increasing. If they are uneven, the clip is resampled to the rate of the usual
+            step, and a note says so. If `fps` is given too, both must agree within 1 %.
         least_confidence : float, optional
             As the option of that name: by default 0.6.
 

@@ -152,7 +152,7 @@ _UNORDERED = (
 
 
 def in_keywords(texts: Iterable[str]) -> tuple[str, ...]:
-    """Return the library's warnings with the keywords of this package."""
+    """Return the library's warnings with this package's keywords in place of its options."""
     return tuple(text.replace(*_UNORDERED) for text in texts)
 
 

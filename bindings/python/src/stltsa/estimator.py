@@ -43,8 +43,8 @@ class STLTSA(Base):
     ----------
     n_neighbors : int, str such as "1.2s", or "auto", default="auto"
         Neighbors of each frame, including itself; a text is in seconds, and needs `fps`.
-        ``"auto"``: 1.2 periods if a period is found, otherwise 1.2 seconds, or 12 if `fps` is not
-        given. Without `fps` the period is looked for in frames, unless `neighbors` is
+        ``"auto"``: 1.2 periods if a period is found, otherwise 1.2 seconds, or 12 frames if `fps`
+        is not given. Without `fps` the period is looked for in frames, unless `neighbors` is
         ``"spatial"``. If there are few neighbors relative to a cycle, the first coordinate only
         follows time.
     n_components : int, default=2

@@ -21,10 +21,10 @@ class LiveFrame(NamedTuple):
     """What a frame of a stream is.
 
     `phase` in [0, 1) is that of the kept clip; `rate_hz` turns a second; `cycles` turns since the
-    first frame; `distance` from the mean cycle, above 1 another motion, NaN of a missing frame; `confidence` 0
-    to 1;
-    `known` whether this is the kept motion; `kind` ``"cyclic"``, ``"action"`` or ``"rest"``;
-    `events` the names of the marks that were passed since the frame before.
+    first frame; `distance` is that from the mean cycle, above 1 for another motion, NaN for a
+    missing frame; `confidence` is 0 to 1; `known` tells whether this is the kept motion; `kind` is
+    ``"cyclic"``, ``"action"`` or ``"rest"``; `events` are the names of the marks that were passed
+    since the frame before.
     """
 
     phase: float
@@ -41,7 +41,7 @@ class Live:
     """Follow one stream of frames with a model that keeps a mean cycle.
 
     Push one frame after another, each in the form in which it comes: points, rotations of joints,
-    features, or frames of a clip. No frame depends on those after it.
+    features, or frames of a clip. No answer depends on later frames.
 
     Parameters
     ----------
@@ -80,12 +80,12 @@ class Live:
         Parameters
         ----------
         features : array-like of shape (features,)
-            Of a skeleton as a row of :meth:`Clip.features`; else the numbers of the columns, NaN
-            where one is lost. If too much is lost, the frame is missing, and the phase goes on as
-            before.
+            With a skeleton a row of :meth:`Clip.features`; otherwise the numbers of the columns of
+            the file, NaN if one is lost. If too much is lost, the frame is missing, and the phase
+            goes on as before.
         seconds : float
-            Time of the frame; rises from call to call. A frame with the time of the one before, or
-            up to 0.25 s earlier, is left out.
+            Time of the frame; rises from call to call. If a frame has the time of the one before,
+            or one up to 0.25 s earlier, it is left out.
         """
         row = _numbers(features, "features").reshape(1, -1)
         return self._answer(lib.stltsa_live_push, seconds, read_from(row))
@@ -96,12 +96,12 @@ class Live:
         Parameters
         ----------
         points : array-like of shape (points, 2 or 3)
-            In the order of the model's clip and its unit; NaN, and 0 for all coordinates, is a lost
-            point. Where the body is and which way it faces does not count.
+            In the order and the unit of the model's clip; a point is lost if it is NaN, or if all
+            of its coordinates are 0. Where the body is and which way it faces does not count.
         seconds : float
             As for :meth:`push`.
         confidence : array-like of shape (points,), optional
-            0 is a lost point.
+            0 for a lost point.
 
         Raises
         ------
@@ -163,7 +163,7 @@ class Live:
         )
 
     def push_frame(self, clip: Clip, index: int, seconds: float | None = None) -> LiveFrame:
-        """Take a frame of a clip, without a look at its other frames.
+        """Take a frame of a clip; its other frames are not looked at.
 
         Parameters
         ----------

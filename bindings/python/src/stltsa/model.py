@@ -180,7 +180,7 @@ class Model(Described):
 
     @property
     def period(self) -> float:
-        """Period in seconds that gives `neighbors`; 0: none, or the rate is unknown."""
+        """Period in seconds from which `neighbors` follows; 0: none, or the rate is unknown."""
         return self._real("period")
 
     @property

@@ -44,7 +44,7 @@ def cycles_between(borders: Any, signals: Matrix, *, samples: int = 101) -> Cycl
     ----------
     borders : array-like of shape (count + 1,)
         Ascending frames at which cycles begin and end, such as heel strikes; not rounded. The last
-        may be the number of frames; samples after the begin of the last frame are NaN.
+        may be the number of frames; samples after the beginning of the last frame are NaN.
     signals : array-like of shape (frames,) or (frames, columns)
         NaN is a missing value, which means leave out.
     samples : int
@@ -93,8 +93,8 @@ class FoundEvents(tuple[FoundEvent, ...]):
         Correlation of the mean cycles of the two clips; 1 within a clip. Below 0.95 trust events
         less; below 0.6 it is another motion, and there are none.
     warnings : tuple of str
-        Of marks at several places of the cycle, of repetitions without the event, and of phases
-        that are linear in time.
+        About marks at several places in the cycle, repetitions without the event, and phases that
+        are linear in time.
     """
 
     likeness: float
@@ -182,12 +182,12 @@ class Cycles:
         Parameters
         ----------
         owners : sequence of str
-            What each column belongs to, such as :attr:`Phase.column_owners`; "": nothing.
+            What each column belongs to, such as :attr:`Phase.column_owners`; "" if to nothing.
 
         Returns
         -------
         dict of str to ndarray of shape (cycles,)
-            Root of the sum of squares over the columns of an owner.
+            For each owner the root of the sum of squares over its columns.
 
         Examples
         --------
@@ -213,8 +213,8 @@ class Cycles:
 class Phase:
     """Where each frame lies on the mean cycle of its motion, in turns.
 
-    The phase rises strictly and is continuous across the borders of cycles; 0 is at the same place
-    of the body in every cycle and clip, wherever the cycles begin.
+    The phase rises strictly and is continuous across the borders of cycles; 0 is the same posture
+    in every cycle and clip, wherever the cycles begin.
     """
 
     def __init__(self, handle: Any, frames: int, fps: float) -> None:
@@ -255,7 +255,7 @@ class Phase:
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """Of motions whose phase is linear in time, because the mean cycle explains too little."""
+        """About motions whose phase is linear in time: their mean cycle explains too little."""
         return texts(lib.stltsa_phase_warning_count, lib.stltsa_phase_warning, self._handle)
 
     def events(self, marks: float | Sequence[float], other: Phase | None = None) -> FoundEvents:
@@ -265,7 +265,7 @@ class Phase:
         ----------
         marks : float or sequence of float
             Frames of this clip in cycles or repetitions, such as one heel strike; not rounded.
-            Marks farther than a tenth of a cycle apart are marks of several places.
+            If marks lie farther than a tenth of a cycle apart, they mark several places.
         other : Phase, optional
             Of another clip with the same features, such as another person's, in which to look.
 
@@ -298,12 +298,12 @@ class Phase:
     def events_like(
         self, labels: Iterable[Event], other: Phase | None = None
     ) -> dict[str, FoundEvents]:
-        """Find what a file labels, such as foot strikes of a C3D file, wherever it comes again.
+        """Find events that a file labels, such as foot strikes of a C3D file, in every cycle.
 
         Parameters
         ----------
         labels : iterable of Event
-            Such as :attr:`Clip.events`. Those that lie in no motion that repeats are left out.
+            Such as :attr:`Clip.events`. A label is left out if it lies in no motion that repeats.
         other : Phase, optional
             Of another clip with the same features, in which to look.
 
@@ -330,7 +330,7 @@ class Phase:
         signals : array-like of shape (frames,) or (frames, columns)
             Features, joint angles, forces, EMG, ...; NaN is a missing value.
         label : str
-            Of the segments whose cycles are meant, or repetitions, if they have no cycles.
+            Of the segments whose cycles are meant; if they have no cycles, their repetitions.
         samples : int
             Of each cycle; the last one is phase 0 of the next cycle.
 

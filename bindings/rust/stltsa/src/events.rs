@@ -33,8 +33,8 @@ pub struct Events {
     /// Correlation of the mean cycles of both clips; 1 within a clip. Below 0.95 trust events of
     /// another person less; below 0.6 it is another motion, and there are none.
     pub likeness: f64,
-    /// Of marks at several places of the cycle, of repetitions without the event, and of phases
-    /// that are linear in time.
+    /// About marks at several places in the cycle, repetitions without the event, and phases that
+    /// are linear in time.
     pub warnings: Vec<String>,
 }
 

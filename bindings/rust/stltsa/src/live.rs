@@ -57,7 +57,7 @@ pub struct LiveFrame {
     pub rate_hz: f64,
     /// Turns since the first frame, not rounded.
     pub cycles: f64,
-    /// From the mean cycle; above 1 it is another motion; NaN of a missing frame.
+    /// From the mean cycle; above 1 it is another motion; NaN for a missing frame.
     pub distance: f64,
     /// 0 to 1: how sharply the phase is known; falls while frames are missing.
     pub confidence: f64,
@@ -77,8 +77,8 @@ impl LiveFrame {
 }
 
 /// Follows one stream of frames with a model that keeps a mean cycle. Push one frame after another,
-/// each in the form in which it comes. Pushing frames allocates no memory and has no delay; no frame
-/// depends on those after it.
+/// each in the form in which it comes. Pushing frames allocates no memory and has no delay; no
+/// answer depends on later frames.
 ///
 /// ```no_run
 /// use stltsa::{Clip, Live, Model, Options, Phase};
@@ -124,14 +124,15 @@ impl Live {
         &self.marks
     }
 
-    /// Takes the next frame as features: of a skeleton as a row of
-    /// [`Clip::features`](crate::Clip::features); else the numbers of the columns, NaN where one is
-    /// lost.
+    /// Takes the next frame as features: with a skeleton a row of
+    /// [`Clip::features`](crate::Clip::features); otherwise the numbers of the columns of the file,
+    /// NaN if one is lost.
     ///
-    /// `seconds` rises from call to call. Frames may be dropped. A frame with the time of the one
-    /// before, or up to 0.25 s earlier, is left out. If the time falls by more, or after more than a
-    /// second without frames, the filter starts anew and settles within 0.15 s. A frame of which too
-    /// little is known is missing: the phase goes on as before, less and less surely.
+    /// `seconds` rises from call to call. Frames may be dropped. If a frame has the time of the
+    /// one before, or one up to 0.25 s earlier, it is left out. If the time falls by more, or
+    /// after more than a second without frames, the filter starts anew and settles within 0.15 s.
+    /// If too little is known of a frame, it is missing: the phase goes on as before, less and
+    /// less surely.
     ///
     /// # Errors
     /// [`Shape`](ErrorKind::Shape), [`Argument`](ErrorKind::Argument) if `seconds` is not finite.
@@ -141,9 +142,10 @@ impl Live {
         self.answer(|live, frame| unsafe { sys::stltsa_live_push(live, seconds, &input, frame) })
     }
 
-    /// Takes the next frame as points, points x 2 or 3 in the order of the model's clip; NaN, and 0
-    /// for all coordinates, is a lost point. `confidence`: a number for each, 0: lost; empty: all
-    /// are seen. Where the body is and which way it faces does not count.
+    /// Takes the next frame as points, points x 2 or 3 in the order and the unit of the model's
+    /// clip; a point is lost if it is NaN, or if all of its coordinates are 0. `confidence`: one
+    /// number for each point, 0: lost; empty: all are seen. Where the body is and which way it
+    /// faces does not count.
     ///
     /// # Errors
     /// As [`push`](Self::push); [`Unsupported`](ErrorKind::Unsupported): the model is of a clip
@@ -168,7 +170,7 @@ impl Live {
     /// moves.
     ///
     /// # Errors
-    /// As [`push`](Self::push); [`Argument`](ErrorKind::Argument) if numbers are no rotation;
+    /// As [`push`](Self::push); [`Argument`](ErrorKind::Argument): the numbers are no rotation;
     /// [`Unsupported`](ErrorKind::Unsupported): the model is of a clip without a skeleton, or its
     /// features are numbers of the file.
     pub fn push_pose(
@@ -188,8 +190,8 @@ impl Live {
         })
     }
 
-    /// Takes a frame of a clip with the joints or columns of the model's clip, without a look at its
-    /// other frames.
+    /// Takes a frame of a clip with the joints or columns of the model's clip; its other frames are
+    /// not looked at.
     ///
     /// # Errors
     /// As [`push`](Self::push).

@@ -95,7 +95,7 @@ impl Phase {
         Ok(cycles.into_iter().map(|cycle| usize::try_from(cycle).ok()).collect())
     }
 
-    /// Of motions whose phase is linear in time, because the mean cycle explains too little.
+    /// About motions whose phase is linear in time, because the mean cycle explains too little.
     pub fn warnings(&self) -> Vec<String> {
         // SAFETY: a live handle.
         unsafe {
@@ -253,8 +253,8 @@ impl Cycles {
     /// the group of each column, `None` for none.
     ///
     /// # Errors
-    /// [`Shape`](crate::ErrorKind::Shape) unless there is one for each column,
-    /// [`Argument`](crate::ErrorKind::Argument) for no group at all.
+    /// [`Shape`](crate::ErrorKind::Shape) unless there is one group for each column,
+    /// [`Argument`](crate::ErrorKind::Argument) if no column is in a group.
     pub fn group_distance(&self, groups: &[Option<usize>]) -> Result<Matrix> {
         let of_column = |group: &Option<usize>| group.map_or(Ok(-1), c_count);
         let list = groups.iter().map(of_column).collect::<Result<Vec<_>>>()?;

@@ -46,7 +46,7 @@ def bad(path: Path, text: str) -> FormatError:
 
 @contextmanager
 def said_of(path: Path, *kinds: type[Exception]) -> Iterator[None]:
-    """Name the file in the errors of another reader."""
+    """Add the name of the file to errors of another package that reads it."""
     path.open("rb").close()  # says best why a file cannot be opened
     try:
         yield

@@ -16,7 +16,7 @@ from . import extra, said_of
 if TYPE_CHECKING:
     from pathlib import Path
 
-# Results of a model, which are not positions: parameters that list them, and ends of their names.
+# Computed quantities, which are not positions: parameters that list them, and ends of their names.
 _MODELED = ("ANGLES", "FORCES", "MOMENTS", "POWERS", "SCALARS", "REACTIONS")
 _ENDS = tuple(f"{word}{s}" for word in ("Angle", "Force", "Moment", "Power") for s in ("", "s"))
 
@@ -50,7 +50,7 @@ def read(path: Path, fps: float | None = None) -> Clip:
     modeled = {str(label).strip() for kind in _MODELED for label in _values(point, kind)}
     guessed = {name for name in names if name.endswith(_ENDS)} - modeled
     if guessed:
-        text = f"left out by their names, as of a model: {', '.join(sorted(guessed))}"
+        text = f"left out, as their names are of angles or forces: {', '.join(sorted(guessed))}"
         warnings.warn(f"{path}: {text}", QualityWarning, stacklevel=3)
     kept = [i for i, name in enumerate(names) if name not in modeled | guessed]
     clip = Clip.from_points(

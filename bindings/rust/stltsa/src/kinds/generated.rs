@@ -147,8 +147,8 @@ kinds! {
         /// Numbers split by , ; tab or blanks; header lines are optional. Columns named x, y, z of
         /// each point make a clip of points; an empty cell is a missing value.
         Csv = STLTSA_FORMAT_CSV,
-        /// NumPy 1.0 to 3.0, float32 or float64, C or Fortran order: frames, frames x columns, or
-        /// frames x points x 2 or 3.
+        /// NumPy 1.0 to 3.0, float32, float64 or integers, C or Fortran order: frames, frames x
+        /// columns, or frames x points x 2 or 3.
         Npy = STLTSA_FORMAT_NPY,
         /// No file: stltsa_clip_from_matrix.
         Matrix = STLTSA_FORMAT_MATRIX,
