@@ -30,10 +30,10 @@ constexpr double usual_remoteness = 2;
 constexpr std::size_t many = 5;
 constexpr double of_phase = 0.25, of_direct = 0.25, of_group = 0.5;
 constexpr double least_error_ms = 3;
-/// Error between recordings, as a share of a cycle, where the mean cycles are not alike at all; it
-/// falls with the root of what they lack. Median errors: 0.4 % of a cycle at likeness 0.99 (next
-/// clip of a style), 1.1 % at 0.95 (other side of the body), 1.0 to 1.5 % at 0.9 (other styles and
-/// actors), 2.5 % at 0.83 (other people).
+/// Error between recordings, as a share of a cycle, if the likeness of the mean cycles is 0; it is
+/// proportional to the root of 1 minus the likeness. Median errors: 0.4 % of a cycle at likeness
+/// 0.99 (next clip of a style), 1.1 % at 0.95 (other side of the body), 1.0 to 1.5 % at 0.9 (other
+/// styles and actors), 2.5 % at 0.83 (other people).
 constexpr double error_share = 0.05;
 /// Between recordings: range and step of the common shift, as shares of a cycle.
 constexpr double common_reach = 0.08;

@@ -21,9 +21,9 @@ constexpr double usual_rate = 30;
 /// Per frame: spread of the phase, in places, and of the rate, in usual rates.
 constexpr double phase_spread = 0.4;
 constexpr double rate_spread = 0.06;
-/// Per second: a body in motion stops, and one that rests goes on. Rest among what is possible
-/// brought the phase of a body that was stopped from 5.1 % (median; 22.8 % at most) to 1.2 % (11.6
-/// %) of where it stopped.
+/// Probability per second that a body in motion stops, and that one at rest moves on. When rest was
+/// added to the states, the phase of a stopped body came from within 5.1 % (median; 22.8 % at most)
+/// to within 1.2 % (11.6 % at most) of where it stopped.
 constexpr double stops = 0.3, resumes = 3;
 constexpr double least_share = 1e-9; ///< of a rate that becomes another one
 constexpr double prior_spread = 0.35;
@@ -41,8 +41,8 @@ constexpr double delay_s = 2.5 * filter_s;
 constexpr double longest_gap_s = 1;
 /// Time that falls by less is a late packet or a coarse clock.
 constexpr double most_late_s = 0.25;
-/// Poses further away, in deviations of the cycle, are no poses: in 168 pairs of a walk and another
-/// clip none is further than 4. A frame 900 away is forgotten within 0.3 s.
+/// Poses farther away, in deviations of the cycle, are no poses: in 168 pairs of a walk and another
+/// clip none is farther than 4. The effect of a frame 900 away is gone within 0.3 s.
 constexpr double most_away = 1000;
 /// A phase that falls by more is a jump of the stream, not noise; in turns.
 constexpr double jump_back = 0.25;

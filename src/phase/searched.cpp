@@ -42,8 +42,8 @@ void check_spread(const Place& place) {
     const double spread = place.back().phase - place.front().phase;
     if (spread > most_spread)
         fail(Status::argument,
-             "{} marks are spread over {:.2f} of a cycle without a gap, so that they say no place: "
-             "give each place a name of its own",
+             "{} marks are spread over {:.2f} of a cycle without a gap, so they mark no place in "
+             "it: give each place a name of its own",
              place.size(), spread);
 }
 

@@ -168,8 +168,8 @@ void append_same(const phase::Searched& motion, const std::vector<phase::Place>&
 void warn_of_places(std::size_t places, bool cyclic, FoundEvents& found) {
     if (places > 1)
         found.warnings.push_back(format_text(
-            "the marks lie at {} places of the {}: each is found on its own, so give each a name "
-            "of its own if they are different events",
+            "the marks lie at {} places in the {}: each place is found separately; if these are "
+            "different events, give each a name of its own",
             places, cyclic ? "cycle" : "repetition"));
 }
 

@@ -47,9 +47,8 @@ void warn_if_linear(const phase::Phases& phases, Warnings& warnings) {
     if (phases.linear)
         warnings.push_back(
             {WarningCode::linear_phase,
-             format_text("the mean cycle explains too little for a phase that is surer than time: "
-                         "the frames lie {:.2f} of their variance from it, above 0.4; streams are "
-                         "followed less surely",
+             format_text("the phase is linear in time, because the mean cycle leaves {:.2f} of the "
+                         "variance of the frames, above 0.4: streams are followed less surely",
                          phases.residual)});
 }
 

@@ -143,8 +143,8 @@ std::string label_text(std::int32_t label) {
 void warn_if_linear(const PhasedMotion& motion, Phased& phased) {
     if (motion.phases.linear)
         phased.warnings.push_back(format_text(
-            "the phase of motion {} is linear in time: its frames lie {:.2f} of their variance "
-            "from the mean cycle, above 0.4",
+            "the phase of motion {} is linear in time, because its mean cycle leaves {:.2f} of the "
+            "variance of the frames, above 0.4",
             label_text(motion.label), motion.phases.residual));
 }
 

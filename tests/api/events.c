@@ -97,7 +97,7 @@ static void marks_at_two_places_are_two_events(void** state) {
     assert_int_equal(stltsa_events_warning_count(one), 0);
     assert_string_equal(stltsa_events_warning(one, 0), "");
     assert_int_equal(stltsa_events_warning_count(events), 1);
-    assert_non_null(strstr(stltsa_events_warning(events, 0), "2 places of the cycle"));
+    assert_non_null(strstr(stltsa_events_warning(events, 0), "2 places in the cycle"));
     assert_int_equal(stltsa_events_warning_count(NULL), 0);
     int marked = 0, of_first = 0;
     for (int64_t i = 0; i < stltsa_events_count(events); ++i) {
@@ -114,7 +114,7 @@ static void marks_at_two_places_are_two_events(void** state) {
     stltsa_events_free(events);
     stltsa_events_free(one);
 
-    /* All marks come back, also several in one cycle; marks all over it say no place. */
+    /* All marks come back, also several in one cycle; marks all over it mark no place in it. */
     const double near_by[] = {250, 252, 254};
     const stltsa_in few = packed_in(near_by, 3, 1);
     must(stltsa_events_find(phase, &few, NULL, &events));

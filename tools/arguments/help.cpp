@@ -119,9 +119,9 @@ Examples:
 
 constexpr const char* about_batch = R"(Decomposes many clips: one result each, and a summary.
 
-The result of a/b.bvh is FOLDER/a__b.bvh.json. A run that was stopped goes on
-where it was: a result is kept if clip, options and version of the library are
-the same.
+The result of a/b.bvh is FOLDER/a__b.bvh.json. If a run was stopped, the next
+one goes on from there: a result is kept if clip, options and version of the
+library are the same.
 
 Examples:
   stltsa batch recordings/ --out results
@@ -139,8 +139,9 @@ Examples:
 constexpr const char* about_live =
     R"(Plays a clip to a model as a stream, frame by frame.
 
-The model is of a clip that has cycles, and the clip has its joints or points.
-Each frame is answered without knowing the frames after it.
+The model must be of a clip that has cycles; the clip that is played must have
+the same joints or points. The answer for a frame does not depend on the frames
+after it.
 
 Examples:
   stltsa fit walk.bvh --mark 131=strike -o walk.stltsa

@@ -90,7 +90,7 @@ def test_a_mark_is_found_in_every_cycle(result, phase):
 def test_marks_at_two_places_are_two_events(phase):
     events = phase.events([250, 316])
     assert [e.frame for e in events if e.marked] == [250, 316]
-    assert "2 places of the cycle" in events.warnings[0]
+    assert "2 places in the cycle" in events.warnings[0]
     assert phase.events(250).warnings == ()
 
 

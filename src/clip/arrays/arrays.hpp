@@ -32,7 +32,7 @@ Clip clip_from_skeleton(const SkeletonArrays& arrays);
 /// none. Gives the first joint whose numbers are no rotation, or the number of joints.
 std::size_t read_rotations(const Skeleton& skeleton, RotationForm form, const double* numbers,
                            std::span<Quaternion> local);
-/// Says so.
+/// The text of the error that says so.
 std::string no_rotation(const Skeleton& skeleton, RotationForm form, std::size_t joint);
 
 struct PointArrays {

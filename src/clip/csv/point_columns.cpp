@@ -56,8 +56,8 @@ std::vector<std::string> renamed(const std::vector<std::string>& names,
     return result;
 }
 
-/// Why columns that are named as points may be something else; empty: they are points. A few points
-/// must have all columns, and more of them the most: nothing is taken for granted.
+/// Why columns that are named as points may be something else; empty: they are points. Fewer than
+/// three points must have all columns, three or more must have most of the columns.
 std::string doubt(const Columns& found) {
     const auto others = std::ssize(found.others);
     if (!found.same_space)
@@ -83,7 +83,7 @@ void note_left_out(const Columns& found, Clip& clip) {
     const std::size_t count = found.others.size();
     if (count > 0)
         clip.notes.push_back(
-            format_text("left out, as not among the coordinates of points: {} {}",
+            format_text("no coordinates of points, so left out: {} {}",
                         count == 1 ? "column" : format_text("{} columns, the first is", count),
                         quoted(found.others.front())));
 }

@@ -33,7 +33,7 @@ bool can_be_header(const std::vector<std::string>& names) {
                        [](const std::string& name) { return !is_gap(name) && !parse_cell(name); });
 }
 
-/// The name of a column. Points without names get some, by which they are read back as points.
+/// The name of a column. Points without names get names, so that they are read back as points.
 std::string column_name(const Clip& clip, std::int64_t column) {
     const std::string given =
         clip.channel_names.empty() ? "" : clip.channel_names[static_cast<std::size_t>(column)];
