@@ -23,8 +23,8 @@ constexpr int rounds = 4;
 constexpr double variance_floor = 0.1;
 /// Cycles farther from the mean, in units of the usual distance, teach no template.
 constexpr double most_distance = 3;
-/// Marks within cycles are up to so remote, and rank no errors by it; marks in the start of a walk,
-/// which find nothing, have 7.
+/// Marks within cycles are up to this remote, where remoteness says nothing about the error; marks
+/// at the start of a walk, whose events are wrong, have 7.
 constexpr double usual_remoteness = 2;
 /// Median from this number on, mean of fewer.
 constexpr std::size_t many = 5;

@@ -21,7 +21,7 @@ constexpr double usual_rate = 30;
 /// Per frame: spread of the phase, in places, and of the rate, in usual rates.
 constexpr double phase_spread = 0.4;
 constexpr double rate_spread = 0.06;
-/// Probability per second that a body in motion stops, and that one at rest moves on. When rest was
+/// Rate per second at which a body in motion stops, and at which one at rest moves on. When rest was
 /// added to the states, the phase of a stopped body came from within 5.1 % (median; 22.8 % at most)
 /// to within 1.2 % (11.6 % at most) of where it stopped.
 constexpr double stops = 0.3, resumes = 3;

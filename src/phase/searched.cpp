@@ -35,7 +35,7 @@ void sort_by_phase(bool cyclic, std::vector<Mark>& marks) {
         }
     for (std::size_t i = 0; i < first; ++i)
         ++marks[i].phase;
-    std::ranges::rotate(marks, marks.begin() + static_cast<std::ptrdiff_t>(first));
+    std::rotate(marks.begin(), marks.begin() + static_cast<std::ptrdiff_t>(first), marks.end());
 }
 
 void check_spread(const Place& place) {

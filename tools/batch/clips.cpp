@@ -122,8 +122,9 @@ Found find_clips(const std::vector<std::string>& paths) {
             clips.push_back({plain(given), result_name(plain(given))});
     }
     std::ranges::sort(clips, {}, &ClipPath::path);
-    const auto [first, last] = std::ranges::unique(clips, {}, &ClipPath::path);
-    clips.erase(first, last);
+    // Clang 14 does not compile std::ranges::unique with GCC's library.
+    const auto same = [](const ClipPath& a, const ClipPath& b) { return a.path == b.path; };
+    clips.erase(std::unique(clips.begin(), clips.end(), same), clips.end());
     std::map<std::string, std::string> taken;
     for (const ClipPath& clip : clips)
         if (const auto [other, fresh] = taken.emplace(clip.result, clip.path); !fresh)

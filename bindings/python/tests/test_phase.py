@@ -131,7 +131,8 @@ def test_repetitions_have_a_mean():
         np.roll(pulse, 9), random.normal(size=6)
     )
     result = stltsa.decompose(signals + random.normal(scale=1e-3, size=signals.shape), fps=30)
-    assert len(result.repetitions) >= 2 and not result.cycle_list
+    assert len(result.repetitions) >= 2
+    assert not result.cycle_list
     cycles = result.phase().resample(pulse)
     assert len(cycles) == len(result.repetitions)
     assert np.nanmax(cycles.mean) > 0.9

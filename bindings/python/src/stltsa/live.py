@@ -119,9 +119,7 @@ class Live:
             ffi.NULL if seen is None else read_from(seen),
         )
 
-    def push_pose(
-        self, rotations: Any, seconds: float, root_position: Any = None
-    ) -> LiveFrame:
+    def push_pose(self, rotations: Any, seconds: float, root_position: Any = None) -> LiveFrame:
         """Take the next frame as rotations of the joints of the model's skeleton.
 
         Parameters
