@@ -42,6 +42,16 @@ class Streams(CommandTest):
         message = self.fails(2, "map", "-", "-:cyclic", input=b"")
         self.assertIn("standard input", message)
 
+    def test_outputs_whose_names_are_like_a_stretch_of_it(self):
+        for line in (("decompose", "-o", "-:x.json", "--plot", "-:x.svg"),
+                     ("fit", "-o", "-:x.stltsa"), ("batch", "--out", "-:out")):  # fmt: skip
+            self.done(line[0], circle(), "--fps", "60", *line[1:], cwd=self.folder)
+        names = ["-:out", "-:x.json", "-:x.stltsa", "-:x.svg"]
+        self.assertEqual(sorted(p.name for p in self.folder.iterdir()), names)
+        message = self.fails(2, "fit", circle(), "--period-min", "-:x")
+        self.assertIn("-:x", message)
+        self.assertNotIn("\x01", message)
+
     def test_a_folder_does_not_hide_a_stretch(self):
         clip = self.folder / "walk.bvh"
         clip.write_bytes(walk().read_bytes())

@@ -111,9 +111,10 @@ void shield_stretches(std::vector<std::string>& words) {
             word.insert(word.begin(), shield);
 }
 
-void remove_shield(std::string& word) {
+std::string without_shield(std::string word) {
     if (word.starts_with(shield))
         word.erase(word.begin());
+    return word;
 }
 
 /// Builds the parser; what it reads goes into `to`.
@@ -174,6 +175,7 @@ class Parser {
         add_events();
         add_output(model_command(Command::live, "live", a_clip));
         set_groups();
+        remove_shields();
     }
 
     void parse(int argc, const char* const* argv) {
@@ -203,9 +205,6 @@ class Parser {
                                       chosen == nullptr ? "" : option_hint(*chosen),
                                       chosen == nullptr ? "" : chosen->get_name() + " "));
         }
-        remove_shield(to_.input);
-        remove_shield(to_.model);
-        std::ranges::for_each(to_.pieces, remove_shield);
     }
 
   private:
@@ -306,6 +305,12 @@ class Parser {
                 if (option->get_group() == "Options")
                     option->group(group::output);
         }
+    }
+    /// Of the values of all options and positionals, before they are checked.
+    void remove_shields() {
+        for (CLI::App* command : app_.get_subcommands({}))
+            for (CLI::Option* option : command->get_options())
+                option->transform(without_shield);
     }
     void add_batch() {
         CLI::App& batch = add(Command::batch, "batch");
