@@ -157,6 +157,20 @@ class Batch(CommandTest):
         line = ("batch", "clips", "--out", full, "--fps", "30")
         self.assertIn("cannot write", self.fails(1, *line, cwd=self.folder))
 
+    def test_a_result_whose_name_is_too_long_is_a_row(self):
+        """At most 255 bytes, as long as the file systems of Linux have it."""
+        for length, status in ((137, "done"), (138, "STLTSA_E_IO")):
+            clip = f"{'m' * 100}/{'n' * length}.bvh"
+            path = self.clips / clip
+            path.parent.mkdir(exist_ok=True)
+            shutil.copy(walk(), path)
+            text = self.batch(status=0 if status == "done" else 5)
+            rows = {row["path"]: row for row in self.summary()}
+            self.assertEqual(rows[f"clips/{clip}"]["status"], status)
+            self.assertEqual(rows["clips/walk.bvh"]["status"], "done")
+        self.assertIn("would have 256 bytes", text)
+        self.assertEqual(max(len(str(name)) for name in self.files()), 255)
+
     def test_a_long_name_has_its_line(self):
         name = 150 * "n" + ".bvh"
         (self.clips / name).write_text("hello\n")

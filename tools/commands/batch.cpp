@@ -63,9 +63,17 @@ class Progress {
 /// Decomposes clips into a folder. Safe to call from several threads, for different clips.
 class Work {
   public:
-    explicit Work(const Arguments& arguments) : arguments_(arguments) {}
+    explicit Work(const Arguments& arguments)
+        : arguments_(arguments), longest_(::pathconf(arguments.out.c_str(), _PC_NAME_MAX)) {}
 
     Row done(const ClipPath& clip) const {
+        if (longest_ > 0 && std::ssize(clip.result) > longest_) // only this clip fails
+            return batch::failed_row(
+                clip.path, stltsa::status_name(STLTSA_E_IO),
+                fmt::format("{}: the name of the result, this path with __ for /, would have {} "
+                            "bytes, and a file name has at most {}: start the batch in a folder "
+                            "nearer to the clip",
+                            clip.path, clip.result.size(), longest_));
         const std::string place = fmt::format("{}/{}", arguments_.out, clip.result);
         try {
             const std::string origin = origin_of(clip);
@@ -150,6 +158,7 @@ class Work {
     }
 
     const Arguments& arguments_;
+    long longest_; ///< name of a file in the folder of results, in bytes; -1: no limit
 };
 
 /// The rows in the order of the clips, made by several threads.

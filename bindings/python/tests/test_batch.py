@@ -99,6 +99,20 @@ def test_paths_as_the_command_takes_them(clips, tmp_path, command, monkeypatch):
     assert "elsewhere__other.bvh.json" in {str(name) for name in found}
 
 
+def test_a_result_whose_name_is_too_long_is_a_row(clips, tmp_path, command, monkeypatch):
+    monkeypatch.chdir(clips)
+    folder = clips / ("m" * 120)
+    folder.mkdir()
+    for length in (124, 125):
+        shutil.copy(clips / "walk.bvh", folder / f"{'n' * length}.bvh")
+    rows = stltsa.batch(".", tmp_path / "python", fps=30)
+    assert list(rows["status"]) == ["done", "STLTSA_E_IO", "done", "done"]
+    assert "would have 256 bytes" in rows["error"][1]
+    line = [command, "batch", ".", "--out", tmp_path / "command", "--fps", "30"]
+    assert subprocess.run(line, capture_output=True, check=False).returncode == 5
+    assert files(tmp_path / "python") == files(tmp_path / "command")
+
+
 def test_bad_files_are_rows(clips, tmp_path):
     (clips / "bad.bvh").write_text("hello\n")
     rows = stltsa.batch([clips, tmp_path / "missing.bvh"], tmp_path / "out", fps=30)

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import csv
+import errno
 import io
 import json
 import math
@@ -205,6 +206,7 @@ def _one(path: str, result: str, options: Mapping[str, Any]) -> BatchRow:
     except OSError as error:
         return _failed(path, "STLTSA_E_IO", f"{error.filename or path}: {error.strerror}")
     except (ImportError, ValueError, TypeError) as error:
+        _check_name(path, place)
         return _failed(path, type(error).__name__, error)
 
 
@@ -221,6 +223,17 @@ def _origin(path: str, options: Mapping[str, Any]) -> str:
     for other in beside:
         content += other.read_bytes()
     named = sorted((option_named(n).key, n, v) for n, v in options.items() if n != "threads")
+def _check_name(path: str, place: Path) -> None:
+    """Raise if the name of the result is too long; the command says the same."""
+    have, most = len(os.fsencode(place.name)), os.pathconf(place.parent, "PC_NAME_MAX")
+    if have > most > 0:
+        text = (
+            f"the name of the result, this path with __ for /, would have {have} bytes, and a file "
+            f"name has at most {most}: start the batch in a folder nearer to the clip"
+        )
+        raise OSError(errno.ENAMETOOLONG, text, path)
+
+
     origin = {
         "bytes": len(content),
         "crc32": f"{zlib.crc32(content):08x}",
