@@ -171,6 +171,19 @@ class Batch(CommandTest):
         self.assertIn("would have 256 bytes", text)
         self.assertEqual(max(len(str(name)) for name in self.files()), 255)
 
+    def test_results_among_the_clips(self):
+        """The summaries there are no clips."""
+        before = self.files(self.clips)
+        for out in ("more/results", "."):
+            for part in ((), ("--shard", "1/1"), ()):
+                result = json.loads(self.batch("--json", *part, out=self.clips / out))
+                self.assertEqual((result["clips"], result["failed"]), (3, 0))
+            shutil.rmtree(self.clips / "more" / "results", ignore_errors=True)
+        self.assertLess(before.items(), self.files(self.clips).items())
+        (self.clips / "summary-walk.csv").write_bytes(
+            (self.clips / "more" / "swing, noisy.csv").read_bytes())  # fmt: skip
+        self.assertIn("4 clips: 1 decomposed, 3 kept", self.batch(out=self.clips))
+
     def test_a_long_name_has_its_line(self):
         name = 150 * "n" + ".bvh"
         (self.clips / name).write_text("hello\n")

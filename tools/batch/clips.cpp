@@ -8,6 +8,7 @@
 #include <fstream>
 #include <map>
 #include <set>
+#include <string_view>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -47,15 +48,37 @@ std::string result_name(std::string path) {
     return path + ".json";
 }
 
+/// The folder without links and dots, also if it does not exist yet.
+fs::path real(const fs::path& folder) {
+    std::error_code none;
+    return fs::weakly_canonical(fs::absolute(folder, none), none);
+}
+
+/// "summary.csv", or that of a shard, "summary-2-8.csv".
+bool is_summary(const std::string& name) {
+    constexpr std::string_view begin = "summary", end = ".csv";
+    return name.starts_with(begin) && name.ends_with(end) &&
+           name.find_first_not_of("-0123456789", begin.size()) == name.size() - end.size();
+}
+
 /// The clips of a folder and of those in it. Links are followed, into each folder once: they may
-/// lead back. What cannot be listed is left out.
+/// lead back. What cannot be listed is left out. The summaries of earlier runs and of other shards
+/// are no clips: the folder of results is left out, or if it is the given one, only they are.
 class Search {
   public:
-    explicit Search(Found& found) : found_(found) {}
+    Search(Found& found, const std::string& out) : found_(found), out_(real(out)) {}
 
+    void given(const fs::path& folder) {
+        if (real(folder) != out_)
+            seen_.insert(out_);
+        this->folder(folder);
+    }
+
+  private:
     void folder(const fs::path& folder) {
         std::error_code none;
-        if (!seen_.insert(fs::weakly_canonical(folder, none)).second)
+        const fs::path place = real(folder);
+        if (!seen_.insert(place).second)
             return;
         std::vector<fs::path> entries;
         for (fs::directory_iterator entry(folder, none), end; entry != end; entry.increment(none))
@@ -64,11 +87,11 @@ class Search {
         for (const fs::path& entry : entries)
             if (fs::is_directory(entry, none))
                 this->folder(entry);
-            else if (fs::is_regular_file(entry, none))
+            else if (fs::is_regular_file(entry, none) &&
+                     !(place == out_ && is_summary(entry.filename().string())))
                 file(plain(entry));
     }
 
-  private:
     void file(const std::string& path) {
         if (is_readable(path) || (is_foreign(path) && has_python()))
             found_.clips.push_back({path, result_name(path)});
@@ -77,6 +100,7 @@ class Search {
     }
 
     Found& found_;
+    fs::path out_;
     std::set<fs::path> seen_;
 };
 
@@ -108,7 +132,7 @@ std::vector<std::string> skeletons_beside(const fs::path& clip) {
 
 } // namespace
 
-Found find_clips(const std::vector<std::string>& paths) {
+Found find_clips(const std::vector<std::string>& paths, const std::string& out) {
     Found found;
     std::vector<ClipPath>& clips = found.clips;
     for (const std::string& given : paths) {
@@ -117,7 +141,7 @@ Found find_clips(const std::vector<std::string>& paths) {
             throw Failure(Exit::usage, "batch takes files and folders: for standard input, use "
                                        "stltsa decompose - --json");
         if (fs::is_directory(given, none))
-            Search(found).folder(plain(given));
+            Search(found, out).given(plain(given));
         else // also one that does not exist, which becomes a row with its error
             clips.push_back({plain(given), result_name(plain(given))});
     }

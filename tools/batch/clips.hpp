@@ -19,8 +19,10 @@ struct Found {
 };
 
 /// The files among `paths`, and those of readable formats below the folders among them, by path,
-/// each once. Throws Failure with Exit::usage if two have one result, or if there is none.
-Found find_clips(const std::vector<std::string>& paths);
+/// each path once. The folder of results, `out`, is searched only if it is among `paths`, and then
+/// without the summaries. Throws Failure with Exit::usage if two have one result, or if there is
+/// none.
+Found find_clips(const std::vector<std::string>& paths, const std::string& out);
 
 /// "3 files left out, ...": how they are read.
 std::string left_out(std::size_t foreign);

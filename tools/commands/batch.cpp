@@ -243,7 +243,7 @@ std::string report_json(const std::vector<Row>& rows, const std::string& place) 
 Exit run_batch(const Arguments& arguments) {
     const batch::Shard shard =
         arguments.shard.empty() ? batch::Shard{} : batch::parse_shard(arguments.shard);
-    const batch::Found found = batch::find_clips(arguments.pieces);
+    const batch::Found found = batch::find_clips(arguments.pieces, arguments.out);
     const std::vector<ClipPath> clips = batch::clips_of(shard, found.clips);
     stltsa::Options checked;
     set_options(checked, arguments.options); // a wrong option fails once, not for each clip

@@ -99,6 +99,16 @@ def test_paths_as_the_command_takes_them(clips, tmp_path, command, monkeypatch):
     assert "elsewhere__other.bvh.json" in {str(name) for name in found}
 
 
+def test_results_among_the_clips(clips):
+    """The summaries there are no clips."""
+    (clips / "link").symlink_to(clips / "more" / "results")
+    for out in ("more/results", "."):
+        for shard, count in (((1, 1), 2), ((1, 2), 1), ((1, 1), 2)):
+            rows = stltsa.batch(clips, clips / out, shard=shard, fps=30)
+            assert list(rows["status"]) == ["done"] * count
+        shutil.rmtree(clips / "more" / "results", ignore_errors=True)
+
+
 def test_a_result_whose_name_is_too_long_is_a_row(clips, tmp_path, command, monkeypatch):
     monkeypatch.chdir(clips)
     folder = clips / ("m" * 120)

@@ -9,6 +9,7 @@ import io
 import json
 import math
 import os
+import re
 import zlib
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
@@ -32,6 +33,7 @@ if TYPE_CHECKING:
     from ._options import Options
 
 _SUFFIXES = (".bvh", ".amc", ".csv", ".tsv", ".npy", *READERS)
+_SUMMARY = re.compile(r"summary[-0-9]*\.csv")
 
 
 class BatchRow(NamedTuple):
@@ -114,7 +116,7 @@ def batch(
     index, count = shard
     if not 1 <= index <= count:
         raise ValueError(f"shard is {shard!r}, and must be (i, n) with 1 <= i <= n")
-    chosen = list(_clips(paths))[index - 1 :: count]
+    chosen = list(_clips(paths, Path(out).resolve()))[index - 1 :: count]
     report = reporter(options.pop("progress", None))
     for name in options:
         option_named(name)  # a wrong one fails once, not for each clip
@@ -143,14 +145,14 @@ def _run(work: list[tuple[Any, ...]], jobs: int, client: Client | None) -> Itera
     return iter(parallel(joblib.delayed(_one)(*each) for each in work))
 
 
-def _clips(paths: Any) -> Iterator[tuple[str, str]]:
+def _clips(paths: Any, out: Path) -> Iterator[tuple[str, str]]:
     """Return the path of each clip and the file name of its result, sorted by path."""
     found: set[str] = set()
     for path in [paths] if isinstance(paths, str | os.PathLike) else paths:
         given = Path(path)
         if str(given) == "-":
             raise ValueError("batch takes files and folders, not standard input")
-        found.update(_in_folder(given, set()) if given.is_dir() else [str(given)])
+        found.update(_in_given_folder(given, out) if given.is_dir() else [str(given)])
     if not found:
         raise ValueError(f"there are no {', '.join(_SUFFIXES)} files")
     taken: dict[str, str] = {}
@@ -163,6 +165,17 @@ def _clips(paths: Any) -> Iterator[tuple[str, str]]:
             )
         taken[name] = path
     return ((path, name) for name, path in taken.items())
+
+
+def _in_given_folder(folder: Path, out: Path) -> Iterator[str]:
+    """Return the clips below a folder, of which the summaries of earlier runs are none.
+
+    The folder of results is left out, or if it is the given one, only its summaries are.
+    """
+    if folder.resolve() != out:
+        return _in_folder(folder, {out})
+    summaries = {str(p) for p in folder.glob("summary*.csv") if _SUMMARY.fullmatch(p.name)}
+    return (path for path in _in_folder(folder, set()) if path not in summaries)
 
 
 def _in_folder(folder: Path, seen: set[Path]) -> Iterator[str]:
@@ -193,6 +206,7 @@ def _one(path: str, result: str, options: Mapping[str, Any]) -> BatchRow:
     """Decompose one clip unless its result is there; the processes of `jobs` call this."""
     place = Path(result)
     try:
+        _check_name(path, place)
         end = f',"batch":{_origin(path, options)}}}\n'
         before = place.read_text(encoding="utf-8") if place.exists() else ""
         if before.endswith(end):
@@ -206,8 +220,18 @@ def _one(path: str, result: str, options: Mapping[str, Any]) -> BatchRow:
     except OSError as error:
         return _failed(path, "STLTSA_E_IO", f"{error.filename or path}: {error.strerror}")
     except (ImportError, ValueError, TypeError) as error:
-        _check_name(path, place)
         return _failed(path, type(error).__name__, error)
+
+
+def _check_name(path: str, place: Path) -> None:
+    """Raise if the name of the result is too long; the command says the same."""
+    have, most = len(os.fsencode(place.name)), os.pathconf(place.parent, "PC_NAME_MAX")
+    if have > most > 0:
+        text = (
+            f"the name of the result, this path with __ for /, would have {have} bytes, and a file "
+            f"name has at most {most}: start the batch in a folder nearer to the clip"
+        )
+        raise OSError(errno.ENAMETOOLONG, text, path)
 
 
 def _origin(path: str, options: Mapping[str, Any]) -> str:
@@ -223,17 +247,6 @@ def _origin(path: str, options: Mapping[str, Any]) -> str:
     for other in beside:
         content += other.read_bytes()
     named = sorted((option_named(n).key, n, v) for n, v in options.items() if n != "threads")
-def _check_name(path: str, place: Path) -> None:
-    """Raise if the name of the result is too long; the command says the same."""
-    have, most = len(os.fsencode(place.name)), os.pathconf(place.parent, "PC_NAME_MAX")
-    if have > most > 0:
-        text = (
-            f"the name of the result, this path with __ for /, would have {have} bytes, and a file "
-            f"name has at most {most}: start the batch in a folder nearer to the clip"
-        )
-        raise OSError(errno.ENAMETOOLONG, text, path)
-
-
     origin = {
         "bytes": len(content),
         "crc32": f"{zlib.crc32(content):08x}",
