@@ -83,10 +83,14 @@ class Batch(CommandTest):
             name = path.removeprefix("../").replace("/", "__")
             self.assertTrue((self.out / f"{name}.json").exists(), path)
 
-    def test_a_clip_given_twice_counts_once(self):
+    def test_a_path_given_twice_counts_once(self):
+        """Another path to the same file has a result of its own, which it names."""
         line = ("clips/walk.bvh", "./clips/walk.bvh", "clips", "clips/")
         text = self.done("batch", *line, "--out", self.out, "--fps", "30", cwd=self.folder)
         self.assertIn(b"3 clips: 3 decomposed", text)
+        line = (*line, self.clips / "walk.bvh")
+        text = self.done("batch", *line, "--out", self.out, "--fps", "30", cwd=self.folder)
+        self.assertIn(b"4 clips: 1 decomposed, 3 kept", text)
 
     def test_links_that_lead_back(self):
         (self.clips / "loop").symlink_to(".")
