@@ -90,7 +90,8 @@ def batch(
     paths : path or paths
         Clips, and folders of clips, which are searched for files of readable formats.
     out : path
-        The folder of the results.
+        The folder of the results. It is not searched for clips unless it is among `paths`, and then
+        without its summaries.
     jobs : int
         Clips at the same time, each in a process of its own; more than one needs joblib.
     client : dask.distributed.Client, optional
