@@ -356,8 +356,10 @@ std::vector<Event> find_events(const Searched& from, const Place& marks, const S
     Rows scaled = offsets;
     for (double& each : scaled)
         each *= in.mean.period / from.mean.period;
-    const auto candidates =
-        candidates_at(in, mapped_phase(from.mean, in.mean, offset, phase), offsets_of(in));
+    double mapped = mapped_phase(from.mean, in.mean, offset, phase);
+    if (!in.cyclic) // a repetition has its events in its own turn
+        mapped -= std::round(mapped - phase);
+    const auto candidates = candidates_at(in, mapped, offsets_of(in));
     if (candidates.empty())
         return {};
     Rows group = group_places(in, candidates, offsets_of(in));

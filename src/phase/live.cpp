@@ -21,9 +21,9 @@ constexpr double usual_rate = 30;
 /// Per frame: spread of the phase, in places, and of the rate, in usual rates.
 constexpr double phase_spread = 0.4;
 constexpr double rate_spread = 0.06;
-/// Rate per second at which a body in motion stops, and at which one at rest moves on. When rest was
-/// added to the states, the phase of a stopped body came from within 5.1 % (median; 22.8 % at most)
-/// to within 1.2 % (11.6 % at most) of where it stopped.
+/// Rate per second at which a body in motion stops, and at which one at rest moves on. When rest
+/// was added to the states, the phase of a stopped body came from within 5.1 % (median; 22.8 % at
+/// most) to within 1.2 % (11.6 % at most) of where it stopped.
 constexpr double stops = 0.3, resumes = 3;
 constexpr double least_share = 1e-9; ///< of a rate that becomes another one
 constexpr double prior_spread = 0.35;
@@ -41,6 +41,8 @@ constexpr double delay_s = 2.5 * filter_s;
 constexpr double longest_gap_s = 1;
 /// Time that falls by less is a late packet or a coarse clock.
 constexpr double most_late_s = 0.25;
+/// Steps up to this are none: velocities divide by them.
+constexpr double same_time_s = 1e-6;
 /// Poses farther away, in deviations of the cycle, are no poses: in 168 pairs of a walk and another
 /// clip none is farther than 4. The effect of a frame 900 away is gone within 0.3 s.
 constexpr double most_away = 1000;
@@ -311,7 +313,7 @@ LiveFrame LivePhase::push(double seconds, const double* features) {
     if (!possible(features))
         return go_on(seconds);
     double passed = seconds - last_;
-    if (begun_ && passed <= 0 && passed >= -most_late_s) {
+    if (begun_ && passed <= same_time_s && passed >= -most_late_s) {
         latest_.passed = 0;
         return latest_;
     }

@@ -14,13 +14,13 @@ typedef struct {
     int64_t frames;
 } taught;
 
-static taught taught_by(stltsa_clip* clip) {
+static taught taught_with(stltsa_clip* clip, const stltsa_options* options) {
     taught t = {clip, NULL, NULL, stltsa_clip_frames(clip)};
     stltsa_decomposition* found = NULL;
     stltsa_phase* phase = NULL;
-    must(stltsa_fit_clip(clip, NULL, &t.model));
-    must(stltsa_decompose(clip, NULL, &found));
-    must(stltsa_phase_find(clip, found, NULL, &phase));
+    must(stltsa_fit_clip(clip, options, &t.model));
+    must(stltsa_decompose(clip, options, &found));
+    must(stltsa_phase_find(clip, found, options, &phase));
     must(stltsa_model_keep_cycle(t.model, phase));
     t.offline = new_matrix(t.frames, 1);
     const stltsa_out offline = packed_out(t.offline, t.frames, 1);
@@ -28,6 +28,10 @@ static taught taught_by(stltsa_clip* clip) {
     stltsa_phase_free(phase);
     stltsa_decomposition_free(found);
     return t;
+}
+
+static taught taught_by(stltsa_clip* clip) {
+    return taught_with(clip, NULL);
 }
 
 static void forgotten(taught t) {
@@ -297,6 +301,42 @@ static void other_forms_are_refused(void** state) {
     free(x);
 }
 
+/* Angles have no branch of their own: a frame that is off by half a turn must not move those after
+ * it, nor may two frames at nearly the same time. */
+static void a_wrong_frame_of_angles_is_forgotten(void** state) {
+    (void)state;
+    stltsa_options* options = NULL;
+    must(stltsa_options_new(&options));
+    must(stltsa_options_set_int(options, STLTSA_OPT_FEATURES, STLTSA_FEATURES_EULER));
+    taught t = taught_with(walker(), options);
+    const int64_t channels = stltsa_clip_channels(t.clip);
+    double* raw = new_matrix(t.frames, channels);
+    const stltsa_out values = packed_out(raw, t.frames, channels);
+    must(stltsa_options_set_int(options, STLTSA_OPT_FEATURES, STLTSA_FEATURES_RAW));
+    must(stltsa_clip_features(t.clip, options, &values));
+    stltsa_live* live = stream_of(t);
+    stltsa_live_frame now;
+    now.size = sizeof now;
+    const int64_t wrong = 350;
+    for (int64_t i = 250; i < 600; ++i) {
+        double* row = raw + channels * i;
+        for (int64_t c = 6; i == wrong && c < channels; ++c)
+            row[c] += 170;
+        const stltsa_in numbers = packed_in(row, 1, channels);
+        const double seconds = i == 301 ? 300 / 120.0 + 1e-15 : (double)i / 120;
+        must(stltsa_live_push_pose(live, seconds, STLTSA_ROTATIONS_CHANNELS, &numbers, NULL, &now));
+        if ((i > 320 && i < wrong) || i > wrong + 60) {
+            assert_true(now.known);
+            if (!isnan(t.offline[i]))
+                assert_below(off(now.phase, t.offline[i]), 0.05, "error");
+        }
+    }
+    stltsa_live_free(live);
+    stltsa_options_free(options);
+    free(raw);
+    forgotten(t);
+}
+
 int main(int argc, char** argv) {
     if (argc != 2)
         return 2;
@@ -307,6 +347,7 @@ int main(int argc, char** argv) {
         cmocka_unit_test(no_frame_depends_on_later_ones),
         cmocka_unit_test(poses_are_followed_in_every_form),
         cmocka_unit_test(other_forms_are_refused),
+        cmocka_unit_test(a_wrong_frame_of_angles_is_forgotten),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

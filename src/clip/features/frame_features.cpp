@@ -57,7 +57,7 @@ FrameFeatures::FrameFeatures(const Body& body) {
         return;
     }
     poses_.emplace(body.skeleton, body.kind, Heading(body.root, body.up, body.inverted));
-    poses_->continue_from(body.usual);
+    poses_->stay_near(body.usual);
     values_ = channel_count(body.skeleton);
 }
 

@@ -48,7 +48,7 @@ PoseFeatures::PoseFeatures(Skeleton skeleton, Features kind, Heading heading)
         count_ = std::ssize(angles_);
     if (count_ == 0)
         fail(Status::unsupported, "no joint of this clip has rotations: use other features");
-    before_.reserve(angles_.size());
+    near_.reserve(angles_.size());
     const std::size_t joints = skeleton_.joints.size();
     pose_.local.resize(joints);
     pose_.world.resize(joints);
@@ -72,9 +72,10 @@ void PoseFeatures::next(std::span<const Quaternion> local, const Vec3& root, dou
     put(features);
 }
 
-void PoseFeatures::continue_from(std::span<const double> features) {
+void PoseFeatures::stay_near(std::span<const double> features) {
+    stays_ = true;
     if (kind_ == Features::euler)
-        before_.assign(features.begin(), features.end());
+        near_.assign(features.begin(), features.end());
 }
 
 /// Relative to the body root and its heading.
@@ -96,10 +97,11 @@ void PoseFeatures::put_angles(const double* row, double* features) {
     constexpr double turn = 2 * std::numbers::pi;
     for (std::size_t c = 0; c < angles_.size(); ++c) {
         features[c] = to_radians(row[angles_[c]]);
-        if (!before_.empty())
-            features[c] -= turn * std::round((features[c] - before_[c]) / turn);
+        if (!near_.empty())
+            features[c] -= turn * std::round((features[c] - near_[c]) / turn);
     }
-    before_.assign(features, features + angles_.size());
+    if (!stays_)
+        near_.assign(features, features + angles_.size());
 }
 
 } // namespace stltsa::clip

@@ -27,8 +27,9 @@ class PoseFeatures {
     /// Of local rotations, one for each joint, and the root's position. Not if of_channels().
     void next(std::span<const Quaternion> local, const Vec3& root, double* features);
 
-    /// Angles of the next frame are those nearest to these features.
-    void continue_from(std::span<const double> features);
+    /// From here on angles are those nearest to these features, not to the frame before: a stream
+    /// may have frames that are wrong.
+    void stay_near(std::span<const double> features);
 
   private:
     void put(double* features);
@@ -40,7 +41,8 @@ class PoseFeatures {
     Pose pose_;
     std::vector<std::size_t> turning_; ///< joints
     std::vector<std::size_t> angles_;  ///< columns of the channels that are features
-    std::vector<double> before_;       ///< angles of the last frame; none before the first
+    std::vector<double> near_; ///< angles of the frame before, none before the first; or usual ones
+    bool stays_ = false;       ///< near_ does not follow the frames
     std::int64_t count_ = 0;
 };
 

@@ -138,6 +138,9 @@ void repetitions_have_one_each(void**) {
     assert_int_equal(events.size(), 6);
     for (std::size_t i = 0; i < events.size(); ++i)
         ASSERT_NEAR(events[i].row, 100.0 * static_cast<double>(i) + 42, 1);
+    // In another recording as well, of which this one is a copy.
+    for (const double at : {233.0, 242.0, 265.0})
+        assert_int_equal(events_of(in, {at}, &in).size(), 6);
     // Also at the begin and the end, where runs that grow beyond them pass the phase twice.
     const Matrix both = pose_and_velocity(samples.view(), rate, phases.mean.period);
     std::vector<Run> grew;
