@@ -112,6 +112,38 @@ def test_labels_of_a_file_are_marks(result, phase):
         assert events == phase.events(label.seconds * result.clip.fps)
 
 
+def test_labels_of_one_name_are_searched_once(result, phase, monkeypatch):
+    calls, events = [], type(phase).events
+
+    def counted(self, marks, other=None):
+        calls.append(marks)
+        return events(self, marks, other)
+
+    monkeypatch.setattr(type(phase), "events", counted)
+    labels = [stltsa.Event("Foot Strike", "Left", at / 120) for at in (250, 382)]
+    found = phase.events_like(labels)
+    assert len(calls) == 1
+    outside = stltsa.Event("Foot Strike", "Left", 2 / 120)
+    assert phase.events_like([*labels, outside]) == found
+
+
+def test_labels_all_over_the_cycle_are_left_out(result, phase):
+    labels = [stltsa.Event("Frame", "", at / 120) for at in range(250, 382, 10)]
+    labels.append(stltsa.Event("Foot Strike", "Left", 250 / 120))
+    with pytest.warns(stltsa.QualityWarning, match="Frame is left out: 14 marks") as warned:
+        found = phase.events_like(labels)
+    assert [each.filename for each in warned] == [__file__]
+    assert list(found) == ["Left Foot Strike"]
+    assert found["Left Foot Strike"] == phase.events(250 / 120 * result.clip.fps)
+
+
+def test_labels_need_a_rate(clip):
+    phase = stltsa.decompose(clip.features()).phase()
+    assert phase.events_like([]) == {}
+    with pytest.raises(stltsa.ArgumentError, match="frame rate of the clip is unknown"):
+        phase.events_like([stltsa.Event("Foot Strike", "Left", 250 / 120)])
+
+
 def test_joints_have_distances(clip, phase):
     cycles = phase.resample(clip.features())
     owners = phase.column_owners

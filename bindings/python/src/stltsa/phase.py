@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import warnings
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -20,7 +21,7 @@ from ._arrays import (
 from ._call import check, owned, texts
 from ._native import ffi, lib
 from ._rows import number_of
-from .errors import ArgumentError
+from .errors import ArgumentError, QualityWarning
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
@@ -303,7 +304,8 @@ class Phase:
         Parameters
         ----------
         labels : iterable of Event
-            Such as :attr:`Clip.events`. A label is left out if it lies in no motion that repeats.
+            Such as :attr:`Clip.events`. A label is left out if it lies in no motion that repeats,
+            and so is a name whose labels are spread all over the cycle.
         other : Phase, optional
             Of another clip with the same features, in which to look.
 
@@ -311,16 +313,60 @@ class Phase:
         -------
         dict of str to FoundEvents
             By context and label, such as ``"Left Foot Strike"``.
+
+        Warns
+        -----
+        QualityWarning
+            A name whose labels are spread all over the cycle, so they mark no place in it.
+
+        Raises
+        ------
+        stltsa.ArgumentError
+            The frame rate is unknown, and labels are in seconds.
+        stltsa.ShapeError
+            The features of the clips differ.
         """
         marks: dict[str, list[float]] = {}
         for label in labels:
-            frame = label.seconds * self._fps
-            try:
-                self.events(frame)
-            except ArgumentError:
-                continue
-            marks.setdefault(f"{label.context} {label.label}".strip(), []).append(frame)
-        return {name: self.events(frames, other) for name, frames in marks.items()}
+            marks.setdefault(f"{label.context} {label.label}".strip(), []).append(
+                label.seconds * self._fps
+            )
+        if marks and not self._fps > 0:
+            raise ArgumentError(
+                "labels are in seconds, but the frame rate of the clip is unknown: give fps when "
+                "the clip is read",
+                lib.STLTSA_E_ARGUMENT,
+                "STLTSA_E_ARGUMENT",
+            )
+        found = {}
+        for name, frames in marks.items():
+            events = self._events_like(name, frames, other)
+            if events is not None:
+                found[name] = events
+        return found
+
+    def _events_like(
+        self, name: str, frames: list[float], other: Phase | None
+    ) -> FoundEvents | None:
+        """Find the events at those of the frames that lie in motions that repeat."""
+        try:
+            return self.events(frames, other)
+        except ArgumentError:
+            inside = [frame for frame in frames if self._repeats_at(frame)]
+        if not inside:
+            return None
+        try:
+            return self.events(inside, other)
+        except ArgumentError as error:
+            warnings.warn(f"{name} is left out: {error}", QualityWarning, stacklevel=3)
+            return None
+
+    def _repeats_at(self, frame: float) -> bool:
+        try:
+            self.events(frame)
+        except ArgumentError:
+            return False
+        return True
 
     def resample(self, signals: Matrix, *, label: str = "A", samples: int = 101) -> Cycles:
         """Resample any signals of the clip's frames on 0 to 100 % of each cycle.
