@@ -1235,7 +1235,8 @@ STLTSA_API const char *stltsa_events_warning(const stltsa_events *events,
 /* Keeps in a model what a stream is compared with: the mean cycle of the clip's motion that has the
  * most frames in cycles. Model files keep it. Marks that were kept before are forgotten.
  * E_ARGUMENT: no cycles, or they are too short for the filter to settle. E_SHAPE: the features are
- * not those of the model. */
+ * not those of the model. E_DEGENERATE: nothing is left to compare a stream with, because all
+ * columns only drift. */
 STLTSA_API stltsa_status stltsa_model_keep_cycle(stltsa_model *model,
                                                  const stltsa_phase *phase) STLTSA_NOEXCEPT;
 /* Names the phase of a frame (not rounded) in those cycles, which a stream reports as it passes. At

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "results/keep_cycle.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace stltsa::results {
@@ -29,14 +30,16 @@ std::vector<clip::Frames> frames_in(const PhasedMotion& motion) {
 }
 
 /// The features that a stream of the same frames has. Those of points are the clip's, moved and
-/// turned: what a stream removes is found without the frames around.
+/// turned: what a stream removes is found without the frames around. Frames of which a stream knows
+/// too little keep the features of the clip, which are filled from the frames around.
 Matrix streamed(const clip::Body& body, const Matrix& rows) {
     if (!body.skeleton.joints.empty())
         return copied(rows.view());
     clip::FrameFeatures features(body);
     Matrix result = Matrix::unset(rows.rows(), rows.cols());
     for (std::int64_t i = 0; i < rows.rows(); ++i)
-        features.next(rows.row(i), result.row(i));
+        if (!features.next(rows.row(i), result.row(i)))
+            std::copy_n(rows.row(i), rows.cols(), result.row(i));
     return result;
 }
 

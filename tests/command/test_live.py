@@ -7,7 +7,7 @@ import unittest
 
 import numpy
 
-from common import CommandTest, cut, walk
+from common import CommandTest, cut, run, walk
 
 
 class Live(CommandTest):
@@ -73,6 +73,20 @@ class Live(CommandTest):
         self.assertGreater(sum(line["known"] for line in whole[30:]), 260)
         points.write_text("\n".join(rows[:101]) + "\n")
         self.assertEqual(self.lines(model, points, "--fps", "30"), whole[:100])
+
+    def test_a_model_of_columns_that_all_drift(self):
+        path, model = self.folder / "drift.csv", self.folder / "drift.stltsa"
+        rows = [[math.sin(2 * math.pi * 0.8 * i / 50 + c) + (c + 1) * i / 50 for c in range(4)]
+                for i in range(1200)]
+        path.write_text("\n".join(",".join(f"{v:.6f}" for v in row) for row in rows) + "\n")
+        table = " ".join(self.done("fit", path, "--fps", "50", "-o", model).decode().split())
+        self.assertIn("no mean cycle for stltsa live: ", table)
+        self.assertIn("all columns only drift", table)
+        quiet = run("fit", path, "--fps", "50", "-o", model, "--json")
+        self.assertIn(b"no mean cycle for stltsa live: ", quiet.stderr)
+        self.assertIn("no mean cycle", self.fails(4, "live", model, path, "--fps", "50"))
+        self.assertIn("only drift", self.fails(4, "fit", path, "--fps", "50", "-o", model,
+                                               "--mark", "600=a"))
 
     def test_a_model_without_cycles(self):
         path = self.folder / "cut.stltsa"

@@ -1,4 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <vector>
+
 #include <fmt/format.h>
 
 #include "arguments/marks.hpp"
@@ -6,6 +12,7 @@
 #include "commands/session.hpp"
 #include "plot/from_results.hpp"
 #include "reports/report.hpp"
+#include "reports/table.hpp"
 
 namespace tool {
 namespace {
@@ -20,12 +27,27 @@ stltsa::Options reading_options(const stltsa::Options& fit) {
     return options;
 }
 
-/// Keeps the mean cycle and the marks in the model; a clip without cycles has none.
-void keep_cycle(const Arguments& arguments, const Session& session, stltsa::Model& model) {
+/// Keeps the mean cycle in the model. Returns why a stream could not be compared with it; then the
+/// model is of use for all else.
+std::optional<std::string> unfit_cycle(stltsa::Model& model, const stltsa::Phase& phase) {
+    try {
+        stltsa::keep_cycle(model, phase);
+        return {};
+    } catch (const stltsa::Error& error) {
+        if (error.status() != STLTSA_E_DEGENERATE)
+            throw;
+        return error.what();
+    }
+}
+
+/// Keeps the mean cycle and the marks in the model; a clip without cycles has none. Returns
+/// warnings.
+std::vector<std::string> keep_cycle(const Arguments& arguments, const Session& session,
+                                    stltsa::Model& model) {
     const stltsa::Clip& clip = session.clip();
     const Marks marks = parse_marks(arguments.marks, clip.fps());
     if (!(clip.fps() > 0))
-        return;
+        return {};
     const stltsa::Options options = reading_options(session.options());
     const stltsa::Decomposition found = stltsa::decompose(clip, options);
     if (found.cycle_count() == 0) {
@@ -33,13 +55,19 @@ void keep_cycle(const Arguments& arguments, const Session& session, stltsa::Mode
             throw Failure(Exit::untrustworthy,
                           fmt::format("--mark {}: the clip has no cycles: {}",
                                       arguments.marks.front(), found.reason()));
-        return;
+        return {};
     }
     const stltsa::Phase phase = stltsa::find_phase(clip, found, options);
-    stltsa::keep_cycle(model, phase);
+    if (const auto reason = unfit_cycle(model, phase)) {
+        if (!marks.empty())
+            throw Failure(Exit::untrustworthy,
+                          fmt::format("--mark {}: {}", arguments.marks.front(), *reason));
+        return {"the model keeps no mean cycle for stltsa live: " + *reason};
+    }
     for (const auto& [name, frames] : marks)
         for (const double frame : frames)
             stltsa::keep_mark(model, phase, frame, name);
+    return {};
 }
 
 } // namespace
@@ -49,14 +77,19 @@ Exit run_fit(const Arguments& arguments) {
     stltsa::Model model = stltsa::fit(session.open_input(), session.options());
     if (!arguments.coords.empty())
         session.add_table(arguments.coords, model.coords());
+    std::vector<std::string> of_cycle;
     if (!arguments.product.empty()) {
-        keep_cycle(arguments, session, model);
+        of_cycle = keep_cycle(arguments, session, model);
         session.add_model(arguments.product, model);
     }
     if (!arguments.plot.empty())
         session.add_file(arguments.plot, fit_figure(session, model));
-    session.finish({[&] { return model.json(); },
-                    [&] { return model_report(model, session.title()); }, model.warnings()});
+    const auto table = [&] {
+        return model_report(model, session.title()) + listed("warning:", of_cycle);
+    };
+    std::vector<std::string> warnings = model.warnings();
+    std::ranges::copy(of_cycle, std::back_inserter(warnings));
+    session.finish({[&] { return model.json(); }, table, warnings});
     return model.info().integer(STLTSA_INFO_COMPONENTS) > 1 ? Exit::untrustworthy : Exit::done;
 }
 

@@ -53,15 +53,30 @@ std::vector<double> used_groups(ConstMatrixView rows, int width,
     return used;
 }
 
-void set_mean(const Matrix& rows, std::vector<double>& mean) {
-    mean.assign(static_cast<std::size_t>(rows.cols()), 0);
-    for (std::int64_t i = 0; i < rows.rows(); ++i)
-        axpy(1 / static_cast<double>(rows.rows()), rows.row(i), mean.data(), rows.cols());
+void set_mean(ConstMatrixView rows, std::vector<double>& mean) {
+    mean.assign(static_cast<std::size_t>(rows.cols), 0);
+    for (std::int64_t i = 0; i < rows.rows; ++i)
+        axpy(1 / static_cast<double>(rows.rows), rows.row(i), mean.data(), rows.cols);
 }
 
-/// How the rows vary about the mean shape.
-void set_variation(Matrix rows, Shape& shape) {
-    const std::int64_t p = rows.cols(), n = rows.rows();
+/// Moves and turns the rows to the mean shape. Returns how many: those of which too little is known
+/// are left out, and the others are the first ones of `placed`.
+std::int64_t place(const Shape& shape, const Matrix& rows, Matrix& placed) {
+    ShapeFeatures features(shape);
+    std::int64_t count = 0;
+    for (std::int64_t i = 0; i < rows.rows(); ++i)
+        if (features.next(rows.row(i), placed.row(count)))
+            ++count;
+    if (count == 0)
+        fail(Status::degenerate,
+             "the mean cycle has nothing to be compared with: all columns only drift, or too many "
+             "are missing in every frame of the cycles; use a clip without drift");
+    return count;
+}
+
+/// How the rows, which are overwritten, vary about the mean shape.
+void set_variation(MatrixView rows, Shape& shape) {
+    const std::int64_t p = rows.cols, n = rows.rows;
     TopEigenpairs pairs(p, std::min({most_directions, p, n}));
     double total = 0;
     for (std::int64_t i = 0; i < n; ++i) {
@@ -114,14 +129,13 @@ Shape learn_shape(ConstMatrixView rows, std::span<const Frames> chosen, const Sh
     for (std::int64_t i = 0; i < of_clip.rows(); ++i)
         std::copy_n(rows.row(numbers[static_cast<std::size_t>(i)]), rows.cols, of_clip.row(i));
     Matrix placed = Matrix::unset(of_clip.rows(), rows.cols);
-    set_mean(of_clip, shape.mean);
+    std::int64_t count = 0;
+    set_mean(of_clip.view(), shape.mean);
     for (int round = 0; round < rounds; ++round) {
-        ShapeFeatures features(shape);
-        for (std::int64_t i = 0; i < of_clip.rows(); ++i)
-            features.next(of_clip.row(i), placed.row(i));
-        set_mean(placed, shape.mean);
+        count = place(shape, of_clip, placed);
+        set_mean(placed.view().block(0, count), shape.mean);
     }
-    set_variation(std::move(placed), shape);
+    set_variation(placed.view().block(0, count), shape);
     return shape;
 }
 

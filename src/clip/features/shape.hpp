@@ -31,6 +31,7 @@ struct Shape {
 
 /// `rows`: features of the clip, finite. Groups that are 0 throughout, and those of the columns
 /// `drifting`, are left out. `chosen`: the frames that count.
+/// Status::degenerate if no group is left.
 Shape learn_shape(ConstMatrixView rows, std::span<const Frames> chosen, const ShapeRule& rule,
                   std::span<const std::int64_t> drifting);
 

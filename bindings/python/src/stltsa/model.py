@@ -375,6 +375,8 @@ class Model(Described):
             The clip has no cycles, or a mark lies in none.
         stltsa.ShapeError
             The features differ from those of the model.
+        stltsa.DegenerateError
+            Nothing is left to compare a stream with, because all columns only drift.
         """
         check(lib.stltsa_model_keep_cycle(self._handle, phase._handle))
         for name, frame in (marks or {}).items():

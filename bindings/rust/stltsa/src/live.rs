@@ -19,7 +19,8 @@ impl Model {
     ///
     /// # Errors
     /// [`Argument`](ErrorKind::Argument) if there are no cycles, or they are too short for the
-    /// filter to settle; [`Shape`](ErrorKind::Shape) if the features are not those of the model.
+    /// filter to settle; [`Shape`](ErrorKind::Shape) if the features are not those of the model;
+    /// [`Degenerate`](ErrorKind::Degenerate) if all columns only drift.
     pub fn keep_cycle(&mut self, phase: &Phase) -> Result<()> {
         // SAFETY: live handles; the model is not shared.
         check(unsafe { sys::stltsa_model_keep_cycle(self.handle.raw_mut(), phase.raw()) })
