@@ -186,7 +186,8 @@ enum {
     STLTSA_OPT_PERIOD_MIN = 15,  /* real  shortest period looked for, seconds; rows if the rate is
                                       unknown, 4 unless it is set */
     STLTSA_OPT_PERIOD_MAX = 16,  /* real  longest period looked for, seconds; rows if the rate is
-                                      unknown, half of all and at most 1000 unless it is set */
+                                      unknown, half of all and at most 1000 unless it is set.
+                                      If only one of the two is set, the other end yields to it */
     STLTSA_OPT_EIGENGAP = 17,    /* real  tau of section 2.3 as a fraction of k */
     STLTSA_OPT_VARIANCE = 18,    /* real  share of local variance that local PCA must explain */
     STLTSA_OPT_SKELETON = 19,    /* text  path of the ASF file of an AMC clip; auto: found beside

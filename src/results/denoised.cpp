@@ -15,9 +15,9 @@ PeriodFacts period_of(ConstMatrixView coords, const std::vector<std::int64_t>& l
     const auto longest = std::max_element(lengths.begin(), lengths.end());
     const std::int64_t first = std::accumulate(lengths.begin(), longest, std::int64_t{0});
     const double fps = source.samples.fps;
-    const PeriodRange range = range_of(search, fps, *longest);
-    return source.period.longest > 0 ? source.period
-                                     : look_for_period(coords.block(first, *longest), fps, range);
+    if (source.period.longest > 0)
+        return source.period;
+    return look_for_period(coords.block(first, *longest), fps, range_of(search, fps, *longest));
 }
 
 } // namespace

@@ -53,10 +53,13 @@ std::int64_t distinct_in_reach(ConstMatrixView samples, std::span<const std::int
 
 PeriodRange range_of(const PeriodSearch& search, double fps, std::int64_t frames) {
     const bool known = fps > 0;
-    const auto longest = static_cast<double>(std::min(frames / 2, longest_frames));
+    const auto half = static_cast<double>(std::min(frames / 2, longest_frames));
+    const double shortest = known ? shortest_s : shortest_frames;
+    const double longest = known ? longest_s : std::max(half, shortest_frames);
+    // A default yields to the other end of the range that the caller gave.
     const PeriodRange range = {
-        search.shortest.value_or(known ? shortest_s : shortest_frames),
-        search.longest.value_or(known ? longest_s : std::max(longest, shortest_frames))};
+        search.shortest.value_or(std::min(shortest, search.longest.value_or(shortest))),
+        search.longest.value_or(std::max(longest, search.shortest.value_or(longest)))};
     if (range.shortest > range.longest)
         fail(Status::argument, "option period_min is {}{}, longer than option period_max, {}{}",
              range.shortest, known ? " s" : " frames", range.longest, known ? " s" : " frames");
@@ -82,10 +85,10 @@ ltsa::Parameters choose_parameters(ConstMatrixView samples, std::span<const std:
     p.links = options.links;
     p.threads = options.threads;
     const double fps = source.samples.fps;
-    const PeriodRange range = range_of(options.search, fps, std::ranges::max(lengths));
     const bool has_time = fps > 0 || p.mode != ltsa::Mode::spatial;
     if (!options.neighbors && has_time)
-        source.period = look_for_period(samples, fps, range, progress);
+        source.period = look_for_period(
+            samples, fps, range_of(options.search, fps, std::ranges::max(lengths)), progress);
     p.neighbors =
         options.neighbors
             ? *options.neighbors

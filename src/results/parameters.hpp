@@ -21,8 +21,9 @@ struct PeriodRange {
 
 /// What the caller says of that range.
 struct PeriodSearch {
-    std::optional<double> shortest; ///< empty: 0.3 s, or 4 frames
-    std::optional<double> longest;  ///< empty: 6 s, or half of the frames, at most 1000
+    std::optional<double> shortest; ///< empty: 0.3 s, or 4 frames; at most the longest
+    std::optional<double> longest;  ///< empty: 6 s, or half of the frames up to 1000; at least the
+                                    ///< shortest
 };
 
 /// The range for this rate and number of frames that follow one another. Throws Status::argument if

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Exit status and messages."""
 
+import math
 import unittest
 
 from common import COMMANDS, CommandTest, circle, cut, drift, run, still, walk, write_csv
@@ -41,6 +42,17 @@ class Usage(CommandTest):
             with self.subTest(line=line):
                 self.assertIn(hint, self.fails(2, *line, cwd=self.folder))
         self.assert_empty(self.folder)
+
+    def test_one_end_of_the_range_of_periods_may_be_given(self):
+        rows = [[math.sin(2 * math.pi * i / 12), math.cos(2 * math.pi * i / 12)] for i in range(30)]
+        short = write_csv("short.csv", rows)
+        self.done("fit", short, "--period-min", "20", "--neighbors", "8")
+        self.done("fit", short, "--period-min", "20")
+        for option, value in (("--period-min", 7), ("--period-max", 0.2)):
+            found = self.json("fit", walk(), option, str(value))["parameters"]
+            self.assertEqual((found["period_min_s"], found["period_max_s"]), (value, value))
+            self.done("decompose", walk(), option, str(value))
+        self.fails(2, "fit", short, "--period-min", "20", "--period-max", "19")
 
     def test_a_misspelled_flag_or_command_has_a_hint(self):
         for arguments, hint in (
