@@ -183,9 +183,10 @@ bool ShapeFeatures::find_seen(const double* values) {
     for (std::int64_t g = 0; g < groups_; ++g) {
         const auto at = static_cast<std::size_t>(g);
         const double* group = values + g * shape_.rule.width;
-        seen_[at] = all_[at] && !is_missing(group, shape_.rule.width) &&
-                    std::all_of(group, group + shape_.rule.width,
-                                [](double v) { return std::isfinite(v); });
+        const bool finite = std::all_of(group, group + shape_.rule.width,
+                                        [](double v) { return std::isfinite(v); });
+        const bool known = all_[at] != 0 && finite && !is_missing(group, shape_.rule.width);
+        seen_[at] = static_cast<char>(known);
         used += all_[at];
         seen += seen_[at];
     }

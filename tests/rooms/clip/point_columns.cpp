@@ -72,7 +72,7 @@ void columns_beside_points(void**) {
     clip.values(1, 4) = 8;
     take_points(clip, {});
     assert_true(clip.space == 3 && clip.channel_names == names(3) && clip.values(1, 3) == 8);
-    assert_true(clip.notes.at(0).find("of points: column 'speed'") != std::string::npos);
+    assert_true(clip.notes.at(0).find("left out: column 'speed'") != std::string::npos);
 
     Clip mixed;
     mixed.channel_names = names(1);
