@@ -158,7 +158,7 @@ def test_the_period_of_rows_without_a_rate_is_looked_for_in_rows():
     # Nor is the period of a shorter range found.
     assert stltsa.fit(rows, period_max=40).neighbors == 12
     with pytest.raises(stltsa.ArgumentError, match=r"300 frames, longer than .* 250 frames"):
-        stltsa.fit(rows, period_min=300)
+        stltsa.fit(rows, period_min=300, period_max=250)
     with pytest.raises(ValueError, match="rate is unknown"):
         stltsa.fit(rows, period_max="1s")
 
