@@ -47,7 +47,8 @@ kinds! {
         /// set.
         PeriodMin = STLTSA_OPT_PERIOD_MIN,
         /// `real`: longest period looked for, seconds; rows if the rate is unknown, half of all and
-        /// at most 1000 unless it is set.
+        /// at most 1000 unless it is set. If only one of the two is set, the other end yields to
+        /// it.
         PeriodMax = STLTSA_OPT_PERIOD_MAX,
         /// `real`: tau of section 2.3 as a fraction of k.
         Eigengap = STLTSA_OPT_EIGENGAP,
