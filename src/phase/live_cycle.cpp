@@ -6,7 +6,7 @@
 
 #include <lapacke.h>
 
-#include "linalg/eigen.hpp"
+#include "linalg/principal.hpp"
 #include "linalg/simd.hpp"
 #include "motion/curve/statistics.hpp"
 #include "phase/live_filter.hpp"
@@ -72,33 +72,9 @@ std::vector<Run> packed(const std::vector<Run>& runs) {
 }
 
 void center(Matrix& rows, std::vector<double>& mean) {
-    mean.assign(static_cast<std::size_t>(rows.cols()), 0);
-    for (std::int64_t i = 0; i < rows.rows(); ++i)
-        axpy(1 / static_cast<double>(rows.rows()), rows.row(i), mean.data(), rows.cols());
+    mean = column_means(rows.view());
     for (std::int64_t i = 0; i < rows.rows(); ++i)
         axpy(-1, mean.data(), rows.row(i), rows.cols());
-}
-
-/// Covariance of centered rows, the lower triangle by columns.
-void set_covariance(const Matrix& rows, double* matrix) {
-    const std::int64_t p = rows.cols();
-    std::fill_n(matrix, p * p, 0.0);
-    for (std::int64_t i = 0; i < rows.rows(); ++i)
-        for (std::int64_t c = 0; c < p; ++c)
-            axpy(rows(i, c) / static_cast<double>(rows.rows()), rows.row(i) + c, matrix + c * p + c,
-                 p - c);
-}
-
-Matrix principal_directions(const Matrix& centered) {
-    const std::int64_t p = centered.cols();
-    const std::int64_t count = std::min({most_directions, p, centered.rows()});
-    TopEigenpairs pairs(p, count);
-    set_covariance(centered, pairs.matrix());
-    pairs.solve();
-    Matrix directions(count, p);
-    for (std::int64_t d = 0; d < count; ++d)
-        std::copy_n(pairs.vector(d), p, directions.row(d));
-    return directions;
 }
 
 Matrix projected(const Matrix& rows, const Matrix& directions) {
@@ -113,7 +89,7 @@ Matrix projected(const Matrix& rows, const Matrix& directions) {
 Matrix whitening_of(const Matrix& residuals, double least_variance) {
     const std::int64_t n = residuals.cols();
     std::vector<double> matrix(static_cast<std::size_t>(n * n));
-    set_covariance(residuals, matrix.data());
+    set_covariance(residuals.view(), matrix.data());
     for (std::int64_t i = 0; i < n; ++i)
         matrix[static_cast<std::size_t>(i * n + i)] += least_variance;
     const auto order = static_cast<lapack_int>(n);
@@ -184,7 +160,7 @@ LiveCycle learn_live(ConstMatrixView rows, double rate, const Phases& phases,
     for (std::int64_t i = 0; i < centered.rows(); ++i)
         speed += dot(centered.row(i) + rows.cols, centered.row(i) + rows.cols, rows.cols) / count;
     cycle.usual_speed = std::sqrt(speed);
-    cycle.directions = principal_directions(centered);
+    cycle.directions = principal_directions(centered.view(), most_directions).directions;
     Matrix coordinates = projected(centered, cycle.directions);
     const std::int64_t harmonics = std::min(most_harmonics, harmonics_for(phases.mean.period));
     const Loop loop = fit_loop(coordinates.view(), packed(runs), harmonics);

@@ -8,6 +8,7 @@
 
 #include "linalg/eigen.hpp"
 #include "linalg/gaussian.hpp"
+#include "linalg/principal.hpp"
 #include "linalg/simd.hpp"
 #include "motion/curve/statistics.hpp"
 
@@ -41,13 +42,6 @@ constexpr double least_usual = 0.04;
 /// A body that only sways stands: its size per second. A rest is slower than a quarter of that:
 /// joints that are 0.5 m from the hips move at 1.5 cm/s.
 constexpr double least_of_size = 0.12;
-
-std::vector<double> means_of(ConstMatrixView x) {
-    std::vector<double> mean(static_cast<std::size_t>(x.cols));
-    for (std::int64_t i = 0; i < x.rows; ++i)
-        axpy(1 / static_cast<double>(x.rows), x.row(i), mean.data(), x.cols);
-    return mean;
-}
 
 /// Adds the outer products of `count` rows, which row_of(i, values) gives, divided by their trace.
 template <class RowOf>
@@ -178,7 +172,7 @@ std::vector<double> usual_steps(ConstMatrixView x, double rate) {
 /// speed: it has little of the second beside a run.
 Matrix directions_of(ConstMatrixView x, double rate) {
     Matrix sums(x.cols, x.cols);
-    const std::vector<double> mean = means_of(x);
+    const std::vector<double> mean = column_means(x);
     add_covariance(
         x.rows,
         [&](std::int64_t i, double* row) {
@@ -214,7 +208,7 @@ Matrix directions_of(ConstMatrixView x, double rate) {
 }
 
 Matrix projected(ConstMatrixView x, const Matrix& directions) {
-    const std::vector<double> mean = means_of(x);
+    const std::vector<double> mean = column_means(x);
     Matrix result(x.rows, directions.cols());
     for (std::int64_t i = 0; i < x.rows; ++i)
         for (std::int64_t c = 0; c < x.cols; ++c)

@@ -8,6 +8,7 @@
 #include "base/side_name.hpp"
 #include "clip/features/point_names.hpp"
 #include "clip/features/points.hpp"
+#include "linalg/principal.hpp"
 
 namespace stltsa::clip {
 namespace {
@@ -35,14 +36,6 @@ std::vector<Pair> pairs_of(const Clip& clip) {
             if (const auto found = places.find(other); found != places.end() && found->second > i)
                 pairs.push_back({i, found->second});
     return pairs;
-}
-
-std::vector<double> mean_of(ConstMatrixView samples) {
-    std::vector<double> mean(static_cast<std::size_t>(samples.cols));
-    for (std::int64_t i = 0; i < samples.rows; ++i)
-        for (std::int64_t c = 0; c < samples.cols; ++c)
-            mean[static_cast<std::size_t>(c)] += samples(i, c) / static_cast<double>(samples.rows);
-    return mean;
 }
 
 /// The horizontal line along which the points of the pairs lie apart: the first principal direction
@@ -76,7 +69,7 @@ std::vector<double> point_side_weights(const Clip& clip, Axis up, ConstMatrixVie
         return {};
     const auto above = static_cast<std::size_t>(up) - 1;
     const std::size_t first = (above + 1) % 3, second = (above + 2) % 3;
-    const std::vector<double> mean = mean_of(samples);
+    const std::vector<double> mean = column_means(samples);
     const Line line = lateral(pairs, mean, first, second);
     double least = mean[above], most = least;
     for (std::size_t c = above; c < mean.size(); c += 3) {

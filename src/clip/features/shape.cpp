@@ -3,9 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
-#include "linalg/eigen.hpp"
+#include <lapacke.h>
+
+#include "linalg/principal.hpp"
 #include "linalg/simd.hpp"
 
 namespace stltsa::clip {
@@ -53,12 +56,6 @@ std::vector<double> used_groups(ConstMatrixView rows, int width,
     return used;
 }
 
-void set_mean(ConstMatrixView rows, std::vector<double>& mean) {
-    mean.assign(static_cast<std::size_t>(rows.cols), 0);
-    for (std::int64_t i = 0; i < rows.rows; ++i)
-        axpy(1 / static_cast<double>(rows.rows), rows.row(i), mean.data(), rows.cols);
-}
-
 /// Moves and turns the rows to the mean shape. Returns how many: those of which too little is known
 /// are left out, and the others are the first ones of `placed`.
 std::int64_t place(const Shape& shape, const Matrix& rows, Matrix& placed) {
@@ -76,45 +73,17 @@ std::int64_t place(const Shape& shape, const Matrix& rows, Matrix& placed) {
 
 /// How the rows, which are overwritten, vary about the mean shape.
 void set_variation(MatrixView rows, Shape& shape) {
-    const std::int64_t p = rows.cols, n = rows.rows;
-    TopEigenpairs pairs(p, std::min({most_directions, p, n}));
     double total = 0;
-    for (std::int64_t i = 0; i < n; ++i) {
-        axpy(-1, shape.mean.data(), rows.row(i), p);
-        total += dot(rows.row(i), rows.row(i), p) / static_cast<double>(n);
-        for (std::int64_t c = 0; c < p; ++c)
-            axpy(rows(i, c) / static_cast<double>(n), rows.row(i) + c, pairs.matrix() + c * p + c,
-                 p - c);
+    for (std::int64_t i = 0; i < rows.rows; ++i) {
+        axpy(-1, shape.mean.data(), rows.row(i), rows.cols);
+        total += dot(rows.row(i), rows.row(i), rows.cols) / static_cast<double>(rows.rows);
     }
-    pairs.solve();
-    const std::int64_t count = std::min({most_directions, p, n});
-    shape.directions = Matrix(count, p);
-    double within = 0;
-    for (std::int64_t d = 0; d < count; ++d) {
-        std::copy_n(pairs.vector(d), p, shape.directions.row(d));
-        shape.variances.push_back(std::max(pairs.value(d), 0.0));
-        within += shape.variances.back();
-    }
-    const auto columns = static_cast<double>(p);
+    auto [directions, variances] = principal_directions(rows, most_directions);
+    const double within = std::accumulate(variances.begin(), variances.end(), 0.0);
+    const auto columns = static_cast<double>(rows.cols);
+    shape.directions = std::move(directions);
+    shape.variances = std::move(variances);
     shape.rest = std::max((total - within) / columns, least_rest * total / columns);
-}
-
-/// Cholesky factor in place of the lower triangle, order x order by rows.
-void factor(double* a, std::int64_t order) {
-    for (std::int64_t i = 0; i < order; ++i)
-        for (std::int64_t j = 0; j <= i; ++j) {
-            const double left = a[i * order + j] - dot(a + i * order, a + j * order, j);
-            a[i * order + j] = i == j ? std::sqrt(left) : left / a[j * order + j];
-        }
-}
-
-void solve(const double* factor, double* b, std::int64_t order) {
-    for (std::int64_t i = 0; i < order; ++i)
-        b[i] = (b[i] - dot(factor + i * order, b, i)) / factor[i * order + i];
-    for (std::int64_t i = order; i-- > 0;) {
-        b[i] /= factor[i * order + i];
-        axpy(-b[i], factor + i * order, b, i);
-    }
 }
 
 } // namespace
@@ -130,10 +99,10 @@ Shape learn_shape(ConstMatrixView rows, std::span<const Frames> chosen, const Sh
         std::copy_n(rows.row(numbers[static_cast<std::size_t>(i)]), rows.cols, of_clip.row(i));
     Matrix placed = Matrix::unset(of_clip.rows(), rows.cols);
     std::int64_t count = 0;
-    set_mean(of_clip.view(), shape.mean);
+    shape.mean = column_means(of_clip.view());
     for (int round = 0; round < rounds; ++round) {
         count = place(shape, of_clip, placed);
-        set_mean(placed.view().block(0, count), shape.mean);
+        shape.mean = column_means(placed.view().block(0, count));
     }
     set_variation(placed.view().block(0, count), shape);
     return shape;
@@ -272,7 +241,10 @@ void ShapeFeatures::prepare_fill() {
                 matrix_[static_cast<std::size_t>(d * count + e)] -=
                     shape_.directions(d, c) * shape_.directions(e, c);
     });
-    factor(matrix_.data(), count);
+    // Its eigenvalues are positive, so the factor exists. By rows this is the lower triangle, by
+    // columns the upper one; by columns LAPACKE allocates nothing.
+    const auto order = static_cast<lapack_int>(count);
+    LAPACKE_dpotrf_work(LAPACK_COL_MAJOR, 'U', order, matrix_.data(), order);
 }
 
 /// Sets the groups that are missing: with the variances L along directions U and v across them, the
@@ -287,7 +259,9 @@ void ShapeFeatures::fill(double* features) {
     for (std::int64_t d = 0; d < count; ++d)
         weights_[static_cast<std::size_t>(d)] =
             dot(off_.data(), shape_.directions.row(d), std::ssize(off_));
-    solve(matrix_.data(), weights_.data(), count);
+    const auto order = static_cast<lapack_int>(count);
+    LAPACKE_dpotrs_work(LAPACK_COL_MAJOR, 'U', order, 1, matrix_.data(), order, weights_.data(),
+                        order);
     for_missing([&](std::int64_t c) {
         for (std::int64_t d = 0; d < count; ++d)
             features[c] += weights_[static_cast<std::size_t>(d)] * shape_.directions(d, c);

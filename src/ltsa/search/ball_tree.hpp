@@ -18,8 +18,8 @@ namespace stltsa::ltsa {
 class BallTree {
   public:
     /// What is never split: rows, or, if the rows are in order of time, pieces of motion as long as
-    /// a leaf. Neighbors of the rows of a piece are much the same, which a joint search for all
-    /// rows uses; a search for a single one looks at a fifth of the rows in a tree of rows.
+    /// a leaf. The rows of a piece have much the same neighbors, so a search for all rows at once
+    /// uses pieces; a search for one row takes a fifth of the time in a tree of rows.
     enum class Parts { rows, pieces };
 
     /// Rows of a leaf; the last one may have fewer.

@@ -49,21 +49,19 @@ bool orthonormalize(Matrix& basis, std::int64_t row) {
     return true;
 }
 
-/// The directions in which the rows of a sample vary most; zeros if there are fewer.
-Matrix principal_directions(const Matrix& sample) {
+/// The directions in which the rows of a sample vary most; zeros if there are fewer. By products of
+/// rows instead of columns, of which there may be a million.
+Matrix sample_directions(const Matrix& sample) {
     const std::int64_t count = sample.rows();
     const std::int64_t most = std::min({directions, sample.cols(), count});
     Matrix basis(directions, sample.cols());
     TopEigenpairs eigen(count, most);
-    for (std::int64_t a = 0; a < count; ++a)
+    double trace = 0;
+    for (std::int64_t a = 0; a < count; ++a) {
         for (std::int64_t b = a; b < count; ++b)
             eigen.matrix()[a * count + b] = dot(sample.row(a), sample.row(b), sample.cols());
-    const double trace = [&] {
-        double sum = 0;
-        for (std::int64_t a = 0; a < count; ++a)
-            sum += eigen.matrix()[a * count + a];
-        return sum;
-    }();
+        trace += eigen.matrix()[a * count + a];
+    }
     if (!(trace > 0) || !std::isfinite(trace))
         return basis;
     eigen.solve();
@@ -85,7 +83,8 @@ double along_directions(const double* a, const double* b) {
     return sum;
 }
 
-/// The square of a distance less what rounding may add to it.
+/// The square of a distance less what rounding may add to it: that of the sums and of the lengths
+/// of the directions is far below 1e-12 of the distance.
 double squared_less(double distance, const ReducedRows::Query& query) {
     const double bound = distance * (1 - 1e-12) - query.error;
     return bound > 0 ? bound * bound : 0;
@@ -101,7 +100,7 @@ ReducedRows::ReducedRows(ConstMatrixView x, std::span<const std::int32_t> rows)
     const Matrix about_first = sample_of(x, rows, mean_.data());
     for (std::int64_t i = 0; i < about_first.rows(); ++i)
         axpy(1 / static_cast<double>(about_first.rows()), about_first.row(i), mean_.data(), x.cols);
-    basis_ = count > 0 ? principal_directions(sample_of(x, rows, mean_.data()))
+    basis_ = count > 0 ? sample_directions(sample_of(x, rows, mean_.data()))
                        : Matrix(directions, x.cols);
     reduced_ = Matrix(count, lanes);
     AlignedVector<double> remainder;

@@ -11,14 +11,6 @@ using namespace clip_testing;
 using namespace stltsa::clip;
 using stltsa::Matrix;
 
-std::vector<std::string> names(std::int64_t points) {
-    std::vector<std::string> result;
-    for (std::int64_t p = 0; p < points; ++p)
-        for (const char* axis : {"_x", "_y", "_z"})
-            result.push_back("m" + std::to_string(p) + axis);
-    return result;
-}
-
 /// Whether a file with these columns is one of points in space, all of whose columns are kept.
 bool names_points(const std::vector<std::string>& all, int space = 3) {
     Clip clip;
@@ -31,17 +23,17 @@ bool names_points(const std::vector<std::string>& all, int space = 3) {
 void triples_of_names_are_points(void**) {
     using Names = std::vector<std::string>;
     const auto with = [](const std::string& x, const std::string& y, const std::string& z) {
-        Names all = names(3);
+        Names all = columns_of_points(3);
         all.insert(all.end(), {x, y, z});
         return names_points(all);
     };
-    assert_true(names_points(names(3)));
+    assert_true(names_points(columns_of_points(3)));
     assert_true(with("heel_x", "heel_y", "heel_z") && with("heel.X", "heel.Y", "heel.Z"));
     assert_true(with("L heel x", "L heel y", "L heel z") && with("LHEEX", "LHEEY", "LHEEZ"));
     assert_true(with("Sub:heel:x", "sub:heel:y", "SUB:heel:z") && with("V_a-x", "V_a-y", "V_a-z"));
     assert_true(with("pelvis_x", "pelvis_y", "pelvis_z"));
     assert_false(names_points({}));
-    assert_true(names_points(names(1)));
+    assert_true(names_points(columns_of_points(1)));
     assert_true(names_points({"LHEEX", "LHEEY", "LHEEZ"}));
     assert_false(names_points({"max", "may"}) || names_points({"relax", "relay", "relaz"}));
     assert_false(names_points({"hip_x", "hip_y", "hip_z", "angle"})); // one point, something else
@@ -54,7 +46,7 @@ void triples_of_names_are_points(void**) {
     assert_false(with("_x", "_y", "_z") || with("x", "y", "z") || with("", "", ""));
     assert_false(with("hip_acc_x", "hip_acc_y", "hip_acc_z") || with("ROT.x", "ROT.y", "ROT.z"));
     assert_false(with("LHipAnglesX", "LHipAnglesY", "LHipAnglesZ"));
-    Names more = names(3);
+    Names more = columns_of_points(3);
     more.push_back("temperature");
     assert_false(names_points(more)); // one is left out
     assert_true(names_coordinate(more, 0) && names_coordinate(more, 8));
@@ -65,17 +57,18 @@ void triples_of_names_are_points(void**) {
 /// a note says so.
 void columns_beside_points(void**) {
     Clip clip;
-    clip.channel_names = names(3);
+    clip.channel_names = columns_of_points(3);
     clip.channel_names.insert(clip.channel_names.begin() + 3, "speed");
     clip.values = Matrix(2, 10);
     clip.values(1, 3) = 7;
     clip.values(1, 4) = 8;
     take_points(clip, {});
-    assert_true(clip.space == 3 && clip.channel_names == names(3) && clip.values(1, 3) == 8);
+    assert_true(clip.space == 3 && clip.channel_names == columns_of_points(3) &&
+                clip.values(1, 3) == 8);
     assert_true(clip.notes.at(0).find("left out: column 'speed'") != std::string::npos);
 
     Clip mixed;
-    mixed.channel_names = names(1);
+    mixed.channel_names = columns_of_points(1);
     mixed.channel_names.emplace_back("speed");
     mixed.values = Matrix(2, 4);
     take_points(mixed, {});

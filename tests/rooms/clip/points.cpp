@@ -21,14 +21,6 @@ using stltsa::Matrix;
 constexpr double fps = 60;
 constexpr double gap = std::numeric_limits<double>::quiet_NaN();
 
-std::vector<std::string> names(std::int64_t points) {
-    std::vector<std::string> result;
-    for (std::int64_t p = 0; p < points; ++p)
-        for (const char* axis : {"_x", "_y", "_z"})
-            result.push_back("m" + std::to_string(p) + axis);
-    return result;
-}
-
 /// Where a body is at a time in seconds: x, y, height, heading.
 struct Place {
     double x = 0, y = 0, height = 0, heading = 0;
@@ -41,7 +33,7 @@ Clip walker(double seconds, const PlaceAt& place_at) {
     Clip clip;
     clip.fps = fps;
     clip.space = 3;
-    clip.channel_names = names(count);
+    clip.channel_names = columns_of_points(count);
     clip.values = Matrix(static_cast<std::int64_t>(seconds * fps), 3 * count);
     for (std::int64_t i = 0; i < clip.frames(); ++i) {
         const double t = static_cast<double>(i) / fps;
@@ -274,7 +266,7 @@ void missing_points_do_not_move_the_others(void**) {
         assert_true(rms(difference(rows(clip), wanted), 300, 303) < 0.01);
     }
     Clip more = whole;
-    more.channel_names = names(11);
+    more.channel_names = columns_of_points(11);
     more.values = Matrix(whole.frames(), 33);
     for (std::int64_t i = 0; i < whole.frames(); ++i)
         std::copy_n(whole.values.row(i), 30, more.values.row(i));

@@ -47,6 +47,15 @@ inline void check_fails(Status status, std::string_view part, const std::functio
     clip_testing::check_fails(                                                                     \
         status, part, [&] { action; }, __FILE__, __LINE__)
 
+/// Names of columns of points in space: m0_x, m0_y, m0_z, m1_x, ...
+inline std::vector<std::string> columns_of_points(std::int64_t points) {
+    std::vector<std::string> result;
+    for (std::int64_t p = 0; p < points; ++p)
+        for (const char* axis : {"_x", "_y", "_z"})
+            result.push_back("m" + std::to_string(p) + axis);
+    return result;
+}
+
 inline Clip parse(std::string_view text, Format format,
                   const stltsa::clip::ReadOptions& options = {}) {
     return stltsa::clip::parse(text, format, "test", options);

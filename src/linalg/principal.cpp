@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "linalg/principal.hpp"
+
+#include <algorithm>
+
+#include "linalg/eigen.hpp"
+#include "linalg/simd.hpp"
+
+namespace stltsa {
+
+std::vector<double> column_means(ConstMatrixView rows) {
+    std::vector<double> means(static_cast<std::size_t>(rows.cols));
+    for (std::int64_t i = 0; i < rows.rows; ++i)
+        axpy(1 / static_cast<double>(rows.rows), rows.row(i), means.data(), rows.cols);
+    return means;
+}
+
+void set_covariance(ConstMatrixView centered, double* matrix) {
+    const std::int64_t p = centered.cols;
+    std::fill_n(matrix, p * p, 0.0);
+    for (std::int64_t i = 0; i < centered.rows; ++i)
+        for (std::int64_t c = 0; c < p; ++c)
+            axpy(centered(i, c) / static_cast<double>(centered.rows), centered.row(i) + c,
+                 matrix + c * p + c, p - c);
+}
+
+PrincipalDirections principal_directions(ConstMatrixView centered, std::int64_t most) {
+    const std::int64_t p = centered.cols;
+    const std::int64_t count = std::min({most, p, centered.rows});
+    TopEigenpairs pairs(p, count);
+    set_covariance(centered, pairs.matrix());
+    pairs.solve();
+    PrincipalDirections found{Matrix(count, p), {}};
+    for (std::int64_t d = 0; d < count; ++d) {
+        std::copy_n(pairs.vector(d), p, found.directions.row(d));
+        found.variances.push_back(std::max(pairs.value(d), 0.0));
+    }
+    return found;
+}
+
+} // namespace stltsa
