@@ -147,17 +147,30 @@ void assert_same(const std::vector<NearSegment>& found, const std::vector<NearSe
     }
 }
 
-/// With fewer and with more columns than a search looks at first.
-void compare_segments(std::int64_t cols) {
-    const Matrix x = curve(700, cols, 8);
-    const std::vector<Segment> segments = chained(every(700, 2));
+/// Repetitions of a loop, each a little different: many segments are nearly as near as the nearest.
+Matrix repetitions(std::int64_t rows, std::int64_t cols, double noise) {
+    stltsa::Random random(4);
+    Matrix x(rows, cols);
+    double size = 1;
+    for (std::int64_t r = 0; r < rows; ++r) {
+        size += 0.02 * random.symmetric();
+        for (std::int64_t c = 0; c < cols; ++c)
+            x(r, c) = size * std::cos(0.9 * static_cast<double>(r) + static_cast<double>(c)) +
+                      noise * random.symmetric();
+    }
+    return x;
+}
+
+void compare_segments(const Matrix& x) {
+    const std::vector<Segment> segments = chained(every(x.rows(), 2));
     const NearestRows nearest(x.view(), segments);
     const auto count = static_cast<std::int64_t>(segments.size());
     stltsa::Random random(3);
-    std::vector<double> query(static_cast<std::size_t>(cols));
-    for (std::int64_t q = 0; q < 700; q += 23) {
+    std::vector<double> query(static_cast<std::size_t>(x.cols()));
+    for (std::int64_t q = 0; q < x.rows(); q += 23) {
+        const double off = q % 3 == 0 ? 0.05 : q % 3 == 1 ? 0.5 : 3;
         for (std::size_t c = 0; c < query.size(); ++c)
-            query[c] = x.row(q)[c] + (q % 2 == 0 ? 0.05 : 3) * random.symmetric();
+            query[c] = x.row(q)[c] + off * random.symmetric();
         const auto all = nearest.nearest_segments(query.data(), 2 * count);
         assert_int_equal(all.size(), count);
         assert_true(std::is_sorted(all.begin(), all.end()));
@@ -170,9 +183,33 @@ void compare_segments(std::int64_t cols) {
     }
 }
 
+/// With fewer and with more columns than a search looks at first.
 void nearest_segments_of_all(void**) {
-    for (const std::int64_t cols : {2, 7, 20})
-        compare_segments(cols);
+    for (const std::int64_t cols : {2, 7, 20}) {
+        compare_segments(curve(700, cols, 8));
+        compare_segments(repetitions(700, cols, 0.01));
+        compare_segments(repetitions(700, cols, 0.3));
+    }
+}
+
+/// A segment from one side of the query to the other, across the directions in which rows vary: at
+/// its middle it is much nearer than both ends are.
+void a_segment_across_the_directions(void**) {
+    stltsa::Random random(6);
+    Matrix x(203, 9);
+    for (std::int64_t r = 0; r < x.rows(); ++r)
+        for (std::int64_t c = 0; c < 7; ++c)
+            x(r, c) = r < 200 ? 20 + 10 * random.symmetric() : 20;
+    x(200, 8) = 0.1;
+    x(201, 7) = 1;
+    x(202, 7) = -1;
+    std::vector<Segment> segments = alone(every(x.rows(), 1));
+    segments[201].next = 202;
+    const NearestRows nearest(x.view(), segments);
+    const double query[] = {20, 20, 20, 20, 20, 20, 20, 0, 0};
+    const auto found = nearest.nearest_segments(query, 1);
+    assert_int_equal(found.front().segment.row, 201);
+    ASSERT_NEAR(found.front().share, 0.5, 1e-12);
 }
 
 void segments_end_with_their_range(void**) {
@@ -279,6 +316,7 @@ int main() {
     const CMUnitTest tests[] = {
         cmocka_unit_test(same_rows_as_comparing_all),
         cmocka_unit_test(nearest_segments_of_all),
+        cmocka_unit_test(a_segment_across_the_directions),
         cmocka_unit_test(segments_end_with_their_range),
         cmocka_unit_test(no_rows_requested_or_indexed),
         cmocka_unit_test(infinite_distances),
