@@ -117,6 +117,18 @@ def circle():
 
 
 @functools.cache
+def noisy_circle():
+    """Thirty seconds of a loop, beside columns of noise that hold most of the variance."""
+    noise = random.Random(5)
+    rows = []
+    for i in range(1500):
+        turn = 2 * math.pi * i / 50
+        rows.append([i / 50, 2 * math.cos(turn), 2 * math.sin(turn),
+                     *(noise.gauss(0, 1) for _ in range(6))])
+    return write_csv("noisy.csv", rows, "time,a,b,c,d,e,f,g,h\n")
+
+
+@functools.cache
 def markers(heading=0.0):
     """Eight markers of a body that walks through the room, ten strides of 1 s; one drops out."""
     names = ",".join(f"m{p}_{axis}" for p in range(8) for axis in "xyz")

@@ -7,7 +7,7 @@ import unittest
 
 import numpy
 
-from common import CommandTest, cut, run, walk
+from common import CommandTest, cut, noisy_circle, run, walk
 
 
 class Live(CommandTest):
@@ -87,6 +87,14 @@ class Live(CommandTest):
         self.assertIn("no mean cycle", self.fails(4, "live", model, path, "--fps", "50"))
         self.assertIn("only drift", self.fails(4, "fit", path, "--fps", "50", "-o", model,
                                                "--mark", "600=a"))
+
+    def test_a_model_whose_phases_are_linear(self):
+        model = self.folder / "noisy.stltsa"
+        warnings = self.json("fit", noisy_circle(), "-o", model)["warnings"]
+        self.assertIn("linear in time", " ".join(warnings))
+        streamed = run("live", model, noisy_circle(), "--json")
+        self.assertEqual(streamed.returncode, 0)
+        self.assertIn(b"linear in time", streamed.stderr)
 
     def test_a_model_without_cycles(self):
         path = self.folder / "cut.stltsa"

@@ -6,7 +6,7 @@ import unittest
 
 import numpy
 
-from common import CommandTest, walk
+from common import CommandTest, noisy_circle, walk
 
 
 class Phase(CommandTest):
@@ -35,6 +35,10 @@ class Phase(CommandTest):
         found = self.json("decompose", walk(), "--phase", self.folder / "phase.npy")
         self.assertEqual(found["phase_warnings"], [])
         self.assertNotIn("phase_warnings", self.json("decompose", walk()))
+        noisy = self.json("decompose", noisy_circle(), "--phase", self.folder / "phase.npy")
+        self.assertGreater(len(noisy["cycles"]), 20)
+        (warning,) = noisy["phase_warnings"]
+        self.assertIn("is linear in time, because its mean cycle leaves 0.7", warning)
 
     def test_a_clip_without_cycles_has_no_phase(self):
         self.done("decompose", f"{walk()}:0-25", "--phase", self.folder / "none.npy")
