@@ -261,7 +261,7 @@ class STLTSA(Base):
 
         Returns
         -------
-        ndarray of shape (n_samples, n_features_in_)
+        ndarray of shape (n_samples, n_features)
             Frames. ``model_.poses(X)`` returns a clip with a skeleton.
         """
         self._check_fitted()

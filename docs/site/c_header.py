@@ -1,0 +1,251 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Reads stltsa.h, whose comments are plain text: sections, and declarations with their comments. From
+these, doxygen() makes a header with Doxygen's marks, and page() the page of a section for Sphinx.
+
+A comment belongs to the declaration below it, and to the functions that follow without a blank line. A
+comment after an entry belongs to the entry; one between entries of an enum divides the enum.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+
+SECTION = re.compile(r"/\* -{4} (.*?) -+ \*/")
+ITEM = re.compile(r" {0,3}(\S+(?: \S+)*) {2,}(\S.*)")
+NEXT_ITEM = re.compile(r"(\w+\.) (\S.*)")  # in a list, a word as long as the column
+OPTION_TYPE = re.compile(r"^(int|real|text)(\[\])? (?=\S)")
+IDENTIFIER = re.compile(r"\b(?:stltsa|STLTSA)_[A-Za-z0-9_]+|\bE_[A-Z_]+\b")
+# What many kinds of handles have needs no comment, and does not share that of its neighbor.
+OWN_ENTRY = ("_free", "_info", "_new", "_json", "_warning_count")
+
+
+@dataclass
+class Declaration:
+    text: str
+
+    @property
+    def kind(self) -> str:
+        if self.text.startswith("enum"):
+            return "enum"
+        if self.text.startswith("typedef struct") and "{" in self.text:
+            return "struct"
+        return "typedef" if self.text.startswith("typedef") else "function"
+
+    @property
+    def name(self) -> str:
+        if self.kind == "function":
+            return re.search(r"(stltsa_\w+)\(", self.text)[1]
+        if self.kind == "enum":
+            return re.search(r"(STLTSA_\w+)", self.text)[1]
+        return re.search(r"\(\*(\w+)\)|(\w+);\s*$", self.text.split("/*")[0] if self.kind == "typedef"
+                         else self.text).group(1, 2)[0] or re.search(r"(\w+);\s*$", self.text)[1]
+
+
+@dataclass
+class Cluster:
+    """A comment and what it is about: one declaration, several functions, or nothing but the comment."""
+
+    comment: str
+    declarations: list[Declaration] = field(default_factory=list)
+
+    @property
+    def group(self) -> str:
+        """The Doxygen group, for clusters that have no single documented name."""
+        return "about_" + self.declarations[0].name
+
+
+@dataclass
+class Section:
+    title: str
+    clusters: list[Cluster] = field(default_factory=list)
+
+    @property
+    def slug(self) -> str:
+        return re.sub(r"\W+", "-", re.sub(r" \(.*\)", "", self.title).lower()).strip("-")
+
+
+def plain(comment: str) -> str:
+    """The text of a comment, without its marks."""
+    body = re.sub(r"^/\*|\*/$", "", comment.strip())
+    return "\n".join(re.sub(r"^ ?\* ?|^ {1}", "", line).rstrip() for line in body.split("\n")).strip("\n")
+
+
+def _pieces(text: str):
+    """Sections, comments, declarations and blank lines, in order."""
+    lines = iter(text.split("\n"))
+    for line in lines:
+        if not line.strip():
+            yield "blank", ""
+        elif line.startswith("/*"):
+            while "*/" not in line:
+                line += "\n" + next(lines)
+            yield ("section", SECTION.match(line)[1]) if SECTION.match(line) else ("comment", line)
+        else:
+            while not _complete(line):
+                line += "\n" + next(lines)
+            yield "declaration", line
+
+
+def _complete(text: str) -> bool:
+    if text.count("/*") > text.count("*/"):
+        return False
+    code = re.sub(r"/\*.*?\*/", "", text, flags=re.DOTALL)
+    return code.rstrip().endswith(";") and code.count("{") == code.count("}")
+
+
+def intro(header: str) -> str:
+    """The comment at the top of the header, without its license."""
+    return plain(re.search(r"/\*\n.*?\*/", header, flags=re.DOTALL)[0])
+
+
+def sections(header: str) -> list[Section]:
+    body = header[header.index("/* ----"):header.rindex("#ifdef __cplusplus")]
+    found: list[Section] = []
+    comment, last = "", None  # the comment before the declaration; the cluster of the line above
+    for kind, text in _pieces(body):
+        if comment and kind != "declaration":  # stands alone
+            found[-1].clusters.append(Cluster(comment))
+            comment = ""
+        if kind == "section":
+            found.append(Section(text))
+        elif kind == "comment":
+            comment = plain(text)
+        if kind != "declaration":
+            last = None
+            continue
+        declaration = Declaration(text)
+        shares = last and not comment and last.comment and declaration.kind == "function" and \
+            last.declarations[0].kind == "function" and not declaration.name.endswith(OWN_ENTRY)
+        if not shares:
+            last = Cluster(comment)
+            found[-1].clusters.append(last)
+        last.declarations.append(declaration)
+        comment = ""
+    return found
+
+
+def _linked(text: str, names: set[str]) -> str:
+    """Text for Doxygen: what it would take for a command is escaped, and names are links."""
+    def link(match: re.Match) -> str:
+        name = match[0]
+        if name in names:
+            return f'\\ref {name} "{name}"'
+        return f'\\ref STLTSA_{name} "{name}"' if f"STLTSA_{name}" in names else name
+
+    return IDENTIFIER.sub(link, re.sub(r'([\\@&$#<>%"])', r"\\\1", text))
+
+
+def _markup(text: str, names: set[str]) -> str:
+    """Paragraphs, lists ("word   what it is") and code (indented) of a comment, for Doxygen."""
+    out: list[str] = []
+    state = ""  # "item", "code", "paragraph"
+
+    def enter(wanted: str) -> None:
+        nonlocal state
+        if state == wanted == "item":
+            return
+        out.append({"item": "</li></ul>", "code": "\\endcode"}.get(state, "") if state != wanted else "")
+        state = wanted
+
+    for line in text.split("\n"):
+        item = ITEM.fullmatch(line) or (state == "item" and NEXT_ITEM.fullmatch(line))
+        if not line.strip():
+            out.append("")
+            if state == "paragraph":
+                enter("")
+        elif state == "code" and line.startswith("    "):
+            out.append(line[4:])
+        elif item and not line.startswith("    "):
+            new = state != "item"
+            enter("item")
+            out.append(f"{'<ul>' if new else '</li>'}<li><b>{_linked(item[1].rstrip('.'), names)}:</b> "
+                       f"{_linked(item[2], names)}")
+        elif state == "item" and line.startswith(" "):
+            out.append(_linked(line.strip(), names))
+        elif line.startswith("    ") and state == "":
+            enter("code")
+            out += ["\\code{.c}", line[4:]]
+        else:
+            if state != "paragraph":
+                enter("paragraph")
+            out.append(_linked(line.strip(), names))
+    enter("")
+    return "\n".join(out)
+
+
+def _block(text: str, names: set[str], mark: str = "/**") -> str:
+    return f"{mark}\n{_markup(text, names)}\n*/"
+
+
+def _entries(declaration: Declaration, names: set[str]) -> str:
+    """A struct or an enum, with the comments of its entries."""
+    def after(match: re.Match) -> str:
+        text = re.sub(r"\s+", " ", plain(match[2]).replace("\n", " "))
+        if declaration.name.startswith(("STLTSA_OPT_", "STLTSA_INFO_")):
+            text = OPTION_TYPE.sub(r"\1\2: ", text)
+        return f"{match[1]} /**< {_linked(text, names)} */"
+
+    def before(match: re.Match) -> str:
+        return _block(re.sub(r"\n\s*", "\n", plain(match[1])), names)
+
+    def divide(match: re.Match) -> str:
+        return f"}};\n{before(match)}\nenum {{"
+
+    comment = r"(/\*(?!\*)(?:[^*]|\*(?!/))*\*/)"
+    text = re.sub(r"([;,]|\b\w+) +" + comment, after, declaration.text)
+    text = re.sub("(?m)^ *" + comment, divide if declaration.kind == "enum" else before, text)
+    return re.sub(r"^enum \{\s*\};\n", "", text)
+
+
+def names_of(header: str) -> set[str]:
+    """Everything that a comment can refer to."""
+    code = re.sub(r"/\*.*?\*/", "", header[header.index("/* ----"):], flags=re.DOTALL)
+    return set(re.findall(r"\bSTLTSA_[A-Z]\w+(?= *[=,}\n])|\bstltsa_\w+(?=\()|\bstltsa_\w+(?=;)", code)) | \
+        set(re.findall(r"\(\*(stltsa_\w+)\)", code))
+
+
+def doxygen(header: str) -> str:
+    """The header with Doxygen's marks."""
+    names = names_of(header)
+    out = ["/** \\file stltsa.h */",
+           f"/** \\defgroup about_header stltsa.h\n{_markup(intro(header), names)}\n*/",
+           "#include <stddef.h>", "#include <stdint.h>"]
+    for section in sections(header):
+        for number, cluster in enumerate(section.clusters):
+            out.append(_cluster(cluster, f"{section.slug}-{number}", names))
+    return re.sub(r"STLTSA_API | STLTSA_NOEXCEPT", "", "\n".join(out)) + "\n"
+
+
+def is_single(cluster: Cluster) -> bool:
+    """One declaration with a name, below which its comment goes."""
+    return len(cluster.declarations) == 1 and cluster.declarations[0].kind != "enum"
+
+
+def group_of(cluster: Cluster, place: str) -> str:
+    return cluster.group if cluster.declarations else "about_" + place.replace("-", "_")
+
+
+def _cluster(cluster: Cluster, place: str, names: set[str]) -> str:
+    comment = _markup(cluster.comment, names)
+    entries = "\n".join(_entries(d, names) for d in cluster.declarations)
+    if is_single(cluster):
+        return (f"/**\n{comment}\n*/\n" if cluster.comment else "") + entries
+    group = group_of(cluster, place)
+    return f"/** \\defgroup {group} {group}\n{comment}\n*/\n/**@{{*/\n{entries}\n/**@}}*/"
+
+
+def page(section: Section) -> str:
+    """The page of a section, in the order of the header."""
+    title = section.title
+    out = [title, "=" * len(title), ""]
+    for number, cluster in enumerate(section.clusters):
+        if is_single(cluster):
+            declaration = cluster.declarations[0]
+            out.append(f".. doxygen{declaration.kind}:: {declaration.name}")
+            if declaration.kind == "struct":
+                out.append("   :members:\n   :undoc-members:")
+        else:
+            out += [f".. doxygengroup:: {group_of(cluster, f'{section.slug}-{number}')}", "   :content-only:"]
+        out.append("")
+    return "\n".join(out)

@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Settings of Sphinx; scripts/docs calls it on the folder that stage.py makes."""
+
+import os
+import sys
+
+from pygments.lexers.rust import RustLexer
+
+project = "libstltsa"
+author = "libstltsa"
+html_title = "libstltsa"
+extensions = ["myst_parser", "breathe", "sphinx.ext.autodoc", "numpydoc"]
+exclude_patterns = ["README.md", "doxygen"]  # index.md includes the README
+highlight_language = "none"  # most blocks without a language are commands and formulas
+smartquotes = False
+nitpicky = True
+
+myst_heading_anchors = 3
+
+breathe_projects = {"stltsa": os.environ["STLTSA_DOXYGEN"]}
+breathe_default_project = "stltsa"
+breathe_domain_by_extension = {"h": "c"}
+breathe_show_enumvalue_initializer = True
+# Types of the C library and the preprocessor have no page.
+nitpick_ignore = [("c:identifier", name) for name in
+                  ("int32_t", "int64_t", "size_t")]
+
+# The package of scripts/test-python; NumPy may come from there, too.
+sys.path.append(os.environ["STLTSA_PYTHON_PACKAGES"])
+autodoc_typehints = "none"
+autodoc_member_order = "bysource"
+autodoc_default_options = {"members": True}
+numpydoc_show_class_members = False
+
+html_theme = "furo"
+html_static_path = ["site.css"]
+html_css_files = ["site.css"]
+html_copy_source = False
+html_show_sourcelink = False
+html_show_sphinx = False
+html_show_copyright = False
+
+
+def skip_fields(app, what, name, member, skip, options):
+    """Leaves out what Python says of the fields of a named tuple; its docstring says it."""
+    return True if str(getattr(member, "__doc__", "")).startswith("Alias for field number") else None
+
+
+def setup(app):
+    app.add_lexer("rust,no_run", RustLexer)  # as rustdoc marks a program that needs a clip
+    app.connect("autodoc-skip-member", skip_fields)

@@ -1,0 +1,105 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Gathers the pages of the site in a folder, in the places that they have in the repository, so that
+their links are true in both. Pages of the C reference, the command and the schemas are made here from
+the header, the manual page and the schemas.
+
+    docs/site/stage.py FOLDER
+"""
+
+import json
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+
+import c_header
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+# Everything that a page shows or links to.
+FILES = ("*.md", "LICENSE", "docs/*.md", "docs/*.svg", "docs/figures/*.png", "docs/schema/*.json",
+         "bindings/python/README.md", "bindings/rust/stltsa/README.md",
+         "examples/*.c", "examples/*.cpp", "include/*", "docs/site/*.md", "docs/site/*.rst",
+         "docs/site/*.css", "docs/site/Doxyfile")
+
+
+def write(path, text):
+    path.parent.mkdir(exist_ok=True, parents=True)
+    path.write_text(text)
+
+
+def heading(title, mark="="):
+    return f"{title}\n{mark * len(title)}\n"
+
+
+def copy(folder):
+    for pattern in FILES:
+        for file in ROOT.glob(pattern):
+            place = folder / file.relative_to(ROOT)
+            place.parent.mkdir(exist_ok=True, parents=True)
+            shutil.copy(file, place)
+    (folder / "docs/site/index.md").rename(folder / "index.md")
+
+
+def c_reference(folder):
+    header = (ROOT / "include/stltsa.h").read_text()
+    write(folder / "doxygen/stltsa.h", c_header.doxygen(header))
+    names = []
+    for section in c_header.sections(header):
+        names.append(section.slug)
+        write(folder / f"docs/c/{section.slug}.rst", c_header.page(section))
+    pages = "\n".join(f"   {name}" for name in names)
+    write(folder / "docs/c/index.rst",
+          f"{heading('C')}\n.. doxygengroup:: about_header\n   :content-only:\n\n"
+          f".. toctree::\n   :caption: Subjects\n   :maxdepth: 1\n\n{pages}\n")
+
+
+def check_errors():
+    """docs/errors.md has every status of the header, with its value."""
+    header = (ROOT / "include/stltsa.h").read_text()
+    known = set(re.findall(r"STLTSA_(E_\w+) = (-\d+)", header))
+    said = set(re.findall(r"^\| `(E_\w+)` \| (-\d+) \|", (ROOT / "docs/errors.md").read_text(), re.M))
+    if known != said:
+        sys.exit(f"docs/errors.md and include/stltsa.h differ in: {sorted(known ^ said)}")
+
+
+def command(folder):
+    """The manual page: each of its sections is one of the page."""
+    manual = ROOT / "docs/man/stltsa.1"
+    html = subprocess.run(["mandoc", "-T", "html", "-O", "fragment", manual], check=True, text=True,
+                          stdout=subprocess.PIPE).stdout
+    out = [heading("Command")]
+    for title, body in re.findall(r'<section class="Sh">\n<h1[^>]*><a[^>]*>(.*?)</a></h1>\n(.*?)'
+                                  r'(?=<section class="Sh">|</div>\n<table class="foot">)', html, re.DOTALL):
+        title = " ".join(title.split())
+        body = re.sub(r"</section>\s*$", "", body)
+        indented = "\n".join("   " + line for line in body.split("\n"))
+        out += [heading(title.capitalize(), "-"), f".. raw:: html\n\n   <div class=\"manual\">\n{indented}\n   </div>\n"]
+    write(folder / "docs/command.rst", "\n".join(out))
+
+
+def schemas(folder):
+    out = ["# JSON", "", "Schemas (JSON Schema 2020-12) of the objects that the library and the command write.", ""]
+    for file in sorted((ROOT / "docs/schema").glob("*.json")):
+        schema = json.loads(file.read_text())
+        out += [f"## {schema['title']}", "", schema["description"], "",
+                f"[{file.name}](schema/{file.name})", "", "| member | |", "|---|---|"]
+        out += [f"| `{name}` | {value.get('description', '').replace('|', chr(92) + '|')} |"
+                for name, value in schema["properties"].items()]
+        out.append("")
+    write(folder / "docs/schema.md", "\n".join(out))
+
+
+def main():
+    folder = pathlib.Path(sys.argv[1])
+    shutil.rmtree(folder, ignore_errors=True)
+    check_errors()
+    copy(folder)
+    c_reference(folder)
+    command(folder)
+    schemas(folder)
+
+
+if __name__ == "__main__":
+    main()
