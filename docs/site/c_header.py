@@ -3,7 +3,7 @@
 these, doxygen() makes a header with Doxygen's marks, and page() the page of a section for Sphinx.
 
 A comment belongs to the declaration below it, and to the functions that follow without a blank line. A
-comment after an entry belongs to the entry; one between entries of an enum divides the enum.
+comment after an entry belongs to the entry; one between entries of an enum divides the enum in two.
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ SECTION = re.compile(r"/\* -{4} (.*?) -+ \*/")
 ITEM = re.compile(r" {0,3}(\S+(?: \S+)*) {2,}(\S.*)")
 NEXT_ITEM = re.compile(r"(\w+\.) (\S.*)")  # in a list, a word as long as the column
 OPTION_TYPE = re.compile(r"^(int|real|text)(\[\])? (?=\S)")
+COMMENT = r"(/\*(?!\*)(?:[^*]|\*(?!/))*\*/)"
 IDENTIFIER = re.compile(r"\b(?:stltsa|STLTSA)_[A-Za-z0-9_]+|\bE_[A-Z_]+\b")
 # What many kinds of handles have needs no comment, and does not share that of its neighbor.
 OWN_ENTRY = ("_free", "_info", "_new", "_json", "_warning_count")
@@ -34,12 +35,16 @@ class Declaration:
 
     @property
     def name(self) -> str:
-        if self.kind == "function":
-            return re.search(r"(stltsa_\w+)\(", self.text)[1]
+        """Of an enum, which has none in the header, its first value."""
         if self.kind == "enum":
-            return re.search(r"(STLTSA_\w+)", self.text)[1]
-        return re.search(r"\(\*(\w+)\)|(\w+);\s*$", self.text.split("/*")[0] if self.kind == "typedef"
-                         else self.text).group(1, 2)[0] or re.search(r"(\w+);\s*$", self.text)[1]
+            return self.values[0]
+        text = self.text[self.text.rindex("}"):] if self.kind == "struct" else self.text
+        pointer = re.search(r"\(\*(\w+)\)", text)
+        return pointer[1] if pointer else re.search(r"(stltsa_\w+)(?=\(|;)", text)[1]
+
+    @property
+    def values(self) -> list[str]:
+        return re.findall(r"(STLTSA_\w+) =", self.text)
 
 
 @dataclass
@@ -48,11 +53,6 @@ class Cluster:
 
     comment: str
     declarations: list[Declaration] = field(default_factory=list)
-
-    @property
-    def group(self) -> str:
-        """The Doxygen group, for clusters that have no single documented name."""
-        return "about_" + self.declarations[0].name
 
 
 @dataclass
@@ -63,6 +63,10 @@ class Section:
     @property
     def slug(self) -> str:
         return re.sub(r"\W+", "-", re.sub(r" \(.*\)", "", self.title).lower()).strip("-")
+
+    def place(self, number: int) -> str:
+        """A name for a cluster."""
+        return f"{self.slug.replace('-', '_')}_{number}"
 
 
 def plain(comment: str) -> str:
@@ -118,11 +122,27 @@ def sections(header: str) -> list[Section]:
         shares = last and not comment and last.comment and declaration.kind == "function" and \
             last.declarations[0].kind == "function" and not declaration.name.endswith(OWN_ENTRY)
         if not shares:
-            last = Cluster(comment)
-            found[-1].clusters.append(last)
-        last.declarations.append(declaration)
+            parts = _divided(comment, declaration)
+            found[-1].clusters += parts
+            last = parts[-1]
+        else:
+            last.declarations.append(declaration)
         comment = ""
     return found
+
+
+def _divided(comment: str, declaration: Declaration) -> list[Cluster]:
+    """One cluster; several for an enum that comments on lines of their own divide."""
+    if declaration.kind != "enum":
+        return [Cluster(comment, [declaration])]
+    first, *rest = re.split(rf"(?m)^ *{COMMENT}\n", declaration.text)
+    clusters = [Cluster(comment, [Declaration(first)] if "=" in first else [])]
+    clusters += [Cluster(plain(text), [Declaration("enum {\n" + body)])
+                 for text, body in zip(rest[::2], rest[1::2])]
+    for cluster in clusters[:-1]:
+        for part in cluster.declarations:
+            part.text += "};"
+    return clusters
 
 
 def _linked(text: str, names: set[str]) -> str:
@@ -174,10 +194,6 @@ def _markup(text: str, names: set[str]) -> str:
     return "\n".join(out)
 
 
-def _block(text: str, names: set[str], mark: str = "/**") -> str:
-    return f"{mark}\n{_markup(text, names)}\n*/"
-
-
 def _entries(declaration: Declaration, names: set[str]) -> str:
     """A struct or an enum, with the comments of its entries."""
     def after(match: re.Match) -> str:
@@ -187,15 +203,10 @@ def _entries(declaration: Declaration, names: set[str]) -> str:
         return f"{match[1]} /**< {_linked(text, names)} */"
 
     def before(match: re.Match) -> str:
-        return _block(re.sub(r"\n\s*", "\n", plain(match[1])), names)
+        return f"/**\n{_markup(plain(match[1]), names)}\n*/"
 
-    def divide(match: re.Match) -> str:
-        return f"}};\n{before(match)}\nenum {{"
-
-    comment = r"(/\*(?!\*)(?:[^*]|\*(?!/))*\*/)"
-    text = re.sub(r"([;,]|\b\w+) +" + comment, after, declaration.text)
-    text = re.sub("(?m)^ *" + comment, divide if declaration.kind == "enum" else before, text)
-    return re.sub(r"^enum \{\s*\};\n", "", text)
+    text = re.sub(r"([;,]|\b\w+) +" + COMMENT, after, declaration.text)
+    return re.sub("(?m)^ *" + COMMENT, before, text)
 
 
 def names_of(header: str) -> set[str]:
@@ -209,11 +220,11 @@ def doxygen(header: str) -> str:
     """The header with Doxygen's marks."""
     names = names_of(header)
     out = ["/** \\file stltsa.h */",
-           f"/** \\defgroup about_header stltsa.h\n{_markup(intro(header), names)}\n*/",
+           f"/** \\page about_header stltsa.h\n{_markup(intro(header), names)}\n*/",
            "#include <stddef.h>", "#include <stdint.h>"]
     for section in sections(header):
         for number, cluster in enumerate(section.clusters):
-            out.append(_cluster(cluster, f"{section.slug}-{number}", names))
+            out.append(_cluster(cluster, section.place(number), names))
     return re.sub(r"STLTSA_API | STLTSA_NOEXCEPT", "", "\n".join(out)) + "\n"
 
 
@@ -222,17 +233,15 @@ def is_single(cluster: Cluster) -> bool:
     return len(cluster.declarations) == 1 and cluster.declarations[0].kind != "enum"
 
 
-def group_of(cluster: Cluster, place: str) -> str:
-    return cluster.group if cluster.declarations else "about_" + place.replace("-", "_")
+def page_of(cluster: Cluster, place: str) -> str:
+    """The Doxygen page of a comment that is not of a single name."""
+    return f"about_{cluster.declarations[0].name if cluster.declarations else place}"
 
 
 def _cluster(cluster: Cluster, place: str, names: set[str]) -> str:
-    comment = _markup(cluster.comment, names)
-    entries = "\n".join(_entries(d, names) for d in cluster.declarations)
-    if is_single(cluster):
-        return (f"/**\n{comment}\n*/\n" if cluster.comment else "") + entries
-    group = group_of(cluster, place)
-    return f"/** \\defgroup {group} {group}\n{comment}\n*/\n/**@{{*/\n{entries}\n/**@}}*/"
+    page = "" if is_single(cluster) else f"\\page {page_of(cluster, place)} {place}\n\n"
+    comment = f"/** {page}{_markup(cluster.comment, names)}\n*/" if cluster.comment else ""
+    return "\n".join([comment, *(_entries(d, names) for d in cluster.declarations)])
 
 
 def page(section: Section) -> str:
@@ -246,6 +255,12 @@ def page(section: Section) -> str:
             if declaration.kind == "struct":
                 out.append("   :members:\n   :undoc-members:")
         else:
-            out += [f".. doxygengroup:: {group_of(cluster, f'{section.slug}-{number}')}", "   :content-only:"]
+            if cluster.comment:
+                out += [f".. doxygenpage:: {page_of(cluster, section.place(number))}", "   :content-only:", ""]
+            for declaration in cluster.declarations:
+                if declaration.kind == "function":
+                    out.append(f".. doxygenfunction:: {declaration.name}")
+                else:
+                    out += [f".. doxygenenumvalue:: {value}" for value in declaration.values]
         out.append("")
     return "\n".join(out)

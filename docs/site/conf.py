@@ -46,6 +46,12 @@ def skip_fields(app, what, name, member, skip, options):
     return True if str(getattr(member, "__doc__", "")).startswith("Alias for field number") else None
 
 
+def hide_handle(app, what, name, thing, options, signature, returns):
+    """Leaves out how the package itself makes an object."""
+    return ("", returns) if signature and signature.startswith("(handle") else None
+
+
 def setup(app):
+    app.connect("autodoc-process-signature", hide_handle)
     app.add_lexer("rust,no_run", RustLexer)  # as rustdoc marks a program that needs a clip
     app.connect("autodoc-skip-member", skip_fields)

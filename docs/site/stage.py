@@ -51,7 +51,7 @@ def c_reference(folder):
         write(folder / f"docs/c/{section.slug}.rst", c_header.page(section))
     pages = "\n".join(f"   {name}" for name in names)
     write(folder / "docs/c/index.rst",
-          f"{heading('C')}\n.. doxygengroup:: about_header\n   :content-only:\n\n"
+          f"{heading('C')}\n.. doxygenpage:: about_header\n   :content-only:\n\n"
           f".. toctree::\n   :caption: Subjects\n   :maxdepth: 1\n\n{pages}\n")
 
 
