@@ -153,7 +153,8 @@ def _linked(text: str, names: set[str]) -> str:
             return f'\\ref {name} "{name}"'
         return f'\\ref STLTSA_{name} "{name}"' if f"STLTSA_{name}" in names else name
 
-    return IDENTIFIER.sub(link, re.sub(r'([\\@&$#<>%"])', r"\\\1", text))
+    text = re.sub(r'([\\@&$#<>%"])', r"\\\1", text)
+    return IDENTIFIER.sub(link, re.sub(r"`([^`]+)`", r"<tt>\1</tt>", text))
 
 
 def _markup(text: str, names: set[str]) -> str:

@@ -23,6 +23,8 @@ FILES = ("*.md", "LICENSE", "docs/*.md", "docs/*.svg", "docs/figures/*.png", "do
          "examples/*.c", "examples/*.cpp", "include/*", "docs/site/*.md", "docs/site/*.rst",
          "docs/site/*.css", "docs/site/Doxyfile")
 
+EXITS = {"usage": "2", "unreadable": "3", "untrustworthy": "4", "interrupted": "130", "failed": "1"}
+
 
 def write(path, text):
     path.parent.mkdir(exist_ok=True, parents=True)
@@ -56,12 +58,20 @@ def c_reference(folder):
 
 
 def check_errors():
-    """docs/errors.md has every status of the header, with its value."""
-    header = (ROOT / "include/stltsa.h").read_text()
-    known = set(re.findall(r"STLTSA_(E_\w+) = (-\d+)", header))
-    said = set(re.findall(r"^\| `(E_\w+)` \| (-\d+) \|", (ROOT / "docs/errors.md").read_text(), re.M))
-    if known != said:
-        sys.exit(f"docs/errors.md and include/stltsa.h differ in: {sorted(known ^ said)}")
+    """docs/errors.md says of every status what the header, the Python package and the command say."""
+    header, python, command = ((ROOT / name).read_text() for name in (
+        "include/stltsa.h", "bindings/python/src/stltsa/errors.py", "tools/exit_status.cpp"))
+    page = (ROOT / "docs/errors.md").read_text()
+    values = dict(re.findall(r"STLTSA_(E_\w+) = (-\d+)", header))
+    classes = dict(re.findall(r'"STLTSA_(E_\w+)": (\w+)', python))
+    groups = re.findall(r"((?:    case STLTSA_\w+:\n)+)        return Exit::(\w+);", command)
+    exits = {status: name for cases, name in groups for status in re.findall("E_\\w+", cases)}
+    known = {(status, value, classes[status], EXITS[exits.get(status, "failed")])
+             for status, value in values.items()}
+    said = set(re.findall(r"^\| `(E_\w+)` \| (-\d+) \| `(\w+)` \| (\d+) \|", page, re.M))
+    explained = set(re.findall(r"^\| `(E_\w+)` \| [^-]", page, re.M))
+    if known != said or explained != set(values):
+        sys.exit(f"docs/errors.md is not up to date: {sorted(known ^ said)} {explained ^ set(values)}")
 
 
 def command(folder):
