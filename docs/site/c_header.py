@@ -217,6 +217,14 @@ def names_of(header: str) -> set[str]:
         set(re.findall(r"\(\*(stltsa_\w+)\)", code))
 
 
+def unknown(header: str) -> set[str]:
+    """Names in comments that are not in the header; "stltsa_model_*" stands for several."""
+    known = names_of(header) | set(re.findall(r"#define (\w+)", header))
+    said = {name for comment in re.findall(COMMENT, header) for name in
+            re.findall(r"(?<!\")\b(?:stltsa|STLTSA)_\w*[A-Za-z0-9]\b(?!_?\*|[./-])|\bE_[A-Z_]+\b", comment)}
+    return {name for name in said if name not in known and f"STLTSA_{name}" not in known}
+
+
 def doxygen(header: str) -> str:
     """The header with Doxygen's marks."""
     names = names_of(header)

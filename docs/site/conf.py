@@ -10,7 +10,7 @@ project = "libstltsa"
 author = "libstltsa"
 html_title = "libstltsa"
 extensions = ["myst_parser", "breathe", "sphinx.ext.autodoc", "numpydoc"]
-exclude_patterns = ["README.md", "doxygen"]  # index.md includes the README
+exclude_patterns = ["README.md", "doxygen", "python"]  # index.md includes the README
 highlight_language = "none"  # most blocks without a language are commands and formulas
 smartquotes = False
 nitpicky = True
@@ -25,8 +25,9 @@ breathe_show_enumvalue_initializer = True
 nitpick_ignore = [("c:identifier", name) for name in
                   ("int32_t", "int64_t", "size_t")]
 
-# The package of scripts/test-python; NumPy may come from there, too.
-sys.path.append(os.environ["STLTSA_PYTHON_PACKAGES"])
+package, installed = os.environ["STLTSA_PYTHON"].split(":")
+sys.path.insert(0, package)
+sys.path.append(installed)
 autodoc_typehints = "none"
 autodoc_member_order = "bysource"
 autodoc_default_options = {"members": True}

@@ -46,6 +46,8 @@ def copy(folder):
 
 def c_reference(folder):
     header = (ROOT / "include/stltsa.h").read_text()
+    if c_header.unknown(header):
+        sys.exit(f"comments of include/stltsa.h name what it lacks: {c_header.unknown(header)}")
     write(folder / "doxygen/stltsa.h", c_header.doxygen(header))
     names = []
     for section in c_header.sections(header):
