@@ -1,14 +1,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Reads stltsa.h, whose comments are plain text: sections, and declarations with their comments. From
-these, doxygen() makes a header with Doxygen's marks, and page() the page of a section for Sphinx.
+"""Reads stltsa.h, whose comments are plain text: sections, and declarations with their comments.
+From these, doxygen() makes a header with Doxygen's marks, and page() the page of a section.
 
-A comment belongs to the declaration below it, and to the functions that follow without a blank line. A
-comment after an entry belongs to the entry; one between entries of an enum divides the enum in two.
+A comment belongs to the declaration below it, and to the functions that follow without a blank
+line. A comment after an entry belongs to the entry; one between entries of an enum divides the enum
+in two.
 """
 
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 SECTION = re.compile(r"/\* -{4} (.*?) -+ \*/")
@@ -49,7 +51,7 @@ class Declaration:
 
 @dataclass
 class Cluster:
-    """A comment and what it is about: one declaration, several functions, or nothing but the comment."""
+    """A comment and what it is about: one declaration, several functions, or nothing."""
 
     comment: str
     declarations: list[Declaration] = field(default_factory=list)
@@ -71,11 +73,11 @@ class Section:
 
 def plain(comment: str) -> str:
     """The text of a comment, without its marks."""
-    body = re.sub(r"^/\*|\*/$", "", comment.strip())
-    return "\n".join(re.sub(r"^ ?\* ?|^ {1}", "", line).rstrip() for line in body.split("\n")).strip("\n")
+    lines = re.sub(r"^/\*|\*/$", "", comment.strip()).split("\n")
+    return "\n".join(re.sub(r"^ *\* ?|^ ", "", line).rstrip() for line in lines).strip("\n")
 
 
-def _pieces(text: str):
+def _pieces(text: str) -> Iterator[tuple[str, str]]:
     """Sections, comments, declarations and blank lines, in order."""
     lines = iter(text.split("\n"))
     for line in lines:
@@ -119,16 +121,20 @@ def sections(header: str) -> list[Section]:
             last = None
             continue
         declaration = Declaration(text)
-        shares = last and not comment and last.comment and declaration.kind == "function" and \
-            last.declarations[0].kind == "function" and not declaration.name.endswith(OWN_ENTRY)
-        if not shares:
-            parts = _divided(comment, declaration)
-            found[-1].clusters += parts
-            last = parts[-1]
-        else:
+        if last and not comment and _shares(last, declaration):
             last.declarations.append(declaration)
+        else:
+            found[-1].clusters += _divided(comment, declaration)
+            last = found[-1].clusters[-1]
         comment = ""
     return found
+
+
+def _shares(cluster: Cluster, declaration: Declaration) -> bool:
+    """Whether the comment of a cluster is about a declaration on the next line, too."""
+    kinds = {declaration.kind, cluster.declarations[0].kind}
+    return bool(cluster.comment) and kinds == {"function"} and \
+        not declaration.name.endswith(OWN_ENTRY)
 
 
 def _divided(comment: str, declaration: Declaration) -> list[Cluster]:
@@ -157,42 +163,47 @@ def _linked(text: str, names: set[str]) -> str:
     return IDENTIFIER.sub(link, re.sub(r"`([^`]+)`", r"<tt>\1</tt>", text))
 
 
-def _markup(text: str, names: set[str]) -> str:
-    """Paragraphs, lists ("word   what it is") and code (indented) of a comment, for Doxygen."""
-    out: list[str] = []
-    state = ""  # "item", "code", "paragraph"
+class _Text:
+    """A comment for Doxygen: paragraphs, lists ("word   what it is") and code (indented)."""
 
-    def enter(wanted: str) -> None:
-        nonlocal state
-        if state == wanted == "item":
-            return
-        out.append({"item": "</li></ul>", "code": "\\endcode"}.get(state, "") if state != wanted else "")
-        state = wanted
+    ENDS = {"list": "</li></ul>", "code": "\\endcode"}
 
-    for line in text.split("\n"):
-        item = ITEM.fullmatch(line) or (state == "item" and NEXT_ITEM.fullmatch(line))
-        if not line.strip():
-            out.append("")
-            if state == "paragraph":
-                enter("")
-        elif state == "code" and line.startswith("    "):
-            out.append(line[4:])
-        elif item and not line.startswith("    "):
-            new = state != "item"
-            enter("item")
-            out.append(f"{'<ul>' if new else '</li>'}<li><b>{_linked(item[1].rstrip('.'), names)}:</b> "
-                       f"{_linked(item[2], names)}")
-        elif state == "item" and line.startswith(" "):
-            out.append(_linked(line.strip(), names))
-        elif line.startswith("    ") and state == "":
-            enter("code")
-            out += ["\\code{.c}", line[4:]]
+    def __init__(self, names: set[str]) -> None:
+        self.names, self.out, self.inside = names, [], ""
+
+    def enter(self, part: str) -> bool:
+        """Ends what comes to its end before this part; False if the part goes on."""
+        if self.inside == part:
+            return False
+        self.out.append(self.ENDS.get(self.inside, ""))
+        self.inside = part
+        return True
+
+    def add(self, line: str) -> None:
+        item = ITEM.fullmatch(line) or (self.inside == "list" and NEXT_ITEM.fullmatch(line))
+        indented = line.startswith("    ")
+        if not line:
+            if self.inside == "paragraph":
+                self.enter("")
+            self.out.append("")
+        elif indented and self.inside in ("", "code"):
+            self.out += ["\\code{.c}"] * self.enter("code") + [line[4:]]
+        elif item and not indented:
+            self.out.append("<ul>" if self.enter("list") else "</li>")
+            self.out.append(f"<li><b>{_linked(item[1].rstrip('.'), self.names)}:</b>")
+            self.out.append(_linked(item[2], self.names))
         else:
-            if state != "paragraph":
-                enter("paragraph")
-            out.append(_linked(line.strip(), names))
-    enter("")
-    return "\n".join(out)
+            if not (self.inside == "list" and line.startswith(" ")):
+                self.enter("paragraph")
+            self.out.append(_linked(line.strip(), self.names))
+
+
+def _markup(text: str, names: set[str]) -> str:
+    marked = _Text(names)
+    for line in text.split("\n"):
+        marked.add(line)
+    marked.enter("")
+    return "\n".join(marked.out)
 
 
 def _entries(declaration: Declaration, names: set[str]) -> str:
@@ -212,16 +223,15 @@ def _entries(declaration: Declaration, names: set[str]) -> str:
 
 def names_of(header: str) -> set[str]:
     """Everything that a comment can refer to."""
-    code = re.sub(r"/\*.*?\*/", "", header[header.index("/* ----"):], flags=re.DOTALL)
-    return set(re.findall(r"\bSTLTSA_[A-Z]\w+(?= *[=,}\n])|\bstltsa_\w+(?=\()|\bstltsa_\w+(?=;)", code)) | \
-        set(re.findall(r"\(\*(stltsa_\w+)\)", code))
+    every = [d for s in sections(header) for c in s.clusters for d in c.declarations]
+    return {name for d in every for name in (d.values if d.kind == "enum" else [d.name])}
 
 
 def unknown(header: str) -> set[str]:
     """Names in comments that are not in the header; "stltsa_model_*" stands for several."""
     known = names_of(header) | set(re.findall(r"#define (\w+)", header))
-    said = {name for comment in re.findall(COMMENT, header) for name in
-            re.findall(r"(?<!\")\b(?:stltsa|STLTSA)_\w*[A-Za-z0-9]\b(?!_?\*|[./-])|\bE_[A-Z_]+\b", comment)}
+    name = re.compile(r"(?<!\")\b(?:stltsa|STLTSA)_\w*[A-Za-z0-9]\b(?!_?\*|[./-])|\bE_[A-Z_]+\b")
+    said = {found for comment in re.findall(COMMENT, header) for found in name.findall(comment)}
     return {name for name in said if name not in known and f"STLTSA_{name}" not in known}
 
 
@@ -254,9 +264,11 @@ def _cluster(cluster: Cluster, place: str, names: set[str]) -> str:
 
 
 def page(section: Section) -> str:
-    """The page of a section, in the order of the header."""
+    """The page of a section, in the order of the header, with a list of its names."""
     title = section.title
-    out = [title, "=" * len(title), ""]
+    names = [d.name for c in section.clusters for d in c.declarations if d.kind != "enum"]
+    out = [title, "=" * len(title), "", ".. container:: names", "",
+           *(f"   * :any:`{name}`" for name in names), ""]
     for number, cluster in enumerate(section.clusters):
         if is_single(cluster):
             declaration = cluster.declarations[0]
@@ -265,7 +277,8 @@ def page(section: Section) -> str:
                 out.append("   :members:\n   :undoc-members:")
         else:
             if cluster.comment:
-                out += [f".. doxygenpage:: {page_of(cluster, section.place(number))}", "   :content-only:", ""]
+                name = page_of(cluster, section.place(number))
+                out += [f".. doxygenpage:: {name}", "   :content-only:", ""]
             for declaration in cluster.declarations:
                 if declaration.kind == "function":
                     out.append(f".. doxygenfunction:: {declaration.name}")

@@ -44,7 +44,8 @@ html_show_copyright = False
 
 def skip_fields(app, what, name, member, skip, options):
     """Leaves out what Python says of the fields of a named tuple; its docstring says it."""
-    return True if str(getattr(member, "__doc__", "")).startswith("Alias for field number") else None
+    text = str(getattr(member, "__doc__", ""))
+    return True if text.startswith("Alias for field number") else None
 
 
 def hide_handle(app, what, name, thing, options, signature, returns):

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Gathers the pages of the site in a folder, in the places that they have in the repository, so that
-their links are true in both. Pages of the C reference, the command and the schemas are made here from
-the header, the manual page and the schemas.
+"""Gathers the pages of the site in a folder, in the places that they have in the repository, so
+that their links are true in both. Pages of the C reference, the command and the schemas are made
+here from the header, the manual page and the schemas.
 
     docs/site/stage.py FOLDER
 """
@@ -73,31 +73,33 @@ def check_errors():
     said = set(re.findall(r"^\| `(E_\w+)` \| (-\d+) \| `(\w+)` \| (\d+) \|", page, re.M))
     explained = set(re.findall(r"^\| `(E_\w+)` \| [^-]", page, re.M))
     if known != said or explained != set(values):
-        sys.exit(f"docs/errors.md is not up to date: {sorted(known ^ said)} {explained ^ set(values)}")
+        sys.exit("docs/errors.md is not up to date: "
+                 f"{sorted(known ^ said)} {explained ^ set(values)}")
 
 
 def command(folder):
     """The manual page: each of its sections is one of the page."""
-    manual = ROOT / "docs/man/stltsa.1"
-    html = subprocess.run(["mandoc", "-T", "html", "-O", "fragment", manual], check=True, text=True,
-                          stdout=subprocess.PIPE).stdout
+    html = subprocess.run(["mandoc", "-T", "html", "-O", "fragment", ROOT / "docs/man/stltsa.1"],
+                          check=True, text=True, stdout=subprocess.PIPE).stdout
     out = [heading("Command")]
-    for title, body in re.findall(r'<section class="Sh">\n<h1[^>]*><a[^>]*>(.*?)</a></h1>\n(.*?)'
-                                  r'(?=<section class="Sh">|</div>\n<table class="foot">)', html, re.DOTALL):
-        title = " ".join(title.split())
+    parts = re.findall(r'<section class="Sh">\n<h1[^>]*><a[^>]*>(.*?)</a></h1>\n(.*?)'
+                       r'(?=<section class="Sh">|</div>\n<table class="foot">)', html, re.DOTALL)
+    for title, body in parts:
         body = re.sub(r"</section>\s*$", "", body)
         indented = "\n".join("   " + line for line in body.split("\n"))
-        out += [heading(title.capitalize(), "-"), f".. raw:: html\n\n   <div class=\"manual\">\n{indented}\n   </div>\n"]
+        out += [heading(" ".join(title.split()).capitalize(), "-"), ".. raw:: html", "",
+                f'   <div class="manual">\n{indented}\n   </div>\n']
     write(folder / "docs/command.rst", "\n".join(out))
 
 
 def schemas(folder):
-    out = ["# JSON", "", "Schemas (JSON Schema 2020-12) of the objects that the library and the command write.", ""]
+    out = ["# JSON", "", "Schemas (JSON Schema 2020-12) of the objects that the library and the "
+           "command write.", ""]
     for file in sorted((ROOT / "docs/schema").glob("*.json")):
         schema = json.loads(file.read_text())
         out += [f"## {schema['title']}", "", schema["description"], "",
-                f"[{file.name}](schema/{file.name})", "", "| member | |", "|---|---|"]
-        out += [f"| `{name}` | {value.get('description', '').replace('|', chr(92) + '|')} |"
+                f"[{file.name}](schema/{file.name})", "", "| member | what it is |", "|---|---|"]
+        out += [f"| `{name}` | {value['description'].replace('|', '&#124;')} |"
                 for name, value in schema["properties"].items()]
         out.append("")
     write(folder / "docs/schema.md", "\n".join(out))
