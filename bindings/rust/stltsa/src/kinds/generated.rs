@@ -122,11 +122,11 @@ kinds! {
         /// The file's numbers.
         Raw = STLTSA_FEATURES_RAW,
         /// Points, such as markers, of a clip without a skeleton; auto if the clip is made of at
-        /// least three (stltsa_clip_from_ points; NPY frames x points x 3; CSV columns named
-        /// heel_x, heel_y, heel_z, or heelX, heel.x, heel:x, "heel x"). A point at exactly 0, or
-        /// without a value, is missing: option gaps. Removed: the path of the mean along the
-        /// ground, slow changes of its height, the heading; in a plane, the path of the mean, and
-        /// the heading if it turns by a right angle. Notes say what was done.
+        /// least three (stltsa_clip_from_points; NPY frames x points x 3; CSV columns named heel_x,
+        /// heel_y, heel_z, or heelX, heel.x, heel:x, "heel x"). A point at exactly 0, or without a
+        /// value, is missing: option gaps. Removed: the path of the mean along the ground, slow
+        /// changes of its height, the heading; in a plane, the path of the mean, and the heading if
+        /// it turns by a right angle. Notes say what was done.
         Points = STLTSA_FEATURES_POINTS,
     }
     /// What becomes of missing points.
