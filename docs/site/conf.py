@@ -5,6 +5,7 @@ import os
 import sys
 
 from pygments.lexers.rust import RustLexer
+from sphinx.util import logging
 
 project = "libstltsa"
 author = "libstltsa"
@@ -53,7 +54,17 @@ def hide_handle(app, what, name, thing, options, signature, returns):
     return ("", returns) if signature and signature.startswith("(handle") else None
 
 
+def check_python(app, env):
+    """The Python reference has every public name of the package."""
+    import stltsa  # from the path above
+    have = env.get_domain("py").objects
+    for name in set(stltsa.__all__) - {"__version__"}:
+        if f"stltsa.{name}" not in have and f"stltsa.errors.{name}" not in have:
+            logging.getLogger(__name__).warning("docs/site/python.rst lacks %s", name)
+
+
 def setup(app):
+    app.connect("env-check-consistency", check_python)
     app.connect("autodoc-process-signature", hide_handle)
     app.add_lexer("rust,no_run", RustLexer)  # as rustdoc marks a program that needs a clip
     app.connect("autodoc-skip-member", skip_fields)
