@@ -32,6 +32,16 @@ class Help(CommandTest):
             self.assertLessEqual(longest, columns)
             self.assertGreater(longest, columns - 12)
 
+    def test_narrow_terminals(self):
+        for columns in (40, 50, 63):
+            environment = plain_environment(COLUMNS=str(columns))
+            for words in (("--help",), *((command, "--help") for command in COMMANDS)):
+                lines = self.done(*words, env=environment).decode().splitlines()
+                long = [line for line in lines if len(line) > columns]
+                # Commands to copy keep their line.
+                self.assertEqual([x for x in long if not x.startswith("  stltsa ")], [], words)
+                self.assertFalse(any("  " in x.strip() for x in long), long)
+
     def test_a_clip_in_place_of_a_command(self):
         self.assertIn(f"try 'stltsa decompose {walk()}'", self.fails(2, walk()))
 

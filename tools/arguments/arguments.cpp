@@ -200,23 +200,29 @@ class Parser {
         } catch (const CLI::ParseError& error) {
             const CLI::App* chosen =
                 app_.get_subcommands().empty() ? nullptr : app_.get_subcommands()[0];
+            const bool too_many =
+                chosen != nullptr && dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr;
             throw Failure(Exit::usage,
-                          fmt::format("{}{}\nTry 'stltsa {}--help'.", error.what(),
-                                      chosen == nullptr ? "" : option_hint(*chosen),
+                          fmt::format("{}\nTry 'stltsa {}--help'.",
+                                      too_many ? unexpected(*chosen) : error.what(),
                                       chosen == nullptr ? "" : chosen->get_name() + " "));
         }
     }
 
   private:
-    /// For the first flag that the command does not have, one that it has.
-    static std::string option_hint(const CLI::App& command) {
+    /// What the command does not have: the first option, or else the first argument.
+    static std::string unexpected(const CLI::App& command) {
+        const std::vector<std::string> words = command.remaining();
+        const auto option =
+            std::ranges::find_if(words, [](const std::string& w) { return w.starts_with('-'); });
+        if (option == words.end())
+            return fmt::format("{} takes no further argument '{}'", command.get_name(),
+                               without_shield(words.front()));
         std::vector<std::string> flags;
-        for (const CLI::Option* option : command.get_options())
-            std::ranges::copy(dashed_names(*option), std::back_inserter(flags));
-        for (const std::string& word : command.remaining())
-            if (word.starts_with("--"))
-                return hint(word.substr(0, word.find('=')), flags);
-        return "";
+        for (const CLI::Option* each : command.get_options())
+            std::ranges::copy(dashed_names(*each), std::back_inserter(flags));
+        const std::string name = option->substr(0, option->find('='));
+        return fmt::format("{} has no option '{}'{}", command.get_name(), name, hint(name, flags));
     }
 
     /// The parser itself would only say that a command is missing.

@@ -147,30 +147,99 @@ Examples:
   stltsa fit walk.bvh --mark 131=strike -o walk.stltsa
   stltsa live walk.stltsa other.bvh --json)";
 
+/// Names stand beside their texts, or on narrow terminals above them.
 constexpr std::size_t name_columns = 32;
+constexpr std::size_t narrow_name_columns = 6;
+constexpr std::size_t command_columns = 14;
+
+/// A command for copying stays on its line; what it does goes to the next if both do not fit.
+std::string narrow_example(const std::string& line, std::size_t columns) {
+    const std::size_t command = std::min(line.find_first_not_of(' '), line.size());
+    const std::size_t end = line.find("  ", command);
+    if (characters(line) <= columns || end == line.npos)
+        return line;
+    return line.substr(0, end) + "\n      " + line.substr(line.find_first_not_of(' ', end));
+}
+
+/// Wraps the paragraphs that do not fit, of which none is indented.
+std::string narrow(const std::string& text, std::size_t columns) {
+    std::string result, paragraph;
+    bool fits = true;
+    const auto close = [&] {
+        std::string line = paragraph;
+        std::ranges::replace(line, '\n', ' ');
+        result += fits ? paragraph : wrapped(line, columns);
+        paragraph.clear();
+        fits = true;
+    };
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        if (line.empty() || line.starts_with(' ')) {
+            close();
+            result += "\n" + narrow_example(line, columns);
+            continue;
+        }
+        // The line feed before a paragraph is no part of it.
+        if (paragraph.empty() && !result.empty())
+            result += '\n';
+        paragraph += (paragraph.empty() ? "" : "\n") + line;
+        fits = fits && characters(line) <= columns;
+    }
+    close();
+    return result;
+}
+
+/// Breaks long lists of names or choices after a comma or a bar.
+std::string narrow_name(const std::string& name, std::size_t columns) {
+    std::string result, line;
+    for (std::size_t begin = 0; begin < name.size();) {
+        const std::size_t end = std::min(name.find_first_of("|,", begin), name.size() - 1) + 1;
+        const std::string part = name.substr(begin, end - begin);
+        if (!line.empty() && characters(line + part) > columns) {
+            result += line + "\n";
+            line = "      ";
+        }
+        line += part;
+        begin = end;
+    }
+    return result + line;
+}
 
 class HelpFormat : public CLI::Formatter {
   public:
-    HelpFormat() { column_width(name_columns); }
+    HelpFormat() { column_width(name_columns_); }
 
     std::string make_description(const CLI::App* app) const override {
-        return app->get_description() + "\n\n";
+        return narrow(app->get_description(), columns_) + "\n\n";
+    }
+    std::string make_usage(const CLI::App* app, std::string name) const override {
+        return narrow(CLI::Formatter::make_usage(app, std::move(name)), columns_) + '\n';
+    }
+    std::string make_footer(const CLI::App* app) const override {
+        return narrow(CLI::Formatter::make_footer(app), columns_) + '\n';
     }
     /// Examples belong to a command's own help, not to the list of commands.
     std::string make_subcommand(const CLI::App* command) const override {
         const std::string text = command->get_description();
         std::ostringstream out;
-        constexpr std::size_t command_columns = 14;
-        CLI::detail::format_help(out, command->get_name(), text.substr(0, text.find('\n')),
-                                 command_columns);
+        CLI::detail::format_help(
+            out, command->get_name(),
+            wrapped(text.substr(0, text.find('\n')), columns_ - command_columns), command_columns);
         return out.str();
     }
     std::string make_option_name(const CLI::Option* option, bool positional) const override {
         const std::string name = CLI::Formatter::make_option_name(option, positional);
         return CLI::detail::find_and_replace(name, "{false}", "");
     }
+    std::string make_option(const CLI::Option* option, bool positional) const override {
+        const std::string name = make_option_name(option, positional) + make_option_opts(option);
+        std::ostringstream out;
+        CLI::detail::format_help(out, narrow_name(name, columns_ - 2), make_option_desc(option),
+                                 name_columns_);
+        return out.str();
+    }
     std::string make_option_desc(const CLI::Option* option) const override {
-        return wrapped(option->get_description(), columns_ - name_columns);
+        return wrapped(option->get_description(), columns_ - name_columns_);
     }
     std::string make_help(const CLI::App* app, std::string name,
                           CLI::AppFormatMode mode) const override {
@@ -191,7 +260,8 @@ class HelpFormat : public CLI::Formatter {
         return text;
     }
 
-    std::size_t columns_ = std::max<std::size_t>(terminal_columns(STDOUT_FILENO), 2 * name_columns);
+    std::size_t columns_ = terminal_columns(STDOUT_FILENO);
+    std::size_t name_columns_ = columns_ < 2 * name_columns ? narrow_name_columns : name_columns;
 };
 
 } // namespace

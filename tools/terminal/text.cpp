@@ -32,6 +32,10 @@ std::size_t edits(std::string_view from, std::string_view to) {
 } // namespace
 
 std::string hint(std::string_view word, const std::vector<std::string>& names) {
+    // The beginning of one name, as some commands take it.
+    const auto begins = [&](const std::string& name) { return name.starts_with(word); };
+    if (word.find_first_not_of('-') != word.npos && std::ranges::count_if(names, begins) == 1)
+        return fmt::format("\nDid you mean {}?", *std::ranges::find_if(names, begins));
     const auto distance = [&](const std::string& name) { return edits(word, name); };
     const auto nearest = std::ranges::min_element(names, {}, distance);
     // One slip in three letters, or else short words turn into others, and at most two.
