@@ -185,15 +185,20 @@ void fit_number(const KernelFeatures& features, std::int64_t wanted,
     merge_to(features, wanted, drafts);
 }
 
-/// Every row that a hole touches.
+/// Every row that a hole touches; ascending, apart.
 std::vector<Rows> rows_of(const std::vector<Hole>& holes, const Signal& signal) {
     std::vector<Rows> result;
     const auto step = static_cast<double>(signal.step);
     for (const Hole& hole : holes) {
         const auto begin = static_cast<std::int64_t>(std::floor(hole.begin / step));
         const auto end = static_cast<std::int64_t>(std::ceil(hole.end / step));
-        if (begin < signal.rows())
-            result.push_back({begin, std::min(signal.rows(), std::max(begin + 1, end))});
+        if (begin >= signal.rows())
+            continue;
+        const Rows rows{begin, std::min(signal.rows(), std::max(begin + 1, end))};
+        if (!result.empty() && rows.begin <= result.back().end)
+            result.back().end = std::max(result.back().end, rows.end);
+        else
+            result.push_back(rows);
     }
     return result;
 }
@@ -223,14 +228,13 @@ Recording analyze(ConstMatrixView samples, double fps, const Options& options,
     const KernelFeatures features(signal);
     const auto drafts_at = [&](double price) {
         std::vector<Part> parts =
-            divide(signal, seconds > shortest_divided_s ? &features : nullptr, price,
+            divide(signal, {seconds > shortest_divided_s ? &features : nullptr, price, holes},
                    {rests, pauses.rests},
                    {options.single.shortest_period, options.single.longest_period}, progress);
         for (Part& part : parts)
             // A single part was decided above.
-            if (seconds <= long_recording_s && !(is_short && parts.size() == 1))
+            if (seconds <= long_recording_s && !part.is_hole && !(is_short && parts.size() == 1))
                 decide_as_single(samples, fps, options, signal, pauses, part);
-        divide_at_holes(holes, parts);
         return make_drafts(signal, parts, pauses);
     };
     std::vector<Draft> drafts = drafts_at(border_price);

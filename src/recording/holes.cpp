@@ -8,8 +8,6 @@ namespace {
 
 /// A rest that is longer than its hole by this is a rest of the body as well.
 constexpr double least_rest_s = 0.5;
-/// A cycle goes from a margin to the next but one.
-constexpr std::size_t margins_of_cycle = 3;
 
 /// The union of overlapping ranges, ascending.
 void join_overlapping(std::vector<Rows>& ranges) {
@@ -51,57 +49,7 @@ Draft take_end(Draft& draft, double border) {
     return rest;
 }
 
-/// The entries whose place is in the range.
-void keep(const std::vector<double>& places, Rows range, std::vector<double>& values) {
-    std::vector<double> kept;
-    for (std::size_t i = 0; i < std::min(places.size(), values.size()); ++i)
-        if (places[i] >= static_cast<double>(range.begin) &&
-            places[i] <= static_cast<double>(range.end))
-            kept.push_back(values[i]);
-    values = std::move(kept);
-}
-
-/// The cycles within the range.
-CyclicStretch within(CyclicStretch cut, Rows range) {
-    const Rows rows{std::max(range.begin, cut.stretch.rows.begin),
-                    std::min(range.end, cut.stretch.rows.end)};
-    const auto first = cut.stretch.period.begin() + (rows.begin - cut.stretch.rows.begin);
-    cut.stretch.period = std::vector<double>(first, first + rows.count());
-    cut.stretch.rows = rows;
-    for (std::vector<double>* values : {&cut.phase.curve, &cut.phase.partner})
-        keep(cut.phase.places, rows, *values);
-    keep(std::vector<double>(cut.phase.places), rows, cut.phase.places);
-    for (std::vector<double>& margins : cut.margins)
-        keep(std::vector<double>(margins), rows, margins);
-    std::erase_if(cut.margins,
-                  [](const auto& margins) { return margins.size() < margins_of_cycle; });
-    std::erase_if(cut.cycles, [&](const Interval& cycle) {
-        return cycle.begin < static_cast<double>(rows.begin) ||
-               cycle.end > static_cast<double>(rows.end);
-    });
-    return cut;
-}
-
 } // namespace
-
-void divide_at_holes(const std::vector<Rows>& holes, std::vector<Part>& parts) {
-    for (const Rows& hole : holes)
-        for (Part& part : parts) {
-            std::vector<CyclicStretch> pieces;
-            for (CyclicStretch& cut : part.stretches) {
-                const Rows rows = cut.stretch.rows;
-                if (hole.end <= rows.begin || hole.begin >= rows.end || !cut.claimed()) {
-                    pieces.push_back(std::move(cut));
-                    continue;
-                }
-                for (const Rows& side : {Rows{rows.begin, hole.begin}, Rows{hole.end, rows.end}})
-                    if (side.count() > 0)
-                        if (CyclicStretch piece = within(cut, side); !piece.cycles.empty())
-                            pieces.push_back(std::move(piece));
-            }
-            part.stretches = std::move(pieces);
-        }
-}
 
 void add_holes(const std::vector<Rows>& holes, std::vector<Rows>& rests, Pauses& pauses) {
     if (holes.empty())

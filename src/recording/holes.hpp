@@ -13,9 +13,6 @@ namespace stltsa::recording {
 /// Joins holes to the rests and pauses, which are ascending.
 void add_holes(const std::vector<Rows>& holes, std::vector<Rows>& rests, Pauses& pauses);
 
-/// Divides stretches with cycles at holes; what is left of a cycle beside one is no cycle.
-void divide_at_holes(const std::vector<Rows>& holes, std::vector<Part>& parts);
-
 /// Replaces a rest that is little more than a hole by a border in its middle, and divides other
 /// drafts there.
 void divide_at_holes(const std::vector<Rows>& holes, double rate, std::vector<Draft>& drafts);

@@ -3,6 +3,7 @@
 // behavior are removed again.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "base/progress.hpp"
@@ -20,16 +21,24 @@ struct Part {
     std::vector<CyclicStretch> stretches; ///< claimed or not
     double best_match = 0;                ///< see PeriodTrack
     double best_lag_s = 0;
-    double gain = 0; ///< of its first border in prices of a border; 0: the recording begins there
+    double gain = 0; ///< of its first border in prices of a border; 0: at a hole, or at the start
+    bool is_hole = false;
 
     std::vector<Interval> cycles() const; ///< of the claimed stretches
 };
 
-/// `features`: null: the recording is one part. `price`: of a border; below border_price, borders
-/// within one behavior stay.
-std::vector<Part> divide(const Signal& signal, const KernelFeatures* features, double price,
-                         const StillRows& still, const PeriodRange& periods,
-                         const Progress& progress);
+/// What divides a recording.
+struct Borders {
+    const KernelFeatures* features = nullptr; ///< null: behaviors do not
+    /// Of a border; below border_price, borders within one behavior stay.
+    double price = 0;
+    /// Ascending, apart. Each is a part of its own, without cycles: what is on one side of a hole
+    /// must have the answer that it has alone.
+    std::span<const Rows> holes;
+};
+
+std::vector<Part> divide(const Signal& signal, const Borders& borders, const StillRows& still,
+                         const PeriodRange& periods, const Progress& progress);
 
 enum class Verdict { same, different, undecided };
 

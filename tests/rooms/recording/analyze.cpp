@@ -220,6 +220,29 @@ void no_cycle_is_lost_at_the_ends(void**) {
     }
 }
 
+/// What is before a hole, and what is after it, keep their cycles.
+void a_hole_takes_no_cycle_beside_it(void**) {
+    const Matrix samples = Recorder().rest(1).cycles(15, 1.1, 0).rest(1).samples();
+    const Recording whole = answer(samples);
+    const auto length = static_cast<std::int64_t>(fps);
+    for (std::int64_t begin = 3 * length; begin < 13 * length; begin += 16) {
+        Matrix bridged = samples;
+        Options options;
+        options.holes = {{static_cast<double>(begin), static_cast<double>(begin + length)}};
+        for (std::int64_t i = 0; i < length; ++i)
+            for (std::int64_t c = 0; c < samples.cols(); ++c)
+                bridged(begin + i, c) =
+                    std::lerp(samples(begin - 1, c), samples(begin + length, c),
+                              static_cast<double>(i + 1) / static_cast<double>(length + 1));
+        const Recording found = analyze(bridged.view(), fps, options, Progress());
+        // The hole touches two, and one more is lost where cycles now begin half a cycle later.
+        assert_true(found.cycles.size() + 3 >= whole.cycles.size());
+        for (const Cycle& cycle : found.cycles)
+            assert_true(cycle.end <= options.holes[0].begin + 1 ||
+                        cycle.begin >= options.holes[0].end - 1);
+    }
+}
+
 void it_can_be_cancelled(void**) {
     const Matrix samples = Recorder().cycles(200, 1, 0).samples();
     int calls = 0;
@@ -252,6 +275,7 @@ int main() {
         cmocka_unit_test(a_swaying_body_rests),
         cmocka_unit_test(cycles_of_a_crop_begin_at_the_same_half),
         cmocka_unit_test(no_cycle_is_lost_at_the_ends),
+        cmocka_unit_test(a_hole_takes_no_cycle_beside_it),
         cmocka_unit_test(it_can_be_cancelled),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
