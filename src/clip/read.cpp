@@ -31,6 +31,28 @@ void refuse_format_of_others(const std::string& path) {
                  path, suffix, other.extra);
 }
 
+std::string suffixes_read() {
+    std::string text;
+    for (const FormatRow& row : formats())
+        for (const std::string_view suffix : row.suffixes)
+            if (row.read != nullptr && !suffix.empty())
+                text += (text.empty() ? "" : ", ") + std::string(suffix);
+    return text;
+}
+
+/// Says that a file was taken as CSV only because it is of no format: a spreadsheet, or a video.
+Clip parse_unknown(std::string_view bytes, const std::string& path, const ReadOptions& options) {
+    try {
+        return parse(bytes, Format::csv, path, options);
+    } catch (const Error& error) {
+        if (error.status() != Status::format)
+            throw;
+        fail(Status::format,
+             "{} (read as CSV, since neither its name nor its beginning is of a known format: {})",
+             error.what(), suffixes_read());
+    }
+}
+
 const FormatRow& readable(Format format) {
     const FormatRow* row = find_format(format);
     if (row == nullptr || row->read == nullptr)
@@ -84,7 +106,9 @@ Clip read(const std::string& path, const ReadOptions& options) {
     const bool search = readable(format).needs_skeleton && options.skeleton.empty();
     if (search)
         with_skeleton.skeleton = find_skeleton(path);
-    Clip clip = parse(bytes, format, path, with_skeleton);
+    Clip clip = known == nullptr && format == Format::csv
+                    ? parse_unknown(bytes, path, with_skeleton)
+                    : parse(bytes, format, path, with_skeleton);
     if (search)
         clip.notes.push_back("skeleton found beside the clip: " + with_skeleton.skeleton);
     return clip;

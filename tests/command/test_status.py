@@ -75,6 +75,13 @@ class Usage(CommandTest):
             with self.subTest(arguments):
                 self.assertNotIn("Did you mean", self.fails(2, *arguments))
 
+    def test_a_file_of_another_kind(self):
+        for name, content in (("table.xlsx", b"PK\x03\x04\x00\x01"), ("walk.mp4", b"\x00\x00\x00\x18ftyp"),
+                              ("README.md", b"# Clips\n\n1, 2\n1, 2, 3\n")):
+            path = self.folder / name
+            path.write_bytes(content)
+            self.assertIn("known format: .bvh, .amc, .csv, .tsv, .npy", self.fails(3, "info", path))
+
     def test_rate_is_needed(self):
         self.assertIn("open it with --fps", self.fails(2, "decompose", circle()))
         self.assertIn("--fps", self.fails(2, "fit", circle(), "--neighbors", "1.2s"))
