@@ -1,5 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""C3D files, by ezc3d: markers, gaps and events."""
+"""C3D files, by ezc3d: markers, gaps and events.
+
+A point whose residual is negative is missing. Other residuals are how far the rays of the cameras
+pass from the point, in the unit of the file; they are no confidence, and no point is left out for
+them.
+"""
 
 from __future__ import annotations
 
@@ -56,5 +61,5 @@ def read(path: Path, fps: float | None = None) -> Clip:
     clip = Clip.from_points(
         points[:, kept], fps or float(point["RATE"]["value"][0]), names=[names[i] for i in kept]
     )
-    clip.path, clip.events = str(path), read_events(file)
+    clip.events = read_events(file)
     return clip
