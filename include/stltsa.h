@@ -644,6 +644,10 @@ STLTSA_API stltsa_status stltsa_clip_from_skeleton(const stltsa_joint *joints, i
                                                    const stltsa_in *root_positions, double fps,
                                                    stltsa_clip **clip) STLTSA_NOEXCEPT;
 
+/* Says where a clip from arrays is from: its path in messages and results. NULL: nowhere. Calls that
+ * use the clip must not run meanwhile. */
+STLTSA_API stltsa_status stltsa_clip_set_path(stltsa_clip *clip, const char *path) STLTSA_NOEXCEPT;
+
 /* A stretch of a clip, as a clip: its frames count from 0 again, which a note says. `what` is
  *   300-900, 2.5s-9s   frames [300, 900), seconds; one end may be left out
  *   cyclic, action ... the longest unit of this kind (stltsa_unit_name)

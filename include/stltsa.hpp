@@ -411,6 +411,10 @@ class Clip {
                                   root_positions ? root_positions->get() : nullptr, fps);
     }
 
+    /// See stltsa_clip_set_path. Throws Error if the clip is a part of a result.
+    void set_path(const std::string& path) {
+        detail::check(stltsa_clip_set_path(handle_.get_deleter().owned, path.c_str()));
+    }
     /// See stltsa_clip_stretch.
     Clip stretch(const std::string& what, const Options& options = {}) const {
         return detail::made<Clip>(stltsa_clip_stretch, get(), what.c_str(), options.get());

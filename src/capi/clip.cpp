@@ -142,6 +142,10 @@ stltsa_status stltsa_clip_stretch(const stltsa_clip* clip, const char* what,
     });
 }
 
+stltsa_status stltsa_clip_set_path(stltsa_clip* clip, const char* path) noexcept {
+    return guard([&] { required(clip, "clip").clip.path = path == nullptr ? "" : path; });
+}
+
 stltsa_status stltsa_clip_mirror(const stltsa_clip* clip, const stltsa_options* options,
                                  stltsa_clip** mirrored) noexcept {
     return guard([&] {

@@ -352,6 +352,23 @@ static void nothing_continues_over_a_hole(void** state) {
     stltsa_clip_free(clip);
 }
 
+static void a_clip_of_arrays_says_where_it_is_from(void** state) {
+    (void)state;
+    const double rows[] = {0, 1, 2, 3, 4, 5};
+    const stltsa_in in = packed_in(rows, 3, 2);
+    stltsa_clip* clip = NULL;
+    const char* path = NULL;
+    must(stltsa_clip_from_matrix(&in, 30, &clip));
+    must(stltsa_clip_set_path(clip, "walk.c3d"));
+    must(stltsa_info_text(stltsa_clip_info(clip), STLTSA_INFO_PATH, 0, &path));
+    assert_string_equal(path, "walk.c3d");
+    must(stltsa_clip_set_path(clip, NULL));
+    must(stltsa_info_text(stltsa_clip_info(clip), STLTSA_INFO_PATH, 0, &path));
+    assert_string_equal(path, "");
+    assert_int_equal(stltsa_clip_set_path(NULL, "walk.c3d"), STLTSA_E_ARGUMENT);
+    stltsa_clip_free(clip);
+}
+
 int main(int argc, char** argv) {
     if (argc != 2)
         return 2;
@@ -364,6 +381,7 @@ int main(int argc, char** argv) {
         cmocka_unit_test(points_have_names_confidence_and_gaps),
         cmocka_unit_test(stretches_are_clips),
         cmocka_unit_test(nothing_continues_over_a_hole),
+        cmocka_unit_test(a_clip_of_arrays_says_where_it_is_from),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -87,7 +87,9 @@ void the_mirror_image_has_the_other_sides(void**) {
     ASSERT_NEAR(std::fmod(apart, period), period / 2, 0.03);
     stltsa_clip* none = nullptr;
     const Matrix numbers(9, 4);
-    const Clip bare = Clip::from_matrix(stltsa::MatrixView(numbers), 30);
+    Clip bare = Clip::from_matrix(stltsa::MatrixView(numbers), 30);
+    bare.set_path("walk.mot");
+    assert_true(bare.json().find("\"path\":\"walk.mot\"") != std::string::npos);
     assert_int_equal(stltsa_clip_mirror(bare.get(), nullptr, &none), STLTSA_E_UNSUPPORTED);
     assert_null(none);
     assert_int_equal(stltsa_clip_mirror(bare.get(), nullptr, nullptr), STLTSA_E_ARGUMENT);

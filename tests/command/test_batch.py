@@ -7,13 +7,14 @@ import math
 import os
 import random
 import shutil
+import struct
 import unittest
 
 from common import CommandTest, plain_environment, run, walk
 
 READER = """#!/bin/sh
 case $3 in
-*.c3d) printf 'fps 120.0\\n'; cat WALKER ;;
+*.c3d) cat ARRAYS ;;
 *) printf '%s: has no points' "$3"; exit 3 ;;
 esac
 """
@@ -234,7 +235,10 @@ class PythonReaders(CommandTest):
         for name in ("a.c3d", "b.TRC"):
             (self.folder / "clips" / name).write_text(name)
         reader = self.folder / "python3"
-        reader.write_text(READER.replace("WALKER", str(walk())))
+        turns = [2 * math.pi * i / 100 for i in range(800)]
+        values = b"".join(struct.pack("3d", *(math.sin(t + k) for k in range(3))) for t in turns)
+        (self.folder / "arrays").write_bytes(b"matrix 0 0 3 800 100.0\n" + values)
+        reader.write_text(READER.replace("ARRAYS", str(self.folder / "arrays")))
         reader.chmod(0o755)
         self.reader = str(reader)
 
@@ -247,7 +251,7 @@ class PythonReaders(CommandTest):
         self.assertEqual((told["clips"], told["failed"]), (3, 1))
         with (self.folder / "out" / "summary.csv").open(newline="") as file:
             rows = {row["path"]: row for row in csv.DictReader(file)}
-        self.assertEqual(rows["clips/a.c3d"]["cycles"], rows["clips/walk.bvh"]["cycles"])
+        self.assertIn(int(rows["clips/a.c3d"]["cycles"]), (7, 8))
         self.assertEqual(rows["clips/b.TRC"]["status"], "STLTSA_E_FORMAT")
         self.assertIn("has no points", rows["clips/b.TRC"]["error"])
         again = run(*line, cwd=self.folder, env=environment)

@@ -147,8 +147,7 @@ class Work {
         const auto fps = arguments_.options.find(STLTSA_OPT_FPS);
         const auto foreign =
             read_by_python(path, fps == arguments_.options.end() ? "" : fps->second);
-        return foreign ? parse_foreign(*foreign, path, arguments_.options)
-                       : stltsa::Clip::open(path, options);
+        return foreign ? clip_of(*foreign, path, options) : stltsa::Clip::open(path, options);
     }
 
     static void write(const std::string& place, const std::string& text) {

@@ -7,7 +7,7 @@
 #include <charconv>
 #include <cstdlib>
 #include <cstring>
-#include <span>
+#include <vector>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -15,7 +15,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "arguments/option_flags.hpp"
 #include "arguments/pieces.hpp"
 #include "exit_status.hpp"
 #include "terminal/interrupt.hpp"
@@ -25,7 +24,6 @@ namespace tool {
 namespace {
 
 constexpr std::array suffixes = {".c3d", ".trc", ".mot", ".sto", ".npz"};
-constexpr std::string_view rate_mark = "fps ";
 
 /// The interpreter of the package; "" for none.
 std::string python_interpreter() {
@@ -99,18 +97,90 @@ int wait_for(pid_t child) {
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-/// "fps 120.0", end of line, and the bytes of a file.
-ForeignClip clip_in(const std::string& answer, const std::string& path) {
-    const std::size_t end = answer.find('\n');
-    ForeignClip clip;
-    if (end == answer.npos || !answer.starts_with(rate_mark) ||
-        std::from_chars(answer.data() + rate_mark.size(), answer.data() + end, clip.fps).ptr !=
-            answer.data() + end)
-        throw Failure(
-            Exit::unreadable,
-            fmt::format("{}: the Python package gave no clip (python3 -m stltsa.readers)", path));
-    clip.bytes = answer.substr(end + 1);
-    return clip;
+/// Takes the bytes of the arrays one after the other; what is missing is empty or 0.
+class Reading {
+  public:
+    explicit Reading(std::string_view bytes) : rest_(bytes) {}
+
+    std::string_view until(char end) {
+        const std::size_t count = std::min(rest_.find(end), rest_.size());
+        const std::string_view text = rest_.substr(0, count);
+        rest_.remove_prefix(std::min(count + 1, rest_.size()));
+        return text;
+    }
+    template <class Number>
+    Number number(char end) {
+        const std::string_view text = until(end);
+        Number value{};
+        std::from_chars(text.data(), text.data() + text.size(), value);
+        return value;
+    }
+    /// All that is left, if it is so many numbers.
+    std::optional<std::vector<double>> numbers(std::uint64_t count) {
+        if (rest_.size() % sizeof(double) != 0 || rest_.size() / sizeof(double) != count)
+            return {};
+        std::vector<double> values(count);
+        std::memcpy(values.data(), rest_.data(), rest_.size());
+        return values;
+    }
+
+  private:
+    std::string_view rest_;
+};
+
+std::vector<stltsa::Joint> joints(Reading& from, std::uint64_t count) {
+    std::vector<stltsa::Joint> all;
+    for (std::uint64_t i = 0; i < count; ++i) {
+        stltsa::Joint joint;
+        joint.parent = from.number<std::int64_t>('\t');
+        joint.is_end_site = from.number<int>('\t') != 0;
+        for (double& offset : joint.offset)
+            offset = from.number<double>('\t');
+        joint.channels = std::string(from.until('\t'));
+        joint.name = std::string(from.until('\n'));
+        all.push_back(std::move(joint));
+    }
+    return all;
+}
+
+std::vector<std::string> names(Reading& from, std::uint64_t count) {
+    std::vector<std::string> all;
+    for (std::uint64_t i = 0; i < count; ++i)
+        all.emplace_back(from.until('\n'));
+    return all;
+}
+
+[[noreturn]] void no_clip(const std::string& file) {
+    throw Failure(
+        Exit::unreadable,
+        fmt::format("{}: the Python package gave no clip (python3 -m stltsa.readers)", file));
+}
+
+stltsa::Clip whole_clip(const std::string& bytes, const std::string& file,
+                        const stltsa::Options& options) {
+    Reading from(bytes);
+    const std::string_view kind = from.until(' ');
+    const auto space = from.number<std::int32_t>(' ');
+    const auto items = from.number<std::uint64_t>(' '), columns = from.number<std::uint64_t>(' '),
+               frames = from.number<std::uint64_t>(' ');
+    const auto fps = from.number<double>('\n');
+    // Each item has a line, and each number bytes.
+    if (items > bytes.size() || columns == 0 || frames > bytes.size() / columns)
+        no_clip(file);
+    const bool skeleton = kind == "skeleton";
+    const auto body = skeleton ? joints(from, items) : std::vector<stltsa::Joint>();
+    const auto labels = skeleton ? std::vector<std::string>() : names(from, items);
+    const auto values = from.numbers(columns * frames);
+    if (!values)
+        no_clip(file);
+    const stltsa::MatrixView rows(*values, static_cast<std::int64_t>(columns));
+    if (skeleton)
+        return stltsa::Clip::from_skeleton(body, STLTSA_ROTATIONS_CHANNELS, rows, {}, fps);
+    if (kind == "matrix")
+        return stltsa::Clip::from_matrix(rows, fps);
+    if (kind != "points")
+        no_clip(file);
+    return stltsa::Clip::from_points({rows, space, labels, {}, {}, fps}, options);
 }
 
 } // namespace
@@ -123,13 +193,12 @@ bool has_python() {
     return !python_interpreter().empty();
 }
 
-stltsa::Clip parse_foreign(const ForeignClip& foreign, const std::string& path,
-                           const std::map<std::int32_t, std::string>& typed) {
-    stltsa::Options options;
-    set_options(options, typed);
-    if (foreign.fps > 0)
-        options.set(STLTSA_OPT_FPS, foreign.fps);
-    return stltsa::Clip::parse(std::as_bytes(std::span(foreign.bytes)), 0, options, path);
+stltsa::Clip clip_of(const ForeignClip& foreign, const std::string& path,
+                     const stltsa::Options& options) {
+    const std::string file = file_of(path);
+    stltsa::Clip clip = whole_clip(foreign.bytes, file, options);
+    clip.set_path(file);
+    return file == path ? std::move(clip) : clip.stretch(path.substr(file.size() + 1), options);
 }
 
 std::optional<ForeignClip> read_by_python(const std::string& path, const std::string& fps) {
@@ -140,14 +209,14 @@ std::optional<ForeignClip> read_by_python(const std::string& path, const std::st
     Pipe output;
     const pid_t child = start(python, file, fps, output);
     output.close_end(1);
-    const std::string answer = read_all(output.ends[0]);
+    std::string answer = read_all(output.ends[0]);
     const int status = wait_for(child);
     if (status == 127)
         cannot_run(python, ENOENT);
     if (status != 0)
         throw Failure(Exit::unreadable,
                       answer.empty() ? fmt::format("{}: the Python package failed", file) : answer);
-    return clip_in(answer, file);
+    return ForeignClip{std::move(answer)};
 }
 
 } // namespace tool

@@ -12,9 +12,8 @@
 
 namespace tool {
 
-/// A clip in a format that the library reads.
+/// The arrays of a clip, as `python -m stltsa.readers` writes them.
 struct ForeignClip {
-    double fps = 0;
     std::string bytes;
 };
 
@@ -23,9 +22,9 @@ struct ForeignClip {
 /// the Python package if it cannot.
 std::optional<ForeignClip> read_by_python(const std::string& path, const std::string& fps);
 
-/// The clip of these bytes; `typed`: the options as typed.
-stltsa::Clip parse_foreign(const ForeignClip& foreign, const std::string& path,
-                           const std::map<std::int32_t, std::string>& typed);
+/// The clip of these arrays, or the stretch of it that the path names.
+stltsa::Clip clip_of(const ForeignClip& foreign, const std::string& path,
+                     const stltsa::Options& options);
 
 /// Whether the file's name is that of such a format, and whether the package can be asked.
 bool is_foreign(const std::string& path);

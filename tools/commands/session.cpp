@@ -131,7 +131,7 @@ stltsa::Clip Session::open_clip(const std::string& path) const {
     if (is_standard_input(path))
         return parse_stdin(path.substr(std::min<std::size_t>(path.size(), 2))); // after "-:"
     if (const auto foreign = read_by_python(path, option_text(STLTSA_OPT_FPS)))
-        return reading([&] { return parse_foreign(*foreign, path, arguments_.options); });
+        return reading([&] { return clip_of(*foreign, path, options()); });
     return reading([&] { return stltsa::Clip::open(path, options()); });
 }
 

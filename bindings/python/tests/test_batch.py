@@ -5,10 +5,12 @@ import os
 import re
 import shutil
 import subprocess
+import sys
 
 import numpy as np
 import pytest
 from conftest import ROOT
+from test_readers import walk, write_c3d
 
 import stltsa
 
@@ -47,6 +49,46 @@ def test_the_commands_files(clips, tmp_path, command):
     assert all(again["kept"])
     assert list(again["period_s"]) == list(rows["period_s"])
     assert not any(stltsa.batch(clips, tmp_path / "python", fps=30)["kept"])
+
+
+def test_the_commands_files_of_formats_that_only_python_reads(tmp_path, command):
+    pytest.importorskip("ezc3d")
+    folder = tmp_path / "clips"
+    folder.mkdir()
+    values = walk()
+    values[70:80, 0] = values[150:180] = np.nan  # a gap, and a hole
+    write_c3d(folder / "walk.c3d", values)
+    t = np.arange(600) / 60
+    poses = np.zeros((len(t), 66))
+    poses[:, 3:6] = 0.5 * np.sin(2 * np.pi * t)[:, np.newaxis] * [1, 0.2, 0.1]
+    poses[:, 6:9] = -poses[:, 3:6]
+    way = np.column_stack([0.1 * np.sin(2 * np.pi * t), 1 / 3 + 0 * t, 1.3 * t])
+    np.savez(folder / "walk.npz", poses=poses, trans=way, mocap_framerate=60.0)
+    rows = stltsa.batch(folder, tmp_path / "python")
+    assert list(rows["status"]) == ["done", "done"]
+    assert min(rows["cycles"]) > 0
+    environment = {**os.environ, "STLTSA_PYTHON": sys.executable}
+    subprocess.run([command, "batch", folder, "--out", tmp_path / "command"], check=True,
+                   capture_output=True, env=environment)  # fmt: skip
+    assert files(tmp_path / "python") == files(tmp_path / "command")
+    assert f'"path":"{folder / "walk.c3d"}"' in stltsa.decompose(folder / "walk.c3d").to_json()
+
+
+@pytest.mark.parametrize(
+    ("error", "options"),
+    [
+        (TypeError, {"neighbours": 3}),
+        (TypeError, {"neighbors": 1.5}),
+        (ValueError, {"neighbors": "many"}),
+        (ValueError, {"gaps": "mend"}),
+        (stltsa.ArgumentError, {"neighbors": -3}),
+    ],
+)
+def test_wrong_options_fail_before_the_first_clip(clips, tmp_path, error, options):
+    with pytest.raises(error, match=next(iter(options))):
+        stltsa.batch(clips, tmp_path / "out", **options)
+    assert not (tmp_path / "out").exists()
+    stltsa.batch(clips / "walk.bvh", tmp_path / "out", neighbors="1.2s", period_max="4s")
 
 
 def test_jobs(clips, tmp_path):

@@ -14,6 +14,7 @@ import zlib
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
 
+from ._call import Call
 from ._exports import write_text
 from ._native import lib
 from ._options import option_named
@@ -33,6 +34,8 @@ if TYPE_CHECKING:
     from ._options import Options
 
 _SUFFIXES = (".bvh", ".amc", ".csv", ".tsv", ".npy", *READERS)
+# Frames per second, with which lengths in seconds are numbers of frames.
+_ANY_RATE = 100.0
 _SUMMARY = re.compile(r"summary[-0-9]*\.csv")
 
 
@@ -119,8 +122,7 @@ def batch(
         raise ValueError(f"shard is {shard!r}, and must be (i, n) with 1 <= i <= n")
     chosen = list(_clips(paths, Path(out).resolve()))[index - 1 :: count]
     report = reporter(options.pop("progress", None))
-    for name in options:
-        option_named(name)  # a wrong one fails once, not for each clip
+    _check(options)
     work = [(path, str(Path(out) / result), dict(options)) for path, result in chosen]
     Path(out).mkdir(parents=True, exist_ok=True)
     rows = []
@@ -133,6 +135,14 @@ def batch(
     name = "summary.csv" if count == 1 else f"summary-{index}-{count}.csv"
     write_text(Path(out) / name, _summary(rows))
     return table(rows, BatchRow)
+
+
+def _check(options: Mapping[str, Any]) -> None:
+    """Raise if an option is wrong: once, not for each clip."""
+    for name in options:
+        option_named(name)
+    with Call(options, rate=_ANY_RATE):
+        pass
 
 
 def _run(work: list[tuple[Any, ...]], jobs: int, client: Client | None) -> Iterator[BatchRow]:

@@ -187,6 +187,12 @@ class Clip(Described):
         check(lib.stltsa_clip_from_matrix(read_from(array), float(fps), out))
         return cls(owned("clip", out))
 
+    def _read_from(self, path: os.PathLike[str]) -> Clip:
+        """Set where a clip that has just been made from arrays is from; return it."""
+        self.path = os.fspath(path)
+        check(lib.stltsa_clip_set_path(self._handle, c_path(path)))
+        return self
+
     def __len__(self) -> int:
         return int(lib.stltsa_clip_frames(self._handle))
 
@@ -430,7 +436,8 @@ def read_clip(path: str | os.PathLike[str], **options: Unpack[Options]) -> Clip:
     read = reader(Path(text if whole else name).suffix)
     if read is not None:
         fps = options.get("fps")
-        clip: Clip = read(Path(text if whole else name), None if fps == "auto" else fps)
+        file = Path(text if whole else name)
+        clip: Clip = read(file, None if fps == "auto" else fps)._read_from(file)
         return clip if whole else clip.stretch(what, **_without_rate(options))
     out = ffi.new("stltsa_clip **")
     with Call(options) as call:

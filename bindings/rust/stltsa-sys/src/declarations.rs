@@ -1124,6 +1124,12 @@ extern "C" {
     ) -> stltsa_status;
 }
 extern "C" {
+    pub fn stltsa_clip_set_path(
+        clip: *mut stltsa_clip,
+        path: *const ::std::os::raw::c_char,
+    ) -> stltsa_status;
+}
+extern "C" {
     pub fn stltsa_clip_stretch(
         clip: *const stltsa_clip,
         what: *const ::std::os::raw::c_char,

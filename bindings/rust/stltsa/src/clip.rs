@@ -234,6 +234,16 @@ impl Clip {
         })
     }
 
+    /// Says where a clip from arrays is from: its path in messages and results.
+    ///
+    /// # Errors
+    /// A path with a NUL.
+    pub fn set_path(&mut self, path: &str) -> Result<()> {
+        let path = c_name(path)?;
+        // SAFETY: a live handle that nothing else uses, and a string that lives through the call.
+        check(unsafe { sys::stltsa_clip_set_path(self.raw(), path.as_ptr()) })
+    }
+
     /// The mirror image: what the left side did, the right one does. Joints or points whose names
     /// differ in the side only change places. Events that are marked on one side are found on the
     /// other in the [`Phase`](crate::Phase) of the mirror image.

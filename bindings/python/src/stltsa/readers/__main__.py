@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Read a file for the command ``stltsa``: ``python -m stltsa.readers FILE FPS``.
 
-The first line of standard output is ``fps`` and the frame rate; the bytes of a BVH or CSV file
-follow. If FILE cannot be read, it is a sentence that says why, and the exit status is 3. FPS may be
-empty.
+Standard output has the arrays from which the command makes the same clip, to the bit. The first
+line is ``KIND SPACE ITEMS COLUMNS FRAMES RATE``: kind ``points`` (in `space` dimensions),
+``skeleton`` or ``matrix``. A line follows for each item: the name of a point, or of a joint its
+parent, 1 for an end site, offset, channels and name, between tabs. Then follow frames x columns
+numbers (float64). If FILE cannot be read, the output is a sentence that says why, and the exit
+status is 3. FPS may be empty.
 """
 
 from __future__ import annotations
@@ -11,23 +14,55 @@ from __future__ import annotations
 import sys
 import tempfile
 from pathlib import Path
+from typing import Any
 
-from stltsa import StltsaError, read_clip
+import numpy as np
+
+from stltsa import Clip, StltsaError, read_clip
+
+
+def _joints(clip: Clip) -> list[str]:
+    rows = zip(clip.parents, clip.end_sites, clip.offsets, clip.joint_channels, clip.joints,
+               strict=True)  # fmt: skip
+    return [
+        "\t".join([str(parent), str(int(end)), *map(repr, offset.tolist()), channels or "", name])
+        for parent, end, offset, channels, name in rows
+    ]
+
+
+def _positions(clip: Clip) -> Any:
+    """Return frames x points x space, with NaN for missing points, which features would fill."""
+    with tempfile.TemporaryDirectory(prefix="stltsa-") as folder:
+        file = Path(folder) / "clip.npy"
+        clip.save(file)
+        return np.load(file)
+
+
+def _written(clip: Clip) -> bytes:
+    """Return the arrays of a clip."""
+    space, items, kind = 0, [], "matrix"
+    if clip.format == "points":
+        kind, values = "points", _positions(clip)
+        space = values.shape[2]
+        items = [name[: -len("_x")] for name in clip.facts["channel"][::space]]
+        values = values.reshape(len(values), -1)
+    else:
+        values = clip.features("raw")
+    if clip.joints:
+        kind, items = "skeleton", _joints(clip)
+    head = f"{kind} {space} {len(items)} {values.shape[1]} {len(values)} {clip.fps!r}"
+    lines = [head, *(item.replace("\n", " ") for item in items), ""]
+    return "\n".join(lines).encode() + np.ascontiguousarray(values, dtype=np.float64).tobytes()
 
 
 def main() -> int:
     """Read the file that the arguments name."""
     name, rate = sys.argv[1:]
     try:
-        clip = read_clip(name, fps=float(rate)) if rate else read_clip(name)
-        with tempfile.TemporaryDirectory(prefix="stltsa-") as folder:
-            file = Path(folder) / ("clip.bvh" if clip.joints else "clip.csv")
-            clip.save(file)
-            content = file.read_bytes()
+        content = _written(read_clip(name, fps=float(rate)) if rate else read_clip(name))
     except (StltsaError, ImportError, OSError, ValueError) as error:
         sys.stdout.write(str(error))
         return 3
-    sys.stdout.buffer.write(f"fps {clip.fps!r}\n".encode())
     sys.stdout.buffer.write(content)
     return 0
 

@@ -52,8 +52,6 @@ def read(path: Path, fps: float | None = None, offsets: npt.ArrayLike | None = N
     quaternions = np.concatenate([np.cos(half), np.sinc(half / np.pi) / 2 * turns], axis=2)
     names, parents, usual = zip(*_BODY[: quaternions.shape[1]], strict=True)
     places = np.asarray(usual if offsets is None else offsets, dtype=np.float64)
-    clip = Clip.from_skeleton(
+    return Clip.from_skeleton(
         names, parents, places, quaternions, fps or float(rates[0]), root_positions=way + places[0]
     )
-    clip.path = str(path)
-    return clip
