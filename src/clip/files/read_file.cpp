@@ -16,8 +16,10 @@ namespace stltsa::clip {
 namespace {
 
 [[noreturn]] void cannot(const char* what, const std::string& path, int error) {
-    fail(error == ENOMEM ? Status::no_memory : Status::io, "{}: cannot {}: {}", path, what,
-         std::generic_category().message(error));
+    const char* const hint =
+        error == EISDIR ? ": give a file in it, or the folder itself to stltsa batch" : "";
+    fail(error == ENOMEM ? Status::no_memory : Status::io, "{}: cannot {}: {}{}", path, what,
+         std::generic_category().message(error), hint);
 }
 
 using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
