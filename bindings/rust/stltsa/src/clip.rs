@@ -241,7 +241,7 @@ impl Clip {
     pub fn set_path(&mut self, path: &str) -> Result<()> {
         let path = c_name(path)?;
         // SAFETY: a live handle that nothing else uses, and a string that lives through the call.
-        check(unsafe { sys::stltsa_clip_set_path(self.raw(), path.as_ptr()) })
+        check(unsafe { sys::stltsa_clip_set_path(self.handle.raw_mut(), path.as_ptr()) })
     }
 
     /// The mirror image: what the left side did, the right one does. Joints or points whose names
