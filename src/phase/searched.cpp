@@ -80,17 +80,19 @@ double remoteness(const Searched& in, double distance) {
     return std::max(1.0, distance / std::max(in.usual_distance, least_usual));
 }
 
+double rows_beyond(Range range, double row) {
+    return std::max(
+        {0.0, static_cast<double>(range.begin) - row, row - static_cast<double>(range.end - 1)});
+}
+
 std::optional<Mark> mark_at(const Searched& in, double row) {
     for (std::size_t r = 0; r < in.runs.size(); ++r) {
         const Run& run = in.runs[r];
         const double place = row - static_cast<double>(run.begin);
         if (place < 0 || row > static_cast<double>(run.end() - 1))
             continue;
-        const Range& known = in.known[r];
-        const double beyond = std::max({0.0, static_cast<double>(known.begin) - row,
-                                        row - static_cast<double>(known.end - 1)});
         return Mark{row, interpolated(run.phase, place), interpolated(in.distance[r], place),
-                    beyond};
+                    rows_beyond(in.known[r], row)};
     }
     return std::nullopt;
 }

@@ -35,6 +35,9 @@ double interpolated(const std::vector<double>& values, double place);
 /// A distance from the mean cycle in units of the usual one, at least 1.
 double remoteness(const Searched& in, double distance);
 
+/// How far a row lies outside of a range; 0 within.
+double rows_beyond(Range range, double row);
+
 /// A mark within a run.
 struct Mark {
     double row = 0; ///< not rounded

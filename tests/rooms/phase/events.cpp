@@ -101,6 +101,29 @@ void another_recording_has_them_too(void**) {
     assert_true(worst(events, 0.35) < 1);
 }
 
+/// A part of the body that jerks at a phase: templates follow it.
+Matrix jerking(double at, unsigned seed) {
+    Matrix samples = motion(0.005, seed);
+    for (std::int64_t i = 0; i < samples.rows(); ++i) {
+        const double phase = phase_at(static_cast<double>(i)) - at;
+        const double off = (phase - std::round(phase)) / 0.03;
+        samples(i, 0) += 0.2 * std::exp(-off * off / 2);
+    }
+    return samples;
+}
+
+void in_another_recording_the_phase_counts_most(void**) {
+    // The other body jerks 0.04 of a cycle later.
+    const Matrix samples = jerking(0.35, 10), other = jerking(0.39, 11);
+    const Searched from = cyclic(samples), in = cyclic(other);
+    std::vector<double> late;
+    for (const Event& event : events_of(from, {row_at(5.35)}, &in)) {
+        const double off = phase_at(event.row) - 0.35;
+        late.push_back(off - std::round(off));
+    }
+    ASSERT_NEAR(stltsa::motion::median(late), 0, 0.01);
+}
+
 void guessed_errors_rise_with_the_distance(void**) {
     Matrix samples = motion(0.002, 5);
     const double bad = row_at(8.35);
@@ -196,6 +219,37 @@ void marks_in_another_motion_are_doubted(void**) {
     assert_true(error_by(40) > 1.5 * error_by(240));
 }
 
+/// Cycles from the fourth turn on; before them, the motion is slower, and some columns are late, as
+/// arms are in the first step of a walk.
+void first_steps_follow_the_parts_that_move(void**) {
+    const auto phase_of_row = [](double row) {
+        return row < 108 ? 3 + (row - 108) / 48 : row / 36;
+    };
+    Matrix samples = sampled(500, 10, 1, [&](double row, std::int64_t c) {
+        const double late = row < 96 && c < 4 ? 0.15 : 0;
+        return cyclic_pose(phase_of_row(row) - late, c);
+    });
+    add_noise(samples, 0.01, 9);
+    Borders given;
+    for (int i = 3; i <= 12; ++i)
+        given.push_back(36.0 * i);
+    const Phases phases = find_phases(samples.view(), rate, {&given, 1}, {});
+    const Matrix both = pose_and_velocity(samples.view(), rate, phases.mean.period);
+    const Searched in = searched(samples.view(), rate, phases,
+                                 {grown(both.view(), phases.mean, phases.runs[0], {24, 500})});
+    double worst_off = 0;
+    int before = 0;
+    for (const double phase : {0.1, 0.35, 0.6, 0.85})
+        for (const Event& event : events_of(in, {36 * (6 + phase)}))
+            if (event.row > 40 && event.row < 90) {
+                ++before;
+                const double at = phase_of_row(event.row) - phase;
+                worst_off = std::max(worst_off, 48 * std::abs(at - std::round(at)));
+            }
+    assert_true(before >= 4);
+    assert_true(worst_off < 1);
+}
+
 void a_mark_outside_of_runs_is_in_no_motion(void**) {
     const Matrix samples = motion(0.02, 6);
     Searched in = cyclic(samples);
@@ -212,10 +266,12 @@ int main() {
         cmocka_unit_test(one_mark_finds_all),
         cmocka_unit_test(several_marks_average_their_errors),
         cmocka_unit_test(another_recording_has_them_too),
+        cmocka_unit_test(in_another_recording_the_phase_counts_most),
         cmocka_unit_test(guessed_errors_rise_with_the_distance),
         cmocka_unit_test(repetitions_have_one_each),
         cmocka_unit_test(marks_far_apart_are_several_places),
         cmocka_unit_test(marks_in_another_motion_are_doubted),
+        cmocka_unit_test(first_steps_follow_the_parts_that_move),
         cmocka_unit_test(a_mark_outside_of_runs_is_in_no_motion),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
