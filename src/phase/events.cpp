@@ -30,6 +30,9 @@ constexpr double usual_remoteness = 2;
 constexpr std::size_t many = 5;
 constexpr double of_phase = 0.25, of_direct = 0.25, of_group = 0.5;
 constexpr double least_error_ms = 3;
+/// Errors beyond the cycles, or by marks there, in units of those within: medians of 16 to 8 ms on
+/// a treadmill, 46 to 12 overground.
+constexpr double doubt_beyond = 2;
 /// Error between recordings, as a share of a cycle, if the likeness of the mean cycles is 0; it is
 /// proportional to the root of 1 minus the likeness. Median errors: 0.4 % of a cycle at likeness
 /// 0.99 (next clip of a style), 1.1 % at 0.95 (other side of the body), 1.0 to 1.5 % at 0.9 (other
@@ -346,7 +349,8 @@ std::vector<Event> find_events(const Searched& in, const Place& marks) {
         const auto off = [&](double place) { return (place - row) * (place - row); };
         const double apart = std::sqrt(of_phase * off(by_phase[i]) + of_direct * off(direct[i]) +
                                        of_group * off(group[i]));
-        events.push_back({row, (least_error_ms + milliseconds(in, apart)) * doubt *
+        const double beyond = templates_count(marks, candidates[i]) ? 1 : doubt_beyond;
+        events.push_back({row, (least_error_ms + milliseconds(in, apart)) * doubt * beyond *
                                    remoteness(in, candidates[i].distance)});
     }
     return events;
