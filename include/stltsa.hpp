@@ -53,6 +53,7 @@ using Travel = stltsa_travel;
 using Statistics = stltsa_statistics;
 using Summary = stltsa_summary;
 using Seam = stltsa_seam;
+using SidePair = stltsa_side_pair;
 using Event = stltsa_event;
 using LiveFrame = stltsa_live_frame;
 using Piece = stltsa_piece; ///< see Clip::piece()
@@ -784,6 +785,55 @@ inline Decomposition decompose(const Clip& clip, const Options& options = {}) {
     return detail::made<Decomposition>(stltsa_decompose, clip.get(), options.get());
 }
 
+/// STLTSA_SIDE_* in the name of an event, a joint or a signal.
+inline std::int32_t side_of_name(const std::string& name) noexcept {
+    return stltsa_side_of_name(name.c_str());
+}
+
+/// Curves of the left side against those of the right one half a cycle later.
+class Sides {
+  public:
+    using Pointer = stltsa_sides*;
+
+    Sides(stltsa_sides* owned, std::int64_t samples) : handle_(owned), samples_(samples) {}
+
+    std::int64_t count() const noexcept { return stltsa_sides_count(get()); }
+    SidePair pair(std::int64_t index) const {
+        SidePair pair{};
+        pair.size = sizeof pair;
+        detail::check(stltsa_sides_pair(get(), index, &pair));
+        return pair;
+    }
+    std::vector<SidePair> pairs() const {
+        return detail::list(count(), [this](std::int64_t index) { return pair(index); });
+    }
+    std::string left_name(std::int64_t index) const { return stltsa_sides_left_name(get(), index); }
+    std::string right_name(std::int64_t index) const {
+        return stltsa_sides_right_name(get(), index);
+    }
+    /// Mean curves, samples x pairs; the right one half a cycle ahead.
+    Matrix left() const { return curves(0); }
+    Matrix right() const { return curves(1); }
+    /// Left less right.
+    Matrix difference() const { return curves(2); }
+    /// Why there are no pairs; empty if there are.
+    std::string reason() const { return stltsa_sides_reason(get()); }
+
+    const stltsa_sides* get() const noexcept { return handle_.get(); }
+
+  private:
+    Matrix curves(int which) const {
+        Matrix values(samples_, count());
+        const stltsa_out to = detail::out(values);
+        detail::check(stltsa_sides_curves(get(), which == 0 ? &to : nullptr,
+                                          which == 1 ? &to : nullptr, which == 2 ? &to : nullptr));
+        return values;
+    }
+
+    detail::Handle<stltsa_sides, stltsa_sides_free> handle_;
+    std::int64_t samples_;
+};
+
 /// Signals on 0 to 100 % of each cycle.
 class Cycles {
   public:
@@ -853,6 +903,19 @@ class Cycles {
         const stltsa_out to = detail::out(distance);
         detail::check(stltsa_cycles_group_distance(get(), given.get(), &to));
         return distance;
+    }
+    /// Left against right; `names`: of the columns, such as knee_l and knee_r.
+    Sides sides(const std::vector<std::string>& names) const {
+        if (static_cast<std::int64_t>(names.size()) != columns_)
+            throw Error(STLTSA_E_SHAPE, "names has " + std::to_string(names.size()) +
+                                            " texts; there are " + std::to_string(columns_) +
+                                            " columns");
+        std::vector<const char*> texts;
+        for (const std::string& name : names)
+            texts.push_back(name.c_str());
+        stltsa_sides* sides = nullptr;
+        detail::check(stltsa_sides_compare(get(), texts.data(), &sides));
+        return {sides, samples_};
     }
 
     const stltsa_cycles* get() const noexcept { return handle_.get(); }
@@ -939,6 +1002,14 @@ class Phase {
         stltsa_cycles* cycles = nullptr;
         detail::check(stltsa_cycles_resample(get(), label, signals.get(), samples, &cycles));
         return {cycles, samples, signals.get()->cols};
+    }
+
+    /// Left against right in the features; `clip`: whose phase it is.
+    Sides sides(const Clip& clip, std::int32_t label, const Options& options = {},
+                std::int64_t samples = 101) const {
+        stltsa_sides* sides = nullptr;
+        detail::check(stltsa_sides_find(clip.get(), get(), label, samples, options.get(), &sides));
+        return {sides, samples};
     }
 
     const stltsa_phase* get() const noexcept { return handle_.get(); }

@@ -2,6 +2,7 @@
 #include "base/side_name.hpp"
 
 #include <array>
+#include <utility>
 
 namespace stltsa {
 namespace {
@@ -41,18 +42,71 @@ char other_letter(char side) {
     }
 }
 
+Side side_of_letter(char letter) {
+    return letter == 'l' || letter == 'L' ? Side::left : Side::right;
+}
+
+/// Whether a word begins at a place: in capitals after others, or after what is no letter.
+bool begins_word(std::string_view name, std::size_t at) {
+    if (at == 0 || !is_letter(name[at - 1]))
+        return true;
+    const bool after_small = name[at - 1] >= 'a' && name[at - 1] <= 'z';
+    return after_small && name[at] >= 'A' && name[at] <= 'Z';
+}
+
+/// Whether a letter that may be a side is one by what follows: not in L5, a vertebra, and not in
+/// LAND and RUN, but in LHS, LToe and "toe_l". Words in capitals that begin with L or R go on with
+/// a vowel, as abbreviations seldom do.
+bool is_side_letter(std::string_view name, std::size_t at) {
+    constexpr std::string_view not_after = "AEIOU0123456789";
+    if (at + 1 == name.size() || not_after.find(name[at + 1]) == not_after.npos)
+        return true;
+    return at + 2 < name.size() && name[at + 2] >= 'a' && name[at + 2] <= 'z' &&
+           is_letter(name[at + 1]);
+}
+
 } // namespace
 
-std::vector<std::string> other_side_names(std::string_view name, bool first_letter) {
-    std::vector<std::string> names;
+Side side_of_name(std::string_view name) {
+    Side of_words = Side::none, of_letters = Side::none;
+    bool words_differ = false, letters_differ = false;
+    const auto add = [](Side found, Side& side, bool& differ) {
+        differ = differ || (side != Side::none && side != found);
+        side = found;
+    };
+    for (const auto& pair : words)
+        for (const std::size_t side : {0U, 1U})
+            for (std::size_t at = name.find(pair[side]); at != name.npos;
+                 at = name.find(pair[side], at + 1))
+                if (begins_word(name, at))
+                    add(static_cast<Side>(side), of_words, words_differ);
+    for (std::size_t at = 0; at < name.size(); ++at)
+        if (other_letter(name[at]) != 0 && may_be_side(name, at, false) && is_side_letter(name, at))
+            add(side_of_letter(name[at]), of_letters, letters_differ);
+    if (of_words != Side::none)
+        return words_differ ? Side::none : of_words;
+    return letters_differ ? Side::none : of_letters;
+}
+
+std::vector<OtherSide> other_sides(std::string_view name, bool first_letter) {
+    std::vector<OtherSide> names;
     for (const auto& pair : words)
         for (const std::size_t side : {0U, 1U})
             if (const std::size_t at = name.find(pair[side]); at != name.npos)
-                names.push_back(replaced(name, at, pair[side].size(), pair[1 - side]));
+                names.push_back({replaced(name, at, pair[side].size(), pair[1 - side]),
+                                 static_cast<Side>(side)});
     for (std::size_t at = 0; at < name.size(); ++at)
         if (const char other = other_letter(name[at]);
             other != 0 && may_be_side(name, at, first_letter))
-            names.push_back(replaced(name, at, 1, std::string_view(&other, 1)));
+            names.push_back(
+                {replaced(name, at, 1, std::string_view(&other, 1)), side_of_letter(name[at])});
+    return names;
+}
+
+std::vector<std::string> other_side_names(std::string_view name, bool first_letter) {
+    std::vector<std::string> names;
+    for (OtherSide& other : other_sides(name, first_letter))
+        names.push_back(std::move(other.name));
     return names;
 }
 

@@ -15,6 +15,7 @@
 #include "results/events.hpp"
 #include "results/fitted.hpp"
 #include "results/phased.hpp"
+#include "results/sides.hpp"
 #include "results/synthesized.hpp"
 #include "stltsa.h"
 
@@ -74,6 +75,10 @@ struct stltsa_phase : stltsa::results::Phased {
 
 struct stltsa_cycles : stltsa::phase::Resampled {
     explicit stltsa_cycles(Resampled of) : Resampled(std::move(of)) {}
+};
+
+struct stltsa_sides : stltsa::results::ComparedSides {
+    explicit stltsa_sides(ComparedSides of) : ComparedSides(std::move(of)) {}
 };
 
 struct stltsa_events : stltsa::results::FoundEvents {

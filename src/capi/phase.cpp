@@ -16,12 +16,6 @@ using capi::required;
 
 namespace {
 
-void check_samples(int64_t samples) {
-    constexpr int64_t most = 1000000;
-    if (samples < 2 || samples > most)
-        fail(Status::argument, "samples is {}; it must be 2 to {}", samples, most);
-}
-
 /// Throws unless there is a group for each column, and a column in a group.
 void check_groups(std::span<const int64_t> groups, int64_t columns) {
     if (static_cast<int64_t>(groups.size()) != columns)
@@ -136,7 +130,7 @@ stltsa_status stltsa_cycles_resample(const stltsa_phase* phase, int32_t label,
         required(cycles, "cycles") = nullptr;
         const results::Phased& by = required(phase, "phase");
         const capi::InputFrames input(signals, "signals");
-        check_samples(samples);
+        capi::check_samples(samples);
         *cycles = new stltsa_cycles(results::resample(by, label, input.view(), samples));
     });
 }
@@ -149,7 +143,7 @@ stltsa_status stltsa_cycles_between(const stltsa_in* borders, const stltsa_in* s
         const capi::InputFrames input(signals, "signals");
         if (of.view().cols != 1)
             fail(Status::shape, "borders has {} columns; it must have 1", of.view().cols);
-        check_samples(samples);
+        capi::check_samples(samples);
         phase::Borders rows;
         for (int64_t i = 0; i < of.view().rows; ++i)
             rows.push_back(of.view()(i, 0));

@@ -289,7 +289,7 @@ Decomposed decompose(const clip::Clip& clip, const clip::PrepareOptions& prepare
     options.smoothed_s = samples.smoothing;
     options.size = body_size(samples.features, prepared.samples);
     options.holes = holes_of(prepared);
-    options.side = clip::side_weights(clip, samples.features, samples.up, prepared.samples.view());
+    options.side = side_weights_of(clip, samples, prepared.samples.view());
     recording::Recording found =
         recording::analyze(prepared.samples.view(), fps, options, progress);
     Decomposed made;

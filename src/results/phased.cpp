@@ -8,7 +8,6 @@
 
 #include "clip/features/column_owners.hpp"
 #include "clip/features/drift.hpp"
-#include "clip/features/point_sides.hpp"
 
 namespace stltsa::results {
 namespace {
@@ -41,6 +40,14 @@ std::map<std::int32_t, std::vector<phase::Borders>> sequences_of(const Decompose
         before = &cycle;
     }
     return sequences;
+}
+
+/// Whether a side leads in each cycle of the label: then its halves are alike.
+bool has_like_halves(const Decomposed& decomposed, std::int32_t label) {
+    return std::ranges::all_of(decomposed.cycle_parts, [&](const stltsa_part& cycle) {
+        const auto segment = static_cast<std::size_t>(cycle.segment);
+        return cycle.side >= 0 || decomposed.segments[segment].label != label;
+    });
 }
 
 /// Continues the runs by a quarter of a cycle.
@@ -184,7 +191,16 @@ phase::Resampled resample(const Phased& phased, std::int32_t label, ConstMatrixV
             of_run.data(), of_run.data() + of_run.rows() * samples, to,
             [&](double row) { return row + static_cast<double>(phased.clip.first); });
     }
-    return phase::resample(signals, std::move(rows));
+    phase::Resampled made = phase::resample(signals, std::move(rows));
+    if (!motion->phases.cyclic)
+        made.no_halves = format_text("motion {} has repetitions, no cycles", label_text(label));
+    else if (!motion->like_halves)
+        made.no_halves = format_text(
+            "it is not known that the two halves of the cycles of motion {} are the same motion of "
+            "both sides: that is seen in the legs of a skeleton, or of points with names of two "
+            "sides",
+            label_text(label));
+    return made;
 }
 
 Phased find_phase(const clip::Clip& clip, const Decomposed& decomposed,
@@ -209,9 +225,7 @@ Phased find_phase(const clip::Clip& clip, const Decomposed& decomposed,
     phased.clip = prepared.source.clips.front();
     phased.samples = prepared.source.samples;
     phased.body = clip::body_of(clip, found.features, phased.samples.up, prepared.turned);
-    phased.side = found.features == clip::Features::points
-                      ? clip::point_side_weights(clip, found.up, prepared.samples.view())
-                      : clip::side_weights(clip, found.features, found.up, prepared.samples.view());
+    phased.side = side_weights_of(clip, found, prepared.samples.view());
     phased.rows = std::move(prepared.samples);
     phased.owners = clip::column_owners(clip, found.features);
     for (const clip::Frames& hole : prepared.holes)
@@ -219,6 +233,7 @@ Phased find_phase(const clip::Clip& clip, const Decomposed& decomposed,
     for (auto& [label, sequences] : sequences_of(decomposed, phased.clip)) {
         PhasedMotion& motion = phased.motions.emplace_back();
         motion.label = label;
+        motion.like_halves = has_like_halves(decomposed, label);
         motion.phases = phase::find_phases(phased.rows.view(), clip.fps, sequences, phased.side);
         for (const phase::Borders& borders : sequences)
             motion.cycles.push_back(static_cast<std::int64_t>(borders.size()) - 1);

@@ -6,6 +6,8 @@
 #include <iterator>
 
 #include "clip/body/skeleton.hpp"
+#include "clip/features/column_owners.hpp"
+#include "clip/features/point_sides.hpp"
 
 namespace stltsa::results {
 namespace {
@@ -119,6 +121,13 @@ ClipSamples prepare_clips(Clips clips, clip::PrepareOptions options, const Progr
     }
     all.samples = stacked(parts, all.source.samples.count);
     return all;
+}
+
+std::vector<double> side_weights_of(const clip::Clip& clip, const SampleFacts& facts,
+                                    ConstMatrixView samples) {
+    if (facts.features == clip::Features::points)
+        return clip::point_side_weights(clip, facts.up, samples);
+    return clip::side_weights(clip, facts.features, facts.up, samples);
 }
 
 Source matrix_source(ConstMatrixView frames, double fps) {

@@ -35,6 +35,11 @@ struct ClipSamples {
 /// first clip's.
 ClipSamples prepare_clips(Clips clips, clip::PrepareOptions options, const Progress& progress);
 
+/// Weights of the columns that tell which leg moves forward: by the skeleton, or by the names of
+/// points. Empty without two sides.
+std::vector<double> side_weights_of(const clip::Clip& clip, const SampleFacts& facts,
+                                    ConstMatrixView samples);
+
 /// The source of a matrix, which has no clips. fps 0: unknown.
 Source matrix_source(ConstMatrixView frames, double fps);
 

@@ -26,7 +26,7 @@ def leaves(schema, path=""):
     """Paths of the values of a schema, without those that only the command adds."""
     if "properties" in schema:
         for key, member in schema["properties"].items():
-            if (path, key) not in (("", "format"), ("", "curve"), ("", "phase_warnings")):
+            if (path, key) not in (("", "format"), ("", "curve"), ("", "phase_warnings"), ("", "sides")):
                 yield from leaves(member, f"{path}.{key}".lstrip("."))
     elif "items" in schema:
         yield from leaves(schema["items"], path)

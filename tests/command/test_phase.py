@@ -40,6 +40,31 @@ class Phase(CommandTest):
         (warning,) = noisy["phase_warnings"]
         self.assertIn("is linear in time, because its mean cycle leaves 0.7", warning)
 
+    def test_sides_of_a_symmetric_walk_differ_by_nothing(self):
+        found = self.json("decompose", walk(), "--phase", self.folder / "phase.npy")
+        self.assertNotIn("sides", self.json("decompose", walk()))
+        (sides,) = found["sides"]
+        self.assertEqual((sides["label"], sides["reason"]), ("A", None))
+        pairs = {(pair["left"], pair["axis"]): pair for pair in sides["pairs"]}
+        foot = pairs["LeftFoot", "z"]
+        self.assertEqual(foot["right"], "RightFoot")
+        self.assertGreater(foot["left_range"], 50)
+        self.assertAlmostEqual(foot["range_difference"],
+                               foot["left_range"] - foot["right_range"], delta=1e-9)
+        self.assertEqual(len(foot["difference"]), 101)
+        for pair in pairs.values():
+            self.assertLess(pair["rms_difference"], 0.1)
+            self.assertLess(abs(pair["mean_difference"]), 0.1)
+        text = self.done("decompose", walk(), "--phase", self.folder / "phase.npy").stdout
+        self.assertIn("left - right", text)
+        self.assertNotIn("left - right", self.done("decompose", walk()).stdout)
+
+    def test_without_sides_there_is_a_reason(self):
+        found = self.json("decompose", noisy_circle(), "--phase", self.folder / "phase.npy")
+        (sides,) = found["sides"]
+        self.assertEqual(sides["pairs"], [])
+        self.assertIn("two halves of the cycles of motion A", sides["reason"])
+
     def test_a_clip_without_cycles_has_no_phase(self):
         self.done("decompose", f"{walk()}:0-25", "--phase", self.folder / "none.npy")
         self.assertTrue(numpy.isnan(numpy.load(self.folder / "none.npy")[:, 3:]).all())

@@ -2,12 +2,15 @@
 #include <algorithm>
 #include <iterator>
 #include <limits>
+#include <string>
+#include <vector>
 
 #include "commands/commands.hpp"
 #include "commands/session.hpp"
 #include "plot/from_results.hpp"
 #include "reports/json.hpp"
 #include "reports/report.hpp"
+#include "reports/sides.hpp"
 
 namespace tool {
 namespace {
@@ -43,12 +46,47 @@ stltsa::Matrix phase_table(const stltsa::Clip& clip, const stltsa::Decomposition
     return table;
 }
 
-/// Writes the phase, and returns its warnings.
-std::vector<std::string> add_phase(Session& session, const stltsa::Decomposition& found) {
+/// What is said with --phase beside the decomposition.
+struct PhaseAnswer {
+    std::vector<std::string> warnings;
+    std::vector<LabelSides> sides;
+    bool axes = false; ///< see sides_json()
+};
+
+/// Left against right for each motion that has cycles.
+std::vector<LabelSides> compare_sides(const Session& session, const stltsa::Clip& clip,
+                                      const stltsa::Decomposition& found,
+                                      const stltsa::Phase& phase) {
+    std::vector<LabelSides> all;
+    for (const stltsa::Summary& summary : found.summaries()) {
+        if (found.statistics(STLTSA_PART_CYCLE, summary.label, -1, STLTSA_QUANTITY_TIME).count == 0)
+            continue;
+        LabelSides& of = all.emplace_back();
+        of.label = summary.label;
+        try {
+            of.sides = phase.sides(clip, summary.label, session.options());
+        } catch (const stltsa::Error& error) {
+            if (error.status() != STLTSA_E_ARGUMENT) // cycles too short for a phase
+                throw;
+            of.reason = error.what();
+        }
+    }
+    return all;
+}
+
+/// Writes the phase.
+PhaseAnswer add_phase(Session& session, const stltsa::Decomposition& found) {
     const stltsa::Phase phase = stltsa::find_phase(session.clip(), found, session.options());
     session.add_columns(session.arguments().phase, phase_table(session.clip(), found, phase),
                         {"frame", "seconds", "segment", "cycle", "phase", "residual"});
-    return phase.warnings();
+    const std::int64_t features = found.info().integer(STLTSA_INFO_FEATURES);
+    return {phase.warnings(), compare_sides(session, session.clip(), found, phase),
+            features == STLTSA_FEATURES_POSITIONS || features == STLTSA_FEATURES_POINTS};
+}
+
+std::string json_with_phase(const std::string& text, const PhaseAnswer& answer) {
+    return with_member(with_member(text, "phase_warnings", answer.warnings), "sides",
+                       sides_json(answer.sides, answer.axes));
 }
 
 } // namespace
@@ -58,16 +96,20 @@ Exit run_decompose(const Arguments& arguments) {
     const stltsa::Decomposition found = stltsa::decompose(session.open_input(), session.options());
     if (!arguments.plot.empty())
         session.add_file(arguments.plot, decomposition_figure(session, found));
-    std::vector<std::string> warnings = found.warnings(), of_phase;
+    std::vector<std::string> warnings = found.warnings();
+    PhaseAnswer of_phase;
     if (!arguments.phase.empty())
         of_phase = add_phase(session, found);
-    std::ranges::copy(of_phase, std::back_inserter(warnings));
+    std::ranges::copy(of_phase.warnings, std::back_inserter(warnings));
     const auto json = [&] {
         const std::string text = arguments.curve ? json_with_samples(found) : found.json();
-        return arguments.phase.empty() ? text : with_member(text, "phase_warnings", of_phase);
+        return arguments.phase.empty() ? text : json_with_phase(text, of_phase);
     };
-    session.finish({json, [&] { return decomposition_report(found, session.title()); }, warnings,
-                    [&] { return decomposition_csv(found); }});
+    const auto table = [&] {
+        return decomposition_report(found, session.title()) +
+               sides_report(of_phase.sides, of_phase.axes);
+    };
+    session.finish({json, table, warnings, [&] { return decomposition_csv(found); }});
     return Exit::done;
 }
 

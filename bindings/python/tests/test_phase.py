@@ -277,3 +277,29 @@ def test_marks_are_found_on_the_other_side(clip, result):
     turns = [(event.frame - 250) / 132 for event in found if event.cycle is not None]
     assert len(turns) >= 2
     assert np.asarray(turns) % 1 == pytest.approx(0.5, abs=0.03)
+
+
+def test_sides_of_a_symmetric_walk_differ_by_nothing(walk):
+    sides = stltsa.decompose(walk).sides()
+    assert len(sides) > 20 and sides.reason == ""
+    assert sides.left.shape == sides.right.shape == (101, len(sides))
+    np.testing.assert_array_equal(sides.difference, sides.left - sides.right)
+    assert max(pair.rms for pair in sides) < 0.1
+    foot = next(pair for pair in sides if pair.left == "LeftFoot" and pair.left_range > 50)
+    assert foot.right == "RightFoot" and abs(foot.shift) < 0.002
+    with pytest.raises(stltsa.ArgumentError):
+        stltsa.decompose(walk).sides("Z")
+
+
+def test_sides_of_signals_have_known_differences():
+    turn = 2 * np.pi * np.arange(201) / 100
+    knees = np.stack([np.sin(turn), 0.8 * np.sin(turn - 1.1 * np.pi) + 0.1], axis=1)
+    cycles = stltsa.cycles_between([0, 100, 200], knees)
+    (pair,) = cycles.sides(["knee_l", "knee_r"])
+    assert pair.shift == pytest.approx(0.05, abs=1e-3)
+    assert pair.mean == pytest.approx(-0.1)
+    assert pair.range_difference == pytest.approx(0.4, abs=1e-2)
+    none = cycles.sides(["knee_l", "hip_r"])
+    assert len(none) == 0 and "differ only in the side" in none.reason
+    with pytest.raises(ValueError, match="names has 1"):
+        cycles.sides(["knee_l"])

@@ -161,4 +161,10 @@ std::vector<std::int64_t> clip_lengths(const stltsa_in* lengths, std::int64_t ro
     return input_integers(lengths, "lengths");
 }
 
+void check_samples(std::int64_t samples) {
+    constexpr std::int64_t most = 1000000;
+    if (samples < 2 || samples > most)
+        fail(Status::argument, "samples is {}; it must be 2 to {}", samples, most);
+}
+
 } // namespace stltsa::capi

@@ -34,6 +34,7 @@ from .events import Event
 from .live import Live, LiveFrame
 from .model import Mapped, Model, fit
 from .phase import Cycles, FoundEvent, FoundEvents, Phase, cycles_between
+from .sides import SidePair, Sides, side_of_name
 from .synthesis import Piece, Seam, Synthesis, synthesize, synthesize_loop
 
 if TYPE_CHECKING:
@@ -88,6 +89,8 @@ __all__ = [  # noqa: PLE0604
     "Piece",
     "Seam",
     "Segment",
+    "SidePair",
+    "Sides",
     "Statistics",
     "Summary",
     "Synthesis",
@@ -104,6 +107,7 @@ __all__ = [  # noqa: PLE0604
     "plot",
     "read_clip",
     "readers",
+    "side_of_name",
     "synthesize",
     "synthesize_loop",
     *(name for name in errors.__all__ if name != "error_for"),

@@ -31,6 +31,7 @@ from .clip import Clip, as_clip, one_matrix, opened
 from .errors import in_keywords, warn_of_order
 from .phase import Phase
 from .readers import is_points
+from .sides import Sides
 
 if TYPE_CHECKING:
     import os
@@ -353,6 +354,43 @@ class Decomposition(Described):
         with Call(self._options, working_rate(self.clip.fps, self._options)) as call:
             call.check(lib.stltsa_phase_find(self.clip._handle, self._handle, call.options, out))
         return Phase(owned("phase", out), len(self.clip), self.clip.fps)
+
+    def sides(self, label: str = "A", *, samples: int = 101) -> Sides:
+        """Compare the left side of the body with the right side half a cycle later.
+
+        Features, such as positions of joints, are compared with those of the mirror image, in the
+        unit of the file. For other signals see :meth:`Cycles.sides`.
+
+        Parameters
+        ----------
+        label : str
+            Of the segments whose cycles are meant.
+        samples : int
+            Of each cycle; 101 for percent.
+
+        Returns
+        -------
+        Sides
+            Without pairs, and with a reason, if the two halves of the cycles are not known to be
+            the same motion of both sides, or if no names belong together.
+
+        Raises
+        ------
+        stltsa.ArgumentError
+            The label has neither cycles nor repetitions.
+
+        Examples
+        --------
+        >>> import stltsa
+        >>> sides = stltsa.decompose("walker.bvh").sides()
+        >>> max(pair.rms for pair in sides) < 0.1  # cm, of steps of 70 cm
+        True
+        """
+        phase, out = self.phase(), ffi.new("stltsa_sides **")
+        with Call(self._options, working_rate(self.clip.fps, self._options)) as call:
+            given = (self.clip._handle, phase._handle, number_of(label), samples)
+            call.check(lib.stltsa_sides_find(*given, call.options, out))
+        return Sides(owned("sides", out), samples)
 
     def to_frame(self) -> DataFrame:
         """Return one table of all segments, units, cycles and repetitions; needs pandas.

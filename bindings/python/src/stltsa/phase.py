@@ -22,6 +22,7 @@ from ._call import check, owned, texts
 from ._native import ffi, lib
 from ._rows import number_of
 from .errors import ArgumentError, QualityWarning
+from .sides import Sides
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
@@ -205,6 +206,41 @@ class Cycles:
         result = columns(len(self), len(names))
         check(lib.stltsa_cycles_group_distance(self._handle, read_list(groups), write_to(result)))
         return {name: result[:, index] for name, index in number.items()}
+
+    def sides(self, names: Sequence[str]) -> Sides:
+        """Compare the left side of the body with the right side half a cycle later.
+
+        Parameters
+        ----------
+        names : sequence of str
+            One for each column; ``knee_l`` and ``knee_r`` are a pair, as are ``LeftKnee`` and
+            ``RightKnee``. Both must have the same sign, as flexion has.
+
+        Returns
+        -------
+        Sides
+            Without pairs, and with a reason, if the two halves of the cycles are not known to be
+            the same motion of both sides. Cycles between borders should begin with an event of the
+            left side.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> import stltsa
+        >>> turn = 2 * np.pi * np.arange(201) / 100
+        >>> knees = np.stack([np.sin(turn), 0.8 * np.sin(turn - np.pi)], axis=1)
+        >>> cycles = stltsa.cycles_between([0, 100, 200], knees)
+        >>> (pair,) = cycles.sides(["knee_l", "knee_r"])
+        >>> round(pair.range_difference, 3), abs(round(pair.shift, 3))
+        (0.4, 0.0)
+        """
+        samples, signals = self._shape
+        texts = [ffi.new("char[]", name.encode()) for name in names]
+        if len(texts) != signals:
+            raise ValueError(f"names has {len(texts)} texts; there are {signals} columns")
+        out = ffi.new("stltsa_sides **")
+        check(lib.stltsa_sides_compare(self._handle, ffi.new("char *[]", texts), out))
+        return Sides(owned("sides", out), samples)
 
     def __repr__(self) -> str:
         samples, signals = self._shape

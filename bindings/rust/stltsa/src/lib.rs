@@ -64,6 +64,7 @@ mod options;
 mod parts;
 mod phase;
 mod progress;
+mod sides;
 mod synthesis;
 #[cfg(feature = "ndarray")]
 mod with_ndarray;
@@ -85,6 +86,7 @@ pub use model::{Model, ModelInfo};
 pub use options::{options_table, OptionInfo, Options};
 pub use parts::{Part, PartKind, Quantity, Segment, Statistics, Summary, Travel};
 pub use phase::{Cycles, Phase};
+pub use sides::{Side, SidePair, Sides};
 pub use synthesis::{Piece, Seam, Synthesis};
 
 /// Tests the README's programs together with the documentation.

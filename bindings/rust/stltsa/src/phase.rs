@@ -174,6 +174,18 @@ impl Cycles {
         Ok(Self { handle, samples, columns: signals.cols() })
     }
 
+    pub(crate) fn raw(&self) -> *const sys::stltsa_cycles {
+        self.handle.raw()
+    }
+
+    pub(crate) fn samples(&self) -> usize {
+        self.samples
+    }
+
+    pub(crate) fn columns(&self) -> usize {
+        self.columns
+    }
+
     /// Number of cycles.
     #[allow(clippy::len_without_is_empty)] // there is at least one
     pub fn len(&self) -> usize {

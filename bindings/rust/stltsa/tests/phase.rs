@@ -51,6 +51,41 @@ fn borders_may_be_given() {
 }
 
 #[test]
+fn sides_of_signals_are_compared() {
+    let turn = std::f64::consts::TAU;
+    let knees: Vec<[f64; 2]> = (0..201)
+        .map(|frame| turn * f64::from(frame) / 100.0)
+        .map(|at| [at.sin(), 0.8 * (at - turn * 0.55).sin() + 0.1])
+        .collect();
+    let cycles = Cycles::between(&[0.0, 100.0, 200.0], &knees, 101).unwrap();
+    let sides = cycles.sides(&["knee_l", "knee_r"]).unwrap();
+    let [pair] = &sides.pairs[..] else { panic!("{sides:?}") };
+    assert_eq!((&*pair.left, &*pair.right), ("knee_l", "knee_r"));
+    assert_eq!((pair.left_column, pair.right_column), (0, 1));
+    assert!((pair.shift - 0.05).abs() < 1e-3 && (pair.mean + 0.1).abs() < 1e-9);
+    assert!((pair.left_range - 2.0).abs() < 1e-2 && (pair.right_range - 1.6).abs() < 1e-2);
+    assert!(pair.rms > 0.1 && pair.chance < 1e-9 && pair.correlation > 0.999);
+    let expected = sides.left[(7, 0)] - sides.right[(7, 0)];
+    assert_eq!(sides.difference[(7, 0)], expected);
+    assert_eq!(sides.reason, "");
+    let none = cycles.sides(&["knee_l", "hip_r"]).unwrap();
+    assert!(none.pairs.is_empty() && none.reason.contains("differ only in the side"));
+    assert_eq!(cycles.sides(&["knee_l"]).unwrap_err().kind(), ErrorKind::Shape);
+}
+
+#[test]
+#[ignore = "needs STLTSA_TEST_CLIP"]
+fn sides_of_a_symmetric_walk_differ_by_nothing() {
+    let clip = common::walker();
+    let options = Options::new();
+    let phase = Phase::find(&clip, &clip.decompose(&options).unwrap(), &options).unwrap();
+    let sides = phase.sides(&clip, 0, 101, &options).unwrap();
+    assert!(sides.pairs.len() > 20);
+    assert!(sides.pairs.iter().all(|pair| pair.rms < 0.1));
+    assert_eq!(phase.sides(&clip, 9, 101, &options).unwrap_err().kind(), ErrorKind::Argument);
+}
+
+#[test]
 #[ignore = "needs STLTSA_TEST_CLIP"]
 fn a_mark_is_found_in_every_cycle() {
     let clip = common::walker();

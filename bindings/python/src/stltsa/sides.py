@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Left against right over a cycle."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from ._arrays import FloatArray, columns, write_to
+from ._call import check
+from ._native import ffi, lib
+from ._tables import frame
+from ._text import string
+
+if TYPE_CHECKING:
+    from pandas import DataFrame
+
+_SIDES = {lib.STLTSA_SIDE_LEFT: "left", lib.STLTSA_SIDE_RIGHT: "right"}
+
+
+def side_of_name(name: str) -> str:
+    """Return the side of the body in the name of an event, a joint or a signal.
+
+    Parameters
+    ----------
+    name : str
+        Such as ``"left heel strike"``, ``"LHS"`` or ``"toe_l"``.
+
+    Returns
+    -------
+    str
+        ``"left"``, ``"right"``, or ``""`` if the name says none or both.
+
+    Examples
+    --------
+    >>> import stltsa
+    >>> [stltsa.side_of_name(name) for name in ("LHS", "Right Foot Off", "upright")]
+    ['left', 'right', '']
+    """
+    return _SIDES.get(lib.stltsa_side_of_name(name.encode()), "")
+
+
+class SidePair(NamedTuple):
+    """A signal of the left side of the body and that of the right one, half a cycle later.
+
+    `left` and `right` are names, `left_column` and `right_column` where they are among the signals.
+    `rms` is the root mean square of left less right, `chance` what it would be by the spread
+    between cycles alone; `mean` is the mean of left less that of right; ranges go from lowest to
+    highest. `shift` is the share of the cycle by which right comes later than half a cycle after
+    left, `correlation` that of the curves with the shift removed. NaN is unknown: curves that are
+    not alike (correlation below 0.7) have no shift, and those that do not move no correlation.
+    """
+
+    left: str
+    right: str
+    left_column: int
+    right_column: int
+    rms: float
+    chance: float
+    mean: float
+    left_range: float
+    right_range: float
+    shift: float
+    correlation: float
+
+    @property
+    def range_difference(self) -> float:
+        """Range of left less that of right."""
+        return self.left_range - self.right_range
+
+
+class Sides(tuple[SidePair, ...]):
+    """Pairs of a left and a right signal, with their mean curves over the cycle.
+
+    Attributes
+    ----------
+    left, right, difference : ndarray of shape (samples, pairs)
+        Mean curves; the right ones are half a cycle ahead, and mirrored if they are of features;
+        left less right.
+    reason : str
+        Why there are no pairs; "" if there are.
+    """
+
+    left: FloatArray
+    right: FloatArray
+    difference: FloatArray
+    reason: str
+
+    def __new__(cls, handle: Any, samples: int) -> Sides:
+        """Read the pairs of a handle."""
+        count = lib.stltsa_sides_count(handle)
+        sides = super().__new__(cls, [_pair(handle, index) for index in range(count)])
+        sides.left, sides.right, sides.difference = (columns(samples, count) for _ in range(3))
+        curves = (sides.left, sides.right, sides.difference)
+        check(lib.stltsa_sides_curves(handle, *map(write_to, curves)) if count else 0)
+        sides.reason = string(lib.stltsa_sides_reason(handle))
+        return sides
+
+    def to_frame(self) -> DataFrame:
+        """Return one row per pair; needs pandas."""
+        return frame(list(self), SidePair)
+
+
+def _pair(handle: Any, index: int) -> SidePair:
+    raw = ffi.new("stltsa_side_pair *", {"size": ffi.sizeof("stltsa_side_pair")})
+    check(lib.stltsa_sides_pair(handle, index, raw))
+    names = (lib.stltsa_sides_left_name(handle, index), lib.stltsa_sides_right_name(handle, index))
+    numbers = (raw.rms, raw.chance, raw.mean, raw.left_range, raw.right_range, raw.shift)
+    return SidePair(*map(string, names), raw.left, raw.right, *numbers, raw.correlation)

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Left against right over a cycle.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "phase/halves.hpp"
+#include "results/phased.hpp"
+
+namespace stltsa::results {
+
+/// A signal of the left side and that of the right one.
+struct SidePair {
+    std::int64_t left = 0, right = 0; ///< columns
+    std::string left_name, right_name;
+    /// On 0 to 100 % of the cycle; the right curve is half a cycle ahead.
+    std::vector<double> left_curve, right_curve;
+    phase::CurveDifference difference;
+};
+
+struct ComparedSides {
+    std::vector<SidePair> pairs; ///< in the order of the left columns
+    std::int64_t samples = 0;
+    std::string reason; ///< why there are no pairs
+};
+
+/// Signals with names of two sides, such as knee_l and knee_r.
+ComparedSides compare_sides(const phase::Resampled& cycles, std::span<const std::string> names);
+
+/// The features of a motion of the clip that the phase is of: what the left side does against the
+/// mirror image of what the right one does. `prepare`: as for the decomposition. Throws
+/// Status::argument for a label without cycles or repetitions.
+ComparedSides compare_sides(const clip::Clip& clip, const Phased& phased, std::int32_t label,
+                            std::int64_t samples, clip::PrepareOptions prepare,
+                            const Progress& progress);
+
+} // namespace stltsa::results

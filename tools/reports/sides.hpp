@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Left against right, for each motion in cycles.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <stltsa.hpp>
+
+#include "reports/json.hpp"
+
+namespace tool {
+
+struct LabelSides {
+    std::int32_t label = 0;
+    std::optional<stltsa::Sides> sides; ///< none: `reason` says why
+    std::string reason;
+};
+
+/// `axes`: whether the columns of a joint are its coordinates along x, y and z.
+Json sides_json(const std::vector<LabelSides>& all, bool axes);
+std::string sides_report(const std::vector<LabelSides>& all, bool axes);
+
+} // namespace tool
