@@ -824,6 +824,8 @@ class Sides {
   private:
     Matrix curves(int which) const {
         Matrix values(samples_, count());
+        if (count() == 0)
+            return values;
         const stltsa_out to = detail::out(values);
         detail::check(stltsa_sides_curves(get(), which == 0 ? &to : nullptr,
                                           which == 1 ? &to : nullptr, which == 2 ? &to : nullptr));

@@ -23,6 +23,10 @@ class Events(CommandTest):
         self.assertEqual([row["name"] for row in rows], [e["name"] for e in found["events"]])
         self.assertEqual([row["cycle"] or None for row in rows],
                          [None if e["cycle"] is None else str(e["cycle"]) for e in found["events"]])
+        self.assertEqual({e["name"]: e["side"] for e in found["events"]},
+                         {"strike": None, "off, left": "left"})
+        self.assertEqual([row["side"] or None for row in rows],
+                         [e["side"] for e in found["events"]])
         table = self.done(*line).decode()
         self.assertEqual(table.count("strike"), sum(e["name"] == "strike" for e in found["events"]))
 
@@ -49,11 +53,18 @@ class Events(CommandTest):
         self.assertEqual([e for e in found["events"] if e["clip"] == still], [])
         self.assertIn("no motion like the marked one", found["warnings"][0])
 
+    def test_a_name_without_a_side_keeps_none(self):
+        found = self.json("events", walk(), "--mark", "250=upright", "--both-sides")["events"]
+        self.assertEqual({(e["name"], e["side"]) for e in found},
+                         {("upright", None), ("upright (other side)", None)})
+
     def test_the_other_side_is_half_a_cycle_later(self):
         found = self.json("events", walk(), "--mark", "250=left_strike", "--both-sides")["events"]
         sides = {side: [e for e in found if e["name"] == side + "_strike" and e["cycle"] is not None]
                  for side in ("left", "right")}
         self.assertGreaterEqual(len(sides["right"]), 2)
+        self.assertEqual({(e["name"], e["side"]) for e in found},
+                         {("left_strike", "left"), ("right_strike", "right")})
         for event in sides["right"]:
             self.assertFalse(event["marked"])
             turns = (event["frame"] - 250) / 132

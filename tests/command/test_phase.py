@@ -55,9 +55,9 @@ class Phase(CommandTest):
         for pair in pairs.values():
             self.assertLess(pair["rms_difference"], 0.1)
             self.assertLess(abs(pair["mean_difference"]), 0.1)
-        text = self.done("decompose", walk(), "--phase", self.folder / "phase.npy").stdout
+        text = self.done("decompose", walk(), "--phase", self.folder / "phase.npy").decode()
         self.assertIn("left - right", text)
-        self.assertNotIn("left - right", self.done("decompose", walk()).stdout)
+        self.assertNotIn("left - right", self.done("decompose", walk()).decode())
 
     def test_without_sides_there_is_a_reason(self):
         found = self.json("decompose", noisy_circle(), "--phase", self.folder / "phase.npy")

@@ -30,8 +30,11 @@ Analyzed analyzed(const Session& session, const std::string& path, const stltsa:
 
 /// Of an event on the other side of the body.
 std::string other_side(const std::string& name) {
-    const auto names = stltsa::other_side_names(name, false);
-    return names.empty() ? name + " (other side)" : names.front();
+    const std::int32_t side = stltsa::side_of_name(name);
+    for (const stltsa::OtherSide& other : stltsa::other_sides(name, false))
+        if (static_cast<std::int32_t>(other.side) == side)
+            return other.name;
+    return name + " (other side)";
 }
 
 /// The cycle of an event that was found in the mirror image is that of the clip itself.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 
 #include <fmt/format.h>
@@ -113,6 +114,41 @@ std::string cycles_table(const stltsa::Decomposition& result) {
     return '\n' + table.text() + left_out(count, "cycles");
 }
 
+/// A row for each part of the kind whose travel is known.
+std::vector<std::vector<std::string>> travel_rows(const stltsa::Decomposition& result,
+                                                  std::int32_t kind, const char* name) {
+    const auto cell = [](double value) {
+        return std::isfinite(value) ? fmt::format("{:.4g}", value) : std::string("-");
+    };
+    std::vector<std::vector<std::string>> rows;
+    for (std::int64_t i = 0; i < std::min(result.part_count(kind), most_rows); ++i) {
+        const stltsa::Travel travel = result.travel(kind, i);
+        if (!std::isfinite(travel.way))
+            continue;
+        const std::int32_t side = result.part(kind, i).side;
+        const double turn = std::round(10 * travel.turn) / 10 + 0.0; // no -0.0
+        rows.push_back({fmt::format("{} {}", name, i + 1), side < 0 ? "-" : std::to_string(side),
+                        cell(travel.way), cell(travel.stride), cell(travel.speed),
+                        std::isfinite(turn) ? fmt::format("{:.1f}", turn) : std::string("-")});
+    }
+    return rows;
+}
+
+/// How far each cycle and step takes the body, in the unit of the file; empty if it is unknown.
+std::string travel_table(const stltsa::Decomposition& result) {
+    using enum Align;
+    auto rows = travel_rows(result, STLTSA_PART_CYCLE, "cycle");
+    std::ranges::move(travel_rows(result, STLTSA_PART_STEP, "step"), std::back_inserter(rows));
+    if (rows.empty())
+        return "";
+    Table table({left, left, right, right, right, right});
+    table.add({"travel", "side", "way", "stride", "speed/s", "turn (deg)"});
+    for (std::vector<std::string>& row : rows)
+        table.add(std::move(row));
+    return '\n' + table.text() + left_out(result.part_count(STLTSA_PART_CYCLE), "cycles") +
+           left_out(result.part_count(STLTSA_PART_STEP), "steps");
+}
+
 std::string dimension_text(const stltsa::Info& info) {
     const auto estimate = [&](std::int32_t key) {
         const std::int64_t value = info.integer(key);
@@ -209,7 +245,7 @@ std::string decomposition_report(const stltsa::Decomposition& result, const std:
     const std::string first =
         wrapped(title + ": " + decomposition_summary(result), terminal_columns(STDOUT_FILENO));
     return bold(first) + "\n\n" + segments_table(result) + units_table(result) +
-           cycles_table(result) + '\n' + facts_of(result).text() +
+           cycles_table(result) + travel_table(result) + '\n' + facts_of(result).text() +
            listed("note:", info.texts(STLTSA_INFO_NOTE)) +
            listed("warning:", info.texts(STLTSA_INFO_WARNING));
 }

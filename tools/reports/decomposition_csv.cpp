@@ -14,7 +14,9 @@ namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr const char* header =
-    "level,kind,label,begin,end,begin_s,end_s,duration_s,likeness,confidence\n";
+    "level,kind,label,begin,end,begin_s,end_s,duration_s,likeness,confidence,way,stride,speed,"
+    "turn_deg\n";
+constexpr stltsa::Travel nowhere = {unknown, unknown, unknown, unknown};
 
 std::string number(double value) {
     return std::isnan(value) ? std::string() : fmt::format("{}", value);
@@ -22,11 +24,13 @@ std::string number(double value) {
 
 template <class Part>
 std::string row(std::string_view level, std::string_view kind, const stltsa::Segment& segment,
-                const Part& part, double likeness, double confidence) {
+                const Part& part, double likeness, double confidence,
+                const stltsa::Travel& travel = nowhere) {
     const std::string label = segment.label < 0 ? std::string() : label_text(segment.label);
-    return fmt::format("{},{},{},{},{},{},{},{},{},{}\n", level, kind, label, part.begin, part.end,
-                       part.begin_s, part.end_s, part.end_s - part.begin_s, number(likeness),
-                       number(confidence));
+    return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", level, kind, label,
+                       part.begin, part.end, part.begin_s, part.end_s, part.end_s - part.begin_s,
+                       number(likeness), number(confidence), number(travel.way),
+                       number(travel.stride), number(travel.speed), number(travel.turn));
 }
 
 } // namespace
@@ -43,12 +47,15 @@ std::string decomposition_csv(const stltsa::Decomposition& result) {
     for (const stltsa::Interval& unit : result.units())
         text += row("unit", stltsa::unit_name(unit.kind), segment_of(unit.segment), unit, unknown,
                     unknown);
-    for (const stltsa::Part& cycle : result.parts(STLTSA_PART_CYCLE))
-        text += row("cycle", "cycle", segment_of(cycle.segment), cycle, cycle.likeness,
-                    cycle.confidence);
-    for (const stltsa::Part& repetition : result.parts(STLTSA_PART_REPETITION))
-        text += row("repetition", "repetition", segment_of(repetition.segment), repetition,
-                    repetition.likeness, repetition.confidence);
+    const auto append = [&](std::int32_t kind, const char* name) {
+        for (std::int64_t i = 0; i < result.part_count(kind); ++i) {
+            const stltsa::Part part = result.part(kind, i);
+            text += row(name, name, segment_of(part.segment), part, part.likeness, part.confidence,
+                        result.travel(kind, i));
+        }
+    };
+    append(STLTSA_PART_CYCLE, "cycle");
+    append(STLTSA_PART_REPETITION, "repetition");
     return text;
 }
 

@@ -16,6 +16,14 @@ Json cycle_json(const stltsa::Event& event) {
     return event.cycle < 0 ? Json(nullptr) : Json(event.cycle);
 }
 
+/// Of the body, by the name; empty: the name does not say.
+std::string side_of(const NamedEvent& event) {
+    const std::int32_t side = stltsa::side_of_name(event.name);
+    if (side == STLTSA_SIDE_NONE)
+        return "";
+    return side == STLTSA_SIDE_LEFT ? "left" : "right";
+}
+
 /// A name that may hold commas or quotes.
 std::string cell(const std::string& text) {
     if (text.find_first_of(",\"\n\r") == std::string::npos)
@@ -48,10 +56,10 @@ void sort_events(EventTable& table) {
 std::string events_json(const EventTable& table) {
     std::vector<Json> events, searches;
     for (const NamedEvent& each : table.events)
-        events.push_back(JsonObject("clip", each.clip, "name", each.name, "frame", each.event.frame,
-                                    "seconds", each.event.seconds, "cycle", cycle_json(each.event),
-                                    "confidence", each.event.confidence, "marked",
-                                    each.event.marked != 0));
+        events.push_back(JsonObject(
+            "clip", each.clip, "name", each.name, "side", json_or_null(side_of(each)), "frame",
+            each.event.frame, "seconds", each.event.seconds, "cycle", cycle_json(each.event),
+            "confidence", each.event.confidence, "marked", each.event.marked != 0));
     for (const EventSearch& each : table.searches)
         searches.push_back(JsonObject("clip", each.clip, "name", each.name, "count", each.count,
                                       "likeness", each.likeness));
@@ -61,25 +69,25 @@ std::string events_json(const EventTable& table) {
 }
 
 std::string events_csv(const EventTable& table) {
-    std::string text = "clip,name,frame,seconds,cycle,confidence,marked\n";
+    std::string text = "clip,name,frame,seconds,cycle,confidence,marked,side\n";
     for (const NamedEvent& each : table.events)
-        text += fmt::format("{},{},{},{},{},{},{}\n", cell(each.clip), cell(each.name),
+        text += fmt::format("{},{},{},{},{},{},{},{}\n", cell(each.clip), cell(each.name),
                             each.event.frame, each.event.seconds,
                             each.event.cycle < 0 ? "" : std::to_string(each.event.cycle),
-                            each.event.confidence, each.event.marked);
+                            each.event.confidence, each.event.marked, side_of(each));
     return text;
 }
 
 std::string events_report(const EventTable& table) {
     using enum Align;
-    Table rows({left, left, right, right, right, right, left});
-    rows.add({"clip", "event", "frame", "seconds", "cycle", "confidence", ""});
+    Table rows({left, left, left, right, right, right, right, left});
+    rows.add({"clip", "event", "side", "frame", "seconds", "cycle", "confidence", ""});
     for (const NamedEvent& each : table.events)
-        rows.add({file_name(each.clip), each.name, fmt::format("{:.2f}", each.event.frame),
-                  fmt::format("{:.3f}", each.event.seconds),
-                  each.event.cycle < 0 ? "-" : std::to_string(each.event.cycle),
-                  fmt::format("{:.2f}", each.event.confidence),
-                  each.event.marked != 0 ? "marked" : ""});
+        rows.add(
+            {file_name(each.clip), each.name, side_of(each),
+             fmt::format("{:.2f}", each.event.frame), fmt::format("{:.3f}", each.event.seconds),
+             each.event.cycle < 0 ? "-" : std::to_string(each.event.cycle),
+             fmt::format("{:.2f}", each.event.confidence), each.event.marked != 0 ? "marked" : ""});
     const std::string events = table.events.empty() ? "no events\n" : rows.text();
     const std::string warnings = listed("warning:", table.warnings);
     return events + (warnings.empty() ? "" : '\n' + warnings);

@@ -37,12 +37,17 @@ class Row(NamedTuple):
     duration_s: float
     likeness: float
     confidence: float
+    way: float
+    stride: float
+    speed: float
+    turn_deg: float
 
 
 def _row(level: str, kind: str, label: str, part: Any) -> Row:
-    likeness, confidence = (getattr(part, n, float("nan")) for n in ("likeness", "confidence"))
+    names = ("likeness", "confidence", "way", "stride", "speed", "turn")
+    numbers = (getattr(part, name, float("nan")) for name in names)
     times = part.begin, part.end, part.begin_s, part.end_s, part.duration_s
-    return Row(level, kind, label, *times, likeness, confidence)
+    return Row(level, kind, label, *times, *numbers)
 
 
 def rows_of(result: Decomposition) -> list[Row]:

@@ -396,7 +396,8 @@ class Decomposition(Described):
         """Return one table of all segments, units, cycles and repetitions; needs pandas.
 
         Columns, as of the command's ``-o units.csv``: level, kind, label; begin, end in source
-        frames; begin_s, end_s, duration_s in seconds; likeness, confidence (NaN for units).
+        frames; begin_s, end_s, duration_s in seconds; likeness, confidence (NaN for units); way,
+        stride, speed, turn_deg of cycles and repetitions (see :class:`Part`).
         """
         return _exports.to_frame(self)
 
