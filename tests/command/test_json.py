@@ -238,6 +238,10 @@ class Content(CommandTest):
                 self.assertEqual((int(row["begin"]), int(row["end"])), (one["begin"], one["end"]))
                 self.assertEqual(float(row["begin_s"]), one["begin_s"])
                 self.assertAlmostEqual(float(row["duration_s"]), one["end_s"] - one["begin_s"])
+                travel = one.get("travel") or {}
+                for key in ("way", "stride", "speed", "turn_deg"):
+                    self.assertEqual(float(row[key]) if row[key] else None, travel.get(key))
+                self.assertEqual(level == "cycle", bool(row["way"]))
                 for key in ("likeness", "confidence"):
                     self.assertEqual(float(row[key]) if row[key] else None, one.get(key))
                 segment = found["segments"][one.get("segment", 0)] if level != "segment" else one
@@ -245,6 +249,12 @@ class Content(CommandTest):
         self.assertIn(".csv", self.fails(2, "decompose", walk(), "-o", self.folder / "units.xls"))
         self.assertIn(".json", self.fails(2, "decompose", walk(), "--json", "-o", path))
         table = self.done("decompose", walk())
+        travels = [line.split() for line in table.decode().splitlines()
+                   if line.startswith(("  cycle ", "  step ")) and line.split()[1].isdigit()]
+        self.assertEqual(len(travels), len(found["cycles"]) + len(found["steps"]))
+        for line, part in zip(travels, found["cycles"] + found["steps"], strict=True):
+            self.assertEqual(line[2], str(part["side"]))
+            self.assertEqual(line[3], f"{part['travel']['way']:.4g}")
         self.assertEqual(self.done("decompose", walk(), "-o", "-"), table)
 
     def test_markers(self):

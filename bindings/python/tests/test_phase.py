@@ -109,15 +109,18 @@ def test_labels_of_a_file_are_marks(result, phase):
     found = phase.events_like(labels)
     assert list(found) == ["Left Foot Strike", "Right Foot Strike"]
     for label, events in zip(labels, found.values(), strict=False):
-        assert events == phase.events(label.seconds * result.clip.fps)
+        name = f"{label.context} {label.label}"
+        assert events == phase.events(label.seconds * result.clip.fps, name=name)
+        assert {event.side for event in events} == {label.context.lower()}
+    assert {event.side for event in phase.events(250)} == {""}
 
 
 def test_labels_of_one_name_are_searched_once(result, phase, monkeypatch):
     calls, events = [], type(phase).events
 
-    def counted(self, marks, other=None):
+    def counted(self, marks, other=None, *, name=""):
         calls.append(marks)
-        return events(self, marks, other)
+        return events(self, marks, other, name=name)
 
     monkeypatch.setattr(type(phase), "events", counted)
     labels = [stltsa.Event("Foot Strike", "Left", at / 120) for at in (250, 382)]
@@ -134,7 +137,8 @@ def test_labels_all_over_the_cycle_are_left_out(result, phase):
         found = phase.events_like(labels)
     assert [each.filename for each in warned] == [__file__]
     assert list(found) == ["Left Foot Strike"]
-    assert found["Left Foot Strike"] == phase.events(250 / 120 * result.clip.fps)
+    frame = 250 / 120 * result.clip.fps
+    assert found["Left Foot Strike"] == phase.events(frame, name="left")
 
 
 def test_labels_need_a_rate(clip):
@@ -279,16 +283,17 @@ def test_marks_are_found_on_the_other_side(clip, result):
     assert np.asarray(turns) % 1 == pytest.approx(0.5, abs=0.03)
 
 
-def test_sides_of_a_symmetric_walk_differ_by_nothing(walk):
-    sides = stltsa.decompose(walk).sides()
+def test_sides_of_a_symmetric_walk_differ_by_nothing(result):
+    sides = result.sides()
     assert len(sides) > 20 and sides.reason == ""
     assert sides.left.shape == sides.right.shape == (101, len(sides))
     np.testing.assert_array_equal(sides.difference, sides.left - sides.right)
     assert max(pair.rms for pair in sides) < 0.1
+    assert len(sides.to_frame()) == len(sides)
     foot = next(pair for pair in sides if pair.left == "LeftFoot" and pair.left_range > 50)
     assert foot.right == "RightFoot" and abs(foot.shift) < 0.002
     with pytest.raises(stltsa.ArgumentError):
-        stltsa.decompose(walk).sides("Z")
+        result.sides("Z")
 
 
 def test_sides_of_signals_have_known_differences():

@@ -22,7 +22,7 @@ from ._call import check, owned, texts
 from ._native import ffi, lib
 from ._rows import number_of
 from .errors import ArgumentError, QualityWarning
-from .sides import Sides
+from .sides import Sides, side_of_name
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
@@ -76,7 +76,8 @@ class FoundEvent(NamedTuple):
 
     `frame` is not rounded; `seconds` is NaN if the frame rate is unknown; `cycle` is an index among
     :attr:`Decomposition.cycles`, -1 outside cycles; `confidence`, 0 to 1, ranks events by the size
-    of their likely errors; `marked` is true for a mark itself.
+    of their likely errors; `marked` is true for a mark itself; `side` is ``"left"``, ``"right"`` or
+    ``""``, as the name of the mark says, if it has one (:meth:`Phase.events_like`).
     """
 
     frame: float
@@ -84,6 +85,7 @@ class FoundEvent(NamedTuple):
     cycle: int
     confidence: float
     marked: bool
+    side: str = ""
 
 
 class FoundEvents(tuple[FoundEvent, ...]):
@@ -102,7 +104,7 @@ class FoundEvents(tuple[FoundEvent, ...]):
     likeness: float
     warnings: tuple[str, ...]
 
-    def __new__(cls, handle: Any, timed: bool = True) -> FoundEvents:
+    def __new__(cls, handle: Any, timed: bool = True, side: str = "") -> FoundEvents:
         """Read the events of a handle; without seconds if they are not `timed`."""
         found, raw = [], ffi.new("stltsa_event *", {"size": ffi.sizeof("stltsa_event")})
         for index in range(lib.stltsa_events_count(handle)):
@@ -114,6 +116,7 @@ class FoundEvents(tuple[FoundEvent, ...]):
                     raw.cycle,
                     raw.confidence,
                     bool(raw.marked),
+                    side,
                 )
             )
         events = super().__new__(cls, found)
@@ -295,7 +298,9 @@ class Phase:
         """About motions whose phase is linear in time: their mean cycle explains too little."""
         return texts(lib.stltsa_phase_warning_count, lib.stltsa_phase_warning, self._handle)
 
-    def events(self, marks: float | Sequence[float], other: Phase | None = None) -> FoundEvents:
+    def events(
+        self, marks: float | Sequence[float], other: Phase | None = None, *, name: str = ""
+    ) -> FoundEvents:
         """Find the event at one or more marked frames wherever it comes again.
 
         Parameters
@@ -305,6 +310,8 @@ class Phase:
             If marks lie farther than a tenth of a cycle apart, they mark several places.
         other : Phase, optional
             Of another clip with the same features, such as another person's, in which to look.
+        name : str
+            Of the event; the side in it, as in ``"left heel strike"``, is that of what is found.
 
         Returns
         -------
@@ -330,7 +337,7 @@ class Phase:
         out = ffi.new("stltsa_events **")
         target = _NULL if other is None else other._handle
         check(lib.stltsa_events_find(self._handle, read_from(at), target, out))
-        return FoundEvents(owned("events", out), (other or self)._fps > 0)
+        return FoundEvents(owned("events", out), (other or self)._fps > 0, side_of_name(name))
 
     def events_like(
         self, labels: Iterable[Event], other: Phase | None = None
@@ -386,13 +393,13 @@ class Phase:
     ) -> FoundEvents | None:
         """Find the events at those of the frames that lie in motions that repeat."""
         try:
-            return self.events(frames, other)
+            return self.events(frames, other, name=name)
         except ArgumentError:
             inside = [frame for frame in frames if self._repeats_at(frame)]
         if not inside:
             return None
         try:
-            return self.events(inside, other)
+            return self.events(inside, other, name=name)
         except ArgumentError as error:
             warnings.warn(f"{name} is left out: {error}", QualityWarning, stacklevel=3)
             return None
