@@ -53,6 +53,41 @@ class Events(CommandTest):
         self.assertEqual([e for e in found["events"] if e["clip"] == still], [])
         self.assertIn("no motion like the marked one", found["warnings"][0])
 
+    def test_what_is_written_is_read_as_labels(self):
+        table = self.folder / "events.csv"
+        line = ("events", walk(), "--mark", "250=strike", "--mark", "300=off, left")
+        self.done(*line, f"{walk()}:170-600", "-o", table)
+        found = [e for e in self.json(*line)["events"] if e["cycle"] is not None]
+        again = self.json("events", walk(), "--mark", table)
+        inside = [e for e in again["events"] if e["cycle"] is not None]
+        self.assertEqual([e["name"] for e in inside], [e["name"] for e in found])
+        for one, other in zip(inside, found, strict=True):
+            self.assertTrue(one["marked"])
+            self.assertAlmostEqual(one["frame"], other["frame"], delta=1e-6)
+
+    def test_labels_of_bids_and_boris(self):
+        tables = {"a_events.tsv": "onset\tduration\ttrial_type\n2.1\t0\tstrike\n0.1\t0\trest\n",
+                  "b.csv": "Observation id,Behavior,Behavior type,Time\r\n"
+                           "w,strike,START,2.1\r\nw,strike,STOP,2.5\r\nw,rest,POINT,0.1\r\n"}
+        typed = self.json("events", walk(), "--mark", "2.1s=strike")["events"]
+        for name, text in tables.items():
+            path = self.folder / name
+            path.write_text(text)
+            found = self.json("events", walk(), "--mark", path)
+            self.assertEqual(found["events"], typed)
+            self.assertIn("rest is left out: none of them lies in a motion that repeats",
+                          found["warnings"][0])
+
+    def test_files_that_hold_no_labels(self):
+        path = self.folder / "other.csv"
+        path.write_text("x,y\n1,2\n")
+        self.assertIn("columns with seconds", self.fails(3, "events", walk(), "--mark", path))
+        path.write_text("clip,name,seconds\nanother.bvh,strike,2.1\n")
+        self.assertIn("no labels of", self.fails(3, "events", walk(), "--mark", path))
+        absent = self.folder / "absent.tsv"
+        self.assertIn("cannot read", self.fails(3, "events", walk(), "--mark", absent))
+        self.assertIn("pip install", self.fails(3, "events", walk(), "--mark", "walk.c3d"))
+
     def test_a_name_without_a_side_keeps_none(self):
         found = self.json("events", walk(), "--mark", "250=upright", "--both-sides")["events"]
         self.assertEqual({(e["name"], e["side"]) for e in found},

@@ -6,11 +6,12 @@ import math
 import struct
 import unittest
 
-from common import CommandTest, plain_environment, run
+from common import CommandTest, plain_environment, run, walk
 
 READER = """#!/bin/sh
 [ "$1 $2" = "-m stltsa.readers" ] || exit 9
 case $3 in
+--events) printf 'onset\\ttrial_type\\n2.1\\tLeft Foot Strike\\n' ;;
 *silent.c3d) exit 3 ;;
 *garbage.c3d) echo nothing ;;
 *short.c3d) printf 'matrix 0 0 2 3 120.0\\n12345678' ;;
@@ -72,6 +73,14 @@ class Foreign(CommandTest):
     def test_points_have_the_bits_of_the_reader(self):
         there = self.run_with(self.reader, "decompose", self.folder / "walk.c3d", "--json")
         self.same(there, run("decompose", self.table, "--fps", "100", "--json"))
+
+    def test_labels_of_c3d_are_marks(self):
+        c3d = self.folder / "walk.c3d"
+        there = self.run_with(self.reader, "events", walk(), "--mark", c3d, "--json")
+        here = run("events", walk(), "--mark", "2.1s=Left Foot Strike", "--json")
+        self.assertEqual(there.returncode, 0, there.stderr)
+        self.assertEqual(there.stdout, here.stdout)
+        self.assertIn(b'"side":"left"', there.stdout.replace(b" ", b""))
 
     def test_a_stretch_may_follow(self):
         there = self.run_with(self.reader, "info", f"{self.folder}/walk.c3d:1s-3s", "--json")

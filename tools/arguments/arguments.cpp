@@ -337,7 +337,8 @@ class Parser {
         CLI::App& events = clip_command(Command::events, "events", "The clip with the marks.");
         events.add_option("others", to_.pieces, "Clips in which the events are found, too.");
         add_marks(events, "A frame, which need not be whole, or seconds (2.5s), and the name of "
-                          "what happens then. Several with one name make it surer.")
+                          "what happens then. Several with one name make it surer. "
+                          "Or a file with labels: .c3d, or a table of events (.csv, .tsv).")
             ->required();
         events
             .add_flag("--both-sides", to_.both_sides,

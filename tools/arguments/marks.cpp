@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "arguments/marks.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <initializer_list>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "exit_status.hpp"
+#include "terminal/text.hpp"
 
 namespace tool {
 namespace {
@@ -21,7 +25,80 @@ std::optional<double> number_in(std::string_view text) {
     return value;
 }
 
+using Row = std::vector<std::string>;
+
+/// The cells of the next line, which may be quoted as in CSV files.
+Row next_row(std::string_view& text, char separator) {
+    Row row(1);
+    bool quoted = false;
+    std::size_t at = 0;
+    for (; at < text.size() && (quoted || text[at] != '\n'); ++at) {
+        const char c = text[at];
+        if (c == '"' && quoted && at + 1 < text.size() && text[at + 1] == '"')
+            row.back() += text[++at];
+        else if (c == '"')
+            quoted = !quoted;
+        else if (c == separator && !quoted)
+            row.emplace_back();
+        else if (c != '\r')
+            row.back() += c;
+    }
+    text.remove_prefix(std::min(at + 1, text.size()));
+    return row;
+}
+
+/// The column with one of the names.
+std::optional<std::size_t> column_of(const Row& heading, std::initializer_list<const char*> names) {
+    for (const char* name : names)
+        if (const auto found = std::ranges::find(heading, name); found != heading.end())
+            return static_cast<std::size_t>(found - heading.begin());
+    return std::nullopt;
+}
+
+/// The cell of a column; `otherwise` if the table has none.
+std::string cell_of(const Row& row, std::optional<std::size_t> column,
+                    const std::string& otherwise) {
+    return column && *column < row.size() ? row[*column] : otherwise;
+}
+
 } // namespace
+
+bool is_label_file(const std::string& mark) {
+    const bool file = ends_in(mark, ".c3d") || ends_in(mark, ".csv") || ends_in(mark, ".tsv");
+    return file && mark.find('=') == mark.npos;
+}
+
+Marks labels_in(const std::string& table, const std::string& path, const std::string& clip,
+                double fps) {
+    std::string_view rest = table;
+    const char separator = rest.substr(0, rest.find('\n')).find('\t') == rest.npos ? ',' : '\t';
+    const Row heading = next_row(rest, separator);
+    const auto time = column_of(heading, {"onset", "seconds", "Time"});
+    const auto name = column_of(heading, {"trial_type", "name", "Behavior"});
+    const auto file = column_of(heading, {"clip"}), what = column_of(heading, {"Behavior type"});
+    if (!time || !name)
+        throw Failure(Exit::unreadable,
+                      fmt::format("{}: no labels: a table of events has columns with seconds "
+                                  "(onset, seconds or Time) and with names (trial_type, name or "
+                                  "Behavior)",
+                                  path));
+    if (!(fps > 0))
+        throw Failure(Exit::usage, fmt::format("--mark {}: labels are in seconds, but the frame "
+                                               "rate is unknown: give --fps",
+                                               path));
+    Marks labels;
+    while (!rest.empty()) {
+        const Row row = next_row(rest, separator);
+        if (cell_of(row, file, clip) != clip || cell_of(row, what, "") == "STOP")
+            continue;
+        const std::string label = cell_of(row, name, "");
+        if (const auto seconds = number_in(cell_of(row, time, "")); seconds && !label.empty())
+            labels[label].push_back(*seconds * fps);
+    }
+    if (labels.empty())
+        throw Failure(Exit::unreadable, fmt::format("{}: no labels of {}", path, clip));
+    return labels;
+}
 
 Marks parse_marks(const std::vector<std::string>& given, double fps) {
     Marks marks;

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iterator>
 #include <map>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -9,6 +14,7 @@
 #include "arguments/marks.hpp"
 #include "base/side_name.hpp"
 #include "commands/commands.hpp"
+#include "commands/foreign.hpp"
 #include "commands/session.hpp"
 #include "reports/events.hpp"
 #include "terminal/text.hpp"
@@ -89,14 +95,60 @@ void append(const Analyzed& from, const Analyzed& in, const Marks& marks, EventT
     }
 }
 
+/// The labels of a file that the clip's motion can be searched for, as Python's events_like()
+/// chooses them: those in motions that repeat, of names that are not spread all over the cycle.
+void add_useful(const Analyzed& from, const std::string& file, const Marks& labels, Marks& marks,
+                EventTable& table) {
+    const auto refusal = [&](const std::vector<double>& frames) -> std::string {
+        try {
+            from.phase.events(frames);
+            return "";
+        } catch (const stltsa::Error& error) {
+            if (error.status() != STLTSA_E_ARGUMENT)
+                throw;
+            return error.what();
+        }
+    };
+    for (const auto& [name, frames] : labels) {
+        std::vector<double> useful = frames;
+        if (!refusal(useful).empty())
+            std::erase_if(useful, [&](double frame) { return !refusal({frame}).empty(); });
+        const std::string why =
+            useful.empty() ? "none of them lies in a motion that repeats" : refusal(useful);
+        if (why.empty())
+            marks[name].insert(marks[name].end(), useful.begin(), useful.end());
+        else
+            table.warnings.push_back(fmt::format("{}: {} is left out: {}", file, name, why));
+    }
+}
+
+std::string label_table(const std::string& path) {
+    if (ends_in(path, ".c3d"))
+        return events_by_python(path);
+    std::ifstream file(path, std::ios::binary);
+    std::string text(std::istreambuf_iterator<char>(file), {});
+    if (!file)
+        throw Failure(Exit::unreadable,
+                      fmt::format("{}: cannot read: {}", path, std::strerror(errno)));
+    return text;
+}
+
 } // namespace
 
 Exit run_events(const Arguments& arguments) {
     Session session(arguments);
     const stltsa::Clip& clip = session.open_input();
-    const auto marks = parse_marks(arguments.marks, clip.fps());
+    std::vector<std::string> typed, files;
+    for (const std::string& mark : arguments.marks)
+        (is_label_file(mark) ? files : typed).push_back(mark);
+    Marks marks = parse_marks(typed, clip.fps());
+    std::vector<std::pair<std::string, Marks>> labels;
+    for (const std::string& file : files)
+        labels.emplace_back(file, labels_in(label_table(file), file, arguments.input, clip.fps()));
     const Analyzed from = analyzed(session, arguments.input, clip);
     EventTable table;
+    for (const auto& [file, of_file] : labels)
+        add_useful(from, file, of_file, marks, table);
     const auto find_in = [&](const Analyzed& in, const stltsa::Clip& of) {
         append(from, in, marks, table);
         if (arguments.both_sides)

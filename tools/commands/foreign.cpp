@@ -59,12 +59,16 @@ struct Pipe {
     }
 };
 
-pid_t start(const std::string& python, const std::string& path, const std::string& fps,
-            const Pipe& output) {
+/// What the module stltsa.readers takes.
+struct Words {
+    std::string first, second;
+};
+
+pid_t start(const std::string& python, const Words& given, const Pipe& output) {
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_adddup2(&actions, output.ends[1], STDOUT_FILENO);
-    std::array<std::string, 5> words = {python, "-m", "stltsa.readers", path, fps};
+    std::array<std::string, 5> words = {python, "-m", "stltsa.readers", given.first, given.second};
     std::array<char*, 6> arguments{};
     std::ranges::transform(words, arguments.begin(), [](std::string& word) { return word.data(); });
     pid_t child = -1;
@@ -183,6 +187,22 @@ stltsa::Clip whole_clip(const std::string& bytes, const std::string& file,
     return stltsa::Clip::from_points({rows, space, labels, {}, {}, fps}, options);
 }
 
+/// What the module writes. Throws Failure with its sentence if it fails.
+std::string answer_to(const Words& given, const std::string& path) {
+    const std::string python = python_interpreter();
+    Pipe output;
+    const pid_t child = start(python, given, output);
+    output.close_end(1);
+    std::string answer = read_all(output.ends[0]);
+    const int status = wait_for(child);
+    if (status == 127)
+        cannot_run(python, ENOENT);
+    if (status != 0)
+        throw Failure(Exit::unreadable,
+                      answer.empty() ? fmt::format("{}: the Python package failed", path) : answer);
+    return answer;
+}
+
 } // namespace
 
 bool is_foreign(const std::string& path) {
@@ -202,21 +222,19 @@ stltsa::Clip clip_of(const ForeignClip& foreign, const std::string& path,
 }
 
 std::optional<ForeignClip> read_by_python(const std::string& path, const std::string& fps) {
-    const std::string python = python_interpreter();
     const std::string file = file_of(path);
-    if (python.empty() || !is_foreign(file))
+    if (!has_python() || !is_foreign(file))
         return {};
-    Pipe output;
-    const pid_t child = start(python, file, fps, output);
-    output.close_end(1);
-    std::string answer = read_all(output.ends[0]);
-    const int status = wait_for(child);
-    if (status == 127)
-        cannot_run(python, ENOENT);
-    if (status != 0)
+    return ForeignClip{answer_to({file, fps}, file)};
+}
+
+std::string events_by_python(const std::string& path) {
+    if (!has_python())
         throw Failure(Exit::unreadable,
-                      answer.empty() ? fmt::format("{}: the Python package failed", file) : answer);
-    return ForeignClip{std::move(answer)};
+                      fmt::format("{}: labels of such a file are read by the command that pip "
+                                  "installs: pip install 'stltsa[c3d]'",
+                                  path));
+    return answer_to({"--events", path}, path);
 }
 
 } // namespace tool

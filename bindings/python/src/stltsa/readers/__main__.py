@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Read a file for the command ``stltsa``: ``python -m stltsa.readers FILE FPS``.
+"""Read a file for the command ``stltsa``: ``python -m stltsa.readers FILE FPS``, or its events.
 
 Standard output has the arrays from which the command makes the same clip, to the bit. The first
 line is ``KIND SPACE ITEMS COLUMNS FRAMES RATE``: kind ``points`` (in `space` dimensions),
@@ -7,6 +7,9 @@ line is ``KIND SPACE ITEMS COLUMNS FRAMES RATE``: kind ``points`` (in `space` di
 parent, 1 for an end site, offset, channels and name, between tabs. Then follow frames x columns
 numbers (float64). If FILE cannot be read, the output is a sentence that says why, and the exit
 status is 3. FPS may be empty.
+
+``python -m stltsa.readers --events FILE`` writes the events of a C3D file instead, with the columns
+onset (seconds) and trial_type, separated by tabs, as in BIDS.
 """
 
 from __future__ import annotations
@@ -55,10 +58,24 @@ def _written(clip: Clip) -> bytes:
     return "\n".join(lines).encode() + np.ascontiguousarray(values, dtype=np.float64).tobytes()
 
 
+def events_of(name: str) -> str:
+    """Return the table of the events of a file."""
+    if Path(name).suffix.lower() != ".c3d":
+        raise ValueError(f"{name}: only C3D files have labels of events")
+    lines = ["onset\ttrial_type"]
+    for event in read_clip(name).events:
+        label = " ".join(f"{event.context} {event.label}".split())
+        lines.append(f"{event.seconds!r}\t{label}")
+    return "\n".join(lines) + "\n"
+
+
 def main() -> int:
     """Read the file that the arguments name."""
     name, rate = sys.argv[1:]
     try:
+        if name == "--events":
+            sys.stdout.write(events_of(rate))
+            return 0
         content = _written(read_clip(name, fps=float(rate)) if rate else read_clip(name))
     except (StltsaError, ImportError, OSError, ValueError) as error:
         sys.stdout.write(str(error))
