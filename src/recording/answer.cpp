@@ -30,6 +30,7 @@ struct Work {
     ConstMatrixView samples;
     std::vector<double> side_motion; ///< empty: unknown
     Recording result;
+    bool begin_with_side = true; ///< of the options
 
     double sample(double row) const {
         return std::min(row * static_cast<double>(signal.step), static_cast<double>(samples.rows));
@@ -98,13 +99,16 @@ void append_cyclic(Work& work, Draft& draft, Segment& segment) {
     for (CyclicStretch& cut : draft.stretches) {
         const bool steps = !work.side_motion.empty() && sides_alternate(work.side_motion, cut);
         std::vector<int> own;
-        if (steps) {
+        if (steps && work.begin_with_side)
             own = turn_to_side(work.side_motion, cut);
-            append_steps(work, index, cut, first, own);
-        } else {
+        else
             turn_to_rise(work.signal, cut);
+        if (own.empty() && steps)
+            own = sides_of(work.side_motion, cut);
+        if (steps)
+            append_steps(work, index, cut, first, own);
+        else
             own.assign(cut.cycles.size(), -1);
-        }
         first += static_cast<std::int64_t>(own.size());
         sides.insert(sides.end(), own.begin(), own.end());
         std::ranges::copy(cycle_confidences(work.signal, cut), std::back_inserter(confidences));
@@ -339,6 +343,7 @@ Recording answer_of(const Signal& signal, motion::Decomposition single, ConstMat
     Work work{signal, nullptr, samples, {}, {}};
     if (!options.side.empty())
         work.side_motion = side_motion(signal, options.side);
+    work.begin_with_side = options.begin_with_side;
     std::vector<Draft> drafts = drafts_of(single, signal);
     const auto kind_of = [&](double begin, double end) {
         const double middle = work.sample((begin + end) / 2);
@@ -358,6 +363,7 @@ Recording answer_of(const Context& context, std::vector<Draft> drafts, motion::D
     Work work{context.signal, &context.features, samples, {}, {}};
     if (!options.side.empty())
         work.side_motion = side_motion(context.signal, options.side);
+    work.begin_with_side = options.begin_with_side;
     double last = 0;
     for (const Draft& draft : drafts)
         if (draft.kind != SegmentKind::rest)

@@ -89,6 +89,9 @@ struct Options {
     /// One weight for each column of the samples: positive where the sum of weighted velocities is,
     /// one side of the body moves forward. Empty: the body is unknown.
     std::vector<double> side;
+    /// Whether all cycles begin with the same side, at the cost of half a cycle; else they tell the
+    /// side with which they begin.
+    bool begin_with_side = true;
     std::vector<Hole> holes; ///< ascending
 };
 

@@ -76,6 +76,15 @@ std::vector<double> side_motion(const Signal& signal, const std::vector<double>&
     return motion;
 }
 
+std::vector<int> sides_of(const std::vector<double>& motion, const CyclicStretch& cut) {
+    std::vector<int> sides;
+    for (const std::vector<double>& margins : cut.margins) {
+        const std::size_t cycles = margins.empty() ? 0 : (margins.size() - 1) / 2;
+        sides.insert(sides.end(), cycles, preference(motion, margins) < 0 ? 0 : 1);
+    }
+    return sides;
+}
+
 std::vector<int> turn_to_side(const std::vector<double>& motion, CyclicStretch& cut) {
     std::vector<int> sides;
     cut.cycles.clear();

@@ -4,6 +4,7 @@
 import csv
 import json
 import subprocess
+import sys
 
 import numpy as np
 import pytest
@@ -91,6 +92,49 @@ def test_events_in_c3d(tmp_path):
     assert again.features("raw") == pytest.approx(
         stltsa.read_clip(source).features("raw"), nan_ok=True
     )
+
+
+def test_found_events_keep_their_sides(result, tmp_path):
+    found = {"Left Foot Strike": result.phase().events(250, name="Left Foot Strike")}
+    result.save_events(tmp_path / "x_events.tsv", events=found)
+    with (tmp_path / "x_events.tsv").open(newline="") as file:
+        rows = [r for r in csv.DictReader(file, delimiter="\t") if r["level"] == "event"]
+    assert [float(r["onset"]) for r in rows] == [e.seconds for e in found["Left Foot Strike"]]
+    assert {(r["trial_type"], r["side"]) for r in rows} == {("Left Foot Strike", "left")}
+    result.save_events(tmp_path / "x.csv", events=found)
+    with (tmp_path / "x.csv").open(newline="") as file:
+        rows = [r for r in csv.DictReader(file) if r["Behavior type"] == "POINT"]
+    assert {(r["Behavior"], r["Comment"]) for r in rows} == {("Left Foot Strike", "left")}
+    assert len(rows) == len(found["Left Foot Strike"])
+
+
+def test_found_events_in_c3d_have_contexts(tmp_path):
+    strike = (0, 2.5, "Left", "Foot Strike")
+    source = write_c3d(tmp_path / "walk.c3d", walk(), first=200, events=[strike])
+    clip = stltsa.read_clip(source)
+    result = stltsa.decompose(clip)
+    found = result.phase().events_like(clip.events)
+    result.save_events(tmp_path / "found.c3d", events=found)
+    again = stltsa.read_clip(tmp_path / "found.c3d").events
+    strikes = [e.seconds for e in again if (e.context, e.label) == ("Left", "Foot Strike")]
+    expected = [e.seconds for e in found["Left Foot Strike"]]
+    assert len(expected) > 2
+    assert strikes == pytest.approx(expected, abs=1e-4)
+
+
+def test_the_command_asks_for_events(tmp_path):
+    strike = (0, 2.5, "Left", "Foot Strike")
+    source = write_c3d(tmp_path / "walk.c3d", walk(), first=200, events=[strike])
+    line = [sys.executable, "-m", "stltsa.readers", "--events"]
+    done = subprocess.run([*line, source], check=True, capture_output=True, text=True)
+    head, row = done.stdout.splitlines()
+    assert head == "onset\ttrial_type"
+    seconds, name = row.split("\t")
+    assert float(seconds) == pytest.approx(0.5, abs=1e-4)
+    assert name == "Left Foot Strike"
+    refused = subprocess.run([*line, "walk.trc"], capture_output=True, text=True, check=False)
+    assert refused.returncode == 3
+    assert "only C3D files" in refused.stdout
 
 
 def test_events_in_c3d_without_contexts(tmp_path):

@@ -15,13 +15,15 @@ import numpy as np
 
 from . import readers
 from ._tables import frame
+from .readers import c3d as readers_c3d
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable
+    from collections.abc import Callable, Iterable, Mapping
 
     from pandas import DataFrame
 
     from .decomposition import Decomposition
+    from .phase import FoundEvents
 
 
 class Row(NamedTuple):
@@ -125,11 +127,13 @@ _COLUMNS = {
             "unit": "Motion unit (Li et al. 2012)",
             "cycle": "One period of a cyclic segment",
             "repetition": "One of several actions of the same kind with pauses between them",
+            "event": "A moment that was marked once and found again",
         },
     },
     "label": {"Description": "Letter shared by the segments of the same motion"},
     "likeness": {"Description": "Similarity to the others of the label, from 0 to 1"},
     "confidence": {"Description": "How sure the answer is, from 0 to 1"},
+    "side": {"Description": "Side of the body in the name of an event: left or right"},
 }
 
 
@@ -138,15 +142,31 @@ def _cell(value: Any) -> str:
     return "n/a" if unknown else str(value)
 
 
-def _bids(rows: list[Row]) -> str:
+class Moment(NamedTuple):
+    """An event that was found, with its name."""
+
+    name: str
+    event: Any  # FoundEvent
+
+
+def _moments(events: Mapping[str, FoundEvents] | None) -> list[Moment]:
+    moments = [Moment(name, event) for name, found in (events or {}).items() for event in found]
+    return sorted(moments, key=lambda moment: moment.event.seconds)
+
+
+def _bids(rows: list[Row], moments: list[Moment]) -> str:
+    nan = float("nan")
+    cells = [
+        (r.begin_s, r.duration_s, r.kind, r.level, r.label, r.likeness, r.confidence, "")
+        for r in rows
+    ]
+    cells += [(e.seconds, 0.0, name, "event", "", nan, e.confidence, e.side) for name, e in moments]
     lines = ["\t".join(_COLUMNS)]
-    for r in sorted(rows, key=lambda r: r.begin_s):
-        cells = r.begin_s, r.duration_s, r.kind, r.level, r.label, r.likeness, r.confidence
-        lines.append("\t".join(map(_cell, cells)))
+    lines += ["\t".join(map(_cell, line)) for line in sorted(cells, key=lambda line: line[0])]
     return "\n".join(lines) + "\n"
 
 
-def _boris(rows: list[Row], result: Decomposition) -> str:
+def _boris(rows: list[Row], moments: list[Moment], result: Decomposition) -> str:
     """Return the tabular events of BORIS: a line at the begin and one at the end of each row."""
     name = Path(result.clip.path or "clip").name
     head = ("Observation id", "Media file name", "FPS (frame/s)", "Subject", "Behavior",
@@ -157,6 +177,10 @@ def _boris(rows: list[Row], result: Decomposition) -> str:
             line = (Path(name).stem, name, result.clip.fps, "No focal subject", r.kind, r.level,
                     what, time, index, r.label)  # fmt: skip
             events.append((time, what == "START", line))
+    for kind, e in moments:
+        line = (Path(name).stem, name, result.clip.fps, "No focal subject", kind, "event",
+                "POINT", e.seconds, round(e.frame), e.side)  # fmt: skip
+        events.append((e.seconds, True, line))
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")
     writer.writerow(head)
@@ -196,7 +220,16 @@ def _complete_events(file: Any) -> None:
                        "value": value}  # fmt: skip
 
 
-def _write_c3d(path: Path, rows: list[Row], source: Path) -> None:
+def _context(moment: Moment) -> tuple[str, str]:
+    """Return context and label as C3D files have them: Left, Foot Strike."""
+    context = moment.event.side.capitalize() or "General"
+    words = moment.name.split()
+    if len(words) > 1 and words[0].capitalize() == context:
+        words = words[1:]
+    return context, " ".join(words)
+
+
+def _write_c3d(path: Path, rows: list[Row], moments: list[Moment], source: Path) -> None:
     file = readers.extra("ezc3d", "c3d").c3d(str(source))
     _complete_events(file)
     header = file["header"]["points"]
@@ -204,6 +237,15 @@ def _write_c3d(path: Path, rows: list[Row], source: Path) -> None:
     for seconds, name in _c3d_events(rows):
         minutes, rest = divmod(seconds + first, 60.0)
         file.add_event(time=[minutes, rest], context="General", label=name)
+    there = readers_c3d.read_events(file)
+    for moment in moments:
+        context, label = _context(moment)
+        near = 0.5 / header["frame_rate"]
+        if any((e.label, e.context) == (label, context) and
+               abs(e.seconds - moment.event.seconds) < near for e in there):  # fmt: skip
+            continue  # the mark itself
+        minutes, rest = divmod(moment.event.seconds + first, 60.0)
+        file.add_event(time=[minutes, rest], context=context, label=label)
     _replace(path, lambda to: file.write(str(to)))
 
 
@@ -222,22 +264,24 @@ def write_text(path: Path, text: str) -> None:
     _replace(path, lambda to: to.write_text(text, encoding="utf-8"))
 
 
-def save_events(result: Decomposition, to: Any, source: Any) -> None:
-    """Write the rows as events, in the format that the suffix names."""
+def save_events(
+    result: Decomposition, to: Any, source: Any, events: Mapping[str, FoundEvents] | None
+) -> None:
+    """Write the rows and found events, in the format that the suffix names."""
     path = Path(to)
     suffix = path.suffix.lower()
     if suffix not in (".tsv", ".csv", ".c3d"):
         raise ValueError(f"{path}: the suffix must be .tsv (BIDS), .csv (BORIS) or .c3d")
     if not result.clip.fps:
         raise ValueError("events are in seconds, and the frame rate is unknown: give fps=")
-    rows = rows_of(result)
+    rows, moments = rows_of(result), _moments(events)
     if suffix == ".c3d":
         read = Path(source or result.clip.path or "")
         if read.suffix.lower() != ".c3d":
             raise ValueError("events are added to a C3D file: give source=")
-        _write_c3d(path, rows, read)
+        _write_c3d(path, rows, moments, read)
     elif suffix == ".csv":
-        write_text(path, _boris(rows, result))
+        write_text(path, _boris(rows, moments, result))
     else:
-        write_text(path, _bids(rows))
+        write_text(path, _bids(rows, moments))
         write_text(path.with_suffix(".json"), json.dumps(_COLUMNS, indent=2) + "\n")

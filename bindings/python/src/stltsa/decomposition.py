@@ -35,12 +35,14 @@ from .sides import Sides
 
 if TYPE_CHECKING:
     import os
+    from collections.abc import Mapping
 
     from pandas import DataFrame
     from typing_extensions import Unpack
 
     from ._given import Matrix, Motion
     from ._options import Options
+    from .phase import FoundEvents
     from .readers.movement import Dataset
 
 
@@ -427,7 +429,11 @@ class Decomposition(Described):
         return _exports.to_xarray(self, dataset)
 
     def save_events(
-        self, path: str | os.PathLike[str], *, source: str | os.PathLike[str] | None = None
+        self,
+        path: str | os.PathLike[str],
+        *,
+        source: str | os.PathLike[str] | None = None,
+        events: Mapping[str, FoundEvents] | None = None,
     ) -> None:
         """Write segments, units, cycles and repetitions as events; the suffix says how.
 
@@ -439,13 +445,16 @@ class Decomposition(Described):
             cycle and repetition and at the end of the last; needs ezc3d.
         source : path, optional
             The C3D file that is copied; by default the one that was read.
+        events : mapping of str to FoundEvents, optional
+            By name, as of :meth:`Phase.events_like`: written as well, with the side in the name (of
+            C3D the context; events that the file has are not repeated).
 
         Raises
         ------
         ValueError
             The suffix is none of these, the frame rate is unknown, or there is no C3D file.
         """
-        _exports.save_events(self, path, source)
+        _exports.save_events(self, path, source, events)
 
     @property
     def frames(self) -> IntArray:

@@ -129,9 +129,8 @@ impl Cycles {
         let texts = names.iter().map(|name| c_name(name)).collect::<Result<Vec<_>>>()?;
         let raw: Vec<_> = texts.iter().map(|text| text.as_ptr()).collect();
         // SAFETY: a live handle, a text for each column.
-        let found = Owned::make(|out| unsafe {
-            sys::stltsa_sides_compare(self.raw(), raw.as_ptr(), out)
-        })?;
+        let found =
+            Owned::make(|out| unsafe { sys::stltsa_sides_compare(self.raw(), raw.as_ptr(), out) })?;
         Sides::read(&found, self.samples())
     }
 }
@@ -148,9 +147,7 @@ impl Sides {
                 let mut outputs = [std::ptr::null(); 3];
                 outputs[which] = out;
                 // SAFETY: a live handle, an array of the size it says.
-                unsafe {
-                    sys::stltsa_sides_curves(found.raw(), outputs[0], outputs[1], outputs[2])
-                }
+                unsafe { sys::stltsa_sides_curves(found.raw(), outputs[0], outputs[1], outputs[2]) }
             })
         };
         Ok(Self {

@@ -59,7 +59,8 @@ fn sides_of_signals_are_compared() {
         .collect();
     let cycles = Cycles::between(&[0.0, 100.0, 200.0], &knees, 101).unwrap();
     let sides = cycles.sides(&["knee_l", "knee_r"]).unwrap();
-    let [pair] = &sides.pairs[..] else { panic!("{sides:?}") };
+    assert_eq!(sides.pairs.len(), 1);
+    let pair = &sides.pairs[0];
     assert_eq!((&*pair.left, &*pair.right), ("knee_l", "knee_r"));
     assert_eq!((pair.left_column, pair.right_column), (0, 1));
     assert!((pair.shift - 0.05).abs() < 1e-3 && (pair.mean + 0.1).abs() < 1e-9);
