@@ -10,7 +10,7 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 /// With a lower correlation one curve explains less than half of the variance of the other, so that
-/// there is no telling which of their features belong together. MEASUREMENT
+/// there is no telling which of their features belong together.
 constexpr double least_correlation = 0.7;
 /// Deviation from the level, as a share of it, below which there is nothing but rounding.
 constexpr double still = 1e-9;

@@ -285,13 +285,15 @@ def test_marks_are_found_on_the_other_side(clip, result):
 
 def test_sides_of_a_symmetric_walk_differ_by_nothing(result):
     sides = result.sides()
-    assert len(sides) > 20 and sides.reason == ""
+    assert len(sides) > 20
+    assert sides.reason == ""
     assert sides.left.shape == sides.right.shape == (101, len(sides))
     np.testing.assert_array_equal(sides.difference, sides.left - sides.right)
     assert max(pair.rms for pair in sides) < 0.1
     assert len(sides.to_frame()) == len(sides)
     foot = next(pair for pair in sides if pair.left == "LeftFoot" and pair.left_range > 50)
-    assert foot.right == "RightFoot" and abs(foot.shift) < 0.002
+    assert foot.right == "RightFoot"
+    assert abs(foot.shift) < 0.002
     with pytest.raises(stltsa.ArgumentError):
         result.sides("Z")
 
@@ -305,6 +307,7 @@ def test_sides_of_signals_have_known_differences():
     assert pair.mean == pytest.approx(-0.1)
     assert pair.range_difference == pytest.approx(0.4, abs=1e-2)
     none = cycles.sides(["knee_l", "hip_r"])
-    assert len(none) == 0 and "differ only in the side" in none.reason
+    assert len(none) == 0
+    assert "differ only in the side" in none.reason
     with pytest.raises(ValueError, match="names has 1"):
         cycles.sides(["knee_l"])

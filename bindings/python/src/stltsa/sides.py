@@ -103,6 +103,16 @@ class Sides(tuple[SidePair, ...]):
 def _pair(handle: Any, index: int) -> SidePair:
     raw = ffi.new("stltsa_side_pair *", {"size": ffi.sizeof("stltsa_side_pair")})
     check(lib.stltsa_sides_pair(handle, index, raw))
-    names = (lib.stltsa_sides_left_name(handle, index), lib.stltsa_sides_right_name(handle, index))
-    numbers = (raw.rms, raw.chance, raw.mean, raw.left_range, raw.right_range, raw.shift)
-    return SidePair(*map(string, names), raw.left, raw.right, *numbers, raw.correlation)
+    return SidePair(
+        left=string(lib.stltsa_sides_left_name(handle, index)),
+        right=string(lib.stltsa_sides_right_name(handle, index)),
+        left_column=raw.left,
+        right_column=raw.right,
+        rms=raw.rms,
+        chance=raw.chance,
+        mean=raw.mean,
+        left_range=raw.left_range,
+        right_range=raw.right_range,
+        shift=raw.shift,
+        correlation=raw.correlation,
+    )
