@@ -2,7 +2,9 @@
 // A motion clip: a skeleton with a pose per frame, or a bare matrix of channels per frame.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -88,5 +90,13 @@ Clip parse(std::string_view bytes, Format format, const std::string& name,
 
 /// The format of the bytes (NPY magic, HIERARCHY, AMC keywords, else CSV).
 Format sniff(std::string_view bytes);
+
+/// Whether a point of two or three columns is missing in a frame: all are exactly 0, as in C3D
+/// files, or one is NaN. A group of one column is missing if it is NaN.
+inline bool is_missing(const double* group, int width) {
+    const bool zero =
+        width > 1 && std::all_of(group, group + width, [](double x) { return x == 0; });
+    return zero || std::any_of(group, group + width, [](double x) { return std::isnan(x); });
+}
 
 } // namespace stltsa::clip

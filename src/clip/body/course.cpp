@@ -73,8 +73,7 @@ Course::Motion Course::motion_of_points(std::int64_t from, std::int64_t to) cons
     const double *a = points_.row(from), *b = points_.row(to);
     const std::int64_t step = plane_.columns;
     const auto seen = [&](std::int64_t p) {
-        return std::isfinite(a[p + plane_.first] + a[p + plane_.second] + b[p + plane_.first] +
-                             b[p + plane_.second]);
+        return !is_missing(a + p, plane_.columns) && !is_missing(b + p, plane_.columns);
     };
     double ax = 0, ay = 0, bx = 0, by = 0;
     Motion motion;

@@ -190,12 +190,6 @@ void predict(Matrix& rows, int width, const Pattern& pattern, const Moments& mom
 
 } // namespace
 
-bool is_missing(const double* group, int width) {
-    const bool zero =
-        width > 1 && std::all_of(group, group + width, [](double x) { return x == 0; });
-    return zero || std::any_of(group, group + width, [](double x) { return std::isnan(x); });
-}
-
 Gaps fill_gaps(Matrix& rows, int width, GapRule rule, double fps) {
     Gaps gaps;
     const double longest = longest_filled_s * (fps > 0 ? fps : usual_rate);

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "clip/clip.hpp"
 #include "linalg/matrix.hpp"
 
 namespace stltsa::clip {
@@ -33,8 +34,7 @@ struct Gap : Frames {
     std::int64_t group = 0;
 };
 
-/// What fill_gaps() found. Points have two or three columns, and are missing if these are all
-/// exactly 0, as C3D files have it, or one is NaN; groups of one column are missing if it is NaN.
+/// What fill_gaps() found. Points are groups of two or three columns; is_missing() has the rule.
 struct Gaps {
     std::vector<std::int64_t> seen;    ///< groups that take part
     std::vector<std::int64_t> filled;  ///< those of them that were missing in some frames
@@ -45,9 +45,6 @@ struct Gaps {
     /// known of the body.
     std::vector<Frames> holes;
 };
-
-/// Whether a group is missing in a frame, by the rule above.
-bool is_missing(const double* group, int width);
 
 /// Fills all gaps linearly over time, and with the nearest value at the ends. Sets the columns of
 /// dropped groups to 0, so that they carry no weight and the others keep their places. `width`:
