@@ -126,7 +126,7 @@ stltsa_status stltsa_map_clip(const stltsa_model* model, const stltsa_clip* clip
         capi::check_output(coords, "coords", rows, mapped.cols());
         const PlacedOut out = {distance, nearest};
         out.check(rows);
-        const Matrix features = results::clip_features(*model, clip->clip);
+        const Matrix features = results::clip_features(*model, clip->clip, reader.progress());
         const auto placed = results::map_rows(
             *model, mapping, features.view(),
             [&](std::int64_t r) { return results::own_row(*model, features, r); },

@@ -46,18 +46,43 @@ void smooth_row(ConstMatrixView rows, std::int64_t middle, const std::vector<dou
         out[c] = center[c] + out[c] / total;
 }
 
+/// Polls after so many products, which take a few milliseconds.
+class Poll {
+  public:
+    Poll(const std::function<void()>& poll, std::size_t weights, std::int64_t cols)
+        : poll_(poll), row_(2 * static_cast<double>(weights) * static_cast<double>(cols)) {}
+
+    void row_done() {
+        constexpr double products = 1 << 22;
+        if ((done_ += row_) < products || !poll_)
+            return;
+        done_ = 0;
+        poll_();
+    }
+
+  private:
+    const std::function<void()>& poll_;
+    double row_;
+    double done_ = 0;
+};
+
 } // namespace
 
-Matrix gaussian_smoothed(ConstMatrixView rows, double sigma, Beyond beyond, std::int64_t step) {
+Matrix gaussian_smoothed(ConstMatrixView rows, double sigma, Beyond beyond, std::int64_t step,
+                         const std::function<void()>& poll) {
     const std::vector<double> weights = half_kernel(sigma, rows.rows);
     Matrix result((rows.rows + step - 1) / step, rows.cols);
-    for (std::int64_t i = 0; i < result.rows(); ++i)
+    Poll polls(poll, weights.size(), rows.cols);
+    for (std::int64_t i = 0; i < result.rows(); ++i) {
         smooth_row(rows, i * step, weights, beyond, result.row(i));
+        polls.row_done();
+    }
     return result;
 }
 
-void smooth_in_place(Matrix& rows, double sigma, Beyond beyond) {
+void smooth_in_place(Matrix& rows, double sigma, Beyond beyond, const std::function<void()>& poll) {
     const std::vector<double> weights = half_kernel(sigma, rows.rows());
+    Poll polls(poll, weights.size(), rows.cols());
     const auto reach = static_cast<std::int64_t>(weights.size()) - 1;
     const std::int64_t block = std::max<std::int64_t>(4096, reach);
     Matrix before; // the original rows that the next block needs
@@ -71,6 +96,7 @@ void smooth_in_place(Matrix& rows, double sigma, Beyond beyond) {
         for (std::int64_t i = begin; i < end; ++i) {
             std::fill_n(rows.row(i), rows.cols(), 0.0);
             smooth_row(around.view(), i - first, weights, beyond, rows.row(i));
+            polls.row_done();
         }
         const std::int64_t kept = std::min(reach, end - first);
         before = copied(around.view().block(end - kept - first, kept));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 
 #include "linalg/matrix.hpp"
 
@@ -14,10 +15,13 @@ enum class Beyond {
 };
 
 /// Every step-th row, from the first on, smoothed over time by a Gaussian of `sigma` rows,
-/// truncated at four sigma. Constant rows keep their bits, so that standing stays standing.
-Matrix gaussian_smoothed(ConstMatrixView rows, double sigma, Beyond beyond, std::int64_t step = 1);
+/// truncated at four sigma. Constant rows keep their bits, so that standing stays standing. `poll`
+/// is called every few milliseconds and may throw: a wide kernel costs minutes on a long clip.
+Matrix gaussian_smoothed(ConstMatrixView rows, double sigma, Beyond beyond, std::int64_t step = 1,
+                         const std::function<void()>& poll = {});
 
 /// The same without a second matrix of that size.
-void smooth_in_place(Matrix& rows, double sigma, Beyond beyond);
+void smooth_in_place(Matrix& rows, double sigma, Beyond beyond,
+                     const std::function<void()>& poll = {});
 
 } // namespace stltsa

@@ -42,8 +42,9 @@ double typical_speed(std::vector<double> speed) {
 
 } // namespace
 
-std::vector<double> pose_speed(ConstMatrixView samples, double sigma) {
-    const Matrix x = smooth(samples, sigma);
+std::vector<double> pose_speed(ConstMatrixView samples, double sigma,
+                               const std::function<void()>& poll) {
+    const Matrix x = smooth(samples, sigma, poll);
     const std::int64_t n = x.rows();
     std::vector<double> speed(static_cast<std::size_t>(n));
     if (n < 3)
@@ -60,9 +61,10 @@ bool is_moving(double level) {
     return level > moving_level;
 }
 
-Activity measure_activity(ConstMatrixView samples, double fps) {
+Activity measure_activity(ConstMatrixView samples, double fps,
+                          const std::function<void()>& poll) {
     Activity activity;
-    activity.speed = pose_speed(samples, speed_smoothing_s * fps);
+    activity.speed = pose_speed(samples, speed_smoothing_s * fps, poll);
     activity.typical = typical_speed(activity.speed);
     if (activity.typical <= rounding * largest(samples))
         activity.typical = 0;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -28,10 +29,13 @@ struct Activity {
     }
 };
 
-/// Change of the pose per sample, after smoothing by `sigma` samples.
-std::vector<double> pose_speed(ConstMatrixView samples, double sigma);
+/// Change of the pose per sample, after smoothing by `sigma` samples. `poll`: called now and
+/// then; may throw to stop.
+std::vector<double> pose_speed(ConstMatrixView samples, double sigma,
+                               const std::function<void()>& poll = {});
 
-Activity measure_activity(ConstMatrixView samples, double fps);
+Activity measure_activity(ConstMatrixView samples, double fps,
+                          const std::function<void()>& poll = {});
 
 /// Samples first to first + count - 1.
 struct Span {

@@ -68,10 +68,11 @@ void show_embedding(const Embedding& embedding, const Coordinate& chosen,
 }
 
 void set_cycles(const std::vector<double>& margins, ConstMatrixView samples, double period,
-                double fps, Decomposition& result) {
+                double fps, const Progress& progress, Decomposition& result) {
+    const auto poll = [&] { progress.report(Stage::units, 0); };
     result.period = period;
     result.units =
-        cyclic_units(margins, pose_speed(samples, border_smoothing(period, fps)), period);
+        cyclic_units(margins, pose_speed(samples, border_smoothing(period, fps), poll), period);
     result.margins = margins;
     result.cycles = cycles_between(margins);
     result.representative = 0;
@@ -82,7 +83,7 @@ void set_cycles(const std::vector<double>& margins, ConstMatrixView samples, dou
 /// evidence for cycles is too weak, result.reason says why.
 void decompose_cyclic(const Embedding& embedding, ConstMatrixView samples, const Activity& activity,
                       const Period& period, double fps, const DecomposeOptions& options,
-                      Decomposition& result) {
+                      const Progress& progress, Decomposition& result) {
     const auto level = activity.levels(embedding.span.first, embedding.span.count);
     const Coordinate chosen =
         choose_coordinate(embedding.models, options.dimension, level, period.samples);
@@ -99,7 +100,7 @@ void decompose_cyclic(const Embedding& embedding, ConstMatrixView samples, const
     result.reason =
         model.components.size() > 1 ? disconnected(model, break_s) : doubt(evidence, fps);
     if (result.reason.empty())
-        set_cycles(margins, samples, evidence.period.samples, fps, result);
+        set_cycles(margins, samples, evidence.period.samples, fps, progress, result);
 }
 
 /// For a clip without a period: the first coordinate, and the first two for the loop (Fig. 1).
@@ -116,7 +117,7 @@ void show_first_coordinate(const Embedding& embedding, double cycle, double fps,
 Decomposition decompose(ConstMatrixView samples, double fps, const DecomposeOptions& options,
                         const Progress& progress) {
     check(samples, fps);
-    const Activity activity = measure_activity(samples, fps);
+    const Activity activity = measure_activity(samples, fps, [&] { progress.report(Stage::features, 1); });
     const Period period = find_period(samples, activity, fps, options.shortest_period,
                                       options.longest_period, progress);
     const double cycle = period.samples > 0 ? period.samples : usual_cycle_s * fps;
@@ -129,7 +130,7 @@ Decomposition decompose(ConstMatrixView samples, double fps, const DecomposeOpti
     } else if (embedding.models.empty()) {
         result.reason = embedding.problem;
     } else if (period.samples > 0) {
-        decompose_cyclic(embedding, samples, activity, period, fps, options, result);
+        decompose_cyclic(embedding, samples, activity, period, fps, options, progress, result);
     } else {
         show_first_coordinate(embedding, cycle, fps, options, result);
         result.reason = no_period(activity, fps, options);

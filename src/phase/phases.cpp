@@ -129,9 +129,9 @@ Phases registered(ConstMatrixView both, std::vector<Run> runs, double period) {
 } // namespace
 
 Phases find_phases(ConstMatrixView rows, double rate, std::span<const Borders> sequences,
-                   std::span<const double> side) {
+                   std::span<const double> side, const std::function<void()>& poll) {
     const double period = typical_length(sequences);
-    const Matrix both = pose_and_velocity(rows, rate, period);
+    const Matrix both = pose_and_velocity(rows, rate, period, poll);
     std::vector<Run> runs = linear_runs(sequences, rows.rows);
     align(both.view(), period, runs);
     Phases phases = registered(both.view(), std::move(runs), period);
@@ -140,9 +140,10 @@ Phases find_phases(ConstMatrixView rows, double rate, std::span<const Borders> s
 }
 
 Phases find_phases_of_repetitions(ConstMatrixView rows, double rate,
-                                  std::span<const Borders> repetitions) {
+                                  std::span<const Borders> repetitions,
+                                  const std::function<void()>& poll) {
     const double period = typical_length(repetitions);
-    const Matrix both = pose_and_velocity(rows, rate, period);
+    const Matrix both = pose_and_velocity(rows, rate, period, poll);
     Phases phases = registered(both.view(), linear_runs(repetitions, rows.rows), period);
     phases.cyclic = false;
     return phases;

@@ -2,6 +2,7 @@
 // The phase of every row of a motion that repeats.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -24,13 +25,14 @@ struct Phases {
 /// Phases of the rows within the cycles. `rows`: features, not smoothed, finite; `rate`: rows per
 /// second. `side`: one weight for each column, whose weighted sum shows which side of the body is
 /// forward; empty: unknown. Phase 0 does not depend on where cycles begin. Sequences have a cycle
-/// of at least four rows each, and lie within the rows.
+/// of at least four rows each, and lie within the rows. `poll`: of pose_and_velocity().
 Phases find_phases(ConstMatrixView rows, double rate, std::span<const Borders> sequences,
-                   std::span<const double> side);
+                   std::span<const double> side, const std::function<void()>& poll = {});
 
 /// The same of an action that is repeated with pauses: each sequence is one repetition, from phase
 /// 0 to 1.
 Phases find_phases_of_repetitions(ConstMatrixView rows, double rate,
-                                  std::span<const Borders> repetitions);
+                                  std::span<const Borders> repetitions,
+                                  const std::function<void()>& poll = {});
 
 } // namespace stltsa::phase

@@ -28,8 +28,9 @@ Matrix differences(ConstMatrixView rows) {
     return result;
 }
 
-Matrix pose_and_velocity(ConstMatrixView rows, double rate, double period) {
-    const Matrix pose = gaussian_smoothed(rows, smoothing_s * rate, Beyond::reflection);
+Matrix pose_and_velocity(ConstMatrixView rows, double rate, double period,
+                         const std::function<void()>& poll) {
+    const Matrix pose = gaussian_smoothed(rows, smoothing_s * rate, Beyond::reflection, 1, poll);
     const Matrix velocity = differences(pose.view());
     const double scale = velocity_weight * period / (2 * std::numbers::pi);
     Matrix both(rows.rows, 2 * rows.cols);

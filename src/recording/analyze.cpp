@@ -210,7 +210,7 @@ Recording analyze(ConstMatrixView samples, double fps, const Options& options,
     const double seconds = static_cast<double>(samples.rows) / fps;
     const bool whole = wants_one_embedding(options.single);
     const bool is_short = seconds <= longest_single_s;
-    const Signal signal = make_signal(samples, fps, options.smoothed_s, options.size);
+    const Signal signal = make_signal(samples, fps, options.smoothed_s, options.size, progress);
     const std::vector<Rows> holes = rows_of(options.holes, signal);
     std::vector<Rows> rests = find_rests(signal);
     Pauses pauses = find_pauses(signal, rests);

@@ -6,20 +6,17 @@
 #include <functional>
 #include <numeric>
 
-#include "linalg/eigen.hpp"
 #include "linalg/gaussian.hpp"
 #include "linalg/principal.hpp"
 #include "linalg/simd.hpp"
 #include "motion/curve/statistics.hpp"
+#include "recording/directions.hpp"
 
 namespace stltsa::recording {
 namespace {
 
 /// Enough for human motion; the lag map costs lags x rows.
 constexpr double rows_per_second = 30;
-/// The directions contain this share of the variance, or are as many as the limit.
-constexpr double variance_share = 0.995;
-constexpr std::int64_t most_directions = 16;
 constexpr double velocity_smoothing_s = 0.04;
 /// Poses are smoothed if noise is more than this share of the typical speed.
 constexpr double pose_smoothing_s[] = {0, 0.045, 0.08};
@@ -42,24 +39,6 @@ constexpr double least_usual = 0.04;
 /// A body that only sways stands: its size per second. A rest is slower than a quarter of that:
 /// joints that are 0.5 m from the hips move at 1.5 cm/s.
 constexpr double least_of_size = 0.12;
-
-/// Adds the outer products of `count` rows, which row_of(i, values) gives, divided by their trace.
-template <class RowOf>
-void add_covariance(std::int64_t count, const RowOf& row_of, Matrix& sums) {
-    const std::int64_t cols = sums.cols();
-    Matrix own(cols, cols);
-    std::vector<double> row(static_cast<std::size_t>(cols));
-    for (std::int64_t i = 0; i < count; ++i) {
-        row_of(i, row.data());
-        for (std::int64_t c = 0; c < cols; ++c)
-            axpy(row[static_cast<std::size_t>(c)], row.data(), own.row(c), c + 1);
-    }
-    double trace = 0;
-    for (std::int64_t c = 0; c < cols; ++c)
-        trace += own(c, c);
-    if (trace > 0)
-        axpy(1 / trace, own.data(), sums.data(), cols * cols);
-}
 
 Matrix differences(ConstMatrixView x) {
     Matrix d(x.rows, x.cols);
@@ -167,53 +146,15 @@ std::vector<double> usual_steps(ConstMatrixView x, double rate) {
     return usual;
 }
 
-/// Orthonormal directions with most of the variance of poses and of velocities, which count alike:
-/// a tapping foot has little of the first on a swaying body. Velocities are relative to the usual
-/// speed: it has little of the second beside a run.
-Matrix directions_of(ConstMatrixView x, double rate) {
-    Matrix sums(x.cols, x.cols);
-    const std::vector<double> mean = column_means(x);
-    add_covariance(
-        x.rows,
-        [&](std::int64_t i, double* row) {
-            std::transform(x.row(i), x.row(i) + x.cols, mean.begin(), row, std::minus<>());
-        },
-        sums);
-    const std::vector<double> usual = usual_steps(x, rate);
-    add_covariance(
-        x.rows - 1,
-        [&](std::int64_t i, double* row) {
-            const double scale = usual[static_cast<std::size_t>(i)];
-            for (std::int64_t c = 0; c < x.cols; ++c)
-                row[c] = scale > 0 ? (x(i + 1, c) - x(i, c)) / scale : 0;
-        },
-        sums);
-    const std::int64_t most = std::min(x.cols, most_directions);
-    TopEigenpairs pairs(x.cols, most);
-    double total = 0;
-    for (std::int64_t c = 0; c < x.cols; ++c) {
-        total += sums(c, c);
-        for (std::int64_t r = c; r < x.cols; ++r)
-            pairs.matrix()[r + c * x.cols] = sums(r, c);
-    }
-    pairs.solve();
-    std::int64_t count = 0;
-    for (double sum = 0; count < most && (count == 0 || sum < variance_share * total); ++count)
-        sum += pairs.value(count);
-    Matrix directions(x.cols, count);
-    for (std::int64_t d = 0; d < count; ++d)
-        for (std::int64_t c = 0; c < x.cols; ++c)
-            directions(c, d) = pairs.vector(d)[c];
-    return directions;
-}
-
-Matrix projected(ConstMatrixView x, const Matrix& directions) {
+Matrix projected(ConstMatrixView x, const Matrix& directions, const Progress& progress) {
     const std::vector<double> mean = column_means(x);
     Matrix result(x.rows, directions.cols());
-    for (std::int64_t i = 0; i < x.rows; ++i)
+    for (std::int64_t i = 0; i < x.rows; ++i) {
+        progress.report(Stage::features, 1);
         for (std::int64_t c = 0; c < x.cols; ++c)
             axpy(x(i, c) - mean[static_cast<std::size_t>(c)], directions.row(c), result.row(i),
                  directions.cols());
+    }
     return result;
 }
 
@@ -226,15 +167,16 @@ Matrix every(ConstMatrixView samples, std::int64_t step) {
 
 } // namespace
 
-Signal make_signal(ConstMatrixView samples, double fps, double smoothed_s, double size) {
+Signal make_signal(ConstMatrixView samples, double fps, double smoothed_s, double size,
+                   const Progress& progress) {
     Signal signal;
     signal.step = std::max<std::int64_t>(
         1, std::llround(std::min(fps / rows_per_second, static_cast<double>(samples.rows))));
     signal.rate = fps / static_cast<double>(signal.step);
     const Matrix thinned = signal.step > 1 ? every(samples, signal.step) : Matrix();
     const ConstMatrixView rows = signal.step > 1 ? thinned.view() : samples;
-    signal.directions = directions_of(rows, signal.rate);
-    const Matrix poses = projected(rows, signal.directions);
+    signal.directions = leading_directions(rows, usual_steps(rows, signal.rate), progress);
+    const Matrix poses = projected(rows, signal.directions, progress);
     const double rough = least_roughness(poses), sigma = velocity_smoothing_s * signal.rate;
     double noise = 0, all = 0;
     for (const double seconds : pose_smoothing_s) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/progress.hpp"
 #include "linalg/matrix.hpp"
 
 namespace stltsa::recording {
@@ -25,7 +26,8 @@ struct Signal {
 
 /// `samples`: frames x features at `fps`, smoothed by a Gaussian of `smoothed_s`, of a body of
 /// this size (Options). At most about 30 rows a second are kept.
-Signal make_signal(ConstMatrixView samples, double fps, double smoothed_s, double size);
+Signal make_signal(ConstMatrixView samples, double fps, double smoothed_s, double size,
+                   const Progress& progress = {});
 
 /// [begin, end) in rows.
 struct Rows {

@@ -284,7 +284,8 @@ Decomposed decompose(const clip::Clip& clip, const clip::PrepareOptions& prepare
     set_messages(prepared, options.single);
     const SampleFacts& samples = prepared.source.samples;
     const double fps = samples.fps;
-    note_drift(clip, samples.features, clip::remove_drift(prepared.samples, fps),
+    const auto poll = [&] { progress.report(Stage::features, 1); };
+    note_drift(clip, samples.features, clip::remove_drift(prepared.samples, fps, poll),
                prepared.source.clips.front().notes);
     options.smoothed_s = samples.smoothing;
     options.size = body_size(samples.features, prepared.samples);

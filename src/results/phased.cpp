@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
 
@@ -51,9 +52,10 @@ bool has_like_halves(const Decomposed& decomposed, std::int32_t label) {
 }
 
 /// Continues the runs by a quarter of a cycle.
-void set_reach(const Phased& phased, PhasedMotion& motion) {
+void set_reach(const Phased& phased, PhasedMotion& motion, const std::function<void()>& poll) {
     const phase::MeanCycle& mean = motion.phases.mean;
-    const Matrix both = phase::pose_and_velocity(phased.rows.view(), phased.clip.fps, mean.period);
+    const Matrix both =
+        phase::pose_and_velocity(phased.rows.view(), phased.clip.fps, mean.period, poll);
     const auto reach = static_cast<std::int64_t>(std::ceil(mean.period / 4));
     for (const phase::Run& run : motion.phases.runs) {
         const phase::Range most = unbroken(phased, run);
@@ -221,7 +223,8 @@ Phased find_phase(const clip::Clip& clip, const Decomposed& decomposed,
     const clip::Clip* single = &clip;
     ClipSamples prepared = prepare_clips({&single, 1}, prepare, progress);
     Phased phased;
-    phased.drifting = clip::remove_drift(prepared.samples, clip.fps);
+    const auto poll = [&] { progress.report(Stage::features, 1); };
+    phased.drifting = clip::remove_drift(prepared.samples, clip.fps, poll);
     phased.clip = prepared.source.clips.front();
     phased.samples = prepared.source.samples;
     phased.body = clip::body_of(clip, found.features, phased.samples.up, prepared.turned);
@@ -234,19 +237,20 @@ Phased find_phase(const clip::Clip& clip, const Decomposed& decomposed,
         PhasedMotion& motion = phased.motions.emplace_back();
         motion.label = label;
         motion.like_halves = has_like_halves(decomposed, label);
-        motion.phases = phase::find_phases(phased.rows.view(), clip.fps, sequences, phased.side);
+        motion.phases =
+            phase::find_phases(phased.rows.view(), clip.fps, sequences, phased.side, poll);
         for (const phase::Borders& borders : sequences)
             motion.cycles.push_back(static_cast<std::int64_t>(borders.size()) - 1);
-        set_reach(phased, motion);
+        set_reach(phased, motion, poll);
         warn_if_linear(motion, phased);
     }
     for (auto& [label, repetitions] : repetitions_of(decomposed, phased.clip)) {
         PhasedMotion& motion = phased.motions.emplace_back();
         motion.label = label;
         motion.phases =
-            phase::find_phases_of_repetitions(phased.rows.view(), clip.fps, repetitions);
+            phase::find_phases_of_repetitions(phased.rows.view(), clip.fps, repetitions, poll);
         motion.cycles.assign(repetitions.size(), 1);
-        set_reach(phased, motion);
+        set_reach(phased, motion, poll);
         warn_if_linear(motion, phased);
     }
     phased.moving = moving_rows(decomposed, phased);

@@ -83,7 +83,7 @@ Placed unmap_poses(const Fitted& fitted, const ltsa::Mapping& mapping, ConstMatr
         });
 }
 
-Matrix clip_features(const Fitted& fitted, const clip::Clip& clip) {
+Matrix clip_features(const Fitted& fitted, const clip::Clip& clip, const Progress& progress) {
     if (fitted.source.clips.empty())
         fail(Status::unsupported, "the model was fitted to a matrix: map features (stltsa_map)");
     const auto& samples = fitted.source.samples;
@@ -93,7 +93,8 @@ Matrix clip_features(const Fitted& fitted, const clip::Clip& clip) {
     if (samples.features != clip::Features::raw && !of_points && !clip.skeleton)
         fail(Status::shape, "the model was fitted to poses, but this clip has no skeleton");
     Matrix frames = clip::smoothed_features(clip, samples.features, samples.up, samples.smoothing,
-                                            fitted.kept.drop_tpose);
+                                            fitted.kept.drop_tpose,
+                                            [&] { progress.report(Stage::features, 0); });
     if (frames.cols() != fitted.model.features)
         fail(Status::shape, "the clip has {} features; the model was fitted to {}", frames.cols(),
              fitted.model.features);

@@ -43,7 +43,7 @@ Placed unmap_poses(const Fitted& fitted, const ltsa::Mapping& mapping, ConstMatr
 
 /// Features of every frame of a clip, computed as for the model. Throws if the clip does not match
 /// the model.
-Matrix clip_features(const Fitted& fitted, const clip::Clip& clip);
+Matrix clip_features(const Fitted& fitted, const clip::Clip& clip, const Progress& progress);
 
 /// The row of the model that was fitted to this very frame of a clip with these features, or
 /// ltsa::no_hint.

@@ -95,13 +95,15 @@ Matrix stacked(const std::vector<Matrix>& parts, std::int64_t rows) {
 } // namespace
 
 ClipSamples prepare_clips(Clips clips, clip::PrepareOptions options, const Progress& progress) {
-    const auto report = [&](std::size_t done) {
+    const auto report = [&](std::size_t prepared) {
         progress.report(Stage::features,
-                        static_cast<double>(done) / static_cast<double>(clips.size()));
+                        static_cast<double>(prepared) / static_cast<double>(clips.size()));
     };
-    report(0);
+    std::size_t done = 0;
+    report(done);
+    options.poll = [&] { report(done); };
     ClipSamples all = prepare_clip(*clips.front(), options);
-    report(1);
+    report(++done);
     if (clips.size() == 1)
         return all;
     options.features = all.source.samples.features;
@@ -117,7 +119,7 @@ ClipSamples prepare_clips(Clips clips, clip::PrepareOptions options, const Progr
         all.lengths.clips.push_back(next.samples.rows());
         std::ranges::copy(next.lengths.runs, std::back_inserter(all.lengths.runs));
         parts.push_back(std::move(next.samples));
-        report(c + 1);
+        report(++done);
     }
     all.samples = stacked(parts, all.source.samples.count);
     return all;

@@ -3,6 +3,8 @@
 // repeats.
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "linalg/matrix.hpp"
@@ -10,7 +12,8 @@
 namespace stltsa::clip {
 
 /// Subtracts the slow part of the columns that only drift, and gives their indices. `fps`: of the
-/// samples.
-std::vector<std::int64_t> remove_drift(Matrix& samples, double fps);
+/// samples. `poll`: called now and then; may throw to stop.
+std::vector<std::int64_t> remove_drift(Matrix& samples, double fps,
+                                       const std::function<void()>& poll = {});
 
 } // namespace stltsa::clip

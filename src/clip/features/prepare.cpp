@@ -23,9 +23,10 @@ ConstMatrixView from_row(const Matrix& matrix, std::int64_t first) {
 }
 
 /// Smoothed over time, but not over breaks of the clip. Row 0 is frame `first`.
-Matrix smoothed_rows(const Clip& clip, ConstMatrixView rows, std::int64_t first, double sigma) {
+Matrix smoothed_rows(const Clip& clip, ConstMatrixView rows, std::int64_t first, double sigma,
+                     const std::function<void()>& poll) {
     if (clip.breaks.empty())
-        return gaussian_smoothed(rows, sigma, Beyond::reflection);
+        return gaussian_smoothed(rows, sigma, Beyond::reflection, 1, poll);
     Matrix result = Matrix::unset(rows.rows, rows.cols);
     std::vector<std::int64_t> ends = clip.breaks;
     ends.push_back(first + rows.rows);
@@ -34,7 +35,8 @@ Matrix smoothed_rows(const Clip& clip, ConstMatrixView rows, std::int64_t first,
         const std::int64_t count = end - first - begin;
         if (count <= 0)
             continue; // within the T-pose
-        const Matrix run = gaussian_smoothed(rows.block(begin, count), sigma, Beyond::reflection);
+        const Matrix run =
+            gaussian_smoothed(rows.block(begin, count), sigma, Beyond::reflection, 1, poll);
         std::copy_n(run.data(), count * rows.cols, result.row(begin));
         begin += count;
     }
@@ -68,24 +70,24 @@ Prepared prepare(const Clip& clip, const PrepareOptions& options) {
     prepared.fps = clip.fps / static_cast<double>(prepared.step);
     double sigma = options.smoothing * clip.fps;
     if (!clip.breaks.empty() && sigma > 0) {
-        all = smoothed_rows(clip, kept, prepared.first, std::exchange(sigma, 0));
+        all = smoothed_rows(clip, kept, prepared.first, std::exchange(sigma, 0), options.poll);
         kept = all.view();
     }
     if (prepared.step > 1) {
-        prepared.samples = gaussian_smoothed(kept, sigma, Beyond::reflection, prepared.step);
+        prepared.samples = gaussian_smoothed(kept, sigma, Beyond::reflection, prepared.step, options.poll);
         return prepared;
     }
     prepared.samples = kept.rows == all.rows() ? std::move(all) : copied(kept);
     if (sigma > 0)
-        smooth_in_place(prepared.samples, sigma, Beyond::reflection);
+        smooth_in_place(prepared.samples, sigma, Beyond::reflection, options.poll);
     return prepared;
 }
 
 Matrix smoothed_features(const Clip& clip, Features kind, Axis up, double smoothing,
-                         bool drop_tpose) {
+                         bool drop_tpose, const std::function<void()>& poll) {
     const Matrix all = features(clip, kind, up);
     const std::int64_t first = dropped_frames(clip, all, drop_tpose);
-    const Matrix smoothed = smoothed_rows(clip, from_row(all, first), first, smoothing * clip.fps);
+    const Matrix smoothed = smoothed_rows(clip, from_row(all, first), first, smoothing * clip.fps, poll);
     Matrix result = copied(all.view());
     std::copy_n(smoothed.data(), smoothed.rows() * smoothed.cols(), result.row(first));
     return result;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,6 +20,7 @@ struct PrepareOptions {
     double smoothing = 0.05;          ///< sigma of the Gaussian on the features in seconds; 0: none
     bool drop_tpose = true;           ///< only if there is a skeleton
     GapRule gaps = GapRule::fill;
+    std::function<void()> poll = {}; ///< called now and then; may throw to stop
 };
 
 /// Working samples of a clip: sample i is source frame first + i * step.
@@ -40,8 +42,8 @@ Prepared prepare(const Clip& clip, const PrepareOptions& options);
 
 /// Features of every frame of the file, smoothed as by prepare(), whose samples are the rows first,
 /// first + step, ... of the result. T-pose frames that prepare() drops are not smoothed.
-/// `smoothing`: as in PrepareOptions.
+/// `smoothing` and `poll`: as in PrepareOptions.
 Matrix smoothed_features(const Clip& clip, Features kind, Axis up, double smoothing,
-                         bool drop_tpose);
+                         bool drop_tpose, const std::function<void()>& poll = {});
 
 } // namespace stltsa::clip

@@ -2,11 +2,16 @@
 #include "clip/files/replace_file.hpp"
 
 #include <cerrno>
+#include <charconv>
+#include <csignal>
 #include <cstdio>
+#include <ctime>
 #include <filesystem>
+#include <memory>
 #include <system_error>
 #include <utility>
 
+#include <dirent.h>
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -54,6 +59,69 @@ bool create(const std::string& name, mode_t mode) {
     }
 }
 
+/// During its lifetime a write to a pipe without a reader is an error (EPIPE) that does not end the
+/// process: SIGPIPE is blocked for this thread, and taken back if a write raised it.
+class WithoutSigpipe {
+  public:
+    WithoutSigpipe() {
+        sigset_t pending;
+        ::sigemptyset(&pipe_);
+        ::sigaddset(&pipe_, SIGPIPE);
+        ::sigpending(&pending);
+        was_pending_ = ::sigismember(&pending, SIGPIPE) == 1;
+        ::pthread_sigmask(SIG_BLOCK, &pipe_, &before_);
+    }
+    ~WithoutSigpipe() {
+        const timespec at_once{};
+        while (!was_pending_ && ::sigtimedwait(&pipe_, nullptr, &at_once) == -1 && errno == EINTR)
+            continue;
+        ::pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+    }
+    WithoutSigpipe(const WithoutSigpipe&) = delete;
+    WithoutSigpipe& operator=(const WithoutSigpipe&) = delete;
+
+  private:
+    sigset_t pipe_{}, before_{};
+    bool was_pending_ = false;
+};
+
+constexpr std::string_view temporary_start = ".stltsa-";
+constexpr std::string_view temporary_end = ".tmp";
+
+/// The process that made a temporary file of this name; 0: it is none.
+pid_t maker_of(std::string_view name) {
+    if (!name.starts_with(temporary_start) || name.find(temporary_end) == name.npos)
+        return 0;
+    name.remove_prefix(temporary_start.size());
+    pid_t maker = 0;
+    const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), maker);
+    return error == std::errc() && maker > 0 && end != name.data() + name.size() && *end == '-'
+               ? maker
+               : 0;
+}
+
+/// Deletes what killed processes left: a temporary file of a process that is no more. A file of
+/// another machine, on a shared disk, is left alone for an hour.
+void delete_abandoned(const fs::path& folder) {
+    constexpr std::time_t longest_s = 3600;
+    const std::unique_ptr<DIR, int (*)(DIR*)> listed(
+        ::opendir(folder.empty() ? "." : folder.c_str()), &::closedir);
+    while (const dirent* entry = listed ? ::readdir(listed.get()) : nullptr) {
+        const pid_t maker = maker_of(entry->d_name);
+        struct stat status {};
+        if (maker > 0 && ::kill(maker, 0) != 0 && errno == ESRCH &&
+            ::fstatat(::dirfd(listed.get()), entry->d_name, &status, AT_SYMLINK_NOFOLLOW) == 0 &&
+            S_ISREG(status.st_mode) && status.st_mtime + longest_s < std::time(nullptr))
+            ::unlinkat(::dirfd(listed.get()), entry->d_name, 0);
+    }
+}
+
+/// After it, a power cut does not undo the renaming. File systems that cannot do so say EINVAL.
+void flush_folder(const fs::path& folder) {
+    const Descriptor open(folder.empty() ? "." : folder.string(), O_RDONLY | O_DIRECTORY);
+    require(::fsync(open.number()) == 0 || errno == EINVAL);
+}
+
 } // namespace
 
 std::string followed(const std::string& path) {
@@ -87,6 +155,7 @@ void write_all(int descriptor, std::string_view bytes) {
 }
 
 void write_directly(const std::string& path, const std::function<void(const Sink&)>& content) {
+    const WithoutSigpipe no_signal;
     Descriptor file(path, O_WRONLY);
     content([&](std::string_view bytes) { write_all(file.number(), bytes); });
     file.close();
@@ -94,14 +163,16 @@ void write_directly(const std::string& path, const std::function<void(const Sink
 
 TemporaryFile::TemporaryFile(std::string place, const std::string& suffix)
     : place_(std::move(place)) {
+    const fs::path folder = fs::path(place_).parent_path();
+    delete_abandoned(folder);
     const std::string start =
-        (fs::path(place_).parent_path() / (".stltsa-" + std::to_string(::getpid()) + "-")).string();
+        (folder / (std::string(temporary_start) + std::to_string(::getpid()) + "-")).string();
     // The file that it replaces may be private.
     const mode_t mode = fs::exists(place_) ? S_IRUSR | S_IWUSR : 0666;
     int number = 0;
     std::string name;
     do
-        name = start + std::to_string(number++) + ".tmp" + suffix;
+        name = start + std::to_string(number++) + std::string(temporary_end) + suffix;
     while (!create(name, mode));
     name_ = std::move(name);
 }
@@ -123,6 +194,7 @@ void TemporaryFile::move_to_place() {
     file.close();
     require(std::rename(name_.c_str(), place_.c_str()) == 0);
     name_.clear();
+    flush_folder(fs::path(place_).parent_path());
 }
 
 } // namespace stltsa::clip

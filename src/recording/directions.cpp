@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "recording/directions.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "linalg/eigen.hpp"
+#include "linalg/principal.hpp"
+#include "linalg/simd.hpp"
+
+namespace stltsa::recording {
+namespace {
+
+/// The directions contain this share of the variance, or are as many as the limit.
+constexpr double variance_share = 0.995;
+constexpr std::int64_t most_directions = 16;
+/// A matrix of this order takes less than half a second. With more columns, the directions are
+/// those of the rows: of at most so many, evenly in time.
+constexpr std::int64_t most_columns = 1024;
+constexpr std::int64_t most_rows = most_columns / 2;
+
+/// The rows whose scatter is wanted.
+class Scatter {
+  public:
+    Scatter(ConstMatrixView x, const std::vector<double>& usual, const Progress& progress)
+        : x_(x), mean_(column_means(x)), usual_(usual), progress_(progress) {}
+
+    ConstMatrixView rows() const { return x_; }
+    /// A pose, relative to the mean.
+    void put_pose(std::int64_t i, double* row) const {
+        progress_.report(Stage::features, 1);
+        std::transform(x_.row(i), x_.row(i) + x_.cols, mean_.begin(), row, std::minus<>());
+    }
+    /// A velocity in usual ones.
+    void put_velocity(std::int64_t i, double* row) const {
+        progress_.report(Stage::features, 1);
+        const double scale = usual_[static_cast<std::size_t>(i)];
+        for (std::int64_t c = 0; c < x_.cols; ++c)
+            row[c] = scale > 0 ? (x_(i + 1, c) - x_(i, c)) / scale : 0;
+    }
+
+  private:
+    ConstMatrixView x_;
+    std::vector<double> mean_;
+    const std::vector<double>& usual_;
+    const Progress& progress_;
+};
+
+/// Adds the outer products of `count` rows, which row_of(i, values) gives, divided by their trace.
+template <class RowOf>
+void add_covariance(std::int64_t count, const RowOf& row_of, Matrix& sums) {
+    const std::int64_t cols = sums.cols();
+    Matrix own(cols, cols);
+    std::vector<double> row(static_cast<std::size_t>(cols));
+    for (std::int64_t i = 0; i < count; ++i) {
+        row_of(i, row.data());
+        for (std::int64_t c = 0; c < cols; ++c)
+            axpy(row[static_cast<std::size_t>(c)], row.data(), own.row(c), c + 1);
+    }
+    double trace = 0;
+    for (std::int64_t c = 0; c < cols; ++c)
+        trace += own(c, c);
+    if (trace > 0)
+        axpy(1 / trace, own.data(), sums.data(), cols * cols);
+}
+
+/// The eigenpairs that contain the share.
+struct Leading {
+    TopEigenpairs pairs;
+    std::int64_t count = 0;
+
+    /// Of the lower triangle of `sums`.
+    explicit Leading(const Matrix& sums)
+        : pairs(sums.cols(), std::min(sums.cols(), most_directions)) {
+        const std::int64_t order = sums.cols(), most = std::min(order, most_directions);
+        double total = 0;
+        for (std::int64_t c = 0; c < order; ++c) {
+            total += sums(c, c);
+            for (std::int64_t r = c; r < order; ++r)
+                pairs.matrix()[r + c * order] = sums(r, c);
+        }
+        pairs.solve();
+        for (double sum = 0; count < most && (count == 0 || sum < variance_share * total); ++count)
+            sum += pairs.value(count);
+    }
+};
+
+Matrix of_columns(const Scatter& scatter) {
+    const ConstMatrixView x = scatter.rows();
+    Matrix sums(x.cols, x.cols);
+    add_covariance(
+        x.rows, [&](std::int64_t i, double* row) { scatter.put_pose(i, row); }, sums);
+    add_covariance(
+        x.rows - 1, [&](std::int64_t i, double* row) { scatter.put_velocity(i, row); }, sums);
+    const Leading leading(sums);
+    Matrix directions(x.cols, leading.count);
+    for (std::int64_t d = 0; d < leading.count; ++d)
+        for (std::int64_t c = 0; c < x.cols; ++c)
+            directions(c, d) = leading.pairs.vector(d)[c];
+    return directions;
+}
+
+/// Divides rows by the square root of the sum of their squares.
+void normalize(MatrixView rows) {
+    double trace = 0;
+    for (std::int64_t i = 0; i < rows.rows; ++i)
+        trace += dot(rows.row(i), rows.row(i), rows.cols);
+    for (std::int64_t i = 0; i < rows.rows && trace > 0; ++i)
+        for (std::int64_t c = 0; c < rows.cols; ++c)
+            rows.row(i)[c] /= std::sqrt(trace);
+}
+
+/// Poses, then velocities, whose scatters count alike.
+Matrix spread_rows(const Scatter& scatter) {
+    const ConstMatrixView x = scatter.rows();
+    const std::int64_t count = std::min(x.rows, most_rows);
+    const auto place = [&](std::int64_t i, std::int64_t rows) {
+        return i * (rows - 1) / std::max<std::int64_t>(1, count - 1);
+    };
+    Matrix a(2 * count, x.cols);
+    for (std::int64_t i = 0; i < count; ++i) {
+        scatter.put_pose(place(i, x.rows), a.row(i));
+        if (x.rows > 1)
+            scatter.put_velocity(place(i, x.rows - 1), a.row(count + i));
+    }
+    normalize(a.view().block(0, count));
+    normalize(a.view().block(count, count));
+    return a;
+}
+
+/// A^T u / |A^T u| for the leading eigenvectors u of A A^T.
+Matrix of_rows(const Scatter& scatter, const Progress& progress) {
+    const Matrix a = spread_rows(scatter);
+    Matrix products(a.rows(), a.rows());
+    for (std::int64_t r = 0; r < a.rows(); ++r) {
+        progress.report(Stage::features, 1);
+        for (std::int64_t c = 0; c <= r; ++c)
+            products(r, c) = dot(a.row(r), a.row(c), a.cols());
+    }
+    const Leading leading(products);
+    Matrix directions(a.cols(), leading.count);
+    for (std::int64_t d = 0; d < leading.count; ++d) {
+        const double size = std::sqrt(std::max(0.0, leading.pairs.value(d)));
+        for (std::int64_t r = 0; r < a.rows() && size > 0; ++r) {
+            const double part = leading.pairs.vector(d)[r] / size;
+            for (std::int64_t c = 0; c < a.cols(); ++c)
+                directions(c, d) += part * a(r, c);
+        }
+    }
+    return directions;
+}
+
+} // namespace
+
+Matrix leading_directions(ConstMatrixView x, const std::vector<double>& usual,
+                          const Progress& progress) {
+    const Scatter scatter(x, usual, progress);
+    return x.cols <= most_columns ? of_columns(scatter) : of_rows(scatter, progress);
+}
+
+} // namespace stltsa::recording

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The few directions in which a recording moves.
+#pragma once
+
+#include <vector>
+
+#include "base/progress.hpp"
+#include "linalg/matrix.hpp"
+
+namespace stltsa::recording {
+
+/// Orthonormal columns with most of the variance of poses and of velocities, which count alike: a
+/// tapping foot has little of the first on a swaying body. Velocities are relative to the usual
+/// step from row to row (`usual`): they have little of the second beside a run.
+Matrix leading_directions(ConstMatrixView x, const std::vector<double>& usual,
+                          const Progress& progress);
+
+} // namespace stltsa::recording
