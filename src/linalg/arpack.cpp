@@ -14,6 +14,17 @@
 
 static_assert(sizeof(a_int) == sizeof(std::int32_t), "ARPACK with 32-bit integers is needed");
 
+// dseupd_c() would not do: it copies `select`, and does not check that there is memory for the copy.
+// Fortran passes the lengths of texts after all other arguments.
+extern "C" void dseupd_(const a_int* with_vectors, const char* which_vectors, a_int* select,
+                        double* values, double* vectors, const a_int* stride, const double* shift,
+                        const char* kind, const a_int* order, const char* which,
+                        const a_int* count, const double* tolerance, double* residual,
+                        const a_int* subspace, double* basis, const a_int* basis_stride,
+                        a_int* parameters, a_int* pointers, double* work, double* small_work,
+                        const a_int* small_work_size, a_int* info, std::size_t, std::size_t,
+                        std::size_t);
+
 namespace stltsa {
 namespace {
 
@@ -107,10 +118,12 @@ class Lanczos {
         std::vector<a_int> select(static_cast<std::size_t>(subspace_));
         a_int info = 0;
         // The eigenvectors overwrite the basis.
-        dseupd_c(1, "A", select.data(), pairs.values.data(), basis_.data(), order_, 0, "I", order_,
-                 "LA", count_, tolerance, residual_.data(), subspace_, basis_.data(), order_,
-                 parameters_, pointers_, work_.data(), small_work_.data(), small_work_size(),
-                 &info);
+        const a_int with_vectors = 1, size = small_work_size();
+        const double no_shift = 0;
+        dseupd_(&with_vectors, "A", select.data(), pairs.values.data(), basis_.data(), &order_,
+                &no_shift, "I", &order_, "LA", &count_, &tolerance, residual_.data(), &subspace_,
+                basis_.data(), &order_, parameters_, pointers_, work_.data(), small_work_.data(),
+                &size, &info, 1, 1, 2);
         if (info != 0)
             fail(Status::internal, "ARPACK dseupd failed (info {})", info);
         std::ranges::reverse(pairs.values); // dseupd returns them ascending

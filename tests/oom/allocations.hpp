@@ -1,67 +1,75 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Counts the allocations of a program, and makes one of them fail. Included once in each program.
+// The C functions are replaced, for every library in the process: operator new calls them, and so do
+// LAPACKE, CHOLMOD, zlib, libstdc++ and the C library's own directories and streams.
 #pragma once
 
 #include <atomic>
+#include <cerrno>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
-#include <new>
 #include <string>
+
+extern "C" {
+void* __libc_malloc(std::size_t size);
+void* __libc_calloc(std::size_t count, std::size_t size);
+void* __libc_realloc(void* memory, std::size_t size);
+void* __libc_memalign(std::size_t alignment, std::size_t size);
+void __libc_free(void* memory);
+}
 
 namespace {
 
 std::atomic<std::int64_t> live{0};
 std::atomic<std::int64_t> until_failure{-1}; // negative: never
 
-void* allocate(std::size_t size, std::size_t alignment) {
-    if (until_failure.load() >= 0 && until_failure.fetch_sub(1) == 0)
-        throw std::bad_alloc();
-    const std::size_t rounded = (size + alignment - 1) / alignment * alignment;
-    void* memory = std::aligned_alloc(alignment, rounded == 0 ? alignment : rounded);
-    if (memory == nullptr)
-        throw std::bad_alloc();
-    ++live;
+bool refused() {
+    if (until_failure.load() < 0 || until_failure.fetch_sub(1) != 0)
+        return false;
+    errno = ENOMEM;
+    return true;
+}
+
+void* counted(void* memory) {
+    if (memory != nullptr)
+        ++live;
     return memory;
 }
 
-void release(void* memory) noexcept {
-    if (memory != nullptr)
-        --live;
-    std::free(memory);
-}
-
-constexpr std::size_t usual = alignof(std::max_align_t);
-
 } // namespace
 
-void* operator new(std::size_t size) {
-    return allocate(size, usual);
+extern "C" {
+void* malloc(std::size_t size) noexcept {
+    return refused() ? nullptr : counted(__libc_malloc(size));
 }
-void* operator new[](std::size_t size) {
-    return allocate(size, usual);
+void* calloc(std::size_t count, std::size_t size) noexcept {
+    return refused() ? nullptr : counted(__libc_calloc(count, size));
 }
-void* operator new(std::size_t size, std::align_val_t alignment) {
-    return allocate(size, static_cast<std::size_t>(alignment));
+void* realloc(void* memory, std::size_t size) noexcept {
+    if (refused())
+        return nullptr;
+    void* moved = __libc_realloc(memory, size);
+    return memory == nullptr ? counted(moved) : moved;
 }
-void operator delete(void* memory) noexcept {
-    release(memory);
+void* memalign(std::size_t alignment, std::size_t size) noexcept {
+    return refused() ? nullptr : counted(__libc_memalign(alignment, size));
 }
-void operator delete[](void* memory) noexcept {
-    release(memory);
+void* aligned_alloc(std::size_t alignment, std::size_t size) noexcept {
+    return memalign(alignment, size);
 }
-void operator delete(void* memory, std::size_t) noexcept {
-    release(memory);
+int posix_memalign(void** memory, std::size_t alignment, std::size_t size) noexcept {
+    void* made = memalign(alignment, size);
+    if (made == nullptr)
+        return ENOMEM;
+    *memory = made;
+    return 0;
 }
-void operator delete[](void* memory, std::size_t) noexcept {
-    release(memory);
+void free(void* memory) noexcept {
+    if (memory != nullptr)
+        --live;
+    __libc_free(memory);
 }
-void operator delete(void* memory, std::align_val_t) noexcept {
-    release(memory);
-}
-void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
-    release(memory);
 }
 
 /// Eight channels of a motion of period 1 s at 30 fps, as CSV.

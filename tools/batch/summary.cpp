@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "base/formula.hpp"
 #include "terminal/text.hpp"
 
 namespace tool::batch {
@@ -17,7 +18,8 @@ std::string number(const nlohmann::json& value) {
 }
 
 /// Text in quotes if it needs them (RFC 4180).
-std::string cell(const std::string& text) {
+std::string cell(const std::string& given) {
+    const std::string text = stltsa::text_cell(given);
     if (text.find_first_of(",\"\n\r") == text.npos)
         return text;
     std::string quoted = "\"";

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/formula.hpp"
 #include "reports/json.hpp"
 #include "reports/table.hpp"
 #include "terminal/text.hpp"
@@ -25,7 +26,8 @@ std::string side_of(const NamedEvent& event) {
 }
 
 /// A name that may hold commas or quotes.
-std::string cell(const std::string& text) {
+std::string cell(const std::string& given) {
+    const std::string text = stltsa::text_cell(given);
     if (text.find_first_of(",\"\n\r") == std::string::npos)
         return text;
     std::string quoted = "\"";

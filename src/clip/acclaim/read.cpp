@@ -12,6 +12,9 @@
 namespace stltsa::clip {
 namespace {
 
+/// Rates that the options and the other formats allow end here.
+constexpr double most_rate = 1e6;
+
 /// A joint's first column, and the last frame in which it was read.
 struct Slot {
     const Joint* joint;
@@ -67,8 +70,8 @@ class AmcReader {
 
     double rate(std::string_view word) {
         const auto value = parse_number(word);
-        if (!value || !(*value > 0) || !std::isfinite(*value))
-            in_.fail(Status::format, "{} is not a frame rate", quoted(word));
+        if (!value || !(*value > 0 && *value <= most_rate))
+            in_.fail(Status::format, "{} is not a frame rate up to {:g}", quoted(word), most_rate);
         return *value;
     }
 

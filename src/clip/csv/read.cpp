@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 
+#include "base/formula.hpp"
 #include "clip/csv/cells.hpp"
 #include "clip/csv/headers.hpp"
 #include "clip/csv/point_columns.hpp"
@@ -115,7 +116,9 @@ class CsvReader {
             clip_.notes.push_back("the first line (0, 1, 2, ...) numbers the columns: not a frame");
         if (cells.back().empty()) // every line ends with a separator
             cells.pop_back();
-        clip_.channel_names.assign(cells.begin(), cells.end());
+        clip_.channel_names.clear();
+        for (const std::string_view cell : cells)
+            clip_.channel_names.emplace_back(without_apostrophe(cell));
         columns_ = cells.size();
     }
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/formula.hpp"
 #include "clip/clip.hpp"
 #include "clip/csv/cells.hpp"
 #include "clip/features/point_names.hpp"
@@ -11,20 +12,21 @@
 namespace stltsa::clip {
 namespace {
 
-/// Appends a name so that it reads back as one cell for any separator.
+/// Appends a name so that it reads back as one cell for any separator, and is no formula.
 void append_name(std::string& text, std::string_view name) {
     const auto plain = [](char c) {
         return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ||
                c == '.' || c == '_' || c == '-';
     };
-    if (!name.empty() && std::all_of(name.begin(), name.end(), plain)) {
+    if (!name.empty() && !is_formula(name) &&
+        std::all_of(name.begin(), name.end(), plain)) {
         text += name;
         return;
     }
-    text += '"';
-    for (const char c : name) // a quoted cell ends with its line
-        text += c == '"' ? '\'' : c == '\n' || c == '\r' ? ' ' : c;
-    text += '"';
+    std::string cell(name);
+    for (char& c : cell) // a quoted cell ends with its line
+        c = c == '"' ? '\'' : c == '\n' || c == '\r' ? ' ' : c;
+    text += '"' + text_cell(cell) + '"';
 }
 
 /// A line of numbers would not be read as a header.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "clip/files/write_file.hpp"
 
+#include <new>
 #include <system_error>
 
 #include "base/error.hpp"
@@ -22,6 +23,8 @@ void write_file(const std::string& path, const std::function<void(const Sink&)>&
         write_directly(file.name(), content);
         file.move_to_place();
     } catch (const std::system_error& error) {
+        if (error.code() == std::errc::not_enough_memory)
+            throw std::bad_alloc();
         fail(Status::io, "{}: cannot write: {}", path, error.code().message());
     }
 }

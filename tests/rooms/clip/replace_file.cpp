@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Files whose writers or readers die, and tables that spreadsheets would compute.
+#include "clip/testing.hpp"
+
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+#include <random>
+#include <string>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "base/formula.hpp"
+#include "clip/files/read_file.hpp"
+#include "clip/files/write_file.hpp"
+#include "clip/formats.hpp"
+#include "clip/write.hpp"
+
+namespace {
+
+using namespace clip_testing;
+using namespace stltsa::clip;
+namespace fs = std::filesystem;
+
+std::string content_of(const std::string& path) {
+    return read_file(path, {});
+}
+
+std::int64_t files_in(const std::string& folder) {
+    return std::distance(fs::directory_iterator(folder), {});
+}
+
+/// A process that writes one content after the other until it is killed.
+pid_t writer(const std::string& path, const std::string& a, const std::string& b) {
+    const pid_t child = ::fork();
+    if (child == 0)
+        for (;;) {
+            write_file(path, a);
+            write_file(path, b);
+        }
+    return child;
+}
+
+void a_killed_writer_leaves_one_of_the_two(void**) {
+    const TemporaryFolder folder;
+    const std::string path = folder.path("a"), a(300'000, 'a'), b(200'000, 'b');
+    write_file(path, a);
+    std::mt19937 random(1);
+    int changed = 0;
+    std::string before = a;
+    for (int round = 0; round < 50; ++round) {
+        const pid_t child = writer(path, a, b);
+        ::usleep(static_cast<useconds_t>(random() % 40000));
+        assert_int_equal(::kill(child, SIGKILL), 0);
+        assert_int_equal(::waitpid(child, nullptr, 0), child);
+        const std::string now = content_of(path);
+        assert_true(now == a || now == b);
+        changed += now != before;
+        before = now;
+    }
+    assert_true(changed > 0); // else nothing was written at all
+}
+
+void what_killed_writers_left_is_deleted(void**) {
+    const TemporaryFolder folder;
+    const pid_t gone = ::fork();
+    if (gone == 0)
+        ::_exit(0);
+    assert_int_equal(::waitpid(gone, nullptr, 0), gone);
+    const auto old = [&](const std::string& name) {
+        const std::string path = folder.write(name, "x");
+        fs::last_write_time(path, fs::file_time_type::clock::now() - std::chrono::hours(2));
+        return path;
+    };
+    const std::string left = old(stltsa::format_text(".stltsa-{}-0.tmp", gone));
+    const std::string of_amc = old(stltsa::format_text(".stltsa-{}-1.tmp.asf", gone));
+    const std::string mine = old(stltsa::format_text(".stltsa-{}-7.tmp", ::getpid()));
+    const std::string foreign = old(".stltsa-notes.tmp");
+    const std::string young = folder.write(stltsa::format_text(".stltsa-{}-2.tmp", gone), "x");
+    const std::string link = folder.path(stltsa::format_text(".stltsa-{}-3.tmp", gone));
+    fs::create_symlink(foreign, link);
+    write_file(folder.path("a"), "new");
+    assert_true(!fs::exists(left) && !fs::exists(of_amc));
+    assert_true(fs::exists(mine) && fs::exists(foreign) && fs::exists(young));
+    assert_true(fs::is_symlink(link));
+    assert_int_equal(files_in(folder.path("")), 5);
+}
+
+void a_pipe_whose_reader_left_is_an_error(void**) {
+    const TemporaryFolder folder;
+    const std::string path = folder.path("pipe"), bytes(1 << 20, 'x'); // more than a pipe holds
+    assert_int_equal(::mkfifo(path.c_str(), 0600), 0);
+    (void)std::signal(SIGPIPE, SIG_DFL); // which would end this program
+    const pid_t reader = ::fork();
+    if (reader == 0) {
+        char byte = 0;
+        const int pipe = ::open(path.c_str(), O_RDONLY);
+        ::_exit(::read(pipe, &byte, 1) == 1 ? 0 : 1);
+    }
+    ASSERT_FAILS(Status::io, "pipe: cannot write: Broken pipe", write_file(path, bytes));
+    assert_int_equal(::waitpid(reader, nullptr, 0), reader);
+    sigset_t pending, blocked;
+    assert_int_equal(::sigpending(&pending), 0);
+    assert_int_equal(::sigismember(&pending, SIGPIPE), 0);
+    assert_int_equal(::pthread_sigmask(SIG_BLOCK, nullptr, &blocked), 0);
+    assert_int_equal(::sigismember(&blocked, SIGPIPE), 0);
+}
+
+void a_dangling_link_is_followed(void**) {
+    const TemporaryFolder folder;
+    fs::create_symlink("target", folder.path("link"));
+    write_file(folder.path("link"), "new");
+    assert_true(fs::is_symlink(folder.path("link")));
+    assert_true(content_of(folder.path("target")) == "new");
+    // A link that leads to itself leads nowhere.
+    fs::create_symlink("loop", folder.path("loop"));
+    ASSERT_FAILS(Status::io, "cannot write", write_file(folder.path("loop"), "new"));
+}
+
+void names_are_no_formulas(void**) {
+    Clip clip;
+    clip.format = Format::csv;
+    clip.channel_names = {
+        "=HYPERLINK(\"http://x\")", "+1+1", "-2+3", "@SUM(1)", "'=1", "plain", "'s"};
+    clip.values = stltsa::Matrix(2, 7);
+    const std::string text = find_format("a.csv")->write(clip);
+    const std::string head = text.substr(0, text.find('\n'));
+    assert_string_equal(head.c_str(),
+                        "\"'=HYPERLINK('http://x')\",\"'+1+1\",\"'-2+3\",\"'@SUM(1)\","
+                        "\"''=1\",plain,\"'s\"");
+    const Clip back = parse(text, Format::csv);
+    clip.channel_names[0] = "=HYPERLINK('http://x')"; // a cell in quotes holds none
+    assert_true(back.channel_names == clip.channel_names);
+    assert_true(stltsa::text_cell("\t=1") == "'\t=1" && stltsa::text_cell("a=1") == "a=1");
+}
+
+} // namespace
+
+int main() {
+    const CMUnitTest tests[] = {
+        cmocka_unit_test(a_killed_writer_leaves_one_of_the_two),
+        cmocka_unit_test(what_killed_writers_left_is_deleted),
+        cmocka_unit_test(a_pipe_whose_reader_left_is_an_error),
+        cmocka_unit_test(a_dangling_link_is_followed),
+        cmocka_unit_test(names_are_no_formulas),
+    };
+    return cmocka_run_group_tests(tests, nullptr, nullptr);
+}
