@@ -14,21 +14,21 @@
 
 static_assert(sizeof(a_int) == sizeof(std::int32_t), "ARPACK with 32-bit integers is needed");
 
-// dseupd_c() would not do: it copies `select`, and does not check that there is memory for the copy.
-// Fortran passes the lengths of texts after all other arguments.
+// dseupd_c() would not do: it copies `select`, and does not check that there is memory for the
+// copy. Fortran passes the lengths of texts after all other arguments.
 extern "C" void dseupd_(const a_int* with_vectors, const char* which_vectors, a_int* select,
                         double* values, double* vectors, const a_int* stride, const double* shift,
-                        const char* kind, const a_int* order, const char* which,
-                        const a_int* count, const double* tolerance, double* residual,
-                        const a_int* subspace, double* basis, const a_int* basis_stride,
-                        a_int* parameters, a_int* pointers, double* work, double* small_work,
+                        const char* kind, const a_int* order, const char* which, const a_int* count,
+                        const double* tolerance, double* residual, const a_int* subspace,
+                        double* basis, const a_int* basis_stride, a_int* parameters,
+                        a_int* pointers, double* work, double* small_work,
                         const a_int* small_work_size, a_int* info, std::size_t, std::size_t,
                         std::size_t);
 
 namespace stltsa {
 namespace {
 
-std::timed_mutex arpack_mutex;
+[[maybe_unused]] std::timed_mutex arpack_mutex;
 thread_local bool owns_arpack = false;
 
 /// ARPACK keeps state between its reverse-communication calls (Fortran SAVE), so one eigenproblem
@@ -41,16 +41,29 @@ class ArpackLock {
             fail(Status::argument,
                  "a progress callback must not fit or decompose during stage spectrum: do so in "
                  "another stage, or before or after the call that reports progress");
-        while (!arpack_mutex.try_lock_for(std::chrono::milliseconds(50)))
-            poll();
+        take(poll);
         owns_arpack = true;
     }
     ~ArpackLock() {
         owns_arpack = false;
-        arpack_mutex.unlock();
+        give_back();
     }
     ArpackLock(const ArpackLock&) = delete;
     ArpackLock& operator=(const ArpackLock&) = delete;
+
+  private:
+#ifdef STLTSA_TEST_WITHOUT_ARPACK_LOCK // tests/rooms/linalg/arpack_lock.cpp
+    static void take(const std::function<void()>&) {}
+    static void give_back() {}
+#else
+    static void take(const std::function<void()>& poll) {
+        while (!arpack_mutex.try_lock_for(std::chrono::milliseconds(50)))
+            poll();
+    }
+    static void give_back() {
+        arpack_mutex.unlock();
+    }
+#endif
 };
 
 /// An attempt that needs more restarts than this is repeated with twice as many Lanczos vectors: if

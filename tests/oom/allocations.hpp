@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Counts the allocations of a program, and makes one of them fail. Included once in each program.
-// The C functions are replaced, for every library in the process: operator new calls them, and so do
-// LAPACKE, CHOLMOD, zlib, libstdc++ and the C library's own directories and streams.
+// The C functions are replaced, for every library in the process: operator new calls them, and so
+// do LAPACKE, CHOLMOD, zlib, libstdc++ and the C library's own directories and streams.
 #pragma once
 
 #include <atomic>
@@ -10,6 +10,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
+
+#include <link.h>
 
 extern "C" {
 void* __libc_malloc(std::size_t size);
@@ -24,9 +27,38 @@ namespace {
 std::atomic<std::int64_t> live{0};
 std::atomic<std::int64_t> until_failure{-1}; // negative: never
 
-bool refused() {
+/// Where the code of libraries lies that end the process themselves if an allocation fails
+/// (docs/robustness.md): their own allocations succeed.
+struct Spared {
+    const char* name;
+    std::uintptr_t begin = 0, end = 0;
+    std::atomic<std::int64_t> times{0};
+};
+Spared spared[] = {{"libopenblas"}, {"libgomp"}};
+
+[[maybe_unused]] int find_spared(dl_phdr_info* library, std::size_t, void*) {
+    for (Spared& s : spared)
+        for (int i = 0; i < library->dlpi_phnum; ++i) {
+            const auto& part = library->dlpi_phdr[i];
+            if (std::string_view(library->dlpi_name).find(s.name) == std::string_view::npos ||
+                part.p_type != PT_LOAD || (part.p_flags & PF_X) == 0)
+                continue;
+            s.begin = library->dlpi_addr + part.p_vaddr;
+            s.end = s.begin + part.p_memsz;
+        }
+    return 0;
+}
+
+/// `caller`: of the allocation.
+bool refused(void* caller) {
     if (until_failure.load() < 0 || until_failure.fetch_sub(1) != 0)
         return false;
+    const auto at = reinterpret_cast<std::uintptr_t>(caller);
+    for (Spared& s : spared)
+        if (at >= s.begin && at < s.end) {
+            ++s.times;
+            return false;
+        }
     errno = ENOMEM;
     return true;
 }
@@ -41,25 +73,28 @@ void* counted(void* memory) {
 
 extern "C" {
 void* malloc(std::size_t size) noexcept {
-    return refused() ? nullptr : counted(__libc_malloc(size));
+    return refused(__builtin_return_address(0)) ? nullptr : counted(__libc_malloc(size));
 }
 void* calloc(std::size_t count, std::size_t size) noexcept {
-    return refused() ? nullptr : counted(__libc_calloc(count, size));
+    return refused(__builtin_return_address(0)) ? nullptr : counted(__libc_calloc(count, size));
 }
 void* realloc(void* memory, std::size_t size) noexcept {
-    if (refused())
+    if (refused(__builtin_return_address(0)))
         return nullptr;
     void* moved = __libc_realloc(memory, size);
     return memory == nullptr ? counted(moved) : moved;
 }
 void* memalign(std::size_t alignment, std::size_t size) noexcept {
-    return refused() ? nullptr : counted(__libc_memalign(alignment, size));
+    return refused(__builtin_return_address(0)) ? nullptr
+                                                : counted(__libc_memalign(alignment, size));
 }
 void* aligned_alloc(std::size_t alignment, std::size_t size) noexcept {
-    return memalign(alignment, size);
+    return refused(__builtin_return_address(0)) ? nullptr
+                                                : counted(__libc_memalign(alignment, size));
 }
 int posix_memalign(void** memory, std::size_t alignment, std::size_t size) noexcept {
-    void* made = memalign(alignment, size);
+    void* made =
+        refused(__builtin_return_address(0)) ? nullptr : counted(__libc_memalign(alignment, size));
     if (made == nullptr)
         return ENOMEM;
     *memory = made;

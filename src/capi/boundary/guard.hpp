@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
+#include "linalg/blas_integers.hpp"
 #include "linalg/blas_threads.hpp"
 #include "stltsa.h"
 
@@ -41,6 +42,7 @@ stltsa_status guard(Body&& body) noexcept {
 template <class Body>
 stltsa_status compute(Body&& body) noexcept {
     return guard([&] {
+        check_blas_integers();
         const SingleThreadedBlas single;
         body();
     });
