@@ -182,6 +182,9 @@ stltsa_status derive_clips(const std::string&) {
         [&] { return stltsa_clip_find(kept().matrix, "0.5s-2s", nullptr, 1, &found, &count); });
     const stltsa_in columns = in(waves(), frames, 8);
     calls.make([&] { return stltsa_clip_from_matrix(&columns, 30, &copied); }, copied);
+    calls.make([&] {
+        return stltsa_clip_set_path(copied, "/a path/too long/for a string without memory.csv");
+    });
     stltsa_clip_free(copied);
     stltsa_clip_free(mirrored);
     stltsa_clip_free(stretch);

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Calls of many threads at once: fits in all modes, some of them cancelled; one model that several
+// threads map with, unmap and write; streams; decompositions; and a fork between calls. Each thread
+// must find what one thread alone finds.
+// Usage: test_threads [ROUNDS [no-fork]]
+//        test_threads soak SECONDS: again and again; memory, open files and threads must not grow
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <functional>
+#include <thread>
+#include <vector>
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "stltsa.h"
+
+namespace {
+
+constexpr std::int64_t frames = 240, columns = 6;
+std::vector<double> waves(frames* columns);
+std::atomic<int> calls{0}, wrong{0};
+
+stltsa_in in() {
+    return {waves.data(), frames, columns, 0, 0, STLTSA_F64, 0};
+}
+
+void expect(bool right, const char* what) {
+    ++calls;
+    if (right)
+        return;
+    ++wrong;
+    std::printf("wrong: %s (%s)\n", what, stltsa_last_error());
+}
+
+std::int32_t count_down(void* left, std::int32_t, double) {
+    return --*static_cast<int*>(left) < 0 ? 1 : 0;
+}
+
+/// Coordinates of a fit; empty if it was cancelled. `left`: callbacks until then.
+std::vector<double> fitted(std::int64_t mode, std::int64_t threads, int left) {
+    stltsa_options* options = nullptr;
+    stltsa_model* model = nullptr;
+    stltsa_options_new(&options);
+    stltsa_options_set_int(options, STLTSA_OPT_MODE, mode);
+    stltsa_options_set_int(options, STLTSA_OPT_NEIGHBORS, 12);
+    stltsa_options_set_int(options, STLTSA_OPT_DIMENSION, 2);
+    stltsa_options_set_int(options, STLTSA_OPT_THREADS, threads);
+    stltsa_options_set_progress(options, count_down, &left);
+    const stltsa_in x = in();
+    const stltsa_status status = stltsa_fit(&x, nullptr, options, &model);
+    std::vector<double> coords;
+    if (status == STLTSA_OK) {
+        coords.resize(frames * 2);
+        const stltsa_out out = {coords.data(), frames, 2, 0, 0, STLTSA_F64, 0};
+        expect(stltsa_model_coords(model, &out) == STLTSA_OK, "coordinates");
+    } else {
+        expect(status == STLTSA_E_CANCELLED || status == STLTSA_E_UNSUPPORTED, "fit");
+    }
+    stltsa_model_free(model);
+    stltsa_options_free(options);
+    return coords;
+}
+
+/// What all threads share; used as const handles only.
+struct Shared {
+    stltsa_clip* clip = nullptr;
+    stltsa_model* model = nullptr; ///< its parts for mapping are made at the first use
+    stltsa_decomposition* parts = nullptr;
+    stltsa_phase* phase = nullptr;
+
+    Shared() {
+        const stltsa_in x = in();
+        const bool made = stltsa_clip_from_matrix(&x, 30, &clip) == STLTSA_OK &&
+                          stltsa_decompose(clip, nullptr, &parts) == STLTSA_OK &&
+                          stltsa_phase_find(clip, parts, nullptr, &phase) == STLTSA_OK &&
+                          stltsa_fit_clip(clip, nullptr, &model) == STLTSA_OK &&
+                          stltsa_model_keep_cycle(model, phase) == STLTSA_OK;
+        if (!made) {
+            std::printf("%s\n", stltsa_last_error());
+            std::exit(1);
+        }
+    }
+    ~Shared() {
+        stltsa_phase_free(phase);
+        stltsa_model_free(model);
+        stltsa_decomposition_free(parts);
+        stltsa_clip_free(clip);
+    }
+    Shared(const Shared&) = delete;
+};
+
+std::vector<double> mapped(const Shared& shared) {
+    std::int64_t d = 0;
+    stltsa_info_int(stltsa_model_info(shared.model), STLTSA_INFO_DIMENSION, 0, &d);
+    std::vector<double> coords(static_cast<std::size_t>(frames * d)), back(frames * columns);
+    const stltsa_out out = {coords.data(), frames, d, 0, 0, STLTSA_F64, 0};
+    const stltsa_in points = {coords.data(), frames, d, 0, 0, STLTSA_F64, 0};
+    const stltsa_out to = {back.data(), frames, columns, 0, 0, STLTSA_F64, 0};
+    expect(stltsa_map_clip(shared.model, shared.clip, nullptr, &out, nullptr, nullptr) == STLTSA_OK,
+           "map");
+    expect(stltsa_unmap(shared.model, &points, nullptr, nullptr, &to, nullptr, nullptr) ==
+               STLTSA_OK,
+           "unmap");
+    coords.insert(coords.end(), back.begin(), back.end());
+    unsigned char* bytes = nullptr;
+    std::size_t size = 0;
+    expect(stltsa_model_serialize(shared.model, &bytes, &size) == STLTSA_OK, "serialize");
+    stltsa_free(bytes);
+    return coords;
+}
+
+std::vector<double> streamed(const Shared& shared) {
+    stltsa_live* live = nullptr;
+    expect(stltsa_live_new(shared.model, &live) == STLTSA_OK, "stream");
+    std::vector<double> phases;
+    for (std::int64_t i = 0; i < frames && live != nullptr; ++i) {
+        stltsa_live_frame frame{};
+        frame.size = sizeof frame;
+        expect(stltsa_live_push_frame(live, static_cast<double>(i) / 30, shared.clip, i, &frame) ==
+                   STLTSA_OK,
+               "push");
+        phases.push_back(frame.phase);
+    }
+    stltsa_live_free(live);
+    return phases;
+}
+
+std::vector<double> decomposed(const Shared& shared) {
+    stltsa_decomposition* parts = nullptr;
+    expect(stltsa_decompose(shared.clip, nullptr, &parts) == STLTSA_OK, "decompose");
+    std::vector<double> borders;
+    for (std::int64_t i = 0; i < stltsa_decomposition_cycle_count(parts); ++i) {
+        stltsa_interval cycle{};
+        stltsa_decomposition_cycle(parts, i, &cycle);
+        borders.push_back(cycle.begin_s);
+    }
+    stltsa_decomposition_free(parts);
+    return borders;
+}
+
+/// Threads that the library started would be missing in the child, which would wait for them.
+void check_fork(const Shared& shared) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+        ::alarm(60);
+        fitted(STLTSA_MODE_SPATIAL, 2, 1 << 30);
+        mapped(shared);
+        ::_exit(wrong.load() == 0 ? 0 : 1);
+    }
+    int status = 0;
+    expect(::waitpid(child, &status, 0) == child && status == 0, "calls after a fork");
+}
+
+using Work = std::function<std::vector<double>(const Shared&)>;
+const Work works[] = {[](const Shared&) { return fitted(STLTSA_MODE_TEMPORAL, 2, 1 << 30); },
+                      [](const Shared&) { return fitted(STLTSA_MODE_SPATIAL, 2, 1 << 30); },
+                      [](const Shared&) { return fitted(STLTSA_MODE_RECURRENT, 1, 1 << 30); },
+                      [](const Shared&) { return fitted(STLTSA_MODE_TEMPORAL, 2, 5); }, // cancelled
+                      mapped,
+                      mapped,
+                      streamed,
+                      decomposed};
+
+/// What each of them gives alone.
+std::vector<std::vector<double>> expected;
+
+/// A number of /proc/self/status, such as VmRSS in kB.
+long from_status(const char* name) {
+    std::FILE* file = std::fopen("/proc/self/status", "r");
+    char line[256];
+    long value = 0;
+    while (file != nullptr && std::fgets(line, sizeof line, file) != nullptr)
+        if (std::strncmp(line, name, std::strlen(name)) == 0)
+            value = std::atol(line + std::strlen(name) + 1);
+    if (file != nullptr)
+        std::fclose(file);
+    return value;
+}
+
+long open_files() {
+    return std::distance(std::filesystem::directory_iterator("/proc/self/fd"), {});
+}
+
+struct Usage {
+    long kilobytes = from_status("VmRSS"), threads = from_status("Threads"), files = open_files();
+};
+
+/// All works at once, on handles that were never used before.
+void run_round(bool with_fork) {
+    const Shared shared;
+    std::vector<std::thread> threads;
+    for (std::size_t w = 0; w < std::size(works); ++w)
+        threads.emplace_back([&, w] { expect(works[w](shared) == expected[w], "not as alone"); });
+    for (std::thread& thread : threads)
+        thread.join();
+    if (with_fork)
+        check_fork(shared);
+}
+
+/// The heap has found its size after a tenth of the time; then it may grow by a twentieth.
+void soak(double seconds) {
+    const auto start = std::chrono::steady_clock::now();
+    const auto passed = [&] {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    };
+    int rounds = 0;
+    while (passed() < seconds / 10 || rounds < 3) {
+        run_round(true);
+        ++rounds;
+    }
+    const Usage before;
+    while (passed() < seconds) {
+        run_round(true);
+        ++rounds;
+    }
+    const Usage after;
+    std::printf("soak: %.0f s, %d rounds, memory %ld to %ld kB, threads %ld to %ld, files %ld to "
+                "%ld\n",
+                passed(), rounds, before.kilobytes, after.kilobytes, before.threads, after.threads,
+                before.files, after.files);
+    expect(after.kilobytes < before.kilobytes + before.kilobytes / 20 + 1024, "memory grows");
+    expect(after.threads == before.threads && after.files == before.files, "handles stay open");
+}
+
+} // namespace
+
+int main(int count, char** arguments) {
+    for (std::int64_t i = 0; i < frames * columns; ++i)
+        waves[static_cast<std::size_t>(i)] = std::sin(2 * M_PI * static_cast<double>(i / columns) /
+                                                          40 * static_cast<double>(1 + i % 2) +
+                                                      static_cast<double>(i % columns)) +
+                                             1e-3 * static_cast<double>(i / columns);
+    {
+        const Shared alone;
+        for (const Work& work : works)
+            expected.push_back(work(alone));
+    }
+    const bool soaks = count > 2 && std::strcmp(arguments[1], "soak") == 0;
+    if (soaks)
+        soak(std::atof(arguments[2]));
+    for (int round = 0; !soaks && round < (count > 1 ? std::atoi(arguments[1]) : 3); ++round)
+        run_round(count < 3);
+    std::printf("threads: %zu at once, %d calls, %d wrong\n", std::size(works), calls.load(),
+                wrong.load());
+    return wrong.load() == 0 && calls.load() > 100 ? 0 : 1;
+}
