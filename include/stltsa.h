@@ -99,7 +99,7 @@ enum {
     STLTSA_E_DEGENERATE = -9,    /* the frames do not vary, or not in enough directions */
     STLTSA_E_NOT_CONVERGED = -10, /* the eigensolver did not converge */
     STLTSA_E_CANCELLED = -11,    /* the progress callback asked to stop */
-    STLTSA_E_UNSUPPORTED = -12,  /* not in this build (CHOLMOD), or not for this clip or model */
+    STLTSA_E_UNSUPPORTED = -12,  /* not for this clip, model or format */
     STLTSA_E_INTERNAL = -13,     /* a bug in the library; the text says where to report it */
     STLTSA_E_NO_COMMON_POSTURE = -14, /* two pieces have no common posture at which to join */
     STLTSA_E_NO_SUCH_PART = -15   /* a clip lacks the stretch that was asked for */
@@ -120,7 +120,7 @@ STLTSA_API int32_t stltsa_version_number(void) STLTSA_NOEXCEPT;
 
 /* Optional parts of a build. */
 enum {
-    STLTSA_HAS_CHOLMOD = 1, /* modes spatial and recurrent; without it: E_UNSUPPORTED */
+    STLTSA_HAS_CHOLMOD = 1, /* faster modes spatial and recurrent; without it SuiteSparse LDL does them */
     STLTSA_HAS_OPENBLAS = 2 /* BLAS is OpenBLAS, which a fit sets to one thread and restores */
 };
 /* 1: this build has the part; 0: it does not, or the part is unknown. */
@@ -239,9 +239,9 @@ enum {
 
 enum {
     STLTSA_MODE_TEMPORAL = 1, /* the frames of the same clip within the window */
-    STLTSA_MODE_SPATIAL = 2,  /* all frames; needs CHOLMOD */
+    STLTSA_MODE_SPATIAL = 2,  /* all frames */
     STLTSA_MODE_RECURRENT = 3 /* those of the window and, as links, the frames outside the
-                                 exclusion zone; needs CHOLMOD */
+                                 exclusion zone */
 };
 
 enum {
@@ -728,8 +728,7 @@ typedef struct stltsa_model stltsa_model;
  * band (between w and 2w); each thread takes up to 100 w^2 + 9000 w bytes for distances, at most
  * 55 MB. If option keep_frames is 0, the model makes no copy of the frames.
  * E_SHAPE, E_NOT_FINITE, E_TOO_FEW_FRAMES, E_ARGUMENT (d + 2 <= k <= w + 1 is required),
- * E_DEGENERATE, E_NOT_CONVERGED, E_UNSUPPORTED (spatial or recurrent without CHOLMOD),
- * E_CANCELLED, E_NO_MEMORY. */
+ * E_DEGENERATE, E_NOT_CONVERGED, E_CANCELLED, E_NO_MEMORY. */
 STLTSA_API stltsa_status stltsa_fit(const stltsa_in *frames, const stltsa_in *lengths,
                                     const stltsa_options *options,
                                     stltsa_model **model) STLTSA_NOEXCEPT;

@@ -2,12 +2,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Runs inside OSS-Fuzz's builder, which sets CC, CXX, CFLAGS, CXXFLAGS and LIB_FUZZING_ENGINE.
 set -euo pipefail
-meson setup build -Dfuzz=true -Dtools=false -Dcholmod=disabled -Ddefault_library=static \
+meson setup build -Dfuzz=true -Dtools=false -Dsparse=ldl -Ddefault_library=static \
     -Db_lundef=false -Dbuildtype=plain
 for target in acclaim api bvh csv model npy; do
     ninja -C build "tests/fuzz/fuzz_$target"
     cp "build/tests/fuzz/fuzz_$target" "$OUT/"
     zip --quiet --junk-paths "$OUT/fuzz_${target}_seed_corpus.zip" "tests/fuzz/corpus/$target/"*
-    ldd "$OUT/fuzz_$target" | awk '/openblas|lapack|arpack|gfortran|quadmath/ {print $3}' |
+    ldd "$OUT/fuzz_$target" | awk '/openblas|lapack|arpack|libldl|libamd|suitesparse|gfortran|quadmath/ {print $3}' |
         xargs -I{} cp -n {} "$OUT/"
 done

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sparse symmetric systems by SuiteSparse CHOLMOD; only in builds with CHOLMOD.
+// Sparse symmetric systems by SuiteSparse: CHOLMOD, or LDL in builds without it (option sparse).
 #pragma once
 
 #include <cstdint>
@@ -18,6 +18,8 @@ struct SparseColumns {
     std::vector<double> values;
 };
 
+class SparseFactor;
+
 class SparseCholesky {
   public:
     /// Orders (AMD) and factors the matrix. If it is singular to working precision, a tiny shift is
@@ -30,8 +32,7 @@ class SparseCholesky {
     void solve(MatrixView rows) const;
 
   private:
-    struct State;
-    std::unique_ptr<State> state_;
+    std::unique_ptr<SparseFactor> factor_;
 };
 
 } // namespace stltsa

@@ -147,19 +147,6 @@ static void links_join_clips(void** state) {
     free(x);
 }
 
-/* A library without CHOLMOD says so, and the test is skipped. */
-static int mode_is_there(void) {
-    double* x = new_motion(60, 4, 85);
-    stltsa_options* options = new_mode_options(12, 2, STLTSA_MODE_SPATIAL);
-    const stltsa_in in = packed_in(x, 60, 4);
-    stltsa_model* model = NULL;
-    const stltsa_status status = stltsa_fit(&in, NULL, options, &model);
-    stltsa_model_free(model);
-    stltsa_options_free(options);
-    free(x);
-    return status != STLTSA_E_UNSUPPORTED;
-}
-
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(swiss_roll_is_unrolled),
@@ -168,9 +155,5 @@ int main(void) {
         cmocka_unit_test(links_close_the_loop),
         cmocka_unit_test(links_join_clips),
     };
-    if (!mode_is_there()) {
-        print_message("SKIPPED: this build has no CHOLMOD\n");
-        return 77;
-    }
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -261,8 +261,7 @@ stltsa_status fit_temporal(const std::string&) {
     return fit_mode(STLTSA_MODE_TEMPORAL);
 }
 stltsa_status fit_spatial(const std::string&) {
-    const stltsa_status status = fit_mode(STLTSA_MODE_SPATIAL);
-    return status == STLTSA_E_UNSUPPORTED ? STLTSA_OK : status; // a build without CHOLMOD
+    return fit_mode(STLTSA_MODE_SPATIAL);
 }
 
 stltsa_status denoise(const std::string&) {

@@ -51,7 +51,7 @@ class Alignment {
 std::unique_ptr<Alignment> difference_alignment(const Patches& patches, const Machine& machine);
 
 /// For any neighborhoods: B without its last row and column (the frame is grounded), sparse,
-/// factored by CHOLMOD. Throws Status::unsupported in a build without CHOLMOD.
+/// factored by SuiteSparse.
 std::unique_ptr<Alignment> grounded_alignment(const Patches& patches, const Machine& machine);
 
 } // namespace stltsa::ltsa

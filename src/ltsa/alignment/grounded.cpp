@@ -4,17 +4,13 @@
 // the pseudo-inverse. Differences would fill the matrix here.
 #include "ltsa/alignment/alignment.hpp"
 
-#ifdef STLTSA_CHOLMOD
 #include <algorithm>
 
 #include "linalg/simd.hpp"
 #include "linalg/sparse_cholesky.hpp"
 #include "ltsa/alignment/patch_passes.hpp"
-#endif
 
 namespace stltsa::ltsa {
-
-#ifdef STLTSA_CHOLMOD
 namespace {
 
 /// The patches that contain each frame, and the frame's position there: entries begin[f] ..
@@ -169,11 +165,5 @@ class GroundedAlignment final : public PatchwiseAlignment<GroundedValues> {
 std::unique_ptr<Alignment> grounded_alignment(const Patches& patches, const Machine& machine) {
     return std::make_unique<GroundedAlignment>(patches, machine);
 }
-#else
-std::unique_ptr<Alignment> grounded_alignment(const Patches&, const Machine&) {
-    fail(Status::unsupported, "the modes spatial and recurrent need SuiteSparse CHOLMOD, and this "
-                              "library was built without it (-Dcholmod=disabled); use temporal");
-}
-#endif
 
 } // namespace stltsa::ltsa

@@ -183,11 +183,7 @@ void residuals_are_orthogonal_to_directions(void**) {
 }
 
 void all_but_the_grounded_frame(void**) {
-#ifdef STLTSA_CHOLMOD
     check_alignments(stltsa::ltsa::grounded_alignment, true);
-#else
-    skip();
-#endif
 }
 
 } // namespace

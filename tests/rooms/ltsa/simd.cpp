@@ -85,28 +85,12 @@ void long_fits_have_the_same_bits(void**) {
     check_bits("long", x, parameters_of(Mode::temporal, 6), {1, 2, 4});
 }
 
-/// A build without CHOLMOD says so, and there is nothing to compare.
-bool fits_across_time() {
-    try {
-        fitted(motion(50), parameters_of(Mode::spatial, 12));
-        return true;
-    } catch (const stltsa::Error& error) {
-        assert_true(error.status() == stltsa::Status::unsupported);
-        print_message("SKIPPED: this build has no CHOLMOD\n");
-        return false;
-    }
-}
-
 void spatial_fits_have_the_same_bits(void**) {
-    if (!fits_across_time())
-        return;
     for (const std::int64_t size : {12, 50, 140})
         check_bits("spatial", motion(frames), parameters_of(Mode::spatial, size), {1, 2, 4});
 }
 
 void recurrent_fits_have_the_same_bits(void**) {
-    if (!fits_across_time())
-        return;
     for (const std::int64_t size : {12, 50, 140})
         check_bits("recurrent", motion(frames), parameters_of(Mode::recurrent, size), {1, 2, 4});
 }

@@ -50,7 +50,8 @@ def has(part: str) -> bool:
     Parameters
     ----------
     part : str
-        For example ``"cholmod"``, which the modes spatial and recurrent need.
+        ``"openblas"``, whose threads a fit limits, or ``"cholmod"``, which makes the modes
+        spatial and recurrent faster.
 
     Examples
     --------

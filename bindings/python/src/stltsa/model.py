@@ -84,8 +84,6 @@ def fit(motion: Motions, *, groups: Labels | None = None, **options: Unpack[Opti
         The frames or the options are invalid; the text says what to do.
     stltsa.DegenerateError
         The frames do not vary.
-    stltsa.UnsupportedError
-        ``mode="spatial"`` or ``"recurrent"`` in a build without CHOLMOD.
 
     Warns
     -----

@@ -103,8 +103,8 @@ pub fn version() -> String {
 /// Whether this build of the library has an optional part.
 ///
 /// ```
-/// let can_fit_recurrent = stltsa::has(stltsa::Component::Cholmod);
-/// # let _ = can_fit_recurrent;
+/// let fast_across_time = stltsa::has(stltsa::Component::Cholmod);
+/// # let _ = fast_across_time;
 /// ```
 pub fn has(part: Component) -> bool {
     // SAFETY: it takes any number.

@@ -103,8 +103,7 @@ impl Model {
     /// [`Shape`](ErrorKind::Shape), [`NotFinite`](ErrorKind::NotFinite),
     /// [`TooFewFrames`](ErrorKind::TooFewFrames), [`Argument`](ErrorKind::Argument) (needs
     /// d + 2 <= k <= w + 1), [`Degenerate`](ErrorKind::Degenerate),
-    /// [`NotConverged`](ErrorKind::NotConverged), [`Unsupported`](ErrorKind::Unsupported) (a mode
-    /// that needs CHOLMOD, without it), [`Cancelled`](ErrorKind::Cancelled),
+    /// [`NotConverged`](ErrorKind::NotConverged), [`Cancelled`](ErrorKind::Cancelled),
     /// [`NoMemory`](ErrorKind::NoMemory).
     pub fn fit<'a>(frames: impl Into<View<'a>>, options: &Options) -> Result<Self> {
         let frames = frames.into();

@@ -3,7 +3,7 @@
 kinds! {
     /// Parts that a build of the library may be without.
     Component {
-        /// Modes spatial and recurrent; without it: E_UNSUPPORTED.
+        /// Faster modes spatial and recurrent; without it SuiteSparse LDL does them.
         Cholmod = STLTSA_HAS_CHOLMOD,
         /// BLAS is OpenBLAS, which a fit sets to one thread and restores.
         Openblas = STLTSA_HAS_OPENBLAS,
@@ -106,9 +106,9 @@ kinds! {
     Mode {
         /// The frames of the same clip within the window.
         Temporal = STLTSA_MODE_TEMPORAL,
-        /// All frames; needs CHOLMOD.
+        /// All frames.
         Spatial = STLTSA_MODE_SPATIAL,
-        /// Those of the window and, as links, the frames outside the exclusion zone; needs CHOLMOD.
+        /// Those of the window and, as links, the frames outside the exclusion zone.
         Recurrent = STLTSA_MODE_RECURRENT,
     }
     /// Which numbers describe a pose.
@@ -411,7 +411,7 @@ kinds! {
         NotConverged = STLTSA_E_NOT_CONVERGED,
         /// The progress callback asked to stop.
         Cancelled = STLTSA_E_CANCELLED,
-        /// Not in this build (CHOLMOD), or not for this clip or model.
+        /// Not for this clip, model or format.
         Unsupported = STLTSA_E_UNSUPPORTED,
         /// A bug in the library; the text says where to report it.
         Internal = STLTSA_E_INTERNAL,
