@@ -14,6 +14,7 @@ vcpkg_configure_meson(
     SOURCE_PATH "${SOURCE_PATH}"
     OPTIONS
         -Dtests=false
+        -Ddocs=false
         -Dtools=false
         -Dsparse=ldl
         -Dblas=reference

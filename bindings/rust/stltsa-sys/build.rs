@@ -71,6 +71,7 @@ fn build_library() -> PathBuf {
         meson(Command::new("meson").arg("setup").arg(&build).arg(source).args([
             "-Dtools=false",
             "-Dtests=false",
+            "-Ddocs=false",
             "-Dsparse=ldl",
             "-Ddefault_library=static",
             "-Dbuildtype=release",
