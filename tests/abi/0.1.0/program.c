@@ -37,6 +37,7 @@ static const function functions[] = {
     (function)stltsa_clip_positions,
     (function)stltsa_clip_rotations,
     (function)stltsa_clip_save,
+    (function)stltsa_clip_set_path,
     (function)stltsa_clip_stretch,
     (function)stltsa_cycles_between,
     (function)stltsa_cycles_count,

@@ -250,14 +250,14 @@ enum {
     STLTSA_FEATURES_EULER = 3,       /* angles below the root in radians, unwrapped (the paper) */
     STLTSA_FEATURES_RAW = 4,         /* the file's numbers */
     STLTSA_FEATURES_POINTS = 5       /* points, such as markers, of a clip without a skeleton; auto
-                                        if the clip is made of at least three (stltsa_clip_from_
-                                        points; NPY frames x points x 3; CSV columns named heel_x,
-                                        heel_y, heel_z, or heelX, heel.x, heel:x, "heel x"). A point
-                                        at exactly 0, or without a value, is missing: option gaps.
-                                        Removed: the path of the mean along the ground, slow
-                                        changes of its height, the heading; in a plane, the path of
-                                        the mean, and the heading if it turns by a right angle.
-                                        Notes say what was done */
+                                        if the clip is made of at least three
+                                        (stltsa_clip_from_points; NPY frames x points x 3; CSV
+                                        columns named heel_x, heel_y, heel_z, or heelX, heel.x,
+                                        heel:x, "heel x"). A point at exactly 0, or without a
+                                        value, is missing: option gaps. Removed: the path of the
+                                        mean along the ground, slow changes of its height, the
+                                        heading; in a plane, the path of the mean, and the heading
+                                        if it turns by a right angle. Notes say what was done */
 };
 
 enum { STLTSA_TYPE_INT = 1, STLTSA_TYPE_REAL = 2, STLTSA_TYPE_TEXT = 3 };
@@ -643,6 +643,10 @@ STLTSA_API stltsa_status stltsa_clip_from_skeleton(const stltsa_joint *joints, i
                                                    int32_t form, const stltsa_in *rotations,
                                                    const stltsa_in *root_positions, double fps,
                                                    stltsa_clip **clip) STLTSA_NOEXCEPT;
+
+/* Says where a clip from arrays is from: its path in messages and results. NULL: nowhere. Calls that
+ * use the clip must not run meanwhile. */
+STLTSA_API stltsa_status stltsa_clip_set_path(stltsa_clip *clip, const char *path) STLTSA_NOEXCEPT;
 
 /* A stretch of a clip, as a clip: its frames count from 0 again, which a note says. `what` is
  *   300-900, 2.5s-9s   frames [300, 900), seconds; one end may be left out
