@@ -1185,6 +1185,83 @@ STLTSA_API stltsa_status stltsa_cycles_group_distance(const stltsa_cycles *cycle
                                                       const stltsa_in *groups,
                                                       const stltsa_out *distance) STLTSA_NOEXCEPT;
 
+/* ---- Left against right -------------------------------------------------------------------- */
+
+enum {
+    STLTSA_SIDE_NONE = -1,
+    STLTSA_SIDE_LEFT = 0,
+    STLTSA_SIDE_RIGHT = 1
+};
+
+/* The side of the body in the name of an event, a joint or a signal, STLTSA_SIDE_*: left for
+ * "left heel strike", "LHS", "LeftFoot" and "toe_l"; none if the name says none or both, and for
+ * NULL. */
+STLTSA_API int32_t stltsa_side_of_name(const char *name) STLTSA_NOEXCEPT;
+
+/* The curves of the left side of the body against those of the right side half a cycle later, where
+ * the two halves of a cycle are the same motion of both sides, as in walking. */
+typedef struct stltsa_sides stltsa_sides;
+
+/* Append-only: set size to sizeof(stltsa_side_pair). Everything but the columns is NaN if a sample
+ * of the mean cycle is missing. */
+typedef struct stltsa_side_pair {
+    size_t size;
+    int64_t left, right;             /* columns of the signals */
+    double rms;                      /* root mean square of left less right, over the cycle */
+    double chance;                   /* what rms would be by the spread between cycles alone, if both
+                                        sides were the same; NaN of a single cycle */
+    double mean;                     /* mean of left, less that of right */
+    double left_range, right_range;  /* from lowest to highest */
+    double shift;                    /* by which share of the cycle right comes later than half a
+                                        cycle after left, -0.25 to 0.25; NaN if the curves are not
+                                        alike (correlation below 0.7), or if one does not move */
+    double correlation;              /* of the curves with the shift removed; NaN if one does not
+                                        move */
+} stltsa_side_pair;
+
+/* Compares the features of one motion, such as positions of joints or points, in the unit of the
+ * file and relative to the body. The left side is compared with the mirror image of the right one
+ * (stltsa_clip_mirror), so that every coordinate of a symmetric walk differs by 0.
+ *
+ * clip      whose phase it is
+ * label     of the segments, 0 for A
+ * samples   of each cycle, 101 for percent
+ * options   as stltsa_phase_find
+ *
+ * There may be no pairs: see stltsa_sides_reason. E_ARGUMENT: the label has neither cycles nor
+ * repetitions, or the phase is of another clip. */
+STLTSA_API stltsa_status stltsa_sides_find(const stltsa_clip *clip, const stltsa_phase *phase,
+                                           int32_t label, int64_t samples,
+                                           const stltsa_options *options,
+                                           stltsa_sides **sides) STLTSA_NOEXCEPT;
+
+/* The same for any signals, such as joint angles, EMG or forces, on 0 to 100 % of cycles that were
+ * found, or that begin with an event of the left side (stltsa_cycles_between).
+ * names     one for each column; knee_l and knee_r are a pair, as are LeftKnee and RightKnee. Pairs
+ *           must have the same sign on both sides, as flexion has. */
+STLTSA_API stltsa_status stltsa_sides_compare(const stltsa_cycles *cycles, const char *const *names,
+                                              stltsa_sides **sides) STLTSA_NOEXCEPT;
+STLTSA_API void stltsa_sides_free(stltsa_sides *sides) STLTSA_NOEXCEPT;
+
+/* Pairs of a left and a right column, in the order of the left ones. */
+STLTSA_API int64_t stltsa_sides_count(const stltsa_sides *sides) STLTSA_NOEXCEPT;
+STLTSA_API stltsa_status stltsa_sides_pair(const stltsa_sides *sides, int64_t index,
+                                           stltsa_side_pair *pair) STLTSA_NOEXCEPT;
+/* Names of the joint, point or signal on the left and on the right. "" beyond the last pair; valid
+ * until the sides are freed. */
+STLTSA_API const char *stltsa_sides_left_name(const stltsa_sides *sides,
+                                              int64_t index) STLTSA_NOEXCEPT;
+STLTSA_API const char *stltsa_sides_right_name(const stltsa_sides *sides,
+                                               int64_t index) STLTSA_NOEXCEPT;
+/* Mean curves, samples x pairs; each may be NULL. The right one is half a cycle ahead, and of
+ * stltsa_sides_find mirrored; difference is left less right. */
+STLTSA_API stltsa_status stltsa_sides_curves(const stltsa_sides *sides, const stltsa_out *left,
+                                             const stltsa_out *right,
+                                             const stltsa_out *difference) STLTSA_NOEXCEPT;
+/* Why there are no pairs: the halves of the cycles are not known to be the same motion of both
+ * sides, or no names belong together. "" if there are. Valid until the sides are freed. */
+STLTSA_API const char *stltsa_sides_reason(const stltsa_sides *sides) STLTSA_NOEXCEPT;
+
 /* ---- Events ------------------------------------------------------------------------------- */
 
 /* A moment, such as a heel strike, that was marked in one cycle and is found in all others. */
