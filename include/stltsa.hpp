@@ -412,7 +412,7 @@ class Clip {
                                   root_positions ? root_positions->get() : nullptr, fps);
     }
 
-    /// See stltsa_clip_set_path. Throws Error if the clip is a part of a result.
+    /// See stltsa_clip_set_path. Throws Error if the clip belongs to a result.
     void set_path(const std::string& path) {
         detail::check(stltsa_clip_set_path(handle_.get_deleter().owned, path.c_str()));
     }
@@ -785,12 +785,12 @@ inline Decomposition decompose(const Clip& clip, const Options& options = {}) {
     return detail::made<Decomposition>(stltsa_decompose, clip.get(), options.get());
 }
 
-/// STLTSA_SIDE_* in the name of an event, a joint or a signal.
+/// The side that the name of an event, a joint or a signal states, STLTSA_SIDE_*.
 inline std::int32_t side_of_name(const std::string& name) noexcept {
     return stltsa_side_of_name(name.c_str());
 }
 
-/// Curves of the left side against those of the right one half a cycle later.
+/// A comparison of the left side of the body with the right side half a cycle later.
 class Sides {
   public:
     using Pointer = stltsa_sides*;
@@ -811,12 +811,12 @@ class Sides {
     std::string right_name(std::int64_t index) const {
         return stltsa_sides_right_name(get(), index);
     }
-    /// Mean curves, samples x pairs; the right one half a cycle ahead.
+    /// Mean curves, samples x pairs; the right curve is shifted by half a cycle.
     Matrix left() const { return curves(0); }
     Matrix right() const { return curves(1); }
-    /// Left less right.
+    /// Left minus right.
     Matrix difference() const { return curves(2); }
-    /// Why there are no pairs; empty if there are.
+    /// The reason if there are no pairs; empty if there are.
     std::string reason() const { return stltsa_sides_reason(get()); }
 
     const stltsa_sides* get() const noexcept { return handle_.get(); }
@@ -906,7 +906,7 @@ class Cycles {
         detail::check(stltsa_cycles_group_distance(get(), given.get(), &to));
         return distance;
     }
-    /// Left against right; `names`: of the columns, such as knee_l and knee_r.
+    /// Compares left with right. `names`: one for each column, such as knee_l and knee_r.
     Sides sides(const std::vector<std::string>& names) const {
         if (static_cast<std::int64_t>(names.size()) != columns_)
             throw Error(STLTSA_E_SHAPE, "names has " + std::to_string(names.size()) +
@@ -1006,7 +1006,7 @@ class Phase {
         return {cycles, samples, signals.get()->cols};
     }
 
-    /// Left against right in the features; `clip`: whose phase it is.
+    /// Compares left with right in the features. `clip`: the clip that the phase was found in.
     Sides sides(const Clip& clip, std::int32_t label, const Options& options = {},
                 std::int64_t samples = 101) const {
         stltsa_sides* sides = nullptr;

@@ -99,7 +99,7 @@ enum {
     STLTSA_E_DEGENERATE = -9,    /* the frames do not vary, or not in enough directions */
     STLTSA_E_NOT_CONVERGED = -10, /* the eigensolver did not converge */
     STLTSA_E_CANCELLED = -11,    /* the progress callback asked to stop */
-    STLTSA_E_UNSUPPORTED = -12,  /* not for this clip, model or format */
+    STLTSA_E_UNSUPPORTED = -12,  /* not supported for this clip, model or format */
     STLTSA_E_INTERNAL = -13,     /* a bug in the library; the text says where to report it */
     STLTSA_E_NO_COMMON_POSTURE = -14, /* two pieces have no common posture at which to join */
     STLTSA_E_NO_SUCH_PART = -15   /* a clip lacks the stretch that was asked for */
@@ -120,7 +120,7 @@ STLTSA_API int32_t stltsa_version_number(void) STLTSA_NOEXCEPT;
 
 /* Optional parts of a build. */
 enum {
-    STLTSA_HAS_CHOLMOD = 1, /* faster modes spatial and recurrent; without it SuiteSparse LDL does them */
+    STLTSA_HAS_CHOLMOD = 1, /* modes spatial and recurrent use CHOLMOD; otherwise LDL, slower */
     STLTSA_HAS_OPENBLAS = 2 /* BLAS is OpenBLAS, which a fit sets to one thread and restores */
 };
 /* 1: this build has the part; 0: it does not, or the part is unknown. */
@@ -644,8 +644,8 @@ STLTSA_API stltsa_status stltsa_clip_from_skeleton(const stltsa_joint *joints, i
                                                    const stltsa_in *root_positions, double fps,
                                                    stltsa_clip **clip) STLTSA_NOEXCEPT;
 
-/* Says where a clip from arrays is from: its path in messages and results. NULL: nowhere. Calls that
- * use the clip must not run meanwhile. */
+/* Sets the path that messages and results give for a clip made from arrays. The path is copied;
+ * NULL clears it. No other call may use the clip at the same time. */
 STLTSA_API stltsa_status stltsa_clip_set_path(stltsa_clip *clip, const char *path) STLTSA_NOEXCEPT;
 
 /* A stretch of a clip, as a clip: its frames count from 0 again, which a note says. `what` is
@@ -1193,73 +1193,82 @@ enum {
     STLTSA_SIDE_RIGHT = 1
 };
 
-/* The side of the body in the name of an event, a joint or a signal, STLTSA_SIDE_*: left for
- * "left heel strike", "LHS", "LeftFoot" and "toe_l"; none if the name says none or both, and for
- * NULL. */
+/* The side of the body that the name of an event, a joint or a signal states, STLTSA_SIDE_*: left
+ * for "left heel strike", "LHS", "LeftFoot" and "toe_l"; none if the name is NULL or states neither
+ * side or both. */
 STLTSA_API int32_t stltsa_side_of_name(const char *name) STLTSA_NOEXCEPT;
 
-/* The curves of the left side of the body against those of the right side half a cycle later, where
- * the two halves of a cycle are the same motion of both sides, as in walking. */
+/* A comparison of the left side of the body with the right side half a cycle later. It requires
+ * that the two halves of a cycle are the same motion of opposite sides, as in walking. */
 typedef struct stltsa_sides stltsa_sides;
 
-/* Append-only: set size to sizeof(stltsa_side_pair). Everything but the columns is NaN if a sample
- * of the mean cycle is missing. */
+/* Append-only: set size to sizeof(stltsa_side_pair). All fields but left and right are NaN if the
+ * mean cycle lacks a sample. rms, chance, mean and the ranges are in the unit of the signals. */
 typedef struct stltsa_side_pair {
     size_t size;
     int64_t left, right;             /* columns of the signals */
-    double rms;                      /* root mean square of left less right, over the cycle */
-    double chance;                   /* what rms would be by the spread between cycles alone, if both
-                                        sides were the same; NaN of a single cycle */
-    double mean;                     /* mean of left, less that of right */
-    double left_range, right_range;  /* from lowest to highest */
-    double shift;                    /* by which share of the cycle right comes later than half a
-                                        cycle after left, -0.25 to 0.25; NaN if the curves are not
-                                        alike (correlation below 0.7), or if one does not move */
-    double correlation;              /* of the curves with the shift removed; NaN if one does not
-                                        move */
+    double rms;                      /* root mean square of left minus right over the cycle */
+    double chance;                   /* rms expected from the spread between cycles alone, if both
+                                        sides were the same; NaN for a single cycle */
+    double mean;                     /* mean of left minus mean of right */
+    double left_range, right_range;  /* highest minus lowest value */
+    double shift;                    /* delay of right beyond half a cycle after left, as a share of
+                                        the cycle, -0.25 to 0.25; NaN if the curves are not alike
+                                        (correlation below 0.7), or if one does not move */
+    double correlation;              /* of the curves after the shift is removed, -1 to 1; NaN if
+                                        one does not move */
 } stltsa_side_pair;
 
 /* Compares the features of one motion, such as positions of joints or points, in the unit of the
- * file and relative to the body. The left side is compared with the mirror image of the right one
- * (stltsa_clip_mirror), so that every coordinate of a symmetric walk differs by 0.
+ * file and relative to the body. The left side is compared with the mirror image of the right side
+ * (stltsa_clip_mirror), so every coordinate of a symmetric walk differs by 0.
  *
- * clip      whose phase it is
- * label     of the segments, 0 for A
- * samples   of each cycle, 101 for percent
- * options   as stltsa_phase_find
+ * clip      the clip that the phase was found in
+ * label     label of the segments, 0 for A
+ * samples   samples per cycle, 2 to 1000000; 101 gives one per percent
+ * options   the options that were given to stltsa_phase_find
+ * sides     to be freed with stltsa_sides_free; NULL on failure
  *
- * There may be no pairs: see stltsa_sides_reason. E_ARGUMENT: the label has neither cycles nor
- * repetitions, or the phase is of another clip. */
+ * If the sides cannot be compared, the call succeeds without pairs: see stltsa_sides_reason.
+ * E_ARGUMENT: the label has neither cycles nor repetitions, samples is out of range, or the phase
+ * belongs to another clip. */
 STLTSA_API stltsa_status stltsa_sides_find(const stltsa_clip *clip, const stltsa_phase *phase,
                                            int32_t label, int64_t samples,
                                            const stltsa_options *options,
                                            stltsa_sides **sides) STLTSA_NOEXCEPT;
 
-/* The same for any signals, such as joint angles, EMG or forces, on 0 to 100 % of cycles that were
- * found, or that begin with an event of the left side (stltsa_cycles_between).
- * names     one for each column; knee_l and knee_r are a pair, as are LeftKnee and RightKnee. Pairs
- *           must have the same sign on both sides, as flexion has. */
+/* Compares any signals, such as joint angles, EMG or forces, over cycles that were found, or that
+ * begin with an event of the left side (stltsa_cycles_between).
+ *
+ * names     one name for each column; knee_l and knee_r are a pair, as are LeftKnee and RightKnee.
+ *           Both signals of a pair must have the same sign convention, as flexion has.
+ * sides     to be freed with stltsa_sides_free; NULL on failure
+ *
+ * E_ARGUMENT: a name is NULL. */
 STLTSA_API stltsa_status stltsa_sides_compare(const stltsa_cycles *cycles, const char *const *names,
                                               stltsa_sides **sides) STLTSA_NOEXCEPT;
 STLTSA_API void stltsa_sides_free(stltsa_sides *sides) STLTSA_NOEXCEPT;
 
-/* Pairs of a left and a right column, in the order of the left ones. */
+/* Number of pairs of a left and a right column, and each pair, in the order of the left columns.
+ * E_ARGUMENT: index is out of range. */
 STLTSA_API int64_t stltsa_sides_count(const stltsa_sides *sides) STLTSA_NOEXCEPT;
 STLTSA_API stltsa_status stltsa_sides_pair(const stltsa_sides *sides, int64_t index,
                                            stltsa_side_pair *pair) STLTSA_NOEXCEPT;
-/* Names of the joint, point or signal on the left and on the right. "" beyond the last pair; valid
+/* Names of the joint, point or signal on the left and on the right. "" beyond the last pair. Valid
  * until the sides are freed. */
 STLTSA_API const char *stltsa_sides_left_name(const stltsa_sides *sides,
                                               int64_t index) STLTSA_NOEXCEPT;
 STLTSA_API const char *stltsa_sides_right_name(const stltsa_sides *sides,
                                                int64_t index) STLTSA_NOEXCEPT;
-/* Mean curves, samples x pairs; each may be NULL. The right one is half a cycle ahead, and of
- * stltsa_sides_find mirrored; difference is left less right. */
+/* Mean curves, samples x pairs; each argument may be NULL. The right curve is shifted by half a
+ * cycle, so that the same row of both is the same phase of the motion; from stltsa_sides_find it is
+ * also mirrored. The difference is left minus right. E_SHAPE. */
 STLTSA_API stltsa_status stltsa_sides_curves(const stltsa_sides *sides, const stltsa_out *left,
                                              const stltsa_out *right,
                                              const stltsa_out *difference) STLTSA_NOEXCEPT;
-/* Why there are no pairs: the halves of the cycles are not known to be the same motion of both
- * sides, or no names belong together. "" if there are. Valid until the sides are freed. */
+/* The reason if there are no pairs: the halves of the cycles are not known to be the same motion of
+ * opposite sides, or no two names differ only in the side. "" if there are pairs. Valid until the
+ * sides are freed. */
 STLTSA_API const char *stltsa_sides_reason(const stltsa_sides *sides) STLTSA_NOEXCEPT;
 
 /* ---- Events ------------------------------------------------------------------------------- */

@@ -3,7 +3,7 @@
 kinds! {
     /// Parts that a build of the library may be without.
     Component {
-        /// Faster modes spatial and recurrent; without it SuiteSparse LDL does them.
+        /// Modes spatial and recurrent use CHOLMOD; otherwise LDL, slower.
         Cholmod = STLTSA_HAS_CHOLMOD,
         /// BLAS is OpenBLAS, which a fit sets to one thread and restores.
         Openblas = STLTSA_HAS_OPENBLAS,
@@ -411,7 +411,7 @@ kinds! {
         NotConverged = STLTSA_E_NOT_CONVERGED,
         /// The progress callback asked to stop.
         Cancelled = STLTSA_E_CANCELLED,
-        /// Not for this clip, model or format.
+        /// Not supported for this clip, model or format.
         Unsupported = STLTSA_E_UNSUPPORTED,
         /// A bug in the library; the text says where to report it.
         Internal = STLTSA_E_INTERNAL,
