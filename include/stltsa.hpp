@@ -910,7 +910,7 @@ class Cycles {
     Sides sides(const std::vector<std::string>& names) const {
         if (static_cast<std::int64_t>(names.size()) != columns_)
             throw Error(STLTSA_E_SHAPE, "names has " + std::to_string(names.size()) +
-                                            " texts; there are " + std::to_string(columns_) +
+                                            " entries; there are " + std::to_string(columns_) +
                                             " columns");
         std::vector<const char*> texts;
         for (const std::string& name : names)

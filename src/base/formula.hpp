@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Spreadsheets compute a cell of a CSV file, also a quoted one, whose text begins like a formula:
-// =HYPERLINK(..) in the name of a joint would act in the name of whoever opens the table.
+// A spreadsheet evaluates a cell of a CSV file, even a quoted one, if its text begins like a
+// formula. =HYPERLINK(..) as the name of a joint would run with the rights of the user who opens
+// the table.
 #pragma once
 
 #include <algorithm>
@@ -15,12 +16,13 @@ inline bool is_formula(std::string_view text) {
     return first != text.npos && std::string_view("=+-@\t\r").find(text[first]) != text.npos;
 }
 
-/// The text, after an apostrophe if it would be a formula: spreadsheets then show it as text.
+/// The text, preceded by an apostrophe if it would be a formula, so that spreadsheets show it as
+/// text.
 inline std::string text_cell(std::string_view text) {
     return (is_formula(text) ? "'" : "") + std::string(text);
 }
 
-/// What text_cell() was given.
+/// The text that was given to text_cell().
 inline std::string_view without_apostrophe(std::string_view cell) {
     return cell.starts_with('\'') && is_formula(cell) ? cell.substr(1) : cell;
 }

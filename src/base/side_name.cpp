@@ -46,7 +46,7 @@ Side side_of_letter(char letter) {
     return letter == 'l' || letter == 'L' ? Side::left : Side::right;
 }
 
-/// Whether a word begins at a place: in capitals after others, or after what is no letter.
+/// Whether a word begins at a place: at a capital after lowercase letters, or after a non-letter.
 bool begins_word(std::string_view name, std::size_t at) {
     if (at == 0 || !is_letter(name[at - 1]))
         return true;
@@ -54,9 +54,9 @@ bool begins_word(std::string_view name, std::size_t at) {
     return after_small && name[at] >= 'A' && name[at] <= 'Z';
 }
 
-/// Whether a letter that may be a side is one by what follows: not in L5, a vertebra, and not in
-/// LAND and RUN, but in LHS, LToe and "toe_l". Words in capitals that begin with L or R go on with
-/// a vowel, as abbreviations seldom do.
+/// Whether a letter that may state a side does so, judged by the characters that follow it: yes in
+/// LHS, LToe and "toe_l", no in L5 (a vertebra), LAND and RUN. In words in capitals, a vowel
+/// follows L or R; in abbreviations it seldom does.
 bool is_side_letter(std::string_view name, std::size_t at) {
     constexpr std::string_view not_after = "AEIOU0123456789";
     if (at + 1 == name.size() || not_after.find(name[at + 1]) == not_after.npos)

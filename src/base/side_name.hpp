@@ -9,8 +9,8 @@ namespace stltsa {
 
 enum class Side { none = -1, left = 0, right = 1 };
 
-/// The side that a name says: left for "left heel strike", "LHS" and "toe_l". None if the name says
-/// none or both, and for parts of other words, as in "upright" and "rock".
+/// The side that a name states: left for "left heel strike", "LHS" and "toe_l". None if the name
+/// states neither or both, and for parts of other words, as in "upright" and "rock".
 Side side_of_name(std::string_view name);
 
 /// What a name may be on the other side of the body: "RightFoot" for "LeftFoot", "R_toe" for
@@ -19,7 +19,7 @@ Side side_of_name(std::string_view name);
 /// "rock" for "lock".
 struct OtherSide {
     std::string name;
-    Side side = Side::none; ///< of the name asked for, if this is its partner
+    Side side = Side::none; ///< of the given name, if this is its partner
 };
 std::vector<OtherSide> other_sides(std::string_view name, bool first_letter);
 std::vector<std::string> other_side_names(std::string_view name, bool first_letter);

@@ -28,7 +28,7 @@ std::vector<std::string> names_of(const char* const* names, int64_t columns) {
     std::vector<std::string> texts;
     for (int64_t c = 0; c < columns; ++c) {
         if (names[c] == nullptr)
-            fail(Status::argument, "name {} is NULL; give \"\" to a column without a name", c);
+            fail(Status::argument, "name {} is NULL; use \"\" for a column without a name", c);
         texts.emplace_back(names[c]);
     }
     return texts;
@@ -70,7 +70,8 @@ stltsa_status stltsa_sides_find(const stltsa_clip* clip, const stltsa_phase* pha
         const clip::Clip& of = required(clip, "clip").clip;
         const results::Phased& by = required(phase, "phase");
         if (of.frames() != by.clip.frames || of.fps != by.clip.fps)
-            fail(Status::argument, "the phase is not of this clip: it has {} frames, the clip {}",
+            fail(Status::argument,
+                 "the phase belongs to another clip: it has {} frames, and this clip has {}",
                  by.clip.frames, of.frames());
         capi::check_samples(samples);
         const capi::OptionsReader reader(options);

@@ -40,7 +40,8 @@ std::string suffixes_read() {
     return text;
 }
 
-/// Says that a file was taken as CSV only because it is of no format: a spreadsheet, or a video.
+/// Parses a file of no known format, such as a spreadsheet or a video, as CSV, and says so if it
+/// fails.
 Clip parse_unknown(std::string_view bytes, const std::string& path, const ReadOptions& options) {
     try {
         return parse(bytes, Format::csv, path, options);
@@ -48,7 +49,8 @@ Clip parse_unknown(std::string_view bytes, const std::string& path, const ReadOp
         if (error.status() != Status::format)
             throw;
         fail(Status::format,
-             "{} (read as CSV, since neither its name nor its beginning is of a known format: {})",
+             "{} (read as CSV because neither its name nor its first bytes match a known format: "
+             "{})",
              error.what(), suffixes_read());
     }
 }

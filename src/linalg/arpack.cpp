@@ -14,8 +14,8 @@
 
 static_assert(sizeof(a_int) == sizeof(std::int32_t), "ARPACK with 32-bit integers is needed");
 
-// dseupd_c() would not do: it copies `select`, and does not check that there is memory for the
-// copy. Fortran passes the lengths of texts after all other arguments.
+// Not dseupd_c(): it copies `select` without checking that the memory for the copy was allocated.
+// Fortran passes the lengths of strings after all other arguments.
 extern "C" void dseupd_(const a_int* with_vectors, const char* which_vectors, a_int* select,
                         double* values, double* vectors, const a_int* stride, const double* shift,
                         const char* kind, const a_int* order, const char* which, const a_int* count,

@@ -6,7 +6,7 @@
 
 #include "base/error.hpp"
 
-// Declared here, because the headers declare other types of integers.
+// Declared here because the headers declare other integer types.
 extern "C" {
 double ddot_(const std::int32_t* count, const double* x, const std::int32_t* step_of_x,
              const double* y, const std::int32_t* step_of_y);
@@ -18,7 +18,8 @@ void dlacpy_(const char* part, const std::int32_t* rows, const std::int32_t* col
 namespace stltsa {
 namespace {
 
-/// 2 and 1 as 32-bit integers; as 64-bit ones, the first is negative, so that nothing is done.
+/// 2 and 1 as 32-bit integers; read as 64-bit integers, the first is negative, so the functions do
+/// nothing.
 constexpr std::int32_t two_or_negative[] = {2, -1};
 constexpr std::int32_t one[] = {1, 0};
 constexpr std::int32_t two[] = {2, 0};
@@ -40,8 +41,8 @@ bool lapack_is_32_bit() {
 void check_blas_integers() {
     if (!blas_is_32_bit() || !lapack_is_32_bit())
         fail(Status::unsupported,
-             "the {} that this process loaded takes 64-bit integers (ILP64), but libstltsa needs "
-             "one with 32-bit integers: check which library the program loads, and LD_PRELOAD",
+             "the {} library that this process loaded takes 64-bit integers (ILP64), but libstltsa "
+             "needs one with 32-bit integers: check LD_LIBRARY_PATH and LD_PRELOAD",
              blas_is_32_bit() ? "LAPACK" : "BLAS");
 }
 

@@ -3,9 +3,9 @@
 
 namespace stltsa {
 
-/// Throws Status::unsupported if the BLAS or LAPACK that the process loaded takes 64-bit integers:
-/// another build of the same names, such as OpenBLAS with INTERFACE64, would read beyond each
-/// integer, and answer with garbage or crash. Takes some nanoseconds.
+/// Throws Status::unsupported if the BLAS or LAPACK that the process loaded takes 64-bit integers.
+/// Such a build with the same symbol names, for example OpenBLAS with INTERFACE64, would read
+/// beyond each integer and return wrong results or crash. Takes a few nanoseconds.
 void check_blas_integers();
 
 } // namespace stltsa

@@ -46,7 +46,7 @@ void smooth_row(ConstMatrixView rows, std::int64_t middle, const std::vector<dou
         out[c] = center[c] + out[c] / total;
 }
 
-/// Polls after so many products, which take a few milliseconds.
+/// Number of products between two polls; they take a few milliseconds.
 class Poll {
   public:
     Poll(const std::function<void()>& poll, std::size_t weights, std::int64_t cols)

@@ -16,7 +16,7 @@ enum class Beyond {
 
 /// Every step-th row, from the first on, smoothed over time by a Gaussian of `sigma` rows,
 /// truncated at four sigma. Constant rows keep their bits, so that standing stays standing. `poll`
-/// is called every few milliseconds and may throw: a wide kernel costs minutes on a long clip.
+/// is called every few milliseconds and may throw: a wide kernel takes minutes on a long clip.
 Matrix gaussian_smoothed(ConstMatrixView rows, double sigma, Beyond beyond, std::int64_t step = 1,
                          const std::function<void()>& poll = {});
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sparse symmetric systems by SuiteSparse: CHOLMOD, or LDL in builds without it (option sparse).
+// Solves sparse symmetric systems with SuiteSparse: CHOLMOD, or LDL in builds without it (build
+// option sparse).
 #pragma once
 
 #include <cstdint>

@@ -10,7 +10,7 @@ namespace stltsa {
 
 class SparseFactor {
   public:
-    /// Orders the matrix, and keeps no reference to it.
+    /// Computes an ordering for the matrix; keeps no reference to the matrix.
     explicit SparseFactor(SparseColumns& matrix);
     ~SparseFactor();
     SparseFactor(SparseFactor&&) = delete;

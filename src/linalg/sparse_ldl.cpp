@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// LDL is the whole of a factorization for builds that are to be free of the GPL: it eliminates one
-// column after the other, without the dense blocks that make CHOLMOD fast on large matrices.
+// LDL provides the factorization for builds without code under the GPL. It eliminates one column at
+// a time, without the dense blocks that make CHOLMOD fast on large matrices.
 #include "linalg/sparse_factor.hpp"
 
 #include <algorithm>
@@ -85,7 +85,7 @@ struct SparseFactor::State {
     }
 
     SuiteSparse_long order;
-    Indices row_of, place_of; ///< the matrix's row for each of the factor, and the inverse
+    Indices row_of, place_of; ///< the row of the matrix for each row of the factor, and the inverse
     SparseColumns columns;    ///< the reordered matrix
     Indices begin, rows;      ///< of the factor's columns, without the diagonal
     std::vector<double> values;

@@ -29,8 +29,8 @@ struct Activity {
     }
 };
 
-/// Change of the pose per sample, after smoothing by `sigma` samples. `poll`: called now and
-/// then; may throw to stop.
+/// Change of the pose per sample, after smoothing by `sigma` samples. `poll`: called periodically;
+/// may throw to stop.
 std::vector<double> pose_speed(ConstMatrixView samples, double sigma,
                                const std::function<void()>& poll = {});
 

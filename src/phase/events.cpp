@@ -30,17 +30,17 @@ constexpr double usual_remoteness = 2;
 constexpr std::size_t many = 5;
 constexpr double of_phase = 0.25, of_direct = 0.25, of_group = 0.5;
 constexpr double least_error_ms = 3;
-/// Errors beyond the cycles, or by marks there, in units of those within: medians of 16 to 8 ms on
-/// a treadmill, 46 to 12 overground.
+/// Ratio of errors outside the cycles, or with marks there, to errors within the cycles. The
+/// medians are 16 and 8 ms on a treadmill, 46 and 12 ms overground.
 constexpr double doubt_beyond = 2;
 /// Error between recordings, as a share of a cycle, if the likeness of the mean cycles is 0; it is
 /// proportional to the root of 1 minus the likeness. Median errors: 0.4 % of a cycle at likeness
 /// 0.99 (next clip of a style), 1.1 % at 0.95 (other side of the body), 1.0 to 1.5 % at 0.9 (other
 /// styles and actors), 2.5 % at 0.83 (other people).
 constexpr double error_share = 0.05;
-/// Between recordings, the rest is the phase's: bodies differ more around the event than over the
-/// cycle. Right within 50 ms at likenesses of 0.9 to 0.94: 99 %, with a half 96 %; median errors
-/// are alike.
+/// Weight of the templates in another recording; the phase has the rest, because bodies differ more
+/// around the event than over the cycle. At likenesses of 0.9 to 0.94, 99 % of the events are right
+/// within 50 ms; with a weight of a half, 96 %. The median errors are the same.
 constexpr double of_template = 0.25;
 /// Between recordings: range and step of the common shift, as shares of a cycle.
 constexpr double common_reach = 0.08;
@@ -279,9 +279,9 @@ double doubt_of(const Searched& from, const Place& marks) {
     return std::max(1.0, remoteness(from, motion::median(distances)) / usual_remoteness);
 }
 
-/// Whether templates say where the event is. In first and last steps they do not, because parts of
-/// the body move otherwise there; the phase does, because it follows the other parts: of 16 foot
-/// strikes in walks of 86_01 (CMU) it had all within 50 ms, with templates 6.
+/// Whether templates help to place the event. In first and last steps they do not, because parts of
+/// the body move differently there. The phase does, because it follows the other parts: of 16 foot
+/// strikes in walks of 86_01 (CMU), all are within 50 ms by the phase, and 6 with templates.
 bool templates_count(const Place& marks, const Candidate& candidate) {
     const auto within = std::ranges::count(marks, 0.0, &Mark::beyond);
     return candidate.beyond == 0 && 2 * within >= std::ssize(marks);

@@ -15,7 +15,8 @@ struct Event {
 
 /// The event at a place, in every cycle or once in every repetition, in order of time. The mean of
 /// three places: where the phase comes round, where velocity and acceleration are like those around
-/// the marks, and where they are like those of the other cycles. Beyond the cycles the phase alone.
+/// the marks, and where they are like those of the other cycles. Outside the cycles, the phase
+/// alone counts.
 std::vector<Event> find_events(const Searched& in, const Place& marks);
 
 /// The same in another motion with the same features.

@@ -9,13 +9,13 @@ namespace stltsa::phase {
 namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
-/// With a lower correlation one curve explains less than half of the variance of the other, so that
-/// there is no telling which of their features belong together.
+/// Below this correlation, one curve explains less than half of the variance of the other, so it is
+/// not clear which of their features correspond.
 constexpr double least_correlation = 0.7;
-/// Deviation from the level, as a share of it, below which there is nothing but rounding.
+/// A deviation from the level that is below this share of the level is only rounding.
 constexpr double still = 1e-9;
 
-/// Linear between samples, around the cycle. `place`: in samples.
+/// Linear interpolation between samples, cyclic. `place`: in samples.
 double at(const std::vector<double>& curve, double place) {
     const auto count = static_cast<std::int64_t>(curve.size());
     const double floor = std::floor(place);
@@ -67,8 +67,8 @@ struct Shift {
     double samples = none, correlation = none;
 };
 
-/// Where the curves match best, at most a quarter of a cycle apart: the peak of the parabola
-/// through the best correlation and those beside it.
+/// The lag at which the curves match best, at most a quarter of a cycle: the peak of the parabola
+/// through the best correlation and its two neighbors.
 Shift best_shift(const std::vector<double>& left, const std::vector<double>& right) {
     const auto a = direction_of(left), b = direction_of(right);
     if (a.empty() || b.empty())

@@ -21,8 +21,8 @@ Matrix differences(ConstMatrixView rows);
 /// What phases are found on: the smoothed rows and, beside them, their velocity times two. Velocity
 /// is scaled such that of a pure oscillation once per period it is as large as the pose. Velocity
 /// forgets slow drift and weighs fast parts of the body: events have half the scatter in phase that
-/// poses alone give. `rate`: rows per second; `period`: rows. `poll`: called
-/// now and then; may throw to stop.
+/// poses alone give. `rate`: rows per second; `period`: rows. `poll`: called periodically; may
+/// throw to stop.
 Matrix pose_and_velocity(ConstMatrixView rows, double rate, double period,
                          const std::function<void()>& poll = {});
 

@@ -23,11 +23,13 @@ constexpr double slowest_beyond = 0.05;
 constexpr double least_rate = 0.4;
 constexpr double most_rate = 2;
 constexpr std::int64_t bins = 100;
-/// Beyond cycles, a column this many of its deviations off counts half: in first and last steps of
-/// walks, where arms do not swing yet, all strikes and toe-offs of the feet then lie within 50 ms
-/// of their phase, 88 % without; from 1 to 4 it is alike.
+/// Outside the cycles, a column that is this many standard deviations from the mean cycle has half
+/// its weight. In first and last steps of walks, when the arms do not swing, all strikes and
+/// toe-offs of the feet then lie within 50 ms of their phase; without it, 88 % do. Values from 1 to
+/// 4 give the same result.
 constexpr double half_off = 3;
-/// Added to the variance of each column, as a share of the mean one; from 0.03 to 0.3 it is alike.
+/// Added to the variance of each column, as a share of the mean variance. Values from 0.03 to 0.3
+/// give the same result.
 constexpr double variance_floor = 0.1;
 /// The same as a share of the motion's variance, for motion without noise.
 constexpr double least_variance = 1e-9;
@@ -37,7 +39,7 @@ struct Pull {
     std::vector<double> weight, target;
 };
 
-/// The variance of each column about the mean cycle. Empty: all columns count alike.
+/// The variance of each column about the mean cycle. Empty: all columns have the same weight.
 using Spread = std::vector<double>;
 
 Spread spread_about(ConstMatrixView rows, const MeanCycle& cycle, const Run& run) {
@@ -56,9 +58,9 @@ Spread spread_about(ConstMatrixView rows, const MeanCycle& cycle, const Run& run
     return spread;
 }
 
-/// How much each column of a row counts: the less it varies within cycles, and the nearer it is to
-/// the mean cycle here, the more. Parts of the body that do not take part in the motion yet do not
-/// say where in the cycle the others are.
+/// The weight of each column of a row: it rises as the column varies less within cycles and is
+/// nearer to the mean cycle here. Parts of the body that do not yet take part in the motion give no
+/// information on the phase of the others.
 void weigh_columns(const double* row, const std::vector<double>& mean, const Spread& spread,
                    std::vector<double>& weights) {
     for (std::size_t c = 0; c < spread.size(); ++c) {

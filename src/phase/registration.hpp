@@ -40,8 +40,8 @@ Run register_with(ConstMatrixView rows, const MeanCycle& mean, Run run, double s
                   double smooth = smooth_share);
 
 /// The run, continued to rows [within.begin, within.end) a quarter of a cycle at a time. Steps are
-/// slower and faster there than within cycles, and columns that are far from the mean cycle count
-/// little.
+/// slower and faster there than within cycles, and columns that are far from the mean cycle have
+/// little weight.
 Run grown(ConstMatrixView rows, const MeanCycle& mean, const Run& run, Range within);
 
 /// The same without registration, at the rate of the last quarter of a cycle.

@@ -26,7 +26,7 @@ struct Resampled {
     Matrix distance;          ///< cycles x columns, root mean square about the mean, in its unit
     /// Of all columns, as a share of the root of their variance over the mean cycle.
     std::vector<double> total;
-    std::string no_halves; ///< why the two halves of the cycles are not alike; empty: they are
+    std::string no_halves; ///< the reason if left and right cannot be compared; else empty
 };
 
 /// Distances of groups of columns, such as the coordinates of each joint, cycles x groups: the root

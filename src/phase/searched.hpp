@@ -35,7 +35,7 @@ double interpolated(const std::vector<double>& values, double place);
 /// A distance from the mean cycle in units of the usual one, at least 1.
 double remoteness(const Searched& in, double distance);
 
-/// How far a row lies outside of a range; 0 within.
+/// The distance of a row from a range; 0 within the range.
 double rows_beyond(Range range, double row);
 
 /// A mark within a run.

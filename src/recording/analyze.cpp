@@ -185,7 +185,7 @@ void fit_number(const KernelFeatures& features, std::int64_t wanted,
     merge_to(features, wanted, drafts);
 }
 
-/// Every row that a hole touches; ascending, apart.
+/// The ranges of rows that holes touch, in ascending order and disjoint.
 std::vector<Rows> rows_of(const std::vector<Hole>& holes, const Signal& signal) {
     std::vector<Rows> result;
     const auto step = static_cast<double>(signal.step);

@@ -12,15 +12,15 @@
 namespace stltsa::recording {
 namespace {
 
-/// The directions contain this share of the variance, or are as many as the limit.
+/// The directions contain this share of the variance unless the limit on their number is reached.
 constexpr double variance_share = 0.995;
 constexpr std::int64_t most_directions = 16;
-/// A matrix of this order takes less than half a second. With more columns, the directions are
-/// those of the rows: of at most so many, evenly in time.
+/// The eigenvectors of a matrix of this order take less than half a second. With more columns, the
+/// directions come from the matrix of the rows: at most this many, evenly spaced in time.
 constexpr std::int64_t most_columns = 1024;
 constexpr std::int64_t most_rows = most_columns / 2;
 
-/// The rows whose scatter is wanted.
+/// The rows whose scatter is computed.
 class Scatter {
   public:
     Scatter(ConstMatrixView x, const std::vector<double>& usual, const Progress& progress)
@@ -32,7 +32,7 @@ class Scatter {
         progress_.report(Stage::features, 1);
         std::transform(x_.row(i), x_.row(i) + x_.cols, mean_.begin(), row, std::minus<>());
     }
-    /// A velocity in usual ones.
+    /// A velocity, relative to the usual one.
     void put_velocity(std::int64_t i, double* row) const {
         progress_.report(Stage::features, 1);
         const double scale = usual_[static_cast<std::size_t>(i)];
@@ -47,7 +47,7 @@ class Scatter {
     const Progress& progress_;
 };
 
-/// Adds the outer products of `count` rows, which row_of(i, values) gives, divided by their trace.
+/// Adds the outer products of `count` rows, which row_of(i, values) writes, divided by their trace.
 template <class RowOf>
 void add_covariance(std::int64_t count, const RowOf& row_of, Matrix& sums) {
     const std::int64_t cols = sums.cols();
@@ -70,7 +70,7 @@ struct Leading {
     TopEigenpairs pairs;
     std::int64_t count = 0;
 
-    /// Of the lower triangle of `sums`.
+    /// Reads the lower triangle of `sums`.
     explicit Leading(const Matrix& sums)
         : pairs(sums.cols(), std::min(sums.cols(), most_directions)) {
         const std::int64_t order = sums.cols(), most = std::min(order, most_directions);
@@ -111,7 +111,7 @@ void normalize(MatrixView rows) {
             rows.row(i)[c] /= std::sqrt(trace);
 }
 
-/// Poses, then velocities, whose scatters count alike.
+/// Poses, then velocities; the two scatters have equal weight.
 Matrix spread_rows(const Scatter& scatter) {
     const ConstMatrixView x = scatter.rows();
     const std::int64_t count = std::min(x.rows, most_rows);

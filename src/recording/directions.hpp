@@ -9,9 +9,10 @@
 
 namespace stltsa::recording {
 
-/// Orthonormal columns with most of the variance of poses and of velocities, which count alike: a
-/// tapping foot has little of the first on a swaying body. Velocities are relative to the usual
-/// step from row to row (`usual`): they have little of the second beside a run.
+/// Orthonormal columns that contain most of the variance of poses and of velocities, with equal
+/// weights, because a tapping foot has little variance of pose on a swaying body. Velocities are
+/// relative to the usual step from row to row (`usual`), because a tapping foot has little variance
+/// of velocity beside a run.
 Matrix leading_directions(ConstMatrixView x, const std::vector<double>& usual,
                           const Progress& progress);
 

@@ -32,9 +32,9 @@ constexpr double most_length_ratio = 1.2;
 constexpr double most_deviations = 3;
 constexpr double least_difference = 0.15;
 constexpr std::int64_t phases = 16;
-/// No behavior changes nearer to a hole: the features of a border see so much to each side. With
-/// holes of 1 s in walks (measure/gaps), 0.4 cycles fewer are lost than the hole touches; without
-/// separate parts, 1.0 more.
+/// No behavior changes nearer to a hole than this, because the features of a border cover this much
+/// on each side. With holes of 1 s in walks (measure/gaps), 0.4 cycles fewer are lost than the hole
+/// touches; without separate parts, 1.0 more.
 constexpr double beside_hole_s = 1;
 /// Cycles nearest to a border that are compared over it, and of whole segments.
 constexpr std::size_t cycles_compared = 12;
@@ -273,8 +273,8 @@ class Joiner {
     std::set<std::int64_t> partial_; ///< and of those whose cycles are those of their pieces
 };
 
-/// The parts without their cycles. What a hole leaves between it and a border of behaviors beside
-/// it is too short for a behavior of its own.
+/// The parts without their cycles. The rows between a hole and a border of behaviors next to it are
+/// too few for a behavior of their own.
 std::vector<Part> undecided(const Signal& signal, const Borders& borders) {
     std::vector<std::int64_t> rows{0};
     if (borders.features != nullptr)
@@ -302,7 +302,7 @@ std::vector<Part> undecided(const Signal& signal, const Borders& borders) {
     return parts;
 }
 
-/// Of the border between the parts, in prices of a border.
+/// Gain of the border between the parts, in units of the price of a border.
 double gain_of(const KernelFeatures& features, Rows before, Rows after) {
     const std::int64_t step = features.step(), begin = after.begin / step;
     return features.gain(before.begin / step, begin,

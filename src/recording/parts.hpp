@@ -21,19 +21,19 @@ struct Part {
     std::vector<CyclicStretch> stretches; ///< claimed or not
     double best_match = 0;                ///< see PeriodTrack
     double best_lag_s = 0;
-    double gain = 0; ///< of its first border in prices of a border; 0: at a hole, or at the start
+    double gain = 0; ///< of its first border, in prices of a border; 0 at a hole or the start
     bool is_hole = false;
 
     std::vector<Interval> cycles() const; ///< of the claimed stretches
 };
 
-/// What divides a recording.
+/// The borders that divide a recording.
 struct Borders {
-    const KernelFeatures* features = nullptr; ///< null: behaviors do not
-    /// Of a border; below border_price, borders within one behavior stay.
+    const KernelFeatures* features = nullptr; ///< null: not divided by behavior
+    /// Price of a border; if it is below border_price, borders within one behavior are kept.
     double price = 0;
-    /// Ascending, apart. Each is a part of its own, without cycles: what is on one side of a hole
-    /// must have the answer that it has alone.
+    /// In ascending order, disjoint. Each is a separate part without cycles, so that the rows on
+    /// one side of a hole get the result that they would get alone.
     std::span<const Rows> holes;
 };
 

@@ -89,8 +89,8 @@ struct Options {
     /// One weight for each column of the samples: positive where the sum of weighted velocities is,
     /// one side of the body moves forward. Empty: the body is unknown.
     std::vector<double> side;
-    /// Whether all cycles begin with the same side, at the cost of half a cycle; else they tell the
-    /// side with which they begin.
+    /// Whether all cycles begin with the same side, at the cost of half a cycle; otherwise each
+    /// cycle states the side with which it begins.
     bool begin_with_side = true;
     std::vector<Hole> holes; ///< ascending
 };

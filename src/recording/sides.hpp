@@ -18,7 +18,8 @@ void turn_to_rise(const Signal& signal, CyclicStretch& cut);
 /// Whether the two halves of the cycles are alike but for the side.
 bool sides_alternate(const std::vector<double>& motion, const CyclicStretch& cut);
 
-/// The side with which each cycle begins, as it is: 0 while `motion` is negative, else 1.
+/// The side with which each cycle begins: 0 while `motion` is negative, else 1. The cycles are not
+/// changed.
 std::vector<int> sides_of(const std::vector<double>& motion, const CyclicStretch& cut);
 
 /// Makes the cycles of each regular sequence begin while `motion` is negative, if that leaves one,

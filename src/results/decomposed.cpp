@@ -291,8 +291,8 @@ Decomposed decompose(const clip::Clip& clip, const clip::PrepareOptions& prepare
     options.size = body_size(samples.features, prepared.samples);
     options.holes = holes_of(prepared);
     options.side = side_weights_of(clip, samples, prepared.samples.view());
-    // Which leg is positive follows from the names and the layout of points, not from the body as
-    // with a skeleton, so that there is nothing to gain by the loss of half a cycle.
+    // For points, the sign of a leg depends on their names and layout, not on the body as with a
+    // skeleton, so beginning all cycles with the same side is not worth the loss of half a cycle.
     options.begin_with_side = samples.features != clip::Features::points;
     recording::Recording found =
         recording::analyze(prepared.samples.view(), fps, options, progress);

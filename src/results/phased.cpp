@@ -43,7 +43,7 @@ std::map<std::int32_t, std::vector<phase::Borders>> sequences_of(const Decompose
     return sequences;
 }
 
-/// Whether a side leads in each cycle of the label: then its halves are alike.
+/// Whether a side leads in each cycle of the label, so that its halves are the same motion.
 bool has_like_halves(const Decomposed& decomposed, std::int32_t label) {
     return std::ranges::all_of(decomposed.cycle_parts, [&](const stltsa_part& cycle) {
         const auto segment = static_cast<std::size_t>(cycle.segment);
@@ -195,12 +195,12 @@ phase::Resampled resample(const Phased& phased, std::int32_t label, ConstMatrixV
     }
     phase::Resampled made = phase::resample(signals, std::move(rows));
     if (!motion->phases.cyclic)
-        made.no_halves = format_text("motion {} has repetitions, no cycles", label_text(label));
+        made.no_halves = format_text("motion {} has repetitions but no cycles", label_text(label));
     else if (!motion->like_halves)
         made.no_halves = format_text(
-            "it is not known that the two halves of the cycles of motion {} are the same motion of "
-            "both sides: that is seen in the legs of a skeleton, or of points with names of two "
-            "sides",
+            "it is not known whether the two halves of the cycles of motion {} are the same motion "
+            "of opposite sides: only the legs of a skeleton, or leg points whose names state a "
+            "side, show this",
             label_text(label));
     return made;
 }

@@ -21,7 +21,7 @@ struct PhasedMotion {
     /// and last turn end there.
     std::vector<phase::Run> reach;
     std::vector<std::int64_t> cycles; ///< of each run, the number of its cycles; 1: a repetition
-    bool like_halves = false;         ///< the same motion of both sides, in all cycles
+    bool like_halves = false;         ///< whether the halves of all cycles are the same motion
 };
 
 struct Phased {

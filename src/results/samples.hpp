@@ -35,8 +35,8 @@ struct ClipSamples {
 /// first clip's.
 ClipSamples prepare_clips(Clips clips, clip::PrepareOptions options, const Progress& progress);
 
-/// Weights of the columns that tell which leg moves forward: by the skeleton, or by the names of
-/// points. Empty without two sides.
+/// Weights of the columns that show which leg moves forward, from the skeleton or from the names of
+/// points. Empty if there are not two sides.
 std::vector<double> side_weights_of(const clip::Clip& clip, const SampleFacts& facts,
                                     ConstMatrixView samples);
 

@@ -18,7 +18,8 @@ struct Columns {
     std::size_t left = 0, right = 0;
 };
 
-/// Columns of one name, such as the coordinates of a joint, are told apart by their order.
+/// Columns with the same name, such as the coordinates of a joint, are distinguished by their
+/// order.
 std::vector<Columns> pairs_of(std::span<const std::string> names) {
     std::map<std::string, std::vector<std::size_t>> places;
     std::vector<std::size_t> order;
@@ -39,23 +40,23 @@ std::vector<Columns> pairs_of(std::span<const std::string> names) {
     return pairs;
 }
 
-/// With the first sample again at the end.
+/// The curve with its first sample repeated at the end.
 std::vector<double> closed(std::vector<double> curve) {
     curve.push_back(curve.front());
     return curve;
 }
 
-/// A clip that begins and ends with the cycles may leave out a part of every cycle.
+/// If a clip begins and ends with the cycles, part of every cycle may be missing.
 void drop_if_unknown(ComparedSides& result) {
     const bool unknown = std::ranges::all_of(
         result.pairs, [](const SidePair& pair) { return std::isnan(pair.difference.rms); });
     if (!unknown)
         return;
     result.pairs.clear();
-    result.reason = "a part of the mean cycle is missing: no cycle has values there";
+    result.reason = "part of the mean cycle is missing, because no cycle has values there";
 }
 
-/// `right`: signals in whose columns of the left names the right side is found.
+/// `right`: signals that hold the right side in the columns with the left names.
 ComparedSides compared(const phase::Resampled& left, const phase::Resampled& right,
                        std::span<const std::string> names, bool mirrored) {
     ComparedSides result;
@@ -112,9 +113,9 @@ Image image_of(const clip::Clip& clip, const Phased& phased, clip::PrepareOption
     return {by_frame(prepared.samples, phased.clip.frames, first), prepared.turned};
 }
 
-/// The columns of the points that lie in the horizontal plane, if their heading was removed.
+/// The columns of the points for the two horizontal axes, if the heading was removed.
 struct Level {
-    std::int64_t first = 0, second = 0, width = 0; ///< width 0: the heading counts
+    std::int64_t first = 0, second = 0, width = 0; ///< width 0: the heading was kept
 };
 
 Level level_of(const clip::Clip& clip, const Phased& phased, bool turned) {
@@ -127,8 +128,8 @@ Level level_of(const clip::Clip& clip, const Phased& phased, bool turned) {
     return {up % 3, (up + 1) % 3, 3};
 }
 
-/// The plane of the mirror goes through the middle of the body, but the heading that points keep is
-/// only roughly in it: that of the image is turned so that the sides differ least. Without that,
+/// The mirror plane goes through the middle of the body, but the heading of points lies only
+/// roughly in it. Therefore the mirror image is turned so that the sides differ least. Otherwise,
 /// points of a symmetric walk seem 8 mm apart (headings that differ by 1 degree).
 void turn_to(const phase::Resampled& own, const phase::Resampled& image, const Level& level,
              Matrix& signals) {
@@ -181,7 +182,7 @@ ComparedSides compare_sides(const clip::Clip& clip, const Phased& phased, std::i
     } catch (const Error& error) {
         if (error.status() != Status::unsupported)
             throw;
-        return {{}, samples, error.what()}; // it has no mirror image
+        return {{}, samples, error.what()}; // the clip has no mirror image
     }
 }
 

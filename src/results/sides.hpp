@@ -12,11 +12,11 @@
 
 namespace stltsa::results {
 
-/// A signal of the left side and that of the right one.
+/// A signal of the left side and the corresponding one of the right side.
 struct SidePair {
     std::int64_t left = 0, right = 0; ///< columns
     std::string left_name, right_name;
-    /// On 0 to 100 % of the cycle; the right curve is half a cycle ahead.
+    /// Over 0 to 100 % of the cycle; the right curve is shifted by half a cycle.
     std::vector<double> left_curve, right_curve;
     phase::CurveDifference difference;
 };
@@ -24,14 +24,14 @@ struct SidePair {
 struct ComparedSides {
     std::vector<SidePair> pairs; ///< in the order of the left columns
     std::int64_t samples = 0;
-    std::string reason; ///< why there are no pairs
+    std::string reason; ///< the reason if there are no pairs
 };
 
-/// Signals with names of two sides, such as knee_l and knee_r.
+/// Compares signals whose names differ only in the side, such as knee_l and knee_r.
 ComparedSides compare_sides(const phase::Resampled& cycles, std::span<const std::string> names);
 
-/// The features of a motion of the clip that the phase is of: what the left side does against the
-/// mirror image of what the right one does. `prepare`: as for the decomposition. Throws
+/// Compares the features of a motion of the clip that the phase was found in: the left side with
+/// the mirror image of the right side. `prepare`: as for the decomposition. Throws
 /// Status::argument for a label without cycles or repetitions.
 ComparedSides compare_sides(const clip::Clip& clip, const Phased& phased, std::int32_t label,
                             std::int64_t samples, clip::PrepareOptions prepare,

@@ -75,7 +75,7 @@ class Events(CommandTest):
             path.write_text(text)
             found = self.json("events", walk(), "--mark", path)
             self.assertEqual(found["events"], typed)
-            self.assertIn("rest is left out: none of them lies in a motion that repeats",
+            self.assertIn("rest is left out: none of its labels is in a motion that repeats",
                           found["warnings"][0])
 
     def test_files_that_hold_no_labels(self):
@@ -83,7 +83,7 @@ class Events(CommandTest):
         path.write_text("x,y\n1,2\n")
         self.assertIn("columns with seconds", self.fails(3, "events", walk(), "--mark", path))
         path.write_text("clip,name,seconds\nanother.bvh,strike,2.1\n")
-        self.assertIn("no labels of", self.fails(3, "events", walk(), "--mark", path))
+        self.assertIn("no labels for the clip", self.fails(3, "events", walk(), "--mark", path))
         absent = self.folder / "absent.tsv"
         self.assertIn("cannot read", self.fails(3, "events", walk(), "--mark", absent))
         self.assertIn("pip install", self.fails(3, "events", walk(), "--mark", "walk.c3d"))

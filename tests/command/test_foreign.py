@@ -102,8 +102,8 @@ class Foreign(CommandTest):
     def test_errors_are_those_of_the_reader(self):
         for name, sentence in (("other.trc", b"other.trc: has no points"),
                                ("silent.c3d", b"silent.c3d: the Python package failed"),
-                               ("garbage.c3d", b"gave no clip"),
-                               ("short.c3d", b"gave no clip")):
+                               ("garbage.c3d", b"returned no clip"),
+                               ("short.c3d", b"returned no clip")):
             done = self.run_with(self.reader, "info", self.folder / name)
             self.assertEqual(done.returncode, 3)
             self.assertIn(sentence, done.stderr)

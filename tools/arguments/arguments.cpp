@@ -210,7 +210,8 @@ class Parser {
     }
 
   private:
-    /// What the command does not have: the first option, or else the first argument.
+    /// The message for the first option that the command does not have, or else for the first extra
+    /// argument.
     static std::string unexpected(const CLI::App& command) {
         const std::vector<std::string> words = command.remaining();
         const auto option =
@@ -337,7 +338,7 @@ class Parser {
         CLI::App& events = clip_command(Command::events, "events", "The clip with the marks.");
         events.add_option("others", to_.pieces, "Clips in which the events are found, too.");
         add_marks(events, "A frame, which need not be whole, or seconds (2.5s), and the name of "
-                          "what happens then. Several with one name make it surer. "
+                          "the event. Several marks with one name make the search more reliable. "
                           "Or a file with labels: .c3d, or a table of events (.csv, .tsv).")
             ->required();
         events

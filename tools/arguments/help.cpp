@@ -147,12 +147,13 @@ Examples:
   stltsa fit walk.bvh --mark 131=strike -o walk.stltsa
   stltsa live walk.stltsa other.bvh --json)";
 
-/// Names stand beside their texts, or on narrow terminals above them.
+/// Width of the column of names. On narrow terminals, names stand above their texts.
 constexpr std::size_t name_columns = 32;
 constexpr std::size_t narrow_name_columns = 6;
 constexpr std::size_t command_columns = 14;
 
-/// A command for copying stays on its line; what it does goes to the next if both do not fit.
+/// Keeps an example command on its line, so that it can be copied; its description moves to the
+/// next line if both do not fit.
 std::string narrow_example(const std::string& line, std::size_t columns) {
     const std::size_t command = std::min(line.find_first_not_of(' '), line.size());
     const std::size_t end = line.find("  ", command);
@@ -161,7 +162,7 @@ std::string narrow_example(const std::string& line, std::size_t columns) {
     return line.substr(0, end) + "\n      " + line.substr(line.find_first_not_of(' ', end));
 }
 
-/// Wraps the paragraphs that do not fit, of which none is indented.
+/// Wraps the paragraphs that do not fit; indented lines are kept.
 std::string narrow(const std::string& text, std::size_t columns) {
     std::string result, paragraph;
     bool fits = true;
@@ -179,7 +180,7 @@ std::string narrow(const std::string& text, std::size_t columns) {
             result += "\n" + narrow_example(line, columns);
             continue;
         }
-        // The line feed before a paragraph is no part of it.
+        // The line feed before a paragraph is not part of it.
         if (paragraph.empty() && !result.empty())
             result += '\n';
         paragraph += (paragraph.empty() ? "" : "\n") + line;

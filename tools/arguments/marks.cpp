@@ -27,7 +27,7 @@ std::optional<double> number_in(std::string_view text) {
 
 using Row = std::vector<std::string>;
 
-/// The cells of the next line, which may be quoted as in CSV files.
+/// The cells of the next row; cells may be quoted as in CSV files.
 Row next_row(std::string_view& text, char separator) {
     Row row(1);
     bool quoted = false;
@@ -47,7 +47,7 @@ Row next_row(std::string_view& text, char separator) {
     return row;
 }
 
-/// The column with one of the names.
+/// The first column that has one of the names.
 std::optional<std::size_t> column_of(const Row& heading, std::initializer_list<const char*> names) {
     for (const char* name : names)
         if (const auto found = std::ranges::find(heading, name); found != heading.end())
@@ -78,9 +78,9 @@ Marks labels_in(const std::string& table, const std::string& path, const std::st
     const auto file = column_of(heading, {"clip"}), what = column_of(heading, {"Behavior type"});
     if (!time || !name)
         throw Failure(Exit::unreadable,
-                      fmt::format("{}: no labels: a table of events has columns with seconds "
-                                  "(onset, seconds or Time) and with names (trial_type, name or "
-                                  "Behavior)",
+                      fmt::format("{}: no labels found: a table of events needs a column of "
+                                  "seconds (onset, seconds or Time) and a column of names "
+                                  "(trial_type, name or Behavior)",
                                   path));
     if (!(fps > 0))
         throw Failure(Exit::usage, fmt::format("--mark {}: labels are in seconds, but the frame "
@@ -96,7 +96,7 @@ Marks labels_in(const std::string& table, const std::string& path, const std::st
             labels[label].push_back(*seconds * fps);
     }
     if (labels.empty())
-        throw Failure(Exit::unreadable, fmt::format("{}: no labels of {}", path, clip));
+        throw Failure(Exit::unreadable, fmt::format("{}: no labels for the clip {}", path, clip));
     return labels;
 }
 

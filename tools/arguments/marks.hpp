@@ -17,9 +17,9 @@ Marks parse_marks(const std::vector<std::string>& given, double fps);
 /// Whether a mark is the name of a file with labels, without "=": .c3d, .csv or .tsv.
 bool is_label_file(const std::string& mark);
 
-/// Labels of a table with a row of names: the tables that `stltsa events`, BIDS and BORIS write, in
-/// seconds. Of several clips only those of `clip`; of states their beginnings. Throws Failure with
-/// Exit::unreadable for another table. `path`: for messages.
+/// Labels of a table with a header row, in seconds, as `stltsa events`, BIDS and BORIS write it. If
+/// the table has several clips, only labels of `clip`; for states, only their beginnings. Throws
+/// Failure with Exit::unreadable if it is not such a table. `path`: for messages.
 Marks labels_in(const std::string& table, const std::string& path, const std::string& clip,
                 double fps);
 

@@ -46,14 +46,14 @@ stltsa::Matrix phase_table(const stltsa::Clip& clip, const stltsa::Decomposition
     return table;
 }
 
-/// What is said with --phase beside the decomposition.
+/// The results that --phase adds to the decomposition.
 struct PhaseAnswer {
     std::vector<std::string> warnings;
     std::vector<LabelSides> sides;
     bool axes = false; ///< see sides_json()
 };
 
-/// Left against right for each motion that has cycles.
+/// Compares left with right for each motion that has cycles.
 std::vector<LabelSides> compare_sides(const Session& session, const stltsa::Clip& clip,
                                       const stltsa::Decomposition& found,
                                       const stltsa::Phase& phase) {

@@ -95,8 +95,8 @@ void append(const Analyzed& from, const Analyzed& in, const Marks& marks, EventT
     }
 }
 
-/// The labels of a file that the clip's motion can be searched for, as Python's events_like()
-/// chooses them: those in motions that repeat, of names that are not spread all over the cycle.
+/// Adds the labels of a file that can be searched for, as Python's events_like() chooses them:
+/// labels in motions that repeat, with names whose labels are not spread over the whole cycle.
 void add_useful(const Analyzed& from, const std::string& file, const Marks& labels, Marks& marks,
                 EventTable& table) {
     const auto refusal = [&](const std::vector<double>& frames) -> std::string {
@@ -114,7 +114,7 @@ void add_useful(const Analyzed& from, const std::string& file, const Marks& labe
         if (!refusal(useful).empty())
             std::erase_if(useful, [&](double frame) { return !refusal({frame}).empty(); });
         const std::string why =
-            useful.empty() ? "none of them lies in a motion that repeats" : refusal(useful);
+            useful.empty() ? "none of its labels is in a motion that repeats" : refusal(useful);
         if (why.empty())
             marks[name].insert(marks[name].end(), useful.begin(), useful.end());
         else

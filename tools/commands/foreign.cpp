@@ -59,7 +59,7 @@ struct Pipe {
     }
 };
 
-/// What the module stltsa.readers takes.
+/// The arguments of the module stltsa.readers.
 struct Words {
     std::string first, second;
 };
@@ -101,7 +101,7 @@ int wait_for(pid_t child) {
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-/// Takes the bytes of the arrays one after the other; what is missing is empty or 0.
+/// Reads the bytes of the arrays in order; missing values are empty or 0.
 class Reading {
   public:
     explicit Reading(std::string_view bytes) : rest_(bytes) {}
@@ -119,7 +119,7 @@ class Reading {
         std::from_chars(text.data(), text.data() + text.size(), value);
         return value;
     }
-    /// All that is left, if it is so many numbers.
+    /// All remaining bytes, if they are exactly `count` numbers.
     std::optional<std::vector<double>> numbers(std::uint64_t count) {
         if (rest_.size() % sizeof(double) != 0 || rest_.size() / sizeof(double) != count)
             return {};
@@ -157,7 +157,7 @@ std::vector<std::string> names(Reading& from, std::uint64_t count) {
 [[noreturn]] void no_clip(const std::string& file) {
     throw Failure(
         Exit::unreadable,
-        fmt::format("{}: the Python package gave no clip (python3 -m stltsa.readers)", file));
+        fmt::format("{}: the Python package returned no clip (python3 -m stltsa.readers)", file));
 }
 
 stltsa::Clip whole_clip(const std::string& bytes, const std::string& file,
@@ -168,7 +168,7 @@ stltsa::Clip whole_clip(const std::string& bytes, const std::string& file,
     const auto items = from.number<std::uint64_t>(' '), columns = from.number<std::uint64_t>(' '),
                frames = from.number<std::uint64_t>(' ');
     const auto fps = from.number<double>('\n');
-    // Each item has a line, and each number bytes.
+    // Every item takes a line and every number takes bytes, so the counts have these limits.
     if (items > bytes.size() || columns == 0 || frames > bytes.size() / columns)
         no_clip(file);
     const bool skeleton = kind == "skeleton";
@@ -187,7 +187,7 @@ stltsa::Clip whole_clip(const std::string& bytes, const std::string& file,
     return stltsa::Clip::from_points({rows, space, labels, {}, {}, fps}, options);
 }
 
-/// What the module writes. Throws Failure with its sentence if it fails.
+/// The output of the module. Throws Failure with the module's message if it fails.
 std::string answer_to(const Words& given, const std::string& path) {
     const std::string python = python_interpreter();
     Pipe output;
@@ -231,8 +231,8 @@ std::optional<ForeignClip> read_by_python(const std::string& path, const std::st
 std::string events_by_python(const std::string& path) {
     if (!has_python())
         throw Failure(Exit::unreadable,
-                      fmt::format("{}: labels of such a file are read by the command that pip "
-                                  "installs: pip install 'stltsa[c3d]'",
+                      fmt::format("{}: only the command that pip installs reads labels from "
+                                  "C3D files: pip install 'stltsa[c3d]'",
                                   path));
     return answer_to({"--events", path}, path);
 }

@@ -26,7 +26,8 @@ std::optional<ForeignClip> read_by_python(const std::string& path, const std::st
 stltsa::Clip clip_of(const ForeignClip& foreign, const std::string& path,
                      const stltsa::Options& options);
 
-/// Labels of a C3D file, a table for label_table(). Throws Failure if the package cannot read it.
+/// The table of labels of a C3D file, for labels_in(). Throws Failure if the package cannot read
+/// the file.
 std::string events_by_python(const std::string& path);
 
 /// Whether the file's name is that of such a format, and whether the package can be asked.

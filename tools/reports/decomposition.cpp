@@ -134,7 +134,7 @@ std::vector<std::vector<std::string>> travel_rows(const stltsa::Decomposition& r
     return rows;
 }
 
-/// How far each cycle and step takes the body, in the unit of the file; empty if it is unknown.
+/// The travel of each cycle and step, in the unit of the file; empty if it is unknown.
 std::string travel_table(const stltsa::Decomposition& result) {
     using enum Align;
     auto rows = travel_rows(result, STLTSA_PART_CYCLE, "cycle");

@@ -17,7 +17,7 @@ Json cycle_json(const stltsa::Event& event) {
     return event.cycle < 0 ? Json(nullptr) : Json(event.cycle);
 }
 
-/// Of the body, by the name; empty: the name does not say.
+/// The side of the body that the name states; empty if it states none.
 std::string side_of(const NamedEvent& event) {
     const std::int32_t side = stltsa::side_of_name(event.name);
     if (side == STLTSA_SIDE_NONE)

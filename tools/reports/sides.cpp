@@ -13,7 +13,7 @@
 namespace tool {
 namespace {
 
-/// Pairs in the table; the JSON has all.
+/// The number of pairs in the table; the JSON has all pairs.
 constexpr std::size_t most_rows = 6;
 
 /// Pairs with names and coordinates.
@@ -110,7 +110,7 @@ std::string sides_report(const std::vector<LabelSides>& all, bool axes) {
         const std::string label = all.size() > 1 ? " in " + label_text(of.label) : "";
         text += reason.empty() ? (label.empty() ? "" : label_text(of.label) + ":\n") +
                                      table_of(*of.sides, axes)
-                               : listed("no left against right" + label + ":", {reason});
+                               : listed("no comparison of left and right" + label + ":", {reason});
     }
     return text.empty() ? text : '\n' + text;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Left against right, for each motion in cycles.
+// Compares left with right for each motion that has cycles.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@ namespace tool {
 
 struct LabelSides {
     std::int32_t label = 0;
-    std::optional<stltsa::Sides> sides; ///< none: `reason` says why
+    std::optional<stltsa::Sides> sides; ///< empty: see `reason`
     std::string reason;
 };
 

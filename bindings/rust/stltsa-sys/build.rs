@@ -31,9 +31,9 @@ fn main() {
             }
         }
         Err(error) => stop(&format!(
-            "libstltsa is not found: {error}\n\
-             Install it with its header; if it is in a place of its own, set PKG_CONFIG_PATH to the \
-             folder that holds stltsa.pc. Or build it with the feature `vendored`."
+            "libstltsa was not found: {error}\n\
+             Install it with its header; if it is in a non-standard place, set PKG_CONFIG_PATH to the \
+             folder that contains stltsa.pc. Or build it with the feature `vendored`."
         )),
     }
 }
@@ -54,14 +54,14 @@ fn variable(name: &str) -> String {
     env::var(name).unwrap_or_else(|error| stop(&format!("{name}: {error}")))
 }
 
-/// Builds the sources in libstltsa/ as a static library, without the part under the GPL, and
+/// Builds the sources in libstltsa/ as a static library, without CHOLMOD, which is partly GPL, and
 /// returns the folder of its stltsa.pc.
 fn build_library() -> PathBuf {
     println!("cargo:rerun-if-changed=libstltsa");
     if variable("HOST") != variable("TARGET") {
         stop(
-            "The feature `vendored` builds for this machine only: for another one, install \
-             libstltsa, and let pkg-config find it.",
+            "The feature `vendored` does not cross-compile: for another machine, install libstltsa \
+             there and let pkg-config find it.",
         );
     }
     let source = Path::new(&variable("CARGO_MANIFEST_DIR")).join("libstltsa");
@@ -84,18 +84,18 @@ fn build_library() -> PathBuf {
     prefix.join("lib").join("pkgconfig")
 }
 
-/// Runs Meson. Its output goes to the error stream, because Cargo reads the other one.
+/// Runs Meson. Its output goes to the error stream, because Cargo reads the standard output.
 fn meson(command: &mut Command) {
     let output = command.output().unwrap_or_else(|error| {
         stop(&format!(
-            "The feature `vendored` needs Meson, Ninja and a C++20 compiler: meson: {error}"
+            "The feature `vendored` needs Meson, Ninja and a C++20 compiler: cannot run meson: {error}"
         ))
     });
     eprint!("{}", String::from_utf8_lossy(&output.stdout));
     eprint!("{}", String::from_utf8_lossy(&output.stderr));
     if !output.status.success() {
         stop(
-            "libstltsa was not built; Meson says above what is missing. Debian's packages for it: \
+            "libstltsa was not built; the output of Meson above names the reason. The Debian packages for it: \
              g++ meson ninja-build pkg-config libarpack2-dev libfmt-dev liblapacke-dev \
              libopenblas-dev libsuitesparse-dev zlib1g-dev.",
         );

@@ -41,7 +41,7 @@ void write_integers(const stltsa_out* out, const char* name, std::span<const std
 /// The rows of each clip; NULL: one clip of all rows.
 std::vector<std::int64_t> clip_lengths(const stltsa_in* lengths, std::int64_t rows);
 
-/// Throws unless a cycle may have so many samples.
+/// Throws Status::argument unless `samples` is a valid number of samples per cycle.
 void check_samples(std::int64_t samples);
 
 } // namespace stltsa::capi

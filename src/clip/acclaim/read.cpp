@@ -12,7 +12,7 @@
 namespace stltsa::clip {
 namespace {
 
-/// Rates that the options and the other formats allow end here.
+/// The highest rate that the options and the other formats allow, in frames per second.
 constexpr double most_rate = 1e6;
 
 /// A joint's first column, and the last frame in which it was read.
@@ -71,7 +71,8 @@ class AmcReader {
     double rate(std::string_view word) {
         const auto value = parse_number(word);
         if (!value || !(*value > 0 && *value <= most_rate))
-            in_.fail(Status::format, "{} is not a frame rate up to {:g}", quoted(word), most_rate);
+            in_.fail(Status::format, "{} is not a frame rate above 0 and up to {:g}", quoted(word),
+                     most_rate);
         return *value;
     }
 

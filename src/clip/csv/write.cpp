@@ -12,7 +12,7 @@
 namespace stltsa::clip {
 namespace {
 
-/// Appends a name so that it reads back as one cell for any separator, and is no formula.
+/// Appends a name so that it is read back as one cell with any separator and is not a formula.
 void append_name(std::string& text, std::string_view name) {
     const auto plain = [](char c) {
         return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ||

@@ -12,7 +12,7 @@
 namespace stltsa::clip {
 
 /// Subtracts the slow part of the columns that only drift, and gives their indices. `fps`: of the
-/// samples. `poll`: called now and then; may throw to stop.
+/// samples. `poll`: called periodically; may throw to stop.
 std::vector<std::int64_t> remove_drift(Matrix& samples, double fps,
                                        const std::function<void()>& poll = {});
 

@@ -34,7 +34,8 @@ struct Gap : Frames {
     std::int64_t group = 0;
 };
 
-/// What fill_gaps() found. Points are groups of two or three columns; is_missing() has the rule.
+/// The result of fill_gaps(). Points are groups of two or three columns; is_missing() decides which
+/// are missing.
 struct Gaps {
     std::vector<std::int64_t> seen;    ///< groups that take part
     std::vector<std::int64_t> filled;  ///< those of them that were missing in some frames

@@ -20,7 +20,7 @@ struct PrepareOptions {
     double smoothing = 0.05;          ///< sigma of the Gaussian on the features in seconds; 0: none
     bool drop_tpose = true;           ///< only if there is a skeleton
     GapRule gaps = GapRule::fill;
-    std::function<void()> poll = {}; ///< called now and then; may throw to stop
+    std::function<void()> poll = {}; ///< called periodically; may throw to stop
 };
 
 /// Working samples of a clip: sample i is source frame first + i * step.

@@ -17,7 +17,7 @@ namespace {
 
 [[noreturn]] void cannot(const char* what, const std::string& path, int error) {
     const char* const hint =
-        error == EISDIR ? ": give a file in it, or the folder itself to stltsa batch" : "";
+        error == EISDIR ? ": give a file in this folder, or give the folder to stltsa batch" : "";
     fail(error == ENOMEM ? Status::no_memory : Status::io, "{}: cannot {}: {}{}", path, what,
          std::generic_category().message(error), hint);
 }

@@ -59,8 +59,8 @@ bool create(const std::string& name, mode_t mode) {
     }
 }
 
-/// During its lifetime a write to a pipe without a reader is an error (EPIPE) that does not end the
-/// process: SIGPIPE is blocked for this thread, and taken back if a write raised it.
+/// During its lifetime, writing to a pipe without a reader fails with EPIPE and does not end the
+/// process: SIGPIPE is blocked for this thread, and discarded if a write raised it.
 class WithoutSigpipe {
   public:
     WithoutSigpipe() {
@@ -88,7 +88,7 @@ class WithoutSigpipe {
 constexpr std::string_view temporary_start = ".stltsa-";
 constexpr std::string_view temporary_end = ".tmp";
 
-/// The process that made a temporary file of this name; 0: it is none.
+/// The process that created the temporary file of this name; 0 if it is not a temporary file.
 pid_t maker_of(std::string_view name) {
     if (!name.starts_with(temporary_start) || name.find(temporary_end) == name.npos)
         return 0;
@@ -100,8 +100,8 @@ pid_t maker_of(std::string_view name) {
                : 0;
 }
 
-/// Deletes what killed processes left: a temporary file of a process that is no more. A file of
-/// another machine, on a shared disk, is left alone for an hour.
+/// Deletes temporary files of processes that no longer exist. Files younger than an hour are kept:
+/// on a shared disk, they may belong to a process of another machine.
 void delete_abandoned(const fs::path& folder) {
     constexpr std::time_t longest_s = 3600;
     const std::unique_ptr<DIR, int (*)(DIR*)> listed(
@@ -116,7 +116,8 @@ void delete_abandoned(const fs::path& folder) {
     }
 }
 
-/// After it, a power cut does not undo the renaming. File systems that cannot do so say EINVAL.
+/// After this call, a power failure does not undo the renaming. File systems that do not support it
+/// return EINVAL.
 void flush_folder(const fs::path& folder) {
     const Descriptor open(folder.empty() ? "." : folder.string(), O_RDONLY | O_DIRECTORY);
     require(::fsync(open.number()) == 0 || errno == EINVAL);

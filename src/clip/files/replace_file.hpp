@@ -20,12 +20,12 @@ bool regular_or_new(const std::string& path);
 /// Writes all bytes to an open file.
 void write_all(int descriptor, std::string_view bytes);
 
-/// Writes into an existing file, device or pipe. A pipe whose reader left is an error; no signal
+/// Writes into an existing file, device or pipe. A pipe without a reader is an error; no signal
 /// ends the process.
 void write_directly(const std::string& path, const std::function<void(const Sink&)>& content);
 
 /// A new file in the folder of `place` with an unused name; deleted with the object unless moved.
-/// Those of processes that were killed more than an hour ago are deleted, too.
+/// Temporary files that killed processes left more than an hour ago are deleted, too.
 class TemporaryFile {
   public:
     explicit TemporaryFile(std::string place, const std::string& suffix = "");
@@ -35,7 +35,7 @@ class TemporaryFile {
 
     const std::string& name() const { return name_; }
     /// Replaces the file at `place`, with its permissions, after all bytes are on the disk. When it
-    /// returns, the new name is, too.
+    /// returns, the new name is on the disk, too.
     void move_to_place();
 
   private:

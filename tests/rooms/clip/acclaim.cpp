@@ -172,7 +172,7 @@ void assumes_a_frame_rate_and_says_so(void**) {
     assert_int_equal(said.notes.size(), 1);
     for (const char* rate : {"0", "-1", "1e7", "inf", "nan", "x"})
         ASSERT_FAILS(
-            Status::format, "is not a frame rate up to 1e+06",
+            Status::format, "is not a frame rate above 0 and up to 1e+06",
             acclaim(":SAMPLES-PER-SECOND " + std::string(rate) + "\n" + small_amc, small_asf));
 }
 

@@ -240,7 +240,7 @@ class Cycles:
         samples, signals = self._shape
         texts = [ffi.new("char[]", name.encode()) for name in names]
         if len(texts) != signals:
-            raise ValueError(f"names has {len(texts)} texts; there are {signals} columns")
+            raise ValueError(f"names has {len(texts)} entries; there are {signals} columns")
         out = ffi.new("stltsa_sides **")
         check(lib.stltsa_sides_compare(self._handle, ffi.new("char *[]", texts), out))
         return Sides(owned("sides", out), samples)

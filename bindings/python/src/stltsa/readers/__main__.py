@@ -61,7 +61,7 @@ def _written(clip: Clip) -> bytes:
 def events_of(name: str) -> str:
     """Return the table of the events of a file."""
     if Path(name).suffix.lower() != ".c3d":
-        raise ValueError(f"{name}: only C3D files have labels of events")
+        raise ValueError(f"{name}: only C3D files have event labels")
     lines = ["onset\ttrial_type"]
     for event in read_clip(name).events:
         label = " ".join(f"{event.context} {event.label}".split())
