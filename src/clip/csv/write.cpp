@@ -18,8 +18,7 @@ void append_name(std::string& text, std::string_view name) {
         return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ||
                c == '.' || c == '_' || c == '-';
     };
-    if (!name.empty() && !is_formula(name) &&
-        std::all_of(name.begin(), name.end(), plain)) {
+    if (!name.empty() && !is_formula(name) && std::all_of(name.begin(), name.end(), plain)) {
         text += name;
         return;
     }
