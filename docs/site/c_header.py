@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Reads stltsa.h, whose comments are plain text: sections, and declarations with their comments.
-From these, doxygen() makes a header with Doxygen's marks, and page() the page of a section.
+"""Reads stltsa.h, whose comments are plain text, as sections of declarations with comments. From
+these, doxygen() makes a header with Doxygen's markup, and page() makes the page of a section.
 
 A comment belongs to the declaration below it, and to the functions that follow without a blank
 line. A comment after an entry belongs to the entry; one between entries of an enum divides the enum
@@ -19,7 +19,7 @@ NEXT_ITEM = re.compile(r"(\w+\.) (\S.*)")  # in a list, a word as long as the co
 OPTION_TYPE = re.compile(r"^(int|real|text)(\[\])? (?=\S)")
 COMMENT = r"(/\*(?!\*)(?:[^*]|\*(?!/))*\*/)"
 IDENTIFIER = re.compile(r"\b(?:stltsa|STLTSA)_[A-Za-z0-9_]+|\bE_[A-Z_]+\b")
-# What many kinds of handles have needs no comment, and does not share that of its neighbor.
+# Functions that many kinds of handles have need no comment and do not share that of their neighbor.
 OWN_ENTRY = ("_free", "_info", "_new", "_json", "_warning_count")
 
 
@@ -37,7 +37,7 @@ class Declaration:
 
     @property
     def name(self) -> str:
-        """Of an enum, which has none in the header, its first value."""
+        """The name; for an enum, which has none in the header, its first value."""
         if self.kind == "enum":
             return self.values[0]
         text = self.text[self.text.rindex("}"):] if self.kind == "struct" else self.text
@@ -51,7 +51,7 @@ class Declaration:
 
 @dataclass
 class Cluster:
-    """A comment and what it is about: one declaration, several functions, or nothing."""
+    """A comment and its declarations: one declaration, several functions, or none."""
 
     comment: str
     declarations: list[Declaration] = field(default_factory=list)
@@ -67,7 +67,7 @@ class Section:
         return re.sub(r"\W+", "-", re.sub(r" \(.*\)", "", self.title).lower()).strip("-")
 
     def place(self, number: int) -> str:
-        """A name for a cluster."""
+        """A unique name for a cluster."""
         return f"{self.slug.replace('-', '_')}_{number}"
 
 
@@ -131,14 +131,14 @@ def sections(header: str) -> list[Section]:
 
 
 def _shares(cluster: Cluster, declaration: Declaration) -> bool:
-    """Whether the comment of a cluster is about a declaration on the next line, too."""
+    """Whether the comment of a cluster also describes the declaration on the next line."""
     kinds = {declaration.kind, cluster.declarations[0].kind}
     return bool(cluster.comment) and kinds == {"function"} and \
         not declaration.name.endswith(OWN_ENTRY)
 
 
 def _divided(comment: str, declaration: Declaration) -> list[Cluster]:
-    """One cluster; several for an enum that comments on lines of their own divide."""
+    """One cluster, or several if comments on separate lines divide an enum."""
     if declaration.kind != "enum":
         return [Cluster(comment, [declaration])]
     first, *rest = re.split(rf"(?m)^ *{COMMENT}\n", declaration.text)
@@ -152,7 +152,7 @@ def _divided(comment: str, declaration: Declaration) -> list[Cluster]:
 
 
 def _linked(text: str, names: set[str]) -> str:
-    """Text for Doxygen: what it would take for a command is escaped, and names are links."""
+    """Text for Doxygen, with its special characters escaped and names as links."""
     def link(match: re.Match) -> str:
         name = match[0]
         if name in names:
@@ -164,7 +164,7 @@ def _linked(text: str, names: set[str]) -> str:
 
 
 class _Text:
-    """A comment for Doxygen: paragraphs, lists ("word   what it is") and code (indented)."""
+    """A comment for Doxygen: paragraphs, lists ("word   description") and code (indented)."""
 
     ENDS = {"list": "</li></ul>", "code": "\\endcode"}
 
@@ -172,7 +172,7 @@ class _Text:
         self.names, self.out, self.inside = names, [], ""
 
     def enter(self, part: str) -> bool:
-        """Ends what comes to its end before this part; False if the part goes on."""
+        """Close the open part and begin this one; return False if this part is already open."""
         if self.inside == part:
             return False
         self.out.append(self.ENDS.get(self.inside, ""))
@@ -207,7 +207,7 @@ def _markup(text: str, names: set[str]) -> str:
 
 
 def _entries(declaration: Declaration, names: set[str]) -> str:
-    """A struct or an enum, with the comments of its entries."""
+    """A struct or an enum with the comments of its entries."""
     def after(match: re.Match) -> str:
         text = re.sub(r"\s+", " ", plain(match[2]).replace("\n", " "))
         if declaration.name.startswith(("STLTSA_OPT_", "STLTSA_INFO_")):
@@ -222,7 +222,7 @@ def _entries(declaration: Declaration, names: set[str]) -> str:
 
 
 def names_of(header: str) -> set[str]:
-    """Everything that a comment can refer to."""
+    """All names that a comment can refer to."""
     every = [d for s in sections(header) for c in s.clusters for d in c.declarations]
     return {name for d in every for name in (d.values if d.kind == "enum" else [d.name])}
 
@@ -236,7 +236,7 @@ def unknown(header: str) -> set[str]:
 
 
 def doxygen(header: str) -> str:
-    """The header with Doxygen's marks."""
+    """The header with Doxygen's markup."""
     names = names_of(header)
     out = ["/** \\file stltsa.h */",
            f"/** \\page about_header stltsa.h\n{_markup(intro(header), names)}\n*/",
@@ -248,12 +248,12 @@ def doxygen(header: str) -> str:
 
 
 def is_single(cluster: Cluster) -> bool:
-    """One declaration with a name, below which its comment goes."""
+    """Whether the cluster is one named declaration, whose comment goes below the name."""
     return len(cluster.declarations) == 1 and cluster.declarations[0].kind != "enum"
 
 
 def page_of(cluster: Cluster, place: str) -> str:
-    """The Doxygen page of a comment that is not of a single name."""
+    """The Doxygen page for a comment that describes several names or none."""
     return f"about_{cluster.declarations[0].name if cluster.declarations else place}"
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Settings of Sphinx; scripts/docs calls it on the folder that stage.py makes."""
+"""Settings of Sphinx, which scripts/docs runs on the folder that stage.py makes."""
 
 import os
 import sys
@@ -44,18 +44,18 @@ html_show_copyright = False
 
 
 def skip_fields(app, what, name, member, skip, options):
-    """Leaves out what Python says of the fields of a named tuple; its docstring says it."""
+    """Leave out Python's own text for the fields of a named tuple, which its docstring describes."""
     text = str(getattr(member, "__doc__", ""))
     return True if text.startswith("Alias for field number") else None
 
 
 def hide_handle(app, what, name, thing, options, signature, returns):
-    """Leaves out how the package itself makes an object."""
+    """Leave out the signature of constructors that only the package itself calls."""
     return ("", returns) if signature and signature.startswith("(handle") else None
 
 
 def check_python(app, env):
-    """The Python reference has every public name of the package."""
+    """Check that the Python reference has every public name of the package."""
     import stltsa  # from the path above
     have = env.get_domain("py").objects
     for name in set(stltsa.__all__) - {"__version__"}:
@@ -66,5 +66,5 @@ def check_python(app, env):
 def setup(app):
     app.connect("env-check-consistency", check_python)
     app.connect("autodoc-process-signature", hide_handle)
-    app.add_lexer("rust,no_run", RustLexer)  # as rustdoc marks a program that needs a clip
+    app.add_lexer("rust,no_run", RustLexer)  # rustdoc's mark for a program that is not run
     app.connect("autodoc-skip-member", skip_fields)

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Gathers the pages of the site in a folder, in the places that they have in the repository, so
-that their links are true in both. Pages of the C reference, the command and the schemas are made
-here from the header, the manual page and the schemas.
+"""Copies the pages of the site into a folder, with the same layout as in the repository, so that
+their links work in both. Makes the pages of the C reference, the command and the schemas from the
+header, the manual page and the schemas.
 
     docs/site/stage.py FOLDER
 """
@@ -17,7 +17,7 @@ import sys
 import c_header
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-# Everything that a page shows or links to.
+# All files that a page shows or links to.
 FILES = ("*.md", "LICENSE", "docs/*.md", "docs/*.svg", "docs/figures/*.png", "docs/schema/*.json",
          "bindings/python/README.md", "bindings/rust/stltsa/README.md",
          "examples/*.c", "examples/*.cpp", "include/*", "docs/site/*.md", "docs/site/*.rst",
@@ -47,7 +47,7 @@ def copy(folder):
 def c_reference(folder):
     header = (ROOT / "include/stltsa.h").read_text()
     if c_header.unknown(header):
-        sys.exit(f"comments of include/stltsa.h name what it lacks: {c_header.unknown(header)}")
+        sys.exit(f"comments of include/stltsa.h contain unknown names: {c_header.unknown(header)}")
     write(folder / "doxygen/stltsa.h", c_header.doxygen(header))
     names = []
     for section in c_header.sections(header):
@@ -60,7 +60,7 @@ def c_reference(folder):
 
 
 def check_errors():
-    """docs/errors.md says of every status what the header, the Python package and the command say."""
+    """Check that docs/errors.md agrees with the header, the Python package and the command."""
     header, python, command = ((ROOT / name).read_text() for name in (
         "include/stltsa.h", "bindings/python/src/stltsa/errors.py", "tools/exit_status.cpp"))
     page = (ROOT / "docs/errors.md").read_text()
@@ -78,7 +78,7 @@ def check_errors():
 
 
 def command(folder):
-    """The manual page: each of its sections is one of the page."""
+    """Make the page of the command; each section of the manual page becomes a section."""
     html = subprocess.run(["mandoc", "-T", "html", "-O", "fragment", ROOT / "docs/man/stltsa.1"],
                           check=True, text=True, stdout=subprocess.PIPE).stdout
     out = [heading("Command")]
@@ -98,7 +98,7 @@ def schemas(folder):
     for file in sorted((ROOT / "docs/schema").glob("*.json")):
         schema = json.loads(file.read_text())
         out += [f"## {schema['title']}", "", schema["description"], "",
-                f"[{file.name}](schema/{file.name})", "", "| member | what it is |", "|---|---|"]
+                f"[{file.name}](schema/{file.name})", "", "| member | description |", "|---|---|"]
         out += [f"| `{name}` | {value['description'].replace('|', '&#124;')} |"
                 for name, value in schema["properties"].items()]
         out.append("")

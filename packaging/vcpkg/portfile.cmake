@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# A port for vcpkg. scripts/release puts the values in place of the keys between at signs.
-# scripts/check-recipes runs it with stubs of vcpkg's functions; it has not been built, because vcpkg
-# was not to be had.
+# A port for vcpkg. scripts/release replaces the keys between at signs by their values.
+# scripts/check-recipes runs it with stubs of vcpkg's functions. It has not been built, because
+# vcpkg was not available.
 vcpkg_download_distfile(ARCHIVE
     URLS "@HOMEPAGE@/libstltsa-${VERSION}.tar.xz"
     FILENAME "libstltsa-${VERSION}.tar.xz"

@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     from ._options import Options
 
 _SUFFIXES = (".bvh", ".amc", ".csv", ".tsv", ".npy", *READERS)
-# Frames per second, with which lengths in seconds are numbers of frames.
+# Frames per second that convert lengths in seconds into frames.
 _ANY_RATE = 100.0
 _SUMMARY = re.compile(r"summary[-0-9]*\.csv")
 
@@ -138,7 +138,7 @@ def batch(
 
 
 def _check(options: Mapping[str, Any]) -> None:
-    """Raise if an option is wrong: once, not for each clip."""
+    """Raise if an option is invalid, once and not for each clip."""
     for name in options:
         option_named(name)
     with Call(options, rate=_ANY_RATE):

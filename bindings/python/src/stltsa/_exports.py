@@ -127,13 +127,13 @@ _COLUMNS = {
             "unit": "Motion unit (Li et al. 2012)",
             "cycle": "One period of a cyclic segment",
             "repetition": "One of several actions of the same kind with pauses between them",
-            "event": "A moment that was marked once and found again",
+            "event": "A moment found from a marked example",
         },
     },
     "label": {"Description": "Letter shared by the segments of the same motion"},
     "likeness": {"Description": "Similarity to the others of the label, from 0 to 1"},
     "confidence": {"Description": "How sure the answer is, from 0 to 1"},
-    "side": {"Description": "Side of the body in the name of an event: left or right"},
+    "side": {"Description": "Side of the body that the name of an event states: left or right"},
 }
 
 
@@ -143,7 +143,7 @@ def _cell(value: Any) -> str:
 
 
 class Moment(NamedTuple):
-    """An event that was found, with its name."""
+    """A found event and its name."""
 
     name: str
     event: Any  # FoundEvent
@@ -221,7 +221,7 @@ def _complete_events(file: Any) -> None:
 
 
 def _context(moment: Moment) -> tuple[str, str]:
-    """Return context and label as C3D files have them: Left, Foot Strike."""
+    """Return the context and label of a C3D event, such as Left and Foot Strike."""
     context = moment.event.side.capitalize() or "General"
     words = moment.name.split()
     if len(words) > 1 and words[0].capitalize() == context:
@@ -267,7 +267,7 @@ def write_text(path: Path, text: str) -> None:
 def save_events(
     result: Decomposition, to: Any, source: Any, events: Mapping[str, FoundEvents] | None
 ) -> None:
-    """Write the rows and found events, in the format that the suffix names."""
+    """Write the rows and the found events in the format that the suffix names."""
     path = Path(to)
     suffix = path.suffix.lower()
     if suffix not in (".tsv", ".csv", ".c3d"):

@@ -188,7 +188,7 @@ class Clip(Described):
         return cls(owned("clip", out))
 
     def _read_from(self, path: os.PathLike[str]) -> Clip:
-        """Set where a clip that has just been made from arrays is from; return it."""
+        """Set the path of a clip that was just made from arrays, and return the clip."""
         self.path = os.fspath(path)
         check(lib.stltsa_clip_set_path(self._handle, c_path(path)))
         return self

@@ -361,20 +361,20 @@ class Decomposition(Described):
         """Compare the left side of the body with the right side half a cycle later.
 
         Features, such as positions of joints, are compared with those of the mirror image, in the
-        unit of the file. For other signals see :meth:`Cycles.sides`.
+        unit of the file. For other signals, see :meth:`Cycles.sides`.
 
         Parameters
         ----------
         label : str
-            Of the segments whose cycles are meant.
+            Label of the segments whose cycles are compared.
         samples : int
-            Of each cycle; 101 for percent.
+            Samples per cycle, 2 to 1000000; 101 gives one per percent.
 
         Returns
         -------
         Sides
-            Without pairs, and with a reason, if the two halves of the cycles are not known to be
-            the same motion of both sides, or if no names belong together.
+            The pairs; if the two halves of the cycles are not known to be the same motion of
+            opposite sides, or if no two names differ only in the side, no pairs and a reason.
 
         Raises
         ------
@@ -385,7 +385,7 @@ class Decomposition(Described):
         --------
         >>> import stltsa
         >>> sides = stltsa.decompose("walker.bvh").sides()
-        >>> max(pair.rms for pair in sides) < 0.1  # cm, of steps of 70 cm
+        >>> max(pair.rms for pair in sides) < 0.1  # cm, for steps of 70 cm
         True
         """
         phase, out = self.phase(), ffi.new("stltsa_sides **")
@@ -446,8 +446,9 @@ class Decomposition(Described):
         source : path, optional
             The C3D file that is copied; by default the one that was read.
         events : mapping of str to FoundEvents, optional
-            By name, as of :meth:`Phase.events_like`: written as well, with the side in the name (of
-            C3D the context; events that the file has are not repeated).
+            Found events by name, as :meth:`Phase.events_like` returns them. They are also written,
+            with the side that the name states (in C3D files, as the context). Events that a C3D
+            file already has are not repeated.
 
         Raises
         ------

@@ -77,7 +77,7 @@ class FoundEvent(NamedTuple):
     `frame` is not rounded; `seconds` is NaN if the frame rate is unknown; `cycle` is an index among
     :attr:`Decomposition.cycles`, -1 outside cycles; `confidence`, 0 to 1, ranks events by the size
     of their likely errors; `marked` is true for a mark itself; `side` is ``"left"``, ``"right"`` or
-    ``""``, as the name of the mark says, if it has one (:meth:`Phase.events_like`).
+    ``""``, as the name of the mark states (see :meth:`Phase.events_like`).
     """
 
     frame: float
@@ -216,15 +216,15 @@ class Cycles:
         Parameters
         ----------
         names : sequence of str
-            One for each column; ``knee_l`` and ``knee_r`` are a pair, as are ``LeftKnee`` and
-            ``RightKnee``. Both must have the same sign, as flexion has.
+            One name for each column; ``knee_l`` and ``knee_r`` are a pair, as are ``LeftKnee`` and
+            ``RightKnee``. Both signals must have the same sign convention, as flexion has.
 
         Returns
         -------
         Sides
-            Without pairs, and with a reason, if the two halves of the cycles are not known to be
-            the same motion of both sides. Cycles between borders should begin with an event of the
-            left side.
+            The pairs; if the two halves of the cycles are not known to be the same motion of
+            opposite sides, or if no two names differ only in the side, no pairs and a reason.
+            Cycles from :func:`cycles_between` should begin with an event of the left side.
 
         Examples
         --------
@@ -311,7 +311,8 @@ class Phase:
         other : Phase, optional
             Of another clip with the same features, such as another person's, in which to look.
         name : str
-            Of the event; the side in it, as in ``"left heel strike"``, is that of what is found.
+            Name of the event. If it states a side, as ``"left heel strike"`` does, the found events
+            have this side.
 
         Returns
         -------

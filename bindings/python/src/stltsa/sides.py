@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Left against right over a cycle."""
+"""Comparison of left and right over a cycle."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _SIDES = {lib.STLTSA_SIDE_LEFT: "left", lib.STLTSA_SIDE_RIGHT: "right"}
 
 
 def side_of_name(name: str) -> str:
-    """Return the side of the body in the name of an event, a joint or a signal.
+    """Return the side of the body that the name of an event, a joint or a signal states.
 
     Parameters
     ----------
@@ -28,7 +28,7 @@ def side_of_name(name: str) -> str:
     Returns
     -------
     str
-        ``"left"``, ``"right"``, or ``""`` if the name says none or both.
+        ``"left"``, ``"right"``, or ``""`` if the name states neither or both.
 
     Examples
     --------
@@ -40,14 +40,16 @@ def side_of_name(name: str) -> str:
 
 
 class SidePair(NamedTuple):
-    """A signal of the left side of the body and that of the right one, half a cycle later.
+    """A signal of the left side of the body and the same one of the right side half a cycle later.
 
-    `left` and `right` are names, `left_column` and `right_column` where they are among the signals.
-    `rms` is the root mean square of left less right, `chance` what it would be by the spread
-    between cycles alone; `mean` is the mean of left less that of right; ranges go from lowest to
-    highest. `shift` is the share of the cycle by which right comes later than half a cycle after
-    left, `correlation` that of the curves with the shift removed. NaN is unknown: curves that are
-    not alike (correlation below 0.7) have no shift, and those that do not move no correlation.
+    `left` and `right` are names; `left_column` and `right_column` are the columns of the signals.
+    `rms` is the root mean square of left minus right, and `chance` the value expected from the
+    spread between cycles alone. `mean` is the mean of left minus the mean of right. The ranges are
+    the highest minus the lowest value. `shift` is the delay of right beyond half a cycle after
+    left, as a share of the cycle (-0.25 to 0.25). `correlation` is that of the curves after the
+    shift is removed. NaN means unknown: `shift` if the curves are not alike (correlation below
+    0.7), and both if a curve does not move. `rms`, `chance`, `mean` and the ranges are in the unit
+    of the signals.
     """
 
     left: str
@@ -64,7 +66,7 @@ class SidePair(NamedTuple):
 
     @property
     def range_difference(self) -> float:
-        """Range of left less that of right."""
+        """Range of left minus range of right."""
         return self.left_range - self.right_range
 
 
@@ -74,10 +76,10 @@ class Sides(tuple[SidePair, ...]):
     Attributes
     ----------
     left, right, difference : ndarray of shape (samples, pairs)
-        Mean curves; the right ones are half a cycle ahead, and mirrored if they are of features;
-        left less right.
+        Mean curves and left minus right. The right curves are shifted by half a cycle and, for
+        features, mirrored.
     reason : str
-        Why there are no pairs; "" if there are.
+        The reason if there are no pairs; "" if there are pairs.
     """
 
     left: FloatArray

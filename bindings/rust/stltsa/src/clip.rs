@@ -234,10 +234,10 @@ impl Clip {
         })
     }
 
-    /// Says where a clip from arrays is from: its path in messages and results.
+    /// Sets the path that messages and results give for a clip made from arrays.
     ///
     /// # Errors
-    /// A path with a NUL.
+    /// [`Argument`](crate::ErrorKind::Argument) if the path contains a NUL.
     pub fn set_path(&mut self, path: &str) -> Result<()> {
         let path = c_name(path)?;
         // SAFETY: a live handle that nothing else uses, and a string that lives through the call.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-//! [`Sides`]: left against right over a cycle.
+//! [`Sides`]: comparison of left and right over a cycle.
 
 use std::ffi::CString;
 
@@ -23,7 +23,7 @@ pub enum Side {
 }
 
 impl Side {
-    /// The side in the name of an event, a joint or a signal; `None` if it says none or both.
+    /// The side that the name of an event, a joint or a signal states; `None` if neither or both.
     ///
     /// ```
     /// use stltsa::Side;
@@ -43,7 +43,7 @@ impl Side {
     }
 }
 
-/// A signal of the left side and that of the right one, half a cycle later. NaN is unknown.
+/// A signal of the left side and the same one of the right side half a cycle later. NaN: unknown.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct SidePair {
@@ -55,43 +55,43 @@ pub struct SidePair {
     pub left_column: usize,
     /// Column of the right signal.
     pub right_column: usize,
-    /// Root mean square of left less right.
+    /// Root mean square of left minus right.
     pub rms: f64,
-    /// What it would be by the spread between cycles alone.
+    /// `rms` expected from the spread between cycles alone.
     pub chance: f64,
-    /// Mean of left, less that of right.
+    /// Mean of left minus mean of right.
     pub mean: f64,
-    /// From the lowest to the highest value of left.
+    /// Highest minus lowest value of left.
     pub left_range: f64,
-    /// The same of right.
+    /// Highest minus lowest value of right.
     pub right_range: f64,
-    /// By which share of the cycle right comes later than half a cycle after left; NaN if the
-    /// curves are not alike.
+    /// Delay of right beyond half a cycle after left, as a share of the cycle, -0.25 to 0.25; NaN if
+    /// the curves are not alike.
     pub shift: f64,
-    /// Of the curves with the shift removed.
+    /// Correlation of the curves after the shift is removed.
     pub correlation: f64,
 }
 
-/// Left against right, with mean curves over the cycle: samples x pairs, the right ones half a cycle
-/// ahead.
+/// A comparison of left and right, with mean curves over the cycle, samples x pairs; the right curves
+/// are shifted by half a cycle.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct Sides {
-    /// In the order of the left columns.
+    /// The pairs, in the order of the left columns.
     pub pairs: Vec<SidePair>,
     /// Curves of the left side.
     pub left: Matrix,
     /// Curves of the right side.
     pub right: Matrix,
-    /// Left less right.
+    /// Left minus right.
     pub difference: Matrix,
-    /// Why there are no pairs; empty if there are.
+    /// The reason if there are no pairs; empty if there are pairs.
     pub reason: String,
 }
 
 impl Phase {
-    /// Compares the features of one label (0 for A) of the clip that the phase is of, such as
-    /// positions of joints: left with the mirror image of right.
+    /// Compares the features of one label (0 for A), such as positions of joints: left with the
+    /// mirror image of right. `clip` is the clip that the phase was found in.
     ///
     /// # Errors
     /// [`Argument`](crate::ErrorKind::Argument) if the label has neither cycles nor repetitions.
@@ -116,8 +116,8 @@ impl Phase {
 }
 
 impl Cycles {
-    /// Compares signals whose names differ in the side only, such as `knee_l` and `knee_r`; one name
-    /// for each column. Both must have the same sign, as flexion has.
+    /// Compares signals whose names differ only in the side, such as `knee_l` and `knee_r`; one name
+    /// for each column. Both signals must have the same sign convention, as flexion has.
     ///
     /// # Errors
     /// [`Shape`](crate::ErrorKind::Shape) unless there is one name for each column.

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Read a file for the command ``stltsa``: ``python -m stltsa.readers FILE FPS``, or its events.
 
-Standard output has the arrays from which the command makes the same clip, to the bit. The first
-line is ``KIND SPACE ITEMS COLUMNS FRAMES RATE``: kind ``points`` (in `space` dimensions),
-``skeleton`` or ``matrix``. A line follows for each item: the name of a point, or of a joint its
-parent, 1 for an end site, offset, channels and name, between tabs. Then follow frames x columns
-numbers (float64). If FILE cannot be read, the output is a sentence that says why, and the exit
-status is 3. FPS may be empty.
+Standard output contains the arrays from which the command makes the same clip, to the bit. The
+first line is ``KIND SPACE ITEMS COLUMNS FRAMES RATE``, where the kind is ``points`` (in `space`
+dimensions), ``skeleton`` or ``matrix``. Each item has a line: the name of a point, or for a joint
+its parent, 1 for an end site, offset, channels and name, separated by tabs. Then frames x columns
+numbers follow (float64). If FILE cannot be read, the output is a message with the reason, and the
+exit status is 3. FPS may be empty.
 
 ``python -m stltsa.readers --events FILE`` writes the events of a C3D file instead, with the columns
 onset (seconds) and trial_type, separated by tabs, as in BIDS.
@@ -34,7 +34,7 @@ def _joints(clip: Clip) -> list[str]:
 
 
 def _positions(clip: Clip) -> Any:
-    """Return frames x points x space, with NaN for missing points, which features would fill."""
+    """Return frames x points x space, with NaN for missing points (features would fill them)."""
     with tempfile.TemporaryDirectory(prefix="stltsa-") as folder:
         file = Path(folder) / "clip.npy"
         clip.save(file)
@@ -42,7 +42,7 @@ def _positions(clip: Clip) -> Any:
 
 
 def _written(clip: Clip) -> bytes:
-    """Return the arrays of a clip."""
+    """Return the arrays of a clip in the format described above."""
     space, items, kind = 0, [], "matrix"
     if clip.format == "points":
         kind, values = "points", _positions(clip)

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """C3D files, by ezc3d: markers, gaps and events.
 
-A point whose residual is negative is missing. Other residuals are how far the rays of the cameras
-pass from the point, in the unit of the file; they are no confidence, and no point is left out for
-them.
+A point is missing if its residual is negative. Other residuals are distances between the cameras'
+rays and the point, in the unit of the file. They are not used as confidence, and no point is left
+out because of them.
 """
 
 from __future__ import annotations
