@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Left against right over a cycle, through the public API. */
+/* Comparison of left and right over a cycle, through the public API. */
 #include <string.h>
 
 #include "support.h"
@@ -16,7 +16,7 @@ static stltsa_side_pair pair_of(const stltsa_sides* sides, int64_t index) {
     return pair;
 }
 
-/* A swing of the left knee; the right one is larger, raised, and late by a share of the cycle. */
+/* A swing of both knees; the right one is scaled, raised, and late by a share of the cycle. */
 static stltsa_cycles* knees(double gain, double raised, double late) {
     double signals[3 * frames_of_signals], borders[cycles_of_signals + 1];
     for (int i = 0; i < frames_of_signals; ++i) {
@@ -91,7 +91,7 @@ static void known_differences_are_found(void** state) {
     stltsa_sides_free(sides);
 }
 
-/* No shift is claimed where curves have no common shape, or do not move. */
+/* Curves without a common shape, or that do not move, have no shift. */
 static void unlike_curves_have_no_shift(void** state) {
     (void)state;
     stltsa_sides* sides = compared_knees(0, 1, 0);
@@ -161,7 +161,7 @@ static void a_symmetric_walk_differs_by_nothing(void** state) {
     assert_true(stltsa_sides_count(sides) > 20);
     for (int64_t i = 0; i < stltsa_sides_count(sides); ++i) {
         const stltsa_side_pair pair = pair_of(sides, i);
-        /* Of steps of 70 cm; 0.02 cm measured. */
+        /* With steps of 70 cm; 0.02 cm measured. */
         assert_below(pair.rms, 0.1, "rms (cm)");
         assert_below(fabs(pair.mean), 0.1, "mean (cm)");
         if (pair.left_range > 5)
@@ -178,7 +178,7 @@ static void a_symmetric_walk_differs_by_nothing(void** state) {
     closed(w);
 }
 
-/* The walker's joints as points, those of the right side renamed and raised. */
+/* The joints of the walker as points; those of the right side are renamed and raised. */
 static walk walk_of_points(const char* right, double raised) {
     stltsa_clip *clip = NULL, *points = NULL;
     must(stltsa_clip_open(walker_path, NULL, &clip));

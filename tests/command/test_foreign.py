@@ -23,14 +23,14 @@ NAMES = ("hip", "knee", "toe")
 
 
 def positions():
-    """Three points of a leg that swings."""
+    """Rows of three points of a swinging leg."""
     for i in range(400):
         turn = 2 * math.pi * i / 100
         yield [math.sin(turn + k) / 3 + axis + 0.1 * k for k in range(3) for axis in (0, 1, 2)]
 
 
 def skeleton():
-    """The lines of joints, and channels."""
+    """The lines of the joints, and the rows of channels."""
     lines = ["-1\t0\t0.0\t0.9\t0.0\ttx ty tz rz rx ry\tHips", "0\t0\t0.1\t-0.4\t0.0\trx\tKnee",
              "1\t1\t0.0\t-0.45\t0.0\t\tend"]  # fmt: skip
     rows = [[0, 0.9, 0, 0, 30 * math.sin(i / 16), 0, 20 * math.cos(i / 16)] for i in range(400)]
@@ -61,7 +61,7 @@ class Foreign(CommandTest):
         return run(*arguments, env=plain_environment(STLTSA_PYTHON=str(reader)))
 
     def same(self, there, here):
-        """The same result, apart from where the clip is from."""
+        """The results are equal apart from the path of the clip."""
         self.assertEqual((there.returncode, here.returncode), (0, 0), there.stderr + here.stderr)
         found, expected = json.loads(there.stdout), json.loads(here.stdout)
         self.assertEqual(found["clip"].pop("path"), str(self.folder / "walk.c3d"))

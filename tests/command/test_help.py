@@ -38,7 +38,7 @@ class Help(CommandTest):
             for words in (("--help",), *((command, "--help") for command in COMMANDS)):
                 lines = self.done(*words, env=environment).decode().splitlines()
                 long = [line for line in lines if len(line) > columns]
-                # Commands to copy keep their line.
+                # Commands to copy are not wrapped.
                 self.assertEqual([x for x in long if not x.startswith("  stltsa ")], [], words)
                 self.assertFalse(any("  " in x.strip() for x in long), long)
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Counts the allocations of a program, and makes one of them fail. Included once in each program.
-// The C functions are replaced, for every library in the process: operator new calls them, and so
-// do LAPACKE, CHOLMOD, zlib, libstdc++ and the C library's own directories and streams.
+// Replaces the C functions for every library in the process: operator new, LAPACKE, CHOLMOD, zlib,
+// libstdc++, and the directories and streams of the C library call them.
 #pragma once
 
 #include <atomic>
@@ -27,8 +27,8 @@ namespace {
 std::atomic<std::int64_t> live{0};
 std::atomic<std::int64_t> until_failure{-1}; // negative: never
 
-/// Where the code of libraries lies that end the process themselves if an allocation fails
-/// (docs/robustness.md): their own allocations succeed.
+/// Address ranges of libraries that end the process if an allocation fails (docs/robustness.md);
+/// their own allocations always succeed.
 struct Spared {
     const char* name;
     std::uintptr_t begin = 0, end = 0;
@@ -49,7 +49,7 @@ Spared spared[] = {{"libopenblas"}, {"libgomp"}};
     return 0;
 }
 
-/// `caller`: of the allocation.
+/// `caller`: the code that allocates.
 bool refused(void* caller) {
     if (until_failure.load() < 0 || until_failure.fetch_sub(1) != 0)
         return false;

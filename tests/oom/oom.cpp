@@ -306,7 +306,7 @@ stltsa_status synthesize(const std::string&) {
 struct Run {
     stltsa_status status;
     bool failed;         ///< an allocation failed
-    std::int64_t leaked; ///< allocations
+    std::int64_t leaked; ///< number of allocations that were not freed
 };
 
 Run run_with_failure(const Work& work, const std::string& input, std::int64_t n) {
@@ -326,7 +326,7 @@ bool survives(const Work& work, const std::string& input, std::int64_t step) {
     std::int64_t failures = 0, tried = 0;
     for (std::int64_t n = 0;; n += step, ++tried) {
         Run run = run_with_failure(work, input, n);
-        if (run.leaked != 0) // something that a library makes once and keeps does not repeat itself
+        if (run.leaked != 0) // what a library allocates once and keeps does not leak again
             run = run_with_failure(work, input, n);
         if (run.leaked != 0) {
             std::printf("%s: failing allocation %lld leaks %lld\n", work.name,
@@ -356,7 +356,7 @@ bool survives(const Work& work, const std::string& input, std::int64_t step) {
 
 } // namespace
 
-/// Usage: test_oom [STEP]: only every STEP-th allocation fails, for a quick look.
+/// Usage: test_oom [STEP]: only every STEP-th allocation fails, for a quick run.
 int main(int count, char** arguments) {
     const std::int64_t step = count > 1 ? std::atoll(arguments[1]) : 1;
     std::vector<Work> works = {{"decompose", decompose},    {"save", save},

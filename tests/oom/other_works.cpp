@@ -7,10 +7,10 @@
 
 namespace {
 
-/// Calls one after the other, until one fails.
+/// Makes calls in order until one fails.
 class Calls {
   public:
-    /// `call` is made only if none has failed. Afterwards the handle must be NULL if it failed.
+    /// Makes `call` only if no call has failed. If it fails, the handle must be NULL afterwards.
     template <class Call, class Handle>
     void make(const Call& call, Handle*& handle) {
         if (status_ != STLTSA_OK)
@@ -32,7 +32,7 @@ class Calls {
 };
 
 constexpr std::int64_t frames = 150;
-double room[1 << 16]; ///< outputs that nobody reads
+double room[1 << 16]; ///< memory for outputs that are not read
 double more_room[1 << 16];
 
 stltsa_out out(std::int64_t rows, std::int64_t cols, double* to = room) {
@@ -57,7 +57,7 @@ const double* waves() {
     return made;
 }
 
-/// What every work may use; made while there is memory.
+/// Handles for all works, made before allocations fail.
 struct Kept {
     stltsa_clip *matrix = nullptr, *points = nullptr, *body = nullptr;
     stltsa_decomposition* parts = nullptr;
@@ -249,7 +249,7 @@ stltsa_status read_parts(const std::string&) {
     calls.make([&] { return stltsa_decomposition_cycle(parts, 0, &interval); });
     calls.make([&] { return stltsa_decomposition_summary(parts, 0, &summary); });
     calls.make([&] { return stltsa_decomposition_part(parts, STLTSA_PART_CYCLE, 0, &part); });
-    // A matrix of bare numbers travels nowhere; no text of these belongs to the caller.
+    // A matrix of bare numbers has no travel. The caller owns none of these texts.
     stltsa_decomposition_travel(parts, STLTSA_PART_CYCLE, 0, &travel);
     stltsa_decomposition_statistics(parts, STLTSA_PART_CYCLE, 0, -1, STLTSA_QUANTITY_TIME,
                                     &statistics);

@@ -7,12 +7,12 @@
 
 #include "stltsa.h"
 
-/// Returns the status of the first failed call; 1 if a failed call left a handle. The first run of
-/// a work, and those during which no allocation fails, must succeed.
+/// Returns the status of the first failed call, or 1 if a failed call left a handle. The first run
+/// of a work, and runs in which no allocation fails, must succeed.
 struct Work {
     const char* name;
     stltsa_status (*run)(const std::string& input);
-    bool allocates = true; ///< else no allocation may fail in it
+    bool allocates = true; ///< if false, the work must not allocate
 };
 
 /// The functions that the works of oom.cpp do not call (scripts/check-tested compares the calls

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Calls of many threads at once: fits in all modes, some of them cancelled; one model that several
-// threads map with, unmap and write; streams; decompositions; and a fork between calls. Each thread
-// must find what one thread alone finds.
+// Calls of many threads at the same time: fits in all modes, some of them cancelled; one model with
+// which several threads map and unmap, and which they write; streams; decompositions; and a fork
+// between calls. Each thread must get the same results as one thread alone.
 // Usage: test_threads [ROUNDS [no-fork]]
-//        test_threads soak SECONDS: again and again; memory, open files and threads must not grow
+//        test_threads soak SECONDS: repeats the calls; memory, open files and threads must not grow
 #include <atomic>
 #include <chrono>
 #include <cmath>
@@ -42,7 +42,7 @@ std::int32_t count_down(void* left, std::int32_t, double) {
     return --*static_cast<int*>(left) < 0 ? 1 : 0;
 }
 
-/// Coordinates of a fit; empty if it was cancelled. `left`: callbacks until then.
+/// Coordinates of a fit; empty if it was cancelled. `left`: callbacks until it is cancelled.
 std::vector<double> fitted(std::int64_t mode, std::int64_t threads, int left) {
     stltsa_options* options = nullptr;
     stltsa_model* model = nullptr;
@@ -67,10 +67,10 @@ std::vector<double> fitted(std::int64_t mode, std::int64_t threads, int left) {
     return coords;
 }
 
-/// What all threads share; used as const handles only.
+/// Handles that all threads share, used only as const.
 struct Shared {
     stltsa_clip* clip = nullptr;
-    stltsa_model* model = nullptr; ///< its parts for mapping are made at the first use
+    stltsa_model* model = nullptr; ///< its data for mapping are made at the first use
     stltsa_decomposition* parts = nullptr;
     stltsa_phase* phase = nullptr;
 
@@ -144,7 +144,7 @@ std::vector<double> decomposed(const Shared& shared) {
     return borders;
 }
 
-/// Threads that the library started would be missing in the child, which would wait for them.
+/// If the library kept threads, they would be missing in the child, which would wait for them.
 void check_fork(const Shared& shared) {
     const pid_t child = ::fork();
     if (child == 0) {
@@ -167,7 +167,7 @@ const Work works[] = {[](const Shared&) { return fitted(STLTSA_MODE_TEMPORAL, 2,
                       streamed,
                       decomposed};
 
-/// What each of them gives alone.
+/// The result of each work alone.
 std::vector<std::vector<double>> expected;
 
 /// A number of /proc/self/status, such as VmRSS in kB.
@@ -191,7 +191,7 @@ struct Usage {
     long kilobytes = from_status("VmRSS"), threads = from_status("Threads"), files = open_files();
 };
 
-/// All works at once, on handles that were never used before.
+/// Runs all works at the same time, on handles that were not used before.
 void run_round(bool with_fork) {
     const Shared shared;
     std::vector<std::thread> threads;
@@ -203,7 +203,7 @@ void run_round(bool with_fork) {
         check_fork(shared);
 }
 
-/// The heap has found its size after a tenth of the time; then it may grow by a twentieth.
+/// After a tenth of the time, the heap has its final size; from then on it may grow by a twentieth.
 void soak(double seconds) {
     const auto start = std::chrono::steady_clock::now();
     const auto passed = [&] {

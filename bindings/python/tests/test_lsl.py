@@ -12,7 +12,7 @@ EXAMPLE = Path(__file__).resolve().parents[3] / "examples" / "live_lsl.py"
 
 try:
     import pylsl  # noqa: F401
-except (ImportError, RuntimeError) as error:  # RuntimeError: it has no liblsl
+except (ImportError, RuntimeError) as error:  # RuntimeError: liblsl is missing
     pytest.skip(f"pylsl does not work here: {error}", allow_module_level=True)
 
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* A program that was written for 0.1.0: it is compiled with the header of that version, which lies
- * beside it, and linked and run with the library of now. It needs every function of 0.1.0 to be
- * there, and passes every struct by value or by pointer, so that another layout would show.
+/* A program written for 0.1.0. It is compiled with the header of that version in the same folder,
+ * and linked and run with the current library. It requires every function of 0.1.0, and passes
+ * every struct by value or by pointer, so a changed layout makes it fail.
  *
  *     program CLIP
  */

@@ -78,7 +78,7 @@ void points_come_and_go(void**) {
     for (std::int64_t i = 200; i < 210; ++i) // none is seen
         for (std::int64_t p = 0; p < 4; ++p)
             clip.values(i, 3 * p) = std::numeric_limits<double>::quiet_NaN();
-    for (std::int64_t i = 100; i < 120; ++i) // missing as C3D files have it
+    for (std::int64_t i = 100; i < 120; ++i) // missing, as in C3D files
         for (std::int64_t axis = 0; axis < 3; ++axis)
             clip.values(i, axis) = 0;
     check_round_walk(clip, Axis::z, 0.1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Files whose writers or readers die, and tables that spreadsheets would compute.
+// Files whose writers or readers end early, and tables with names that look like formulas.
 #include "clip/testing.hpp"
 
 #include <csignal>
@@ -33,7 +33,7 @@ std::int64_t files_in(const std::string& folder) {
     return std::distance(fs::directory_iterator(folder), {});
 }
 
-/// A process that writes one content after the other until it is killed.
+/// A process that writes two contents in turn until it is killed.
 pid_t writer(const std::string& path, const std::string& a, const std::string& b) {
     const pid_t child = ::fork();
     if (child == 0)
@@ -61,7 +61,7 @@ void a_killed_writer_leaves_one_of_the_two(void**) {
         changed += now != before;
         before = now;
     }
-    assert_true(changed > 0); // else nothing was written at all
+    assert_true(changed > 0); // otherwise nothing was written
 }
 
 void what_killed_writers_left_is_deleted(void**) {
@@ -93,7 +93,7 @@ void a_pipe_whose_reader_left_is_an_error(void**) {
     const TemporaryFolder folder;
     const std::string path = folder.path("pipe"), bytes(1 << 20, 'x'); // more than a pipe holds
     assert_int_equal(::mkfifo(path.c_str(), 0600), 0);
-    (void)std::signal(SIGPIPE, SIG_DFL); // which would end this program
+    (void)std::signal(SIGPIPE, SIG_DFL); // a SIGPIPE would end this program
     const pid_t reader = ::fork();
     if (reader == 0) {
         char byte = 0;
@@ -115,7 +115,7 @@ void a_dangling_link_is_followed(void**) {
     write_file(folder.path("link"), "new");
     assert_true(fs::is_symlink(folder.path("link")));
     assert_true(content_of(folder.path("target")) == "new");
-    // A link that leads to itself leads nowhere.
+    // A link that points to itself is never resolved.
     fs::create_symlink("loop", folder.path("loop"));
     ASSERT_FAILS(Status::io, "cannot write", write_file(folder.path("loop"), "new"));
 }
@@ -132,7 +132,7 @@ void names_are_no_formulas(void**) {
                         "\"'=HYPERLINK('http://x')\",\"'+1+1\",\"'-2+3\",\"'@SUM(1)\","
                         "\"''=1\",plain,\"'s\"");
     const Clip back = parse(text, Format::csv);
-    clip.channel_names[0] = "=HYPERLINK('http://x')"; // a cell in quotes holds none
+    clip.channel_names[0] = "=HYPERLINK('http://x')"; // a quoted cell contains no double quotes
     assert_true(back.channel_names == clip.channel_names);
     assert_true(stltsa::text_cell("\t=1") == "'\t=1" && stltsa::text_cell("a=1") == "a=1");
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Eigenproblems of several threads at once have the eigenpairs that each has alone. Built a second
-// time with STLTSA_TEST_WITHOUT_ARPACK_LOCK, this must fail: ARPACK keeps its state in static
-// variables. The alarm is for that program, which may never end.
+// Several threads that solve eigenproblems at the same time get the same eigenpairs as one thread.
+// The build with STLTSA_TEST_WITHOUT_ARPACK_LOCK must fail, because ARPACK keeps its state in
+// static variables. The alarm is for that build, which may never end.
 #ifdef STLTSA_TEST_WITHOUT_ARPACK_LOCK
 #include "linalg/arpack.cpp" // instead of the one in the library
 #else

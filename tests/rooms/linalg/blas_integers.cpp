@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A BLAS of 64-bit integers is refused before it is used.
+// A BLAS with 64-bit integers is refused before it is used.
 #include "../assertions.hpp"
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace {
 
-/// Of the functions below: integers of 8 bytes instead of 4.
+/// Whether the functions below take integers of 8 bytes instead of 4.
 bool long_blas = false, long_lapack = false;
 
 std::int64_t integer(const std::int32_t* at, bool is_long) {
@@ -23,7 +23,7 @@ std::int64_t integer(const std::int32_t* at, bool is_long) {
 
 } // namespace
 
-// In place of the functions of the same names in BLAS and LAPACK.
+// These replace the functions of the same names in BLAS and LAPACK.
 extern "C" {
 double ddot_(const std::int32_t* count, const double* x, const std::int32_t*, const double* y,
              const std::int32_t*) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Smoothing that takes long can be stopped.
+// Smoothing that takes a long time can be cancelled.
 #include "../assertions.hpp"
 
 #include <cmath>

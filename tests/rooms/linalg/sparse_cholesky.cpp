@@ -34,7 +34,7 @@ SparseColumns columns(std::int64_t order, const Entries& entries) {
     return matrix;
 }
 
-/// A graph's Laplacian, whose rows have the sum zero, plus `more` on the diagonal.
+/// The Laplacian of a graph, whose rows sum to zero, plus `more` on the diagonal.
 class Graph {
   public:
     explicit Graph(std::int64_t order, double more) : order_(order) {
@@ -132,7 +132,7 @@ void grids_and_random_graphs_are_solved(void**) {
     }
 }
 
-/// A solution is known up to the null vector, which the shift keeps from becoming infinite.
+/// The solution is determined up to the null vector; the shift keeps that part finite.
 void singular_matrices_get_a_shift(void**) {
     Graph ring(300, 0);
     for (std::int64_t i = 0; i < 300; ++i)

@@ -101,7 +101,7 @@ void another_recording_has_them_too(void**) {
     assert_true(worst(events, 0.35) < 1);
 }
 
-/// A part of the body that jerks at a phase: templates follow it.
+/// Adds a jerk of one part of the body at a phase; templates follow it.
 Matrix jerking(double at, unsigned seed) {
     Matrix samples = motion(0.005, seed);
     for (std::int64_t i = 0; i < samples.rows(); ++i) {
@@ -219,8 +219,8 @@ void marks_in_another_motion_are_doubted(void**) {
     assert_true(error_by(40) > 1.5 * error_by(240));
 }
 
-/// Cycles from the fourth turn on; before them, the motion is slower, and some columns are late, as
-/// arms are in the first step of a walk.
+/// Cycles begin at the fourth turn. Before it, the motion is slower and some columns are late, like
+/// the arms in the first step of a walk.
 void first_steps_follow_the_parts_that_move(void**) {
     const auto phase_of_row = [](double row) {
         return row < 108 ? 3 + (row - 108) / 48 : row / 36;

@@ -220,7 +220,7 @@ void no_cycle_is_lost_at_the_ends(void**) {
     }
 }
 
-/// What is before a hole, and what is after it, keep their cycles.
+/// Cycles before and after a hole are kept.
 void a_hole_takes_no_cycle_beside_it(void**) {
     const Matrix samples = Recorder().rest(1).cycles(15, 1.1, 0).rest(1).samples();
     const Recording whole = answer(samples);
@@ -235,7 +235,8 @@ void a_hole_takes_no_cycle_beside_it(void**) {
                     std::lerp(samples(begin - 1, c), samples(begin + length, c),
                               static_cast<double>(i + 1) / static_cast<double>(length + 1));
         const Recording found = analyze(bridged.view(), fps, options, Progress());
-        // The hole touches two, and one more is lost where cycles now begin half a cycle later.
+        // The hole touches two cycles; one more is lost if the cycles after it begin half a cycle
+        // later.
         assert_true(found.cycles.size() + 3 >= whole.cycles.size());
         for (const Cycle& cycle : found.cycles)
             assert_true(cycle.end <= options.holes[0].begin + 1 ||

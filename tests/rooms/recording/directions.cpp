@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The directions of recordings of few and of very many columns.
+// Directions of recordings with few and with very many columns.
 #include "testing.hpp"
 
 #include "base/error.hpp"
@@ -36,7 +36,7 @@ bool is_cancelled(const Work& work) {
     }
 }
 
-/// Both are orthonormal columns.
+/// Checks that two sets of orthonormal columns span the same space.
 void check_same_span(const Matrix& a, const Matrix& b) {
     assert_int_equal(a.cols(), b.cols());
     for (std::int64_t j = 0; j < a.cols(); ++j) {
