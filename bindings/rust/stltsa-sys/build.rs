@@ -32,8 +32,8 @@ fn main() {
         }
         Err(error) => stop(&format!(
             "libstltsa was not found: {error}\n\
-             Install it with its header; if it is in a non-standard place, set PKG_CONFIG_PATH to the \
-             folder that contains stltsa.pc. Or build it with the feature `vendored`."
+             Install it with its header; if it is not in a standard place, set PKG_CONFIG_PATH to \
+             the folder that contains stltsa.pc. Or build it with the feature `vendored`."
         )),
     }
 }
@@ -60,8 +60,8 @@ fn build_library() -> PathBuf {
     println!("cargo:rerun-if-changed=libstltsa");
     if variable("HOST") != variable("TARGET") {
         stop(
-            "The feature `vendored` does not cross-compile: for another machine, install libstltsa \
-             there and let pkg-config find it.",
+            "The feature `vendored` does not cross-compile: install libstltsa for the target, and let \
+             pkg-config find it.",
         );
     }
     let source = Path::new(&variable("CARGO_MANIFEST_DIR")).join("libstltsa");
@@ -88,14 +88,15 @@ fn build_library() -> PathBuf {
 fn meson(command: &mut Command) {
     let output = command.output().unwrap_or_else(|error| {
         stop(&format!(
-            "The feature `vendored` needs Meson, Ninja and a C++20 compiler: cannot run meson: {error}"
+            "The feature `vendored` needs Meson, Ninja and a C++20 compiler; cannot run meson: {error}"
         ))
     });
     eprint!("{}", String::from_utf8_lossy(&output.stdout));
     eprint!("{}", String::from_utf8_lossy(&output.stderr));
     if !output.status.success() {
         stop(
-            "libstltsa was not built; the output of Meson above names the reason. The Debian packages for it: \
+            "libstltsa was not built; the output of Meson above names the reason. The build needs \
+             these Debian packages: \
              g++ meson ninja-build pkg-config libarpack2-dev libfmt-dev liblapacke-dev \
              libopenblas-dev libsuitesparse-dev zlib1g-dev.",
         );
