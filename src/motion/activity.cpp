@@ -61,8 +61,7 @@ bool is_moving(double level) {
     return level > moving_level;
 }
 
-Activity measure_activity(ConstMatrixView samples, double fps,
-                          const std::function<void()>& poll) {
+Activity measure_activity(ConstMatrixView samples, double fps, const std::function<void()>& poll) {
     Activity activity;
     activity.speed = pose_speed(samples, speed_smoothing_s * fps, poll);
     activity.typical = typical_speed(activity.speed);

@@ -117,7 +117,8 @@ void show_first_coordinate(const Embedding& embedding, double cycle, double fps,
 Decomposition decompose(ConstMatrixView samples, double fps, const DecomposeOptions& options,
                         const Progress& progress) {
     check(samples, fps);
-    const Activity activity = measure_activity(samples, fps, [&] { progress.report(Stage::features, 1); });
+    const Activity activity =
+        measure_activity(samples, fps, [&] { progress.report(Stage::features, 1); });
     const Period period = find_period(samples, activity, fps, options.shortest_period,
                                       options.longest_period, progress);
     const double cycle = period.samples > 0 ? period.samples : usual_cycle_s * fps;

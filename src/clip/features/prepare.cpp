@@ -74,7 +74,8 @@ Prepared prepare(const Clip& clip, const PrepareOptions& options) {
         kept = all.view();
     }
     if (prepared.step > 1) {
-        prepared.samples = gaussian_smoothed(kept, sigma, Beyond::reflection, prepared.step, options.poll);
+        prepared.samples =
+            gaussian_smoothed(kept, sigma, Beyond::reflection, prepared.step, options.poll);
         return prepared;
     }
     prepared.samples = kept.rows == all.rows() ? std::move(all) : copied(kept);
@@ -87,7 +88,8 @@ Matrix smoothed_features(const Clip& clip, Features kind, Axis up, double smooth
                          bool drop_tpose, const std::function<void()>& poll) {
     const Matrix all = features(clip, kind, up);
     const std::int64_t first = dropped_frames(clip, all, drop_tpose);
-    const Matrix smoothed = smoothed_rows(clip, from_row(all, first), first, smoothing * clip.fps, poll);
+    const Matrix smoothed =
+        smoothed_rows(clip, from_row(all, first), first, smoothing * clip.fps, poll);
     Matrix result = copied(all.view());
     std::copy_n(smoothed.data(), smoothed.rows() * smoothed.cols(), result.row(first));
     return result;
