@@ -125,7 +125,7 @@ void files_that_cannot_be_read(void**) {
     const TemporaryFolder folder;
     ASSERT_FAILS(Status::io, "none.bvh: cannot open: No such file",
                  stltsa::clip::read(folder.path("none.bvh"), {}));
-    ASSERT_FAILS(Status::io, "the folder itself to stltsa batch",
+    ASSERT_FAILS(Status::io, "give the folder to stltsa batch",
                  stltsa::clip::read(folder.path(""), {}));
     ASSERT_FAILS(Status::format,
                  "bad.bvh:1:", stltsa::clip::read(folder.write("bad.bvh", "x\n"), {}));
