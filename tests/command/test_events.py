@@ -81,7 +81,7 @@ class Events(CommandTest):
     def test_files_that_hold_no_labels(self):
         path = self.folder / "other.csv"
         path.write_text("x,y\n1,2\n")
-        self.assertIn("columns with seconds", self.fails(3, "events", walk(), "--mark", path))
+        self.assertIn("a column of seconds", self.fails(3, "events", walk(), "--mark", path))
         path.write_text("clip,name,seconds\nanother.bvh,strike,2.1\n")
         self.assertIn("no labels for the clip", self.fails(3, "events", walk(), "--mark", path))
         absent = self.folder / "absent.tsv"
