@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """AMASS files: rotations of the body joints of a SMPL, SMPL-H or SMPL-X skeleton.
 
-The file has rotations and no lengths of bones, which come from a body model with its own licence.
+The file has rotations and no lengths of bones, which come from a body model with its own license.
 The usual proportions of an adult stand in for them; give `offsets` to use those of a model.
 """
 
