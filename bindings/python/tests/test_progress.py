@@ -107,10 +107,10 @@ def heeded_interrupts():
 def test_ctrl_c(long_motion):
     timer = threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT))
     timer.start()
-    start = time.monotonic()
+    start = time.process_time()  # what other processes use does not count
     with pytest.raises(KeyboardInterrupt):
         stltsa.fit(long_motion, neighbors=400, threads=1)
-    assert time.monotonic() - start < 2
+    assert time.process_time() - start < 2
     timer.join()
 
 
