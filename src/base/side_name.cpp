@@ -14,10 +14,25 @@ bool is_letter(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
+/// Whether a letter ends before a place, or begins at it: also of another European alphabet, as in
+/// "réception" and "Rückfuß", which have no sides (UTF-8, U+00C0 to U+052F).
+bool is_other_letter(char lead) {
+    const auto byte = static_cast<unsigned char>(lead);
+    return byte >= 0xC3 && byte <= 0xD4;
+}
+
+bool letter_before(std::string_view name, std::size_t at) {
+    return at > 0 && (is_letter(name[at - 1]) || (at > 1 && is_other_letter(name[at - 2])));
+}
+
+bool letter_at(std::string_view name, std::size_t at) {
+    return at < name.size() && (is_letter(name[at]) || is_other_letter(name[at]));
+}
+
 /// Whether the letter at a place may stand for a side: it is a word, or before one in capitals.
 bool may_be_side(std::string_view name, std::size_t at, bool first_letter) {
-    const bool begins = at == 0 || !is_letter(name[at - 1]);
-    const bool ends = at + 1 == name.size() || !is_letter(name[at + 1]);
+    const bool begins = !letter_before(name, at);
+    const bool ends = !letter_at(name, at + 1);
     const bool before_word = at + 1 < name.size() && name[at + 1] >= 'A' && name[at + 1] <= 'Z';
     return begins && (ends || before_word || (first_letter && at == 0));
 }
@@ -48,7 +63,7 @@ Side side_of_letter(char letter) {
 
 /// Whether a word begins at a place: at a capital after lowercase letters, or after a non-letter.
 bool begins_word(std::string_view name, std::size_t at) {
-    if (at == 0 || !is_letter(name[at - 1]))
+    if (!letter_before(name, at))
         return true;
     const bool after_small = name[at - 1] >= 'a' && name[at - 1] <= 'z';
     return after_small && name[at] >= 'A' && name[at] <= 'Z';
@@ -59,6 +74,13 @@ bool begins_word(std::string_view name, std::size_t at) {
 /// follows L or R; in abbreviations it seldom does.
 bool is_side_letter(std::string_view name, std::size_t at) {
     constexpr std::string_view not_after = "AEIOU0123456789";
+    constexpr std::string_view abbreviations[] = {"ON", "OFF", "IC"}; // of contacts with the ground
+    std::size_t end = at + 1;
+    while (end < name.size() && is_letter(name[end]))
+        ++end;
+    for (const std::string_view word : abbreviations)
+        if (name.substr(at + 1, end - at - 1) == word)
+            return true;
     if (at + 1 == name.size() || not_after.find(name[at + 1]) == not_after.npos)
         return true;
     return at + 2 < name.size() && name[at + 2] >= 'a' && name[at + 2] <= 'z' &&

@@ -8,6 +8,7 @@
 
 #include "base/side_name.hpp"
 #include "clip/arrays/mirror.hpp"
+#include "clip/features/column_owners.hpp"
 #include "clip/features/drift.hpp"
 #include "clip/features/points.hpp"
 
@@ -176,6 +177,10 @@ ComparedSides compare_sides(const clip::Clip& clip, const Phased& phased, std::i
         return compared(own, own, phased.owners, true);
     try {
         auto [image, turned] = image_of(clip, phased, prepare, progress);
+        if (image.cols() != phased.rows.cols() ||
+            clip::column_owners(clip, phased.samples.features) != phased.owners)
+            fail(Status::argument,
+                 "the phase is not of this clip: its joints or points are others");
         if (const Level level = level_of(clip, phased, turned); level.width > 0)
             turn_to(own, resample(phased, label, image.view(), samples), level, image);
         return compared(own, resample(phased, label, image.view(), samples), phased.owners, true);

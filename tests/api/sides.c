@@ -240,6 +240,23 @@ static void sides_without_names_are_not_compared(void** state) {
     closed(w);
 }
 
+static void the_phase_of_another_clip_is_refused(void** state) {
+    (void)state;
+    stltsa_clip* clip = NULL;
+    must(stltsa_clip_open(walker_path, NULL, &clip));
+    walk skeleton = walk_of(clip), points = walk_of_points("Right", 0);
+    const walk mixed[] = {{skeleton.clip, NULL, points.phase}, {points.clip, NULL, skeleton.phase}};
+    for (int i = 0; i < 2; ++i) {
+        stltsa_sides* sides = NULL;
+        const stltsa_status status =
+            stltsa_sides_find(mixed[i].clip, mixed[i].phase, 0, 101, NULL, &sides);
+        assert_int_equal(status, STLTSA_E_ARGUMENT);
+        assert_null(sides);
+    }
+    closed(skeleton);
+    closed(points);
+}
+
 static void names_say_the_side(void** state) {
     (void)state;
     static const struct {
@@ -261,6 +278,13 @@ static void names_say_the_side(void** state) {
                  {"LAND", STLTSA_SIDE_NONE},
                  {"from left to right", STLTSA_SIDE_NONE},
                  {"L or R", STLTSA_SIDE_NONE},
+                 {"LON", STLTSA_SIDE_LEFT},
+                 {"ROFF", STLTSA_SIDE_RIGHT},
+                 {"LIC", STLTSA_SIDE_LEFT},
+                 {"r\xc3\xa9"
+                  "ception",
+                  STLTSA_SIDE_NONE},
+                 {"H\xc3\xb4t\xc3\xa9l", STLTSA_SIDE_NONE},
                  {"", STLTSA_SIDE_NONE},
                  {NULL, STLTSA_SIDE_NONE}};
     for (size_t i = 0; i < sizeof names / sizeof names[0]; ++i)
@@ -281,6 +305,7 @@ int main(int argc, char** argv) {
         cmocka_unit_test(a_symmetric_walk_differs_by_nothing),
         cmocka_unit_test(a_raised_side_is_seen_in_points),
         cmocka_unit_test(sides_without_names_are_not_compared),
+        cmocka_unit_test(the_phase_of_another_clip_is_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

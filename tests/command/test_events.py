@@ -3,6 +3,7 @@
 
 import csv
 import io
+import time
 import unittest
 
 from common import CommandTest, cut, walk
@@ -68,7 +69,8 @@ class Events(CommandTest):
     def test_labels_of_bids_and_boris(self):
         tables = {"a_events.tsv": "onset\tduration\ttrial_type\n2.1\t0\tstrike\n0.1\t0\trest\n",
                   "b.csv": "Observation id,Behavior,Behavior type,Time\r\n"
-                           "w,strike,START,2.1\r\nw,strike,STOP,2.5\r\nw,rest,POINT,0.1\r\n"}
+                           "w,strike,START,2.1\r\nw,strike,STOP,2.5\r\nw,rest,POINT,0.1\r\n",
+                  "excel.csv": "\ufeffonset,trial_type\n2.1,strike\n0.1,rest\n"}
         typed = self.json("events", walk(), "--mark", "2.1s=strike")["events"]
         for name, text in tables.items():
             path = self.folder / name
@@ -77,6 +79,18 @@ class Events(CommandTest):
             self.assertEqual(found["events"], typed)
             self.assertIn("rest is left out: none of its labels is in a motion that repeats",
                           found["warnings"][0])
+
+    def test_labels_in_a_rest_are_left_out_of_many(self):
+        rows = [f"{0.1 if i == 0 else 2.1 + 0.001 * i}\tstrike" for i in range(300)]
+        path = self.folder / "many.tsv"
+        path.write_text("\n".join(["onset\ttrial_type", *rows, ""]))
+        began = time.monotonic()
+        found = self.json("events", walk(), "--mark", path)["events"]
+        many = time.monotonic() - began
+        self.assertEqual(sum(event["marked"] for event in found), 299)
+        began = time.monotonic()
+        self.json("events", walk(), "--mark", "2.1s=strike")
+        self.assertLess(many, 60 * (time.monotonic() - began))  # 299 searches take longer
 
     def test_files_that_hold_no_labels(self):
         path = self.folder / "other.csv"
@@ -87,6 +101,9 @@ class Events(CommandTest):
         absent = self.folder / "absent.tsv"
         self.assertIn("cannot read", self.fails(3, "events", walk(), "--mark", absent))
         self.assertIn("pip install", self.fails(3, "events", walk(), "--mark", "walk.c3d"))
+        (self.folder / "tables.csv").mkdir()
+        self.assertIn("a folder",
+                      self.fails(3, "events", walk(), "--mark", self.folder / "tables.csv"))
 
     def test_a_name_without_a_side_keeps_none(self):
         found = self.json("events", walk(), "--mark", "250=upright", "--both-sides")["events"]
@@ -111,6 +128,12 @@ class Events(CommandTest):
         names = {e["name"] for e in
                  self.json("events", walk(), "--mark", "250=landing", "--both-sides")["events"]}
         self.assertEqual(names, {"landing", "landing (other side)"})
+
+    def test_marks_of_both_sides_are_not_mirrored(self):
+        marks = ("--mark", "250=left_strike", "--mark", "316=right_strike")
+        alone, both = (self.json("events", walk(), *marks, *more)["events"]
+                       for more in ((), ("--both-sides",)))
+        self.assertEqual(both, alone)
 
     def test_what_is_not_found_on_the_other_side_is_said(self):
         still = f"{walk()}:0-40"

@@ -6,12 +6,15 @@ import math
 import struct
 import unittest
 
-from common import CommandTest, plain_environment, run, walk
+import jsonschema
+from common import SCHEMAS, CommandTest, plain_environment, run, walk
 
 READER = """#!/bin/sh
 [ "$1 $2" = "-m stltsa.readers" ] || exit 9
 case $3 in
---events) printf 'onset\\ttrial_type\\n2.1\\tLeft Foot Strike\\n' ;;
+--events)
+    echo "$4 $5" >"$(dirname "$0")/asked"
+    printf 'onset\\ttrial_type\\n2.1\\tLeft Foot Strike\\n' ;;
 *silent.c3d) exit 3 ;;
 *garbage.c3d) echo nothing ;;
 *short.c3d) printf 'matrix 0 0 2 3 120.0\\n12345678' ;;
@@ -64,6 +67,8 @@ class Foreign(CommandTest):
         """The results are equal apart from the path of the clip."""
         self.assertEqual((there.returncode, here.returncode), (0, 0), there.stderr + here.stderr)
         found, expected = json.loads(there.stdout), json.loads(here.stdout)
+        name = found["format"].replace("/", "-")
+        jsonschema.validate(found, json.loads((SCHEMAS / f"{name}.schema.json").read_text()))
         self.assertEqual(found["clip"].pop("path"), str(self.folder / "walk.c3d"))
         self.assertEqual(found["clip"].pop("format"), "points")
         self.assertEqual(expected["clip"].pop("format"), "csv")
@@ -81,6 +86,12 @@ class Foreign(CommandTest):
         self.assertEqual(there.returncode, 0, there.stderr)
         self.assertEqual(there.stdout, here.stdout)
         self.assertIn(b'"side":"left"', there.stdout.replace(b" ", b""))
+
+    def test_labels_are_those_of_the_stretch_and_its_rate(self):
+        c3d = self.folder / "walk.c3d"
+        there = self.run_with(self.reader, "events", f"{c3d}:1s-3s", "--mark", c3d, "--fps", "50.5")
+        self.assertNotEqual(there.returncode, 9)
+        self.assertEqual((self.folder / "asked").read_text(), f"{c3d}:1s-3s 50.5\n")
 
     def test_a_stretch_may_follow(self):
         there = self.run_with(self.reader, "info", f"{self.folder}/walk.c3d:1s-3s", "--json")

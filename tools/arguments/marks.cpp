@@ -70,7 +70,10 @@ bool is_label_file(const std::string& mark) {
 
 Marks labels_in(const std::string& table, const std::string& path, const std::string& clip,
                 double fps) {
+    constexpr std::string_view byte_order_mark = "\xef\xbb\xbf"; // Excel writes it
     std::string_view rest = table;
+    if (rest.starts_with(byte_order_mark))
+        rest.remove_prefix(byte_order_mark.size());
     const char separator = rest.substr(0, rest.find('\n')).find('\t') == rest.npos ? ',' : '\t';
     const Row heading = next_row(rest, separator);
     const auto time = column_of(heading, {"onset", "seconds", "Time"});

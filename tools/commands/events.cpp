@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <map>
@@ -12,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "arguments/marks.hpp"
+#include "arguments/pieces.hpp"
 #include "base/side_name.hpp"
 #include "commands/commands.hpp"
 #include "commands/foreign.hpp"
@@ -38,7 +40,8 @@ Analyzed analyzed(const Session& session, const std::string& path, const stltsa:
 std::string other_side(const std::string& name) {
     const std::int32_t side = stltsa::side_of_name(name);
     for (const stltsa::OtherSide& other : stltsa::other_sides(name, false))
-        if (static_cast<std::int32_t>(other.side) == side)
+        if (static_cast<std::int32_t>(other.side) == side &&
+            stltsa::side_of_name(other.name) == 1 - side)
             return other.name;
     return name + " (other side)";
 }
@@ -75,6 +78,8 @@ void append_other_side(const Session& session, const Analyzed& from, const Analy
     const stltsa::Clip image = clip.mirrored(session.options());
     const Analyzed mirrored = analyzed(session, in.path, image);
     for (const auto& [name, frames] : marks) {
+        if (marks.contains(other_side(name)))
+            continue; // both sides are marked
         const stltsa::Events found = from.phase.events(frames, mirrored.phase);
         table.searches.push_back({in.path, other_side(name), found.count(), found.likeness()});
         warn(found, in.path, other_side(name), table);
@@ -109,10 +114,20 @@ void add_useful(const Analyzed& from, const std::string& file, const Marks& labe
             return error.what();
         }
     };
+    // Each refusal is a search of the whole clip, so lists are halved rather than tried one by one.
+    const auto keep_useful = [&](const auto& self, const std::vector<double>& frames,
+                                 std::vector<double>& useful) -> void {
+        if (refusal(frames).empty()) {
+            useful.insert(useful.end(), frames.begin(), frames.end());
+        } else if (frames.size() > 1) {
+            const auto middle = frames.begin() + std::ssize(frames) / 2;
+            self(self, {frames.begin(), middle}, useful);
+            self(self, {middle, frames.end()}, useful);
+        }
+    };
     for (const auto& [name, frames] : labels) {
-        std::vector<double> useful = frames;
-        if (!refusal(useful).empty())
-            std::erase_if(useful, [&](double frame) { return !refusal({frame}).empty(); });
+        std::vector<double> useful;
+        keep_useful(keep_useful, frames, useful);
         const std::string why =
             useful.empty() ? "none of its labels is in a motion that repeats" : refusal(useful);
         if (why.empty())
@@ -122,9 +137,15 @@ void add_useful(const Analyzed& from, const std::string& file, const Marks& labe
     }
 }
 
-std::string label_table(const std::string& path) {
-    if (ends_in(path, ".c3d"))
-        return events_by_python(path);
+std::string label_table(const std::string& path, const Arguments& arguments) {
+    const std::string& clip = arguments.input;
+    if (ends_in(path, ".c3d")) {
+        const auto fps = arguments.options.find(STLTSA_OPT_FPS);
+        return events_by_python(path == file_of(clip) ? clip : path,
+                                fps == arguments.options.end() ? "" : fps->second);
+    }
+    if (std::error_code ignored; std::filesystem::is_directory(path, ignored))
+        throw Failure(Exit::unreadable, fmt::format("{}: cannot read: a folder", path));
     std::ifstream file(path, std::ios::binary);
     std::string text(std::istreambuf_iterator<char>(file), {});
     if (!file)
@@ -144,7 +165,8 @@ Exit run_events(const Arguments& arguments) {
     Marks marks = parse_marks(typed, clip.fps());
     std::vector<std::pair<std::string, Marks>> labels;
     for (const std::string& file : files)
-        labels.emplace_back(file, labels_in(label_table(file), file, arguments.input, clip.fps()));
+        labels.emplace_back(
+            file, labels_in(label_table(file, arguments), file, arguments.input, clip.fps()));
     const Analyzed from = analyzed(session, arguments.input, clip);
     EventTable table;
     for (const auto& [file, of_file] : labels)

@@ -60,17 +60,18 @@ struct Pipe {
 };
 
 /// The arguments of the module stltsa.readers.
-struct Words {
-    std::string first, second;
-};
+using Words = std::vector<std::string>;
 
 pid_t start(const std::string& python, const Words& given, const Pipe& output) {
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_adddup2(&actions, output.ends[1], STDOUT_FILENO);
-    std::array<std::string, 5> words = {python, "-m", "stltsa.readers", given.first, given.second};
-    std::array<char*, 6> arguments{};
-    std::ranges::transform(words, arguments.begin(), [](std::string& word) { return word.data(); });
+    std::vector<std::string> words = {python, "-m", "stltsa.readers"};
+    words.insert(words.end(), given.begin(), given.end());
+    std::vector<char*> arguments;
+    for (std::string& word : words)
+        arguments.push_back(word.data());
+    arguments.push_back(nullptr);
     pid_t child = -1;
     const int error =
         ::posix_spawnp(&child, python.c_str(), &actions, nullptr, arguments.data(), environ);
@@ -228,13 +229,13 @@ std::optional<ForeignClip> read_by_python(const std::string& path, const std::st
     return ForeignClip{answer_to({file, fps}, file)};
 }
 
-std::string events_by_python(const std::string& path) {
+std::string events_by_python(const std::string& path, const std::string& fps) {
     if (!has_python())
         throw Failure(Exit::unreadable,
                       fmt::format("{}: only the command that pip installs reads labels from "
                                   "C3D files: pip install 'stltsa[c3d]'",
                                   path));
-    return answer_to({"--events", path}, path);
+    return answer_to({"--events", path, fps}, file_of(path));
 }
 
 } // namespace tool

@@ -26,9 +26,9 @@ std::optional<ForeignClip> read_by_python(const std::string& path, const std::st
 stltsa::Clip clip_of(const ForeignClip& foreign, const std::string& path,
                      const stltsa::Options& options);
 
-/// The table of labels of a C3D file, for labels_in(). Throws Failure if the package cannot read
-/// the file.
-std::string events_by_python(const std::string& path);
+/// The table of labels of a C3D file, or of a stretch of it, for labels_in(). `fps`: the rate that
+/// the user gave; empty: none. Throws Failure if the package cannot read the file.
+std::string events_by_python(const std::string& path, const std::string& fps);
 
 /// Whether the file's name is that of such a format, and whether the package can be asked.
 bool is_foreign(const std::string& path);

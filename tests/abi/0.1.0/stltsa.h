@@ -645,7 +645,8 @@ STLTSA_API stltsa_status stltsa_clip_from_skeleton(const stltsa_joint *joints, i
                                                    stltsa_clip **clip) STLTSA_NOEXCEPT;
 
 /* Sets the path that messages and results give for a clip made from arrays. The path is copied;
- * NULL clears it. No other call may use the clip at the same time. */
+ * NULL clears it. No other call may use the clip at the same time, and a path that stltsa_info_text
+ * gave before is no longer valid. */
 STLTSA_API stltsa_status stltsa_clip_set_path(stltsa_clip *clip, const char *path) STLTSA_NOEXCEPT;
 
 /* A stretch of a clip, as a clip: its frames count from 0 again, which a note says. `what` is

@@ -396,7 +396,7 @@ class Phase:
         try:
             return self.events(frames, other, name=name)
         except ArgumentError:
-            inside = [frame for frame in frames if self._repeats_at(frame)]
+            inside = self._repeating(frames)
         if not inside:
             return None
         try:
@@ -405,12 +405,19 @@ class Phase:
             warnings.warn(f"{name} is left out: {error}", QualityWarning, stacklevel=3)
             return None
 
-    def _repeats_at(self, frame: float) -> bool:
+    def _repeating(self, frames: list[float]) -> list[float]:
+        """Return the frames in motions that repeat: by halves, as each refusal is a search."""
         try:
-            self.events(frame)
+            self.events(frames)
         except ArgumentError:
-            return False
-        return True
+            middle = len(frames) // 2
+            return [
+                frame
+                for half in (frames[:middle], frames[middle:])
+                if middle
+                for frame in self._repeating(half)
+            ]
+        return frames
 
     def resample(self, signals: Matrix, *, label: str = "A", samples: int = 101) -> Cycles:
         """Resample any signals of the clip's frames on 0 to 100 % of each cycle.

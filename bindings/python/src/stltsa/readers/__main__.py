@@ -8,7 +8,7 @@ its parent, 1 for an end site, offset, channels and name, separated by tabs. The
 numbers follow (float64). If FILE cannot be read, the output is a message with the reason, and the
 exit status is 3. FPS may be empty.
 
-``python -m stltsa.readers --events FILE`` writes the events of a C3D file instead, with the columns
+``python -m stltsa.readers --events FILE [FPS]`` writes the events of a C3D file instead, with the columns
 onset (seconds) and trial_type, separated by tabs, as in BIDS.
 """
 
@@ -58,12 +58,13 @@ def _written(clip: Clip) -> bytes:
     return "\n".join(lines).encode() + np.ascontiguousarray(values, dtype=np.float64).tobytes()
 
 
-def events_of(name: str) -> str:
-    """Return the table of the events of a file."""
-    if Path(name).suffix.lower() != ".c3d":
+def events_of(name: str, rate: str = "") -> str:
+    """Return the table of the events of a file, or of a stretch of it."""
+    if ".c3d" not in name.lower():
         raise ValueError(f"{name}: only C3D files have event labels")
     lines = ["onset\ttrial_type"]
-    for event in read_clip(name).events:
+    clip = read_clip(name, fps=float(rate)) if rate else read_clip(name)
+    for event in clip.events:
         label = " ".join(f"{event.context} {event.label}".split())
         lines.append(f"{event.seconds!r}\t{label}")
     return "\n".join(lines) + "\n"
@@ -71,10 +72,10 @@ def events_of(name: str) -> str:
 
 def main() -> int:
     """Read the file that the arguments name."""
-    name, rate = sys.argv[1:]
+    name, rate, *more = sys.argv[1:]
     try:
         if name == "--events":
-            sys.stdout.write(events_of(rate))
+            sys.stdout.write(events_of(rate, *more))
             return 0
         content = _written(read_clip(name, fps=float(rate)) if rate else read_clip(name))
     except (StltsaError, ImportError, OSError, ValueError) as error:

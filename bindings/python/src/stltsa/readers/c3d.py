@@ -61,5 +61,9 @@ def read(path: Path, fps: float | None = None) -> Clip:
     clip = Clip.from_points(
         points[:, kept], fps or float(point["RATE"]["value"][0]), names=[names[i] for i in kept]
     )
-    clip.events = read_events(file)
+    events = read_events(file)
+    if fps:  # times go by frames, which another rate makes longer or shorter
+        longer = float(point["RATE"]["value"][0]) / fps
+        events = tuple(event._replace(seconds=event.seconds * longer) for event in events)
+    clip.events = events
     return clip
