@@ -54,8 +54,8 @@ void sixty_four_bits_are_refused(void**) {
         }
         return "";
     };
-    assert_non_null(std::strstr(text_with(true, true).c_str(), "the BLAS that"));
-    assert_non_null(std::strstr(text_with(false, true).c_str(), "the LAPACK that"));
+    assert_non_null(std::strstr(text_with(true, true).c_str(), "the BLAS library that"));
+    assert_non_null(std::strstr(text_with(false, true).c_str(), "the LAPACK library that"));
     assert_true(text_with(false, false).empty());
 }
 
