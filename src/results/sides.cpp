@@ -162,6 +162,15 @@ void turn_to(const phase::Resampled& own, const phase::Resampled& image, const L
         }
 }
 
+/// Whether the features of the clip are those of the phase, as far as their names tell.
+bool has_columns_of(const clip::Clip& clip, const Phased& phased) {
+    const clip::Features features = phased.samples.features;
+    const bool any = features == clip::Features::raw;
+    const bool points = features == clip::Features::points;
+    return (any || points != clip.skeleton.has_value()) &&
+           clip::column_owners(clip, features) == phased.owners;
+}
+
 } // namespace
 
 ComparedSides compare_sides(const phase::Resampled& cycles, std::span<const std::string> names) {
@@ -171,16 +180,15 @@ ComparedSides compare_sides(const phase::Resampled& cycles, std::span<const std:
 ComparedSides compare_sides(const clip::Clip& clip, const Phased& phased, std::int32_t label,
                             std::int64_t samples, clip::PrepareOptions prepare,
                             const Progress& progress) {
+    if (!has_columns_of(clip, phased))
+        fail(Status::argument,
+             "the phase belongs to another clip: one with other joints or points");
     const Matrix rows = by_frame(phased.rows, phased.clip.frames, phased.clip.first);
     const phase::Resampled own = resample(phased, label, rows.view(), samples);
     if (!own.no_halves.empty())
         return compared(own, own, phased.owners, true);
     try {
         auto [image, turned] = image_of(clip, phased, prepare, progress);
-        if (image.cols() != phased.rows.cols() ||
-            clip::column_owners(clip, phased.samples.features) != phased.owners)
-            fail(Status::argument,
-                 "the phase is not of this clip: its joints or points are others");
         if (const Level level = level_of(clip, phased, turned); level.width > 0)
             turn_to(own, resample(phased, label, image.view(), samples), level, image);
         return compared(own, resample(phased, label, image.view(), samples), phased.owners, true);
