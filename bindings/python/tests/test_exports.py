@@ -132,7 +132,10 @@ def test_the_command_asks_for_events(tmp_path):
     seconds, name = row.split("\t")
     assert float(seconds) == pytest.approx(0.5, abs=1e-4)
     assert name == "Left Foot Strike"
-    for part, rate, expected in ((":0.2s-3s", "", 0.3), ("", 2 * stltsa.read_clip(source).fps, 0.25)):
+    for part, rate, expected in (
+        (":0.2s-3s", "", 0.3),
+        ("", 2 * stltsa.read_clip(source).fps, 0.25),
+    ):
         asked = [*line, f"{source}{part}", str(rate)]
         done = subprocess.run(asked, check=True, capture_output=True, text=True)
         assert float(done.stdout.split()[2]) == pytest.approx(expected, abs=1e-2)

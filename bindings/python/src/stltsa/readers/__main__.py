@@ -8,8 +8,8 @@ its parent, 1 for an end site, offset, channels and name, separated by tabs. The
 numbers follow (float64). If FILE cannot be read, the output is a message with the reason, and the
 exit status is 3. FPS may be empty.
 
-``python -m stltsa.readers --events FILE [FPS]`` writes the events of a C3D file instead, with the columns
-onset (seconds) and trial_type, separated by tabs, as in BIDS.
+``python -m stltsa.readers --events FILE [FPS]`` writes the events of a C3D file instead, with the
+columns onset (seconds) and trial_type, separated by tabs, as in BIDS.
 """
 
 from __future__ import annotations
