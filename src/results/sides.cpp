@@ -178,7 +178,7 @@ ComparedSides compare_sides(const phase::Resampled& cycles, std::span<const std:
 }
 
 ComparedSides compare_sides(const clip::Clip& clip, const Phased& phased, std::int32_t label,
-                            std::int64_t samples, clip::PrepareOptions prepare,
+                            std::int64_t samples, const clip::PrepareOptions& prepare,
                             const Progress& progress) {
     if (!has_columns_of(clip, phased))
         fail(Status::argument,

@@ -34,7 +34,7 @@ ComparedSides compare_sides(const phase::Resampled& cycles, std::span<const std:
 /// the mirror image of the right side. `prepare`: as for the decomposition. Throws
 /// Status::argument for a label without cycles or repetitions.
 ComparedSides compare_sides(const clip::Clip& clip, const Phased& phased, std::int32_t label,
-                            std::int64_t samples, clip::PrepareOptions prepare,
+                            std::int64_t samples, const clip::PrepareOptions& prepare,
                             const Progress& progress);
 
 } // namespace stltsa::results

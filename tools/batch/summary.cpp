@@ -19,7 +19,7 @@ std::string number(const nlohmann::json& value) {
 
 /// Text in quotes if it needs them (RFC 4180).
 std::string cell(const std::string& given) {
-    const std::string text = stltsa::text_cell(given);
+    std::string text = stltsa::text_cell(given);
     if (text.find_first_of(",\"\n\r") == text.npos)
         return text;
     std::string quoted = "\"";

@@ -27,7 +27,7 @@ std::string side_of(const NamedEvent& event) {
 
 /// A name that may hold commas or quotes.
 std::string cell(const std::string& given) {
-    const std::string text = stltsa::text_cell(given);
+    std::string text = stltsa::text_cell(given);
     if (text.find_first_of(",\"\n\r") == std::string::npos)
         return text;
     std::string quoted = "\"";
