@@ -4,7 +4,6 @@
 // the table.
 #pragma once
 
-#include <algorithm>
 #include <string>
 #include <string_view>
 

@@ -2,7 +2,6 @@
 #include "base/side_name.hpp"
 
 #include <array>
-#include <utility>
 
 namespace stltsa {
 namespace {
@@ -122,13 +121,6 @@ std::vector<OtherSide> other_sides(std::string_view name, bool first_letter) {
             other != 0 && may_be_side(name, at, first_letter))
             names.push_back(
                 {replaced(name, at, 1, std::string_view(&other, 1)), side_of_letter(name[at])});
-    return names;
-}
-
-std::vector<std::string> other_side_names(std::string_view name, bool first_letter) {
-    std::vector<std::string> names;
-    for (OtherSide& other : other_sides(name, first_letter))
-        names.push_back(std::move(other.name));
     return names;
 }
 

@@ -13,15 +13,16 @@ enum class Side { none = -1, left = 0, right = 1 };
 /// states neither or both, and for parts of other words, as in "upright" and "rock".
 Side side_of_name(std::string_view name);
 
-/// What a name may be on the other side of the body: "RightFoot" for "LeftFoot", "R_toe" for
-/// "L_toe", "heel.r" for "heel.l". More than one if several letters may be the side's; none if
-/// nothing in the name may be a side. `first_letter`: also "rfemur" for "lfemur", and therefore
-/// "rock" for "lock".
+/// A name on the other side of the body.
 struct OtherSide {
     std::string name;
     Side side = Side::none; ///< of the given name, if this is its partner
 };
+
+/// What a name may be on the other side of the body: "RightFoot" for "LeftFoot", "R_toe" for
+/// "L_toe", "heel.r" for "heel.l". More than one if several letters may be the side's; none if
+/// nothing in the name may be a side. `first_letter`: also "rfemur" for "lfemur", and therefore
+/// "rock" for "lock".
 std::vector<OtherSide> other_sides(std::string_view name, bool first_letter);
-std::vector<std::string> other_side_names(std::string_view name, bool first_letter);
 
 } // namespace stltsa

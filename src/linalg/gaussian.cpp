@@ -46,14 +46,14 @@ void smooth_row(ConstMatrixView rows, std::int64_t middle, const std::vector<dou
         out[c] = center[c] + out[c] / total;
 }
 
-/// Number of products between two polls; they take a few milliseconds.
+/// Polls while rows are smoothed.
 class Poll {
   public:
     Poll(const std::function<void()>& poll, std::size_t weights, std::int64_t cols)
         : poll_(poll), row_(2 * static_cast<double>(weights) * static_cast<double>(cols)) {}
 
     void row_done() {
-        constexpr double products = 1 << 22;
+        constexpr double products = 1 << 22; // between two polls; they take a few milliseconds
         if ((done_ += row_) < products || !poll_)
             return;
         done_ = 0;

@@ -342,16 +342,16 @@ std::vector<Event> find_events(const Searched& in, const Place& marks) {
     const double doubt = doubt_of(in, marks);
     std::vector<Event> events;
     for (std::size_t i = 0; i < candidates.size(); ++i) {
+        const bool within = templates_count(marks, candidates[i]);
         const double row =
-            templates_count(marks, candidates[i])
-                ? of_phase * by_phase[i] + of_direct * direct[i] + of_group * group[i]
-                : by_phase[i];
+            within ? of_phase * by_phase[i] + of_direct * direct[i] + of_group * group[i]
+                   : by_phase[i];
         const auto off = [&](double place) { return (place - row) * (place - row); };
         const double apart = std::sqrt(of_phase * off(by_phase[i]) + of_direct * off(direct[i]) +
                                        of_group * off(group[i]));
-        const double beyond = templates_count(marks, candidates[i]) ? 1 : doubt_beyond;
-        events.push_back({row, (least_error_ms + milliseconds(in, apart)) * doubt * beyond *
-                                   remoteness(in, candidates[i].distance)});
+        events.push_back(
+            {row, (least_error_ms + milliseconds(in, apart)) * doubt * (within ? 1 : doubt_beyond) *
+                      remoteness(in, candidates[i].distance)});
     }
     return events;
 }

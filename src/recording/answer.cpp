@@ -99,16 +99,14 @@ void append_cyclic(Work& work, Draft& draft, Segment& segment) {
     for (CyclicStretch& cut : draft.stretches) {
         const bool steps = !work.side_motion.empty() && sides_alternate(work.side_motion, cut);
         std::vector<int> own;
-        if (steps && work.begin_with_side)
+        if (steps && work.begin_with_side) {
             own = turn_to_side(work.side_motion, cut);
-        else
+        } else {
             turn_to_rise(work.signal, cut);
-        if (own.empty() && steps)
-            own = sides_of(work.side_motion, cut);
+            own = steps ? sides_of(work.side_motion, cut) : std::vector<int>(cut.cycles.size(), -1);
+        }
         if (steps)
             append_steps(work, index, cut, first, own);
-        else
-            own.assign(cut.cycles.size(), -1);
         first += static_cast<std::int64_t>(own.size());
         sides.insert(sides.end(), own.begin(), own.end());
         std::ranges::copy(cycle_confidences(work.signal, cut), std::back_inserter(confidences));

@@ -80,6 +80,21 @@ class Events(CommandTest):
             self.assertIn("rest is left out: none of its labels is in a motion that repeats",
                           found["warnings"][0])
 
+    def test_a_name_that_looks_like_a_formula(self):
+        path = self.folder / "events.csv"
+        self.done("events", walk(), "--mark", "250==SUM(1)", "-o", path)
+        self.assertIn(",'=SUM(1),", path.read_text())
+        again = self.json("events", walk(), "--mark", path)["events"]
+        self.assertEqual({e["name"] for e in again}, {"=SUM(1)"})
+
+    def test_seconds_of_a_recording_do_not_fit_a_stretch(self):
+        path = self.folder / "labels.tsv"
+        path.write_text("onset\ttrial_type\n2.1\tstrike\n")
+        stretch = f"{walk()}:1.5s-5s"
+        self.assertIn("is a stretch of it", self.fails(2, "events", stretch, "--mark", path))
+        path.write_text(f"clip\tname\tseconds\n{stretch}\tstrike\t0.6\n")
+        self.json("events", stretch, "--mark", path)
+
     def test_labels_in_a_rest_are_left_out_of_many(self):
         rows = [f"{0.1 if i == 0 else 2.1 + 0.001 * i}\tstrike" for i in range(300)]
         path = self.folder / "many.tsv"

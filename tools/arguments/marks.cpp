@@ -11,6 +11,8 @@
 
 #include <fmt/format.h>
 
+#include "arguments/pieces.hpp"
+#include "base/formula.hpp"
 #include "exit_status.hpp"
 #include "terminal/text.hpp"
 
@@ -58,7 +60,8 @@ std::optional<std::size_t> column_of(const Row& heading, std::initializer_list<c
 /// The cell of a column; `otherwise` if the table has none.
 std::string cell_of(const Row& row, std::optional<std::size_t> column,
                     const std::string& otherwise) {
-    return column && *column < row.size() ? row[*column] : otherwise;
+    return column && *column < row.size() ? std::string(stltsa::without_apostrophe(row[*column]))
+                                          : otherwise;
 }
 
 } // namespace
@@ -85,6 +88,13 @@ Marks labels_in(const std::string& table, const std::string& path, const std::st
                                   "seconds (onset, seconds or Time) and a column of names "
                                   "(trial_type, name or Behavior)",
                                   path));
+    if (!file && file_of(clip) != clip)
+        throw Failure(
+            Exit::usage,
+            fmt::format("--mark {}: its seconds count from the start of the recording, but "
+                        "{} is a stretch of it: give the whole clip, or a table with a "
+                        "column clip",
+                        path, clip));
     if (!(fps > 0))
         throw Failure(Exit::usage, fmt::format("--mark {}: labels are in seconds, but the frame "
                                                "rate is unknown: give --fps",

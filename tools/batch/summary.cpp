@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "base/formula.hpp"
 #include "terminal/text.hpp"
 
 namespace tool::batch {
@@ -15,17 +14,6 @@ constexpr const char* numbers_head =
 
 std::string number(const nlohmann::json& value) {
     return value.is_null() ? "" : value.dump();
-}
-
-/// Text in quotes if it needs them (RFC 4180).
-std::string cell(const std::string& given) {
-    std::string text = stltsa::text_cell(given);
-    if (text.find_first_of(",\"\n\r") == text.npos)
-        return text;
-    std::string quoted = "\"";
-    for (const char c : text)
-        quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return quoted + '"';
 }
 
 /// Confidence of the longest segment that moves.
@@ -62,8 +50,8 @@ Row failed_row(const std::string& path, const std::string& status, const std::st
 std::string summary_csv(const std::vector<Row>& rows) {
     std::string text = fmt::format("path,status,error,{},reason\n", numbers_head);
     for (const Row& row : rows)
-        text += fmt::format("{},{},{},{},{}\n", cell(row.path), row.status, cell(row.error),
-                            row.numbers, cell(row.reason));
+        text += fmt::format("{},{},{},{},{}\n", csv_cell(row.path), row.status, csv_cell(row.error),
+                            row.numbers, csv_cell(row.reason));
     return text;
 }
 

@@ -145,9 +145,9 @@ class Work {
 
     stltsa::Clip open(const std::string& path, const stltsa::Options& options) const {
         const auto fps = arguments_.options.find(STLTSA_OPT_FPS);
-        const auto foreign =
+        const auto arrays =
             read_by_python(path, fps == arguments_.options.end() ? "" : fps->second);
-        return foreign ? clip_of(*foreign, path, options) : stltsa::Clip::open(path, options);
+        return arrays ? clip_of(*arrays, path, options) : stltsa::Clip::open(path, options);
     }
 
     static void write(const std::string& place, const std::string& text) {

@@ -137,13 +137,7 @@ void add_useful(const Analyzed& from, const std::string& file, const Marks& labe
     }
 }
 
-std::string label_table(const std::string& path, const Arguments& arguments) {
-    const std::string& clip = arguments.input;
-    if (ends_in(path, ".c3d")) {
-        const auto fps = arguments.options.find(STLTSA_OPT_FPS);
-        return events_by_python(path == file_of(clip) ? clip : path,
-                                fps == arguments.options.end() ? "" : fps->second);
-    }
+std::string text_of(const std::string& path) {
     if (std::error_code ignored; std::filesystem::is_directory(path, ignored))
         throw Failure(Exit::unreadable, fmt::format("{}: cannot read: a folder", path));
     std::ifstream file(path, std::ios::binary);
@@ -152,6 +146,17 @@ std::string label_table(const std::string& path, const Arguments& arguments) {
         throw Failure(Exit::unreadable,
                       fmt::format("{}: cannot read: {}", path, std::strerror(errno)));
     return text;
+}
+
+/// The labels of a file. Those of the clip's own C3D file count from the start of the stretch.
+Marks labels_of(const std::string& path, const Arguments& arguments, double fps) {
+    const std::string& clip = arguments.input;
+    if (!ends_in(path, ".c3d"))
+        return labels_in(text_of(path), path, clip, fps);
+    const auto typed = arguments.options.find(STLTSA_OPT_FPS);
+    const std::string rate = typed == arguments.options.end() ? "" : typed->second;
+    const bool own = path == file_of(clip);
+    return labels_in(events_by_python(own ? clip : path, rate), path, own ? path : clip, fps);
 }
 
 } // namespace
@@ -165,8 +170,7 @@ Exit run_events(const Arguments& arguments) {
     Marks marks = parse_marks(typed, clip.fps());
     std::vector<std::pair<std::string, Marks>> labels;
     for (const std::string& file : files)
-        labels.emplace_back(
-            file, labels_in(label_table(file, arguments), file, arguments.input, clip.fps()));
+        labels.emplace_back(file, labels_of(file, arguments, clip.fps()));
     const Analyzed from = analyzed(session, arguments.input, clip);
     EventTable table;
     for (const auto& [file, of_file] : labels)

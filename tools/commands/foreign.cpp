@@ -214,19 +214,19 @@ bool has_python() {
     return !python_interpreter().empty();
 }
 
-stltsa::Clip clip_of(const ForeignClip& foreign, const std::string& path,
+stltsa::Clip clip_of(const std::string& arrays, const std::string& path,
                      const stltsa::Options& options) {
     const std::string file = file_of(path);
-    stltsa::Clip clip = whole_clip(foreign.bytes, file, options);
+    stltsa::Clip clip = whole_clip(arrays, file, options);
     clip.set_path(file);
     return file == path ? std::move(clip) : clip.stretch(path.substr(file.size() + 1), options);
 }
 
-std::optional<ForeignClip> read_by_python(const std::string& path, const std::string& fps) {
+std::optional<std::string> read_by_python(const std::string& path, const std::string& fps) {
     const std::string file = file_of(path);
     if (!has_python() || !is_foreign(file))
         return {};
-    return ForeignClip{answer_to({file, fps}, file)};
+    return answer_to({file, fps}, file);
 }
 
 std::string events_by_python(const std::string& path, const std::string& fps) {

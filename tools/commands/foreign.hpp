@@ -3,8 +3,6 @@
 // names its interpreter in STLTSA_PYTHON.
 #pragma once
 
-#include <cstdint>
-#include <map>
 #include <optional>
 #include <string>
 
@@ -12,18 +10,13 @@
 
 namespace tool {
 
-/// The arrays of a clip, as `python -m stltsa.readers` writes them.
-struct ForeignClip {
-    std::string bytes;
-};
-
-/// Lets the Python package read the file, if it does and STLTSA_PYTHON is set; a stretch may follow
-/// the path. `fps`: the rate that the user gave; empty: none. Throws Failure with the sentence of
-/// the Python package if it cannot.
-std::optional<ForeignClip> read_by_python(const std::string& path, const std::string& fps);
+/// The arrays of a clip, as `python -m stltsa.readers` writes them, if the file has such a format
+/// and STLTSA_PYTHON is set; a stretch may follow the path. `fps`: the rate that the user gave;
+/// empty: none. Throws Failure with the message of the Python package if it cannot read the file.
+std::optional<std::string> read_by_python(const std::string& path, const std::string& fps);
 
 /// The clip of these arrays, or the stretch of it that the path names.
-stltsa::Clip clip_of(const ForeignClip& foreign, const std::string& path,
+stltsa::Clip clip_of(const std::string& arrays, const std::string& path,
                      const stltsa::Options& options);
 
 /// The table of labels of a C3D file, or of a stretch of it, for labels_in(). `fps`: the rate that

@@ -130,8 +130,8 @@ const stltsa::Clip& Session::open_input() {
 stltsa::Clip Session::open_clip(const std::string& path) const {
     if (is_standard_input(path))
         return parse_stdin(path.substr(std::min<std::size_t>(path.size(), 2))); // after "-:"
-    if (const auto foreign = read_by_python(path, option_text(STLTSA_OPT_FPS)))
-        return reading([&] { return clip_of(*foreign, path, options()); });
+    if (const auto arrays = read_by_python(path, option_text(STLTSA_OPT_FPS)))
+        return reading([&] { return clip_of(*arrays, path, options()); });
     return reading([&] { return stltsa::Clip::open(path, options()); });
 }
 

@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "base/formula.hpp"
 #include "reports/json.hpp"
 #include "reports/table.hpp"
 #include "terminal/text.hpp"
@@ -23,17 +22,6 @@ std::string side_of(const NamedEvent& event) {
     if (side == STLTSA_SIDE_NONE)
         return "";
     return side == STLTSA_SIDE_LEFT ? "left" : "right";
-}
-
-/// A name that may hold commas or quotes.
-std::string cell(const std::string& given) {
-    std::string text = stltsa::text_cell(given);
-    if (text.find_first_of(",\"\n\r") == std::string::npos)
-        return text;
-    std::string quoted = "\"";
-    for (const char c : text)
-        quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return quoted + '"';
 }
 
 std::string file_name(const std::string& path) {
@@ -73,7 +61,7 @@ std::string events_json(const EventTable& table) {
 std::string events_csv(const EventTable& table) {
     std::string text = "clip,name,frame,seconds,cycle,confidence,marked,side\n";
     for (const NamedEvent& each : table.events)
-        text += fmt::format("{},{},{},{},{},{},{},{}\n", cell(each.clip), cell(each.name),
+        text += fmt::format("{},{},{},{},{},{},{},{}\n", csv_cell(each.clip), csv_cell(each.name),
                             each.event.frame, each.event.seconds,
                             each.event.cycle < 0 ? "" : std::to_string(each.event.cycle),
                             each.event.confidence, each.event.marked, side_of(each));

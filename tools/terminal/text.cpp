@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "base/formula.hpp"
+
 namespace tool {
 
 namespace {
@@ -71,6 +73,16 @@ std::vector<std::string> wrapped(std::string_view text,
 std::string wrapped(std::string_view text, std::size_t columns) {
     const auto fits = [&](const std::string& line) { return characters(line) <= columns; };
     return fmt::format("{}", fmt::join(wrapped(text, fits), "\n"));
+}
+
+std::string csv_cell(const std::string& text) {
+    std::string cell = stltsa::text_cell(text);
+    if (cell.find_first_of(",\"\n\r") == cell.npos)
+        return cell;
+    std::string quoted = "\"";
+    for (const char c : cell)
+        quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return quoted + '"';
 }
 
 bool ends_in(std::string_view name, std::string_view suffix) {

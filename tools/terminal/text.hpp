@@ -17,6 +17,9 @@ std::vector<std::string> wrapped(std::string_view text,
 /// The same for a number of characters per line, as one text.
 std::string wrapped(std::string_view text, std::size_t columns);
 
+/// A cell of a CSV file: in quotes if it needs them (RFC 4180), and never a formula (base/formula).
+std::string csv_cell(const std::string& text);
+
 /// Whether a name ends in this lower-case suffix, ignoring case.
 bool ends_in(std::string_view name, std::string_view suffix);
 

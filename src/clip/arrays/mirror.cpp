@@ -35,8 +35,8 @@ Partners partners_by_name(const std::vector<std::string>& names) {
         const Partners& same = places.at(names[i]);
         const auto number = static_cast<std::size_t>(std::ranges::find(same, i) - same.begin());
         partners[i] = i;
-        for (const std::string& other : other_side_names(names[i], true))
-            if (const auto found = places.find(other);
+        for (const OtherSide& other : other_sides(names[i], true))
+            if (const auto found = places.find(other.name);
                 found != places.end() && found->second.size() > number && partners[i] == i)
                 partners[i] = found->second[number];
     }

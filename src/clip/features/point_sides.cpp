@@ -32,8 +32,9 @@ std::vector<Pair> pairs_of(const Clip& clip) {
     }
     std::vector<Pair> pairs;
     for (std::size_t i = 0; i < names.size(); ++i)
-        for (const std::string& other : other_side_names(names[i], true))
-            if (const auto found = places.find(other); found != places.end() && found->second > i)
+        for (const OtherSide& other : other_sides(names[i], true))
+            if (const auto found = places.find(other.name);
+                found != places.end() && found->second > i)
                 pairs.push_back({i, found->second});
     return pairs;
 }

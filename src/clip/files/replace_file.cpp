@@ -101,12 +101,17 @@ pid_t maker_of(std::string_view name) {
 }
 
 /// Deletes temporary files of processes that no longer exist. Files younger than an hour are kept:
-/// on a shared disk, they may belong to a process of another machine.
+/// on a shared disk, they may belong to a process of another machine. Only the first entries of a
+/// large folder are looked at, so that a thousand results do not cost a million entries.
 void delete_abandoned(const fs::path& folder) {
     constexpr std::time_t longest_s = 3600;
+    constexpr int most_entries = 1000;
     const std::unique_ptr<DIR, int (*)(DIR*)> listed(
         ::opendir(folder.empty() ? "." : folder.c_str()), &::closedir);
-    while (const dirent* entry = listed ? ::readdir(listed.get()) : nullptr) {
+    for (int i = 0; listed && i < most_entries; ++i) {
+        const dirent* entry = ::readdir(listed.get());
+        if (entry == nullptr)
+            return;
         const pid_t maker = maker_of(entry->d_name);
         struct stat status {};
         if (maker > 0 && ::kill(maker, 0) != 0 && errno == ESRCH &&
@@ -117,8 +122,10 @@ void delete_abandoned(const fs::path& folder) {
 }
 
 /// After this call, a power failure does not undo the renaming. File systems that do not support it
-/// return EINVAL.
+/// return EINVAL; a folder in which files may be written but not listed cannot be flushed.
 void flush_folder(const fs::path& folder) {
+    if (::access(folder.empty() ? "." : folder.c_str(), R_OK) != 0)
+        return;
     const Descriptor open(folder.empty() ? "." : folder.string(), O_RDONLY | O_DIRECTORY);
     require(::fsync(open.number()) == 0 || errno == EINVAL);
 }

@@ -3,6 +3,10 @@
 
 #include <cmath>
 
+#include "base/formula.hpp"
+#include "clip/formats.hpp"
+#include "clip/write.hpp"
+
 namespace {
 
 using namespace clip_testing;
@@ -268,6 +272,23 @@ void malformed(void**) {
     ASSERT_FAILS(Status::format, "not a text file", csv(std::string_view("1,2\0\n", 5)));
 }
 
+void names_are_no_formulas(void**) {
+    Clip clip;
+    clip.format = Format::csv;
+    clip.channel_names = {
+        "=HYPERLINK(\"http://x\")", "+1+1", "-2+3", "@SUM(1)", "'=1", "plain", "'s"};
+    clip.values = stltsa::Matrix(2, 7);
+    const std::string text = stltsa::clip::find_format("a.csv")->write(clip);
+    const std::string head = text.substr(0, text.find('\n'));
+    assert_string_equal(head.c_str(),
+                        "\"'=HYPERLINK('http://x')\",\"'+1+1\",\"'-2+3\",\"'@SUM(1)\","
+                        "\"''=1\",plain,\"'s\"");
+    const Clip back = parse(text, Format::csv);
+    clip.channel_names[0] = "=HYPERLINK('http://x')"; // a quoted cell contains no double quotes
+    assert_true(back.channel_names == clip.channel_names);
+    assert_true(stltsa::text_cell("\t=1") == "'\t=1" && stltsa::text_cell("a=1") == "a=1");
+}
+
 } // namespace
 
 int main() {
@@ -289,6 +310,7 @@ int main() {
         cmocka_unit_test(points_beside_a_damaged_time),
         cmocka_unit_test(frame_numbers_are_not_a_channel),
         cmocka_unit_test(malformed),
+        cmocka_unit_test(names_are_no_formulas),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

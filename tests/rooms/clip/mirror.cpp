@@ -126,8 +126,8 @@ void what_has_no_sides_is_refused(void**) {
 
 void names_of_the_other_side(void**) {
     const auto other = [](const char* name, bool first) {
-        const auto names = stltsa::other_side_names(name, first);
-        return names.empty() ? std::string() : names.front();
+        const auto names = stltsa::other_sides(name, first);
+        return names.empty() ? std::string() : names.front().name;
     };
     for (const auto& [left, right] : {std::pair{"LeftFoot", "RightFoot"},
                                       {"L_toe", "R_toe"},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Files whose writers or readers end early, and tables with names that look like formulas.
+// Files whose writers or readers end early.
 #include "clip/testing.hpp"
 
 #include <csignal>
@@ -13,11 +13,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "base/formula.hpp"
 #include "clip/files/read_file.hpp"
 #include "clip/files/write_file.hpp"
-#include "clip/formats.hpp"
-#include "clip/write.hpp"
 
 namespace {
 
@@ -120,23 +117,6 @@ void a_dangling_link_is_followed(void**) {
     ASSERT_FAILS(Status::io, "cannot write", write_file(folder.path("loop"), "new"));
 }
 
-void names_are_no_formulas(void**) {
-    Clip clip;
-    clip.format = Format::csv;
-    clip.channel_names = {
-        "=HYPERLINK(\"http://x\")", "+1+1", "-2+3", "@SUM(1)", "'=1", "plain", "'s"};
-    clip.values = stltsa::Matrix(2, 7);
-    const std::string text = find_format("a.csv")->write(clip);
-    const std::string head = text.substr(0, text.find('\n'));
-    assert_string_equal(head.c_str(),
-                        "\"'=HYPERLINK('http://x')\",\"'+1+1\",\"'-2+3\",\"'@SUM(1)\","
-                        "\"''=1\",plain,\"'s\"");
-    const Clip back = parse(text, Format::csv);
-    clip.channel_names[0] = "=HYPERLINK('http://x')"; // a quoted cell contains no double quotes
-    assert_true(back.channel_names == clip.channel_names);
-    assert_true(stltsa::text_cell("\t=1") == "'\t=1" && stltsa::text_cell("a=1") == "a=1");
-}
-
 } // namespace
 
 int main() {
@@ -145,7 +125,6 @@ int main() {
         cmocka_unit_test(what_killed_writers_left_is_deleted),
         cmocka_unit_test(a_pipe_whose_reader_left_is_an_error),
         cmocka_unit_test(a_dangling_link_is_followed),
-        cmocka_unit_test(names_are_no_formulas),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

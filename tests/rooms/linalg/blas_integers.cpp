@@ -2,9 +2,9 @@
 // A BLAS with 64-bit integers is refused before it is used.
 #include "../assertions.hpp"
 
-#include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <string>
 
 #include "base/error.hpp"
 #include "linalg/blas_integers.hpp"
@@ -14,28 +14,26 @@ namespace {
 /// Whether the functions below take integers of 8 bytes instead of 4.
 bool long_blas = false, long_lapack = false;
 
-std::int64_t integer(const std::int32_t* at, bool is_long) {
-    std::int64_t value = *at;
-    if (is_long)
-        std::memcpy(&value, at, sizeof value);
-    return value;
-}
-
 } // namespace
 
-// These replace the functions of the same names in BLAS and LAPACK.
+// These replace the functions of the same names in BLAS and LAPACK, also for LAPACKE.
 extern "C" {
-double ddot_(const std::int32_t* count, const double* x, const std::int32_t*, const double* y,
-             const std::int32_t*) {
+[[gnu::visibility("default")]] double ddot_(const std::int32_t* count, const double* x,
+                                            const std::int32_t*, const double* y,
+                                            const std::int32_t*) {
+    std::int64_t elements = *count;
+    if (long_blas)
+        std::memcpy(&elements, count, sizeof elements);
     double sum = 0;
-    for (std::int64_t i = 0; i < integer(count, long_blas); ++i)
+    for (std::int64_t i = 0; i < elements; ++i)
         sum += x[i] * y[i];
     return sum;
 }
-void dlacpy_(const char*, const std::int32_t* rows, const std::int32_t*, const double* a,
-             const std::int32_t*, double* b, const std::int32_t*, std::size_t) {
-    for (std::int64_t i = 0; i < integer(rows, long_lapack); ++i)
-        b[i] = a[i];
+[[gnu::visibility("default")]] void ilaver_(std::int32_t* major, std::int32_t* minor,
+                                            std::int32_t* patch) {
+    const std::int64_t number = 3;
+    for (std::int32_t* part : {major, minor, patch})
+        std::memcpy(part, &number, long_lapack ? sizeof number : sizeof *part);
 }
 }
 

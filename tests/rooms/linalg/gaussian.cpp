@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "../cancelling.hpp"
 #include "base/error.hpp"
 #include "linalg/gaussian.hpp"
 
@@ -18,17 +19,6 @@ Matrix waves(std::int64_t rows, std::int64_t cols) {
         for (std::int64_t c = 0; c < cols; ++c)
             x(i, c) = std::sin(0.01 * static_cast<double>(i * (c + 1)));
     return x;
-}
-
-/// Whether the work ends with Status::cancelled.
-template <class Work>
-bool is_cancelled(const Work& work) {
-    try {
-        work();
-        return false;
-    } catch (const stltsa::Error& error) {
-        return error.status() == stltsa::Status::cancelled;
-    }
 }
 
 void check_same_bits(const Matrix& a, const Matrix& b) {
@@ -61,7 +51,7 @@ void a_poll_that_throws_ends_it(void**) {
         if (++polls == 3)
             stltsa::fail(stltsa::Status::cancelled, "enough");
     };
-    assert_true(is_cancelled(
+    assert_true(testing::is_cancelled(
         [&] { stltsa::gaussian_smoothed(x.view(), 50'000, Beyond::reflection, 1, stop); }));
     assert_int_equal(polls, 3);
 }

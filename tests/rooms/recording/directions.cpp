@@ -2,7 +2,8 @@
 // Directions of recordings with few and with very many columns.
 #include "testing.hpp"
 
-#include "base/error.hpp"
+#include "../cancelling.hpp"
+
 #include "linalg/simd.hpp"
 #include "recording/directions.hpp"
 
@@ -23,17 +24,6 @@ Matrix motions(std::int64_t rows, std::int64_t cols) {
 Matrix directions(const Matrix& x, const Progress& progress = {}) {
     const std::vector<double> usual(static_cast<std::size_t>(x.rows()), 1.0);
     return leading_directions(x.view(), usual, progress);
-}
-
-/// Whether the work ends with Status::cancelled.
-template <class Work>
-bool is_cancelled(const Work& work) {
-    try {
-        work();
-        return false;
-    } catch (const stltsa::Error& error) {
-        return error.status() == stltsa::Status::cancelled;
-    }
 }
 
 /// Checks that two sets of orthonormal columns span the same space.
@@ -64,7 +54,7 @@ void many_columns_have_the_directions_of_few(void**) {
     check_same_span(directions(many), padded);
 }
 
-void a_million_columns_need_no_square_matrix(void**) {
+void many_columns_need_no_square_matrix(void**) {
     const Matrix of_many = directions(motions(40, 200'000));
     assert_int_equal(of_many.cols(), 3);
     const Matrix still(12, 2000);
@@ -80,8 +70,8 @@ void it_can_be_cancelled(void**) {
     };
     for (const std::int64_t cols : {200, 2000}) {
         calls = 0;
-        assert_true(
-            is_cancelled([&] { directions(motions(100, cols), Progress(cancel, &calls)); }));
+        assert_true(testing::is_cancelled(
+            [&] { directions(motions(100, cols), Progress(cancel, &calls)); }));
         assert_int_equal(calls, 5);
     }
 }
@@ -91,7 +81,7 @@ void it_can_be_cancelled(void**) {
 int main() {
     const CMUnitTest tests[] = {
         cmocka_unit_test(many_columns_have_the_directions_of_few),
-        cmocka_unit_test(a_million_columns_need_no_square_matrix),
+        cmocka_unit_test(many_columns_need_no_square_matrix),
         cmocka_unit_test(it_can_be_cancelled),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);

@@ -103,8 +103,8 @@ pub fn version() -> String {
 /// Whether this build of the library has an optional part.
 ///
 /// ```
-/// let fast_across_time = stltsa::has(stltsa::Component::Cholmod);
-/// # let _ = fast_across_time;
+/// let has_cholmod = stltsa::has(stltsa::Component::Cholmod);
+/// # let _ = has_cholmod;
 /// ```
 pub fn has(part: Component) -> bool {
     // SAFETY: it takes any number.
