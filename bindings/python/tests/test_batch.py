@@ -97,11 +97,13 @@ def test_jobs(clips, tmp_path):
     stltsa.batch([clips], tmp_path / "two", jobs=2, fps=30)
     assert files(tmp_path / "one") == files(tmp_path / "two")
     for i in (1, 2):
-        stltsa.batch(clips, tmp_path / "parts", shard=(i, 2), fps=30)
+        stltsa.batch(clips, tmp_path / "parts", shard=f"{i}/2", fps=30)
     parts = {name for name in files(tmp_path / "parts") if name.suffix == ".json"}
     assert parts == {name for name in files(tmp_path / "one") if name.suffix == ".json"}
     with pytest.raises(ValueError, match="shard"):
         stltsa.batch(clips, tmp_path / "parts", shard=(3, 2))
+    with pytest.raises(ValueError, match="shard"):
+        stltsa.batch(clips, tmp_path / "parts", shard="1")
 
 
 def test_a_cluster(clips, tmp_path):

@@ -174,3 +174,12 @@ def test_events_that_cannot_be_written(result, tmp_path):
     with pytest.raises(FileNotFoundError, match=f"no such folder: .*{tmp_path.name}/nodir'"):
         result.save_events(tmp_path / "nodir" / "x_events.tsv")
     assert list(tmp_path.iterdir()) == []
+
+
+def test_a_name_with_a_tab_stays_one_cell_of_a_bids_table(result, tmp_path):
+    path = tmp_path / "walk_events.tsv"
+    result.save_events(path, events={"heel\tstrike\n": result.phase().events(250)})
+    with path.open(newline="") as file:
+        rows = list(csv.DictReader(file, delimiter="\t"))
+    assert "heel strike" in {row["trial_type"] for row in rows}
+    assert all(None not in row.values() for row in rows)

@@ -72,13 +72,23 @@ class Client(Protocol):
         """Return the results."""
 
 
+def _shard(shard: Any) -> tuple[int, int]:
+    try:
+        index, count = map(int, shard.split("/") if isinstance(shard, str) else shard)
+    except (TypeError, ValueError):
+        index, count = 0, 0
+    if not 1 <= index <= count:
+        raise ValueError(f"shard is {shard!r}, and must be (i, n) or 'i/n' with 1 <= i <= n")
+    return index, count
+
+
 def batch(
     paths: str | os.PathLike[str] | Iterable[str | os.PathLike[str]],
     out: str | os.PathLike[str],
     *,
     jobs: int = 1,
     client: Client | None = None,
-    shard: tuple[int, int] = (1, 1),
+    shard: tuple[int, int] | str = (1, 1),
     **options: Unpack[Options],
 ) -> DataFrame:
     """Decompose many clips into a folder: a JSON file for each, and ``summary.csv``.
@@ -99,8 +109,8 @@ def batch(
         Clips at the same time, each in a process of its own; more than one needs joblib.
     client : dask.distributed.Client, optional
         Runs the clips on a cluster, whose workers see the same files, in place of `jobs`.
-    shard : (int, int)
-        ``(i, n)``: every n-th clip from the i-th on, counted from 1; the summary is
+    shard : (int, int) or str
+        ``(i, n)`` or ``"i/n"``: every n-th clip from the i-th on, counted from 1; the summary is
         ``summary-i-n.csv``.
     **options
         As for :func:`stltsa.decompose`.
@@ -117,9 +127,7 @@ def batch(
     >>> list(rows["status"])
     ['done']
     """
-    index, count = shard
-    if not 1 <= index <= count:
-        raise ValueError(f"shard is {shard!r}, and must be (i, n) with 1 <= i <= n")
+    index, count = _shard(shard)
     chosen = list(_clips(paths, Path(out).resolve()))[index - 1 :: count]
     report = reporter(options.pop("progress", None))
     _check(options)

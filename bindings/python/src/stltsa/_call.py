@@ -23,6 +23,13 @@ def check(status: int) -> None:
         raise errors.error_for(status, name, string(lib.stltsa_last_error()))
 
 
+def rebuilt(kind: type[Any], values: tuple[Any, ...], attributes: dict[str, Any]) -> Any:
+    """Return a copy of a tuple that was made from a handle; for pickle."""
+    copy = tuple.__new__(kind, values)
+    copy.__dict__.update(attributes)
+    return copy
+
+
 class Call:
     """Options and progress of one call; use it in a ``with`` statement.
 

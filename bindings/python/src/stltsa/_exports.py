@@ -139,7 +139,7 @@ _COLUMNS = {
 
 def _cell(value: Any) -> str:
     unknown = value == "" or (isinstance(value, float) and np.isnan(value))
-    return "n/a" if unknown else str(value)
+    return "n/a" if unknown else " ".join(str(value).split())  # a tab would begin the next cell
 
 
 class Moment(NamedTuple):

@@ -10,6 +10,7 @@ import numpy as np
 from ._arrays import as_matrix, read_from, unmasked
 from ._call import Call, check, owned
 from ._native import ffi, lib
+from ._text import c_text
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -27,7 +28,7 @@ def _flat(values: Any, shape: str, dimensions: tuple[int, ...], what: str) -> An
 
 
 def _texts(values: Sequence[str]) -> list[Any]:
-    return [ffi.new("char[]", str(value).encode()) for value in values]
+    return [c_text(str(value), "a name") for value in values]
 
 
 def points_handle(
@@ -91,7 +92,7 @@ def skeleton_handle(
     if ends.shape != (count,) or (channels is not None and len(channels) != count):
         raise ValueError(f"end_sites and channels must have an entry for each of {count} joints")
     texts = _texts(names)
-    words = [None if c is None else ffi.new("char[]", c.encode()) for c in channels or ()]
+    words = [None if c is None else c_text(c, "an entry of channels") for c in channels or ()]
     joints = ffi.new("stltsa_joint[]", count)
     for j, joint in enumerate(joints):
         joint.size = ffi.sizeof("stltsa_joint")

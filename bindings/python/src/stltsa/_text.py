@@ -6,6 +6,7 @@ from __future__ import annotations
 import os
 from typing import Any
 
+from ._given import wrong
 from ._native import ffi, lib
 
 
@@ -17,6 +18,15 @@ def string(text: Any) -> str:
 def names(prefix: str) -> dict[int, str]:
     """Return the names of the header's constants with a prefix, by value: ``{1: "bvh", ...}``."""
     return {getattr(lib, n): n[len(prefix) :].lower() for n in dir(lib) if n.startswith(prefix)}
+
+
+def c_text(text: Any, what: str) -> Any:
+    """Return a text for C, which must be kept while C uses it; `what` names it in errors."""
+    if not isinstance(text, str):
+        raise wrong(what, text, "a string")
+    if "\0" in text:
+        raise ValueError(f"{what} is {text!r}: there is a zero in it")
+    return ffi.new("char[]", text.encode())
 
 
 def c_path(path: str | os.PathLike[str]) -> bytes:

@@ -20,7 +20,7 @@ from ._from_arrays import points_handle, skeleton_handle
 from ._given import wrong
 from ._native import ffi, lib
 from ._options import rate_given, working_rate
-from ._text import c_path, names, string
+from ._text import c_path, c_text, names, string
 from .readers import is_dataset, is_points, reader
 
 if TYPE_CHECKING:
@@ -46,6 +46,8 @@ class Clip(Described):
     _kind = "clip"
 
     def __init__(self, handle: Any, path: str | None = None, owner: object = None) -> None:
+        if not isinstance(handle, ffi.CData):
+            raise wrong("the argument of Clip", handle, "a handle: call read_clip or from_array")
         self._handle = handle
         self._owner = owner  # owner of the handle, if that is not the clip itself
         self.path = path
@@ -274,7 +276,7 @@ class Clip(Described):
         """
         out = ffi.new("stltsa_clip **")
         with Call(options, working_rate(self.fps, options)) as call:
-            text = ffi.new("char[]", what.encode())
+            text = c_text(what, "what")
             call.check(lib.stltsa_clip_stretch(self._handle, text, call.options, out))
         made = Clip(owned("clip", out), self.path and f"{self.path}:{what}")
         if not self.fps or not self.events:
@@ -299,7 +301,7 @@ class Clip(Described):
         """Return where the first interval of a stretch begins and ends."""
         found, count = ffi.new("stltsa_interval *"), ffi.new("int64_t *")
         with Call(options, working_rate(self.fps, options)) as call:
-            text = ffi.new("char[]", what.encode())
+            text = c_text(what, "what")
             call.check(lib.stltsa_clip_find(self._handle, text, call.options, 1, found, count))
         return found.begin_s, found.end_s
 

@@ -23,7 +23,7 @@ from ._call import Call, check, owned, texts
 from ._clips import frames_and_lengths
 from ._facts import Described
 from ._native import ffi, lib
-from ._text import c_path
+from ._text import c_path, c_text
 from .clip import Clip, call_on_motion, opened
 from .errors import ShapeError, UnsupportedError, advice, in_keywords, warn_of_order
 
@@ -378,7 +378,7 @@ class Model(Described):
         """
         check(lib.stltsa_model_keep_cycle(self._handle, phase._handle))
         for name, frame in (marks or {}).items():
-            text = name.encode()
+            text = c_text(name, "the name of a mark")
             check(lib.stltsa_model_keep_mark(self._handle, phase._handle, frame, text))
 
     @property

@@ -18,17 +18,19 @@ from ._arrays import (
     write_list,
     write_to,
 )
-from ._call import check, owned, texts
+from ._call import check, owned, rebuilt, texts
+from ._given import wrong
 from ._native import ffi, lib
 from ._rows import number_of
+from ._text import c_text
 from .errors import ArgumentError, QualityWarning
+from .events import Event
 from .sides import Sides, side_of_name
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
     from ._given import Matrix
-    from .events import Event
 
 _NULL = ffi.NULL
 
@@ -123,6 +125,9 @@ class FoundEvents(tuple[FoundEvent, ...]):
         events.likeness = lib.stltsa_events_likeness(handle)
         events.warnings = texts(lib.stltsa_events_warning_count, lib.stltsa_events_warning, handle)
         return events
+
+    def __reduce__(self) -> Any:
+        return rebuilt, (type(self), tuple(self), self.__dict__)
 
 
 class Cycles:
@@ -238,7 +243,9 @@ class Cycles:
         (0.4, 0.0)
         """
         samples, signals = self._shape
-        texts = [ffi.new("char[]", name.encode()) for name in names]
+        if isinstance(names, str):
+            raise TypeError(f"names is the string {names!r}, and must be a sequence of strings")
+        texts = [c_text(name, "an entry of names") for name in names]
         if len(texts) != signals:
             raise ValueError(f"names has {len(texts)} entries; there are {signals} columns")
         out = ffi.new("stltsa_sides **")
@@ -335,10 +342,13 @@ class Phase:
         [2.08, 3.18, 4.28]
         """
         at = np.atleast_2d(np.asarray(marks, dtype=np.float64)).reshape(-1, 1)
+        side = side_of_name(name)
+        if other is not None and not isinstance(other, Phase):
+            raise wrong("other", other, "a Phase, the result of Decomposition.phase")
         out = ffi.new("stltsa_events **")
         target = _NULL if other is None else other._handle
         check(lib.stltsa_events_find(self._handle, read_from(at), target, out))
-        return FoundEvents(owned("events", out), (other or self)._fps > 0, side_of_name(name))
+        return FoundEvents(owned("events", out), (other or self)._fps > 0, side)
 
     def events_like(
         self, labels: Iterable[Event], other: Phase | None = None
@@ -372,6 +382,8 @@ class Phase:
         """
         marks: dict[str, list[float]] = {}
         for label in labels:
+            if not isinstance(label, Event):
+                raise wrong("a label", label, "a stltsa.Event")
             marks.setdefault(f"{label.context} {label.label}".strip(), []).append(
                 label.seconds * self._fps
             )

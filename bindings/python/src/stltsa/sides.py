@@ -6,10 +6,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ._arrays import FloatArray, columns, write_to
-from ._call import check
+from ._call import check, rebuilt
 from ._native import ffi, lib
 from ._tables import frame
-from ._text import string
+from ._text import c_text, string
 
 if TYPE_CHECKING:
     from pandas import DataFrame
@@ -36,7 +36,7 @@ def side_of_name(name: str) -> str:
     >>> [stltsa.side_of_name(name) for name in ("LHS", "Right Foot Off", "upright")]
     ['left', 'right', '']
     """
-    return _SIDES.get(lib.stltsa_side_of_name(name.encode()), "")
+    return _SIDES.get(lib.stltsa_side_of_name(c_text(name, "name")), "")
 
 
 class SidePair(NamedTuple):
@@ -96,6 +96,9 @@ class Sides(tuple[SidePair, ...]):
         check(lib.stltsa_sides_curves(handle, *map(write_to, curves)) if count else 0)
         sides.reason = string(lib.stltsa_sides_reason(handle))
         return sides
+
+    def __reduce__(self) -> Any:
+        return rebuilt, (type(self), tuple(self), self.__dict__)
 
     def to_frame(self) -> DataFrame:
         """Return one row per pair; needs pandas."""

@@ -1,10 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""C3D files, by ezc3d: markers, gaps and events.
-
-A point is missing if its residual is negative. Other residuals are distances between the cameras'
-rays and the point, in the unit of the file. They are not used as confidence, and no point is left
-out because of them.
-"""
+"""C3D files, by ezc3d: markers, gaps (negative residuals) and events."""
 
 from __future__ import annotations
 
@@ -30,8 +25,8 @@ def _values(group: Any, name: str) -> list[Any]:
     return list(group[name]["value"]) if name in group else []
 
 
-def read_events(file: Any) -> tuple[Event, ...]:
-    """Return the events of an opened file, in seconds from its first frame."""
+def read_events(file: Any, fps: float | None = None) -> tuple[Event, ...]:
+    """Return the events of an opened file, in seconds from its first frame; `fps`: another rate."""
     group = file["parameters"].get("EVENT", {})
     labels = [str(label).strip() for label in _values(group, "LABELS")]
     contexts = [str(context).strip() for context in _values(group, "CONTEXTS")]
@@ -39,9 +34,9 @@ def read_events(file: Any) -> tuple[Event, ...]:
         return ()
     minutes, seconds = np.asarray(group["TIMES"]["value"], dtype=np.float64).reshape(2, -1)
     first, rate = (file["header"]["points"][key] for key in ("first_frame", "frame_rate"))
+    at = (60 * minutes + seconds - first / rate) * (rate / fps if fps else 1)
     contexts += [""] * (len(labels) - len(contexts))
-    events = map(Event, labels, contexts, (60 * minutes + seconds - first / rate).tolist())
-    return tuple(sorted(events, key=lambda event: event.seconds))
+    return tuple(sorted(map(Event, labels, contexts, at.tolist()), key=lambda e: e.seconds))
 
 
 def read(path: Path, fps: float | None = None) -> Clip:
@@ -58,12 +53,7 @@ def read(path: Path, fps: float | None = None) -> Clip:
         text = f"left out, as their names are of angles or forces: {', '.join(sorted(guessed))}"
         warnings.warn(f"{path}: {text}", QualityWarning, stacklevel=3)
     kept = [i for i, name in enumerate(names) if name not in modeled | guessed]
-    clip = Clip.from_points(
-        points[:, kept], fps or float(point["RATE"]["value"][0]), names=[names[i] for i in kept]
-    )
-    events = read_events(file)
-    if fps:  # times go by frames, which another rate makes longer or shorter
-        longer = float(point["RATE"]["value"][0]) / fps
-        events = tuple(event._replace(seconds=event.seconds * longer) for event in events)
-    clip.events = events
+    rate = fps or float(point["RATE"]["value"][0])
+    clip = Clip.from_points(points[:, kept], rate, names=[names[i] for i in kept])
+    clip.events = read_events(file, fps)
     return clip
