@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <condition_variable>
 #include <mutex>
 #include <utility>
 #include <vector>
@@ -28,7 +29,11 @@ extern "C" void dseupd_(const a_int* with_vectors, const char* which_vectors, a_
 namespace stltsa {
 namespace {
 
-[[maybe_unused]] std::timed_mutex arpack_mutex;
+// Not a std::timed_mutex: GCC 12's ThreadSanitizer and valgrind's helgrind do not know
+// pthread_mutex_clocklock, so they would see a mutex that nobody locked.
+[[maybe_unused]] std::mutex arpack_mutex;
+[[maybe_unused]] std::condition_variable arpack_free;
+[[maybe_unused]] bool arpack_used = false; ///< guarded by arpack_mutex
 thread_local bool owns_arpack = false;
 
 /// ARPACK keeps state between its reverse-communication calls (Fortran SAVE), so one eigenproblem
@@ -57,11 +62,19 @@ class ArpackLock {
     static void give_back() {}
 #else
     static void take(const std::function<void()>& poll) {
-        while (!arpack_mutex.try_lock_for(std::chrono::milliseconds(50)))
+        std::unique_lock lock(arpack_mutex);
+        while (!arpack_free.wait_for(lock, std::chrono::milliseconds(50),
+                                     [] { return !arpack_used; })) {
+            lock.unlock(); // the callback may take as long as it likes
             poll();
+            lock.lock();
+        }
+        arpack_used = true;
     }
     static void give_back() {
-        arpack_mutex.unlock();
+        const std::lock_guard lock(arpack_mutex);
+        arpack_used = false;
+        arpack_free.notify_one();
     }
 #endif
 };
