@@ -36,10 +36,11 @@ std::vector<const clip::Clip*> clips_of(const stltsa_clip* const* clips, std::in
 const ltsa::Mapping* mapping_of(const stltsa_model& model) {
     if (model.kept.frames.rows() == 0)
         return nullptr;
-    std::call_once(model.mapping_asked, [&model] {
+    // Not std::call_once, whose order of events helgrind does not know.
+    const std::lock_guard lock(model.mapping_mutex);
+    if (!model.mapping)
         model.mapping.emplace(model.kept.frames.view(), model.model,
                               results::rows_of_period(model.source.period, model.source.samples));
-    });
     return &*model.mapping;
 }
 

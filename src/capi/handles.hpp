@@ -54,8 +54,8 @@ struct stltsa_model : stltsa_info, stltsa::results::Fitted {
     explicit stltsa_model(Fitted of)
         : stltsa_info{&stltsa::capi::model_table}, Fitted(std::move(of)) {}
 
-    // Refer to the other members: see capi::mapping_of().
-    mutable std::once_flag mapping_asked;
+    mutable std::mutex mapping_mutex; ///< guards `mapping`
+    // Refers to the other members: see capi::mapping_of().
     mutable std::optional<stltsa::ltsa::Mapping> mapping;
 };
 
