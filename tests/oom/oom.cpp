@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests memory exhaustion at every point: makes each allocation of a complete task fail in turn.
 // Each time the call must return STLTSA_E_NO_MEMORY with a text and no handle, must leak nothing
-// (the count of live allocations returns to its value), and the same task must then succeed.
+// (the count of live allocations returns to its value), must leave the settings of OpenBLAS and
+// OpenMP as they were, and the same task must then succeed.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -11,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include <dlfcn.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -303,6 +305,28 @@ stltsa_status synthesize(const std::string&) {
     return status;
 }
 
+/// A setting of a library that this process loaded, and that the test gives an unusual value.
+class Setting {
+  public:
+    Setting(const char* getter, const char* setter, int value)
+        : get_(reinterpret_cast<int (*)()>(::dlsym(RTLD_DEFAULT, getter))), value_(value) {
+        const auto set = reinterpret_cast<void (*)(int)>(::dlsym(RTLD_DEFAULT, setter));
+        if (set != nullptr)
+            set(value);
+    }
+    bool remains() const { return get_ == nullptr || get_() == value_; }
+
+  private:
+    int (*get_)();
+    int value_;
+};
+
+bool settings_remain() {
+    static const Setting blas("openblas_get_num_threads", "openblas_set_num_threads", 2);
+    static const Setting omp("omp_get_max_active_levels", "omp_set_max_active_levels", 3);
+    return blas.remains() && omp.remains();
+}
+
 struct Run {
     stltsa_status status;
     bool failed;         ///< an allocation failed
@@ -331,6 +355,11 @@ bool survives(const Work& work, const std::string& input, std::int64_t step) {
         if (run.leaked != 0) {
             std::printf("%s: failing allocation %lld leaks %lld\n", work.name,
                         static_cast<long long>(n), static_cast<long long>(run.leaked));
+            return false;
+        }
+        if (!settings_remain()) {
+            std::printf("%s: failing allocation %lld changes a setting of OpenBLAS or OpenMP\n",
+                        work.name, static_cast<long long>(n));
             return false;
         }
         if (!run.failed)
@@ -368,7 +397,7 @@ int main(int count, char** arguments) {
     for (const Work& work : other_works())
         works.push_back(work);
     const std::string input = cyclic_csv();
-    bool good = true;
+    bool good = settings_remain(); // the first call sets them
     ::dl_iterate_phdr(find_spared, nullptr);
     for (const Work& work : works)
         good = survives(work, input, step) && good;
