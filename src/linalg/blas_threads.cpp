@@ -3,16 +3,20 @@
 
 #include <mutex>
 
+// If the library is linked with -lblas, it depends on the machine where a program runs whether this
+// is OpenBLAS: the addresses are null if it is not. A library linked with -lopenblas needs the
+// functions in any case, because static linking ignores weak references.
 #ifdef STLTSA_OPENBLAS
-extern "C" {
-int openblas_get_num_threads(void);
-void openblas_set_num_threads(int count);
-}
+#define STLTSA_IF_LOADED
+#else
+#define STLTSA_IF_LOADED [[gnu::weak]]
 #endif
+extern "C" {
+STLTSA_IF_LOADED int openblas_get_num_threads();
+STLTSA_IF_LOADED void openblas_set_num_threads(int count);
+}
 
 namespace stltsa {
-
-#ifdef STLTSA_OPENBLAS
 namespace {
 
 // OpenBLAS has one setting per process, so its users are counted per process.
@@ -22,7 +26,17 @@ int threads_before = 1;
 
 } // namespace
 
+bool blas_is_openblas() {
+#ifdef STLTSA_OPENBLAS
+    return true;
+#else
+    return openblas_get_num_threads != nullptr && openblas_set_num_threads != nullptr;
+#endif
+}
+
 SingleThreadedBlas::SingleThreadedBlas() {
+    if (!blas_is_openblas())
+        return;
     const std::lock_guard lock(mutex);
     if (users++ == 0) {
         threads_before = openblas_get_num_threads();
@@ -31,13 +45,11 @@ SingleThreadedBlas::SingleThreadedBlas() {
 }
 
 SingleThreadedBlas::~SingleThreadedBlas() {
+    if (!blas_is_openblas())
+        return;
     const std::lock_guard lock(mutex);
     if (--users == 0)
         openblas_set_num_threads(threads_before);
 }
-#else
-SingleThreadedBlas::SingleThreadedBlas() = default;
-SingleThreadedBlas::~SingleThreadedBlas() = default;
-#endif
 
 } // namespace stltsa

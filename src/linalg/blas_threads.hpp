@@ -3,6 +3,9 @@
 
 namespace stltsa {
 
+/// Whether this process has loaded OpenBLAS.
+bool blas_is_openblas();
+
 /// During its lifetime OpenBLAS runs single-threaded; the last one to end restores the number of
 /// threads. The library's own loops already use all requested threads. No effect on other BLAS
 /// libraries.

@@ -42,7 +42,7 @@ static int count_threads(void) {
 /* The most threads that existed during the callbacks, and the callbacks until the call is
  * cancelled. */
 struct progress {
-    int most_threads, left;
+    int most_threads, most_blas_threads, left;
 };
 
 static int32_t watch(void* user, int32_t stage, double fraction) {
@@ -52,6 +52,8 @@ static int32_t watch(void* user, int32_t stage, double fraction) {
     const int now = count_threads();
     if (now > progress->most_threads)
         progress->most_threads = now;
+    if (get_blas_threads != NULL && get_blas_threads() > progress->most_blas_threads)
+        progress->most_blas_threads = get_blas_threads();
     return progress->left-- == 0;
 }
 
@@ -74,7 +76,7 @@ static void no_team_of_openmp(void** state) {
     double* x = new_motion(rows, cols, 28);
     const int before = count_threads();
     for (int m = 0; m < 3; ++m) {
-        struct progress progress = {0, -1};
+        struct progress progress = {0, 0, -1};
         must(fit(x, modes[m], &progress));
         assert_int_equal(progress.most_threads, before);
         assert_int_equal(count_threads(), before);
@@ -110,11 +112,25 @@ static void settings_remain_if_cancelled(void** state) {
     for (int m = 0; m < 3; ++m) {
         stltsa_status status = STLTSA_E_CANCELLED;
         for (int at = 0; status == STLTSA_E_CANCELLED; ++at) {
-            struct progress progress = {0, at};
+            struct progress progress = {0, 0, at};
             status = fit(x, modes[m], &progress);
             check_all();
         }
         must(status);
+    }
+    free(x);
+}
+
+/* Also if the library is linked with -lblas and OpenBLAS is what this process loaded. */
+static void openblas_has_one_thread_during_a_fit(void** state) {
+    (void)state;
+    double* x = new_motion(rows, cols, 28);
+    assert_int_equal(stltsa_has(STLTSA_HAS_OPENBLAS), get_blas_threads != NULL);
+    set_all();
+    for (int m = 0; m < 3; ++m) {
+        struct progress progress = {0, 0, -1};
+        must(fit(x, modes[m], &progress));
+        assert_int_equal(progress.most_blas_threads, get_blas_threads != NULL);
     }
     free(x);
 }
@@ -125,7 +141,7 @@ static void settings_remain_after_an_error(void** state) {
     set_all();
     x[rows * cols / 2] = NAN;
     for (int m = 0; m < 3; ++m) {
-        struct progress progress = {0, -1};
+        struct progress progress = {0, 0, -1};
         assert_int_equal(fit(x, modes[m], &progress), STLTSA_E_NOT_FINITE);
         check_all();
     }
@@ -139,7 +155,7 @@ static void settings_remain_if_rows_are_disconnected(void** state) {
     for (int i = 0; i < rows / 2 * cols; ++i)
         x[i] += 1e3;
     set_all();
-    struct progress progress = {0, -1};
+    struct progress progress = {0, 0, -1};
     const stltsa_in in = packed_in(x, rows, cols);
     const stltsa_out out = packed_out(x, rows, cols);
     stltsa_options* options = new_options(24, 24, d);
@@ -161,6 +177,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(no_team_of_openmp),
         cmocka_unit_test(settings_remain_if_cancelled),
+        cmocka_unit_test(openblas_has_one_thread_during_a_fit),
         cmocka_unit_test(settings_remain_after_an_error),
         cmocka_unit_test(settings_remain_if_rows_are_disconnected),
     };

@@ -6,6 +6,7 @@
 
 #include "base/progress.hpp"
 #include "capi/boundary/guard.hpp"
+#include "linalg/blas_threads.hpp"
 
 namespace stltsa::capi {
 namespace {
@@ -112,12 +113,7 @@ int32_t stltsa_has(int32_t part) noexcept {
     if (part == STLTSA_HAS_CHOLMOD)
         return 1;
 #endif
-#ifdef STLTSA_OPENBLAS
-    if (part == STLTSA_HAS_OPENBLAS)
-        return 1;
-#endif
-    static_cast<void>(part); // unused in a build with neither
-    return 0;
+    return part == STLTSA_HAS_OPENBLAS && stltsa::blas_is_openblas();
 }
 
 void stltsa_free(void* memory) noexcept {
