@@ -120,6 +120,27 @@ static void refuses_joints(stltsa_joint* joints, int64_t count, int32_t form, co
         fail_msg("%s: not in: %s", hint, stltsa_last_error());
 }
 
+/* Half turns, whose matrices have no w to divide by. */
+static void half_turns_of_matrices_are_exact(void** state) {
+    (void)state;
+    const stltsa_joint joint = {sizeof joint, "hip", -1, {0, 0, 0}, NULL, 0, 0};
+    const double matrices[4 * 9] = {1,  0, 0, 0, 1, 0, 0, 0, 1,  1,  0, 0, 0, -1, 0, 0, 0, -1,
+                                    -1, 0, 0, 0, 1, 0, 0, 0, -1, -1, 0, 0, 0, -1, 0, 0, 0, 1};
+    const double expected[4 * 4] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+    const stltsa_in in = packed_in(matrices, 4, 9);
+    stltsa_clip* clip = NULL;
+    must(stltsa_clip_from_skeleton(&joint, 1, STLTSA_ROTATIONS_MATRIX, &in, NULL, 30, &clip));
+    double* rotations = new_rows(clip, 4, "rotations");
+    for (int i = 0; i < 4; ++i) {
+        double product = 0; /* q and -q are one rotation */
+        for (int c = 0; c < 4; ++c)
+            product += rotations[4 * i + c] * expected[4 * i + c];
+        assert_below(fabs(fabs(product) - 1), 1e-14, "half turn");
+    }
+    free(rotations);
+    stltsa_clip_free(clip);
+}
+
 static void skeletons_that_are_none(void** state) {
     (void)state;
     stltsa_joint joints[] = {
@@ -158,6 +179,25 @@ static void skeletons_that_are_none(void** state) {
         refuses_joints(joints, 3, form, &in, NULL, STLTSA_E_ARGUMENT, hints[i]);
     }
     joints[1].channels = "";
+    char name[300] = "";
+    joints[1].name = name;
+    refuses_joints(joints, 3, form, &in, NULL, STLTSA_E_ARGUMENT, "joint 1 has no name");
+    memset(name, 'n', sizeof name - 1);
+    refuses_joints(joints, 3, form, &in, NULL, STLTSA_E_ARGUMENT, "joint 1 has 299 bytes");
+    joints[1].name = "knee";
+    joints[1].offset[2] = INFINITY;
+    refuses_joints(joints, 3, form, &in, NULL, STLTSA_E_NOT_FINITE, "offset of joint 1 ('knee')");
+    joints[1].offset[2] = 0;
+    joints[1].size -= 8;
+    refuses_joints(joints, 3, form, &in, NULL, STLTSA_E_ARGUMENT, "joints[1].size is");
+    joints[1].size += 8;
+    const stltsa_in seven = packed_in(q, 2, 7), three = packed_in(q, 2, 3);
+    joints[0].channels = "tx ty tz rx ry rz";
+    joints[1].channels = "rz";
+    refuses_joints(joints, 3, STLTSA_ROTATIONS_CHANNELS, &seven, &three, STLTSA_E_ARGUMENT,
+                   "root positions are among the channels");
+    joints[0].channels = joints[1].channels = "";
+    refuses_joints(joints, 3, form, &in, NULL, STLTSA_E_ARGUMENT, "the skeleton cannot move");
     joints[0].channels = "rz";
     const stltsa_in root = packed_in(q, 2, 3);
     refuses_joints(joints, 3, form, &in, &root, STLTSA_E_ARGUMENT, "no channels tx ty tz");
@@ -234,6 +274,12 @@ static void points_have_names_confidence_and_gaps(void** state) {
     points.confidence = packed_in(sure, 2, 2);
     refuses_points(&points, STLTSA_E_SHAPE, "confidence has 2 rows");
     points.confidence.data = NULL;
+    points.times = packed_in(times, 2, 1);
+    refuses_points(&points, STLTSA_E_SHAPE, "times have 2 rows and 1 columns");
+    points.times = packed_in(times, 3, 1);
+    points.fps = 20;
+    refuses_points(&points, STLTSA_E_ARGUMENT, "fps is 20, but the times are 10 a second");
+    points.times.data = NULL;
     points.fps = 0;
     refuses_points(&points, STLTSA_E_ARGUMENT, "there are no times");
     points.times = packed_in(times, 3, 1);
@@ -376,6 +422,7 @@ int main(int argc, char** argv) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(channels_of_a_skeleton_keep_every_bit),
         cmocka_unit_test(quaternions_of_a_skeleton_give_its_positions),
+        cmocka_unit_test(half_turns_of_matrices_are_exact),
         cmocka_unit_test(skeletons_that_are_none),
         cmocka_unit_test(points_of_a_walker_have_its_cycles),
         cmocka_unit_test(points_have_names_confidence_and_gaps),

@@ -268,6 +268,84 @@ static void wrong_arguments_are_named(void** state) {
     closed(w);
 }
 
+/* A hand that goes away and back three times, at two speeds, with rests; three markers. */
+static stltsa_clip* new_reaches(void) {
+    enum { fps = 30, cols = 9 };
+    static const int lengths[] = {60, 60, 80}, rest = 45;
+    const int64_t frames = 60 + 60 + 80 + 4 * rest;
+    double* values = new_matrix(frames, cols);
+    int64_t at = rest;
+    for (int r = 0; r < 3; ++r, at += rest)
+        for (int i = 0; i < lengths[r]; ++i, ++at) {
+            const double turn = 2 * pi * i / lengths[r], away = (1 - cos(turn)) / 2;
+            values[at * cols] = 0.6 * away;
+            values[at * cols + 1] = 0.3 * away * sin(turn);
+            values[at * cols + 3] = 0.2 * away * away;
+        }
+    uint64_t seed = 1;
+    for (int64_t i = 0; i < frames; ++i) {
+        values[i * cols + 4] += 1; /* markers 1 and 2 are elsewhere */
+        values[i * cols + 8] += 2;
+        for (int c = 0; c < cols; ++c)
+            values[i * cols + c] += 0.0005 * (uniform(&seed) - 0.5);
+    }
+    const char* const names[] = {"hand", "elbow", "head"};
+    stltsa_points points = {.size = sizeof points, .space = 3, .names = names, .fps = fps};
+    points.positions = packed_in(values, frames, cols);
+    stltsa_clip* clip = NULL;
+    must(stltsa_clip_from_points(&points, NULL, &clip));
+    free(values);
+    return clip;
+}
+
+/* Repetitions are compared at equal phases, as cycles are; but only frames of cycles have a phase.
+ */
+static void repetitions_are_resampled_by_phase(void** state) {
+    (void)state;
+    enum { samples = 11 };
+    walk w = {new_reaches(), NULL, NULL, 0};
+    must(stltsa_decompose(w.clip, NULL, &w.found));
+    must(stltsa_phase_find(w.clip, w.found, NULL, &w.phase));
+    w.frames = stltsa_clip_frames(w.clip);
+    const int64_t count = stltsa_decomposition_part_count(w.found, STLTSA_PART_REPETITION);
+    assert_int_equal(count, 3);
+    assert_int_equal(stltsa_decomposition_cycle_count(w.found), 0);
+    double *values = new_matrix(w.frames, 1), *ramp = new_matrix(w.frames, 1);
+    const stltsa_out of_values = packed_out(values, w.frames, 1);
+    must(stltsa_phase_values(w.phase, &of_values, NULL, NULL));
+    for (int64_t i = 0; i < w.frames; ++i) {
+        ramp[i] = (double)i;
+        assert_true(isnan(values[i]));
+    }
+    stltsa_cycles* cycles = NULL;
+    const stltsa_in in = packed_in(ramp, w.frames, 1);
+    must(stltsa_cycles_resample(w.phase, 0, &in, samples, &cycles));
+    assert_int_equal(stltsa_cycles_count(cycles), count);
+    double* resampled = new_matrix(count, samples);
+    const stltsa_out out = packed_out(resampled, count, samples);
+    must(stltsa_cycles_times(cycles, &out, NULL));
+    for (int64_t r = 0; r < count; ++r) {
+        stltsa_part part;
+        must(stltsa_decomposition_part(w.found, STLTSA_PART_REPETITION, r, &part));
+        /* Samples 3, 5 and 7: on the way, away, and on the way back, whatever the speed. */
+        static const double away[] = {75, 180, 295}, length[] = {60, 60, 80};
+        for (int s = 3; s <= 7; s += 2)
+            assert_below(fabs(resampled[r * samples + s] - away[r] - (s - 5) / 10.0 * length[r]), 4,
+                         "frame of a sample");
+        assert_below(fabs(resampled[r * samples] - (double)part.begin), 8, "first frame");
+    }
+    stltsa_model* model = NULL;
+    must(stltsa_fit_clip(w.clip, NULL, &model));
+    assert_int_equal(stltsa_model_keep_cycle(model, w.phase), STLTSA_E_ARGUMENT);
+    assert_non_null(strstr(stltsa_last_error(), "the clip has no cycles"));
+    stltsa_model_free(model);
+    stltsa_cycles_free(cycles);
+    free(resampled);
+    free(ramp);
+    free(values);
+    closed(w);
+}
+
 int main(int argc, char** argv) {
     if (argc != 2)
         return 2;
@@ -279,6 +357,7 @@ int main(int argc, char** argv) {
         cmocka_unit_test(between_borders_time_is_linear),
         cmocka_unit_test(the_last_border_may_be_the_end),
         cmocka_unit_test(groups_of_columns_have_distances),
+        cmocka_unit_test(repetitions_are_resampled_by_phase),
         cmocka_unit_test(wrong_arguments_are_named),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

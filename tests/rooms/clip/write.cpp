@@ -12,6 +12,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "clip/arrays/arrays.hpp"
 #include "clip/bvh/form.hpp"
 #include "clip/features/features.hpp"
 #include "clip/files/read_file.hpp"
@@ -133,6 +134,51 @@ void bvh_comes_back(void**) {
             for (std::int64_t i = 0; i < clip.frames(); ++i)
                 clip.values(i, c) = numbers[static_cast<std::size_t>(7 * i + c) % 17];
         check_same(through_file(clip, "a.BVH"), clip);
+    }
+}
+
+/// A file lists each branch to its end; arrays may list the joints level by level.
+void bvh_of_joints_in_another_order(void**) {
+    SkeletonArrays arrays;
+    const struct {
+        const char* name;
+        int parent;
+        Vec3 offset;
+    } joints[] = {{"hip", -1, {0, 9, 0}},
+                  {"left knee", 0, {1, -4, 0}},
+                  {"right knee", 0, {-1, -4, 0}},
+                  {"left foot", 1, {0, -4, 1}},
+                  {"right foot", 2, {0, -4, 2}}};
+    for (const auto& [name, parent, offset] : joints) {
+        Joint& joint = arrays.skeleton.joints.emplace_back();
+        joint.name = name;
+        joint.parent = parent;
+        joint.offset = offset;
+        joint.channels = {Channel::rz, Channel::rx, Channel::ry};
+    }
+    const Matrix angles = [] {
+        Random random;
+        Matrix values(6, 15);
+        for (std::int64_t i = 0; i < 6 * 15; ++i)
+            values.data()[i] = 40 * random.next();
+        return values;
+    }();
+    arrays.form = RotationForm::channels;
+    arrays.rotations = angles.view();
+    arrays.fps = 25;
+    const Clip clip = clip_from_skeleton(arrays);
+    const Clip back = through_file(clip, "levels.bvh");
+    const std::size_t order[] = {0, 1, 3, 2, 4};
+    const Matrix at = positions(clip), found = positions(back);
+    assert_int_equal(back.skeleton->joints.size(), 5);
+    for (std::size_t to = 0; to < 5; ++to) {
+        const Joint &joint = back.skeleton->joints[to], &from = clip.skeleton->joints[order[to]];
+        assert_string_equal(joint.name.c_str(), from.name.c_str());
+        assert_int_equal(joint.parent, to == 0 ? -1 : to == 1 || to == 3 ? 0 : to - 1);
+        for (std::int64_t i = 0; i < clip.frames(); ++i)
+            for (std::int64_t c = 0; c < 3; ++c)
+                ASSERT_NEAR(found(i, 3 * static_cast<std::int64_t>(to) + c),
+                            at(i, 3 * static_cast<std::int64_t>(order[to]) + c), 1e-12);
     }
 }
 
@@ -402,6 +448,7 @@ int main() {
     const CMUnitTest tests[] = {
         cmocka_unit_test(numbers_read_back_to_the_same_bits),
         cmocka_unit_test(bvh_comes_back),
+        cmocka_unit_test(bvh_of_joints_in_another_order),
         cmocka_unit_test(bvh_has_the_usual_layout),
         cmocka_unit_test(a_frame_rate_that_was_given_is_written),
         cmocka_unit_test(positions_are_written_to_replace_offsets),
