@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "clip/testing.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/formula.hpp"
@@ -234,6 +235,12 @@ void preambles_of_clinical_exports(void**) {
     assert_int_equal(clip.values.cols(), 9);
     assert_string_equal(clip.channel_names[3].c_str(), "Pat:RASI_X");
     assert_true(is_missing(clip, 1, 3) && clip.values(1, 8) == 9);
+    // A section that follows is not read.
+    const Clip first = csv(text + "\nForce Plate,,\n1000\nFrame,Sub Frame,Fx\n1,0,17\n");
+    assert_int_equal(first.frames(), 3);
+    assert_int_equal(first.values.cols(), 9);
+    assert_true(std::ranges::count(first.notes, "the rows from 'Force Plate' on are not read") ==
+                1);
     // An optical system: facts before the header, and levels that tell no columns apart.
     const Clip optical =
         csv("Format Version,1.23,Take Name,walk,Capture Frame Rate,120\n\n"

@@ -122,6 +122,15 @@ void what_has_no_sides_is_refused(void**) {
     uneven.skeleton->joints[4].end_site = false;
     uneven.skeleton->joints[4].name = "RightFoot";
     ASSERT_FAILS(Status::unsupported, "end sites", mirrored(uneven, {}));
+    Clip crooked = parsed();
+    crooked.skeleton->joints[3].parent = 1; // the right leg hangs from the left one
+    ASSERT_FAILS(Status::unsupported, "'LeftLeg' and 'RightLeg' are the two sides of one another",
+                 mirrored(crooked, {}));
+    Clip ambiguous = parsed();
+    ambiguous.skeleton->joints[0].name = "L_R";
+    ambiguous.skeleton->joints[1].name = "R_R";
+    ambiguous.skeleton->joints[3].name = "L_L";
+    ASSERT_FAILS(Status::unsupported, "cannot both be the other side of", mirrored(ambiguous, {}));
 }
 
 void names_of_the_other_side(void**) {

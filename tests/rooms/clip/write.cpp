@@ -182,6 +182,20 @@ void bvh_of_joints_in_another_order(void**) {
     }
 }
 
+/// Breaks within a stretch remain, and each seam is another; those at its ends are none.
+void breaks_are_cut_with_the_clip(void**) {
+    Clip clip;
+    clip.fps = 100;
+    clip.values = Matrix(100, 1);
+    for (std::int64_t i = 0; i < clip.frames(); ++i)
+        clip.values(i, 0) = static_cast<double>(i);
+    clip.breaks = {10, 30, 60};
+    const Clip made = cut(clip, {{20, 60}, {60, 80}, {5, 11}});
+    assert_true((made.breaks == std::vector<std::int64_t>{10, 40, 60, 65}));
+    assert_int_equal(made.frames(), 66);
+    assert_true(made.values(10, 0) == 30 && made.values(40, 0) == 60 && made.values(65, 0) == 10);
+}
+
 void bvh_has_the_usual_layout(void**) {
     assert_string_equal(find_format(Format::bvh)->write(parse(small_bvh, Format::bvh)).c_str(),
                         R"(HIERARCHY
@@ -449,6 +463,7 @@ int main() {
         cmocka_unit_test(numbers_read_back_to_the_same_bits),
         cmocka_unit_test(bvh_comes_back),
         cmocka_unit_test(bvh_of_joints_in_another_order),
+        cmocka_unit_test(breaks_are_cut_with_the_clip),
         cmocka_unit_test(bvh_has_the_usual_layout),
         cmocka_unit_test(a_frame_rate_that_was_given_is_written),
         cmocka_unit_test(positions_are_written_to_replace_offsets),
