@@ -82,6 +82,7 @@ static void clips_of_the_wrong_kind_are_refused(void** state) {
     assert_save_fails(clip, in_folder("bvh"), STLTSA_E_ARGUMENT, "suffix");
     assert_save_fails(clip, in_folder("a.amc"), STLTSA_E_UNSUPPORTED, "AMC");
     assert_save_fails(clip, NULL, STLTSA_E_ARGUMENT, "path");
+    assert_save_fails(clip, "", STLTSA_E_ARGUMENT, "the path is empty");
     assert_save_fails(NULL, in_folder("a.bvh"), STLTSA_E_ARGUMENT, "clip");
     stltsa_clip_free(clip);
 

@@ -257,6 +257,36 @@ static void other_motion_is_not_known(void** state) {
     closed(w);
 }
 
+/* Columns of single precision that are 12 bytes apart give what the same numbers give as doubles.
+ */
+static void frames_may_be_floats_with_strides(void** state) {
+    (void)state;
+    walk w = opened();
+    stltsa_live *live = started(w), *other = NULL;
+    must(stltsa_live_new(w.model, &other));
+    float* spread = calloc((size_t)(3 * w.count), sizeof *spread);
+    double* packed = new_matrix(1, w.count);
+    for (int64_t i = 0; i < 60; ++i) {
+        for (int64_t c = 0; c < w.count; ++c)
+            packed[c] = spread[3 * c] = (float)w.features[i * w.count + c];
+        stltsa_in row = packed_in(packed, 1, w.count);
+        stltsa_live_frame a, b;
+        a.size = b.size = sizeof a;
+        must(stltsa_live_push(live, (double)i / 120, &row, &a));
+        row.data = spread;
+        row.dtype = STLTSA_F32;
+        row.row_stride = 12 * w.count;
+        row.col_stride = 12;
+        must(stltsa_live_push(other, (double)i / 120, &row, &b));
+        assert_true(a.phase == b.phase && a.confidence == b.confidence);
+    }
+    free(packed);
+    free(spread);
+    stltsa_live_free(other);
+    stltsa_live_free(live);
+    closed(w);
+}
+
 static void wrong_arguments_are_named(void** state) {
     (void)state;
     walk w = opened();
@@ -274,8 +304,19 @@ static void wrong_arguments_are_named(void** state) {
                     right = packed_in(w.features, 1, w.count);
     assert_int_equal(stltsa_live_push(live, 0, &narrow, &frame), STLTSA_E_SHAPE);
     assert_int_equal(stltsa_live_push(live, NAN, &right, &frame), STLTSA_E_ARGUMENT);
+    stltsa_in integers = right, none = right;
+    integers.dtype = STLTSA_I64;
+    assert_int_equal(stltsa_live_push(live, 0, &integers, &frame), STLTSA_E_ARGUMENT);
+    assert_non_null(strstr(stltsa_last_error(), "it must be STLTSA_F64 or STLTSA_F32"));
+    none.data = NULL;
+    assert_int_equal(stltsa_live_push(live, 0, &none, &frame), STLTSA_E_ARGUMENT);
+    assert_non_null(strstr(stltsa_last_error(), "data is NULL"));
     frame.size = 3;
     assert_int_equal(stltsa_live_push(live, 0, &right, &frame), STLTSA_E_ARGUMENT);
+    for (int i = 1; i < 62; ++i)
+        must(stltsa_model_keep_mark(w.model, w.phase, 250, "again"));
+    assert_int_equal(stltsa_model_keep_mark(w.model, w.phase, 250, "b"), STLTSA_E_ARGUMENT);
+    assert_non_null(strstr(stltsa_last_error(), "at most 62 marks"));
     enum { rows = 200, cols = 4 };
     double* x = new_motion(rows, cols, 2);
     const stltsa_in in = packed_in(x, rows, cols);
@@ -304,6 +345,7 @@ int main(int argc, char** argv) {
         cmocka_unit_test(huge_numbers_do_no_harm),
         cmocka_unit_test(confidence_falls_while_frames_are_missing),
         cmocka_unit_test(other_motion_is_not_known),
+        cmocka_unit_test(frames_may_be_floats_with_strides),
         cmocka_unit_test(wrong_arguments_are_named),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

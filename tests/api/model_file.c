@@ -197,6 +197,8 @@ static void errors_say_what_is_wrong(void** state) {
     assert_int_equal(stltsa_model_parse(f->bytes, f->size, NULL), STLTSA_E_ARGUMENT);
     assert_int_equal(stltsa_model_save(f->model, NULL), STLTSA_E_ARGUMENT);
     assert_int_equal(stltsa_model_save(NULL, "x.stltsa"), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_model_save(f->model, ""), STLTSA_E_IO);
+    assert_non_null(strstr(stltsa_last_error(), "the path is empty"));
     assert_int_equal(stltsa_model_save(f->model, "no/such/folder/x.stltsa"), STLTSA_E_IO);
     assert_non_null(strstr(stltsa_last_error(), "no/such/folder/x.stltsa"));
     assert_int_equal(stltsa_model_load(NULL, &model), STLTSA_E_ARGUMENT);

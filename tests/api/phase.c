@@ -250,6 +250,9 @@ static void wrong_arguments_are_named(void** state) {
     assert_non_null(strstr(stltsa_last_error(), "border 2"));
     assert_int_equal(stltsa_cycles_between(&far, &few, 101, &cycles), STLTSA_E_ARGUMENT);
     assert_int_equal(stltsa_cycles_between(&none, &few, 101, &cycles), STLTSA_E_ARGUMENT);
+    const stltsa_in wide = packed_in(beyond, 1, 2);
+    assert_int_equal(stltsa_cycles_between(&wide, &few, 101, &cycles), STLTSA_E_SHAPE);
+    assert_non_null(strstr(stltsa_last_error(), "borders has 2 columns"));
     assert_null(cycles);
     stltsa_clip* part = NULL;
     char* name = malloc(strlen(walker_path) + 16);
@@ -259,6 +262,10 @@ static void wrong_arguments_are_named(void** state) {
     assert_int_equal(stltsa_phase_find(part, w.found, NULL, &phase), STLTSA_E_ARGUMENT);
     assert_non_null(strstr(stltsa_last_error(), "not of this clip"));
     assert_null(phase);
+    stltsa_sides* sides = NULL;
+    assert_int_equal(stltsa_sides_find(part, w.phase, 0, 101, NULL, &sides), STLTSA_E_ARGUMENT);
+    assert_non_null(strstr(stltsa_last_error(), "the phase belongs to another clip"));
+    assert_null(sides);
     stltsa_phase_free(NULL);
     stltsa_cycles_free(NULL);
     assert_int_equal(stltsa_cycles_count(NULL), 0);
