@@ -7,6 +7,7 @@
 #include "linalg/simd.hpp"
 #include "ltsa/neighbors/neighborhood_distances.hpp"
 #include "ltsa/tangents/covariance_batch.hpp"
+#include "ltsa/tangents/finder.hpp"
 #include "ltsa/tangents/gram_batch.hpp"
 #include "ltsa/tangents/local_pca.hpp"
 #include "ltsa/tangents/local_tangents.hpp"
@@ -96,6 +97,26 @@ Matrix polynomials(std::int64_t degrees, std::int64_t size) {
             p[a] /= norm;
     }
     return rows;
+}
+
+/// Neighborhoods that are too large for distances, of frames that are too wide for covariances.
+void large_neighborhoods_of_wide_frames(void**) {
+    constexpr std::int64_t size = 140, width = 300, count = 3;
+    assert_false(stltsa::ltsa::TangentFinder::takes_distances(size, width));
+    assert_false(CovarianceBatch::worth_while(size, width));
+    const Matrix direction = polynomials(count + 1, size);
+    Matrix x(size, width);
+    for (std::int64_t l = 0; l < count; ++l)
+        for (std::int64_t a = 0; a < size; ++a)
+            for (std::int64_t c = 0; c < 90; ++c)
+                x(a, 100 * l + c) = direction(l + 1, a) / static_cast<double>(1 + l);
+    const Tangents tangents = tangents_of(x, size, count, stltsa::widest_simd());
+    for (std::int64_t i = 0; i < size; ++i) {
+        assert_int_equal(tangents.rank[static_cast<std::size_t>(i)], count);
+        for (std::int64_t l = 0; l < count; ++l)
+            ASSERT_NEAR(std::abs(stltsa::dot(tangents.direction(i, l), direction.row(l + 1), size)),
+                        1, 1e-12);
+    }
 }
 
 /// Polynomials of time in separate features, which are the principal directions. The rounding of
@@ -292,6 +313,7 @@ int main() {
     const stltsa::SingleThreadedBlas single;
     const CMUnitTest tests[] = {
         cmocka_unit_test(tangents_are_those_of_lapack),
+        cmocka_unit_test(large_neighborhoods_of_wide_frames),
         cmocka_unit_test(features_of_uneven_size),
         cmocka_unit_test(a_direction_that_the_start_lacks_is_found),
         cmocka_unit_test(windows_that_do_not_vary_have_no_direction),
