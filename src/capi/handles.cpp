@@ -36,7 +36,7 @@ std::vector<const clip::Clip*> clips_of(const stltsa_clip* const* clips, std::in
 const ltsa::Mapping* mapping_of(const stltsa_model& model) {
     if (model.kept.frames.rows() == 0)
         return nullptr;
-    // Not std::call_once, whose order of events helgrind does not know.
+    // Not std::call_once, which helgrind does not know as synchronization.
     const std::lock_guard lock(model.mapping_mutex);
     if (!model.mapping)
         model.mapping.emplace(model.kept.frames.view(), model.model,

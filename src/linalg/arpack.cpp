@@ -29,8 +29,8 @@ extern "C" void dseupd_(const a_int* with_vectors, const char* which_vectors, a_
 namespace stltsa {
 namespace {
 
-// Not a std::timed_mutex: GCC 12's ThreadSanitizer and valgrind's helgrind do not know
-// pthread_mutex_clocklock, so they would see a mutex that nobody locked.
+// Not a std::timed_mutex: ThreadSanitizer of GCC 12 and helgrind do not know
+// pthread_mutex_clocklock, and report that an unlocked mutex is unlocked.
 [[maybe_unused]] std::mutex arpack_mutex;
 [[maybe_unused]] std::condition_variable arpack_free;
 [[maybe_unused]] bool arpack_used = false; ///< guarded by arpack_mutex

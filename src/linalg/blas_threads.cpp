@@ -3,9 +3,9 @@
 
 #include <mutex>
 
-// If the library is linked with -lblas, it depends on the machine where a program runs whether this
-// is OpenBLAS: the addresses are null if it is not. A library linked with -lopenblas needs the
-// functions in any case, because static linking ignores weak references.
+// With -lblas, the machine on which a program runs decides whether the BLAS is OpenBLAS; if not,
+// these addresses are null. With -lopenblas the references are strong, because a static linker does
+// not search a library for weak ones.
 #ifdef STLTSA_OPENBLAS
 #define STLTSA_IF_LOADED
 #else

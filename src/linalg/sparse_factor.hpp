@@ -15,7 +15,8 @@ class SparseFactor {
     ~SparseFactor();
     SparseFactor(SparseFactor&&) = delete;
 
-    /// Factors the same matrix plus a shift of its diagonal. False if a pivot is not positive.
+    /// Factors the same matrix plus a shift of its diagonal. False if a pivot is not positive. Only
+    /// the last call may have a shift other than 0.
     bool factorize(SparseColumns& matrix, double shift);
     /// The smallest pivot relative to the largest, an estimate of 1 / condition.
     double pivot_ratio() const;

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <new>
-#include <utility>
 
 #include <suitesparse/amd.h>
 extern "C" {
@@ -78,18 +77,17 @@ struct SparseFactor::State {
                 work(c, at(e));
     }
 
-    void shift_diagonal(double by) {
+    void shift_diagonal(double shift) {
         for (std::int64_t c = 0; c < order; ++c)
             for (auto e = columns.begin[at(c)]; e < columns.begin[at(c) + 1]; ++e)
                 if (columns.rows[at(e)] == c)
-                    columns.values[at(e)] += by;
+                    columns.values[at(e)] += shift;
     }
 
     SuiteSparse_long order;
     Indices row_of, place_of; ///< the row of the matrix for each row of the factor, and the inverse
-    SparseColumns columns;    ///< the reordered matrix, with `shift` on its diagonal
-    double shift = 0;
-    Indices begin, rows; ///< of the factor's columns, without the diagonal
+    SparseColumns columns;    ///< the reordered matrix
+    Indices begin, rows;      ///< of the factor's columns, without the diagonal
     std::vector<double> values;
     Indices parent, counts, marks, pattern;
     std::vector<double> work, pivots;
@@ -101,7 +99,7 @@ SparseFactor::~SparseFactor() = default;
 
 bool SparseFactor::factorize(SparseColumns&, double shift) {
     State& s = *state_;
-    s.shift_diagonal(shift - std::exchange(s.shift, shift));
+    s.shift_diagonal(shift);
     const auto done = ldl_l_numeric(
         s.order, s.columns.begin.data(), s.columns.rows.data(), s.columns.values.data(),
         s.begin.data(), s.parent.data(), s.counts.data(), s.rows.data(), s.values.data(),

@@ -2,13 +2,12 @@
 /* Coordinates do not depend on the position of the frames in space and memory, on the number of
  * threads, or on other work of the process. */
 #define _POSIX_C_SOURCE 200809L
-#include <dirent.h>
 #include <sys/wait.h>
 #include <threads.h>
 #include <time.h>
 #include <unistd.h>
 
-#include "support.h"
+#include "fit_threads.h"
 
 enum { rows = 600, cols = 12, d = 2 };
 
@@ -148,16 +147,6 @@ static void number_of_threads_changes_no_bit(void** state) {
     free(x);
 }
 
-static int count_threads(void) {
-    DIR* folder = opendir("/proc/self/task");
-    assert_non_null(folder);
-    int count = 0;
-    for (const struct dirent* entry; (entry = readdir(folder)) != NULL;)
-        count += entry->d_name[0] != '.';
-    closedir(folder);
-    return count;
-}
-
 /* The kernel may list a thread for a moment after it was joined. */
 static void assert_no_more_threads_than(int count) {
     const struct timespec moment = {0, 10000000};
@@ -166,33 +155,20 @@ static void assert_no_more_threads_than(int count) {
     assert_in_range(count_threads(), 1, count);
 }
 
-static stltsa_status fit_in_mode(const double* x, int64_t mode, int64_t threads) {
-    const stltsa_in in = packed_in(x, rows, cols);
-    stltsa_options* options = new_options(24, 24, d);
-    must(stltsa_options_set_int(options, STLTSA_OPT_MODE, mode));
-    must(stltsa_options_set_int(options, STLTSA_OPT_THREADS, threads));
-    stltsa_model* model = NULL;
-    const stltsa_status status = stltsa_fit(&in, NULL, options, &model);
-    stltsa_model_free(model);
-    stltsa_options_free(options);
-    return status;
-}
-
 /* Includes threads of the libraries below: a forked process would wait for them. */
 static void threads_end_with_the_call(void** state) {
     (void)state;
-    static const int64_t modes[] = {STLTSA_MODE_TEMPORAL, STLTSA_MODE_SPATIAL,
-                                    STLTSA_MODE_RECURRENT};
     const int before = count_threads(); /* includes OpenBLAS's own, which it ends at a fork */
     double* x = new_motion(rows, cols, 28);
+    const stltsa_in in = packed_in(x, rows, cols);
     for (int m = 0; m < 3; ++m) {
-        must(fit_in_mode(x, modes[m], 3));
+        must(fit_in_mode(&in, all_modes[m], 3, NULL, NULL));
         assert_no_more_threads_than(before);
         const pid_t child = fork();
         assert_true(child >= 0);
         if (child == 0) {
             alarm(60);
-            _exit(fit_in_mode(x, modes[m], 3) == STLTSA_OK ? 0 : 1);
+            _exit(fit_in_mode(&in, all_modes[m], 3, NULL, NULL) == STLTSA_OK ? 0 : 1);
         }
         int ended = -1;
         assert_int_equal(waitpid(child, &ended, 0), child);

@@ -4,13 +4,11 @@
  * meson.build sets OMP_NUM_THREADS, so that a team of OpenMP would be larger than those of
  * OpenBLAS. */
 #define _GNU_SOURCE
-#include <dirent.h>
 #include <dlfcn.h>
 
-#include "support.h"
+#include "fit_threads.h"
 
 enum { rows = 600, cols = 12, d = 2 };
-static const int64_t modes[] = {STLTSA_MODE_TEMPORAL, STLTSA_MODE_SPATIAL, STLTSA_MODE_RECURRENT};
 
 /* Functions of the libraries that this process loaded; NULL without that library. */
 static int (*get_blas_threads)(void), (*get_omp_levels)(void), (*get_omp_threads)(void);
@@ -27,16 +25,6 @@ static int find_functions(void** state) {
     printf("OpenBLAS: %s, OpenMP: %s\n", get_blas_threads ? "yes" : "no",
            get_omp_levels ? "yes" : "no");
     return 0;
-}
-
-static int count_threads(void) {
-    DIR* folder = opendir("/proc/self/task");
-    assert_non_null(folder);
-    int count = 0;
-    for (const struct dirent* entry; (entry = readdir(folder)) != NULL;)
-        count += entry->d_name[0] != '.';
-    closedir(folder);
-    return count;
 }
 
 /* The most threads that existed during the callbacks, and the callbacks until the call is
@@ -59,15 +47,7 @@ static int32_t watch(void* user, int32_t stage, double fraction) {
 
 static stltsa_status fit(const double* x, int64_t mode, struct progress* progress) {
     const stltsa_in in = packed_in(x, rows, cols);
-    stltsa_options* options = new_options(24, 24, d);
-    must(stltsa_options_set_int(options, STLTSA_OPT_MODE, mode));
-    must(stltsa_options_set_int(options, STLTSA_OPT_THREADS, 1));
-    must(stltsa_options_set_progress(options, watch, progress));
-    stltsa_model* model = NULL;
-    const stltsa_status status = stltsa_fit(&in, NULL, options, &model);
-    stltsa_model_free(model);
-    stltsa_options_free(options);
-    return status;
+    return fit_in_mode(&in, mode, 1, watch, progress);
 }
 
 /* Threads of a team of OpenMP remain after it ends. */
@@ -77,7 +57,7 @@ static void no_team_of_openmp(void** state) {
     const int before = count_threads();
     for (int m = 0; m < 3; ++m) {
         struct progress progress = {0, 0, -1};
-        must(fit(x, modes[m], &progress));
+        must(fit(x, all_modes[m], &progress));
         assert_int_equal(progress.most_threads, before);
         assert_int_equal(count_threads(), before);
     }
@@ -113,7 +93,7 @@ static void settings_remain_if_cancelled(void** state) {
         stltsa_status status = STLTSA_E_CANCELLED;
         for (int at = 0; status == STLTSA_E_CANCELLED; ++at) {
             struct progress progress = {0, 0, at};
-            status = fit(x, modes[m], &progress);
+            status = fit(x, all_modes[m], &progress);
             check_all();
         }
         must(status);
@@ -129,7 +109,7 @@ static void openblas_has_one_thread_during_a_fit(void** state) {
     set_all();
     for (int m = 0; m < 3; ++m) {
         struct progress progress = {0, 0, -1};
-        must(fit(x, modes[m], &progress));
+        must(fit(x, all_modes[m], &progress));
         assert_int_equal(progress.most_blas_threads, get_blas_threads != NULL);
     }
     free(x);
@@ -142,7 +122,7 @@ static void settings_remain_after_an_error(void** state) {
     x[rows * cols / 2] = NAN;
     for (int m = 0; m < 3; ++m) {
         struct progress progress = {0, 0, -1};
-        assert_int_equal(fit(x, modes[m], &progress), STLTSA_E_NOT_FINITE);
+        assert_int_equal(fit(x, all_modes[m], &progress), STLTSA_E_NOT_FINITE);
         check_all();
     }
     free(x);

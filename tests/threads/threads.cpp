@@ -47,15 +47,20 @@ std::int32_t count_down(void* left, std::int32_t, double) {
     return --*static_cast<int*>(left) < 0 ? 1 : 0;
 }
 
-/// Coordinates of a fit; empty if it was cancelled. `left`: callbacks until it is cancelled.
-std::vector<double> fitted(std::int64_t mode, std::int64_t threads, int left) {
+stltsa_options* new_options(std::int64_t mode, std::int64_t threads) {
     stltsa_options* options = nullptr;
-    stltsa_model* model = nullptr;
     stltsa_options_new(&options);
     stltsa_options_set_int(options, STLTSA_OPT_MODE, mode);
     stltsa_options_set_int(options, STLTSA_OPT_NEIGHBORS, 12);
     stltsa_options_set_int(options, STLTSA_OPT_DIMENSION, 2);
     stltsa_options_set_int(options, STLTSA_OPT_THREADS, threads);
+    return options;
+}
+
+/// Coordinates of a fit; empty if it was cancelled. `left`: callbacks until it is cancelled.
+std::vector<double> fitted(std::int64_t mode, std::int64_t threads, int left) {
+    stltsa_options* options = new_options(mode, threads);
+    stltsa_model* model = nullptr;
     stltsa_options_set_progress(options, count_down, &left);
     const stltsa_in x = in();
     const stltsa_status status = stltsa_fit(&x, nullptr, options, &model);
@@ -113,12 +118,8 @@ std::vector<double> cancelled_by_another(std::int64_t mode, std::int32_t stage) 
         cancelling.reached.wait();
         cancelling.cancel.send();
     });
-    stltsa_options* options = nullptr;
+    stltsa_options* options = new_options(mode, 2);
     stltsa_model* model = nullptr;
-    stltsa_options_new(&options);
-    stltsa_options_set_int(options, STLTSA_OPT_MODE, mode);
-    stltsa_options_set_int(options, STLTSA_OPT_NEIGHBORS, 12);
-    stltsa_options_set_int(options, STLTSA_OPT_THREADS, 2);
     stltsa_options_set_progress(options, wait_in_stage, &cancelling);
     const stltsa_in x = in();
     expect(stltsa_fit(&x, nullptr, options, &model) == STLTSA_E_CANCELLED && model == nullptr,

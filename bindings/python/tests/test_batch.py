@@ -104,6 +104,8 @@ def test_jobs(clips, tmp_path):
         stltsa.batch(clips, tmp_path / "parts", shard=(3, 2))
     with pytest.raises(ValueError, match="shard"):
         stltsa.batch(clips, tmp_path / "parts", shard="1")
+    with pytest.raises(ValueError, match="shard"):
+        stltsa.batch(clips, tmp_path / "parts", shard=(1.5, 2))
 
 
 def test_a_cluster(clips, tmp_path):

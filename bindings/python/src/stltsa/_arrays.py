@@ -29,7 +29,8 @@ def as_matrix(values: Any, what: str = "X") -> npt.NDArray[Any]:
     try:
         array = np.asarray(unmasked(values))
     except ValueError as error:  # rows of different lengths, or different things
-        if all(getattr(each, "ndim", 0) == 2 for each in values):
+        several = isinstance(values, list | tuple)
+        if several and all(getattr(each, "ndim", 0) == 2 for each in values):
             raise wrong(what, values, "one array: call it for each of them") from None
         raise ValueError(f"{what} must be an array with a row per frame: {error}") from error
     if array.ndim == 0:

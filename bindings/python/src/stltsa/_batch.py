@@ -8,6 +8,7 @@ import errno
 import io
 import json
 import math
+import operator
 import os
 import re
 import zlib
@@ -74,7 +75,8 @@ class Client(Protocol):
 
 def _shard(shard: Any) -> tuple[int, int]:
     try:
-        index, count = map(int, shard.split("/") if isinstance(shard, str) else shard)
+        given = map(int, shard.split("/")) if isinstance(shard, str) else map(operator.index, shard)
+        index, count = given
     except (TypeError, ValueError):
         index, count = 0, 0
     if not 1 <= index <= count:

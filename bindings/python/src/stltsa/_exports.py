@@ -137,9 +137,13 @@ _COLUMNS = {
 }
 
 
+# Within a cell, a tab would begin the next cell, and a new line the next row.
+_SPACES = str.maketrans("\t\r\n", "   ")
+
+
 def _cell(value: Any) -> str:
     unknown = value == "" or (isinstance(value, float) and np.isnan(value))
-    return "n/a" if unknown else " ".join(str(value).split())  # a tab would begin the next cell
+    return "n/a" if unknown else str(value).translate(_SPACES)
 
 
 class Moment(NamedTuple):
