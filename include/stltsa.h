@@ -43,9 +43,9 @@
  *              cannot know of other users of the same libarpack in the process. Only one thread at
  *              a time may use a handle that is not const in the signature. Progress callbacks run
  *              on the thread that made the call. The threads that a call starts end with it, so a
- *              process may fork between calls; a child forked within a progress callback must exec
- *              or _exit. During a fit, OpenBLAS is set to one thread for the whole process, and
- *              then restored.
+ *              process may fork between calls; a child forked during a call, by another thread or
+ *              in a progress callback, must exec or _exit. During a fit, OpenBLAS is set to one
+ *              thread for the whole process, and then restored.
  * Determinism. The same input, options and build give the same bits on every run, for any number
  *              of threads. The sign of each coordinate is chosen so that its entry of largest
  *              magnitude is positive.

@@ -2,6 +2,7 @@
 """stltsa events: a mark is found in every cycle and in other clips."""
 
 import csv
+import json
 import io
 import time
 import unittest
@@ -80,6 +81,16 @@ class Events(CommandTest):
             self.assertIn("rest is left out: none of its labels is in a motion that repeats",
                           found["warnings"][0])
 
+    def test_a_label_file_with_an_equals_sign_in_its_name(self):
+        path = self.folder / "a=b.csv"
+        path.write_text("onset,trial_type\n2.1,strike\n")
+        for given in (path, path.name):
+            line = ("events", walk(), "--mark", given, "--json")
+            found = json.loads(self.done(*line, cwd=self.folder))
+            self.assertEqual({event["name"] for event in found["events"]}, {"strike"})
+        found = self.json("events", walk(), "--mark", "250=b.csv")["events"]
+        self.assertEqual({event["name"] for event in found}, {"b.csv"})
+
     def test_a_name_that_looks_like_a_formula(self):
         path = self.folder / "events.csv"
         self.done("events", walk(), "--mark", "250==SUM(1)", "-o", path)
@@ -100,9 +111,10 @@ class Events(CommandTest):
         path = self.folder / "many.tsv"
         path.write_text("\n".join(["onset\ttrial_type", *rows, ""]))
         began = time.monotonic()
-        found = self.json("events", walk(), "--mark", path)["events"]
+        found = self.json("events", walk(), "--mark", path)
         many = time.monotonic() - began
-        self.assertEqual(sum(event["marked"] for event in found), 299)
+        self.assertEqual(sum(event["marked"] for event in found["events"]), 299)
+        self.assertIn("strike: 1 of 300 labels are left out", " ".join(found["warnings"]))
         began = time.monotonic()
         self.json("events", walk(), "--mark", "2.1s=strike")
         self.assertLess(many, 60 * (time.monotonic() - began))  # 299 searches take longer

@@ -5,9 +5,13 @@ import json
 import math
 import unittest
 
+import jsonschema
 import numpy
 
-from common import CommandTest, cut, noisy_circle, run, walk
+from common import SCHEMAS, CommandTest, cut, noisy_circle, run, walk
+
+SCHEMA = jsonschema.Draft202012Validator(
+    json.loads((SCHEMAS / "stltsa-live-1.schema.json").read_text()))
 
 
 class Live(CommandTest):
@@ -19,7 +23,10 @@ class Live(CommandTest):
 
     def lines(self, *arguments):
         text = self.done("live", *arguments, "--json").decode()
-        return [json.loads(line) for line in text.splitlines()]
+        lines = [json.loads(line) for line in text.splitlines()]
+        for line in lines:
+            SCHEMA.validate(line)
+        return lines
 
     def test_phases_are_those_of_the_whole_clip(self):
         lines = self.lines(self.model(), walk())
@@ -36,6 +43,11 @@ class Live(CommandTest):
         self.assertAlmostEqual(numpy.median(rates), 120 / 132, delta=0.03)
         turns = lines[550]["cycles"] - lines[286]["cycles"]
         self.assertAlmostEqual(turns, 2, delta=0.02)
+
+    def test_the_schema_is_closed(self):
+        line = self.lines(self.model(), f"{walk()}:0-1")[0]
+        self.assertFalse(SCHEMA.is_valid({**line, "unknown": 1}))
+        self.assertFalse(SCHEMA.is_valid({key: line[key] for key in list(line)[1:]}))
 
     def test_marks_pass_once_a_cycle(self):
         model = self.model("250=strike", "2.4s=off")

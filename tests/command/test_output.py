@@ -114,6 +114,25 @@ class Files(CommandTest):
                 self.assert_empty(self.folder)
         self.assertTrue(os.path.exists("/dev/full"))
 
+    def test_full_disk_keeps_the_old_file(self):
+        alone = ["unshare", "--mount", "--map-root-user"]  # a disk that only this test sees
+        if subprocess.run([*alone, "true"], capture_output=True, check=False).returncode != 0:
+            self.skipTest("no mount namespaces here")
+        script = (
+            'mount -t tmpfs -o size=4k none "$1" && echo old >"$1/a.json" || exit 99\n'
+            '"$2" decompose "$3" --json -o "$1/a.json"; status=$?\n'
+            'ls "$1" && cat "$1/a.json"; exit "$status"'
+        )
+        result = subprocess.run(
+            [*alone, "sh", "-c", script, "sh", self.folder, STLTSA, walk()],
+            capture_output=True,
+            env=plain_environment(),
+            check=False,
+        )
+        self.assertEqual(result.stdout, b"a.json\nold\n", result.stderr)
+        self.assertEqual(result.returncode, 1)
+        self.assertIn(b"No space left", result.stderr)
+
     def test_one_file_has_one_use(self):
         clip = self.folder / "walk.svg"
         clip.write_bytes(walk().read_bytes())

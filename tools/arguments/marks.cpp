@@ -27,6 +27,20 @@ std::optional<double> number_in(std::string_view text) {
     return value;
 }
 
+struct Place {
+    std::optional<double> value; ///< absent: not a number
+    bool seconds;                ///< else frames
+};
+
+/// What stands before the first =.
+Place place_of(const std::string& mark) {
+    std::string_view place = std::string_view(mark).substr(0, mark.find('='));
+    const bool seconds = place.ends_with('s');
+    if (seconds)
+        place.remove_suffix(1);
+    return {number_in(place), seconds};
+}
+
 using Row = std::vector<std::string>;
 
 /// The cells of the next row; cells may be quoted as in CSV files.
@@ -68,7 +82,7 @@ std::string cell_of(const Row& row, std::optional<std::size_t> column,
 
 bool is_label_file(const std::string& mark) {
     const bool file = ends_in(mark, ".c3d") || ends_in(mark, ".csv") || ends_in(mark, ".tsv");
-    return file && mark.find('=') == mark.npos;
+    return file && !(mark.find('=') != mark.npos && place_of(mark).value);
 }
 
 Marks labels_in(const std::string& table, const std::string& path, const std::string& clip,
@@ -117,11 +131,7 @@ Marks parse_marks(const std::vector<std::string>& given, double fps) {
     Marks marks;
     for (const std::string& typed : given) {
         const std::size_t sign = typed.find('=');
-        std::string_view place = std::string_view(typed).substr(0, sign);
-        const bool seconds = place.ends_with('s');
-        if (seconds)
-            place.remove_suffix(1);
-        const auto value = number_in(place);
+        const auto [value, seconds] = place_of(typed);
         if (!value || sign == std::string::npos || sign + 1 == typed.size())
             throw Failure(Exit::usage,
                           fmt::format("--mark is given '{}': it takes FRAME=NAME, such as "

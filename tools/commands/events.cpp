@@ -130,10 +130,16 @@ void add_useful(const Analyzed& from, const std::string& file, const Marks& labe
         keep_useful(keep_useful, frames, useful);
         const std::string why =
             useful.empty() ? "none of its labels is in a motion that repeats" : refusal(useful);
-        if (why.empty())
-            marks[name].insert(marks[name].end(), useful.begin(), useful.end());
-        else
+        if (!why.empty()) {
             table.warnings.push_back(fmt::format("{}: {} is left out: {}", file, name, why));
+            continue;
+        }
+        marks[name].insert(marks[name].end(), useful.begin(), useful.end());
+        if (useful.size() < frames.size())
+            table.warnings.push_back(
+                fmt::format("{}: {}: {} of {} labels are left out: they are in no motion that "
+                            "repeats",
+                            file, name, frames.size() - useful.size(), frames.size()));
     }
 }
 

@@ -106,7 +106,8 @@ def test_labels_of_a_file_are_marks(result, phase):
         stltsa.Event("Foot Strike", "Right", 316 / 120),
         stltsa.Event("Start", "", 2 / 120),
     ]
-    found = phase.events_like(labels)
+    with pytest.warns(stltsa.QualityWarning, match="Start is left out: none of its labels"):
+        found = phase.events_like(labels)
     assert list(found) == ["Left Foot Strike", "Right Foot Strike"]
     for label, events in zip(labels, found.values(), strict=False):
         name = f"{label.context} {label.label}"
@@ -127,7 +128,9 @@ def test_labels_of_one_name_are_searched_once(result, phase, monkeypatch):
     found = phase.events_like(labels)
     assert len(calls) == 1
     outside = stltsa.Event("Foot Strike", "Left", 2 / 120)
-    assert phase.events_like([*labels, outside]) == found
+    with pytest.warns(stltsa.QualityWarning, match="1 of 3 labels are left out") as warned:
+        assert phase.events_like([*labels, outside]) == found
+    assert [each.filename for each in warned] == [__file__]
 
 
 def test_labels_all_over_the_cycle_are_left_out(result, phase):

@@ -371,7 +371,7 @@ class Phase:
         Warns
         -----
         QualityWarning
-            A name whose labels are spread all over the cycle, so they mark no place in it.
+            Labels that are left out.
 
         Raises
         ------
@@ -409,13 +409,23 @@ class Phase:
             return self.events(frames, other, name=name)
         except ArgumentError:
             inside = self._repeating(frames)
+        found, left_out = None, ""
         if not inside:
-            return None
-        try:
-            return self.events(inside, other, name=name)
-        except ArgumentError as error:
-            warnings.warn(f"{name} is left out: {error}", QualityWarning, stacklevel=3)
-            return None
+            left_out = f"{name} is left out: none of its labels is in a motion that repeats"
+        else:
+            try:
+                found = self.events(inside, other, name=name)
+            except ArgumentError as error:
+                left_out = f"{name} is left out: {error}"
+            else:
+                if len(inside) < len(frames):
+                    left_out = (
+                        f"{name}: {len(frames) - len(inside)} of {len(frames)} labels are left "
+                        "out: they are in no motion that repeats"
+                    )
+        if left_out:
+            warnings.warn(left_out, QualityWarning, stacklevel=3)
+        return found
 
     def _repeating(self, frames: list[float]) -> list[float]:
         """Return the frames in motions that repeat: by halves, as each refusal is a search."""
