@@ -63,7 +63,7 @@
 #include <stdint.h>
 
 #define STLTSA_VERSION_MAJOR 0
-#define STLTSA_VERSION_MINOR 1
+#define STLTSA_VERSION_MINOR 2
 #define STLTSA_VERSION_PATCH 0
 #define STLTSA_VERSION_NUMBER                                                                      \
     (STLTSA_VERSION_MAJOR * 10000 + STLTSA_VERSION_MINOR * 100 + STLTSA_VERSION_PATCH)

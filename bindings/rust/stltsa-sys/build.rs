@@ -18,7 +18,7 @@ fn main() {
         env::set_var("PKG_CONFIG_PATH", search_path(&build_library()));
     }
     let mut config = pkg_config::Config::new();
-    config.atleast_version("0.1.0");
+    config.atleast_version("0.2.0");
     // Otherwise the crate pkg-config reads STLTSA_STATIC and PKG_CONFIG_ALL_STATIC itself.
     if vendored || env::var_os("CARGO_FEATURE_STATIC").is_some() {
         config.statik(true);

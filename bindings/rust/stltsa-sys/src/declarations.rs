@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Made by scripts/generate-bindings: do not edit.
 pub const STLTSA_VERSION_MAJOR: i32 = 0;
-pub const STLTSA_VERSION_MINOR: i32 = 1;
+pub const STLTSA_VERSION_MINOR: i32 = 2;
 pub const STLTSA_VERSION_PATCH: i32 = 0;
-pub const STLTSA_VERSION_NUMBER: i32 = 100;
+pub const STLTSA_VERSION_NUMBER: i32 = 200;
 pub type stltsa_status = i32;
 pub const STLTSA_OK: i32 = 0;
 pub const STLTSA_E_ARGUMENT: i32 = -1;
