@@ -112,7 +112,7 @@ Quantity amplitude_of(const Curves& curves) {
 }
 
 /// The ratio of two amplitudes, by the difference of their logarithms.
-Estimate ratio_of(const Quantity& first, const Quantity& second, bool paired) {
+Estimate ratio_of(const Quantity& first, const Quantity& second, const Dependence& dependence) {
     if (!(first.value > 0 && second.value > 0))
         return unknown;
     const auto logarithm = [](const Quantity& of) {
@@ -121,7 +121,7 @@ Estimate ratio_of(const Quantity& first, const Quantity& second, bool paired) {
             result.deviations.push_back(deviation / of.value);
         return result;
     };
-    Estimate of_logarithms = estimate(logarithm(first), logarithm(second), paired);
+    const Estimate of_logarithms = estimate(logarithm(first), logarithm(second), dependence);
     Estimate ratio = unknown;
     ratio.difference = second.value / first.value;
     ratio.low = std::exp(of_logarithms.low);
@@ -153,57 +153,105 @@ double rms_of(const Matrix& values, const Columns& columns) {
     return std::sqrt(squares / static_cast<double>(values.rows() - 1));
 }
 
+/// The deviations at a sample of a column.
+Quantity sample_of(const Resampled& cycles, std::int64_t index) {
+    Quantity sample{cycles.mean.data()[index], {}};
+    for (const Matrix& cycle : cycles.each)
+        sample.deviations.push_back(cycle.data()[index] - sample.value);
+    return sample;
+}
+
 void set_pointwise(const Resampled& first, const Resampled& second, bool paired,
                    Differences& result) {
     const std::int64_t rows = first.mean.rows(), cols = first.mean.cols();
-    const auto n = static_cast<double>(first.each.size());
-    const auto m = static_cast<double>(second.each.size());
+    std::vector<Quantity> one, other;
+    std::vector<const Quantity*> all, all_other;
+    for (std::int64_t i = 0; i < rows * cols; ++i) {
+        one.push_back(sample_of(first, i));
+        other.push_back(sample_of(second, i));
+    }
+    for (std::size_t i = 0; i < one.size(); ++i) {
+        all.push_back(&one[i]);
+        all_other.push_back(&other[i]);
+    }
+    const Dependence dependence = dependence_of(all, all_other, paired);
     for (Matrix* matrix : {&result.difference, &result.error, &result.margin})
         *matrix = Matrix::unset(rows, cols);
-    std::vector<double> differences;
     for (std::int64_t i = 0; i < rows * cols; ++i) {
-        differences.clear();
-        for (std::size_t k = 0; paired && k < first.each.size(); ++k)
-            differences.push_back(second.each[k].data()[i] - first.each[k].data()[i]);
-        const Uncertainty error =
-            paired ? paired_error(deviation_of(differences), n)
-                   : welch(first.deviation.data()[i], n, second.deviation.data()[i], m);
-        result.difference.data()[i] = second.mean.data()[i] - first.mean.data()[i];
-        result.error.data()[i] = error.standard;
-        result.margin.data()[i] = error.margin;
+        const auto at = static_cast<std::size_t>(i);
+        const Estimate found = estimate(one[at], other[at], dependence);
+        result.difference.data()[i] = found.difference;
+        result.error.data()[i] = found.error;
+        result.margin.data()[i] = found.high - found.difference;
     }
 }
 
-/// What all parts have in common.
-struct Compared {
-    const Resampled& first;
-    const Resampled& second;
-    const Timing* whole; ///< null: lags count from the cycle
-    bool paired = false;
-    const Differences& pointwise;
+/// What is estimated of some columns.
+struct Measured {
+    Timing timing;
+    Quantity amplitude, other_amplitude;
+    Quantity level, other_level; ///< of one column
 };
 
-PartDifference part_difference(const Compared& of, const Columns& columns) {
-    const Curves first = curves_of(of.first, columns), second = curves_of(of.second, columns);
-    PartDifference part;
-    part.rms = rms_of(of.pointwise.difference, columns);
-    part.chance = rms_of(of.pointwise.error, columns);
-    Timing timing = timing_of(first, second, first.mean.rows() / 4, least_correlation);
-    part.correlation = timing.lag.correlation;
-    part.lag = part.mean = unknown;
-    if (!std::isnan(timing.lag.samples)) {
-        if (of.whole != nullptr) {
-            subtract(of.whole->first, timing.first);
-            subtract(of.whole->second, timing.second);
-        }
-        part.lag = estimate(timing.first, timing.second, of.paired);
+/// `whole`: the timing of all columns; null: lags count from the cycle.
+Measured measured(const Resampled& first, const Resampled& second, const Columns& columns,
+                  const Timing* whole) {
+    const Curves one = curves_of(first, columns), other = curves_of(second, columns);
+    Measured made;
+    made.timing = timing_of(one, other, one.mean.rows() / 4, least_correlation);
+    if (whole != nullptr && !std::isnan(made.timing.lag.samples)) {
+        subtract(whole->first, made.timing.first);
+        subtract(whole->second, made.timing.second);
     }
-    const Quantity amplitude = amplitude_of(first), other = amplitude_of(second);
-    part.amplitude = estimate(amplitude, other, of.paired);
-    part.ratio = ratio_of(amplitude, other, of.paired);
-    if (columns.size() == 1)
-        part.mean = estimate(level_of(first), level_of(second), of.paired);
-    return part;
+    made.amplitude = amplitude_of(one);
+    made.other_amplitude = amplitude_of(other);
+    if (columns.size() == 1) {
+        made.level = level_of(one);
+        made.other_level = level_of(other);
+    }
+    return made;
+}
+
+/// The dependence of one quantity of all parts.
+template <class First, class Second>
+Dependence dependence_in(const std::vector<Measured>& all, bool paired, First first,
+                         Second second) {
+    std::vector<const Quantity*> one, other;
+    for (const Measured& each : all) {
+        one.push_back(&first(each));
+        other.push_back(&second(each));
+    }
+    return dependence_of(one, other, paired);
+}
+
+std::vector<PartDifference> differences_of(const std::vector<Measured>& all,
+                                           const std::vector<Columns>& columns,
+                                           const Differences& pointwise, bool paired) {
+    const auto first_timing = [](const Measured& of) -> auto& { return of.timing.first; };
+    const auto second_timing = [](const Measured& of) -> auto& { return of.timing.second; };
+    const Dependence timing = dependence_in(all, paired, first_timing, second_timing);
+    const Dependence size =
+        dependence_in(all, paired, [](const Measured& of) -> auto& { return of.amplitude; },
+                      [](const Measured& of) -> auto& { return of.other_amplitude; });
+    const Dependence level =
+        dependence_in(all, paired, [](const Measured& of) -> auto& { return of.level; },
+                      [](const Measured& of) -> auto& { return of.other_level; });
+    std::vector<PartDifference> parts;
+    for (std::size_t p = 0; p < all.size(); ++p) {
+        const Measured& of = all[p];
+        PartDifference& part = parts.emplace_back();
+        part.rms = rms_of(pointwise.difference, columns[p]);
+        part.chance = rms_of(pointwise.error, columns[p]);
+        part.correlation = of.timing.lag.correlation;
+        part.lag = std::isnan(of.timing.lag.samples)
+                       ? unknown
+                       : estimate(of.timing.first, of.timing.second, timing);
+        part.amplitude = estimate(of.amplitude, of.other_amplitude, size);
+        part.ratio = ratio_of(of.amplitude, of.other_amplitude, size);
+        part.mean = of.level.deviations.empty() ? unknown
+                                                : estimate(of.level, of.other_level, level);
+    }
+    return parts;
 }
 
 } // namespace
@@ -219,23 +267,30 @@ Differences compare(const Resampled& first, const Resampled& second,
     Differences result;
     set_pointwise(first, second, paired, result);
     Columns all;
-    std::vector<Columns> parts(static_cast<std::size_t>(std::ranges::max(groups) + 1));
+    std::vector<Columns> parts(static_cast<std::size_t>(std::ranges::max(groups) + 1)), single;
     for (std::size_t c = 0; c < groups.size(); ++c) {
         all.push_back(static_cast<std::int64_t>(c));
-        parts[static_cast<std::size_t>(groups[c])].push_back(static_cast<std::int64_t>(c));
+        single.push_back({all.back()});
+        parts[static_cast<std::size_t>(groups[c])].push_back(all.back());
     }
     const Curves body = curves_of(first, all), other = curves_of(second, all);
     const Timing whole = timing_of(body, other, body.mean.rows() / 2, -1);
     result.likeness = whole.lag.correlation;
     result.runner_up = whole.lag.runner_up;
     const bool aligned = !paired && !std::isnan(whole.lag.samples);
-    result.whole = aligned ? estimate(whole.first, whole.second, false) : unknown;
+    result.whole = unknown;
+    if (aligned)
+        result.whole = estimate(whole.first, whole.second,
+                                dependence_of({&whole.first}, {&whole.second}, false));
     result.shift = aligned ? whole.second.value : 0;
-    const Compared compared{first, second, aligned ? &whole : nullptr, paired, result};
-    for (const Columns& columns : parts)
-        result.parts.push_back(part_difference(compared, columns));
-    for (const std::int64_t column : all)
-        result.columns.push_back(part_difference(compared, {column}));
+    const auto of = [&](const std::vector<Columns>& chosen) {
+        std::vector<Measured> made;
+        for (const Columns& columns : chosen)
+            made.push_back(measured(first, second, columns, aligned ? &whole : nullptr));
+        return differences_of(made, chosen, result, paired);
+    };
+    result.parts = of(parts);
+    result.columns = of(single);
     return result;
 }
 

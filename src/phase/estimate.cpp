@@ -21,14 +21,50 @@ double count_of(const std::vector<double>& values) {
     return static_cast<double>(values.size());
 }
 
-Uncertainty error_of(const Quantity& first, const Quantity& second, bool paired) {
-    if (!paired)
-        return welch(deviation_of(first.deviations), count_of(first.deviations),
-                     deviation_of(second.deviations), count_of(second.deviations));
+std::vector<double> differences_of(const Quantity& first, const Quantity& second) {
     std::vector<double> differences;
     for (std::size_t k = 0; k < first.deviations.size(); ++k)
         differences.push_back(second.deviations[k] - first.deviations[k]);
-    return paired_error(deviation_of(differences), count_of(differences));
+    return differences;
+}
+
+Spread spread_of(const std::vector<double>& deviations, double persistence) {
+    return {deviation_of(deviations), count_of(deviations), persistence};
+}
+
+Uncertainty uncertainty_of(const Quantity& first, const Quantity& second,
+                           const Dependence& dependence) {
+    if (dependence.paired)
+        return uncertainty(spread_of(differences_of(first, second), dependence.first));
+    return uncertainty(spread_of(first.deviations, dependence.first),
+                       spread_of(second.deviations, dependence.second));
+}
+
+/// Degrees of freedom of as many independent values as are worth the spread.
+double freedom_of(const Spread& spread) {
+    return std::max(1.0, spread.count / spread.persistence - 1);
+}
+
+double variance_of_mean(const Spread& spread) {
+    return square(spread.sd) / spread.count * spread.persistence;
+}
+
+/// Cycles this far apart may still resemble each other.
+std::size_t reach_of(std::size_t cycles) {
+    return std::clamp<std::size_t>(cycles / 4, 1, 3);
+}
+
+/// Fewer cycles do not show their correlation.
+constexpr std::size_t least_cycles = 4;
+
+/// Deviations need not have the mean 0 to the last bit.
+std::vector<double> centered(std::vector<double> values) {
+    double mean = 0;
+    for (const double value : values)
+        mean += value / count_of(values);
+    for (double& value : values)
+        value -= mean;
+    return values;
 }
 
 } // namespace
@@ -71,31 +107,74 @@ double deviation_of(const std::vector<double>& deviations) {
     return std::sqrt(squares / (count_of(deviations) - 1));
 }
 
-Uncertainty welch(double sd, double n, double other_sd, double m) {
-    const double a = square(sd) / n, b = square(other_sd) / m;
+// With autocovariances c_h of the deviations from the mean of n values that are correlated up to
+// lag L, the variance of the mean is (c_0 + 2 sum c_h) / (n - 1 - 2 sum (1 - h / n)): the mean takes
+// as much from each c_h as its own variance, which is added again.
+double persistence(const std::vector<std::vector<double>>& deviations) {
+    if (deviations.empty() || deviations.front().size() < least_cycles)
+        return 1;
+    const std::size_t cycles = deviations.front().size(), reach = reach_of(cycles);
+    const auto n = static_cast<double>(cycles);
+    double sum = 0, counted = 0;
+    for (const std::vector<double>& each : deviations) {
+        const std::vector<double> values = centered(each);
+        double squares = 0, products = 0;
+        for (std::size_t k = 0; k < cycles; ++k) {
+            squares += square(values[k]);
+            for (std::size_t h = 1; h <= reach && k + h < cycles; ++h)
+                products += values[k] * values[k + h];
+        }
+        if (squares > 0) {
+            sum += products / squares;
+            ++counted;
+        }
+    }
+    if (counted == 0)
+        return 1;
+    double lost = 1;
+    for (std::size_t h = 1; h <= reach; ++h)
+        lost += 2 * (1 - static_cast<double>(h) / n);
+    return std::max(1.0, (n - 1) * (1 + 2 * sum / counted) / (n - lost));
+}
+
+Dependence dependence_of(const std::vector<const Quantity*>& first,
+                         const std::vector<const Quantity*>& second, bool paired) {
+    std::vector<std::vector<double>> one, other;
+    for (std::size_t i = 0; i < first.size(); ++i) {
+        if (first[i]->deviations.empty())
+            continue;
+        one.push_back(paired ? differences_of(*first[i], *second[i]) : first[i]->deviations);
+        other.push_back(second[i]->deviations);
+    }
+    return {persistence(one), paired ? 1 : persistence(other), paired};
+}
+
+Uncertainty uncertainty(const Spread& first, const Spread& second) {
+    const double a = variance_of_mean(first), b = variance_of_mean(second);
     if (!(a + b >= 0))
         return {none, none};
     if (a + b == 0)
         return {0, 0};
-    // Welch and Satterthwaite.
-    const double freedom = square(a + b) / (square(a) / (n - 1) + square(b) / (m - 1));
+    const double freedom =
+        square(a + b) / (square(a) / freedom_of(first) + square(b) / freedom_of(second));
     const double standard = std::sqrt(a + b);
     return {standard, standard * t_quantile(std::max(1.0, freedom))};
 }
 
-Uncertainty paired_error(double sd, double n) {
-    const double standard = sd / std::sqrt(n);
-    return {standard, n > 1 ? standard * t_quantile(n - 1) : none};
+Uncertainty uncertainty(const Spread& differences) {
+    const double standard = std::sqrt(variance_of_mean(differences));
+    return {standard,
+            differences.count > 1 ? standard * t_quantile(freedom_of(differences)) : none};
 }
 
-Estimate estimate(const Quantity& first, const Quantity& second, bool paired) {
+Estimate estimate(const Quantity& first, const Quantity& second, const Dependence& dependence) {
     Estimate result;
     result.first = first.value;
     result.first_sd = deviation_of(first.deviations);
     result.second = second.value;
     result.second_sd = deviation_of(second.deviations);
     result.difference = second.value - first.value;
-    const Uncertainty error = error_of(first, second, paired);
+    const Uncertainty error = uncertainty_of(first, second, dependence);
     result.error = error.standard;
     result.low = result.difference - error.margin;
     result.high = result.difference + error.margin;

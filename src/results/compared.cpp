@@ -221,8 +221,10 @@ Comparison compared(const Side& first, const Side& second, phase::Resampled one,
     result.size_ratio = in_space(first.phased) && columns.names.size() > 1
                             ? size_of(other.mean) / size_of(one.mean)
                             : none;
-    result.cycle_time = phase::estimate(cycle_times(one, first.phased.clip.fps),
-                                        cycle_times(other, second.phased.clip.fps), sides);
+    const phase::Quantity time = cycle_times(one, first.phased.clip.fps);
+    const phase::Quantity other_time = cycle_times(other, second.phased.clip.fps);
+    result.cycle_time =
+        phase::estimate(time, other_time, phase::dependence_of({&time}, {&other_time}, sides));
     result.motions = {motion_facts(first, one), motion_facts(second, other)};
     result.columns = std::move(columns);
     for (const phase::PartDifference& part : result.differences.parts) {
