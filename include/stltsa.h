@@ -1327,10 +1327,12 @@ STLTSA_API const char *stltsa_events_warning(const stltsa_events *events,
  * phase: what differs in timing and amplitude, and how well these differences are known. */
 typedef struct stltsa_comparison stltsa_comparison;
 
-/* A quantity of both mean cycles and its difference. Intervals are of 95 %, by Student's t
- * distribution with the degrees of freedom of Welch, and take cycles as independent. One value in 20
- * is significant by chance alone. What is not known is NaN: all that depends on the spread if there
- * is only one cycle. Frozen. */
+/* A quantity of both mean cycles and its difference. Intervals are of 95 %, from the spread over the
+ * cycles, by Student's t distribution with the degrees of freedom of Welch; they are wider if cycles
+ * resemble those before them, which at least four cycles show. One value in 20 is significant by
+ * chance alone. An interval says how well the mean of these cycles is known, not what the same
+ * person does on another day (docs/answers.md has measurements). What is not known is NaN: all that
+ * depends on the spread if there is only one cycle. Frozen. */
 typedef struct stltsa_estimate {
     double first, first_sd;   /* value, standard deviation over the cycles */
     double second, second_sd;

@@ -51,7 +51,7 @@ double variance_of_mean(const Spread& spread) {
 
 /// Cycles this far apart may still resemble each other.
 std::size_t reach_of(std::size_t cycles) {
-    return std::clamp<std::size_t>(cycles / 4, 1, 3);
+    return std::clamp<std::size_t>(cycles / 3, 1, 3);
 }
 
 /// Fewer cycles do not show their correlation.
