@@ -958,8 +958,8 @@ class Events {
     detail::Handle<stltsa_events, stltsa_events_free> handle_;
 };
 
-/// The cycles of two motions laid on each other by phase. `which`: 0 for the first motion, 1 for the
-/// second.
+/// The cycles of two motions laid on each other by phase. `which`: 0 for the first motion, 1 for
+/// the second.
 class Comparison {
   public:
     using Pointer = stltsa_comparison*;
@@ -1113,10 +1113,10 @@ class Phase {
         detail::check(stltsa_sides_find(clip.get(), get(), label, samples, options.get(), &sides));
         return {sides, samples};
     }
-    /// Compares motions in cycles of this clip and of another. Labels: of the segments, 0 for A; -1:
-    /// the longest motion here, there the one most like it.
-    Comparison compare(const Phase& second, std::int32_t label = -1,
-                       std::int32_t second_label = -1, std::int64_t samples = 101) const {
+    /// Compares motions in cycles of this clip and of another. Labels: of the segments, 0 for A;
+    /// -1: the longest motion here, there the one most like it.
+    Comparison compare(const Phase& second, std::int32_t label = -1, std::int32_t second_label = -1,
+                       std::int64_t samples = 101) const {
         stltsa_comparison* comparison = nullptr;
         detail::check(
             stltsa_compare(get(), label, second.get(), second_label, samples, &comparison));

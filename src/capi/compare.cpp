@@ -32,8 +32,8 @@ std::optional<int32_t> wanted(int32_t label) {
 }
 
 stltsa_estimate made(const phase::Estimate& of) {
-    return {of.first,      of.first_sd, of.second, of.second_sd,          of.difference,
-            of.error,      of.low,      of.high,   of.significant ? 1 : 0, 0};
+    return {of.first, of.first_sd, of.second, of.second_sd,           of.difference,
+            of.error, of.low,      of.high,   of.significant ? 1 : 0, 0};
 }
 
 void check_which(int32_t which) {
@@ -181,8 +181,8 @@ const char* stltsa_comparison_part_name(const stltsa_comparison* comparison, int
                                         int64_t index) noexcept {
     if (comparison == nullptr || (which != 0 && which != 1))
         return "";
-    return text_or_empty(text_at(
-        which == 0 ? &comparison->columns.names : &comparison->columns.other_names, index));
+    return text_or_empty(
+        text_at(which == 0 ? &comparison->columns.names : &comparison->columns.other_names, index));
 }
 
 int64_t stltsa_comparison_channel_count(const stltsa_comparison* comparison) noexcept {
@@ -245,8 +245,7 @@ int64_t stltsa_comparison_warning_count(const stltsa_comparison* comparison) noe
     return comparison == nullptr ? 0 : static_cast<int64_t>(comparison->warnings.size());
 }
 
-const char* stltsa_comparison_warning(const stltsa_comparison* comparison,
-                                      int64_t index) noexcept {
+const char* stltsa_comparison_warning(const stltsa_comparison* comparison, int64_t index) noexcept {
     return text_or_empty(text_at(comparison == nullptr ? nullptr : &comparison->warnings, index));
 }
 

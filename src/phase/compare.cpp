@@ -16,8 +16,7 @@ constexpr Estimate unknown{none, none, none, none, none, none, none, none, false
 using Columns = std::vector<std::int64_t>;
 
 Matrix chosen(const Matrix& from, const Columns& columns) {
-    Matrix result =
-        Matrix::unset(from.rows() - 1, static_cast<std::int64_t>(columns.size()));
+    Matrix result = Matrix::unset(from.rows() - 1, static_cast<std::int64_t>(columns.size()));
     for (std::int64_t s = 0; s < result.rows(); ++s)
         for (std::int64_t c = 0; c < result.cols(); ++c)
             result(s, c) = from(s, columns[static_cast<std::size_t>(c)]);
@@ -88,8 +87,8 @@ double squared_distance_between(const Matrix& curve, std::int64_t a, std::int64_
     return sum;
 }
 
-/// The distance of the places of the mean curve that are farthest apart; of a cycle, the distance of
-/// the same places in that direction.
+/// The distance of the places of the mean curve that are farthest apart; of a cycle, the distance
+/// of the same places in that direction.
 Quantity amplitude_of(const Curves& curves) {
     std::int64_t from = 0, to = 0;
     double most = 0;
@@ -227,15 +226,19 @@ Dependence dependence_in(const std::vector<Measured>& all, bool paired, First fi
 std::vector<PartDifference> differences_of(const std::vector<Measured>& all,
                                            const std::vector<Columns>& columns,
                                            const Differences& pointwise, bool paired) {
-    const auto first_timing = [](const Measured& of) -> auto& { return of.timing.first; };
-    const auto second_timing = [](const Measured& of) -> auto& { return of.timing.second; };
+    const auto first_timing = [](const Measured& of) -> auto& {
+        return of.timing.first;
+    };
+    const auto second_timing = [](const Measured& of) -> auto& {
+        return of.timing.second;
+    };
     const Dependence timing = dependence_in(all, paired, first_timing, second_timing);
-    const Dependence size =
-        dependence_in(all, paired, [](const Measured& of) -> auto& { return of.amplitude; },
-                      [](const Measured& of) -> auto& { return of.other_amplitude; });
-    const Dependence level =
-        dependence_in(all, paired, [](const Measured& of) -> auto& { return of.level; },
-                      [](const Measured& of) -> auto& { return of.other_level; });
+    const Dependence size = dependence_in(
+        all, paired, [](const Measured& of) -> auto& { return of.amplitude; },
+        [](const Measured& of) -> auto& { return of.other_amplitude; });
+    const Dependence level = dependence_in(
+        all, paired, [](const Measured& of) -> auto& { return of.level; },
+        [](const Measured& of) -> auto& { return of.other_level; });
     std::vector<PartDifference> parts;
     for (std::size_t p = 0; p < all.size(); ++p) {
         const Measured& of = all[p];
@@ -248,8 +251,8 @@ std::vector<PartDifference> differences_of(const std::vector<Measured>& all,
                        : estimate(of.timing.first, of.timing.second, timing);
         part.amplitude = estimate(of.amplitude, of.other_amplitude, size);
         part.ratio = ratio_of(of.amplitude, of.other_amplitude, size);
-        part.mean = of.level.deviations.empty() ? unknown
-                                                : estimate(of.level, of.other_level, level);
+        part.mean =
+            of.level.deviations.empty() ? unknown : estimate(of.level, of.other_level, level);
     }
     return parts;
 }

@@ -108,8 +108,8 @@ double deviation_of(const std::vector<double>& deviations) {
 }
 
 // With autocovariances c_h of the deviations from the mean of n values that are correlated up to
-// lag L, the variance of the mean is (c_0 + 2 sum c_h) / (n - 1 - 2 sum (1 - h / n)): the mean takes
-// as much from each c_h as its own variance, which is added again.
+// lag L, the variance of the mean is (c_0 + 2 sum c_h) / (n - 1 - 2 sum (1 - h / n)): the mean
+// takes as much from each c_h as its own variance, which is added again.
 double persistence(const std::vector<std::vector<double>>& deviations) {
     if (deviations.empty() || deviations.front().size() < least_cycles)
         return 1;
@@ -180,8 +180,7 @@ Estimate estimate(const Quantity& first, const Quantity& second, const Dependenc
     result.high = result.difference + error.margin;
     const double least =
         rounding * std::max({std::abs(first.value), std::abs(second.value), rounding});
-    result.significant =
-        (result.low > 0 || result.high < 0) && std::abs(result.difference) > least;
+    result.significant = (result.low > 0 || result.high < 0) && std::abs(result.difference) > least;
     return result;
 }
 

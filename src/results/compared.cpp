@@ -202,10 +202,10 @@ void warn_of_likeness(Comparison& result) {
             "cycles correlate by {:.2f}, against {:.2f}",
             result.runner_up, result.likeness));
     if (result.size_ratio > most_size_ratio || result.size_ratio < 1 / most_size_ratio)
-        result.warnings.push_back(
-            format_text("the second body is {:.3g} times as large as the first: if the units of the "
-                        "clips differ, amplitudes and distances cannot be compared",
-                        result.size_ratio));
+        result.warnings.push_back(format_text(
+            "the second body is {:.3g} times as large as the first: if the units of the "
+            "clips differ, amplitudes and distances cannot be compared",
+            result.size_ratio));
 }
 
 /// What is left once the cycles are aligned.
@@ -253,8 +253,8 @@ Comparison compared_with(const Phased& first, const PhasedMotion& motion, const 
     const phase::Lag lag = lag_of(of_one, two.cycles(samples, 0));
     const double zero =
         std::isnan(lag.samples) ? 0 : lag.samples / static_cast<double>(samples - 1);
-    Comparison result = compared(one, two, std::move(of_one), two.cycles(samples, zero),
-                                 std::move(columns), false);
+    Comparison result =
+        compared(one, two, std::move(of_one), two.cycles(samples, zero), std::move(columns), false);
     result.turn = turn;
     result.shift = result.differences.whole;
     const double shift = zero + result.differences.shift;
@@ -294,8 +294,7 @@ Comparison compare_left_right(const clip::Clip& clip, const Phased& phased,
     const PhasedMotion& motion = longest(candidates(phased, label, "first"));
     check_columns(clip, phased);
     const Matrix own = rows_by_frame(phased);
-    if (const std::string reason =
-            resample(phased, motion.label, own.view(), samples).no_halves;
+    if (const std::string reason = resample(phased, motion.label, own.view(), samples).no_halves;
         !reason.empty())
         fail(Status::unsupported, "left and right cannot be compared: {}", reason);
     CommonColumns columns = side_columns_of(phased);

@@ -25,14 +25,14 @@ struct Comparison {
     std::array<ComparedMotion, 2> motions;
     clip::Features features = clip::Features::raw;
     std::int64_t samples = 0;
-    bool sides = false;     ///< of one clip: the second motion is its mirror image
+    bool sides = false; ///< of one clip: the second motion is its mirror image
     CommonColumns columns;
-    phase::Estimate shift;  ///< phase of the second at phase 0 of the first; only difference, error
-                            ///< and interval
-    double likeness = 0;    ///< correlation of the mean cycles once aligned
-    double runner_up = 0;   ///< the same of the next best alignment; NaN: there is no other
-    double turn = 0;        ///< degrees by which the second was turned about the up axis
-    double size_ratio = 0;  ///< size of the second body by that of the first
+    phase::Estimate shift; ///< phase of the second at phase 0 of the first; only difference, error
+                           ///< and interval
+    double likeness = 0;   ///< correlation of the mean cycles once aligned
+    double runner_up = 0;  ///< the same of the next best alignment; NaN: there is no other
+    double turn = 0;       ///< degrees by which the second was turned about the up axis
+    double size_ratio = 0; ///< size of the second body by that of the first
     phase::Estimate cycle_time; ///< seconds
     phase::Differences differences;
     std::int64_t judged = 0, significant = 0; ///< lags and amplitudes of parts with an interval

@@ -93,8 +93,7 @@ std::int64_t axis_turn(const Phased& first, const Phased& second) {
 
 bool in_space(const Phased& phased) {
     return phased.samples.features == clip::Features::positions ||
-           (phased.samples.features == clip::Features::points &&
-            phased.body.shape.rule.width == 3);
+           (phased.samples.features == clip::Features::points && phased.body.shape.rule.width == 3);
 }
 
 CommonColumns common_columns(const Phased& first, const Phased& second) {

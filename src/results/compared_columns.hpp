@@ -16,7 +16,7 @@ struct CommonColumns {
     std::vector<std::int64_t> first, second;
     std::vector<std::int64_t> part; ///< index of the joint, point or column of the file
     std::vector<std::string> axis;  ///< "x" or "rz"; empty: a part has one column
-    std::vector<std::string> names, other_names;            ///< of each part
+    std::vector<std::string> names, other_names;       ///< of each part
     std::vector<std::string> left_out, other_left_out; ///< those that the other clip lacks
 };
 

@@ -62,8 +62,8 @@ Level level_of(const clip::Clip& clip, const Phased& phased, bool turned) {
 void turn_to_sides(const phase::Resampled& own, const phase::Resampled& image, const Level& level,
                    Matrix& signals) {
     const Matrix mean = phase::once_around(image.mean);
-    turn_to(phase::once_around(own.mean),
-            phase::later(mean, static_cast<double>(mean.rows()) / 2), level, signals);
+    turn_to(phase::once_around(own.mean), phase::later(mean, static_cast<double>(mean.rows()) / 2),
+            level, signals);
 }
 
 } // namespace

@@ -10,7 +10,8 @@ static const double turn = 6.283185307179586;
 
 enum { columns = 6, samples = 101 };
 
-/* A motion that repeats once in a period; columns 0 and 3 have the same shape, as 1 and 4, 2 and 5. */
+/* A motion that repeats once in a period; columns 0 and 3 have the same shape, as 1 and 4, 2 and 5.
+ */
 struct motion {
     double fps, period, seconds;
     double late;  /* share of the cycle: column 0 comes later, column 3 earlier */
@@ -30,8 +31,8 @@ static double change(int cycle, int column) {
 static double value(const struct motion* of, double cycles, int column) {
     static const double first[] = {10, 8, 6}, second[] = {3, -2, 4}, quarter[] = {0, 0.3, 0.6};
     const int shape = column % 3;
-    const double gain = (column == 1 ? of->gain : 1) *
-                        (1 + of->vary * change((int)floor(cycles), column));
+    const double gain =
+        (column == 1 ? of->gain : 1) * (1 + of->vary * change((int)floor(cycles), column));
     const double late = column == 0 ? of->late : column == 3 ? -of->late : 0;
     const double at = turn * (cycles - late + quarter[shape]) * (of->twice ? 2 : 1);
     const double high = of->twice ? 0.02 * cos(at / 2) : second[shape] * cos(2 * at);

@@ -36,11 +36,10 @@ Exit run_compare(const Arguments& arguments) {
         return phase.compare(phase_of(session, other, second));
     };
     const stltsa::Comparison comparison = compared();
-    session.finish({[&] { return comparison.json(); },
-                    [&] {
-                        return comparison_report(comparison, session.title(), file_name(other));
-                    },
-                    comparison.warnings(), [&] { return comparison_csv(comparison); }});
+    session.finish(
+        {[&] { return comparison.json(); },
+         [&] { return comparison_report(comparison, session.title(), file_name(other)); },
+         comparison.warnings(), [&] { return comparison_csv(comparison); }});
     return Exit::done;
 }
 

@@ -51,9 +51,8 @@ std::vector<Row> rows_of(const stltsa::Comparison& comparison) {
     for (const stltsa::ComparedPart& part : comparison.parts())
         if (part.amplitude.first > 0 || part.amplitude.second > 0)
             rows.push_back({name_of(comparison, part.part), part});
-    std::ranges::stable_sort(rows, std::ranges::greater{}, [](const Row& row) {
-        return row.part.rms;
-    });
+    std::ranges::stable_sort(rows, std::ranges::greater{},
+                             [](const Row& row) { return row.part.rms; });
     return rows;
 }
 
@@ -65,12 +64,12 @@ std::string parts_table(const stltsa::Comparison& comparison) {
     for (std::size_t i = 0; i < std::min(rows.size(), most_rows); ++i) {
         const auto& [name, part] = rows[i];
         const bool timed = !std::isnan(part.lag.difference);
-        table.add({name, timed ? percent(part.lag.difference) + mark(part.lag) : unknown,
-                   interval(part.lag.low, part.lag.high), number(part.amplitude.first),
-                   std::isnan(part.ratio) ? unknown
-                                          : percent(part.ratio - 1) + mark(part.amplitude),
-                   interval(part.ratio_low - 1, part.ratio_high - 1), number(part.rms),
-                   number(part.chance)});
+        table.add(
+            {name, timed ? percent(part.lag.difference) + mark(part.lag) : unknown,
+             interval(part.lag.low, part.lag.high), number(part.amplitude.first),
+             std::isnan(part.ratio) ? unknown : percent(part.ratio - 1) + mark(part.amplitude),
+             interval(part.ratio_low - 1, part.ratio_high - 1), number(part.rms),
+             number(part.chance)});
     }
     const std::size_t more = rows.size() - std::min(rows.size(), most_rows);
     return table.text() + (more == 0 ? ""
@@ -133,14 +132,14 @@ std::string values_cells(const stltsa::Difference& of) {
 
 std::string csv_row(const char* level, const stltsa::Comparison& comparison,
                     const std::string& axis, const stltsa::ComparedPart& of) {
-    return fmt::format(
-        "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", level,
-        csv_cell(comparison.part_name(0, of.part)), csv_cell(comparison.part_name(1, of.part)),
-        axis, cell(of.rms), cell(of.chance), cell(of.correlation), cell(of.lag.difference),
-        cell(of.lag.first_sd), cell(of.lag.second_sd), cell(of.lag.standard_error),
-        cell(of.lag.low), cell(of.lag.high), significant_cell(of.lag), cell(of.lag_s),
-        values_cells(of.amplitude), cell(of.ratio), cell(of.ratio_low), cell(of.ratio_high),
-        values_cells(of.mean));
+    return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", level,
+                       csv_cell(comparison.part_name(0, of.part)),
+                       csv_cell(comparison.part_name(1, of.part)), axis, cell(of.rms),
+                       cell(of.chance), cell(of.correlation), cell(of.lag.difference),
+                       cell(of.lag.first_sd), cell(of.lag.second_sd), cell(of.lag.standard_error),
+                       cell(of.lag.low), cell(of.lag.high), significant_cell(of.lag),
+                       cell(of.lag_s), values_cells(of.amplitude), cell(of.ratio),
+                       cell(of.ratio_low), cell(of.ratio_high), values_cells(of.mean));
 }
 
 } // namespace

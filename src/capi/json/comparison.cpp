@@ -26,13 +26,13 @@ Json interval_json(double value, double low, double high) {
 }
 
 JsonObject differences_json(const PartDifference& of, double cycle_time) {
-    return JsonObject(
-        "lag", estimate_json(of.lag), "lag_s",
-        interval_json(of.lag.difference * cycle_time, of.lag.low * cycle_time,
-                      of.lag.high * cycle_time),
-        "amplitude", estimate_json(of.amplitude), "amplitude_ratio",
-        interval_json(of.ratio.difference, of.ratio.low, of.ratio.high), "rms_difference", of.rms,
-        "rms_by_chance", of.chance, "correlation", of.correlation);
+    return JsonObject("lag", estimate_json(of.lag), "lag_s",
+                      interval_json(of.lag.difference * cycle_time, of.lag.low * cycle_time,
+                                    of.lag.high * cycle_time),
+                      "amplitude", estimate_json(of.amplitude), "amplitude_ratio",
+                      interval_json(of.ratio.difference, of.ratio.low, of.ratio.high),
+                      "rms_difference", of.rms, "rms_by_chance", of.chance, "correlation",
+                      of.correlation);
 }
 
 Json motion_json(const Comparison& of, std::size_t which) {
@@ -79,13 +79,13 @@ Json parts_json(const Comparison& of) {
 
 std::string comparison_json(const Comparison& of) {
     JsonObject object = json_head("comparison");
-    object.set("kind", of.sides ? "left_right" : "two_motions", "features",
-               json_name(of.features), "samples", of.samples);
+    object.set("kind", of.sides ? "left_right" : "two_motions", "features", json_name(of.features),
+               "samples", of.samples);
     object.set("first", motion_json(of, 0), "second", motion_json(of, 1));
     object.set("alignment",
                JsonObject("shift", of.shift.difference, "standard_error", of.shift.error, "low",
-                          of.shift.low, "high", of.shift.high, "likeness", of.likeness,
-                          "runner_up", of.runner_up, "turn_deg", of.turn));
+                          of.shift.low, "high", of.shift.high, "likeness", of.likeness, "runner_up",
+                          of.runner_up, "turn_deg", of.turn));
     object.set("size_ratio", of.size_ratio, "cycle_time_s", estimate_json(of.cycle_time));
     object.set("judged", of.judged, "significant", of.significant, "expected_by_chance",
                expected_by_chance(of));

@@ -24,8 +24,8 @@ Matrix curves(std::int64_t samples, double late, double high = 0.4) {
 }
 
 void quantiles_are_those_of_tables(void**) {
-    const double table[][2] = {{1, 12.7062}, {1.5, 6.0411},  {2, 4.3027},   {3, 3.1824},
-                               {5, 2.5706},  {10, 2.2281},   {30, 2.0423},  {1000, 1.9623}};
+    const double table[][2] = {{1, 12.7062}, {1.5, 6.0411}, {2, 4.3027},  {3, 3.1824},
+                               {5, 2.5706},  {10, 2.2281},  {30, 2.0423}, {1000, 1.9623}};
     for (const auto& [freedom, value] : table)
         ASSERT_NEAR(t_quantile(freedom) / value, 1, 2e-3);
 }
@@ -70,8 +70,7 @@ std::vector<double> remembering(std::int64_t count, double memory, std::mt19937&
     std::normal_distribution<double> normal;
     std::vector<double> values{normal(random)};
     while (std::ssize(values) < count)
-        values.push_back(memory * values.back() +
-                         std::sqrt(1 - memory * memory) * normal(random));
+        values.push_back(memory * values.back() + std::sqrt(1 - memory * memory) * normal(random));
     return values;
 }
 
@@ -100,8 +99,7 @@ double coverage(double memory, bool paired) {
             all.push_back(&first[static_cast<std::size_t>(q)]);
             others.push_back(&second[static_cast<std::size_t>(q)]);
         }
-        const Estimate found =
-            estimate(first[0], second[0], dependence_of(all, others, paired));
+        const Estimate found = estimate(first[0], second[0], dependence_of(all, others, paired));
         inside += found.low <= 2 && 2 <= found.high ? 1 : 0;
     }
     return static_cast<double>(inside) / tries;

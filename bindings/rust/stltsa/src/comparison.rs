@@ -175,14 +175,7 @@ impl Phase {
         let found = options.call(|options| {
             // SAFETY: live handles.
             Owned::make(|out| unsafe {
-                sys::stltsa_compare_left_right(
-                    clip.raw(),
-                    self.raw(),
-                    label,
-                    wanted,
-                    options,
-                    out,
-                )
+                sys::stltsa_compare_left_right(clip.raw(), self.raw(), label, wanted, options, out)
             })
         })?;
         Comparison::read(&found)
