@@ -20,8 +20,9 @@ _NULL = ffi.NULL
 class Difference(NamedTuple):
     """A quantity of both mean cycles and its difference, second less first.
 
-    `low` and `high` are its 95 % confidence interval, from the spread over the cycles; `significant`
-    is true if it does not include 0, which one in 20 does not by chance. NaN is what is not known.
+    `low` and `high` are its 95 % confidence interval, from the spread over the cycles;
+    `significant` is true if it does not include 0, which one in 20 does not by chance. NaN is what
+    is not known.
     """
 
     first: float
