@@ -93,7 +93,12 @@ double t_quantile(double freedom) {
                 (freedom + 1) / (freedom + 2) +
             1 / y;
     }
-    return std::sqrt(freedom * y);
+    const double found = std::sqrt(freedom * y);
+    // Below 2 it is too large, by 18 % at 1; an interpolation between the exact values at 1 and 2
+    // is so by at most 2.6 %.
+    constexpr double of_one = 12.706204736174698, of_two = 4.302652729749464;
+    return freedom < 2 ? std::min(found, of_two * std::pow(of_one / of_two, 2 / freedom - 1))
+                       : found;
 }
 
 double deviation_of(const std::vector<double>& deviations) {

@@ -235,13 +235,15 @@ static void a_doubtful_shift_is_said(void** state) {
     stltsa_phase_free(other);
 }
 
+/* f is where a is: the heading is that of the same points. */
 static stltsa_phase* phase_of_points(const char* const* names, int64_t count, double scale,
                                      int up) {
     enum { frames = 900 };
     double* values = new_matrix(frames, 3 * count);
     for (int i = 0; i < frames; ++i)
         for (int64_t p = 0; p < count; ++p) {
-            const double at = turn * i / 110.0, where = (double)(names[p][0] - 'a');
+            const double at = turn * i / 110.0;
+            const double where = names[p][0] == 'f' ? 0 : (double)(names[p][0] - 'a');
             const double x = 0.1 * where + 0.3 * sin(at + where),
                          y = 0.2 * cos(where * 2) + 0.1 * cos(at + 2 * where),
                          z = 1 + 0.3 * where + 0.02 * sin(2 * at);
