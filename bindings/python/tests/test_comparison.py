@@ -12,7 +12,7 @@ import stltsa
 
 @pytest.fixture(scope="module")
 def halves(clip):
-    return [stltsa.decompose(clip.stretch(part)) for part in ("-400", "200-")]
+    return [stltsa.decompose(clip.stretch(part)) for part in ("0-", "150-")]
 
 
 @pytest.fixture(scope="module")

@@ -422,7 +422,7 @@ class Decomposition(Described):
         >>> import stltsa
         >>> sides = stltsa.decompose("walker.bvh").compare()
         >>> sides.sides, sides.parts[0].name, sides.parts[0].second_name
-        (True, 'LeftUpLeg', 'RightUpLeg')
+        (True, 'LeftArm', 'RightArm')
         """
         phase = self.phase()
         if second is not None:

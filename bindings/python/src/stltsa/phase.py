@@ -339,7 +339,7 @@ class Phase:
         Examples
         --------
         >>> import stltsa
-        >>> first, second = (stltsa.decompose(f"walker.bvh:{part}") for part in ("-4s", "2s-"))
+        >>> first, second = (stltsa.decompose(f"walker.bvh:{part}") for part in ("0-", "150-"))
         >>> compared = first.phase().compare(second.phase())
         >>> compared.likeness > 0.99, abs(compared["LeftFoot"].lag.difference) < 0.01
         (True, True)
