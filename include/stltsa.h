@@ -1321,6 +1321,158 @@ STLTSA_API int64_t stltsa_events_warning_count(const stltsa_events *events) STLT
 STLTSA_API const char *stltsa_events_warning(const stltsa_events *events,
                                              int64_t index) STLTSA_NOEXCEPT;
 
+/* ---- Comparison of two motions -------------------------------------------------------------- */
+
+/* The cycles of two motions, such as those of a patient before and after, laid on each other by
+ * phase: what differs in timing and amplitude, and how well these differences are known. */
+typedef struct stltsa_comparison stltsa_comparison;
+
+/* A quantity of both mean cycles and its difference. Intervals are of 95 %, from the spread over the
+ * cycles, by Student's t distribution with the degrees of freedom of Welch; they are wider if cycles
+ * resemble those before them, which at least four cycles show. One value in 20 is significant by
+ * chance alone. An interval says how well the mean of these cycles is known, not what the same
+ * person does on another day (docs/answers.md has measurements). What is not known is NaN: all that
+ * depends on the spread if there is only one cycle. Frozen. */
+typedef struct stltsa_estimate {
+    double first, first_sd;   /* value, standard deviation over the cycles */
+    double second, second_sd;
+    double difference;        /* second less first */
+    double standard_error;    /* of the difference */
+    double low, high;         /* its confidence interval */
+    int32_t significant;      /* 1: the interval does not include 0 */
+    int32_t reserved;
+} stltsa_estimate;
+
+/* Which cycles were compared, and how the second motion was aligned: its phase is shifted so that
+ * all joints, points or columns together match best. Append-only: set size to
+ * sizeof(stltsa_compared_cycles). */
+typedef struct stltsa_compared_cycles {
+    size_t size;
+    int64_t first_count, second_count; /* cycles that are complete from 0 to 100 % */
+    int32_t first_label, second_label; /* of the segments, 0 for A */
+    int64_t samples;                   /* of each cycle */
+    stltsa_estimate cycle_time;        /* seconds */
+    double first_per_minute, second_per_minute; /* cycles: 60 divided by their mean time */
+    double shift;         /* phase of the second motion at phase 0 of the first, -0.5 to 0.5 */
+    double shift_error;   /* its standard error; NaN: it is half a cycle by definition */
+    double shift_low, shift_high; /* its interval */
+    double likeness;      /* correlation of the two mean cycles; below 0.6 these are different
+                             motions, and a warning says so */
+    double runner_up;     /* the same at the next best shift; NaN: there is no other. If it is within
+                             0.1 of likeness, the shift is not certain, and a warning says so */
+    double turn;          /* degrees by which the second body was turned about the up axis, onto the
+                             first: points, and skeletons of other joints; otherwise 0 */
+    double size_ratio;    /* size of the second body by that of the first, from what was compared;
+                             NaN: not positions in space */
+    int64_t judged;       /* lags and amplitudes of parts that have an interval */
+    int64_t significant;  /* how many of them are significant; 0.05 * judged are by chance */
+    int32_t sides;        /* 1: of stltsa_compare_left_right */
+    int32_t reserved;
+} stltsa_compared_cycles;
+
+/* A joint, a point or a column of the file (part), or one of its coordinates (channel). Lengths and
+ * angles are in the unit of the features. Append-only: set size to sizeof(stltsa_compared_part). */
+typedef struct stltsa_compared_part {
+    size_t size;
+    int64_t part;          /* index of the part; of a channel, of the part it belongs to */
+    double rms;            /* root mean square over the cycle of second less first */
+    double chance;         /* rms expected from the spread between cycles alone */
+    double correlation;    /* of both mean curves after the lag is removed */
+    stltsa_estimate lag;   /* how much later in its cycle the second motion does this, relative to
+                              the whole body, as a share of the cycle; first is 0, and the standard
+                              deviations are those of the timing of single cycles. NaN if the curves
+                              are not alike (correlation below 0.7) */
+    stltsa_estimate amplitude; /* of the mean curve: largest distance of two of its places; of one
+                              channel, highest less lowest value */
+    double ratio;          /* amplitude of second by that of first */
+    double ratio_low, ratio_high; /* its interval */
+    double lag_s, lag_low_s, lag_high_s; /* lag in seconds of the mean of both cycle times */
+    stltsa_estimate mean;  /* over the cycle; NaN for a part of several channels */
+} stltsa_compared_part;
+
+/* Compares the features of two motions in cycles.
+ *
+ * first, second  phases of two clips, or of the same. Frame rates and lengths may differ. Joints,
+ *                points or columns are compared that have the same name in both. If the clips have
+ *                other up axes, those of the first count. If some points are left out, the others
+ *                are relative to their own mean
+ * labels         of the segments, 0 for A; -1: of the first clip the motion with the most frames in
+ *                cycles, of the second the motion that is most like it
+ * samples        of each cycle, 5 to 1001; 101 for percent
+ * comparison     to be freed with stltsa_comparison_free; NULL on failure
+ *
+ * Of each clip the cycles count that it has from 0 to 100 %, see stltsa_cycles_resample.
+ * E_NO_SUCH_PART: a clip has no cycles. E_ARGUMENT: a label has none, or samples is out of range.
+ * E_SHAPE: the clips have other kinds of features, or no name in common. E_TOO_FEW_FRAMES: no cycle
+ * is complete. */
+STLTSA_API stltsa_status stltsa_compare(const stltsa_phase *first, int32_t first_label,
+                                        const stltsa_phase *second, int32_t second_label,
+                                        int64_t samples,
+                                        stltsa_comparison **comparison) STLTSA_NOEXCEPT;
+
+/* Compares the left side of a body with its right side: the first motion is the left side, the
+ * second the mirror image of the right side half a cycle later (see stltsa_sides_find). Differences
+ * are taken within each cycle, so that what changes on both sides alike does not widen intervals.
+ * Lags count from exactly half a cycle. clip, options: those of stltsa_phase_find. Errors as
+ * stltsa_compare; E_UNSUPPORTED: it is not known that both halves of a cycle are the same motion of
+ * opposite sides, or no two names differ in the side only. */
+STLTSA_API stltsa_status stltsa_compare_left_right(const stltsa_clip *clip,
+                                                   const stltsa_phase *phase, int32_t label,
+                                                   int64_t samples,
+                                                   const stltsa_options *options,
+                                                   stltsa_comparison **comparison) STLTSA_NOEXCEPT;
+STLTSA_API void stltsa_comparison_free(stltsa_comparison *comparison) STLTSA_NOEXCEPT;
+
+STLTSA_API stltsa_status stltsa_comparison_cycles(const stltsa_comparison *comparison,
+                                                  stltsa_compared_cycles *cycles) STLTSA_NOEXCEPT;
+
+/* Joints, points or columns, in the order of the first clip. E_ARGUMENT: index is out of range. */
+STLTSA_API int64_t
+stltsa_comparison_part_count(const stltsa_comparison *comparison) STLTSA_NOEXCEPT;
+STLTSA_API stltsa_status stltsa_comparison_part(const stltsa_comparison *comparison, int64_t index,
+                                                stltsa_compared_part *part) STLTSA_NOEXCEPT;
+/* Its name in the first (0) or the second (1) motion, which differ for left and right. "" beyond the
+ * last; valid, as all texts here, until the comparison is freed. */
+STLTSA_API const char *stltsa_comparison_part_name(const stltsa_comparison *comparison,
+                                                   int32_t which, int64_t index) STLTSA_NOEXCEPT;
+/* The coordinates of the parts, part by part. */
+STLTSA_API int64_t
+stltsa_comparison_channel_count(const stltsa_comparison *comparison) STLTSA_NOEXCEPT;
+STLTSA_API stltsa_status stltsa_comparison_channel(const stltsa_comparison *comparison,
+                                                   int64_t index,
+                                                   stltsa_compared_part *channel) STLTSA_NOEXCEPT;
+/* "x", "y", "z", or "rz" of an angle; "" for a part with one channel, and beyond the last. */
+STLTSA_API const char *stltsa_comparison_channel_axis(const stltsa_comparison *comparison,
+                                                      int64_t index) STLTSA_NOEXCEPT;
+
+/* Mean and standard deviation over the cycles of the first (0) or the second (1) motion, samples x
+ * channels; each may be NULL. Sample s of both is at phase s / (samples - 1) of the first. */
+STLTSA_API stltsa_status stltsa_comparison_curves(const stltsa_comparison *comparison,
+                                                  int32_t which, const stltsa_out *mean,
+                                                  const stltsa_out *deviation) STLTSA_NOEXCEPT;
+/* At each sample, samples x channels; each may be NULL: second less first, its standard error, and
+ * the half width of its interval, which holds for each sample by itself: of 100 samples without a
+ * difference five lie outside by chance. */
+STLTSA_API stltsa_status stltsa_comparison_difference(const stltsa_comparison *comparison,
+                                                      const stltsa_out *difference,
+                                                      const stltsa_out *standard_error,
+                                                      const stltsa_out *margin) STLTSA_NOEXCEPT;
+
+/* Names in the first (0) or the second (1) clip that the other one lacks. */
+STLTSA_API int64_t stltsa_comparison_left_out_count(const stltsa_comparison *comparison,
+                                                    int32_t which) STLTSA_NOEXCEPT;
+STLTSA_API const char *stltsa_comparison_left_out(const stltsa_comparison *comparison,
+                                                  int32_t which, int64_t index) STLTSA_NOEXCEPT;
+/* Warnings: few cycles, motions that are not alike, an uncertain shift, bodies of other size or
+ * unit, phases that are linear in time. */
+STLTSA_API int64_t
+stltsa_comparison_warning_count(const stltsa_comparison *comparison) STLTSA_NOEXCEPT;
+STLTSA_API const char *stltsa_comparison_warning(const stltsa_comparison *comparison,
+                                                 int64_t index) STLTSA_NOEXCEPT;
+/* The object of schema stltsa-comparison/1; free it with stltsa_free. */
+STLTSA_API stltsa_status stltsa_comparison_json(const stltsa_comparison *comparison,
+                                                char **json) STLTSA_NOEXCEPT;
+
 /* ---- Live phase ----------------------------------------------------------------------------- */
 
 /* Keeps in a model what a stream is compared with: the mean cycle of the clip's motion that has the

@@ -55,6 +55,9 @@ using Summary = stltsa_summary;
 using Seam = stltsa_seam;
 using SidePair = stltsa_side_pair;
 using Event = stltsa_event;
+using Difference = stltsa_estimate;
+using ComparedCycles = stltsa_compared_cycles;
+using ComparedPart = stltsa_compared_part;
 using LiveFrame = stltsa_live_frame;
 using Piece = stltsa_piece; ///< see Clip::piece()
 using OptionInfo = stltsa_option_info;
@@ -955,6 +958,103 @@ class Events {
     detail::Handle<stltsa_events, stltsa_events_free> handle_;
 };
 
+/// The cycles of two motions laid on each other by phase. `which`: 0 for the first motion, 1 for
+/// the second.
+class Comparison {
+  public:
+    using Pointer = stltsa_comparison*;
+
+    explicit Comparison(stltsa_comparison* owned) : handle_(owned) {}
+
+    ComparedCycles cycles() const {
+        ComparedCycles cycles{};
+        cycles.size = sizeof cycles;
+        detail::check(stltsa_comparison_cycles(get(), &cycles));
+        return cycles;
+    }
+    /// Joints, points or columns of the file.
+    std::int64_t part_count() const noexcept { return stltsa_comparison_part_count(get()); }
+    ComparedPart part(std::int64_t index) const {
+        ComparedPart part{};
+        part.size = sizeof part;
+        detail::check(stltsa_comparison_part(get(), index, &part));
+        return part;
+    }
+    std::vector<ComparedPart> parts() const {
+        return detail::list(part_count(), [this](std::int64_t index) { return part(index); });
+    }
+    std::string part_name(std::int32_t which, std::int64_t index) const {
+        return stltsa_comparison_part_name(get(), which, index);
+    }
+    /// Coordinates of the parts.
+    std::int64_t channel_count() const noexcept { return stltsa_comparison_channel_count(get()); }
+    ComparedPart channel(std::int64_t index) const {
+        ComparedPart channel{};
+        channel.size = sizeof channel;
+        detail::check(stltsa_comparison_channel(get(), index, &channel));
+        return channel;
+    }
+    std::vector<ComparedPart> channels() const {
+        return detail::list(channel_count(), [this](std::int64_t index) { return channel(index); });
+    }
+    /// Empty for a part with one channel.
+    std::string channel_axis(std::int64_t index) const {
+        return stltsa_comparison_channel_axis(get(), index);
+    }
+    /// Over the cycles, samples x channels.
+    Matrix mean(std::int32_t which) const {
+        return samples_by_channels([&](const stltsa_out* to) {
+            return stltsa_comparison_curves(get(), which, to, nullptr);
+        });
+    }
+    Matrix deviation(std::int32_t which) const {
+        return samples_by_channels([&](const stltsa_out* to) {
+            return stltsa_comparison_curves(get(), which, nullptr, to);
+        });
+    }
+    /// Second less first, samples x channels.
+    Matrix difference() const {
+        return samples_by_channels([&](const stltsa_out* to) {
+            return stltsa_comparison_difference(get(), to, nullptr, nullptr);
+        });
+    }
+    Matrix standard_error() const {
+        return samples_by_channels([&](const stltsa_out* to) {
+            return stltsa_comparison_difference(get(), nullptr, to, nullptr);
+        });
+    }
+    /// Half width of the interval of each sample.
+    Matrix margin() const {
+        return samples_by_channels([&](const stltsa_out* to) {
+            return stltsa_comparison_difference(get(), nullptr, nullptr, to);
+        });
+    }
+    /// Names that the other clip lacks.
+    std::vector<std::string> left_out(std::int32_t which) const {
+        std::vector<std::string> names;
+        for (std::int64_t i = 0; i < stltsa_comparison_left_out_count(get(), which); ++i)
+            names.emplace_back(stltsa_comparison_left_out(get(), which, i));
+        return names;
+    }
+    std::vector<std::string> warnings() const {
+        return detail::texts(stltsa_comparison_warning_count, stltsa_comparison_warning, get());
+    }
+    std::string json() const { return detail::json(stltsa_comparison_json, get()); }
+
+    const stltsa_comparison* get() const noexcept { return handle_.get(); }
+
+  private:
+    template <class Write>
+    Matrix samples_by_channels(Write write) const {
+        Matrix values(cycles().samples, channel_count());
+        const stltsa_out to = detail::out(values);
+        detail::check(write(&to));
+        return values;
+    }
+
+    detail::Handle<stltsa_comparison, stltsa_comparison_free> handle_;
+};
+
 /// A phase for every frame of the cycles of a clip.
 class Phase {
   public:
@@ -1012,6 +1112,23 @@ class Phase {
         stltsa_sides* sides = nullptr;
         detail::check(stltsa_sides_find(clip.get(), get(), label, samples, options.get(), &sides));
         return {sides, samples};
+    }
+    /// Compares motions in cycles of this clip and of another. Labels: of the segments, 0 for A;
+    /// -1: the longest motion here, there the one most like it.
+    Comparison compare(const Phase& second, std::int32_t label = -1, std::int32_t second_label = -1,
+                       std::int64_t samples = 101) const {
+        stltsa_comparison* comparison = nullptr;
+        detail::check(
+            stltsa_compare(get(), label, second.get(), second_label, samples, &comparison));
+        return Comparison(comparison);
+    }
+    /// Compares left with right. `clip`: the clip that the phase was found in.
+    Comparison compare_left_right(const Clip& clip, std::int32_t label = -1,
+                                  const Options& options = {}, std::int64_t samples = 101) const {
+        stltsa_comparison* comparison = nullptr;
+        detail::check(stltsa_compare_left_right(clip.get(), get(), label, samples, options.get(),
+                                                &comparison));
+        return Comparison(comparison);
     }
 
     const stltsa_phase* get() const noexcept { return handle_.get(); }

@@ -16,6 +16,8 @@ Exit run(const Arguments& arguments) {
     switch (arguments.command) {
     case Command::batch:
         return run_batch(arguments);
+    case Command::compare:
+        return run_compare(arguments);
     case Command::events:
         return run_events(arguments);
     case Command::info:

@@ -10,6 +10,7 @@
 
 #include "capi/info/info.hpp"
 #include "ltsa/mapping/mapping.hpp"
+#include "results/compared.hpp"
 #include "results/decomposed.hpp"
 #include "results/denoised.hpp"
 #include "results/events.hpp"
@@ -79,6 +80,10 @@ struct stltsa_cycles : stltsa::phase::Resampled {
 
 struct stltsa_sides : stltsa::results::ComparedSides {
     explicit stltsa_sides(ComparedSides of) : ComparedSides(std::move(of)) {}
+};
+
+struct stltsa_comparison : stltsa::results::Comparison {
+    explicit stltsa_comparison(Comparison of) : Comparison(std::move(of)) {}
 };
 
 struct stltsa_events : stltsa::results::FoundEvents {

@@ -5,34 +5,22 @@
 #include <cmath>
 #include <limits>
 
+#include "phase/lag.hpp"
+
 namespace stltsa::phase {
 namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
-/// Below this correlation, one curve explains less than half of the variance of the other, so it is
-/// not clear which of their features correspond.
-constexpr double least_correlation = 0.7;
-/// A deviation from the level that is below this share of the level is only rounding.
-constexpr double still = 1e-9;
 
-/// Linear interpolation between samples, cyclic. `place`: in samples.
-double at(const std::vector<double>& curve, double place) {
-    const auto count = static_cast<std::int64_t>(curve.size());
-    const double floor = std::floor(place);
-    const std::int64_t before = ((static_cast<std::int64_t>(floor) % count) + count) % count;
-    const double part = place - floor;
-    const double first = curve[static_cast<std::size_t>(before)];
-    if (part == 0)
-        return first;
-    const double next = curve[static_cast<std::size_t>((before + 1) % count)];
-    return first + part * (next - first);
+Matrix column_of(const std::vector<double>& curve) {
+    Matrix column = Matrix::unset(static_cast<std::int64_t>(curve.size()), 1);
+    std::ranges::copy(curve, column.data());
+    return column;
 }
 
 std::vector<double> half_later(const std::vector<double>& curve) {
-    std::vector<double> later;
-    for (std::size_t s = 0; s < curve.size(); ++s)
-        later.push_back(at(curve, static_cast<double>(s) + static_cast<double>(curve.size()) / 2));
-    return later;
+    const Matrix shifted = later(column_of(curve), static_cast<double>(curve.size()) / 2);
+    return {shifted.data(), shifted.data() + shifted.rows()};
 }
 
 double mean_of(const std::vector<double>& values) {
@@ -45,57 +33,6 @@ double mean_of(const std::vector<double>& values) {
 double range_of(const std::vector<double>& values) {
     const auto [least, most] = std::ranges::minmax(values);
     return most - least;
-}
-
-/// Deviations from the mean, of length 1; empty if the curve does not move.
-std::vector<double> direction_of(std::vector<double> curve) {
-    const double level = mean_of(curve);
-    double squares = 0;
-    for (double& value : curve) {
-        value -= level;
-        squares += value * value;
-    }
-    const double length = std::sqrt(squares);
-    if (!(length > still * std::abs(level)))
-        return {};
-    for (double& value : curve)
-        value /= length;
-    return curve;
-}
-
-struct Shift {
-    double samples = none, correlation = none;
-};
-
-/// The lag at which the curves match best, at most a quarter of a cycle: the peak of the parabola
-/// through the best correlation and its two neighbors.
-Shift best_shift(const std::vector<double>& left, const std::vector<double>& right) {
-    const auto a = direction_of(left), b = direction_of(right);
-    if (a.empty() || b.empty())
-        return {};
-    const auto count = static_cast<std::int64_t>(a.size());
-    const auto correlation = [&](std::int64_t lag) {
-        double sum = 0;
-        for (std::int64_t s = 0; s < count; ++s)
-            sum += a[static_cast<std::size_t>(s)] *
-                   b[static_cast<std::size_t>((s + lag + count) % count)];
-        return sum;
-    };
-    std::int64_t best = 0;
-    double most = correlation(0);
-    for (std::int64_t lag = -count / 4; lag <= count / 4; ++lag)
-        if (const double found = correlation(lag); found > most) {
-            best = lag;
-            most = found;
-        }
-    const double before = correlation(best - 1), after = correlation(best + 1);
-    if (!(most >= least_correlation) || before > most || after > most)
-        return {none, most};
-    const double bend = before - 2 * most + after, slope = (after - before) / 2;
-    if (!(bend < 0))
-        return {static_cast<double>(best), most};
-    return {static_cast<double>(best) - slope / bend,
-            std::min(1.0, most - slope * slope / (2 * bend))};
 }
 
 double chance_of(const CycleCurve& left, const CycleCurve& right, std::int64_t cycles) {
@@ -127,14 +64,15 @@ CurveDifference difference(const CycleCurve& left, const CycleCurve& right, std:
     if (std::isnan(squares))
         return {none, none, none, none, none, none, none};
     const auto count = static_cast<double>(left.mean.size());
-    const Shift shift = best_shift(left.mean, right.mean);
+    const Lag lag = lag_between(column_of(left.mean), column_of(right.mean),
+                                static_cast<std::int64_t>(left.mean.size()) / 4);
     return {std::sqrt(squares / count),
             chance_of(left, right, cycles),
             mean_of(left.mean) - mean_of(right.mean),
             range_of(left.mean),
             range_of(right.mean),
-            shift.samples / count,
-            shift.correlation};
+            lag.correlation >= least_correlation ? lag.samples / count : none,
+            lag.correlation};
 }
 
 } // namespace stltsa::phase

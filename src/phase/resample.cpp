@@ -129,12 +129,12 @@ Matrix group_distance(const Resampled& of, std::span<const std::int64_t> groups)
     return result;
 }
 
-Matrix times_of(const Run& run, std::int64_t first, std::int64_t count, std::int64_t samples) {
+Matrix times_of(const Run& run, double first, std::int64_t count, std::int64_t samples) {
     Matrix rows(count, samples);
     for (std::int64_t k = 0; k < count; ++k)
         for (std::int64_t s = 0; s < samples; ++s)
             rows(k, s) = static_cast<double>(run.begin) +
-                         place_of(run.phase, static_cast<double>(first + k) + share_of(s, samples));
+                         place_of(run.phase, first + static_cast<double>(k) + share_of(s, samples));
     return rows;
 }
 

@@ -13,7 +13,7 @@ namespace stltsa::phase {
 
 /// Rows at which the `count` turns of the run from phase `first` on pass even phases: turns x
 /// samples, the last sample being the first of the next turn. NaN where the run does not reach.
-Matrix times_of(const Run& run, std::int64_t first, std::int64_t count, std::int64_t samples);
+Matrix times_of(const Run& run, double first, std::int64_t count, std::int64_t samples);
 
 /// The same without registration: linear in time between the borders.
 Matrix times_between(const Borders& borders, std::int64_t samples);

@@ -142,13 +142,6 @@ phase::Range rows_of(const clip::Frames& frames, const Phased& phased) {
     return {row(frames.begin), row(frames.end)};
 }
 
-std::string label_text(std::int32_t label) {
-    std::string text;
-    for (std::int32_t rest = label; rest >= 0; rest = rest / 26 - 1)
-        text.insert(text.begin(), static_cast<char>('A' + rest % 26));
-    return text;
-}
-
 void warn_if_linear(const PhasedMotion& motion, Phased& phased) {
     if (motion.phases.linear)
         phased.warnings.push_back(format_text(
@@ -158,6 +151,13 @@ void warn_if_linear(const PhasedMotion& motion, Phased& phased) {
 }
 
 } // namespace
+
+std::string label_text(std::int32_t label) {
+    std::string text;
+    for (std::int32_t rest = label; rest >= 0; rest = rest / 26 - 1)
+        text.insert(text.begin(), static_cast<char>('A' + rest % 26));
+    return text;
+}
 
 phase::Range unbroken(const Phased& phased, const phase::Run& run) {
     phase::Range range{0, phased.rows.rows()};
@@ -170,33 +170,42 @@ phase::Range unbroken(const Phased& phased, const phase::Run& run) {
     return range;
 }
 
-phase::Resampled resample(const Phased& phased, std::int32_t label, ConstMatrixView signals,
-                          std::int64_t samples) {
+const PhasedMotion& motion_of(const Phased& phased, std::int32_t label) {
     // Motions in cycles come first.
     const auto motion = std::ranges::find(phased.motions, label, &PhasedMotion::label);
     if (motion == phased.motions.end())
         fail(Status::argument, "label {} has neither cycles nor repetitions",
              label < 0 ? format_text("{}", label) : label_text(label));
-    if (signals.rows != phased.clip.frames)
-        fail(Status::shape, "signals has {} rows; the clip has {} frames", signals.rows,
-             phased.clip.frames);
+    return *motion;
+}
+
+Matrix turns_of(const PhasedMotion& motion, std::int64_t samples, double zero) {
     std::int64_t count = 0;
-    for (const std::int64_t cycles : motion->cycles)
+    for (const std::int64_t cycles : motion.cycles)
         count += cycles;
     Matrix rows(count, samples);
     double* to = rows.data();
-    for (std::size_t r = 0; r < motion->reach.size(); ++r) {
-        // A cycle may begin anywhere on the body's turn: it is that whose begin is nearest.
-        const std::int64_t first = std::llround(motion->phases.runs[r].phase.front());
-        const Matrix of_run = phase::times_of(motion->reach[r], first, motion->cycles[r], samples);
-        to = std::transform(
-            of_run.data(), of_run.data() + of_run.rows() * samples, to,
-            [&](double row) { return row + static_cast<double>(phased.clip.first); });
+    for (std::size_t r = 0; r < motion.reach.size(); ++r) {
+        const double first = std::round(motion.phases.runs[r].phase.front() - zero) + zero;
+        const Matrix of_run = phase::times_of(motion.reach[r], first, motion.cycles[r], samples);
+        to = std::copy_n(of_run.data(), of_run.rows() * samples, to);
     }
+    return rows;
+}
+
+phase::Resampled resample(const Phased& phased, std::int32_t label, ConstMatrixView signals,
+                          std::int64_t samples) {
+    const PhasedMotion& motion = motion_of(phased, label);
+    if (signals.rows != phased.clip.frames)
+        fail(Status::shape, "signals has {} rows; the clip has {} frames", signals.rows,
+             phased.clip.frames);
+    Matrix rows = turns_of(motion, samples);
+    for (std::int64_t i = 0; i < rows.rows() * rows.cols(); ++i)
+        rows.data()[i] += static_cast<double>(phased.clip.first);
     phase::Resampled made = phase::resample(signals, std::move(rows));
-    if (!motion->phases.cyclic)
+    if (!motion.phases.cyclic)
         made.no_halves = format_text("motion {} has repetitions but no cycles", label_text(label));
-    else if (!motion->like_halves)
+    else if (!motion.like_halves)
         made.no_halves = format_text(
             "it is not known whether the two halves of the cycles of motion {} are the same motion "
             "of opposite sides: only the legs of a skeleton, or leg points whose names state a "

@@ -45,6 +45,16 @@ struct Phased {
 /// Rows around a run that no hole interrupts.
 phase::Range unbroken(const Phased& phased, const phase::Run& run);
 
+/// The motion of a label, in cycles if there is one. Throws Status::argument for a label without.
+const PhasedMotion& motion_of(const Phased& phased, std::int32_t label);
+
+/// Rows at which the turns of a motion pass even phases from `zero` on, a turn for each cycle, of
+/// which the begin is nearest. NaN where its reach ends.
+Matrix turns_of(const PhasedMotion& motion, std::int64_t samples, double zero = 0);
+
+/// "A" for 0.
+std::string label_text(std::int32_t label);
+
 /// Signals on 0 to 100 % of the cycles or repetitions of a motion, a row for each frame of the
 /// file. What the clip does not reach is NaN. Throws Status::argument for a label without them.
 phase::Resampled resample(const Phased& phased, std::int32_t label, ConstMatrixView signals,

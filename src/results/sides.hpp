@@ -21,6 +21,15 @@ struct SidePair {
     phase::CurveDifference difference;
 };
 
+/// A column of the left side and the corresponding one of the right side.
+struct SideColumns {
+    std::size_t left = 0, right = 0;
+};
+
+/// By names that differ only in the side. Columns with the same name, such as the coordinates of a
+/// joint, are distinguished by their order.
+std::vector<SideColumns> side_columns(std::span<const std::string> names);
+
 struct ComparedSides {
     std::vector<SidePair> pairs; ///< in the order of the left columns
     std::int64_t samples = 0;

@@ -60,6 +60,34 @@ void frames_have_phases(void**) {
     ASSERT_NEAR(joint(1, 0), std::hypot(columns(1, 3), columns(1, 4), columns(1, 5)), 1e-12);
 }
 
+void motions_are_compared(void**) {
+    const stltsa::Clip clip = stltsa::Clip::open(walker_path);
+    const stltsa::Phase phase = stltsa::find_phase(clip, stltsa::decompose(clip));
+    const stltsa::Clip part = clip.stretch("170-600");
+    const stltsa::Phase other = stltsa::find_phase(part, stltsa::decompose(part));
+    const stltsa::Comparison of = phase.compare(other, 0, -1, 51);
+    assert_non_null(of.get());
+    const stltsa::ComparedCycles cycles = of.cycles();
+    assert_true(cycles.likeness > 0.99 && cycles.samples == 51);
+    assert_int_equal(of.parts().size(), of.part_count());
+    assert_int_equal(of.channels().size(), of.channel_count());
+    assert_int_equal(of.channel_count(), 3 * of.part_count());
+    assert_string_equal(of.part_name(0, 0).c_str(), of.part_name(1, 0).c_str());
+    assert_string_equal(of.channel_axis(1).c_str(), "y");
+    assert_int_equal(of.channel(4).part, 1);
+    assert_true(of.part(1).part == 1);
+    const stltsa::Matrix first = of.mean(0), second = of.mean(1), difference = of.difference();
+    assert_true(difference.rows == 51 && difference.cols == of.channel_count());
+    assert_true(difference(7, 4) == second(7, 4) - first(7, 4));
+    assert_true(of.deviation(0)(7, 4) >= 0);
+    assert_true(of.margin()(7, 4) >= of.standard_error()(7, 4));
+    assert_true(of.left_out(0).empty());
+    assert_true(of.json().starts_with("{\"format\":\"stltsa-comparison/1\""));
+    const stltsa::Comparison sides = phase.compare_left_right(clip);
+    assert_string_equal(sides.part_name(1, 0).c_str(), "RightArm");
+    assert_true(sides.warnings().size() <= 1);
+}
+
 void a_mark_is_found_in_every_cycle(void**) {
     const stltsa::Clip clip = stltsa::Clip::open(walker_path);
     const stltsa::Decomposition found = stltsa::decompose(clip);
@@ -139,6 +167,7 @@ int main(int argc, char** argv) {
     walker_path = argv[1];
     const CMUnitTest tests[] = {
         cmocka_unit_test(frames_have_phases),
+        cmocka_unit_test(motions_are_compared),
         cmocka_unit_test(a_mark_is_found_in_every_cycle),
         cmocka_unit_test(a_stream_is_followed),
         cmocka_unit_test(borders_may_be_given),

@@ -18,7 +18,7 @@ SCHEMAS = pathlib.Path(os.environ["STLTSA_SCHEMAS"])
 MANUAL = pathlib.Path(os.environ["STLTSA_MANUAL"])
 
 COMMANDS = ("info", "fit", "map", "unmap", "dimension", "decompose", "denoise", "synthesize", "batch",
-            "events", "live")
+            "compare", "events", "live")
 
 _folder = tempfile.TemporaryDirectory(prefix="stltsa-cli-")
 CLIPS = pathlib.Path(_folder.name)

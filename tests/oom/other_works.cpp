@@ -341,6 +341,46 @@ stltsa_status sides(const std::string&) {
     return calls.status();
 }
 
+stltsa_status comparisons(const std::string&) {
+    Calls calls;
+    stltsa_comparison *of_motions = nullptr, *of_sides = nullptr;
+    const stltsa_phase* phase = kept().phase;
+    calls.make([&] { return stltsa_compare(phase, 0, phase, -1, 20, &of_motions); }, of_motions);
+    // A matrix without names of sides: the reason takes memory, too.
+    const stltsa_status sides =
+        stltsa_compare_left_right(kept().matrix, phase, 0, 20, nullptr, &of_sides);
+    if (calls.good() && sides != STLTSA_E_UNSUPPORTED)
+        calls.make([&] { return sides; });
+    if (calls.good()) {
+        stltsa_compared_cycles cycles{};
+        cycles.size = sizeof cycles;
+        stltsa_compared_part part{};
+        part.size = sizeof part;
+        const std::int64_t channels = stltsa_comparison_channel_count(of_motions);
+        const stltsa_out mean = out(20, channels);
+        char* json = nullptr;
+        calls.make([&] { return stltsa_comparison_cycles(of_motions, &cycles); });
+        calls.make([&] { return stltsa_comparison_part(of_motions, 0, &part); });
+        calls.make([&] { return stltsa_comparison_channel(of_motions, 0, &part); });
+        calls.make([&] { return stltsa_comparison_curves(of_motions, 0, &mean, nullptr); });
+        calls.make(
+            [&] { return stltsa_comparison_difference(of_motions, &mean, nullptr, nullptr); });
+        calls.make([&] { return stltsa_comparison_json(of_motions, &json); });
+        stltsa_free(json);
+        if (stltsa_comparison_part_count(of_motions) != channels ||
+            *stltsa_comparison_part_name(of_motions, 1, 0) != 'c' ||
+            *stltsa_comparison_channel_axis(of_motions, 0) != 0 ||
+            stltsa_comparison_left_out_count(of_motions, 0) != 0 ||
+            *stltsa_comparison_left_out(of_motions, 1, 0) != 0 ||
+            stltsa_comparison_warning(of_motions, stltsa_comparison_warning_count(of_motions)) ==
+                nullptr)
+            calls.make([] { return 1; });
+    }
+    stltsa_comparison_free(of_motions);
+    stltsa_comparison_free(of_sides);
+    return calls.status();
+}
+
 stltsa_status models(const std::string&) {
     Calls calls;
     stltsa_model* both = nullptr;
@@ -447,6 +487,7 @@ std::vector<Work> other_works() {
             {"read parts", read_parts},
             {"phases", phases},
             {"sides", sides},
+            {"comparisons", comparisons},
             {"models", models},
             {"streams", streams},
             {"denoise model", denoise_model},

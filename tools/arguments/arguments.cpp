@@ -36,6 +36,7 @@ std::int32_t calls_of(Command command) {
         return STLTSA_CALL_OPEN | STLTSA_CALL_DIMENSION;
     case Command::decompose:
     case Command::batch:
+    case Command::compare:
     case Command::events:
         return STLTSA_CALL_OPEN | STLTSA_CALL_DECOMPOSE;
     case Command::denoise:
@@ -57,7 +58,7 @@ bool has_option(Command command, const stltsa::OptionInfo& option) {
         return false;
     if (command == Command::batch && option.key == STLTSA_OPT_THREADS)
         return false; // --jobs
-    if (command == Command::events &&
+    if ((command == Command::events || command == Command::compare) &&
         (option.key == STLTSA_OPT_DIMENSION_ESTIMATE || option.key == STLTSA_OPT_EIGENGAP ||
          option.key == STLTSA_OPT_VARIANCE))
         return false;
@@ -172,6 +173,7 @@ class Parser {
             ->required();
         add_plot(synthesize);
         add_batch();
+        add_compare();
         add_events();
         add_output(model_command(Command::live, "live", a_clip));
         set_groups();
@@ -333,6 +335,14 @@ class Parser {
             ->type_name("N")
             ->check(CLI::Range(1, 1024))
             ->group(group::method);
+    }
+    void add_compare() {
+        CLI::App& compare = clip_command(Command::compare, "compare", "The first clip.");
+        compare
+            .add_option("second", to_.pieces,
+                        "The second clip; without it, left and right of the first.")
+            ->expected(0, 1);
+        add_output(compare);
     }
     void add_events() {
         CLI::App& events = clip_command(Command::events, "events", "The clip with the marks.");

@@ -18,6 +18,7 @@ enum class Command {
     denoise,
     synthesize,
     batch,
+    compare,
     events,
     live
 };
@@ -27,7 +28,8 @@ struct Arguments {
     Command command = Command::info;
     std::string input;               ///< "-": standard input
     std::string model;               ///< map, unmap: the model file
-    std::vector<std::string> pieces; ///< synthesize; batch: files and folders; events: more clips
+    std::vector<std::string> pieces; ///< synthesize; batch: files and folders; events: more clips;
+                                     ///< compare: the second clip
     std::map<std::int32_t, std::string> options; ///< by STLTSA_* key, as typed
     std::string output;        ///< of the text that says what was found; empty: standard output
     std::string product;       ///< what fit, map, unmap, denoise, synthesize make; empty: nothing

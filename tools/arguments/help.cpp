@@ -28,6 +28,7 @@ Examples:
   stltsa denoise walk.bvh --plot before_after.svg  the curve without noise
   stltsa synthesize walk.bvh --loop -o loop.bvh    a loop from its cycles
   stltsa batch recordings/ --out results           many clips
+  stltsa compare before.bvh after.bvh              timing and amplitude, by phase
   stltsa events walk.bvh --mark 131=strike         the same event in every cycle
   stltsa live walk.stltsa other.bvh --json         the phase of a stream
   stltsa dimension walk.bvh
@@ -127,6 +128,21 @@ Examples:
   stltsa batch recordings/ --out results
   stltsa batch *.bvh --out results --jobs 4 --neighbors 1.2s
   stltsa batch recordings/ --out results --shard 2/8)";
+
+constexpr const char* about_compare =
+    R"(Compares the cycles of two clips, or left and right of one.
+
+The mean cycles are laid on each other by phase. For each joint, point or
+column that both clips have: how much later in the cycle it moves, how its
+amplitude differs, and how well these differences are known (intervals of
+95 %). A * marks a difference whose interval does not include 0; one in 20
+is marked by chance.
+
+Examples:
+  stltsa compare before.bvh after.bvh
+  stltsa compare walk.bvh                          left against right
+  stltsa compare patient.csv model.csv --fps 100 --json
+  stltsa compare walk.bvh:A walk.bvh:B -o differences.csv)";
 
 constexpr const char* about_events =
     R"(Finds a marked event in every cycle, and in other clips.
@@ -287,6 +303,8 @@ std::string about_command(Command command) {
         return about_synthesize();
     case Command::batch:
         return about_batch;
+    case Command::compare:
+        return about_compare;
     case Command::events:
         return about_events;
     case Command::live:

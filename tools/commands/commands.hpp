@@ -14,6 +14,7 @@ Exit run_dimension(const Arguments& arguments);
 Exit run_batch(const Arguments& arguments);
 Exit run_decompose(const Arguments& arguments);
 Exit run_denoise(const Arguments& arguments);
+Exit run_compare(const Arguments& arguments);
 Exit run_events(const Arguments& arguments);
 Exit run_live(const Arguments& arguments);
 Exit run_synthesize(const Arguments& arguments);

@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "results/compared.hpp"
 #include "results/decomposed.hpp"
 #include "results/denoised.hpp"
 #include "results/fitted.hpp"
@@ -16,6 +17,7 @@ std::string clip_json(const clip::Clip& clip);
 std::string model_json(const results::Fitted& fitted);
 std::string dimension_json(const results::EstimatedDimension& estimated);
 std::string decomposition_json(const results::Decomposed& decomposed);
+std::string comparison_json(const results::Comparison& comparison);
 std::string denoising_json(const results::Denoised& denoised);
 /// `clip`: the new clip.
 std::string synthesis_json(const clip::Clip& clip, const results::Synthesized& synthesized);

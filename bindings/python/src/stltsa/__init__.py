@@ -26,6 +26,7 @@ from ._rows import Interval, Part, Segment, Statistics, Summary
 from ._text import names as _names
 from ._text import string as _string
 from .clip import Clip, read_clip
+from .comparison import ComparedPart, Comparison, Difference
 from .decomposition import Decomposition, decompose
 from .denoising import Denoising, denoise
 from .dimensions import Dimension, dimension
@@ -70,9 +71,12 @@ __all__ = [  # noqa: PLE0604
     "STLTSA",
     "BatchRow",
     "Clip",
+    "ComparedPart",
+    "Comparison",
     "Cycles",
     "Decomposition",
     "Denoising",
+    "Difference",
     "Dimension",
     "Event",
     "FoundEvent",

@@ -28,6 +28,7 @@ from ._statistics import in_frames, statistics_of
 from ._tables import table
 from ._text import string
 from .clip import Clip, as_clip, one_matrix, opened
+from .comparison import Comparison
 from .errors import in_keywords, warn_of_order
 from .phase import Phase
 from .readers import is_points
@@ -393,6 +394,45 @@ class Decomposition(Described):
             given = (self.clip._handle, phase._handle, number_of(label), samples)
             call.check(lib.stltsa_sides_find(*given, call.options, out))
         return Sides(owned("sides", out), samples)
+
+    def compare(
+        self,
+        second: Decomposition | None = None,
+        label: str | None = None,
+        second_label: str | None = None,
+        *,
+        samples: int = 101,
+    ) -> Comparison:
+        """Compare the cycles with those of another clip or, without one, left with right.
+
+        Parameters
+        ----------
+        second : Decomposition, optional
+            Such as of the same person later. Without it, the left side of the body is compared with
+            the mirror image of the right side half a cycle later.
+        label, second_label, samples
+            See :meth:`Phase.compare`.
+
+        Returns
+        -------
+        Comparison
+
+        Examples
+        --------
+        >>> import stltsa
+        >>> sides = stltsa.decompose("walker.bvh").compare()
+        >>> sides.sides, sides.parts[0].name, sides.parts[0].second_name
+        (True, 'LeftArm', 'RightArm')
+        """
+        phase = self.phase()
+        if second is not None:
+            return phase.compare(second.phase(), label, second_label, samples=samples)
+        out = ffi.new("stltsa_comparison **")
+        with Call(self._options, working_rate(self.clip.fps, self._options)) as call:
+            number = -1 if label is None else number_of(label)
+            given = (self.clip._handle, phase._handle, number, samples)
+            call.check(lib.stltsa_compare_left_right(*given, call.options, out))
+        return Comparison(owned("comparison", out))
 
     def to_frame(self) -> DataFrame:
         """Return one table of all segments, units, cycles and repetitions; needs pandas.

@@ -23,6 +23,7 @@ from ._given import wrong
 from ._native import ffi, lib
 from ._rows import number_of
 from ._text import c_text
+from .comparison import Comparison
 from .errors import ArgumentError, QualityWarning
 from .events import Event
 from .sides import Sides, side_of_name
@@ -304,6 +305,54 @@ class Phase:
     def warnings(self) -> tuple[str, ...]:
         """About motions whose phase is linear in time: their mean cycle explains too little."""
         return texts(lib.stltsa_phase_warning_count, lib.stltsa_phase_warning, self._handle)
+
+    def compare(
+        self,
+        second: Phase,
+        label: str | None = None,
+        second_label: str | None = None,
+        *,
+        samples: int = 101,
+    ) -> Comparison:
+        """Lay the cycles of another motion on those of this one, by phase, and compare them.
+
+        Parameters
+        ----------
+        second : Phase
+            Of another clip, such as one of the same person later, or of this clip. Frame rates and
+            lengths may differ; joints, points or columns of the same name are compared.
+        label, second_label : str, optional
+            Labels of the segments whose cycles are compared; by default the motion with the most
+            frames in cycles, and the one in the second clip that is most like it.
+        samples : int
+            Samples per cycle, 5 to 1001; 101 gives one per percent.
+
+        Returns
+        -------
+        Comparison
+
+        Raises
+        ------
+        stltsa.StltsaError
+            One of the clips has no cycles, or they have nothing in common.
+
+        Examples
+        --------
+        >>> import stltsa
+        >>> first, second = (stltsa.decompose(f"walker.bvh:{part}") for part in ("0-", "150-"))
+        >>> compared = first.phase().compare(second.phase())
+        >>> compared.likeness > 0.99, abs(compared["LeftFoot"].lag.difference) < 0.01
+        (True, True)
+        """
+        labels = (-1 if each is None else number_of(each) for each in (label, second_label))
+        first_number, second_number = labels
+        out = ffi.new("stltsa_comparison **")
+        check(
+            lib.stltsa_compare(
+                self._handle, first_number, second._handle, second_number, samples, out
+            )
+        )
+        return Comparison(owned("comparison", out))
 
     def events(
         self, marks: float | Sequence[float], other: Phase | None = None, *, name: str = ""

@@ -2795,6 +2795,903 @@ extern "C" {
         index: i64,
     ) -> *const ::std::os::raw::c_char;
 }
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct stltsa_comparison {
+    _unused: [u8; 0],
+}
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct stltsa_estimate {
+    pub first: f64,
+    pub first_sd: f64,
+    pub second: f64,
+    pub second_sd: f64,
+    pub difference: f64,
+    pub standard_error: f64,
+    pub low: f64,
+    pub high: f64,
+    pub significant: i32,
+    pub reserved: i32,
+}
+#[test]
+fn bindgen_test_layout_stltsa_estimate() {
+    assert_eq!(
+        ::std::mem::size_of::<stltsa_estimate>(),
+        72usize,
+        concat!("Size of: ", stringify!(stltsa_estimate))
+    );
+    assert_eq!(
+        ::std::mem::align_of::<stltsa_estimate>(),
+        8usize,
+        concat!("Alignment of ", stringify!(stltsa_estimate))
+    );
+    fn test_field_first() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_estimate>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).first) as usize - ptr as usize
+            },
+            0usize,
+            concat!("Offset of field: ", stringify!(stltsa_estimate), "::", stringify!(first))
+        );
+    }
+    test_field_first();
+    fn test_field_first_sd() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_estimate>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).first_sd) as usize - ptr as usize
+            },
+            8usize,
+            concat!("Offset of field: ", stringify!(stltsa_estimate), "::", stringify!(first_sd))
+        );
+    }
+    test_field_first_sd();
+    fn test_field_second() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_estimate>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).second) as usize - ptr as usize
+            },
+            16usize,
+            concat!("Offset of field: ", stringify!(stltsa_estimate), "::", stringify!(second))
+        );
+    }
+    test_field_second();
+    fn test_field_second_sd() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_estimate>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).second_sd) as usize - ptr as usize
+            },
+            24usize,
+            concat!("Offset of field: ", stringify!(stltsa_estimate), "::", stringify!(second_sd))
+        );
+    }
+    test_field_second_sd();
+    fn test_field_difference() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_estimate>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).difference) as usize - ptr as usize
+            },
+            32usize,
+            concat!("Offset of field: ", stringify!(stltsa_estimate), "::", stringify!(difference))
+        );
+    }
+    test_field_difference();
+    fn test_field_standard_error() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_estimate>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).standard_error) as usize - ptr as usize
+            },
+            40usize,
+            concat!(
+                "Offset of field: ",
+                stringify!(stltsa_estimate),
+                "::",
+                stringify!(standard_error)
+            )
+        );
+    }
+    test_field_standard_error();
+    fn test_field_low() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_estimate>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).low) as usize - ptr as usize
+            },
+            48usize,
+            concat!("Offset of field: ", stringify!(stltsa_estimate), "::", stringify!(low))
+        );
+    }
+    test_field_low();
+    fn test_field_high() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_estimate>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).high) as usize - ptr as usize
+            },
+            56usize,
+            concat!("Offset of field: ", stringify!(stltsa_estimate), "::", stringify!(high))
+        );
+    }
+    test_field_high();
+    fn test_field_significant() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_estimate>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).significant) as usize - ptr as usize
+            },
+            64usize,
+            concat!(
+                "Offset of field: ",
+                stringify!(stltsa_estimate),
+                "::",
+                stringify!(significant)
+            )
+        );
+    }
+    test_field_significant();
+    fn test_field_reserved() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_estimate>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).reserved) as usize - ptr as usize
+            },
+            68usize,
+            concat!("Offset of field: ", stringify!(stltsa_estimate), "::", stringify!(reserved))
+        );
+    }
+    test_field_reserved();
+}
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct stltsa_compared_cycles {
+    pub size: usize,
+    pub first_count: i64,
+    pub second_count: i64,
+    pub first_label: i32,
+    pub second_label: i32,
+    pub samples: i64,
+    pub cycle_time: stltsa_estimate,
+    pub first_per_minute: f64,
+    pub second_per_minute: f64,
+    pub shift: f64,
+    pub shift_error: f64,
+    pub shift_low: f64,
+    pub shift_high: f64,
+    pub likeness: f64,
+    pub runner_up: f64,
+    pub turn: f64,
+    pub size_ratio: f64,
+    pub judged: i64,
+    pub significant: i64,
+    pub sides: i32,
+    pub reserved: i32,
+}
+#[test]
+fn bindgen_test_layout_stltsa_compared_cycles() {
+    assert_eq!(
+        ::std::mem::size_of::<stltsa_compared_cycles>(),
+        216usize,
+        concat!("Size of: ", stringify!(stltsa_compared_cycles))
+    );
+    assert_eq!(
+        ::std::mem::align_of::<stltsa_compared_cycles>(),
+        8usize,
+        concat!("Alignment of ", stringify!(stltsa_compared_cycles))
+    );
+    fn test_field_size() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_cycles>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).size) as usize - ptr as usize
+            },
+            0usize,
+            concat!(
+                "Offset of field: ",
+                stringify!(stltsa_compared_cycles),
+                "::",
+                stringify!(size)
+            )
+        );
+    }
+    test_field_size();
+    fn test_field_first_count() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_cycles>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).first_count) as usize - ptr as usize
+            },
+            8usize,
+            concat!(
+                "Offset of field: ",
+                stringify!(stltsa_compared_cycles),
+                "::",
+                stringify!(first_count)
+            )
+        );
+    }
+    test_field_first_count();
+    fn test_field_second_count() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_cycles>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).second_count) as usize - ptr as usize
+            },
+            16usize,
+            concat!(
+                "Offset of field: ",
+                stringify!(stltsa_compared_cycles),
+                "::",
+                stringify!(second_count)
+            )
+        );
+    }
+    test_field_second_count();
+    fn test_field_first_label() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_cycles>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).first_label) as usize - ptr as usize
+            },
+            24usize,
+            concat!(
+                "Offset of field: ",
+                stringify!(stltsa_compared_cycles),
+                "::",
+                stringify!(first_label)
+            )
+        );
+    }
+    test_field_first_label();
+    fn test_field_second_label() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_cycles>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).second_label) as usize - ptr as usize
+            },
+            28usize,
+            concat!(
+                "Offset of field: ",
+                stringify!(stltsa_compared_cycles),
+                "::",
+                stringify!(second_label)
+            )
+        );
+    }
+    test_field_second_label();
+    fn test_field_samples() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_cycles>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).samples) as usize - ptr as usize
+            },
+            32usize,
+            concat!(
+                "Offset of field: ",
+                stringify!(stltsa_compared_cycles),
+                "::",
+                stringify!(samples)
+            )
+        );
+    }
+    test_field_samples();
+    fn test_field_cycle_time() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_cycles>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).cycle_time) as usize - ptr as usize
+            },
+            40usize,
+            concat!(
+                "Offset of field: ",
+                stringify!(stltsa_compared_cycles),
+                "::",
+                stringify!(cycle_time)
+            )
+        );
+    }
+    test_field_cycle_time();
+    fn test_field_first_per_minute() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_cycles>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).first_per_minute) as usize - ptr as usize
+            },
+            112usize,
+            concat!(
+                "Offset of field: ",
+                stringify!(stltsa_compared_cycles),
+                "::",
+                stringify!(first_per_minute)
+            )
+        );
+    }
+    test_field_first_per_minute();
+    fn test_field_second_per_minute() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_cycles>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).second_per_minute) as usize - ptr as usize
+            },
+            120usize,
+            concat!(
+                "Offset of field: ",
+                stringify!(stltsa_compared_cycles),
+                "::",
+                stringify!(second_per_minute)
+            )
+        );
+    }
+    test_field_second_per_minute();
+    fn test_field_shift() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_cycles>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).shift) as usize - ptr as usize
+            },
+            128usize,
+            concat!(
+                "Offset of field: ",
+                stringify!(stltsa_compared_cycles),
+                "::",
+                stringify!(shift)
+            )
+        );
+    }
+    test_field_shift();
+    fn test_field_shift_error() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_cycles>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).shift_error) as usize - ptr as usize
+            },
+            136usize,
+            concat!(
+                "Offset of field: ",
+                stringify!(stltsa_compared_cycles),
+                "::",
+                stringify!(shift_error)
+            )
+        );
+    }
+    test_field_shift_error();
+    fn test_field_shift_low() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_cycles>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).shift_low) as usize - ptr as usize
+            },
+            144usize,
+            concat!(
+                "Offset of field: ",
+                stringify!(stltsa_compared_cycles),
+                "::",
+                stringify!(shift_low)
+            )
+        );
+    }
+    test_field_shift_low();
+    fn test_field_shift_high() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_cycles>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).shift_high) as usize - ptr as usize
+            },
+            152usize,
+            concat!(
+                "Offset of field: ",
+                stringify!(stltsa_compared_cycles),
+                "::",
+                stringify!(shift_high)
+            )
+        );
+    }
+    test_field_shift_high();
+    fn test_field_likeness() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_cycles>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).likeness) as usize - ptr as usize
+            },
+            160usize,
+            concat!(
+                "Offset of field: ",
+                stringify!(stltsa_compared_cycles),
+                "::",
+                stringify!(likeness)
+            )
+        );
+    }
+    test_field_likeness();
+    fn test_field_runner_up() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_cycles>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).runner_up) as usize - ptr as usize
+            },
+            168usize,
+            concat!(
+                "Offset of field: ",
+                stringify!(stltsa_compared_cycles),
+                "::",
+                stringify!(runner_up)
+            )
+        );
+    }
+    test_field_runner_up();
+    fn test_field_turn() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_cycles>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).turn) as usize - ptr as usize
+            },
+            176usize,
+            concat!(
+                "Offset of field: ",
+                stringify!(stltsa_compared_cycles),
+                "::",
+                stringify!(turn)
+            )
+        );
+    }
+    test_field_turn();
+    fn test_field_size_ratio() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_cycles>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).size_ratio) as usize - ptr as usize
+            },
+            184usize,
+            concat!(
+                "Offset of field: ",
+                stringify!(stltsa_compared_cycles),
+                "::",
+                stringify!(size_ratio)
+            )
+        );
+    }
+    test_field_size_ratio();
+    fn test_field_judged() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_cycles>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).judged) as usize - ptr as usize
+            },
+            192usize,
+            concat!(
+                "Offset of field: ",
+                stringify!(stltsa_compared_cycles),
+                "::",
+                stringify!(judged)
+            )
+        );
+    }
+    test_field_judged();
+    fn test_field_significant() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_cycles>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).significant) as usize - ptr as usize
+            },
+            200usize,
+            concat!(
+                "Offset of field: ",
+                stringify!(stltsa_compared_cycles),
+                "::",
+                stringify!(significant)
+            )
+        );
+    }
+    test_field_significant();
+    fn test_field_sides() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_cycles>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).sides) as usize - ptr as usize
+            },
+            208usize,
+            concat!(
+                "Offset of field: ",
+                stringify!(stltsa_compared_cycles),
+                "::",
+                stringify!(sides)
+            )
+        );
+    }
+    test_field_sides();
+    fn test_field_reserved() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_cycles>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).reserved) as usize - ptr as usize
+            },
+            212usize,
+            concat!(
+                "Offset of field: ",
+                stringify!(stltsa_compared_cycles),
+                "::",
+                stringify!(reserved)
+            )
+        );
+    }
+    test_field_reserved();
+}
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct stltsa_compared_part {
+    pub size: usize,
+    pub part: i64,
+    pub rms: f64,
+    pub chance: f64,
+    pub correlation: f64,
+    pub lag: stltsa_estimate,
+    pub amplitude: stltsa_estimate,
+    pub ratio: f64,
+    pub ratio_low: f64,
+    pub ratio_high: f64,
+    pub lag_s: f64,
+    pub lag_low_s: f64,
+    pub lag_high_s: f64,
+    pub mean: stltsa_estimate,
+}
+#[test]
+fn bindgen_test_layout_stltsa_compared_part() {
+    assert_eq!(
+        ::std::mem::size_of::<stltsa_compared_part>(),
+        304usize,
+        concat!("Size of: ", stringify!(stltsa_compared_part))
+    );
+    assert_eq!(
+        ::std::mem::align_of::<stltsa_compared_part>(),
+        8usize,
+        concat!("Alignment of ", stringify!(stltsa_compared_part))
+    );
+    fn test_field_size() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_part>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).size) as usize - ptr as usize
+            },
+            0usize,
+            concat!("Offset of field: ", stringify!(stltsa_compared_part), "::", stringify!(size))
+        );
+    }
+    test_field_size();
+    fn test_field_part() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_part>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).part) as usize - ptr as usize
+            },
+            8usize,
+            concat!("Offset of field: ", stringify!(stltsa_compared_part), "::", stringify!(part))
+        );
+    }
+    test_field_part();
+    fn test_field_rms() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_part>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).rms) as usize - ptr as usize
+            },
+            16usize,
+            concat!("Offset of field: ", stringify!(stltsa_compared_part), "::", stringify!(rms))
+        );
+    }
+    test_field_rms();
+    fn test_field_chance() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_part>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).chance) as usize - ptr as usize
+            },
+            24usize,
+            concat!(
+                "Offset of field: ",
+                stringify!(stltsa_compared_part),
+                "::",
+                stringify!(chance)
+            )
+        );
+    }
+    test_field_chance();
+    fn test_field_correlation() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_part>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).correlation) as usize - ptr as usize
+            },
+            32usize,
+            concat!(
+                "Offset of field: ",
+                stringify!(stltsa_compared_part),
+                "::",
+                stringify!(correlation)
+            )
+        );
+    }
+    test_field_correlation();
+    fn test_field_lag() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_part>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).lag) as usize - ptr as usize
+            },
+            40usize,
+            concat!("Offset of field: ", stringify!(stltsa_compared_part), "::", stringify!(lag))
+        );
+    }
+    test_field_lag();
+    fn test_field_amplitude() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_part>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).amplitude) as usize - ptr as usize
+            },
+            112usize,
+            concat!(
+                "Offset of field: ",
+                stringify!(stltsa_compared_part),
+                "::",
+                stringify!(amplitude)
+            )
+        );
+    }
+    test_field_amplitude();
+    fn test_field_ratio() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_part>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).ratio) as usize - ptr as usize
+            },
+            184usize,
+            concat!("Offset of field: ", stringify!(stltsa_compared_part), "::", stringify!(ratio))
+        );
+    }
+    test_field_ratio();
+    fn test_field_ratio_low() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_part>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).ratio_low) as usize - ptr as usize
+            },
+            192usize,
+            concat!(
+                "Offset of field: ",
+                stringify!(stltsa_compared_part),
+                "::",
+                stringify!(ratio_low)
+            )
+        );
+    }
+    test_field_ratio_low();
+    fn test_field_ratio_high() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_part>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).ratio_high) as usize - ptr as usize
+            },
+            200usize,
+            concat!(
+                "Offset of field: ",
+                stringify!(stltsa_compared_part),
+                "::",
+                stringify!(ratio_high)
+            )
+        );
+    }
+    test_field_ratio_high();
+    fn test_field_lag_s() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_part>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).lag_s) as usize - ptr as usize
+            },
+            208usize,
+            concat!("Offset of field: ", stringify!(stltsa_compared_part), "::", stringify!(lag_s))
+        );
+    }
+    test_field_lag_s();
+    fn test_field_lag_low_s() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_part>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).lag_low_s) as usize - ptr as usize
+            },
+            216usize,
+            concat!(
+                "Offset of field: ",
+                stringify!(stltsa_compared_part),
+                "::",
+                stringify!(lag_low_s)
+            )
+        );
+    }
+    test_field_lag_low_s();
+    fn test_field_lag_high_s() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_part>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).lag_high_s) as usize - ptr as usize
+            },
+            224usize,
+            concat!(
+                "Offset of field: ",
+                stringify!(stltsa_compared_part),
+                "::",
+                stringify!(lag_high_s)
+            )
+        );
+    }
+    test_field_lag_high_s();
+    fn test_field_mean() {
+        assert_eq!(
+            unsafe {
+                let uninit = ::std::mem::MaybeUninit::<stltsa_compared_part>::uninit();
+                let ptr = uninit.as_ptr();
+                ::std::ptr::addr_of!((*ptr).mean) as usize - ptr as usize
+            },
+            232usize,
+            concat!("Offset of field: ", stringify!(stltsa_compared_part), "::", stringify!(mean))
+        );
+    }
+    test_field_mean();
+}
+extern "C" {
+    pub fn stltsa_compare(
+        first: *const stltsa_phase,
+        first_label: i32,
+        second: *const stltsa_phase,
+        second_label: i32,
+        samples: i64,
+        comparison: *mut *mut stltsa_comparison,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_compare_left_right(
+        clip: *const stltsa_clip,
+        phase: *const stltsa_phase,
+        label: i32,
+        samples: i64,
+        options: *const stltsa_options,
+        comparison: *mut *mut stltsa_comparison,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_comparison_free(comparison: *mut stltsa_comparison);
+}
+extern "C" {
+    pub fn stltsa_comparison_cycles(
+        comparison: *const stltsa_comparison,
+        cycles: *mut stltsa_compared_cycles,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_comparison_part_count(comparison: *const stltsa_comparison) -> i64;
+}
+extern "C" {
+    pub fn stltsa_comparison_part(
+        comparison: *const stltsa_comparison,
+        index: i64,
+        part: *mut stltsa_compared_part,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_comparison_part_name(
+        comparison: *const stltsa_comparison,
+        which: i32,
+        index: i64,
+    ) -> *const ::std::os::raw::c_char;
+}
+extern "C" {
+    pub fn stltsa_comparison_channel_count(comparison: *const stltsa_comparison) -> i64;
+}
+extern "C" {
+    pub fn stltsa_comparison_channel(
+        comparison: *const stltsa_comparison,
+        index: i64,
+        channel: *mut stltsa_compared_part,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_comparison_channel_axis(
+        comparison: *const stltsa_comparison,
+        index: i64,
+    ) -> *const ::std::os::raw::c_char;
+}
+extern "C" {
+    pub fn stltsa_comparison_curves(
+        comparison: *const stltsa_comparison,
+        which: i32,
+        mean: *const stltsa_out,
+        deviation: *const stltsa_out,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_comparison_difference(
+        comparison: *const stltsa_comparison,
+        difference: *const stltsa_out,
+        standard_error: *const stltsa_out,
+        margin: *const stltsa_out,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_comparison_left_out_count(
+        comparison: *const stltsa_comparison,
+        which: i32,
+    ) -> i64;
+}
+extern "C" {
+    pub fn stltsa_comparison_left_out(
+        comparison: *const stltsa_comparison,
+        which: i32,
+        index: i64,
+    ) -> *const ::std::os::raw::c_char;
+}
+extern "C" {
+    pub fn stltsa_comparison_warning_count(comparison: *const stltsa_comparison) -> i64;
+}
+extern "C" {
+    pub fn stltsa_comparison_warning(
+        comparison: *const stltsa_comparison,
+        index: i64,
+    ) -> *const ::std::os::raw::c_char;
+}
+extern "C" {
+    pub fn stltsa_comparison_json(
+        comparison: *const stltsa_comparison,
+        json: *mut *mut ::std::os::raw::c_char,
+    ) -> stltsa_status;
+}
 extern "C" {
     pub fn stltsa_model_keep_cycle(
         model: *mut stltsa_model,

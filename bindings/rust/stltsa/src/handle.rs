@@ -33,6 +33,7 @@ handles! {
     stltsa_denoising: stltsa_denoising_free
     stltsa_phase: stltsa_phase_free
     stltsa_sides: stltsa_sides_free
+    stltsa_comparison: stltsa_comparison_free
     stltsa_events: stltsa_events_free
     stltsa_live: stltsa_live_free
     stltsa_cycles: stltsa_cycles_free

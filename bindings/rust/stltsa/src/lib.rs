@@ -22,6 +22,7 @@
 //! * [`Dimension`]: the intrinsic dimension of a motion.
 //! * [`Denoising`]: a curve without its noise.
 //! * [`Phase`]: a phase for every frame, and signals on 0 to 100 % of each cycle ([`Cycles`]).
+//! * [`Comparison`]: the cycles of two clips, or left and right of one, laid on each other by phase.
 //! * [`Synthesis`]: new motion from pieces of clips.
 //! * [`Facts`]: all other facts about a clip or a result, by key.
 //! * [`Options`]: deviations from the defaults, progress and cancelling.
@@ -49,6 +50,7 @@
 
 mod array;
 mod clip;
+mod comparison;
 mod decomposition;
 mod denoising;
 mod dimension;
@@ -71,6 +73,7 @@ mod with_ndarray;
 
 pub use array::{Element, Matrix, View};
 pub use clip::{Clip, Joint, Points, Rotations};
+pub use comparison::{ComparedPart, Comparison, Difference};
 pub use decomposition::{Decomposition, DecompositionInfo, Interval};
 pub use denoising::{DenoisedColumn, Denoising};
 pub use dimension::{Dimension, Estimate};

@@ -43,6 +43,31 @@ fn frames_of_cycles_have_phases() {
 }
 
 #[test]
+#[ignore = "needs STLTSA_TEST_CLIP"]
+fn motions_are_compared() {
+    let clip = common::walker();
+    let options = Options::new();
+    let phase = |clip: &stltsa::Clip| {
+        Phase::find(clip, &clip.decompose(&options).unwrap(), &options).unwrap()
+    };
+    let (whole, part) = (phase(&clip), phase(&clip.stretch("200-", &options).unwrap()));
+    let found = whole.compare(&part, Some(0), None, 51).unwrap();
+    assert!(found.likeness > 0.99 && found.shift.abs() < 0.02);
+    assert_eq!(found.channels.len(), 3 * found.parts.len());
+    assert_eq!(found.channels[1].axis, "y");
+    assert_eq!((found.margin.rows(), found.margin.cols()), (51, found.channels.len()));
+    assert_eq!(found.difference[(7, 4)], found.mean[1][(7, 4)] - found.mean[0][(7, 4)]);
+    assert!(found.left_out[0].is_empty() && !found.sides);
+    assert!(found.json.starts_with("{\"format\":\"stltsa-comparison/1\""));
+
+    let sides = whole.compare_left_right(&clip, None, 101, &options).unwrap();
+    assert!(sides.sides && sides.shift == 0.5 && sides.shift_error.is_nan());
+    assert!(sides.parts.iter().all(|part| part.second_name.starts_with("Right")));
+    let error = whole.compare(&part, Some(7), None, 51).unwrap_err();
+    assert_eq!(error.kind(), ErrorKind::Argument);
+}
+
+#[test]
 fn borders_may_be_given() {
     let ramp: Vec<[f64; 1]> = (0..9).map(|frame| [frame as f64]).collect();
     let cycles = Cycles::between(&[0.0, 4.0, 8.0], &ramp, 5).unwrap();

@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Two motions, or left and right, laid on each other by phase."""
+
+import json
+import pickle
+
+import numpy as np
+import pytest
+
+import stltsa
+
+
+@pytest.fixture(scope="module")
+def halves(clip):
+    return [stltsa.decompose(clip.stretch(part)) for part in ("0-", "150-")]
+
+
+@pytest.fixture(scope="module")
+def compared(halves):
+    return halves[0].compare(halves[1])
+
+
+def test_one_walk_is_like_itself(compared):
+    assert compared.likeness > 0.99
+    assert abs(compared.shift) < 0.02
+    assert compared.shift_interval[0] <= compared.shift <= compared.shift_interval[1]
+    assert min(compared.counts) >= 1
+    assert compared.labels == (0, 0)
+    assert compared.size_ratio == pytest.approx(1, abs=0.01)
+    assert compared.left_out == ((), ())
+    foot = compared["LeftFoot"]
+    assert foot.second_name == "LeftFoot"
+    assert abs(foot.lag.difference) < 0.02
+    assert foot.ratio[0] == pytest.approx(1, abs=0.05)
+    with pytest.raises(KeyError):
+        compared["tail"]
+    assert "parts" in repr(compared)
+
+
+def test_curves_and_channels_belong_together(compared):
+    assert len(compared.channels) == 3 * len(compared.parts)
+    assert [each.axis for each in compared.channels[:3]] == ["x", "y", "z"]
+    assert compared.mean[0].shape == compared.margin.shape == (101, len(compared.channels))
+    np.testing.assert_array_equal(compared.difference, compared.mean[1] - compared.mean[0])
+    for column, channel in enumerate(compared.channels):
+        rms = np.sqrt(np.mean(compared.difference[:-1, column] ** 2))
+        assert channel.rms == pytest.approx(rms, abs=1e-12)
+        middle = compared.difference[:-1, column].mean()
+        assert channel.mean.difference == pytest.approx(middle, abs=1e-9)
+
+
+def test_json_is_that_of_the_command(compared):
+    found = json.loads(compared.to_json())
+    assert found["format"] == "stltsa-comparison/1"
+    foot = next(part for part in found["parts"] if part["first"] == "LeftFoot")
+    assert foot["differences"]["rms_difference"] == compared["LeftFoot"].rms
+
+
+def test_left_and_right(result):
+    sides = result.compare()
+    assert sides.sides
+    assert sides.shift == 0.5
+    assert np.isnan(sides.shift_error)
+    assert all(part.second_name == part.name.replace("Left", "Right") for part in sides.parts)
+    assert max(part.rms for part in sides.parts) < 0.1
+
+
+def test_errors(result, halves):
+    with pytest.raises(stltsa.ArgumentError):
+        halves[0].compare(halves[1], "Z")
+    with pytest.raises(stltsa.ArgumentError):
+        halves[0].compare(halves[1], samples=2)
+    still = stltsa.decompose(result.clip.stretch("0-100"))
+    with pytest.raises(stltsa.NoSuchPartError, match="no cycles"):
+        halves[0].compare(still)
+
+
+def test_a_comparison_is_pickled(compared):
+    again = pickle.loads(pickle.dumps(compared))
+    assert again.parts[1].name == compared.parts[1].name
+    np.testing.assert_array_equal(again.margin, compared.margin)
+
+
+def test_a_table_has_a_row_for_each_part_and_channel(compared):
+    pytest.importorskip("pandas")
+    table = compared.to_frame()
+    assert len(table) == len(compared.parts) + len(compared.channels)
+    assert table.lag_difference[0] == compared.parts[0].lag.difference or np.isnan(
+        compared.parts[0].lag.difference
+    )
+    assert table.ratio_low[1] <= table.ratio[1] or np.isnan(table.ratio[1])

@@ -1,0 +1,344 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//! [`Comparison`]: the cycles of two motions laid on each other by phase.
+
+use stltsa_sys as sys;
+
+use crate::array::Matrix;
+use crate::clip::Clip;
+use crate::error::{c_count, check, count, text, texts, Error, ErrorKind, Result};
+use crate::handle::Owned;
+use crate::options::Options;
+use crate::phase::Phase;
+
+/// A quantity of both mean cycles and its difference, second less first. NaN: unknown.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Difference {
+    /// Of the first motion.
+    pub first: f64,
+    /// Its standard deviation over the cycles.
+    pub first_sd: f64,
+    /// Of the second motion.
+    pub second: f64,
+    /// Its standard deviation over the cycles.
+    pub second_sd: f64,
+    /// Second less first.
+    pub difference: f64,
+    /// Of the difference.
+    pub standard_error: f64,
+    /// Lower end of its 95 % confidence interval.
+    pub low: f64,
+    /// Upper end of the interval.
+    pub high: f64,
+    /// The interval does not include 0: one in 20 does not by chance.
+    pub significant: bool,
+}
+
+/// A joint, a point or a column of the file, or one of its coordinates. NaN: unknown.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct ComparedPart {
+    /// Name in the first motion.
+    pub name: String,
+    /// Name in the second motion; another one for left and right.
+    pub second_name: String,
+    /// `"x"` or `"rz"` of a coordinate; empty for a whole part.
+    pub axis: String,
+    /// Root mean square over the cycle of second less first.
+    pub rms: f64,
+    /// `rms` expected from the spread between cycles alone.
+    pub chance: f64,
+    /// Correlation of the mean curves after the lag is removed.
+    pub correlation: f64,
+    /// How much later in its cycle the second motion does this, relative to the whole body, as a
+    /// share of the cycle.
+    pub lag: Difference,
+    /// Largest distance of two places of the mean curve.
+    pub amplitude: Difference,
+    /// Amplitude of second by that of first, and its interval.
+    pub ratio: [f64; 3],
+    /// Lag in seconds, and its interval.
+    pub lag_s: [f64; 3],
+    /// Mean over the cycle, of a part with one channel.
+    pub mean: Difference,
+}
+
+/// What differs between the cycles of two motions, and how well it is known. Pairs are of the first
+/// and the second motion.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct Comparison {
+    /// Joints, points or columns.
+    pub parts: Vec<ComparedPart>,
+    /// Their coordinates, part by part.
+    pub channels: Vec<ComparedPart>,
+    /// Cycles that are complete, and so were compared.
+    pub counts: [usize; 2],
+    /// Labels of their segments, 0 for A.
+    pub labels: [usize; 2],
+    /// In seconds.
+    pub cycle_time: Difference,
+    /// Cycles per minute.
+    pub per_minute: [f64; 2],
+    /// Phase of the second motion at phase 0 of the first, in cycles.
+    pub shift: f64,
+    /// Its standard error and interval; NaN if it is half a cycle by definition.
+    pub shift_error: f64,
+    /// Its interval.
+    pub shift_interval: [f64; 2],
+    /// Correlation of the mean cycles.
+    pub likeness: f64,
+    /// The same at the next best shift; NaN: there is no other.
+    pub runner_up: f64,
+    /// Degrees by which the second body was turned about the up axis, onto the first.
+    pub turn: f64,
+    /// Size of the second body by that of the first; NaN: not positions in space.
+    pub size_ratio: f64,
+    /// Lags and amplitudes of parts that have an interval.
+    pub judged: usize,
+    /// How many of them are significant; a twentieth is by chance.
+    pub significant: usize,
+    /// Left and right of one clip are compared.
+    pub sides: bool,
+    /// Mean cycles, samples x channels.
+    pub mean: [Matrix; 2],
+    /// Standard deviations over the cycles, samples x channels.
+    pub deviation: [Matrix; 2],
+    /// Second less first, samples x channels.
+    pub difference: Matrix,
+    /// Of the difference, samples x channels.
+    pub standard_error: Matrix,
+    /// Half the width of the interval of each sample.
+    pub margin: Matrix,
+    /// Names that the other clip lacks.
+    pub left_out: [Vec<String>; 2],
+    /// What a user should know about the result.
+    pub warnings: Vec<String>,
+    /// The object of schema stltsa-comparison/1.
+    pub json: String,
+}
+
+impl Phase {
+    /// Compares the cycles of a motion with those of another clip's. Labels count from 0 for A;
+    /// `None`: the motion with the most frames in cycles, in the second clip the one most like it.
+    ///
+    /// ```no_run
+    /// use stltsa::{Clip, Options, Phase};
+    ///
+    /// let options = Options::new();
+    /// let phase = |path: &str| {
+    ///     let clip = Clip::open(path)?;
+    ///     Phase::find(&clip, &clip.decompose(&options)?, &options)
+    /// };
+    /// let compared = phase("before.bvh")?.compare(&phase("after.bvh")?, None, None, 101)?;
+    /// for part in &compared.parts {
+    ///     println!("{}: {:+.1} % later", part.name, 100.0 * part.lag.difference);
+    /// }
+    /// # Ok::<(), stltsa::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`NoSuchPart`](crate::ErrorKind::NoSuchPart) if a clip has no cycles,
+    /// [`Argument`](crate::ErrorKind::Argument) if a label has none,
+    /// [`Shape`](crate::ErrorKind::Shape) if the clips have nothing in common,
+    /// [`TooFewFrames`](crate::ErrorKind::TooFewFrames) if no cycle is complete.
+    pub fn compare(
+        &self,
+        second: &Phase,
+        label: Option<usize>,
+        second_label: Option<usize>,
+        samples: usize,
+    ) -> Result<Comparison> {
+        let (label, second_label) = (number(label)?, number(second_label)?);
+        let wanted = c_count(samples)?;
+        // SAFETY: live handles.
+        let found = Owned::make(|out| unsafe {
+            sys::stltsa_compare(self.raw(), label, second.raw(), second_label, wanted, out)
+        })?;
+        Comparison::read(&found)
+    }
+
+    /// Compares the left side of the body with the mirror image of the right side half a cycle
+    /// later. `clip` is the clip that the phase was found in.
+    ///
+    /// # Errors
+    /// As [`compare`](Self::compare); [`Unsupported`](crate::ErrorKind::Unsupported) if the sides
+    /// cannot be compared.
+    pub fn compare_left_right(
+        &self,
+        clip: &Clip,
+        label: Option<usize>,
+        samples: usize,
+        options: &Options,
+    ) -> Result<Comparison> {
+        let (label, wanted) = (number(label)?, c_count(samples)?);
+        let found = options.call(|options| {
+            // SAFETY: live handles.
+            Owned::make(|out| unsafe {
+                sys::stltsa_compare_left_right(clip.raw(), self.raw(), label, wanted, options, out)
+            })
+        })?;
+        Comparison::read(&found)
+    }
+}
+
+fn number(label: Option<usize>) -> Result<i32> {
+    label.map_or(Ok(-1), |label| {
+        i32::try_from(label)
+            .map_err(|_| Error::new(ErrorKind::Argument, format!("there is no label {label}")))
+    })
+}
+
+type Found = Owned<sys::stltsa_comparison>;
+
+impl Comparison {
+    fn read(found: &Found) -> Result<Self> {
+        // SAFETY: a struct of numbers, for which zeros are valid.
+        let mut raw: sys::stltsa_compared_cycles = unsafe { std::mem::zeroed() };
+        raw.size = std::mem::size_of::<sys::stltsa_compared_cycles>();
+        // SAFETY: a live handle, a struct of the size it says.
+        check(unsafe { sys::stltsa_comparison_cycles(found.raw(), &mut raw) })?;
+        let channels = channels(found)?;
+        let size = (count(raw.samples)?, channels.len());
+        let curves = |which, output| curves(found, which, output, size);
+        let differences = |output| differences(found, output, size);
+        Ok(Self {
+            parts: parts(found)?,
+            counts: [count(raw.first_count)?, count(raw.second_count)?],
+            labels: [count(raw.first_label.into())?, count(raw.second_label.into())?],
+            cycle_time: difference(&raw.cycle_time),
+            per_minute: [raw.first_per_minute, raw.second_per_minute],
+            shift: raw.shift,
+            shift_error: raw.shift_error,
+            shift_interval: [raw.shift_low, raw.shift_high],
+            likeness: raw.likeness,
+            runner_up: raw.runner_up,
+            turn: raw.turn,
+            size_ratio: raw.size_ratio,
+            judged: count(raw.judged)?,
+            significant: count(raw.significant)?,
+            sides: raw.sides == 1,
+            mean: [curves(0, 0)?, curves(1, 0)?],
+            deviation: [curves(0, 1)?, curves(1, 1)?],
+            difference: differences(0)?,
+            standard_error: differences(1)?,
+            margin: differences(2)?,
+            left_out: [left_out(found, 0), left_out(found, 1)],
+            // SAFETY: a live handle.
+            warnings: unsafe {
+                texts(sys::stltsa_comparison_warning_count(found.raw()), |index| {
+                    sys::stltsa_comparison_warning(found.raw(), index)
+                })
+            },
+            json: json(found)?,
+            channels,
+        })
+    }
+}
+
+fn json(found: &Found) -> Result<String> {
+    let mut raw = std::ptr::null_mut();
+    // SAFETY: a live handle; the text is the caller's, who frees it.
+    unsafe {
+        check(sys::stltsa_comparison_json(found.raw(), &mut raw))?;
+        let json = text(raw);
+        sys::stltsa_free(raw.cast());
+        Ok(json)
+    }
+}
+
+fn curves(found: &Found, which: i32, output: usize, size: (usize, usize)) -> Result<Matrix> {
+    Matrix::filled(size.0, size.1, |out| {
+        let mut outputs = [std::ptr::null(); 2];
+        outputs[output] = out;
+        // SAFETY: a live handle, an array of the size it says.
+        unsafe { sys::stltsa_comparison_curves(found.raw(), which, outputs[0], outputs[1]) }
+    })
+}
+
+fn differences(found: &Found, output: usize, size: (usize, usize)) -> Result<Matrix> {
+    Matrix::filled(size.0, size.1, |out| {
+        let mut outputs = [std::ptr::null(); 3];
+        outputs[output] = out;
+        // SAFETY: a live handle, an array of the size it says.
+        unsafe {
+            sys::stltsa_comparison_difference(found.raw(), outputs[0], outputs[1], outputs[2])
+        }
+    })
+}
+
+fn left_out(found: &Found, which: i32) -> Vec<String> {
+    // SAFETY: a live handle.
+    unsafe {
+        texts(sys::stltsa_comparison_left_out_count(found.raw(), which), |index| {
+            sys::stltsa_comparison_left_out(found.raw(), which, index)
+        })
+    }
+}
+
+fn empty() -> sys::stltsa_compared_part {
+    // SAFETY: a struct of numbers, for which zeros are valid.
+    let mut raw: sys::stltsa_compared_part = unsafe { std::mem::zeroed() };
+    raw.size = std::mem::size_of::<sys::stltsa_compared_part>();
+    raw
+}
+
+fn parts(found: &Found) -> Result<Vec<ComparedPart>> {
+    // SAFETY: a live handle.
+    let parts = unsafe { sys::stltsa_comparison_part_count(found.raw()) };
+    let read = |index| {
+        let mut raw = empty();
+        // SAFETY: a live handle, a struct of the size it says.
+        check(unsafe { sys::stltsa_comparison_part(found.raw(), index, &mut raw) })?;
+        Ok(part(found, &raw, String::new()))
+    };
+    (0..parts).map(read).collect()
+}
+
+fn channels(found: &Found) -> Result<Vec<ComparedPart>> {
+    // SAFETY: a live handle.
+    let channels = unsafe { sys::stltsa_comparison_channel_count(found.raw()) };
+    let read = |index| {
+        let mut raw = empty();
+        // SAFETY: a live handle, a struct of the size it says.
+        check(unsafe { sys::stltsa_comparison_channel(found.raw(), index, &mut raw) })?;
+        // SAFETY: a live handle.
+        let axis = unsafe { text(sys::stltsa_comparison_channel_axis(found.raw(), index)) };
+        Ok(part(found, &raw, axis))
+    };
+    (0..channels).map(read).collect()
+}
+
+fn part(found: &Found, raw: &sys::stltsa_compared_part, axis: String) -> ComparedPart {
+    let name = |which| {
+        // SAFETY: a live handle.
+        unsafe { text(sys::stltsa_comparison_part_name(found.raw(), which, raw.part)) }
+    };
+    ComparedPart {
+        name: name(0),
+        second_name: name(1),
+        axis,
+        rms: raw.rms,
+        chance: raw.chance,
+        correlation: raw.correlation,
+        lag: difference(&raw.lag),
+        amplitude: difference(&raw.amplitude),
+        ratio: [raw.ratio, raw.ratio_low, raw.ratio_high],
+        lag_s: [raw.lag_s, raw.lag_low_s, raw.lag_high_s],
+        mean: difference(&raw.mean),
+    }
+}
+
+fn difference(raw: &sys::stltsa_estimate) -> Difference {
+    Difference {
+        first: raw.first,
+        first_sd: raw.first_sd,
+        second: raw.second,
+        second_sd: raw.second_sd,
+        difference: raw.difference,
+        standard_error: raw.standard_error,
+        low: raw.low,
+        high: raw.high,
+        significant: raw.significant == 1,
+    }
+}

@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "results/compared.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "clip/body/skeleton.hpp"
+#include "phase/lag.hpp"
+#include "results/mirror_image.hpp"
+#include "results/turning.hpp"
+
+namespace stltsa::results {
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+/// Mean cycles less alike than this are of other motions, as in events.
+constexpr double least_likeness = 0.6;
+/// If the next best alignment is this near, it may be the right one.
+constexpr double doubtful = 0.1;
+/// Bodies differ less in size; units differ by 2.54 and more.
+constexpr double most_size_ratio = 2;
+/// Share of intervals that do not include the truth.
+constexpr double chance = 0.05;
+
+std::string name_of(const Phased& phased, const char* which) {
+    return phased.clip.path.empty() ? format_text("the {} clip", which) : phased.clip.path;
+}
+
+std::int64_t frames_of(const PhasedMotion& motion) {
+    std::int64_t count = 0;
+    for (const phase::Run& run : motion.phases.runs)
+        count += run.rows();
+    return count;
+}
+
+/// The motions in cycles that may be compared.
+std::vector<const PhasedMotion*> candidates(const Phased& phased, std::optional<std::int32_t> label,
+                                            const char* which) {
+    std::vector<const PhasedMotion*> found;
+    for (const PhasedMotion& motion : phased.motions)
+        if (motion.phases.cyclic && (!label || motion.label == *label))
+            found.push_back(&motion);
+    if (found.empty() && label)
+        fail(Status::argument, "label {} of {} has no cycles",
+             *label < 0 ? format_text("{}", *label) : label_text(*label), name_of(phased, which));
+    if (found.empty())
+        fail(Status::no_such_part,
+             "{} has no cycles, so nothing can be compared by phase: its decomposition says why",
+             name_of(phased, which));
+    return found;
+}
+
+const PhasedMotion& longest(const std::vector<const PhasedMotion*>& motions) {
+    return **std::ranges::max_element(
+        motions, {}, [](const PhasedMotion* motion) { return frames_of(*motion); });
+}
+
+Matrix chosen(const Matrix& rows, const std::vector<std::int64_t>& columns) {
+    Matrix result = Matrix::unset(rows.rows(), static_cast<std::int64_t>(columns.size()));
+    for (std::int64_t i = 0; i < result.rows(); ++i)
+        for (std::size_t c = 0; c < columns.size(); ++c)
+            result(i, static_cast<std::int64_t>(c)) = rows(i, columns[c]);
+    return result;
+}
+
+/// Cycles, by index, whose samples the clip has.
+std::vector<bool> complete(const Matrix& rows) {
+    std::vector<bool> result;
+    for (std::int64_t k = 0; k < rows.rows(); ++k)
+        result.push_back(std::none_of(rows.row(k), rows.row(k) + rows.cols(),
+                                      [](double row) { return std::isnan(row); }));
+    return result;
+}
+
+phase::Resampled resampled(const Matrix& signals, const Matrix& rows,
+                           const std::vector<bool>& wanted, const std::string& name) {
+    Matrix kept(std::ranges::count(wanted, true), rows.cols());
+    double* to = kept.data();
+    for (std::int64_t k = 0; k < rows.rows(); ++k)
+        if (wanted[static_cast<std::size_t>(k)])
+            to = std::copy_n(rows.row(k), rows.cols(), to);
+    if (kept.rows() == 0)
+        fail(Status::too_few_frames,
+             "no cycle of {} is complete from 0 to 100 %: a longer clip is needed", name);
+    return phase::resample(signals.view(), std::move(kept));
+}
+
+/// Signals and motion of one clip.
+struct Side {
+    const Phased& phased;
+    const PhasedMotion& motion;
+    Matrix signals; ///< common columns, by row
+    const char* which;
+
+    phase::Resampled cycles(std::int64_t samples, double zero) const {
+        const Matrix rows = turns_of(motion, samples, zero);
+        return resampled(signals, rows, complete(rows), name_of(phased, which));
+    }
+};
+
+/// Removes the horizontal mean of the common points from each frame: the features are relative to
+/// the mean of all points, which differ.
+void center(const Phased& phased, Matrix& signals) {
+    const std::int64_t up = static_cast<std::int64_t>(phased.samples.up) - 1;
+    const double points = static_cast<double>(signals.cols()) / 3;
+    for (std::int64_t i = 0; i < signals.rows(); ++i)
+        for (std::int64_t axis = 0; axis < 3; ++axis) {
+            if (axis == up)
+                continue;
+            double mean = 0;
+            for (std::int64_t c = axis; c < signals.cols(); c += 3)
+                mean += signals(i, c) / points;
+            for (std::int64_t c = axis; c < signals.cols(); c += 3)
+                signals(i, c) -= mean;
+        }
+}
+
+/// Whether the headings of the two may be of other parts of the body.
+bool headings_differ(const Phased& first, const Phased& second) {
+    if (!in_space(first) || first.samples.up == clip::Axis::none ||
+        second.samples.up == clip::Axis::none)
+        return false;
+    return first.samples.features == clip::Features::points ||
+           !clip::same_hierarchy(first.body.skeleton, second.body.skeleton);
+}
+
+phase::Lag lag_of(const phase::Resampled& first, const phase::Resampled& second) {
+    return phase::lag_between(phase::once_around(first.mean), phase::once_around(second.mean),
+                              (first.mean.rows() - 1) / 2);
+}
+
+/// Turns the second body about `up`, an axis of the first, onto the first.
+double turn_second(const phase::Resampled& first, clip::Axis axis, Side& second) {
+    const phase::Resampled other = second.cycles(first.mean.rows(), 0);
+    const phase::Lag lag = lag_of(first, other);
+    const auto up = static_cast<std::int64_t>(axis);
+    const Matrix mean = phase::once_around(other.mean);
+    return turn_to(phase::once_around(first.mean),
+                   phase::later(mean, std::isnan(lag.samples) ? 0 : lag.samples),
+                   {up % 3, (up + 1) % 3, 3}, second.signals);
+}
+
+/// Mean distance (root mean square) of the parts from their middle over the mean cycle.
+double size_of(const Matrix& mean) {
+    double squares = 0;
+    for (std::int64_t s = 0; s < mean.rows(); ++s)
+        for (std::int64_t axis = 0; axis < 3; ++axis) {
+            double middle = 0, count = 0;
+            for (std::int64_t c = axis; c < mean.cols(); c += 3, ++count)
+                middle += mean(s, c);
+            for (std::int64_t c = axis; c < mean.cols(); c += 3)
+                squares += (mean(s, c) - middle / count) * (mean(s, c) - middle / count);
+        }
+    return std::sqrt(squares / static_cast<double>(mean.rows() * (mean.cols() / 3)));
+}
+
+phase::Quantity cycle_times(const phase::Resampled& cycles, double fps) {
+    phase::Quantity times;
+    const std::int64_t last = cycles.rows.cols() - 1;
+    for (std::int64_t k = 0; k < cycles.rows.rows(); ++k) {
+        times.deviations.push_back((cycles.rows(k, last) - cycles.rows(k, 0)) / fps);
+        times.value += times.deviations.back() / static_cast<double>(cycles.rows.rows());
+    }
+    for (double& each : times.deviations)
+        each -= times.value;
+    return times;
+}
+
+ComparedMotion motion_facts(const Side& side, phase::Resampled& cycles) {
+    return {side.phased.clip, side.motion.label, static_cast<std::int64_t>(cycles.each.size()),
+            std::move(cycles.mean), std::move(cycles.deviation)};
+}
+
+void judge(const phase::Estimate& estimate, Comparison& result) {
+    result.judged += estimate.error > 0 ? 1 : 0;
+    result.significant += estimate.significant ? 1 : 0;
+}
+
+void warn(const Side& side, const ComparedMotion& motion, Comparison& result) {
+    const std::string name = name_of(side.phased, side.which);
+    for (const std::string& warning : side.phased.warnings)
+        result.warnings.push_back(format_text("{}: {}", name, warning));
+    if (motion.cycles < 3)
+        result.warnings.push_back(
+            motion.cycles == 1
+                ? format_text("{}: only one cycle is complete, so no spread and no interval is "
+                              "known",
+                              name)
+                : format_text("{}: only two cycles are complete, so intervals are wide", name));
+}
+
+void warn_of_likeness(Comparison& result) {
+    if (!(result.likeness >= least_likeness))
+        result.warnings.push_back(format_text(
+            "these seem to be different motions: their mean cycles correlate by {:.2f} at best, "
+            "below {}, so that 0 % need not be the same moment",
+            result.likeness, least_likeness));
+    else if (result.runner_up > result.likeness - doubtful)
+        result.warnings.push_back(format_text(
+            "it is not certain that 0 % is the same moment in both: at another shift the mean "
+            "cycles correlate by {:.2f}, against {:.2f}",
+            result.runner_up, result.likeness));
+    if (result.size_ratio > most_size_ratio || result.size_ratio < 1 / most_size_ratio)
+        result.warnings.push_back(format_text(
+            "the second body is {:.3g} times as large as the first: if the units of the "
+            "clips differ, amplitudes and distances cannot be compared",
+            result.size_ratio));
+}
+
+/// What is left once the cycles are aligned.
+Comparison compared(const Side& first, const Side& second, phase::Resampled one,
+                    phase::Resampled other, CommonColumns columns, bool sides) {
+    Comparison result;
+    result.sides = sides;
+    result.samples = one.mean.rows();
+    result.features = first.phased.samples.features;
+    result.differences = phase::compare(one, other, columns.part, sides);
+    result.likeness = result.differences.likeness;
+    result.runner_up = result.differences.runner_up;
+    result.size_ratio = in_space(first.phased) && columns.names.size() > 1
+                            ? size_of(other.mean) / size_of(one.mean)
+                            : none;
+    const phase::Quantity time = cycle_times(one, first.phased.clip.fps);
+    const phase::Quantity other_time = cycle_times(other, second.phased.clip.fps);
+    result.cycle_time =
+        phase::estimate(time, other_time, phase::dependence_of({&time}, {&other_time}, sides));
+    result.motions = {motion_facts(first, one), motion_facts(second, other)};
+    result.columns = std::move(columns);
+    for (const phase::PartDifference& part : result.differences.parts) {
+        judge(part.lag, result);
+        judge(part.amplitude, result);
+    }
+    warn(first, result.motions[0], result);
+    if (!sides)
+        warn(second, result.motions[1], result);
+    return result;
+}
+
+Comparison compared_with(const Phased& first, const PhasedMotion& motion, const Phased& second,
+                         const PhasedMotion& other, std::int64_t samples) {
+    CommonColumns columns = common_columns(first, second);
+    Side one{first, motion, chosen(first.rows, columns.first), "first"};
+    Side two{second, other, chosen(second.rows, columns.second), "second"};
+    if (first.samples.features == clip::Features::points && in_space(first) &&
+        columns.left_out.size() + columns.other_left_out.size() > 0) {
+        center(first, one.signals);
+        center(first, two.signals); // its axes are those of the first
+    }
+    phase::Resampled of_one = one.cycles(samples, 0);
+    const double turn =
+        headings_differ(first, second) ? turn_second(of_one, first.samples.up, two) : 0;
+    const phase::Lag lag = lag_of(of_one, two.cycles(samples, 0));
+    const double zero =
+        std::isnan(lag.samples) ? 0 : lag.samples / static_cast<double>(samples - 1);
+    Comparison result =
+        compared(one, two, std::move(of_one), two.cycles(samples, zero), std::move(columns), false);
+    result.turn = turn;
+    result.shift = result.differences.whole;
+    const double shift = zero + result.differences.shift;
+    const double rounded = shift - std::round(shift);
+    result.shift.low += rounded - result.shift.difference;
+    result.shift.high += rounded - result.shift.difference;
+    result.shift.difference = rounded;
+    return result;
+}
+
+} // namespace
+
+double mean_cycle_time(const Comparison& of) {
+    return (of.cycle_time.first + of.cycle_time.second) / 2;
+}
+
+double expected_by_chance(const Comparison& of) {
+    return chance * static_cast<double>(of.judged);
+}
+
+Comparison compare(const Phased& first, std::optional<std::int32_t> label, const Phased& second,
+                   std::optional<std::int32_t> other_label, std::int64_t samples) {
+    const PhasedMotion& motion = longest(candidates(first, label, "first"));
+    std::optional<Comparison> best;
+    for (const PhasedMotion* other : candidates(second, other_label, "second")) {
+        Comparison found = compared_with(first, motion, second, *other, samples);
+        if (!best || found.likeness > best->likeness)
+            best = std::move(found);
+    }
+    warn_of_likeness(*best);
+    return std::move(*best);
+}
+
+Comparison compare_left_right(const clip::Clip& clip, const Phased& phased,
+                              std::optional<std::int32_t> label, std::int64_t samples,
+                              const clip::PrepareOptions& prepare, const Progress& progress) {
+    const PhasedMotion& motion = longest(candidates(phased, label, "first"));
+    check_columns(clip, phased);
+    const Matrix own = rows_by_frame(phased);
+    if (const std::string reason = resample(phased, motion.label, own.view(), samples).no_halves;
+        !reason.empty())
+        fail(Status::unsupported, "left and right cannot be compared: {}", reason);
+    CommonColumns columns = side_columns_of(phased);
+    const Matrix image = mirror_image(clip, phased, motion.label, samples, prepare, progress);
+    Matrix rows = Matrix::unset(phased.rows.rows(), image.cols());
+    std::copy_n(image.row(phased.clip.first), rows.rows() * rows.cols(), rows.data());
+    const Side left{phased, motion, chosen(phased.rows, columns.first), "first"};
+    const Side right{phased, motion, chosen(rows, columns.second), "first"};
+    const Matrix turns = turns_of(motion, samples), later = turns_of(motion, samples, 0.5);
+    std::vector<bool> both = complete(turns);
+    const std::vector<bool> of_right = complete(later);
+    for (std::size_t k = 0; k < both.size(); ++k)
+        both[k] = both[k] && of_right[k];
+    const std::string name = name_of(phased, "first");
+    Comparison result =
+        compared(left, right, resampled(left.signals, turns, both, name),
+                 resampled(right.signals, later, both, name), std::move(columns), true);
+    result.shift = {none, none, none, none, 0.5, none, none, none, false};
+    return result;
+}
+
+} // namespace stltsa::results

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "results/compared_columns.hpp"
+
+#include <map>
+#include <utility>
+
+#include "clip/body/skeleton.hpp"
+#include "results/sides.hpp"
+
+namespace stltsa::results {
+namespace {
+
+/// A joint, a point or a column of the file.
+struct Part {
+    std::string name;
+    std::int64_t begin = 0, count = 0; ///< columns of the features
+};
+
+/// Columns of one part follow one another. Those of a file's numbers are parts of their own.
+std::vector<Part> parts_of(const Phased& phased) {
+    std::vector<Part> parts;
+    const bool single = phased.samples.features == clip::Features::raw;
+    const std::int64_t width = in_space(phased) ? 3 : 6;
+    for (std::size_t c = 0; c < phased.owners.size(); ++c) {
+        if (single || parts.empty() || parts.back().name != phased.owners[c] ||
+            parts.back().count == width)
+            parts.push_back({phased.owners[c], static_cast<std::int64_t>(c), 0});
+        ++parts.back().count;
+    }
+    return parts;
+}
+
+/// Names of the columns of the parts.
+std::vector<std::string> axes_of(const Phased& phased) {
+    std::vector<std::string> axes;
+    if (phased.samples.features == clip::Features::euler)
+        for (std::size_t j = phased.body.root + 1; j < phased.body.skeleton.joints.size(); ++j)
+            for (const clip::Channel channel : phased.body.skeleton.joints[j].channels)
+                if (clip::is_rotation(channel))
+                    axes.emplace_back(clip::channel_name(channel));
+    if (axes.empty())
+        for (const Part& part : parts_of(phased))
+            for (std::int64_t i = 0; i < part.count; ++i)
+                axes.push_back(part.count == 1 ? ""
+                               : part.count <= 3
+                                   ? std::string(1, "xyz"[i])
+                                   : format_text("{}", i + 1)); // of a rotation matrix
+    return axes;
+}
+
+using Key = std::pair<std::string, std::size_t>;
+
+/// Parts by their names; those that recur by their order.
+std::map<Key, Part> by_name(const std::vector<Part>& parts) {
+    std::map<Key, Part> result;
+    for (const Part& part : parts) {
+        std::size_t order = 0;
+        while (result.contains({part.name, order}))
+            ++order;
+        result[{part.name, order}] = part;
+    }
+    return result;
+}
+
+void append(const Part& one, const Part& other, std::int64_t turn,
+            const std::vector<std::string>& axes, CommonColumns& common) {
+    const auto part = static_cast<std::int64_t>(common.names.size());
+    for (std::int64_t i = 0; i < one.count; ++i) {
+        common.first.push_back(one.begin + i);
+        common.second.push_back(other.begin + (i + turn) % one.count);
+        common.part.push_back(part);
+        common.axis.push_back(axes[static_cast<std::size_t>(one.begin + i)]);
+    }
+    common.names.push_back(one.name);
+    common.other_names.push_back(other.name);
+}
+
+std::string some(const std::vector<Part>& parts) {
+    std::string text;
+    for (std::size_t i = 0; i < parts.size() && i < 3; ++i)
+        text += (i > 0 ? ", " : "") + parts[i].name;
+    return parts.size() > 3 ? text + ", ..." : text;
+}
+
+/// By how much the axes of the second are exchanged, for the same up axis.
+std::int64_t axis_turn(const Phased& first, const Phased& second) {
+    const auto up = [](const Phased& of) { return static_cast<std::int64_t>(of.samples.up); };
+    return in_space(first) && up(first) > 0 && up(second) > 0 ? (up(second) - up(first) + 3) % 3
+                                                              : 0;
+}
+
+} // namespace
+
+bool in_space(const Phased& phased) {
+    return phased.samples.features == clip::Features::positions ||
+           (phased.samples.features == clip::Features::points && phased.body.shape.rule.width == 3);
+}
+
+CommonColumns common_columns(const Phased& first, const Phased& second) {
+    if (first.samples.features != second.samples.features || in_space(first) != in_space(second))
+        fail(Status::shape, "the clips have other features: decompose both with the same option "
+                            "features");
+    const auto parts = parts_of(first), others = parts_of(second);
+    const auto of_first = by_name(parts), of_second = by_name(others);
+    const auto axes = axes_of(first);
+    const std::int64_t turn = axis_turn(first, second);
+    CommonColumns common;
+    std::map<std::string, std::size_t> seen;
+    for (const Part& part : parts) {
+        const auto other = of_second.find({part.name, seen[part.name]++});
+        if (other != of_second.end() && other->second.count == part.count)
+            append(part, other->second, turn, axes, common);
+        else
+            common.left_out.push_back(part.name);
+    }
+    for (const auto& [key, part] : of_second)
+        if (const auto one = of_first.find(key);
+            one == of_first.end() || one->second.count != part.count)
+            common.other_left_out.push_back(part.name);
+    if (common.names.empty())
+        fail(Status::shape,
+             "the clips have no joint, point or column of the same name: the first has {}, the "
+             "second {}",
+             some(parts), some(others));
+    return common;
+}
+
+CommonColumns side_columns_of(const Phased& phased) {
+    const auto axes = axes_of(phased);
+    const auto parts = parts_of(phased);
+    std::map<std::int64_t, std::int64_t> right_of; // first columns
+    for (const SideColumns& pair : side_columns(phased.owners))
+        right_of[static_cast<std::int64_t>(pair.left)] = static_cast<std::int64_t>(pair.right);
+    CommonColumns common;
+    for (const Part& part : parts) {
+        const auto right = right_of.find(part.begin);
+        if (right == right_of.end())
+            continue;
+        append(part, part, 0, axes, common);
+        common.other_names.back() = phased.owners[static_cast<std::size_t>(right->second)];
+    }
+    if (common.names.empty())
+        fail(Status::unsupported, "no two names differ only in the side, as LeftFoot and "
+                                  "RightFoot, L_toe and R_toe do");
+    return common;
+}
+
+} // namespace stltsa::results

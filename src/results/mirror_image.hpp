@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Features of the mirror image of a clip whose phase is known.
+#pragma once
+
+#include "results/phased.hpp"
+
+namespace stltsa::results {
+
+/// Throws Status::argument unless the features of the clip are those of the phase, as far as their
+/// names tell.
+void check_columns(const clip::Clip& clip, const Phased& phased);
+
+/// The features, a row for each frame of the file, NaN for those that were dropped.
+Matrix rows_by_frame(const Phased& phased);
+
+/// The same of the mirror image: columns of the left side have what the right side does. Those of
+/// points are turned about the up axis so that the sides differ least over the cycles of the label.
+/// `prepare`: as for the decomposition. Throws Status::argument if the phase is not of the clip or
+/// the label has no cycles, and Status::unsupported for a clip that has no mirror image.
+Matrix mirror_image(const clip::Clip& clip, const Phased& phased, std::int32_t label,
+                    std::int64_t samples, const clip::PrepareOptions& prepare,
+                    const Progress& progress);
+
+} // namespace stltsa::results

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The heading of one body on that of another.
+#pragma once
+
+#include <cstdint>
+
+#include "linalg/matrix.hpp"
+
+namespace stltsa::results {
+
+/// The columns of points for the two horizontal axes.
+struct Level {
+    std::int64_t first = 0, second = 0, width = 0; ///< width 0: there are none
+};
+
+/// Turns the signals about the up axis by the angle at which `mean`, their mean curves, are closest
+/// to `to`, the curves of the other body at the same phases. Returns the angle in degrees. NaN is
+/// left out.
+double turn_to(const Matrix& to, const Matrix& mean, const Level& level, Matrix& signals);
+
+} // namespace stltsa::results

@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""stltsa compare: two motions, or left and right, laid on each other by phase."""
+
+import csv
+import io
+import math
+import unittest
+
+from common import CommandTest, circle, still, walk, write_csv
+
+
+def swings(name, late=0.0, gain=1.0, period=1.0, rate=100):
+    """Two columns that swing once in a period; the amplitude of each cycle is its own."""
+    rows = []
+    for i in range(10 * rate):
+        turns = i / rate / period
+        own = 1 + 0.05 * math.sin(12.9898 * (math.floor(turns) + 1))
+        at = 2 * math.pi * turns
+        rows.append([math.sin(at) * own, gain * own * math.cos(at),
+                     2 * math.sin(at - 2 * math.pi * late) * own, math.cos(at + 1) * own])
+    return write_csv(name, rows, "hip,knee,ankle,toe")
+
+
+class Compare(CommandTest):
+    def test_json_csv_and_table_agree(self):
+        line = ("compare", swings("first.csv"), swings("second.csv", 0.03, 1.5, 1.2, 60))
+        line += ("--fps", "100")
+        found = self.json(*line)
+        parts = {part["first"]: part for part in found["parts"]}
+        self.assertEqual(list(parts), ["hip", "knee", "ankle", "toe"])
+        knee = parts["knee"]["differences"]
+        self.assertAlmostEqual(knee["amplitude_ratio"]["value"], 1.5, delta=0.05)
+        self.assertTrue(knee["amplitude"]["significant"])
+        # Relative to the whole body, of which the ankle is the largest part.
+        late = parts["ankle"]["differences"]["lag"]["difference"]
+        self.assertGreater(late - parts["hip"]["differences"]["lag"]["difference"], 0.025)
+        self.assertLess(late - parts["hip"]["differences"]["lag"]["difference"], 0.035)
+        channel = parts["ankle"]["channels"][0]
+        curves = [channel["first"]["mean"], channel["second"]["mean"],
+                  channel["difference"]["mean"]]
+        self.assertEqual({len(curve) for curve in curves}, {101})
+        for first, second, difference in zip(*curves):
+            self.assertEqual(difference, second - first)
+
+        self.done(*line, "-o", self.folder / "parts.csv")
+        rows = list(csv.DictReader(io.StringIO((self.folder / "parts.csv").read_text())))
+        self.assertEqual([row["level"] for row in rows], ["part", "channel"] * 4)
+        row = next(row for row in rows if row["part"] == "knee")
+        self.assertEqual(float(row["ratio"]), knee["amplitude_ratio"]["value"])
+        self.assertEqual(float(row["lag_low"]), knee["lag"]["low"])
+        self.assertEqual(row["amplitude_significant"], "1")
+        table = self.done(*line).decode()
+        self.assertIn("8 cycles of A", table)
+        knees = next(line for line in table.splitlines() if line.strip().startswith("knee"))
+        self.assertIn(f"{100 * (knee['amplitude_ratio']['value'] - 1):+.1f} *", knees)
+
+    def test_halves_of_one_walk_are_alike(self):
+        found = self.json("compare", f"{walk()}:-400", f"{walk()}:200-")
+        self.assertEqual(found["kind"], "two_motions")
+        self.assertGreater(found["alignment"]["likeness"], 0.99)
+        self.assertLess(abs(found["alignment"]["shift"]), 0.02)
+        self.assertEqual(found["first"]["path"], f"{walk()}:-400")
+        names = [part["first"] for part in found["parts"]]
+        self.assertIn("LeftFoot", names)
+        self.assertEqual([c["axis"] for c in found["parts"][0]["channels"]], ["x", "y", "z"])
+
+    def test_one_clip_is_left_against_right(self):
+        found = self.json("compare", walk())
+        self.assertEqual(found["kind"], "left_right")
+        self.assertEqual(found["alignment"]["shift"], 0.5)
+        self.assertIsNone(found["alignment"]["standard_error"])
+        for part in found["parts"]:
+            self.assertEqual(part["first"].replace("Left", "Right"), part["second"])
+            self.assertLess(part["differences"]["rms_difference"], 0.1)
+        self.assertIn("left and right", self.done("compare", walk()).decode())
+
+    def test_what_cannot_be_compared(self):
+        self.assertIn("no cycles to compare", self.fails(4, "compare", walk(), f"{walk()}:0-100"))
+        self.assertIn("other features", self.fails(1, "compare", walk(), circle(), "--fps", "30"))
+        self.assertIn("left and right", self.fails(1, "compare", circle(), "--fps", "30"))
+        self.fails(4, "compare", still(), "--fps", "30")
+        self.assertIn("further", self.fails(2, "compare", walk(), walk(), walk()))
+        self.fails(2, "compare")
+        self.fails(2, "compare", walk(), walk(), "-o", self.folder / "parts.png")
+
+    def test_the_same_bits_again(self):
+        line = ("compare", walk(), f"{walk()}:200-", "--json")
+        self.assertEqual(self.done(*line), self.done(*line))
+
+
+if __name__ == "__main__":
+    unittest.main()

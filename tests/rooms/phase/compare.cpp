@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// src/phase: lags of curves, intervals of differences, and the two together.
+#include <cmath>
+#include <random>
+
+#include "../motion/testing.hpp"
+#include "phase/compare.hpp"
+#include "phase/lag.hpp"
+
+namespace {
+
+using namespace motion_testing;
+using namespace stltsa::phase;
+
+/// samples x 2 over a cycle, the first sample not repeated.
+Matrix curves(std::int64_t samples, double late, double high = 0.4) {
+    Matrix made(samples, 2);
+    for (std::int64_t s = 0; s < samples; ++s) {
+        const double at = turn * (static_cast<double>(s) / static_cast<double>(samples) - late);
+        made(s, 0) = 3 + std::sin(at) + high * std::cos(2 * at);
+        made(s, 1) = 2 * std::cos(at) - high * std::sin(3 * at);
+    }
+    return made;
+}
+
+void quantiles_are_those_of_tables(void**) {
+    const double table[][2] = {{1, 12.7062}, {1.5, 6.0167}, {2, 4.3027},  {3, 3.1824},
+                               {5, 2.5706},  {10, 2.2281},  {30, 2.0423}, {1000, 1.9623}};
+    for (const auto& [freedom, value] : table)
+        ASSERT_NEAR(t_quantile(freedom) / value, 1, freedom < 2 && freedom > 1 ? 0.03 : 5e-4);
+}
+
+void a_lag_is_found_to_a_part_of_a_sample(void**) {
+    for (const double late : {0.0, 0.013, -0.11, 0.2437}) {
+        const Lag lag = lag_between(curves(100, 0), curves(100, late), 25);
+        ASSERT_NEAR(lag.samples, 100 * late, 0.02);
+        ASSERT_NEAR(lag.correlation, 1, 1e-4);
+    }
+    assert_true(std::isnan(lag_between(curves(100, 0), curves(100, 0.3), 25).samples));
+    const Lag far = lag_between(curves(100, 0), curves(100, 0.3), 50);
+    ASSERT_NEAR(far.samples, 30, 0.02);
+    const Lag still = lag_between(curves(100, 0), Matrix(100, 2), 25);
+    assert_true(std::isnan(still.samples) && std::isnan(still.correlation));
+}
+
+void the_next_best_lag_is_found(void**) {
+    Matrix twice(100, 1);
+    for (std::int64_t s = 0; s < 100; ++s) {
+        const double at = turn * static_cast<double>(s) / 100;
+        twice(s, 0) = std::sin(2 * at) + 0.1 * std::sin(at);
+    }
+    const Lag lag = lag_between(twice, twice, 50);
+    ASSERT_NEAR(lag.samples, 0, 1e-9);
+    ASSERT_NEAR(lag.runner_up, (1 - 0.01) / (1 + 0.01), 1e-3);
+    const Matrix once = curves(100, 0, 0);
+    assert_true(std::isnan(lag_between(once, once, 50).runner_up));
+}
+
+void later_and_slope_are_cyclic(void**) {
+    const Matrix at = curves(100, 0), moved = later(at, 12.5), there = curves(100, -0.125);
+    for (std::int64_t s = 0; s < 100; ++s)
+        ASSERT_NEAR(moved(s, 0), there(s, 0), 5e-3);
+    const Matrix rise = slope(at);
+    ASSERT_NEAR(rise(0, 0), turn / 100, 1e-4);
+    ASSERT_NEAR(rise(50, 0), -turn / 100, 1e-4);
+}
+
+/// Values that each hold `memory` of the one before.
+std::vector<double> remembering(std::int64_t count, double memory, std::mt19937& random) {
+    std::normal_distribution<double> normal;
+    std::vector<double> values{normal(random)};
+    while (std::ssize(values) < count)
+        values.push_back(memory * values.back() + std::sqrt(1 - memory * memory) * normal(random));
+    return values;
+}
+
+Quantity quantity(std::vector<double> values, double value) {
+    double mean = 0;
+    for (const double each : values)
+        mean += each / static_cast<double>(values.size());
+    for (double& each : values)
+        each -= mean;
+    return {value + mean, std::move(values)};
+}
+
+/// How often intervals contain the truth, 2, for cycles that resemble those before.
+double coverage(double memory, bool paired) {
+    std::mt19937 random(7);
+    int inside = 0;
+    constexpr int tries = 400, like = 12;
+    for (int i = 0; i < tries; ++i) {
+        std::vector<Quantity> first, second;
+        for (int q = 0; q < like; ++q) {
+            first.push_back(quantity(remembering(12, memory, random), 1));
+            second.push_back(quantity(remembering(paired ? 12 : 9, memory, random), 3));
+        }
+        std::vector<const Quantity*> all, others;
+        for (int q = 0; q < like; ++q) {
+            all.push_back(&first[static_cast<std::size_t>(q)]);
+            others.push_back(&second[static_cast<std::size_t>(q)]);
+        }
+        const Estimate found = estimate(first[0], second[0], dependence_of(all, others, paired));
+        inside += found.low <= 2 && 2 <= found.high ? 1 : 0;
+    }
+    return static_cast<double>(inside) / tries;
+}
+
+void intervals_contain_the_truth(void**) {
+    for (const bool paired : {false, true}) {
+        ASSERT_NEAR(coverage(0, paired), 0.95, 0.03);
+        assert_true(coverage(0.4, paired) > 0.89);
+    }
+}
+
+void single_cycles_have_no_interval(void**) {
+    const Quantity one{1, {0}}, other{3, {0}};
+    const Estimate found = estimate(one, other, {});
+    ASSERT_NEAR(found.difference, 2, 0);
+    assert_true(std::isnan(found.low) && std::isnan(found.first_sd) && !found.significant);
+    const Quantity same{1, {0, 0, 0}}, changed{1 + 1e-12, {0, 0, 0}};
+    assert_false(estimate(same, changed, {}).significant); // only rounding
+    const Quantity far{1.01, {0, 0, 0}};
+    assert_true(estimate(same, far, {}).significant);
+}
+
+/// Cycles of 100 samples of a run of constant rate.
+Resampled cycles_of(double late, double gain, unsigned seed) {
+    constexpr std::int64_t count = 9;
+    std::mt19937 random(seed);
+    std::normal_distribution<double> normal;
+    Matrix signals(100 * count + 1, 3), rows(count, 101);
+    for (std::int64_t k = 0; k < count; ++k) {
+        const double own_gain = gain * (1 + 0.03 * normal(random));
+        const double own_late = late + 0.005 * normal(random);
+        for (std::int64_t s = 0; s <= 100; ++s) {
+            const double at = turn * static_cast<double>(s) / 100;
+            const std::int64_t row = 100 * k + s;
+            signals(row, 0) = own_gain * 5 * std::sin(at);
+            signals(row, 1) = 4 * std::cos(at - turn * own_late);
+            signals(row, 2) = 4 * std::cos(at + turn * own_late);
+            rows(k, s) = static_cast<double>(row);
+        }
+    }
+    return resample(signals.view(), std::move(rows));
+}
+
+void lag_and_amplitude_have_their_errors(void**) {
+    const Resampled first = cycles_of(0, 1, 1), second = cycles_of(0.04, 1.3, 2);
+    const std::vector<std::int64_t> groups{0, 1, 2};
+    const Differences found = compare(first, second, groups, false);
+    const PartDifference &gain = found.parts[0], &late = found.parts[1], &early = found.parts[2];
+    ASSERT_NEAR(late.lag.difference, 0.04, 0.006);
+    ASSERT_NEAR(early.lag.difference, -0.04, 0.006);
+    ASSERT_NEAR(late.lag.first_sd, 0.005, 0.003);
+    ASSERT_NEAR(gain.ratio.difference, 1.3, 0.05);
+    ASSERT_NEAR(gain.amplitude.first_sd, 10 * 0.03, 0.2);
+    assert_true(late.lag.significant && early.lag.significant && gain.amplitude.significant);
+    assert_false(late.amplitude.significant);
+    assert_true(found.columns.size() == 3 && found.difference.rows() == 101);
+    // Two columns that are one part: the longest way across an ellipse.
+    const std::vector<std::int64_t> together{0, 0, 1};
+    const Differences joint = compare(first, second, together, false);
+    ASSERT_NEAR(joint.parts[0].amplitude.first, 10, 0.4);
+    assert_true(std::isnan(joint.parts[0].mean.difference));
+}
+
+} // namespace
+
+int main() {
+    const CMUnitTest tests[] = {
+        cmocka_unit_test(quantiles_are_those_of_tables),
+        cmocka_unit_test(a_lag_is_found_to_a_part_of_a_sample),
+        cmocka_unit_test(the_next_best_lag_is_found),
+        cmocka_unit_test(later_and_slope_are_cyclic),
+        cmocka_unit_test(intervals_contain_the_truth),
+        cmocka_unit_test(single_cycles_have_no_interval),
+        cmocka_unit_test(lag_and_amplitude_have_their_errors),
+    };
+    return cmocka_run_group_tests(tests, nullptr, nullptr);
+}

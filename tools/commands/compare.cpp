@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include "commands/commands.hpp"
+#include "commands/session.hpp"
+#include "reports/comparison.hpp"
+
+namespace tool {
+namespace {
+
+/// The phase of a clip with cycles.
+stltsa::Phase phase_of(const Session& session, const std::string& path, const stltsa::Clip& clip) {
+    const stltsa::Decomposition found = stltsa::decompose(clip, session.options());
+    if (found.cycle_count() == 0)
+        throw Failure(Exit::untrustworthy,
+                      fmt::format("{}: there are no cycles to compare{}{}", path,
+                                  found.reason().empty() ? "" : ": ", found.reason()));
+    return stltsa::find_phase(clip, found, session.options());
+}
+
+std::string file_name(const std::string& path) {
+    return path.substr(path.find_last_of('/') + 1);
+}
+
+} // namespace
+
+Exit run_compare(const Arguments& arguments) {
+    Session session(arguments);
+    const stltsa::Clip& clip = session.open_input();
+    const stltsa::Phase phase = phase_of(session, arguments.input, clip);
+    const std::string other = arguments.pieces.empty() ? "" : arguments.pieces.front();
+    const auto compared = [&] {
+        if (other.empty())
+            return phase.compare_left_right(clip, -1, session.options());
+        const stltsa::Clip second = session.open_clip(other);
+        return phase.compare(phase_of(session, other, second));
+    };
+    const stltsa::Comparison comparison = compared();
+    session.finish(
+        {[&] { return comparison.json(); },
+         [&] { return comparison_report(comparison, session.title(), file_name(other)); },
+         comparison.warnings(), [&] { return comparison_csv(comparison); }});
+    return Exit::done;
+}
+
+} // namespace tool

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reports/comparison.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "reports/table.hpp"
+#include "terminal/text.hpp"
+
+namespace tool {
+namespace {
+
+/// The number of parts in the table; JSON and CSV have all.
+constexpr std::size_t most_rows = 16;
+
+constexpr const char* unknown = "-";
+
+std::string mark(const stltsa::Difference& of) {
+    return of.significant != 0 ? " *" : "  ";
+}
+
+std::string percent(double share) {
+    return fmt::format("{:+.1f}", 100 * share);
+}
+
+std::string interval(double low, double high) {
+    return std::isnan(low) ? unknown : fmt::format("{} to {}", percent(low), percent(high));
+}
+
+std::string number(double value) {
+    return std::isnan(value) ? unknown : fmt::format("{:.3g}", value);
+}
+
+std::string name_of(const stltsa::Comparison& comparison, std::int64_t part) {
+    const std::string first = comparison.part_name(0, part), second = comparison.part_name(1, part);
+    return first == second ? first : first + " - " + second;
+}
+
+struct Row {
+    std::string name;
+    stltsa::ComparedPart part;
+};
+
+/// Parts that move, those with the largest differences first.
+std::vector<Row> rows_of(const stltsa::Comparison& comparison) {
+    std::vector<Row> rows;
+    for (const stltsa::ComparedPart& part : comparison.parts())
+        if (part.amplitude.first > 0 || part.amplitude.second > 0)
+            rows.push_back({name_of(comparison, part.part), part});
+    std::ranges::stable_sort(rows, std::ranges::greater{},
+                             [](const Row& row) { return row.part.rms; });
+    return rows;
+}
+
+std::string parts_table(const stltsa::Comparison& comparison) {
+    using enum Align;
+    const std::vector<Row> rows = rows_of(comparison);
+    Table table({left, right, right, right, right, right, right, right});
+    table.add({"", "later, %", "95 %", "amplitude", "change, %", "95 %", "rms", "by chance"});
+    for (std::size_t i = 0; i < std::min(rows.size(), most_rows); ++i) {
+        const auto& [name, part] = rows[i];
+        const bool timed = !std::isnan(part.lag.difference);
+        table.add(
+            {name, timed ? percent(part.lag.difference) + mark(part.lag) : unknown,
+             interval(part.lag.low, part.lag.high), number(part.amplitude.first),
+             std::isnan(part.ratio) ? unknown : percent(part.ratio - 1) + mark(part.amplitude),
+             interval(part.ratio_low - 1, part.ratio_high - 1), number(part.rms),
+             number(part.chance)});
+    }
+    const std::size_t more = rows.size() - std::min(rows.size(), most_rows);
+    return table.text() + (more == 0 ? ""
+                                     : fmt::format("  ... and {} more with smaller rms; all are in "
+                                                   "the JSON (--json) and the CSV (-o FILE.csv)\n",
+                                                   more));
+}
+
+std::string alignment_text(const stltsa::ComparedCycles& cycles) {
+    if (cycles.sides != 0)
+        return "right half a cycle later, mirrored";
+    std::string text = fmt::format("second shifted by {} % of the cycle", percent(cycles.shift));
+    if (!std::isnan(cycles.shift_low))
+        text += fmt::format(" ({})", interval(cycles.shift_low, cycles.shift_high));
+    text += fmt::format("; correlation {:.3f}", cycles.likeness);
+    if (!std::isnan(cycles.runner_up))
+        text += fmt::format(", at the next best shift {:.2f}", cycles.runner_up);
+    if (cycles.turn != 0)
+        text += fmt::format("; turned by {:+.1f} degrees", cycles.turn);
+    return text;
+}
+
+std::string time_text(const stltsa::ComparedCycles& cycles) {
+    const stltsa::Difference& time = cycles.cycle_time;
+    std::string text = fmt::format("{:.3f} s", time.first);
+    if (cycles.sides != 0)
+        return text;
+    text += fmt::format(" and {:.3f} s, {:+.3f} s", time.second, time.difference);
+    if (!std::isnan(time.low))
+        text += fmt::format(" (95 %: {:+.3f} to {:+.3f}){}", time.low, time.high, mark(time));
+    return text;
+}
+
+void add_left_out(Facts& facts, const char* name, const std::vector<std::string>& names) {
+    if (!names.empty())
+        facts.add(name, fmt::format("{}", fmt::join(names, ", ")));
+}
+
+const char* const columns =
+    "level,part,second_part,axis,rms,rms_by_chance,correlation,lag,lag_sd_first,lag_sd_second,"
+    "lag_error,lag_low,lag_high,lag_significant,lag_s,amplitude_first,amplitude_sd_first,"
+    "amplitude_second,amplitude_sd_second,amplitude_difference,amplitude_error,amplitude_low,"
+    "amplitude_high,amplitude_significant,ratio,ratio_low,ratio_high,mean_first,mean_sd_first,"
+    "mean_second,mean_sd_second,mean_difference,mean_error,mean_low,mean_high,mean_significant\n";
+
+/// A number, or an empty cell if it is not known.
+std::string cell(double value) {
+    return std::isnan(value) ? "" : fmt::format("{}", value);
+}
+
+std::string significant_cell(const stltsa::Difference& of) {
+    return std::isnan(of.low) ? "" : fmt::format("{}", of.significant);
+}
+
+std::string values_cells(const stltsa::Difference& of) {
+    return fmt::format("{},{},{},{},{},{},{},{},{}", cell(of.first), cell(of.first_sd),
+                       cell(of.second), cell(of.second_sd), cell(of.difference),
+                       cell(of.standard_error), cell(of.low), cell(of.high), significant_cell(of));
+}
+
+std::string csv_row(const char* level, const stltsa::Comparison& comparison,
+                    const std::string& axis, const stltsa::ComparedPart& of) {
+    return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", level,
+                       csv_cell(comparison.part_name(0, of.part)),
+                       csv_cell(comparison.part_name(1, of.part)), axis, cell(of.rms),
+                       cell(of.chance), cell(of.correlation), cell(of.lag.difference),
+                       cell(of.lag.first_sd), cell(of.lag.second_sd), cell(of.lag.standard_error),
+                       cell(of.lag.low), cell(of.lag.high), significant_cell(of.lag),
+                       cell(of.lag_s), values_cells(of.amplitude), cell(of.ratio),
+                       cell(of.ratio_low), cell(of.ratio_high), values_cells(of.mean));
+}
+
+} // namespace
+
+std::string comparison_report(const stltsa::Comparison& comparison, const std::string& first,
+                              const std::string& second) {
+    const stltsa::ComparedCycles cycles = comparison.cycles();
+    Facts facts;
+    const auto count = [](std::int32_t label, std::int64_t of_label) {
+        return fmt::format("{} of {}", counted(of_label, "cycle"), label_text(label));
+    };
+    if (cycles.sides != 0) {
+        facts.add("clip", first + ", left and right");
+        facts.add("cycles", count(cycles.first_label, cycles.first_count));
+    } else {
+        facts.add("first", fmt::format("{}: {}, {:.1f} a minute", first,
+                                       count(cycles.first_label, cycles.first_count),
+                                       cycles.first_per_minute));
+        facts.add("second", fmt::format("{}: {}, {:.1f} a minute", second,
+                                        count(cycles.second_label, cycles.second_count),
+                                        cycles.second_per_minute));
+    }
+    facts.add("cycle time", time_text(cycles));
+    facts.add("alignment", alignment_text(cycles));
+    facts.add("significant",
+              fmt::format("{} of {} differences in timing and amplitude (*); about {:.0f} would be "
+                          "by chance alone",
+                          cycles.significant, cycles.judged,
+                          0.05 * static_cast<double>(cycles.judged)));
+    add_left_out(facts, "first only", comparison.left_out(0));
+    add_left_out(facts, "second only", comparison.left_out(1));
+    const std::string warnings = listed("warning:", comparison.warnings());
+    return facts.text() + '\n' + parts_table(comparison) +
+           (warnings.empty() ? "" : '\n' + warnings);
+}
+
+std::string comparison_csv(const stltsa::Comparison& comparison) {
+    std::string text = columns;
+    std::vector<std::vector<std::string>> channels(
+        static_cast<std::size_t>(comparison.part_count()));
+    for (std::int64_t c = 0; c < comparison.channel_count(); ++c) {
+        const stltsa::ComparedPart channel = comparison.channel(c);
+        channels[static_cast<std::size_t>(channel.part)].push_back(
+            csv_row("channel", comparison, comparison.channel_axis(c), channel));
+    }
+    for (const stltsa::ComparedPart& part : comparison.parts()) {
+        text += csv_row("part", comparison, "", part);
+        for (const std::string& row : channels[static_cast<std::size_t>(part.part)])
+            text += row;
+    }
+    return text;
+}
+
+} // namespace tool
