@@ -5,12 +5,12 @@ const rowsOf = () => {
   let y = 88;
   if (found.cycles.length || found.repetitions.length) { rows.push({ name: found.cycles.length ? found.repetitions.length ? "Cycles, reps" : "Cycles" : "Repetitions", y, h: 20 }); y += 26; }
   rows.push({ name: "Events", y, h: 16 }); y += 22;
-  if (hasCurve) { rows.push({ name: "Curve", y, h: 74 }); y += 80; }
+  if (curved.length) { rows.push({ name: "Curve", y, h: 74 }); y += 80; }
   if (found.cycles.length) { rows.push({ name: "Off the mean", y, h: 38 }); y += 44; }
   rows.push({ name: "", y: y + 4, h: 26 });
   return rows;
 };
-let hasCurve = false, bandHeight = 0, bandRows = [];
+let curved = [], bandHeight = 0, bandRows = [];
 const bandX = (frame, w) => bandLeft(w) + (frame - state.view[0]) / (state.view[1] - state.view[0]) * (w - bandLeft(w) - bandRight);
 const bandFrame = (x, w) => state.view[0] + (x - bandLeft(w)) / (w - bandLeft(w) - bandRight) * (state.view[1] - state.view[0]);
 const wholeX = (frame, w) => bandLeft(w) + frame / frames * (w - bandLeft(w) - bandRight);
@@ -50,11 +50,13 @@ function rangeOf(series, column) {
 
 function makeBand() {
   const curve = data.curve.values;
-  hasCurve = curve.unit[0] * 65534 > 0 && curve.rows > 1 && rangeOf(curve, 0).some(v => v !== -1 && v !== 1);
+  const moving = found.segments.filter(s => s.kind !== "rest");
+  curved = moving.filter(hasCurve);
+  if (moving.length === 1 && curved.length) curved = [{ begin: 0, end: frames }];
   bandRows = rowsOf();
   const lastRow = bandRows[bandRows.length - 1];
   bandHeight = lastRow.y + lastRow.h + 10;
-  const curveRange = hasCurve ? rangeOf(curve, 0) : null;
+  const curveRange = curved.length ? rangeOf(curve, 0) : null;
   const residualTop = found.cycles.length ? Math.max(0.2, Math.min(rangeOf(data.phase.values, 1)[1], 1.5)) : 1;
   const row = name => bandRows.find(r => r.name === name);
   const panel = new Panel("band", {
@@ -83,11 +85,10 @@ function makeBand() {
       const cycles = bandRows[2];
       if (found.cycles.length) boxes(found.cycles, cycles.y, cycles.h, (c, i) => ({ hue: hueOf(found.segments[c.segment]), text: String(i + 1), faint: i % 2 }));
       if (found.repetitions.length) boxes(found.repetitions, cycles.y, cycles.h, (r, i) => ({ hue: hueOf(found.segments[r.segment]), text: String(i + 1), faint: i % 2 }));
-      if (hasCurve) {
+      if (curved.length) {
         const r = row("Curve"), y = v => r.y + r.h - 4 - (v - curveRange[0]) / (curveRange[1] - curveRange[0]) * (r.h - 8);
         pen.line([left, r.y + r.h, right, r.y + r.h], { stroke: colors.line });
-        const shownOf = found.segments.length > 1 && found.segments.filter(s => s.kind !== "rest").length > 1 ? found.segments.filter(s => s.kind === "cyclic") : [null];
-        pen.clip(left, r.y, right - left, r.h, () => { for (const s of shownOf) drawSeries(pen, curve, 0, data.curve, s ? Math.max(a, s.begin) : a, s ? Math.min(b, s.end - data.curve.step) : b, x, y, { stroke: colors.accent, width: 1.6 }); });
+        pen.clip(left, r.y, right - left, r.h, () => { for (const s of curved) drawSeries(pen, curve, 0, data.curve, Math.max(a, s.begin), Math.min(b, s.end - data.curve.step), x, y, { stroke: colors.accent, width: 1.6 }); });
       }
       if (found.cycles.length) {
         const r = row("Off the mean"), y = v => r.y + r.h - Math.min(1, v / residualTop) * (r.h - 4);

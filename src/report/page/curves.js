@@ -1,11 +1,11 @@
 // The loop, the cycles laid on each other, and postures side by side.
 const motionShown = () => motions[state.label];
 const hereInMotion = () => { const s = found.segments[containing(found.segments, state.frame)]; return Boolean(motionShown() && s && s.label === letters(motionShown().label)); };
-const isCurved = () => found.segments.some(s => s.kind === "cyclic");
+const looped = () => found.segments.filter(s => s.kind !== "rest" && s.kind !== "action" && hasCurve(s));
 
-// The stretch whose loop is shown: the cyclic one at the cursor, else the longest of the motion that is chosen.
+// The stretch whose loop is shown: the one at the cursor, else the longest of the motion that is chosen.
 function loopSegment() {
-  const cyclic = found.segments.filter(s => s.kind === "cyclic");
+  const cyclic = looped();
   const here = cyclic.find(s => state.frame >= s.begin && state.frame < s.end);
   if (here) return here;
   const own = cyclic.filter(s => motionShown() && s.label === letters(motionShown().label));
@@ -14,22 +14,20 @@ function loopSegment() {
 function makeLoop() {
   const series = data.curve.values, step = data.curve.step, from = data.curve.first;
   let drawn = null, project = null;
-  if (!isCurved()) { document.querySelector(".view .two").style.gridTemplateColumns = "minmax(0, 1fr)"; byId("loop").remove(); return; }
+  if (!looped().length) { document.querySelector(".view .two").style.gridTemplateColumns = "minmax(0, 1fr)"; byId("loop").remove(); return; }
   const panel = new Panel("loop", {
     title: "Loop", height: w => Math.min(470, innerWidth < 760 ? w * 0.7 : Math.max(w, byId("viewer").firstChild.clientHeight - 37)), label: "The motion as a loop: each turn is one cycle. Click it to move in time.",
     base(pen, w, h) {
       const s = loopSegment();
       drawn = s;
       const rows = [];
-      const wholeRange = found.segments.filter(x => x.kind !== "rest").length === 1 ? [0, frames] : [s.begin, s.end];
       let low = [Infinity, Infinity], high = [-Infinity, -Infinity];
       for (let r = Math.max(0, Math.ceil((s.begin - from) / step)); r < series.rows && from + r * step < s.end; ++r) {
         rows.push(r);
         for (const c of [0, 1]) { const v = series.at(r, 1 + c); low[c] = Math.min(low[c], v); high[c] = Math.max(high[c], v); }
       }
-      const pad = 26, scale = Math.min(...[0, 1].map(c => ([w, h - 24][c] - 2 * pad) / (high[c] - low[c] || 1)));
-      project = r => [w / 2 + (series.between(r, 1) - (low[0] + high[0]) / 2) * scale, (h - 24) / 2 - (series.between(r, 2) - (low[1] + high[1]) / 2) * scale];
-      panel.range = wholeRange;
+      const pad = 28, scale = [0, 1].map(c => ([w, h - 24][c] - 2 * pad) / (high[c] - low[c] || 1));
+      project = r => [w / 2 + (series.between(r, 1) - (low[0] + high[0]) / 2) * scale[0], (h - 24) / 2 - (series.between(r, 2) - (low[1] + high[1]) / 2) * scale[1]];
       const turns = Math.max(1, s.count), points = [];
       const thin = Math.max(1, Math.floor(rows.length / 20000));
       for (let i = 0; i < rows.length; i += thin) points.push(...project(rows[i]));

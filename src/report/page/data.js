@@ -100,6 +100,17 @@ function frameAt(motion, index, phase) {
   return NaN;
 }
 
+// Whether the curve of a segment moves: some have none.
+function hasCurve(segment) {
+  if (segment.curved === undefined) {
+    const { values, first: from, step } = data.curve, begin = Math.max(0, Math.ceil((segment.begin - from) / step)), end = Math.min(values.rows, Math.ceil((segment.end - from) / step));
+    let low = Infinity, high = -Infinity;
+    for (let r = begin; r < end; ++r) { const v = values.at(r, 0); if (v < low) low = v; if (v > high) high = v; }
+    segment.curved = high - low > 20 * values.unit[0];
+  }
+  return segment.curved;
+}
+
 const number = (value, digits = 3) => value === null || value === undefined || Number.isNaN(value) ? "–"
   : value !== 0 && (Math.abs(value) < 1e-3 || Math.abs(value) >= 1e5) ? value.toExponential(1) : String(+value.toPrecision(digits)).replace("-", "−");
 const percent = (value, digits = 1) => value === null || value === undefined || Number.isNaN(value) ? "–" : (100 * value).toFixed(digits).replace("-", "−") + " %";

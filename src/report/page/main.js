@@ -115,7 +115,7 @@ async function start() {
   const lengths = motions.map(motion => partsOf(motion).reduce((sum, part) => sum + part.end - part.begin, 0));
   state.label = Math.max(0, lengths.indexOf(Math.max(...lengths)));
   const representative = found.representative_cycle || (motions.length ? partsOf(motions[state.label])[0] : null);
-  if (representative) state.frame = representative.begin;
+  if (representative) state.frame = Math.round(representative.begin + 0.22 * (representative.end - representative.begin));
   makeViewer(); makeBand(); makeLoop(); makeCycles(); makeGroup();
   makeSummary(); makeSides(); makeWarnings(); makeTables(); makeDetails();
   showMarks();

@@ -31,13 +31,13 @@ class Panel {
       element("div", { class: "stack" }, this.under, this.canvas));
     byId(id).append(this.figure);
     panels.push(this);
+    new IntersectionObserver(() => { if (this.stale) this.draw(this.stale); }, { rootMargin: "100px" }).observe(this.figure);
     new ResizeObserver(() => { if (this.figure.clientWidth !== this.width) this.draw(2); }).observe(this.figure);
   }
   title(text, more = "") { this.caption.replaceChildren(element("b", {}, text), more ? " · " + more : ""); }
   size() { return [Math.max(200, this.figure.clientWidth), Math.round(this.of.height(Math.max(200, this.figure.clientWidth)))]; }
   pen(canvas, w, h, density) {
     if (canvas.width !== Math.round(w * density) || canvas.height !== Math.round(h * density)) { canvas.width = Math.round(w * density); canvas.height = Math.round(h * density); }
-    canvas.style.height = h + "px";
     const context = canvas.getContext("2d");
     context.setTransform(density, 0, 0, density, 0, 0);
     context.clearRect(0, 0, w, h);
@@ -46,8 +46,9 @@ class Panel {
   visible() { const box = this.figure.getBoundingClientRect(); return box.bottom > -100 && box.top < innerHeight + 100 && box.width > 0; }
   draw(level, density = Math.min(2, devicePixelRatio || 1)) {
     this.stale = Math.max(this.stale || 0, level);
-    if (!this.visible() && !printing) return;
     const [w, h] = this.size();
+    this.under.style.height = this.canvas.style.height = h + "px";
+    if (!this.visible() && !printing) return;
     if (this.stale > 1 || w !== this.width || h !== this.height) { this.width = w; this.height = h; this.of.base && this.of.base(this.pen(this.under, w, h, density), w, h); if (!this.of.base) this.pen(this.under, w, h, density); }
     this.of.over && this.of.over(this.pen(this.canvas, w, h, density), w, h);
     if (!this.of.over) this.pen(this.canvas, w, h, density);
@@ -65,7 +66,6 @@ class Panel {
 let printing = false;
 const drawAll = level => { for (const panel of panels) panel.draw(level); };
 listeners.push(drawAll);
-addEventListener("scroll", () => { for (const panel of panels) if (panel.stale) panel.draw(panel.stale); }, { passive: true });
 
 function tip(text, x, y) {
   const box = byId("tip");

@@ -31,9 +31,10 @@ function makeSummary() {
   const place = byId("summary");
   if (!found.summary.length) { byId("s-summary").hidden = true; return; }
   place.setAttribute("tabindex", "0"); place.setAttribute("role", "region"); place.setAttribute("aria-label", "Numbers of each motion");
-  const of = (value, digits) => value ? `${number(value.mean, digits)} ± ${number(value.sd, 2)}` : "–";
+  const of = value => !value ? "–" : value.count > 1 || value.count === undefined && value.sd > 0 ? `${number(value.mean)} ± ${number(value.sd, 2)}` : number(value.mean);
+  const least = 5; // a trend of fewer says nothing
   const rows = [["Number", s => String(s.count)], ["Cadence, a minute", s => number(s.cycles_per_min)], ["Cycle time, s (mean ± SD)", s => of(s.cycle_time_s)],
-    ["Variation (CV)", s => percent(s.cycle_time_s.cv)], ["Trend of cycle time, a minute", s => signed(percent(s.cycle_time_s.trend))],
+    ["Variation (CV)", s => s.count > 1 ? percent(s.cycle_time_s.cv) : "–"], ["Trend of cycle time, a minute", s => s.count >= least ? signed(percent(s.cycle_time_s.trend)) : "–"],
     ["Steps a minute", s => number(s.steps_per_min)], ["Speed, units / s", s => of(s.speed)], ["Stride, units", s => of(s.stride)], ["Way of a cycle, units", s => of(s.way)], ["Turn of a cycle, °", s => of(s.turn_deg)],
     ["Left against right", s => { const m = motionOf(s.label), pairs = m && m.sides ? m.sides.pairs : []; const p = [...pairs].filter(x => x.rms !== null).sort((a, b) => b.rms - a.rms)[0]; return p ? `differ by up to ${number(p.rms, 2)} (by chance ${number(p.chance, 2)})` : "–"; }]]
     .map(([head, value]) => [head, ...found.summary.map(value)]).filter(row => row.slice(1).some(cell => cell !== "–"));

@@ -103,7 +103,7 @@ function makeViewer() {
       if (!moves) return drawColumns(pen, w, h);
       const points = posture(state.frame), middle = middleOf(points);
       const target = body.space === 2 ? middle : [middle[0], body.height + (body.ground - body.height) * 0.12, middle[2]];
-      const project = projection(target, w, h, 0.36 * h / body.size * camera.zoom);
+      const project = projection(target, w, h, 0.42 * h / body.size * camera.zoom);
       pen.clip(0, 0, w, h, () => {
         if (body.space === 3) drawGround(pen, target, project, w, h);
         shownFlat = drawBody(pen, points, project, Math.max(2.2, Math.min(5, h / 95 * camera.zoom)), state.part);

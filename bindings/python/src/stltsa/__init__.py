@@ -26,7 +26,7 @@ from ._rows import Interval, Part, Segment, Statistics, Summary
 from ._text import names as _names
 from ._text import string as _string
 from .clip import Clip, read_clip
-from .decomposition import Decomposition, decompose
+from .decomposition import Decomposition, decompose, report
 from .denoising import Denoising, denoise
 from .dimensions import Dimension, dimension
 from .errors import *  # noqa: F403
