@@ -51,8 +51,8 @@ function rangeOf(series, column) {
 function makeBand() {
   const curve = data.curve.values;
   const moving = found.segments.filter(s => s.kind !== "rest");
-  curved = moving.filter(hasCurve);
-  if (moving.length === 1 && curved.length) curved = [{ begin: 0, end: frames }];
+  curved = moving.filter(s => s.kind === "cyclic" && hasCurve(s));
+  if (moving.length === 1 && hasCurve({ begin: 0, end: frames })) curved = [{ begin: 0, end: frames }];
   bandRows = rowsOf();
   const lastRow = bandRows[bandRows.length - 1];
   bandHeight = lastRow.y + lastRow.h + 10;

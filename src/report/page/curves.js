@@ -1,7 +1,20 @@
 // The loop, the cycles laid on each other, and postures side by side.
 const motionShown = () => motions[state.label];
 const hereInMotion = () => { const s = found.segments[containing(found.segments, state.frame)]; return Boolean(motionShown() && s && s.label === letters(motionShown().label)); };
-const looped = () => found.segments.filter(s => s.kind !== "rest" && s.kind !== "action" && hasCurve(s));
+const looped = () => found.segments.filter(s => s.kind === "cyclic" && hasCurve(s));
+// A smooth line through points [x, y, ...]: cubic (Catmull and Rom), for drawing only.
+function smooth(points, parts) {
+  if (parts < 2 || points.length < 8) return points;
+  const result = [], last = points.length / 2 - 1, at = (i, a) => points[2 * Math.max(0, Math.min(i, last)) + a];
+  for (let i = 0; i < last; ++i)
+    for (let k = 0; k < parts; ++k)
+      for (const a of [0, 1]) {
+        const t = k / parts, [p, q, r, s] = [i - 1, i, i + 1, i + 2].map(j => at(j, a));
+        result.push(q + 0.5 * t * (r - p + t * (2 * p - 5 * q + 4 * r - s + t * (3 * (q - r) + s - p))));
+      }
+  result.push(at(last, 0), at(last, 1));
+  return result;
+}
 
 // The stretch whose loop is shown: the one at the cursor, else the longest of the motion that is chosen.
 function loopSegment() {
@@ -31,7 +44,7 @@ function makeLoop() {
       const turns = Math.max(1, s.count), points = [];
       const thin = Math.max(1, Math.floor(rows.length / 20000));
       for (let i = 0; i < rows.length; i += thin) points.push(...project(rows[i]));
-      pen.line(points, { stroke: hueOf(s), width: 1.6, alpha: Math.max(0.12, Math.min(0.75, 4 / turns)) });
+      pen.line(smooth(points, rows.length < 4000 ? 5 : 1), { stroke: hueOf(s), width: 1.6, alpha: Math.max(0.12, Math.min(0.75, 4 / turns)) });
       // Start and direction.
       if (rows.length > 4) {
         const a = project(rows[0]);
@@ -47,7 +60,7 @@ function makeLoop() {
       if (s !== drawn) { panel.stale = 2; setTimeout(() => panel.draw(2)); return; }
       if (!project || state.frame < s.begin || state.frame >= s.end) return;
       const cycle = found.cycles[containing(found.cycles, state.frame)], row = f => (f - from) / step;
-      if (cycle) { const points = []; for (let r = Math.max(0, Math.ceil(row(first(cycle)))); r <= Math.min(series.rows - 1, row(last(cycle))); ++r) points.push(...project(r)); pen.line(points, { stroke: colors.ink, width: 2.4 }); }
+      if (cycle) { const points = []; for (let r = Math.max(0, Math.ceil(row(first(cycle)))); r <= Math.min(series.rows - 1, row(last(cycle))); ++r) points.push(...project(r)); pen.line(smooth(points, 5), { stroke: colors.ink, width: 2.4 }); }
       const p = project(Math.max(0, Math.min(series.rows - 1, row(state.frame))));
       pen.circle(p[0], p[1], 6.5, { fill: colors.cursor, stroke: colors.paper, width: 2 });
     },
@@ -114,7 +127,7 @@ function drawPlot(pen, box, lines, range, { title, color, axis, bottom }) {
     }
   });
   if (title) pen.text(x, y - 10, title, { bold: true, color: color || colors.ink });
-  if (bottom) for (const t of [0, 0.25, 0.5, 0.75, 1]) pen.text(px(t), y + h + 12, t === 1 ? "100 %" : String(100 * t), { size: 11, color: colors.soft, align: t === 1 ? "right" : t ? "center" : "left" });
+  if (bottom) for (const t of w < 190 ? [0, 0.5, 1] : [0, 0.25, 0.5, 0.75, 1]) pen.text(px(t), y + h + 12, t === 1 ? "100 %" : String(100 * t), { size: 11, color: colors.soft, align: t === 1 ? "right" : t ? "center" : "left" });
 }
 // The curve begins at another phase; what came before follows at its end.
 function rotated(values, phase) {
@@ -170,7 +183,7 @@ function makeCycles() {
           const curves = [both.left, both.right].map(of => rotated(of.column(both.index), phase)), values = curves.flat().filter(v => !Number.isNaN(v));
           const low = Math.min(...values), high = Math.max(...values), pad = (high - low) * 0.06 || 1, span = range[1] - range[0], centre = (low + high) / 2;
           const own = high - low + 2 * pad > span ? [low - pad, high + pad] : [centre - span / 2, centre + span / 2];
-          drawPlot(pen, box, [{ mean: curves[0], color: colors.left }, { mean: curves[1], color: colors.right, dash: [7, 4] }], own, { title: "left and right, mirrored", bottom: true });
+          drawPlot(pen, box, [{ mean: curves[0], color: colors.left }, { mean: curves[1], color: colors.right, dash: [7, 4] }], own, { title: "left and right, mirrored", axis: l.narrow, bottom: true });
           plotBoxes.push(box);
         }
       });

@@ -108,6 +108,7 @@ __all__ = [  # noqa: PLE0604
     "plot",
     "read_clip",
     "readers",
+    "report",
     "side_of_name",
     "synthesize",
     "synthesize_loop",

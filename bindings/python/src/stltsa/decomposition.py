@@ -26,7 +26,7 @@ from ._rows import (
 )
 from ._statistics import in_frames, statistics_of
 from ._tables import table
-from ._text import string
+from ._text import c_path, string
 from .clip import Clip, as_clip, one_matrix, opened
 from .errors import in_keywords, warn_of_order
 from .phase import Phase
