@@ -223,7 +223,7 @@ function makeGroup() {
   const panel = new Panel("group", {
     title: "Side by side", height: w => { const across = w < 600 ? 3 : 6, n = chosen().length; return Math.ceil(n / across) * Math.min(220, w / across * 1.15) + 10; }, label: "Postures of several cycles at the same phase. Click one to go there.",
     over(pen, w, h) {
-      const motion = motionShown(), list = chosen(), across = Math.min(w < 600 ? 3 : 6, Math.max(1, list.length)), cell = w / across, high = (h - 10) / Math.ceil(list.length / across || 1);
+      const motion = motionShown(), list = chosen(), across = Math.min(w < 600 ? 3 : 6, Math.max(1, list.length)), cell = Math.min(w / across, 230), high = (h - 10) / Math.ceil(list.length / across || 1);
       const here = hereInMotion() ? phaseAt(state.frame) : NaN;
       if (!Number.isNaN(here)) phase = here;
       groupBoxes = [];
