@@ -53,7 +53,7 @@ function makeLoop() {
         pen.line([...[2.6, 0, -2.6].flatMap(turn => [p[0] + (turn ? 11 : 0) * Math.cos(angle + turn), p[1] + (turn ? 11 : 0) * Math.sin(angle + turn)])], { stroke: colors.ink, width: 2 });
       }
       pen.text(14, h - 14, "○ begin   › direction", { color: colors.soft });
-      pen.text(w - 14, h - 14, `${s.label} · ${plural(s.count, "turn")}`, { color: colors.soft, align: "right" });
+      pen.text(w - 14, h - 14, `${s.label} from ${time(s.begin)} · ${plural(s.count, "turn")}`, { color: colors.soft, align: "right" });
     },
     over(pen, w, h) {
       const s = loopSegment();
@@ -114,7 +114,7 @@ function drawPlot(pen, box, lines, range, { title, color, axis, bottom }) {
   const { x, y, w, h } = box, px = share => x + share * w, py = v => y + h - (v - range[0]) / (range[1] - range[0]) * h;
   pen.rect(x, y, w, h, { fill: colors.paper, radius: 6 });
   for (const t of [0.25, 0.5, 0.75]) pen.line([px(t), y, px(t), y + h], { stroke: colors.grid });
-  for (const v of ticks(range[0], range[1], 3)) { pen.line([x, py(v), x + w, py(v)], { stroke: colors.grid }); if (axis) pen.text(x - 6, py(v), number(v, 4), { size: 11, color: colors.soft, align: "right" }); }
+  for (const v of ticks(range[0], range[1], 4)) { pen.line([x, py(v), x + w, py(v)], { stroke: colors.grid }); if (axis) pen.text(x - 6, py(v), number(v, 4), { size: 11, color: colors.soft, align: "right" }); }
   pen.clip(x, y, w, h, () => {
     for (const line of lines) {
       if (line.sd) {
@@ -204,7 +204,7 @@ function makeCycles() {
     panel.title(`${plural(count, word)} of ${motion ? letters(motion.label) : ""}`, set ? "0 to 100 % of a " + word : "");
     byId("cycles-hint").textContent = !set ? "" : `Thick: mean of ${plural(count, word)}; shaded: one standard deviation; thin: ${set.shown.length < count ? set.shown.length + " of them" : "each"}. ` +
       (set.name === "position" ? "Positions are relative to the body, in the unit of the file, with the heading removed. " : set.name === "angle" ? "Angles of the file, in degrees. " : "") +
-      (motion.sides && motion.sides.pairs.length && set.name !== "angle" ? "On the right, the right side is mirrored and moved by half a cycle, so that a symmetric motion gives one curve. " : "") + "Click a curve to see its posture.";
+      (motion.sides && motion.sides.pairs.length && set.name !== "angle" ? "On the right, the right side is mirrored and moved by half a cycle, so that a symmetric motion gives one curve. " : "") + (moves ? "Click a curve to see its posture." : "Click a curve to go to this phase.");
   });
 }
 const canvasBox = (canvas, event) => { const box = canvas.getBoundingClientRect(); return [event.clientX - box.left, event.clientY - box.top]; };

@@ -52,7 +52,7 @@ function showExport() {
   if (byId("export").dataset.key === stretch + "!") return;
   byId("export").dataset.key = stretch + "!";
   const suffixes = body.kind === "skeleton" ? ["glb", "bvh"] : body.kind === "points" ? ["glb", "csv"] : ["csv"];
-  byId("export").replaceChildren(...(body.kind === "skeleton" ? [element("p", { class: "facts" }, whole ? "The whole clip for other programs (zoom in above to choose a stretch):" : "The stretch that is shown above, for other programs:"), ...suffixes.map(suffix => commandBox(`stltsa synthesize ${clipWord(stretch)}${rateWord()} -o ${shellWord(stem().replace(/\.\w+$/, "") + (stretch ? "-" + stretch : "") + "." + suffix)}`))] : []));
+  byId("export").replaceChildren(...(body.kind === "skeleton" ? [element("p", { class: "facts" }, whole ? "The whole clip for other programs (zoom in above to choose a stretch):" : "The stretch that is shown above, for other programs:"), ...suffixes.map(suffix => commandBox(`stltsa synthesize ${clipWord(a, b)}${rateWord()} -o ${shellWord(stem().replace(/\.\w+$/, "") + (stretch ? "-" + stretch : "") + "." + suffix)}`))] : []));
 }
 
 function theme(name) {

@@ -91,7 +91,12 @@ function makeTables() {
 }
 
 const shellWord = text => /^[\w+=./:,@%-]+$/.test(text) ? text : "'" + text.replace(/'/g, "'\\''") + "'";
-const clipWord = (stretch = "") => shellWord((clip.path || "CLIP") + (stretch ? ":" + stretch : ""));
+// The clip may itself be a stretch of its file, which the last note says: "frames [100, 220) of the clip, ...".
+const offsets = (clip.notes || []).map(note => note.match(/^frames \[(\d+), (\d+)\) of the clip, counted/)).filter(Boolean);
+function clipWord(begin = 0, end = frames) {
+  const offset = offsets.reduce((sum, match) => sum + Number(match[1]), 0), whole = begin <= 0 && end >= frames;
+  return shellWord((clip.path || "CLIP") + (whole && !offsets.length ? "" : `:${offset + begin}-${offset + end}`));
+}
 const rateWord = () => ["csv", "npy"].includes(clip.format) && clip.fps ? " --fps " + +fps.toPrecision(9) : "";
 function commandBox(text) {
   const button = element("button", { type: "button" }, "Copy");

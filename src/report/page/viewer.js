@@ -108,6 +108,7 @@ function makeViewer() {
         if (body.space === 3) drawGround(pen, target, project, w, h);
         shownFlat = drawBody(pen, points, project, Math.max(2.2, Math.min(5, h / 95 * camera.zoom)), state.part);
       });
+      pen.rect(0, h - 28, w, 28, { fill: colors.sheet, alpha: 0.8 });
       let x = 14;
       if (body.parts.some(part => part.side === 0)) for (const [side, color] of [["left", colors.left], ["right", colors.right]]) { pen.circle(x, h - 14, 4, { fill: color }); pen.text(x + 9, h - 14, side, { color: colors.soft }); x += 58; }
       const at = containing(found.segments, state.frame), segment = found.segments[at], unit = found.units[containing(found.units, state.frame)];
