@@ -29,7 +29,7 @@ function makeLoop() {
   let drawn = null, project = null;
   if (!looped().length) { document.querySelector(".view .two").style.gridTemplateColumns = "minmax(0, 1fr)"; byId("loop").remove(); return; }
   const panel = new Panel("loop", {
-    title: "Loop", height: w => Math.min(470, innerWidth < 760 ? w * 0.7 : Math.max(w, byId("viewer").firstChild.clientHeight - 37)), label: "The motion as a loop: each turn is one cycle. Click it to move in time.",
+    title: "Loop", height: w => printing ? 315 : Math.min(470, innerWidth < 760 ? w * 0.7 : Math.max(w, byId("viewer").firstChild.clientHeight - 37)), label: "The motion as a loop: each turn is one cycle. Click it to move in time.",
     base(pen, w, h) {
       const s = loopSegment();
       drawn = s;
@@ -52,7 +52,7 @@ function makeLoop() {
         const at = rows[0] + Math.min(rows.length - 2, Math.max(1, (s.period_s || 1) * fps / step * 0.25)), p = project(at), q = project(at + 0.6), angle = Math.atan2(q[1] - p[1], q[0] - p[0]);
         pen.line([...[2.6, 0, -2.6].flatMap(turn => [p[0] + (turn ? 11 : 0) * Math.cos(angle + turn), p[1] + (turn ? 11 : 0) * Math.sin(angle + turn)])], { stroke: colors.ink, width: 2 });
       }
-      pen.text(14, h - 14, "○ begin   › direction", { color: colors.soft });
+      if (w > 300) pen.text(14, h - 14, "○ begin   › direction", { color: colors.soft });
       pen.text(w - 14, h - 14, `${s.label} from ${time(s.begin)} · ${plural(s.count, "turn")}`, { color: colors.soft, align: "right" });
     },
     over(pen, w, h) {
@@ -155,7 +155,7 @@ function layOut(w) {
   const rows = plotsShown(), columns = Math.max(1, ...rows.map(row => row.length)), together = rows.some(row => row.length === 2 && sidesCurves(row[0]));
   const shown = columns + (together ? 1 : 0), narrow = w < 600 && shown > 2;
   const across = narrow ? 2 : Math.max(shown, rows.length > 1 && shown === 1 && w > 600 ? Math.min(3, rows.length) : 1);
-  const left = 52, gap = 22, width = (w - left - 16 - gap * (across - 1)) / across, height = Math.max(86, Math.min(160, width * 0.52));
+  const left = 52, gap = 22, width = (w - left - 16 - gap * (across - 1)) / across, height = printing ? 76 : Math.max(86, Math.min(160, width * 0.52));
   return { rows, columns, together, shown, across, left, gap, width, height, lines: shown === 1 ? Math.ceil(rows.length / across) : rows.length * (narrow ? 2 : 1), narrow };
 }
 function makeCycles() {

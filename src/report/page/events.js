@@ -33,6 +33,7 @@ function showMarks() {
     element("p", { class: "facts" }, mark.reason || `Phase ${percent(mark.phase)} of ${mark.label}; ${mark.found.length} found: ` + mark.found.slice(0, 12).map(event => time(event.frame)).join(", ") + (mark.found.length > 12 ? ", …" : ""))));
   const command = element("div");
   const showCommand = () => command.replaceChildren(...(state.marks.length ? [element("p", { class: "facts" }, "The exact answer, with confidence; other clips may follow:"), commandBox(`stltsa events ${clipWord()}${rateWord()}${state.marks.map(mark => " --mark " + shellWord(`${mark.frame}=${mark.name}`)).join("")}`)] : []));
+  byId("s-events").classList.toggle("nothing", !state.marks.length); // not printed
   place.replaceChildren(intro, ...boxes, command);
   showCommand();
 }

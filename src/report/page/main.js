@@ -94,9 +94,9 @@ function control() {
     shownTheme = document.documentElement.dataset.theme;
     document.documentElement.dataset.theme = "light";
     readColors();
-    for (const panel of panels) panel.draw(2, 2);
+    for (const panel of panels) panel.print(true);
   });
-  addEventListener("afterprint", () => { printing = false; theme(shownTheme); });
+  addEventListener("afterprint", () => { printing = false; for (const panel of panels) panel.print(false); theme(shownTheme); });
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", event => theme(event.matches ? "dark" : "light"));
   listeners.push(level => {
     byId("scrub").value = String(state.frame);

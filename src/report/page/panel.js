@@ -48,14 +48,24 @@ class Panel {
     this.stale = Math.max(this.stale || 0, level);
     const [w, h] = this.size();
     this.under.style.height = this.canvas.style.height = h + "px";
-    if (!this.visible() && !printing) return;
+    if (!this.visible()) return;
     if (this.stale > 1 || w !== this.width || h !== this.height) { this.width = w; this.height = h; this.of.base && this.of.base(this.pen(this.under, w, h, density), w, h); if (!this.of.base) this.pen(this.under, w, h, density); }
     this.of.over && this.of.over(this.pen(this.canvas, w, h, density), w, h);
     if (!this.of.over) this.pen(this.canvas, w, h, density);
     this.stale = 0;
   }
   whole(pen, w, h) { this.of.base && this.of.base(pen, w, h); this.of.over && this.of.over(pen, w, h); return pen; }
-  svg() { const [w, h] = this.size(); return this.whole(new SvgPen(w, h), w, h).toString(); }
+  // For printing: the same as SVG, which is sharp at any size.
+  print(on) {
+    if (this.printed) this.printed.remove();
+    this.printed = null;
+    if (!on || !this.figure.clientWidth) return;
+    const w = Math.max(220, Math.round(700 * this.figure.clientWidth / document.body.clientWidth)), h = Math.round(this.of.height(w));
+    this.printed = element("div", { class: "printed" });
+    this.printed.innerHTML = this.whole(new SvgPen(this.id, w, h), w, h).toString(); // all texts are escaped
+    this.figure.append(this.printed);
+  }
+  svg() { const [w, h] = this.size(); return this.whole(new SvgPen(this.id, w, h), w, h).toString(); }
   savePng() {
     const [w, h] = this.size(), canvas = document.createElement("canvas"), pen = this.pen(canvas, w, h, 2);
     pen.rect(0, 0, w, h, { fill: colors.paper });

@@ -44,7 +44,7 @@ class CanvasPen {
 const escaped = text => String(text).replace(/[&<>"']/g, c => "&#" + c.charCodeAt(0) + ";");
 const measuring = new CanvasPen(document.createElement("canvas").getContext("2d"));
 class SvgPen {
-  constructor(width, height) { this.width = width; this.height = height; this.parts = []; this.clips = 0; }
+  constructor(id, width, height) { this.id = id; this.width = width; this.height = height; this.parts = []; this.clips = 0; }
   style({ fill = "none", stroke, width = 1, dash = [], alpha = 1 }) {
     return ` fill="${fill}"` + (stroke ? ` stroke="${stroke}" stroke-width="${width}" stroke-linejoin="round" stroke-linecap="round"` : "") +
       (dash.length ? ` stroke-dasharray="${dash}"` : "") + (alpha < 1 ? ` opacity="${+alpha}"` : "");
@@ -66,7 +66,7 @@ class SvgPen {
   }
   measure(text, size) { return measuring.measure(text, size); }
   clip(x, y, w, h, draw) {
-    const name = "clip" + this.clips++;
+    const name = `${this.id}-clip${this.clips++}`;
     this.parts.push(`<clipPath id="${name}"><rect x="${x}" y="${y}" width="${w}" height="${h}"/></clipPath><g clip-path="url(#${name})">`);
     draw();
     this.parts.push("</g>");

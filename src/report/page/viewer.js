@@ -97,7 +97,7 @@ function makeViewer() {
     element("button", { type: "button", "aria-label": "Larger", onclick: () => { camera.zoom = Math.min(6, camera.zoom * 1.2); show(1); } }, "+"),
     element("button", { type: "button", "aria-label": "Smaller", onclick: () => { camera.zoom = Math.max(0.3, camera.zoom / 1.2); show(1); } }, "−")] : [];
   const panel = new Panel("viewer", {
-    title: kinds[body.kind], tools, height: w => Math.min(470, w * (w < 500 ? 0.9 : 0.72)),
+    title: kinds[body.kind], tools, height: w => printing ? 315 : Math.min(470, w * (w < 500 ? 0.9 : 0.72)),
     label: moves ? "The moving body. Drag to turn it, arrow keys turn it too; click a joint to see its curves." : "The columns around the present time.",
     over(pen, w, h) {
       if (!moves) return drawColumns(pen, w, h);
