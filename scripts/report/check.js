@@ -6,7 +6,7 @@ const path = require("path");
 const { chromium } = require("playwright-core");
 const axe = fs.readFileSync(require.resolve("axe-core/axe.min.js"), "utf8");
 
-const [folder, ...reports] = process.argv.slice(2);
+const [folder, ...reports] = process.argv[3] === "--picture" ? [process.argv[2]] : process.argv.slice(2);
 let failures = 0;
 function check(holds, what) {
   console.log(`  ${holds ? "ok  " : "FAIL"} ${what}`);
@@ -121,6 +121,13 @@ async function shoot(browser, report, name) {
 
 (async () => {
   const browser = await chromium.launch({ executablePath: "/usr/bin/chromium", args: process.getuid() === 0 ? ["--no-sandbox"] : [] });
+  if (process.argv[3] === "--picture") {
+    const { page } = await opened(browser, path.resolve(process.argv[4]));
+    await page.setViewportSize({ width: 1240, height: 1130 });
+    await page.waitForTimeout(800);
+    await page.screenshot({ path: process.argv[5] });
+    return browser.close();
+  }
   for (const report of reports.map(name => path.resolve(name))) {
     const name = path.basename(report, ".html");
     console.log(`${report}: ${fs.statSync(report).size} bytes`);

@@ -66,7 +66,8 @@ function makeWarnings() {
   }
   if (found.reason) texts.push("Nothing repeats: " + found.reason);
   for (const s of found.segments) if (s.reason && s.kind === "action" && found.summary.length) texts.push(`${s.label} at ${time(s.begin)}: ${s.reason}`);
-  const list = [...new Set(texts)];
+  const list = [...new Set(texts)], printed = 6;
+  if (list.length > printed) byId("warnings").dataset.more = `and ${list.length - printed} more in the file`;
   byId("warnings").append(...list.slice(0, 12).map(text => element("li", {}, text)));
   if (list.length > 12) byId("warnings").after(element("details", {}, element("summary", {}, `${list.length - 12} more`), element("ul", {}, ...list.slice(12).map(text => element("li", {}, text)))));
   if (!list.length) byId("warnings").append(element("li", {}, "Nothing: no warning was given."));
