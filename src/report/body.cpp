@@ -106,10 +106,11 @@ void set_body(JsonObject& page, const clip::Clip& clip, const std::vector<Part>&
                                         list, "step", step, "places", kept));
             return;
         }
-        step = std::max(step + 1, static_cast<std::int64_t>(
-                                      std::ceil(static_cast<double>(step * static_cast<std::int64_t>(
-                                                                              kept.text().size())) /
-                                                static_cast<double>(longest_text))));
+        step =
+            std::max(step + 1,
+                     static_cast<std::int64_t>(std::ceil(
+                         static_cast<double>(step * static_cast<std::int64_t>(kept.text().size())) /
+                         static_cast<double>(longest_text))));
     }
 }
 

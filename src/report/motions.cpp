@@ -157,15 +157,14 @@ Json set_json(const SignalSet& set, const phase::Resampled& cycles,
     const std::int64_t kept = (samples + every - 1) / every;
     Matrix each(kept * std::ssize(shown), std::ssize(columns));
     for (std::size_t i = 0; i < shown.size(); ++i) {
-        const Matrix one =
-            taken(cycles.each[static_cast<std::size_t>(shown[i])], every, columns);
+        const Matrix one = taken(cycles.each[static_cast<std::size_t>(shown[i])], every, columns);
         std::copy_n(one.data(), one.rows() * one.cols(),
                     each.row(static_cast<std::int64_t>(i) * kept));
     }
-    return JsonObject("name", set.name, "unit", set.unit, "columns", list, "columns_of_all",
-                      cycles.mean.cols(), "shown", shown, "mean", packed(taken(cycles.mean, 1, columns).view()),
-                      "sd", packed(taken(cycles.deviation, 1, columns).view()), "each",
-                      packed(each.view()));
+    return JsonObject(
+        "name", set.name, "unit", set.unit, "columns", list, "columns_of_all", cycles.mean.cols(),
+        "shown", shown, "mean", packed(taken(cycles.mean, 1, columns).view()), "sd",
+        packed(taken(cycles.deviation, 1, columns).view()), "each", packed(each.view()));
 }
 
 /// For each cycle the frames at 0, 10, ... 100 %, to hundredths of a frame.
@@ -188,11 +187,11 @@ Json sides_json(const results::ComparedSides& sides, bool axes) {
         const results::SidePair& pair = sides.pairs[static_cast<std::size_t>(p)];
         const phase::CurveDifference& d = pair.difference;
         const std::size_t part = seen[pair.left_name]++;
-        pairs.push_back(JsonObject(
-            "left", pair.left_name, "right", pair.right_name, "axis",
-            axes && part < 3 ? std::string(1, "xyz"[part]) : std::string(), "rms", d.rms, "chance",
-            d.chance, "mean", d.mean, "left_range", d.left_range, "right_range", d.right_range,
-            "shift", d.shift, "correlation", d.correlation));
+        pairs.push_back(JsonObject("left", pair.left_name, "right", pair.right_name, "axis",
+                                   axes && part < 3 ? std::string(1, "xyz"[part]) : std::string(),
+                                   "rms", d.rms, "chance", d.chance, "mean", d.mean, "left_range",
+                                   d.left_range, "right_range", d.right_range, "shift", d.shift,
+                                   "correlation", d.correlation));
         for (std::int64_t s = 0; s < sides.samples; ++s) {
             left(s, p) = pair.left_curve[static_cast<std::size_t>(s)];
             right(s, p) = pair.right_curve[static_cast<std::size_t>(s)];
@@ -208,8 +207,8 @@ Json compared_sides(const clip::Clip& clip, const results::Phased& phased, std::
     const clip::Features kind = phased.samples.features;
     const bool axes = kind == clip::Features::positions || kind == clip::Features::points;
     try {
-        return sides_json(
-            results::compare_sides(clip, phased, label, samples, prepare, progress), axes);
+        return sides_json(results::compare_sides(clip, phased, label, samples, prepare, progress),
+                          axes);
     } catch (const Error& error) {
         if (error.status() != Status::argument && error.status() != Status::unsupported)
             throw;
@@ -239,8 +238,8 @@ Json motions_json(const clip::Clip& clip, const results::Decomposed& decomposed,
             for (const SignalSet& set : sets) {
                 const phase::Resampled cycles =
                     results::resample(phased, label, set.rows.view(), samples);
-                const auto shown =
-                    shown_cycles(std::ssize(cycles.each), set.rows.cols() * std::ssize(sets), count);
+                const auto shown = shown_cycles(std::ssize(cycles.each),
+                                                set.rows.cols() * std::ssize(sets), count);
                 if (shown_sets.empty())
                     motion.set("times", times_json(cycles.rows), "distance", cycles.total);
                 shown_sets.push_back(set_json(set, cycles, shown));

@@ -67,10 +67,9 @@ std::string integers_of(ConstMatrixView values, const Ranges& ranges) {
 std::string compressed(const std::string& bytes) {
     uLongf size = ::compressBound(static_cast<uLong>(bytes.size()));
     std::string result(size, '\0');
-    const int status =
-        ::compress2(reinterpret_cast<Bytef*>(result.data()), &size,
-                    reinterpret_cast<const Bytef*>(bytes.data()), static_cast<uLong>(bytes.size()),
-                    Z_BEST_COMPRESSION);
+    const int status = ::compress2(reinterpret_cast<Bytef*>(result.data()), &size,
+                                   reinterpret_cast<const Bytef*>(bytes.data()),
+                                   static_cast<uLong>(bytes.size()), Z_BEST_COMPRESSION);
     if (status == Z_MEM_ERROR)
         fail(Status::no_memory, "out of memory while numbers are compressed");
     if (status != Z_OK)

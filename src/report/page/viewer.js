@@ -69,6 +69,16 @@ function drawBody(pen, points, project, width, chosen) {
   return flat;
 }
 
+// The way of the body over the ground, of what is shown.
+function wayShown() {
+  const key = state.view.join();
+  if (wayShown.key !== key) {
+    const [a, b] = state.view;
+    wayShown.key = key;
+    wayShown.points = Array.from({ length: 161 }, (_, i) => middleOf(posture(a + (b - a) * i / 160)));
+  }
+  return wayShown.points;
+}
 function drawGround(pen, target, project, w, h) {
   const rough = body.size / 2, power = 10 ** Math.floor(Math.log10(rough)), step = [1, 2, 5, 10].map(k => k * power).find(s => s >= rough);
   const reach = 7, [cx, cz] = [0, 2].map(a => Math.round(target[a] / step));
@@ -78,10 +88,8 @@ function drawGround(pen, target, project, w, h) {
       const ends = [-reach, 0, reach].map(j => project(turn ? [(cx + j) * step, body.ground, (cz + i) * step] : [(cx + i) * step, body.ground, (cz + j) * step]));
       pen.line(ends.flatMap(p => [p[0], p[1]]), { stroke: colors.line, alpha: fade(i) });
     }
-  // The way over the ground, of what is shown.
-  const [a, b] = state.view, way = [];
-  for (let i = 0; i <= 160; ++i) {
-    const middle = middleOf(posture(a + (b - a) * i / 160));
+  const way = [];
+  for (const middle of wayShown()) {
     if (Math.hypot(middle[0] - target[0], middle[2] - target[2]) < 4 * body.size) { const p = project([middle[0], body.ground, middle[2]]); way.push(p[0], p[1]); }
     else way.push(NaN, NaN);
   }
