@@ -156,12 +156,12 @@ function layOut(w) {
   const shown = columns + (together ? 1 : 0), narrow = w < 600 && shown > 2;
   const across = narrow ? 2 : Math.max(shown, rows.length > 1 && shown === 1 && w > 600 ? Math.min(3, rows.length) : 1);
   const left = 52, gap = 22, width = (w - left - 16 - gap * (across - 1)) / across, height = printing ? 76 : Math.max(86, Math.min(160, width * 0.52));
-  return { rows, columns, together, shown, across, left, gap, width, height, lines: shown === 1 ? Math.ceil(rows.length / across) : rows.length * (narrow ? 2 : 1), narrow };
+  return { rows, columns, together, shown, across, left, gap, width, height, space: printing ? 38 : 46, lines: shown === 1 ? Math.ceil(rows.length / across) : rows.length * (narrow ? 2 : 1), narrow };
 }
 function makeCycles() {
   if (!motions.some(motion => motion.sets.length)) { byId("s-cycles").hidden = true; return; }
   const panel = new Panel("cycles", {
-    title: "Cycles", height: w => { const l = layOut(w); return 36 + l.lines * (l.height + 46); }, label: "Curves of all cycles on 0 to 100 percent, with mean and standard deviation. Click to move to this phase.",
+    title: "Cycles", height: w => { const l = layOut(w); return 36 + l.lines * (l.height + l.space); }, label: "Curves of all cycles on 0 to 100 percent, with mean and standard deviation. Click to move to this phase.",
     base(pen, w, h) {
       const set = setShown(), l = layOut(w);
       plotBoxes = [];
@@ -172,14 +172,14 @@ function makeCycles() {
         const range = cyclesRange(set, row);
         row.forEach((column, c) => {
           const line = l.shown === 1 ? Math.floor(r / l.across) : r * (l.narrow ? 2 : 1), at = l.shown === 1 ? r % l.across : c;
-          const box = { x: l.left + at * (l.width + l.gap), y: 34 + line * (l.height + 46), w: l.width, h: l.height, column };
+          const box = { x: l.left + at * (l.width + l.gap), y: 34 + line * (l.height + l.space), w: l.width, h: l.height, column };
           const side = body.parts[column.part] ? body.parts[column.part].side : -1, color = side === 0 ? colors.left : side === 1 ? colors.right : colors.accent;
           drawPlot(pen, box, [{ ...look(column), color }], range, { title: `${column.name}${column.axis ? " · " + axisText(column.axis) : ""}${set.unit ? " [" + set.unit + "]" : ""}`, color, axis: at === 0 || l.shown === 1, bottom: true });
           plotBoxes.push(box);
         });
         const both = l.together && row.length === 2 ? sidesCurves(row[0]) : null;
         if (both) {
-          const box = { x: l.left + (l.narrow ? 0 : 2 * (l.width + l.gap)), y: 34 + (l.narrow ? r * 2 + 1 : r) * (l.height + 46), w: l.narrow ? 2 * l.width + l.gap : l.width, h: l.height };
+          const box = { x: l.left + (l.narrow ? 0 : 2 * (l.width + l.gap)), y: 34 + (l.narrow ? r * 2 + 1 : r) * (l.height + l.space), w: l.narrow ? 2 * l.width + l.gap : l.width, h: l.height };
           const curves = [both.left, both.right].map(of => rotated(of.column(both.index), phase)), values = curves.flat().filter(v => !Number.isNaN(v));
           const low = Math.min(...values), high = Math.max(...values), pad = (high - low) * 0.06 || 1, span = range[1] - range[0], centre = (low + high) / 2;
           const own = high - low + 2 * pad > span ? [low - pad, high + pad] : [centre - span / 2, centre + span / 2];
@@ -204,7 +204,7 @@ function makeCycles() {
     panel.title(`${plural(count, word)} of ${motion ? letters(motion.label) : ""}`, set ? "0 to 100 % of a " + word : "");
     byId("cycles-hint").textContent = !set ? "" : `Thick: mean of ${plural(count, word)}; shaded: one standard deviation; thin: ${set.shown.length < count ? set.shown.length + " of them" : "each"}. ` +
       (set.name === "position" ? "Positions are relative to the body, in the unit of the file, with the heading removed. " : set.name === "angle" ? "Angles of the file, in degrees. " : "") +
-      (motion.sides && motion.sides.pairs.length && set.name !== "angle" ? "On the right, the right side is mirrored and moved by half a cycle, so that a symmetric motion gives one curve. " : "") + (moves ? "Click a curve to see its posture." : "Click a curve to go to this phase.");
+      (motion.sides && motion.sides.pairs.length && set.name !== "angle" ? "Where both sides are drawn together, the right one is mirrored and moved by half a cycle, so that a symmetric motion gives one curve. " : "") + (moves ? "Click a curve to see its posture." : "Click a curve to go to this phase.");
   });
 }
 const canvasBox = (canvas, event) => { const box = canvas.getBoundingClientRect(); return [event.clientX - box.left, event.clientY - box.top]; };

@@ -85,7 +85,7 @@ function control() {
   addEventListener("keydown", event => {
     if (event.ctrlKey || event.metaKey || event.altKey || /^(INPUT|SELECT|BUTTON|SUMMARY|TEXTAREA)$/.test(event.target.tagName)) return;
     if (event.key === " ") { event.preventDefault(); play(); }
-    else if (event.key === "m" || event.key === "M") addMark();
+    else if ((event.key === "m" || event.key === "M") && motions.length) addMark();
   });
   let shownTheme = "";
   addEventListener("beforeprint", () => {
@@ -119,6 +119,7 @@ async function start() {
   makeViewer(); makeBand(); makeLoop(); makeCycles(); makeGroup();
   makeSummary(); makeSides(); makeWarnings(); makeTables(); makeDetails();
   showMarks();
+  byId("mark").hidden = byId("s-events").hidden = !motions.length; // nothing in which to find it again
   control();
   show();
   document.documentElement.dataset.ready = "yes";

@@ -36,7 +36,7 @@ function makeSummary() {
   const rows = [["Number", s => String(s.count)], ["Cadence, a minute", s => number(s.cycles_per_min)], ["Cycle time, s (mean ± SD)", s => of(s.cycle_time_s)],
     ["Variation (CV)", s => s.count > 1 ? percent(s.cycle_time_s.cv) : "–"], ["Trend of cycle time, a minute", s => s.count >= least ? signed(percent(s.cycle_time_s.trend)) : "–"],
     ["Steps a minute", s => number(s.steps_per_min)], ["Speed, units / s", s => of(s.speed)], ["Stride, units", s => of(s.stride)], ["Way of a cycle, units", s => of(s.way)], ["Turn of a cycle, °", s => of(s.turn_deg)],
-    ["Largest left–right difference", s => { const m = motionOf(s.label), pairs = m && m.sides ? m.sides.pairs : []; const p = [...pairs].filter(x => x.rms !== null).sort((a, b) => b.rms - a.rms)[0]; return p ? `${number(p.rms, 2)} (chance: ${number(p.chance, 2)})` : "–"; }]]
+    ["Largest left–right difference", s => { const m = motionOf(s.label), pairs = m && m.sides ? m.sides.pairs : []; const p = [...pairs].filter(x => x.rms !== null).sort((a, b) => b.rms - a.rms)[0]; return p ? `${number(p.rms, 2)}${p.chance === null ? "" : ` (chance: ${number(p.chance, 2)})`}` : "–"; }]]
     .map(([head, value]) => [head, ...found.summary.map(value)]).filter(row => row.slice(1).some(cell => cell !== "–"));
   place.append(element("p", { class: "hint" }, "Lengths are in the unit of the file. SD: standard deviation; CV: SD / mean."), table("", ["", ...found.summary.map(s => named(s.label))], rows));
 }

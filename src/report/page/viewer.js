@@ -150,7 +150,7 @@ function makeViewer() {
     shownFlat.forEach((p, i) => { const d = p ? Math.hypot(p[0] - x, p[1] - y) : 99; if (d < least) { least = d; best = i; } });
     if (best >= 0) { state.part = best; show(); }
   };
-  canvas.ondblclick = () => addMark();
+  canvas.ondblclick = () => motions.length && addMark();
   canvas.addEventListener("wheel", event => { if (!event.ctrlKey) return; event.preventDefault(); camera.zoom = Math.max(0.3, Math.min(6, camera.zoom * Math.exp(-event.deltaY / 300))); show(1); }, { passive: false });
   canvas.onkeydown = event => {
     const turn = { ArrowLeft: [0.15, 0], ArrowRight: [-0.15, 0], ArrowUp: [0, 0.1], ArrowDown: [0, -0.1] }[event.key];
