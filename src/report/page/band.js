@@ -66,6 +66,7 @@ function makeBand() {
       const axis = timeTicks(a / fps, b / fps, (right - left) / 90);
       for (const s of axis.list) { pen.line([x(s * fps), 22, x(s * fps), lastRow.y - 6], { stroke: colors.grid }); pen.text(x(s * fps), 11, axis.text(s), { color: colors.soft, align: "center", size: 11 }); }
       if (left > 40) for (const r of bandRows) pen.text(left - 10, r.y + r.h / 2, r.name, { color: colors.soft, align: "right" });
+      else for (const r of bandRows) if (r.h > 34) pen.text(left + 2, r.y + 7, r.name, { color: colors.soft, size: 11 });
       const boxes = (list, y, h, look) => pen.clip(left, y - 2, right - left, h + 4, () => {
         let merged = -1;
         list.forEach((item, i) => {
@@ -81,7 +82,7 @@ function makeBand() {
         });
       });
       boxes(found.segments, 26, 34, s => ({ hue: hueOf(s), text: segmentText(s), strong: true }));
-      boxes(found.units, 64, 20, u => ({ hue: unitHues[u.kind] || hues.green, text: u.kind }));
+      boxes(found.units, 64, 20, u => ({ hue: hueOfUnit(u.kind), text: u.kind }));
       const cycles = bandRows[2];
       if (found.cycles.length) boxes(found.cycles, cycles.y, cycles.h, (c, i) => ({ hue: hueOf(found.segments[c.segment]), text: String(i + 1), faint: i % 2 }));
       if (found.repetitions.length) boxes(found.repetitions, cycles.y, cycles.h, (r, i) => ({ hue: hueOf(found.segments[r.segment]), text: String(i + 1), faint: i % 2 }));

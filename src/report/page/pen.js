@@ -1,14 +1,17 @@
 // Draws on a canvas, or the same as SVG.
-const colors = {};
+const colors = {}, hues = {};
+// Okabe and Ito's colors, which color-blind people can tell apart, as in the library's figures; lighter in the dark.
+const palettes = {
+  light: { blue: "#0072b2", orange: "#e69f00", green: "#009e73", purple: "#cc79a7", sky: "#56b4e9", vermilion: "#d55e00", yellow: "#d9c400", gray: "#8c959f" },
+  dark: { blue: "#4aa8e0", orange: "#f0b63a", green: "#35c49a", purple: "#e09cc2", sky: "#8fd0f7", vermilion: "#f08a4b", yellow: "#efe04a", gray: "#98a1ab" },
+};
 function readColors() {
+  Object.assign(hues, palettes[document.documentElement.dataset.theme]);
   const style = getComputedStyle(document.documentElement);
   for (const name of ["paper", "sheet", "ink", "soft", "line", "grid", "accent", "left", "right", "middle", "cursor", "alpha"]) colors[name] = style.getPropertyValue("--" + name).trim();
 }
-// Okabe and Ito's colors, which color-blind people can tell apart, as in the library's figures.
-const hues = { blue: "#0072b2", orange: "#e69f00", green: "#009e73", purple: "#cc79a7", sky: "#56b4e9", vermilion: "#d55e00", yellow: "#d9c400" };
-const labelHues = [hues.blue, hues.orange, hues.green, hues.purple, hues.sky, hues.vermilion, hues.yellow];
-const labelHue = label => label < 0 ? "#8c959f" : labelHues[label % labelHues.length];
-const unitHues = { preparing: hues.sky, initial: hues.orange, cyclic: hues.blue, final: hues.vermilion, "wind-up": hues.purple, action: hues.green, hold: hues.yellow };
+const hueOfUnit = kind => hues[{ preparing: "sky", initial: "orange", cyclic: "blue", final: "vermilion", "wind-up": "purple", action: "green", hold: "yellow" }[kind]] || hues.green;
+const labelHue = label => label < 0 ? hues.gray : hues[["blue", "orange", "green", "purple", "sky", "vermilion", "yellow"][label % 7]];
 const font = "system-ui, 'Segoe UI', Roboto, 'Liberation Sans', Arial, sans-serif";
 
 class CanvasPen {
