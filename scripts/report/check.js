@@ -32,6 +32,14 @@ async function checkUse(browser, report) {
   const timing = await page.evaluate(() => ({ paint: performance.getEntriesByName("first-contentful-paint")[0].startTime, ready: performance.now() }));
   check(timing.paint < 1000, `first paint after ${timing.paint.toFixed(0)} ms (ready after ${timing.ready.toFixed(0)} ms)`);
   const clock = () => page.locator("#clock").textContent();
+  // Whether it holds within three seconds.
+  const comes = async holds => {
+    for (let i = 0; i < 30; ++i) {
+      if (await holds()) return true;
+      await page.waitForTimeout(100);
+    }
+    return false;
+  };
   const before = await clock();
   const picture = await pixels(page, "viewer", 1);
   await page.click("#play");
@@ -56,19 +64,17 @@ async function checkUse(browser, report) {
   check(cost < 100, `seeking takes ${cost.toFixed(1)} ms a step`);
   await page.locator("#band canvas").last().focus();
   await page.keyboard.press("Home");
-  check(/frame 0$/.test(await clock()), "Home goes to the first frame");
+  check(await comes(async () => /frame 0$/.test(await clock())), "Home goes to the first frame");
   await page.keyboard.press("ArrowRight");
-  check(/frame 1$/.test(await clock()), "an arrow key goes one frame on");
+  check(await comes(async () => /frame 1$/.test(await clock())), "an arrow key goes one frame on");
   const view = await pixels(page, "band", 0);
   await page.keyboard.press("+");
-  await page.waitForTimeout(200);
-  check(await pixels(page, "band", 0) !== view, "+ zooms the recording");
+  check(await comes(async () => await pixels(page, "band", 0) !== view), "+ zooms the recording");
   await page.keyboard.press("0");
   await page.mouse.move(0, 0);
   const box = await page.locator("#band canvas").last().boundingBox();
   await page.mouse.click(box.x + box.width * 0.5, box.y + 75);
-  const half = await clock();
-  check(!/frame 1$/.test(half), "a click into the recording goes there");
+  check(await comes(async () => !/frame 1$/.test(await clock())), "a click into the recording goes there");
   await page.keyboard.press("m");
   if (await page.locator("#mark").isVisible()) check(await page.locator(".event").count() === 1 && /stltsa events .* --mark/.test(await page.locator("#events pre").textContent()), "m marks an event, and its command is shown");
   for (const id of ["save-json", "save-csv"]) {
