@@ -2,7 +2,6 @@
 #include "report/body.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <map>
 
@@ -17,7 +16,7 @@ namespace {
 /// Limits that keep the report of an hour below 10 MB: numbers that are considered, and the length
 /// of their text.
 constexpr std::int64_t most_values = 6'000'000;
-constexpr std::size_t longest_text = 6'000'000;
+constexpr std::ptrdiff_t longest_text = 6'000'000;
 
 std::vector<std::string> names_of(const clip::Clip& clip) {
     std::vector<std::string> names;
@@ -63,6 +62,16 @@ Matrix places(const clip::Clip& clip, std::int64_t step) {
     return rows;
 }
 
+Json parts_json(const clip::Clip& clip, const std::vector<Part>& parts) {
+    std::vector<Json> list;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const int parent = clip.skeleton ? clip.skeleton->joints[i].parent : -1;
+        list.push_back(JsonObject("name", parts[i].name, "parent", parent, "side", parts[i].side,
+                                  "partner", parts[i].partner));
+    }
+    return list;
+}
+
 } // namespace
 
 std::vector<Part> parts_of(const clip::Clip& clip) {
@@ -85,33 +94,18 @@ std::vector<Part> parts_of(const clip::Clip& clip) {
 
 void set_body(JsonObject& page, const clip::Clip& clip, const std::vector<Part>& parts,
               clip::Axis up) {
-    std::vector<Json> list;
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        const int parent = clip.skeleton ? clip.skeleton->joints[i].parent : -1;
-        list.push_back(JsonObject("name", parts[i].name, "parent", parent, "side", parts[i].side,
-                                  "partner", parts[i].partner));
-    }
     const int space = clip.skeleton ? 3 : clip.space;
-    const std::int64_t ranges = space > 0 ? space : width_of(clip);
+    const char* const kind = clip.skeleton ? "skeleton" : space > 0 ? "points" : "columns";
+    const std::int64_t ranges = std::max<std::int64_t>(space > 0 ? space : width_of(clip), 1);
     const std::int64_t values = clip.frames() * width_of(clip);
     std::int64_t step = std::max<std::int64_t>(1, (values + most_values - 1) / most_values);
-    for (;;) {
-        const Json kept = packed(places(clip, step).view(), std::max<std::int64_t>(ranges, 1));
-        if (kept.text().size() <= longest_text || step >= clip.frames()) {
-            page.set("body", JsonObject("kind",
-                                        clip.skeleton ? "skeleton"
-                                        : space > 0   ? "points"
-                                                      : "columns",
-                                        "space", space, "up", static_cast<int>(up) - 1, "parts",
-                                        list, "step", step, "places", kept));
-            return;
-        }
-        step =
-            std::max(step + 1,
-                     static_cast<std::int64_t>(std::ceil(
-                         static_cast<double>(step * static_cast<std::int64_t>(kept.text().size())) /
-                         static_cast<double>(longest_text))));
+    Json kept = packed(places(clip, step).view(), ranges);
+    while (std::ssize(kept.text()) > longest_text && step < clip.frames()) {
+        step = step * std::ssize(kept.text()) / longest_text + 1;
+        kept = packed(places(clip, step).view(), ranges);
     }
+    page.set("body", JsonObject("kind", kind, "space", space, "up", static_cast<int>(up) - 1,
+                                "parts", parts_json(clip, parts), "step", step, "places", kept));
 }
 
 } // namespace stltsa::report

@@ -241,7 +241,7 @@ Json motions_json(const clip::Clip& clip, const results::Decomposed& decomposed,
                 const auto shown = shown_cycles(std::ssize(cycles.each),
                                                 set.rows.cols() * std::ssize(sets), count);
                 if (shown_sets.empty())
-                    motion.set("times", times_json(cycles.rows), "distance", cycles.total);
+                    motion.set("times", times_json(cycles.rows));
                 shown_sets.push_back(set_json(set, cycles, shown));
             }
         } catch (const Error& error) { // cycles too short for a phase
