@@ -1558,6 +1558,24 @@ STLTSA_API stltsa_status stltsa_live_push(stltsa_live *live, double seconds,
                                           const stltsa_in *features,
                                           stltsa_live_frame *frame) STLTSA_NOEXCEPT;
 
+/* ---- Reports -------------------------------------------------------------------------------- */
+
+/* Writes a report of a clip that was decomposed: one HTML page, completely or not at all, that a
+ * browser shows without a network. It has the moving skeleton or points; segments, units, cycles
+ * and repetitions over time; the curve and the loop; mean cycles with their spread, left beside
+ * right; tables and warnings. Of a long clip it has every second, third, ... posture, so that an
+ * hour takes at most 10 MB; the page says so.
+ *
+ * options   those with which the clip was decomposed
+ * command   the command or call that repeats the report, which the page shows; NULL: unknown
+ *
+ * The same input gives the same bytes; there is no date in them. E_ARGUMENT: the decomposition is
+ * of another clip. E_IO. */
+STLTSA_API stltsa_status stltsa_report_save(const stltsa_clip *clip,
+                                            const stltsa_decomposition *decomposition,
+                                            const stltsa_options *options, const char *command,
+                                            const char *path) STLTSA_NOEXCEPT;
+
 /* ---- Denoising (section 3.2) ------------------------------------------------------------- */
 
 typedef struct stltsa_denoising stltsa_denoising;

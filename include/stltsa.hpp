@@ -760,6 +760,14 @@ class Decomposition {
     std::vector<Interval> cycles() const {
         return detail::list(cycle_count(), [this](std::int64_t index) { return cycle(index); });
     }
+    /// Writes a report of the clip that was decomposed. `options`: those of stltsa::decompose();
+    /// `command`: which repeats it; empty: unknown.
+    void save_report(const Clip& clip, const std::string& path, const std::string& command = {},
+                     const Options& options = {}) const {
+        detail::check(stltsa_report_save(clip.get(), get(), options.get(),
+                                         command.empty() ? nullptr : command.c_str(),
+                                         path.c_str()));
+    }
     Matrix curve() const { return samples(stltsa_decomposition_curve, 1); }
     Matrix coords() const {
         return samples(stltsa_decomposition_coords, info().integer(STLTSA_INFO_DIMENSION));

@@ -2,6 +2,11 @@
 // stltsa.hpp: the segments of a recording, its loop, stretches of it, and clips of arrays.
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include <unistd.h>
 
 #include <stltsa.hpp>
 
@@ -17,6 +22,16 @@ std::string walker_path; // set by main()
 const stltsa::Clip& walker() {
     static const stltsa::Clip clip = stltsa::Clip::open(walker_path);
     return clip;
+}
+
+void a_report_is_a_page(void**) {
+    const std::string path = "/tmp/stltsa-wrapper-" + std::to_string(::getpid()) + ".html";
+    stltsa::decompose(walker()).save_report(walker(), path, "a command");
+    std::ifstream file(path, std::ios::binary);
+    const std::string page{std::istreambuf_iterator<char>(file), {}};
+    assert_int_equal(::unlink(path.c_str()), 0);
+    assert_true(page.starts_with("<!doctype html>"));
+    assert_true(page.find("\"command\":\"a command\"") != page.npos);
 }
 
 void a_recording_is_divided_into_segments(void**) {
@@ -146,6 +161,7 @@ int main(int argc, char** argv) {
         return 2;
     walker_path = argv[1];
     const CMUnitTest tests[] = {
+        cmocka_unit_test(a_report_is_a_page),
         cmocka_unit_test(a_recording_is_divided_into_segments),
         cmocka_unit_test(travel_and_its_statistics_are_the_walkers),
         cmocka_unit_test(the_mirror_image_has_the_other_sides),

@@ -41,6 +41,8 @@ stltsa_status decompose(const std::string& input) {
     if (status == STLTSA_OK)
         status = stltsa_decomposition_json(units, &json);
     stltsa_free(json);
+    if (status == STLTSA_OK)
+        status = stltsa_report_save(clip, units, options, "stltsa", "/dev/null");
     stltsa_decomposition_free(units);
     stltsa_clip_free(clip);
     stltsa_options_free(options);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -161,6 +162,11 @@ class Parser {
             .add_option("--phase", to_.phase,
                         "Write the phase of each frame to a .csv or .npy file: frame, seconds, "
                         "segment, cycle, phase, residual.")
+            ->type_name("FILE");
+        decompose
+            .add_option("--report", to_.report,
+                        "Write a report as HTML: one page with the moving skeleton, the units and "
+                        "cycles over time, mean cycles, and tables.")
             ->type_name("FILE");
         decompose.add_flag("--curve", to_.curve,
                            "Add the curve and the loop, sample by sample, to the JSON.");
@@ -395,10 +401,25 @@ class Parser {
     CLI::App app_;
 };
 
+/// The word as a shell must read it.
+std::string shell_word(const std::string& word) {
+    constexpr std::string_view plain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"
+                                       "0123456789_-+=./:,@%";
+    if (!word.empty() && word.find_first_not_of(plain) == word.npos)
+        return word;
+    std::string quoted = "'";
+    for (const char c : word)
+        quoted += c == '\'' ? "'\\''" : std::string(1, c);
+    return quoted + '\'';
+}
+
 } // namespace
 
 Arguments parse_arguments(int argc, const char* const* argv) {
     Arguments arguments;
+    arguments.line = "stltsa";
+    for (int i = 1; i < argc; ++i)
+        arguments.line += ' ' + shell_word(argv[i]);
     Parser parser(arguments);
     parser.parse(argc, argv);
     if (ends_in(arguments.output, ".json"))

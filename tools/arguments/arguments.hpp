@@ -39,6 +39,8 @@ struct Arguments {
     bool both_sides = false;        ///< events: those of the other side as well
     std::vector<std::string> marks; ///< events: "FRAME=NAME"
     std::string phase;              ///< decompose: the phase of each frame
+    std::string report;             ///< decompose: the HTML page
+    std::string line;               ///< the command line, quoted for a shell
     std::string out;                ///< batch: the folder of results
     std::string shard;              ///< batch: "i/n"; empty: all
     int jobs = 1;                   ///< batch: clips at the same time
@@ -51,7 +53,7 @@ struct Arguments {
 
     /// The files that the options name, apart from the text.
     std::vector<std::string> products() const {
-        return {product, curve_product, coords, phase, plot};
+        return {product, curve_product, coords, phase, plot, report};
     }
 
     std::string answer; ///< not empty: a --help or --version to print instead

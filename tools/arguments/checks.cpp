@@ -62,6 +62,7 @@ void check_suffixes(const Arguments& arguments) {
     check_suffix("--phase", arguments.phase, table);
     check_suffix("--curve-out", arguments.curve_product, table);
     check_suffix("--plot", arguments.plot, {".svg"});
+    check_suffix("--report", arguments.report, {".html"});
     check_suffix("-o", arguments.product, product_suffixes(arguments.command));
     check_suffix("-o", arguments.output, text_suffixes(arguments.command));
     if (ends_in(arguments.output, ".csv") && arguments.json)

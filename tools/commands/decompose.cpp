@@ -96,6 +96,8 @@ Exit run_decompose(const Arguments& arguments) {
     const stltsa::Decomposition found = stltsa::decompose(session.open_input(), session.options());
     if (!arguments.plot.empty())
         session.add_file(arguments.plot, decomposition_figure(session, found));
+    if (!arguments.report.empty())
+        session.add_report(arguments.report, found);
     std::vector<std::string> warnings = found.warnings();
     PhaseAnswer of_phase;
     if (!arguments.phase.empty())

@@ -90,8 +90,9 @@ void check_outputs(const Arguments& arguments) {
     if (const auto skeleton = arguments.options.find(STLTSA_OPT_SKELETON);
         skeleton != arguments.options.end())
         taken.push_back(skeleton->second);
-    for (const std::string& path : {arguments.output, arguments.plot, arguments.coords,
-                                    arguments.phase, arguments.product, arguments.curve_product}) {
+    std::vector<std::string> places = arguments.products();
+    places.insert(places.begin(), arguments.output);
+    for (const std::string& path : places) {
         if (path.empty() || path == standard_output)
             continue;
         check_output_place(path, taken);
@@ -232,6 +233,17 @@ void Session::add_skeleton(const std::string& temporary, const std::string& amc)
 
 void Session::add_model(const std::string& path, const stltsa::Model& model) {
     files_.add_written(path, ".stltsa", [&model](const std::string& name) { save(model, name); });
+}
+
+void Session::add_report(const std::string& path, const stltsa::Decomposition& found) {
+    files_.add_written(path, ".html", [this, &found](const std::string& name) {
+        try {
+            found.save_report(clip(), name, arguments_.line, options());
+        } catch (const stltsa::Error& error) {
+            throw error.status() == STLTSA_E_IO ? Failure(Exit::failed, error.what())
+                                                : Failure(error);
+        }
+    });
 }
 
 bool Session::table_is_seen() const {

@@ -218,3 +218,17 @@ def test_rows_without_order_are_named(clip):
         assert sum("no order in time" in text for text in result.warnings) == 1
     stltsa.decompose(rows, fps=clip.fps)  # warnings are errors here
     stltsa.decompose(np.ones((300, 3)), fps=30)
+
+
+def test_report(result, tmp_path):
+    path = tmp_path / "walk.html"
+    result.report(path, command="a </script> command")
+    page = path.read_text(encoding="utf-8")
+    assert page.startswith("<!doctype html>")
+    assert "a \\u003c/script> command" in page
+    again = tmp_path / "again.html"
+    found = stltsa.report(result.clip, again)
+    assert found.cycle_list == result.cycle_list
+    assert again.read_text(encoding="utf-8").count("</script>") == page.count("</script>") == 2
+    with pytest.raises(stltsa.FileError):
+        result.report(tmp_path / "none" / "x.html")

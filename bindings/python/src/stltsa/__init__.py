@@ -27,7 +27,7 @@ from ._text import names as _names
 from ._text import string as _string
 from .clip import Clip, read_clip
 from .comparison import ComparedPart, Comparison, Difference
-from .decomposition import Decomposition, decompose
+from .decomposition import Decomposition, decompose, report
 from .denoising import Denoising, denoise
 from .dimensions import Dimension, dimension
 from .errors import *  # noqa: F403
@@ -112,6 +112,7 @@ __all__ = [  # noqa: PLE0604
     "plot",
     "read_clip",
     "readers",
+    "report",
     "side_of_name",
     "synthesize",
     "synthesize_loop",

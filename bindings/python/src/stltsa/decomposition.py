@@ -26,7 +26,7 @@ from ._rows import (
 )
 from ._statistics import in_frames, statistics_of
 from ._tables import table
-from ._text import string
+from ._text import c_path, string
 from .clip import Clip, as_clip, one_matrix, opened
 from .comparison import Comparison
 from .errors import in_keywords, warn_of_order
@@ -138,6 +138,33 @@ def decompose(motion: Motion, **options: Unpack[Options]) -> Decomposition:
         call.check(lib.stltsa_decompose(clip._handle, call.options, out))
     result = Decomposition(owned("decomposition", out), clip, rest)
     warn_of_order(result.warnings)
+    return result
+
+
+def report(motion: Motion, path: str | os.PathLike[str], **options: Unpack[Options]) -> Decomposition:
+    """Decompose a recording and write a report of it, one HTML page.
+
+    Parameters
+    ----------
+    motion : Clip, path, dataset, or array-like
+        As for :func:`decompose`.
+    path : path
+        The page; see :meth:`Decomposition.report`.
+    **options
+        As for :func:`decompose`.
+
+    Returns
+    -------
+    Decomposition
+
+    Examples
+    --------
+    >>> import stltsa
+    >>> stltsa.report("walker.bvh", "walker.html").period > 1
+    True
+    """
+    result = decompose(motion, **options)
+    result.report(path)
     return result
 
 
@@ -496,6 +523,35 @@ class Decomposition(Described):
             The suffix is none of these, the frame rate is unknown, or there is no C3D file.
         """
         _exports.save_events(self, path, source, events)
+
+    def report(self, path: str | os.PathLike[str], *, command: str | None = None) -> None:
+        """Write a report: one HTML page that a browser shows without a network.
+
+        It has the moving skeleton or points, what happens when, the curve and the loop, mean cycles
+        with their spread, left beside right, tables, and warnings. The same input gives the same
+        bytes.
+
+        Parameters
+        ----------
+        path : path
+            The page, which is written completely or not at all.
+        command : str, optional
+            The command or call that repeats it, which the page shows.
+
+        Raises
+        ------
+        stltsa.FileError
+            The file cannot be written.
+
+        Examples
+        --------
+        >>> import stltsa
+        >>> stltsa.decompose("walker.bvh").report("walker.html")
+        """
+        text = ffi.NULL if command is None else ffi.new("char[]", command.encode())
+        with Call(self._options, working_rate(self.clip.fps, self._options)) as call:
+            given = (self.clip._handle, self._handle, call.options, text, c_path(path))
+            call.check(lib.stltsa_report_save(*given))
 
     @property
     def frames(self) -> IntArray:

@@ -3907,6 +3907,15 @@ extern "C" {
         frame: *mut stltsa_live_frame,
     ) -> stltsa_status;
 }
+extern "C" {
+    pub fn stltsa_report_save(
+        clip: *const stltsa_clip,
+        decomposition: *const stltsa_decomposition,
+        options: *const stltsa_options,
+        command: *const ::std::os::raw::c_char,
+        path: *const ::std::os::raw::c_char,
+    ) -> stltsa_status;
+}
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct stltsa_denoising {

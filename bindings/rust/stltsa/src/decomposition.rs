@@ -2,12 +2,13 @@
 //! [`Decomposition`]: motion units and cycles of a clip (section 3.1 of the paper).
 
 use std::ops::Range;
+use std::path::Path;
 
 use stltsa_sys as sys;
 
 use crate::array::Matrix;
 use crate::clip::Clip;
-use crate::error::{check, count, owned_text, text, texts, Result};
+use crate::error::{c_name, c_path, check, count, owned_text, text, texts, Result};
 use crate::facts::Facts;
 use crate::handle::Owned;
 use crate::kinds::{Fact, Features, SegmentKind, UnitKind};
@@ -344,6 +345,30 @@ impl Decomposition {
     pub fn json(&self) -> Result<String> {
         // SAFETY: a live handle.
         owned_text(|out| unsafe { sys::stltsa_decomposition_json(self.raw(), out) })
+    }
+
+    /// Writes a report of the clip that was decomposed with these options: one HTML page that a
+    /// browser shows without a network. `command`: which repeats it.
+    ///
+    /// # Errors
+    /// [`Io`](crate::ErrorKind::Io), [`Argument`](crate::ErrorKind::Argument) if the decomposition
+    /// is of another clip, or `command` contains a NUL.
+    pub fn report(
+        &self,
+        clip: &Clip,
+        path: impl AsRef<Path>,
+        command: Option<&str>,
+        options: &Options,
+    ) -> Result<()> {
+        let path = c_path(path.as_ref())?;
+        let command = command.map(c_name).transpose()?;
+        let text = command.as_ref().map_or(std::ptr::null(), |text| text.as_ptr());
+        options.call(|options| {
+            // SAFETY: live handles, and strings that live through the call.
+            check(unsafe {
+                sys::stltsa_report_save(clip.raw(), self.raw(), options, text, path.as_ptr())
+            })
+        })
     }
 
     fn cycle_of(&self, key: Fact) -> Option<&Interval> {

@@ -193,3 +193,19 @@ fn a_stream_has_the_phase_of_the_clip() {
     let beyond = of_frames.push_frame(9.0, &clip, clip.frames()).unwrap_err();
     assert_eq!(beyond.kind(), ErrorKind::Argument);
 }
+
+#[test]
+#[ignore = "needs STLTSA_TEST_CLIP"]
+fn a_report_is_one_page() {
+    let clip = common::walker();
+    let options = Options::new();
+    let found = clip.decompose(&options).unwrap();
+    let path = std::env::temp_dir().join(format!("stltsa-report-{}.html", std::process::id()));
+    found.report(&clip, &path, Some("a </script> command"), &options).unwrap();
+    let page = std::fs::read_to_string(&path).unwrap();
+    std::fs::remove_file(&path).unwrap();
+    assert!(page.starts_with("<!doctype html>"));
+    assert!(page.contains("a \\u003c/script> command"));
+    let wrong = found.report(&clip, &path, Some("a\0b"), &options).unwrap_err();
+    assert_eq!(wrong.kind(), ErrorKind::Argument);
+}

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Checks reports in a browser; see scripts/check-report.
+"use strict";
+const fs = require("fs");
+const path = require("path");
+const { chromium } = require("playwright-core");
+const axe = fs.readFileSync(require.resolve("axe-core/axe.min.js"), "utf8");
+
+const [folder, ...reports] = process.argv[3] === "--picture" ? [process.argv[2]] : process.argv.slice(2);
+let failures = 0;
+function check(holds, what) {
+  console.log(`  ${holds ? "ok  " : "FAIL"} ${what}`);
+  if (!holds) failures += 1;
+}
+
+const pixels = (page, id, layer) => page.evaluate(([name, at]) => document.querySelectorAll(`#${name} canvas`)[at].toDataURL().length + document.querySelectorAll(`#${name} canvas`)[at].toDataURL().slice(-4000), [id, layer]);
+
+// A page of the report, and everything that it asked for or complained about.
+async function opened(browser, report, { width = 1240, colorScheme = "light" } = {}) {
+  const page = await browser.newPage({ viewport: { width, height: width < 600 ? 844 : 900 }, colorScheme, acceptDownloads: true });
+  const told = [];
+  page.on("request", request => { if (!/^(data|blob):/.test(request.url()) && request.url() !== "file://" + report) told.push("request " + request.url()); });
+  page.on("console", message => told.push(message.type() + " " + message.text()));
+  page.on("pageerror", error => told.push("error " + error.message));
+  await page.goto("file://" + report);
+  await page.waitForSelector("html[data-ready]");
+  return { page, told };
+}
+
+async function checkUse(browser, report) {
+  const { page, told } = await opened(browser, report);
+  const timing = await page.evaluate(() => ({ paint: performance.getEntriesByName("first-contentful-paint")[0].startTime, ready: performance.now() }));
+  check(timing.paint < 1000, `first paint after ${timing.paint.toFixed(0)} ms (ready after ${timing.ready.toFixed(0)} ms)`);
+  const clock = () => page.locator("#clock").textContent();
+  // Whether it holds within three seconds.
+  const comes = async holds => {
+    for (let i = 0; i < 30; ++i) {
+      if (await holds()) return true;
+      await page.waitForTimeout(100);
+    }
+    return false;
+  };
+  const before = await clock();
+  const picture = await pixels(page, "viewer", 1);
+  await page.click("#play");
+  const rate = await page.evaluate(() => new Promise(done => {
+    let count = 0;
+    const begin = performance.now();
+    const step = () => { count += 1; if (performance.now() - begin > 2000) done(count / 2); else requestAnimationFrame(step); };
+    requestAnimationFrame(step);
+  }));
+  check(rate > 10, `plays at ${rate.toFixed(0)} pictures a second (software rendering)`);
+  await page.click("#play");
+  check(await clock() !== before && await pixels(page, "viewer", 1) !== picture, "playing moves the body");
+  const cost = await page.evaluate(async () => {
+    const scrub = document.getElementById("scrub"), begin = performance.now();
+    for (let i = 0; i < 60; ++i) {
+      scrub.value = String(i / 60 * scrub.max);
+      scrub.dispatchEvent(new Event("input"));
+      await new Promise(requestAnimationFrame);
+    }
+    return (performance.now() - begin) / 60;
+  });
+  check(cost < 100, `seeking takes ${cost.toFixed(1)} ms a step`);
+  await page.locator("#band canvas").last().focus();
+  await page.keyboard.press("Home");
+  check(await comes(async () => /frame 0$/.test(await clock())), "Home goes to the first frame");
+  await page.keyboard.press("ArrowRight");
+  check(await comes(async () => /frame 1$/.test(await clock())), "an arrow key goes one frame on");
+  const view = await pixels(page, "band", 0);
+  await page.keyboard.press("+");
+  check(await comes(async () => await pixels(page, "band", 0) !== view), "+ zooms the recording");
+  await page.keyboard.press("0");
+  await page.mouse.move(0, 0);
+  const box = await page.locator("#band canvas").last().boundingBox();
+  await page.mouse.click(box.x + box.width * 0.5, box.y + 75);
+  check(await comes(async () => !/frame 1$/.test(await clock())), "a click into the recording goes there");
+  await page.keyboard.press("m");
+  if (await page.locator("#mark").isVisible()) check(await page.locator(".event").count() === 1 && /stltsa events .* --mark/.test(await page.locator("#events pre").textContent()), "m marks an event, and its command is shown");
+  for (const id of ["save-json", "save-csv"]) {
+    const [download] = await Promise.all([page.waitForEvent("download"), page.click("#" + id)]);
+    const file = path.join(folder, download.suggestedFilename());
+    await download.saveAs(file);
+    check(fs.statSync(file).size > 50, `${download.suggestedFilename()} is saved`);
+    if (id === "save-json") check(/^stltsa-decomposition/.test(JSON.parse(fs.readFileSync(file, "utf8")).format), "it is the decomposition");
+  }
+  for (const [kind, magic] of [["SVG", "<svg"], ["PNG", "\x89PNG"]])
+    for (const button of await page.locator("figcaption button", { hasText: kind }).all()) {
+      if (!await button.isVisible()) continue;
+      const [download] = await Promise.all([page.waitForEvent("download"), button.click()]);
+      const file = path.join(folder, download.suggestedFilename());
+      await download.saveAs(file);
+      check(fs.readFileSync(file, "latin1").startsWith(magic), `${download.suggestedFilename()} is a ${kind}`);
+    }
+  for (const details of await page.locator("details > summary").all()) await details.click();
+  await page.evaluate(axe);
+  for (const theme of ["light", "dark"]) {
+    if (theme === "dark") await page.click("#theme");
+    const found = (await page.evaluate(() => axe.run())).violations.filter(one => ["serious", "critical"].includes(one.impact));
+    check(found.length === 0, `accessible in the ${theme} theme` + found.map(one => ` (${one.id}: ${one.nodes[0].target})`).join(""));
+  }
+  check(told.length === 0, "no request, nothing on the console" + told.map(text => " (" + text + ")").join(""));
+  await page.close();
+}
+
+async function checkPrint(browser, report, name) {
+  const { page } = await opened(browser, report);
+  const pdf = await page.pdf({ format: "A4", preferCSSPageSize: true, path: path.join(folder, name + ".pdf") });
+  const count = (pdf.toString("latin1").match(/\/Type\s*\/Page\b/g) || []).length;
+  check(count <= 2, `prints on ${count} pages`);
+  await page.close();
+}
+
+async function shoot(browser, report, name) {
+  for (const width of [1240, 390])
+    for (const colorScheme of ["light", "dark"]) {
+      const { page, told } = await opened(browser, report, { width, colorScheme });
+      const high = await page.evaluate(() => document.documentElement.scrollHeight);
+      check(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), `fits a width of ${width}`);
+      await page.setViewportSize({ width, height: Math.min(high, 8000) });
+      await page.waitForTimeout(800);
+      await page.screenshot({ path: path.join(folder, `${name}-${width}-${colorScheme}.png`) });
+      check(told.length === 0, `nothing on the console at ${width}, ${colorScheme}` + told.join(" "));
+      await page.close();
+    }
+}
+
+(async () => {
+  const browser = await chromium.launch({ executablePath: "/usr/bin/chromium", args: process.getuid() === 0 ? ["--no-sandbox"] : [] });
+  if (process.argv[3] === "--picture") {
+    const { page } = await opened(browser, path.resolve(process.argv[4]));
+    await page.setViewportSize({ width: 1240, height: 1130 });
+    await page.waitForTimeout(800);
+    await page.screenshot({ path: process.argv[5] });
+    return browser.close();
+  }
+  for (const report of reports.map(name => path.resolve(name))) {
+    const name = path.basename(report, ".html");
+    console.log(`${report}: ${fs.statSync(report).size} bytes`);
+    await checkUse(browser, report);
+    await checkPrint(browser, report, name);
+    await shoot(browser, report, name);
+  }
+  await browser.close();
+  console.log(failures ? `${failures} checks failed` : "all checks passed");
+  process.exit(failures ? 1 : 0);
+})();

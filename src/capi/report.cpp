@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "capi/boundary/guard.hpp"
+#include "capi/handles.hpp"
+#include "capi/json/results.hpp"
+#include "capi/options/reader.hpp"
+#include "clip/files/write_file.hpp"
+#include "report/page.hpp"
+
+using namespace stltsa;
+using capi::compute;
+using capi::required;
+
+stltsa_status stltsa_report_save(const stltsa_clip* clip, const stltsa_decomposition* decomposition,
+                                 const stltsa_options* options, const char* command,
+                                 const char* path) noexcept {
+    return compute([&] {
+        const std::string place = &required(path, "path");
+        const results::Decomposed& decomposed = required(decomposition, "decomposition");
+        const capi::OptionsReader reader(options);
+        const std::string page =
+            report::page({required(clip, "clip").clip, decomposed, reader.prepare_options(),
+                          capi::decomposition_json(decomposed), command == nullptr ? "" : command},
+                         reader.progress());
+        clip::write_file(place, page);
+    });
+}

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The moving body of a report: joints, points or, of a matrix, its columns.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/json.hpp"
+#include "clip/clip.hpp"
+#include "clip/features/prepare.hpp"
+
+namespace stltsa::report {
+
+/// A part of the body that has a name.
+struct Part {
+    std::string name;
+    int side = -1;             ///< 0: left, 1: right
+    std::int64_t partner = -1; ///< the same part of the other side
+};
+
+/// Joints, points or columns.
+std::vector<Part> parts_of(const clip::Clip& clip);
+
+/// Sets "body": what moves and, for every step-th frame, where it is.
+void set_body(JsonObject& page, const clip::Clip& clip, const std::vector<Part>& parts,
+              clip::Axis up);
+
+} // namespace stltsa::report

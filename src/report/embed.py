@@ -1,0 +1,46 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Makes template.cpp of page.html and the style sheet and scripts that it names.
+
+Usage: embed.py page.html template.cpp template.d
+
+A line <!-- style FILE --> or <!-- script FILE --> of the page is replaced by that file; the data come at the line
+<!-- data -->. The third file lists what was read, for Ninja.
+"""
+
+import re
+import sys
+from pathlib import Path
+
+PIECE = 8000  # characters of a string literal; compilers must accept 65536 bytes
+
+
+def literals(text):
+    """Return string literals of C++ that together are the text."""
+    pieces = [text[i : i + PIECE] for i in range(0, len(text), PIECE)] or [""]
+    return "\n".join(f'    R"stltsa({piece})stltsa"' for piece in pieces)
+
+
+def main(page, source, depfile):
+    page = Path(page)
+    read = [page]
+
+    def file_text(match):
+        read.append(page.parent / match[1])
+        return read[-1].read_text(encoding="utf-8")
+
+    text = re.sub(r"<!-- (?:style|script) (\S+) -->\n", file_text, page.read_text(encoding="utf-8"))
+    before, after = text.split("<!-- data -->\n")
+    Path(source).write_text(
+        '#include "report/template.hpp"\n\n'
+        "namespace stltsa::report {\n\n"
+        f"std::string_view before_data() {{\n    return\n{literals(before)};\n}}\n\n"
+        f"std::string_view after_data() {{\n    return\n{literals(after)};\n}}\n\n"
+        "} // namespace stltsa::report\n",
+        encoding="utf-8",
+    )
+    Path(depfile).write_text(f"{source}: {' '.join(map(str, read))}\n", encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "report/motions.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <numeric>
+#include <string>
+
+#include "clip/body/skeleton.hpp"
+#include "clip/features/column_owners.hpp"
+#include "report/packed.hpp"
+#include "results/sides.hpp"
+
+namespace stltsa::report {
+namespace {
+
+constexpr std::int64_t samples = 101;      ///< of a cycle: one for each percent
+constexpr std::int64_t every = 2;          ///< of single cycles, every second sample is kept
+constexpr std::int64_t every_time = 10;    ///< and of their times, every tenth
+constexpr std::int64_t most_columns = 300; ///< of a set of signals: those that move most
+constexpr std::int64_t most_cycles = 24, least_cycles = 4; ///< that are drawn one by one
+constexpr std::int64_t most_values = 1'000'000;            ///< of all cycles drawn one by one
+
+/// A signal: a coordinate of a part of the body, an angle, or a column.
+struct Column {
+    std::int64_t part = -1; ///< among the parts of the body; -1: none
+    std::string name;       ///< of the part
+    std::string axis;       ///< "x" to "z", "rx" to "rz"; empty: it is the only signal of its part
+};
+
+/// Signals of one kind and unit, a row for each frame.
+struct SignalSet {
+    const char* name;
+    const char* unit; ///< empty: that of the file
+    std::vector<Column> columns;
+    Matrix rows;
+};
+
+std::vector<Column> columns_of(const clip::Clip& clip, clip::Features kind,
+                               const std::vector<Part>& parts) {
+    std::map<std::string, std::int64_t> index;
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        index.emplace(parts[i].name, static_cast<std::int64_t>(i));
+    const bool points = kind == clip::Features::positions || kind == clip::Features::points;
+    std::map<std::string, std::size_t> seen;
+    std::vector<Column> columns;
+    for (const std::string& owner : clip::column_owners(clip, kind)) {
+        const auto found = index.find(owner);
+        Column& column = columns.emplace_back();
+        column.name = owner;
+        column.part = found == index.end() ? -1 : found->second;
+        const std::size_t k = seen[owner]++;
+        if (points && k < 3)
+            column.axis = std::string(1, "xyz"[k]);
+        else if (kind == clip::Features::rotations6d)
+            column.axis = format_text("{}", k + 1);
+        else if (kind == clip::Features::euler && column.part >= 0) {
+            std::vector<std::string_view> names;
+            for (const clip::Channel channel :
+                 clip.skeleton->joints[static_cast<std::size_t>(column.part)].channels)
+                if (clip::is_rotation(channel))
+                    names.push_back(clip::channel_name(channel));
+            column.axis = k < names.size() ? names[k] : "";
+        }
+    }
+    return columns;
+}
+
+SignalSet signal_set(const clip::Clip& clip, clip::Features kind, const results::Phased& phased,
+                     const std::vector<Part>& parts, clip::GapRule gaps) {
+    const char* const name = kind == clip::Features::positions || kind == clip::Features::points
+                                 ? "position"
+                             : kind == clip::Features::euler       ? "angle"
+                             : kind == clip::Features::rotations6d ? "rotation"
+                                                                   : "value";
+    SignalSet set{name, "", columns_of(clip, kind, parts),
+                  clip::feature_rows(clip, kind, phased.samples.up, gaps).rows};
+    if (kind == clip::Features::euler) {
+        constexpr double degrees = 180 / std::numbers::pi;
+        set.unit = "°";
+        for (std::int64_t r = 0; r < set.rows.rows(); ++r)
+            for (std::int64_t c = 0; c < set.rows.cols(); ++c)
+                set.rows(r, c) *= degrees;
+    }
+    return set;
+}
+
+/// The kinds of signals that are shown: those that were decomposed and, of a skeleton, its angles.
+std::vector<SignalSet> signal_sets(const clip::Clip& clip, const results::Phased& phased,
+                                   const std::vector<Part>& parts, clip::GapRule gaps) {
+    std::vector<SignalSet> sets;
+    sets.push_back(signal_set(clip, phased.samples.features, phased, parts, gaps));
+    if (clip.skeleton && phased.samples.features != clip::Features::euler) {
+        SignalSet angles = signal_set(clip, clip::Features::euler, phased, parts, gaps);
+        if (angles.rows.cols() > 0)
+            sets.push_back(std::move(angles));
+    }
+    return sets;
+}
+
+/// The columns whose mean moves most, in ascending order; all unless they are many.
+std::vector<std::int64_t> chosen_columns(const Matrix& mean) {
+    std::vector<std::int64_t> order(static_cast<std::size_t>(mean.cols()));
+    std::iota(order.begin(), order.end(), 0);
+    if (mean.cols() <= most_columns)
+        return order;
+    std::vector<double> range;
+    for (std::int64_t c = 0; c < mean.cols(); ++c) {
+        double low = 0, high = 0;
+        for (std::int64_t r = 0; r < mean.rows(); ++r) {
+            const double moved = std::isfinite(mean(r, c)) ? mean(r, c) - mean(0, c) : 0;
+            low = std::min(low, moved);
+            high = std::max(high, moved);
+        }
+        range.push_back(high - low);
+    }
+    std::ranges::stable_sort(order, [&](std::int64_t a, std::int64_t b) {
+        return range[static_cast<std::size_t>(a)] > range[static_cast<std::size_t>(b)];
+    });
+    order.resize(most_columns);
+    std::ranges::sort(order);
+    return order;
+}
+
+/// Some rows and columns.
+Matrix taken(const Matrix& from, std::int64_t step, const std::vector<std::int64_t>& columns) {
+    Matrix result((from.rows() + step - 1) / step, std::ssize(columns));
+    for (std::int64_t r = 0; r < result.rows(); ++r)
+        for (std::int64_t c = 0; c < result.cols(); ++c)
+            result(r, c) = from(r * step, columns[static_cast<std::size_t>(c)]);
+    return result;
+}
+
+/// Indices of the cycles that are drawn one by one, evenly spaced.
+std::vector<std::int64_t> shown_cycles(std::int64_t count, std::int64_t columns,
+                                       std::int64_t motions) {
+    const std::int64_t one = std::max<std::int64_t>(1, columns) * (samples / every + 1) * motions;
+    const std::int64_t shown =
+        std::min(count, std::clamp(most_values / one, least_cycles, most_cycles));
+    std::vector<std::int64_t> indices;
+    for (std::int64_t i = 0; i < shown; ++i)
+        indices.push_back(i * count / shown);
+    return indices;
+}
+
+Json set_json(const SignalSet& set, const phase::Resampled& cycles,
+              const std::vector<std::int64_t>& shown) {
+    const std::vector<std::int64_t> columns = chosen_columns(cycles.mean);
+    std::vector<Json> list;
+    for (const std::int64_t c : columns) {
+        const Column& column = set.columns[static_cast<std::size_t>(c)];
+        list.push_back(JsonObject("part", column.part, "name", column.name, "axis", column.axis));
+    }
+    const std::int64_t kept = (samples + every - 1) / every;
+    Matrix each(kept * std::ssize(shown), std::ssize(columns));
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+        const Matrix one = taken(cycles.each[static_cast<std::size_t>(shown[i])], every, columns);
+        std::copy_n(one.data(), one.rows() * one.cols(),
+                    each.row(static_cast<std::int64_t>(i) * kept));
+    }
+    return JsonObject(
+        "name", set.name, "unit", set.unit, "columns", list, "columns_of_all", cycles.mean.cols(),
+        "shown", shown, "mean", packed(taken(cycles.mean, 1, columns).view()), "sd",
+        packed(taken(cycles.deviation, 1, columns).view()), "each", packed(each.view()));
+}
+
+/// For each cycle the frames at 0, 10, ... 100 %, to hundredths of a frame.
+Json times_json(const Matrix& rows) {
+    std::vector<std::vector<double>> all;
+    for (std::int64_t i = 0; i < rows.rows(); ++i) {
+        std::vector<double>& frames = all.emplace_back();
+        for (std::int64_t s = 0; s < rows.cols(); s += every_time)
+            frames.push_back(std::round(100 * rows(i, s)) / 100);
+    }
+    return all;
+}
+
+Json sides_json(const results::ComparedSides& sides, bool axes) {
+    std::map<std::string, std::size_t> seen;
+    std::vector<Json> pairs;
+    const std::int64_t count = std::min<std::int64_t>(std::ssize(sides.pairs), most_columns);
+    Matrix left(sides.samples, count), right(sides.samples, count);
+    for (std::int64_t p = 0; p < count; ++p) {
+        const results::SidePair& pair = sides.pairs[static_cast<std::size_t>(p)];
+        const phase::CurveDifference& d = pair.difference;
+        const std::size_t part = seen[pair.left_name]++;
+        pairs.push_back(JsonObject("left", pair.left_name, "right", pair.right_name, "axis",
+                                   axes && part < 3 ? std::string(1, "xyz"[part]) : std::string(),
+                                   "rms", d.rms, "chance", d.chance, "mean", d.mean, "left_range",
+                                   d.left_range, "right_range", d.right_range, "shift", d.shift,
+                                   "correlation", d.correlation));
+        for (std::int64_t s = 0; s < sides.samples; ++s) {
+            left(s, p) = pair.left_curve[static_cast<std::size_t>(s)];
+            right(s, p) = pair.right_curve[static_cast<std::size_t>(s)];
+        }
+    }
+    return JsonObject("reason", sides.reason, "pairs", pairs, "left_curves", packed(left.view()),
+                      "right_curves", packed(right.view()));
+}
+
+/// Left against right, or the reason why they are not compared.
+Json compared_sides(const clip::Clip& clip, const results::Phased& phased, std::int32_t label,
+                    const clip::PrepareOptions& prepare, const Progress& progress) {
+    const clip::Features kind = phased.samples.features;
+    const bool axes = kind == clip::Features::positions || kind == clip::Features::points;
+    try {
+        return sides_json(results::compare_sides(clip, phased, label, samples, prepare, progress),
+                          axes);
+    } catch (const Error& error) {
+        if (error.status() != Status::argument && error.status() != Status::unsupported)
+            throw;
+        return sides_json({{}, 0, error.what()}, axes);
+    }
+}
+
+} // namespace
+
+Json motions_json(const clip::Clip& clip, const results::Decomposed& decomposed,
+                  const results::Phased& phased, const std::vector<Part>& parts,
+                  const clip::PrepareOptions& prepare, const Progress& progress) {
+    const auto count = std::ssize(decomposed.summaries);
+    const std::vector<SignalSet> sets =
+        count == 0 ? std::vector<SignalSet>() : signal_sets(clip, phased, parts, prepare.gaps);
+    std::vector<Json> motions;
+    for (const stltsa_summary& summary : decomposed.summaries) {
+        const std::int32_t label = summary.label;
+        const bool cyclic =
+            results::statistics_of(decomposed.segments, decomposed.parts(STLTSA_PART_CYCLE), label,
+                                   -1, STLTSA_QUANTITY_TIME)
+                .count > 0;
+        JsonObject motion("label", label, "cyclic", cyclic);
+        std::vector<Json> shown_sets;
+        std::string reason;
+        try {
+            for (const SignalSet& set : sets) {
+                const phase::Resampled cycles =
+                    results::resample(phased, label, set.rows.view(), samples);
+                const auto shown = shown_cycles(std::ssize(cycles.each),
+                                                set.rows.cols() * std::ssize(sets), count);
+                if (shown_sets.empty())
+                    motion.set("times", times_json(cycles.rows));
+                shown_sets.push_back(set_json(set, cycles, shown));
+            }
+        } catch (const Error& error) { // cycles too short for a phase
+            if (error.status() != Status::argument)
+                throw;
+            reason = error.what();
+        }
+        motion.set("reason", reason, "sets", shown_sets);
+        if (cyclic)
+            motion.set("sides", compared_sides(clip, phased, label, prepare, progress));
+        motions.push_back(motion);
+    }
+    return motions;
+}
+
+} // namespace stltsa::report

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "report/page.hpp"
+
+#include <algorithm>
+
+#include "report/body.hpp"
+#include "report/motions.hpp"
+#include "report/packed.hpp"
+#include "report/template.hpp"
+#include "results/phased.hpp"
+
+namespace stltsa::report {
+namespace {
+
+/// Rows of a series beyond which every second, third, ... is kept.
+constexpr std::int64_t most_rows = 200'000;
+
+std::int64_t step_of(std::int64_t rows) {
+    return std::max<std::int64_t>(1, (rows + most_rows - 1) / most_rows);
+}
+
+/// The coordinate that was cut and, beside it, the two of the loop.
+Json curve_json(const results::Decomposed& decomposed) {
+    const motion::Decomposition& found = decomposed.result;
+    const auto count = static_cast<std::int64_t>(found.curve.size());
+    const std::int64_t step = step_of(count);
+    Matrix rows((count + step - 1) / step, 3);
+    for (std::int64_t r = 0; r < rows.rows(); ++r) {
+        rows(r, 0) = found.curve[static_cast<std::size_t>(r * step)];
+        for (int c = 0; c < 2; ++c)
+            rows(r, 1 + c) = found.loop(r * step, c);
+    }
+    const results::SampleFacts& samples = decomposed.source.samples;
+    return JsonObject("first", samples.first, "step", step * samples.step, "values",
+                      packed(rows.view()));
+}
+
+/// Phase and distance from the mean cycle.
+Json phase_json(const results::Phased& phased) {
+    const auto count = static_cast<std::int64_t>(phased.phase.size());
+    const std::int64_t step = step_of(count);
+    Matrix rows((count + step - 1) / step, 2);
+    for (std::int64_t r = 0; r < rows.rows(); ++r) {
+        rows(r, 0) = phased.phase[static_cast<std::size_t>(r * step)];
+        rows(r, 1) = phased.residual[static_cast<std::size_t>(r * step)];
+    }
+    return JsonObject("step", step, "values", packed(rows.view()), "warnings", phased.warnings);
+}
+
+std::string_view bytes_of(const Matrix& matrix) {
+    return {reinterpret_cast<const char*>(matrix.data()),
+            sizeof(double) * static_cast<std::size_t>(matrix.rows() * matrix.cols())};
+}
+
+/// JSON within an element `script` of HTML, which "</script" or "<!--" in a name would end.
+std::string in_html(const std::string& json) {
+    std::string text;
+    text.reserve(json.size());
+    for (const char c : json)
+        if (c == '<')
+            text += "\\u003c";
+        else
+            text += c;
+    return text;
+}
+
+} // namespace
+
+std::string page(const Reported& reported, const Progress& progress) {
+    const clip::Clip& clip = reported.clip;
+    const results::Phased phased =
+        results::find_phase(clip, reported.decomposed, reported.prepare, progress);
+    const std::vector<Part> parts = parts_of(clip);
+    JsonObject data("format", "stltsa-report/1", "command", reported.command, "checksum",
+                    checksum(bytes_of(clip.values)));
+    set_body(data, clip, parts, phased.samples.up);
+    data.set("curve", curve_json(reported.decomposed), "phase", phase_json(phased), "motions",
+             motions_json(clip, reported.decomposed, phased, parts, reported.prepare, progress));
+    std::string json = data.text();
+    json.insert(1, "\"decomposition\":" + reported.json + ',');
+    std::string text(before_data());
+    text += in_html(json);
+    text += after_data();
+    return text;
+}
+
+} // namespace stltsa::report

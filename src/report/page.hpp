@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The report of a clip: one HTML page that needs nothing else.
+#pragma once
+
+#include <string>
+
+#include "base/progress.hpp"
+#include "clip/clip.hpp"
+#include "clip/features/prepare.hpp"
+#include "results/decomposed.hpp"
+
+namespace stltsa::report {
+
+/// What a report is made of.
+struct Reported {
+    const clip::Clip& clip;
+    const results::Decomposed& decomposed; ///< of this clip
+    clip::PrepareOptions prepare;          ///< with which it was decomposed
+    std::string json;                      ///< of the decomposition
+    std::string command;                   ///< which repeats it; empty: unknown
+};
+
+/// The page. Throws Status::argument if the decomposition is not of the clip.
+std::string page(const Reported& reported, const Progress& progress);
+
+} // namespace stltsa::report

@@ -1,0 +1,87 @@
+// A figure: what changes seldom on one canvas, what follows the cursor on another above it.
+const panels = [];
+const element = (tag, attributes = {}, ...children) => {
+  const made = document.createElement(tag);
+  for (const [key, value] of Object.entries(attributes)) if (key.startsWith("on")) made[key] = value; else if (value !== false) made.setAttribute(key, value === true ? "" : value);
+  made.append(...children.filter(child => child !== null && child !== undefined));
+  return made;
+};
+const byId = id => document.getElementById(id);
+
+function save(name, content, type) {
+  const link = element("a", { href: URL.createObjectURL(content instanceof Blob ? content : new Blob([content], { type })), download: name });
+  document.body.append(link);
+  link.click();
+  link.remove();
+  setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+}
+const stem = () => (clip.path || "clip").split("/").pop().replace(/[^\w.-]+/g, "_") || "clip";
+
+class Panel {
+  // of: { title, label, height(width), base(pen, w, h), over(pen, w, h), tools: [elements] }
+  constructor(id, of) {
+    this.of = of;
+    this.id = id;
+    this.under = element("canvas", { "aria-hidden": "true" });
+    this.canvas = element("canvas", { role: "img", tabindex: "0", "aria-label": of.label });
+    this.caption = element("span", {}, element("b", {}, of.title));
+    const button = (text, act) => element("button", { type: "button", onclick: act, "aria-label": `Save “${of.title}” as ${text}` }, text);
+    this.figure = element("figure", {},
+      element("figcaption", {}, this.caption, element("span", { class: "tools" }, ...(of.tools || []), button("PNG", () => this.savePng()), button("SVG", () => save(`${stem()}-${id}.svg`, this.svg(), "image/svg+xml")))),
+      element("div", { class: "stack" }, this.under, this.canvas));
+    byId(id).append(this.figure);
+    panels.push(this);
+    new IntersectionObserver(() => { if (this.stale) this.draw(this.stale); }, { rootMargin: "100px" }).observe(this.figure);
+    new ResizeObserver(() => { if (this.figure.clientWidth !== this.width) this.draw(2); }).observe(this.figure);
+  }
+  title(text, more = "") { this.caption.replaceChildren(element("b", {}, text), more ? " · " + more : ""); }
+  size() { return [Math.max(200, this.figure.clientWidth), Math.round(this.of.height(Math.max(200, this.figure.clientWidth)))]; }
+  pen(canvas, w, h, density) {
+    if (canvas.width !== Math.round(w * density) || canvas.height !== Math.round(h * density)) { canvas.width = Math.round(w * density); canvas.height = Math.round(h * density); }
+    const context = canvas.getContext("2d");
+    context.setTransform(density, 0, 0, density, 0, 0);
+    context.clearRect(0, 0, w, h);
+    return new CanvasPen(context);
+  }
+  visible() { const box = this.figure.getBoundingClientRect(); return box.bottom > -100 && box.top < innerHeight + 100 && box.width > 0; }
+  draw(level, density = Math.min(2, devicePixelRatio || 1)) {
+    this.stale = Math.max(this.stale || 0, level);
+    const [w, h] = this.size();
+    this.under.style.height = this.canvas.style.height = h + "px";
+    if (!this.visible()) return;
+    if (this.stale > 1 || w !== this.width || h !== this.height) { this.width = w; this.height = h; this.of.base && this.of.base(this.pen(this.under, w, h, density), w, h); if (!this.of.base) this.pen(this.under, w, h, density); }
+    this.of.over && this.of.over(this.pen(this.canvas, w, h, density), w, h);
+    if (!this.of.over) this.pen(this.canvas, w, h, density);
+    this.stale = 0;
+  }
+  whole(pen, w, h) { this.of.base && this.of.base(pen, w, h); this.of.over && this.of.over(pen, w, h); return pen; }
+  // For printing: the same as SVG, which is sharp at any size.
+  print(on) {
+    if (this.printed) this.printed.remove();
+    this.printed = null;
+    if (!on || !this.figure.clientWidth) return;
+    const w = Math.max(220, Math.round(700 * this.figure.clientWidth / document.body.clientWidth)), h = Math.round(this.of.height(w));
+    this.printed = element("div", { class: "printed" });
+    this.printed.innerHTML = this.whole(new SvgPen(this.id, w, h), w, h).toString(); // all texts are escaped
+    this.figure.append(this.printed);
+  }
+  svg() { const [w, h] = this.size(); return this.whole(new SvgPen(this.id, w, h), w, h).toString(); }
+  savePng() {
+    const [w, h] = this.size(), canvas = document.createElement("canvas"), pen = this.pen(canvas, w, h, 2);
+    pen.rect(0, 0, w, h, { fill: colors.paper });
+    this.whole(pen, w, h);
+    canvas.toBlob(blob => save(`${stem()}-${this.id}.png`, blob));
+  }
+}
+let printing = false;
+const drawAll = level => { for (const panel of panels) panel.draw(level); };
+listeners.push(drawAll);
+
+function tip(text, x, y) {
+  const box = byId("tip");
+  box.hidden = !text;
+  if (!text) return;
+  box.textContent = text;
+  box.style.left = Math.max(6, Math.min(x + 14, innerWidth - box.offsetWidth - 8)) + "px";
+  box.style.top = (y + 18 + box.offsetHeight > innerHeight ? y - box.offsetHeight - 10 : y + 18) + "px";
+}

@@ -1,0 +1,192 @@
+// The moving body, in three dimensions.
+const body = data.body;
+const camera = { yaw: 0.5, pitch: 0.16, zoom: 1 };
+const moves = body.space > 0; // not a matrix of bare numbers
+
+// x to the right, y up, z to the viewer. Of points in a plane, y points down, as in images.
+const axes = body.space === 2 ? [[0, 1], [1, -1], null] : body.up === 2 ? [[0, 1], [2, 1], [1, -1]] : body.up === 0 ? [[1, 1], [0, 1], [2, -1]] : [[0, 1], [1, 1], [2, 1]];
+function place(row, part, to) {
+  for (let a = 0; a < 3; ++a) to[a] = axes[a] ? axes[a][1] * body.places.between(row, part * body.space + axes[a][0]) : 0;
+  return to;
+}
+function posture(frame) {
+  const row = frame / body.step, list = [];
+  for (let p = 0; p < body.parts.length; ++p) list.push(place(row, p, [0, 0, 0]));
+  return list;
+}
+const known = point => !Number.isNaN(point[0] + point[1] + point[2]);
+function middleOf(points) {
+  const sum = [0, 0, 0];
+  let count = 0;
+  for (const p of points) if (known(p)) { ++count; for (let a = 0; a < 3; ++a) sum[a] += p[a]; }
+  return sum.map(s => s / Math.max(1, count));
+}
+const median = list => list.length ? list.sort((a, b) => a - b)[list.length >> 1] : 0;
+
+// Size of the body, the ground and the direction of travel, for the first view of it.
+function lookAtBody() {
+  const sizes = [], lows = [], ways = [];
+  for (let i = 0; i < 60; ++i) {
+    const points = posture(i / 60 * frames).filter(known);
+    if (!points.length) continue;
+    const middle = middleOf(points);
+    sizes.push(Math.max(...points.map(p => Math.hypot(p[0] - middle[0], p[1] - middle[1], p[2] - middle[2]))));
+    lows.push(Math.min(...points.map(p => p[1])));
+    ways.push(middle);
+  }
+  const size = sizes.sort((a, b) => a - b)[Math.floor(sizes.length * 0.9)] || 1;
+  body.size = size > 0 ? size : 1;
+  body.ground = lows.sort((a, b) => a - b)[Math.floor(lows.length * 0.1)] || 0;
+  body.height = median(ways.map(way => way[1]));
+  const along = ways.length ? [0, 2].map(a => ways[ways.length - 1][a] - ways[0][a]) : [0, 0];
+  if (body.space === 2) Object.assign(camera, { yaw: 0, pitch: 0 });
+  else if (Math.hypot(...along) > body.size) camera.yaw = Math.atan2(along[1], along[0]) + 0.35; // seen from the side, it walks to the right
+  camera.first = camera.yaw;
+}
+
+function projection(target, w, h, scale) {
+  const cy = Math.cos(camera.yaw), sy = Math.sin(camera.yaw), cp = Math.cos(camera.pitch), sp = Math.sin(camera.pitch), far = 7 * body.size;
+  return p => {
+    const x = p[0] - target[0], y = p[1] - target[1], z = p[2] - target[2];
+    const right = x * cy + z * sy, back = -x * sy + z * cy, up = y * cp - back * sp, near = y * sp + back * cp;
+    const k = scale * (body.space === 2 ? 1 : far / Math.max(far * 0.2, far - near));
+    return [w / 2 + right * k, h / 2 - up * k, near];
+  };
+}
+const partColor = part => body.parts[part].side === 0 ? colors.left : body.parts[part].side === 1 ? colors.right : colors.middle;
+
+function drawBody(pen, points, project, width, chosen) {
+  const flat = points.map(p => known(p) ? project(p) : null);
+  const shapes = [];
+  body.parts.forEach((part, i) => {
+    if (!flat[i]) return;
+    const parent = part.parent >= 0 ? flat[part.parent] : null;
+    if (parent && Math.hypot(...points[part.parent].map((v, a) => v - points[i][a])) > 0) shapes.push([Math.min(parent[2], flat[i][2]), () => pen.line([parent[0], parent[1], flat[i][0], flat[i][1]], { stroke: partColor(i), width })]);
+    if (body.kind === "points") shapes.push([flat[i][2], () => pen.circle(flat[i][0], flat[i][1], width * 1.1, { fill: partColor(i) })]);
+  });
+  shapes.sort((a, b) => a[0] - b[0]).forEach(shape => shape[1]());
+  if (chosen >= 0 && flat[chosen]) pen.circle(flat[chosen][0], flat[chosen][1], width * 2 + 2, { stroke: colors.cursor, width: 2 });
+  return flat;
+}
+
+// The way of the body over the ground, of what is shown.
+function wayShown() {
+  const key = state.view.join();
+  if (wayShown.key !== key) {
+    const [a, b] = state.view;
+    wayShown.key = key;
+    wayShown.points = Array.from({ length: 161 }, (_, i) => middleOf(posture(a + (b - a) * i / 160)));
+  }
+  return wayShown.points;
+}
+function drawGround(pen, target, project, w, h) {
+  const rough = body.size / 2, power = 10 ** Math.floor(Math.log10(rough)), step = [1, 2, 5, 10].map(k => k * power).find(s => s >= rough);
+  const reach = 7, [cx, cz] = [0, 2].map(a => Math.round(target[a] / step));
+  const fade = i => Math.max(0, 1 - Math.abs(i) / (reach + 0.5));
+  for (let i = -reach; i <= reach; ++i)
+    for (const turn of [false, true]) {
+      const ends = [-reach, 0, reach].map(j => project(turn ? [(cx + j) * step, body.ground, (cz + i) * step] : [(cx + i) * step, body.ground, (cz + j) * step]));
+      pen.line(ends.flatMap(p => [p[0], p[1]]), { stroke: colors.line, alpha: fade(i) });
+    }
+  const way = [];
+  for (const middle of wayShown()) {
+    if (Math.hypot(middle[0] - target[0], middle[2] - target[2]) < 4 * body.size) { const p = project([middle[0], body.ground, middle[2]]); way.push(p[0], p[1]); }
+    else way.push(NaN, NaN);
+  }
+  pen.line(way, { stroke: colors.soft, width: 1.5, dash: [2, 5], alpha: 0.8 });
+}
+
+let shownFlat = [];
+function makeViewer() {
+  if (moves) lookAtBody();
+  const kinds = { skeleton: "Skeleton", points: "Markers", columns: "Signals" };
+  const tools = moves && body.space === 3 ? [
+    element("button", { type: "button", "aria-label": "Seen from the front or the side", title: "Front or side", onclick: () => { camera.yaw += Math.PI / 2; show(1); } }, "↻ 90°"),
+    element("button", { type: "button", "aria-label": "Larger", onclick: () => { camera.zoom = Math.min(6, camera.zoom * 1.2); show(1); } }, "+"),
+    element("button", { type: "button", "aria-label": "Smaller", onclick: () => { camera.zoom = Math.max(0.3, camera.zoom / 1.2); show(1); } }, "−")] : [];
+  const panel = new Panel("viewer", {
+    title: kinds[body.kind], tools, height: w => printing ? 315 : Math.min(470, w * (w < 500 ? 0.9 : 0.72)),
+    label: moves ? "The moving body. Drag to turn it, arrow keys turn it too; click a joint to see its curves." : "The columns around the present time.",
+    over(pen, w, h) {
+      if (!moves) return drawColumns(pen, w, h);
+      const points = posture(state.frame), middle = middleOf(points);
+      const target = body.space === 2 ? middle : [middle[0], body.height + (body.ground - body.height) * 0.12, middle[2]];
+      const project = projection(target, w, h, 0.42 * h / body.size * camera.zoom);
+      pen.clip(0, 0, w, h, () => {
+        if (body.space === 3) drawGround(pen, target, project, w, h);
+        shownFlat = drawBody(pen, points, project, Math.max(2.2, Math.min(5, h / 95 * camera.zoom)), state.part);
+      });
+      pen.rect(0, h - 28, w, 28, { fill: colors.sheet, alpha: 0.8 });
+      let x = 14;
+      if (body.parts.some(part => part.side === 0)) for (const [side, color] of [["left", colors.left], ["right", colors.right]]) { pen.circle(x, h - 14, 4, { fill: color }); pen.text(x + 9, h - 14, side, { color: colors.soft }); x += 58; }
+      const at = containing(found.segments, state.frame), segment = found.segments[at], unit = found.units[containing(found.units, state.frame)];
+      if (segment) pen.text(w - 14, h - 14, [segment.label, unit && unit.kind, cycleText(state.frame)].filter(Boolean).join(" · "), { color: colors.soft, align: "right" });
+      if (state.part >= 0 && body.parts[state.part]) pen.text(14, 12, body.parts[state.part].name, { color: colors.cursor, bold: true });
+    },
+  });
+  if (!moves) return;
+  const canvas = panel.canvas, pointers = new Map();
+  let dragged = 0;
+  canvas.style.touchAction = "pan-y";
+  canvas.style.cursor = "grab";
+  canvas.onpointerdown = event => { pointers.set(event.pointerId, [event.clientX, event.clientY]); canvas.setPointerCapture(event.pointerId); dragged = 0; };
+  canvas.onpointermove = event => {
+    const from = pointers.get(event.pointerId);
+    if (!from) return;
+    const dx = event.clientX - from[0], dy = event.clientY - from[1];
+    dragged += Math.abs(dx) + Math.abs(dy);
+    if (pointers.size === 2) {
+      const other = [...pointers].find(([id]) => id !== event.pointerId)[1];
+      camera.zoom = Math.max(0.3, Math.min(6, camera.zoom * Math.hypot(event.clientX - other[0], event.clientY - other[1]) / Math.max(1, Math.hypot(from[0] - other[0], from[1] - other[1]))));
+    } else if (body.space === 3) { camera.yaw -= dx * 0.008; camera.pitch = Math.max(-0.3, Math.min(1.5, camera.pitch + dy * 0.006)); }
+    pointers.set(event.pointerId, [event.clientX, event.clientY]);
+    show(1);
+  };
+  canvas.onpointerup = canvas.onpointercancel = event => {
+    pointers.delete(event.pointerId);
+    if (dragged > 5 || event.type === "pointercancel") return;
+    const box = canvas.getBoundingClientRect(), x = event.clientX - box.left, y = event.clientY - box.top;
+    let best = -1, least = 22;
+    shownFlat.forEach((p, i) => { const d = p ? Math.hypot(p[0] - x, p[1] - y) : 99; if (d < least) { least = d; best = i; } });
+    if (best >= 0) { state.part = best; show(); }
+  };
+  canvas.ondblclick = () => motions.length && addMark();
+  canvas.addEventListener("wheel", event => { if (!event.ctrlKey) return; event.preventDefault(); camera.zoom = Math.max(0.3, Math.min(6, camera.zoom * Math.exp(-event.deltaY / 300))); show(1); }, { passive: false });
+  canvas.onkeydown = event => {
+    const turn = { ArrowLeft: [0.15, 0], ArrowRight: [-0.15, 0], ArrowUp: [0, 0.1], ArrowDown: [0, -0.1] }[event.key];
+    if (!turn || body.space !== 3) return;
+    event.preventDefault();
+    camera.yaw += turn[0]; camera.pitch = Math.max(-0.3, Math.min(1.5, camera.pitch + turn[1]));
+    show(1);
+  };
+}
+function cycleText(frame) {
+  const cycle = containing(found.cycles, frame);
+  if (cycle >= 0) return "cycle " + (cycle + 1);
+  const repetition = containing(found.repetitions, frame);
+  return repetition >= 0 ? "repetition " + (repetition + 1) : "";
+}
+
+// Of a matrix: the columns that carry most of the motion, around the present time.
+function chosenColumns(most) {
+  const at = containing(found.segments, state.frame), segment = found.segments[at];
+  const names = segment && segment.carried_by.length ? segment.carried_by : (found.segments.find(s => s.carried_by.length) || { carried_by: [] }).carried_by;
+  const list = [...new Set([state.part, ...names.map(name => body.parts.findIndex(part => part.name === name)), ...body.parts.keys()])].filter(i => i >= 0);
+  return list.slice(0, most).sort((a, b) => a - b);
+}
+function drawColumns(pen, w, h) {
+  const list = chosenColumns(6), half = Math.min(frames / 2, Math.max(2 * fps, 40));
+  const begin = Math.max(0, Math.min(state.frame - half, frames - 2 * half)), x = frame => 110 + (frame - begin) / (2 * half) * (w - 124);
+  const rows = Math.max(1, list.length), each = (h - 34) / rows;
+  list.forEach((part, k) => {
+    const top = 8 + k * each, low = body.places.low[part % body.places.low.length], range = body.places.unit[part % body.places.unit.length] * 65534 || 1, points = [];
+    pen.line([110, top + each - 6, w - 14, top + each - 6], { stroke: colors.line });
+    const step = Math.max(body.step, 2 * half / w);
+    for (let frame = begin; frame <= begin + 2 * half; frame += step) points.push(x(frame), top + each - 8 - (body.places.between(frame / body.step, part) - low) / range * (each - 14));
+    pen.clip(108, 0, w - 120, h, () => pen.line(points, { stroke: part === state.part ? colors.cursor : colors.accent, width: 1.6 }));
+    pen.text(102, top + each / 2, body.parts[part].name.slice(0, 16), { color: colors.soft, align: "right" });
+  });
+  const axis = timeTicks(begin / fps, (begin + 2 * half) / fps, 5);
+  for (const s of axis.list) pen.text(x(s * fps), h - 12, axis.text(s), { color: colors.soft, align: "center", size: 11 });
+  pen.line([x(state.frame), 6, x(state.frame), h - 24], { stroke: colors.cursor, width: 1.5 });
+}

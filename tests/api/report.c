@@ -1,0 +1,100 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Reports through the C API. */
+#define _XOPEN_SOURCE 700 /* mkdtemp */
+#include <unistd.h>
+
+#include "walking.h"
+
+static char folder[64], path[128];
+
+static int make_folder(void** state) {
+    (void)state;
+    strcpy(folder, "/tmp/stltsa-report-XXXXXX");
+    if (mkdtemp(folder) == NULL)
+        return 1;
+    snprintf(path, sizeof path, "%s/walk.html", folder);
+    return 0;
+}
+
+static int remove_folder(void** state) {
+    (void)state;
+    return rmdir(folder); /* fails if a test, or the library, leaves a file */
+}
+
+static char* file_text(void) {
+    FILE* file = fopen(path, "rb");
+    assert_non_null(file);
+    assert_int_equal(fseek(file, 0, SEEK_END), 0);
+    const long size = ftell(file);
+    assert_true(size > 0);
+    rewind(file);
+    char* text = malloc((size_t)size + 1);
+    assert_non_null(text);
+    assert_int_equal(fread(text, 1, (size_t)size, file), size);
+    text[size] = '\0';
+    fclose(file);
+    assert_int_equal(unlink(path), 0);
+    return text;
+}
+
+static char* report(const stltsa_clip* clip, const char* command) {
+    stltsa_decomposition* found = NULL;
+    must(stltsa_decompose(clip, NULL, &found));
+    must(stltsa_report_save(clip, found, NULL, command, path));
+    stltsa_decomposition_free(found);
+    return file_text();
+}
+
+static void a_page_repeats_to_the_byte(void** state) {
+    (void)state;
+    stltsa_clip* clip = opened();
+    char *one = report(clip, NULL), *two = report(clip, NULL);
+    assert_string_equal(one, two);
+    assert_int_equal(strncmp(one, "<!doctype html>\n", 16), 0);
+    assert_non_null(strstr(one, "\"format\":\"stltsa-report/1\""));
+    assert_non_null(strstr(one, "\"format\":\"stltsa-decomposition/2\""));
+    free(one);
+    free(two);
+    stltsa_clip_free(clip);
+}
+
+static void no_text_ends_the_data(void** state) {
+    (void)state;
+    stltsa_clip* clip = opened();
+    char* page = report(clip, "</script><script>alert(1)</script>");
+    assert_null(strstr(page, "alert(1)</script>"));
+    assert_non_null(strstr(page, "\\u003c/script>\\u003cscript>alert(1)"));
+    free(page);
+    stltsa_clip_free(clip);
+}
+
+static void what_is_wrong_is_said(void** state) {
+    (void)state;
+    stltsa_clip* clip = opened();
+    stltsa_clip* other = NULL;
+    stltsa_decomposition* found = NULL;
+    must(stltsa_clip_stretch(clip, "0-100", NULL, &other));
+    must(stltsa_decompose(clip, NULL, &found));
+    assert_int_equal(stltsa_report_save(NULL, found, NULL, NULL, path), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_report_save(clip, NULL, NULL, NULL, path), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_report_save(clip, found, NULL, NULL, NULL), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_report_save(other, found, NULL, NULL, path), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_report_save(clip, found, NULL, NULL, "/no/such/folder/x.html"),
+                     STLTSA_E_IO);
+    assert_int_not_equal(access(path, F_OK), 0);
+    stltsa_decomposition_free(found);
+    stltsa_clip_free(other);
+    stltsa_clip_free(clip);
+}
+
+int main(int argc, char** argv) {
+    if (argc < 2)
+        return 2;
+    walker_path = argv[1];
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_page_repeats_to_the_byte),
+        cmocka_unit_test(no_text_ends_the_data),
+        cmocka_unit_test(what_is_wrong_is_said),
+    };
+    return cmocka_run_group_tests(tests, make_folder, remove_folder);
+}

@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The report: one HTML page whose data are those of the JSON, with hostile names, the same bytes every time."""
+
+import base64
+import csv
+import json
+import math
+import re
+import unittest
+import zlib
+
+from common import CommandTest, circle, crowd, walk
+
+HOSTILE = "</script><!--<script>\u2028'\"&\\"
+
+
+def unpacked(of):
+    """Rows of numbers of src/report/packed.hpp."""
+    planes, count = zlib.decompress(base64.b64decode(of["data"])), of["rows"] * of["cols"]
+    assert len(planes) == 2 * count
+    columns = []
+    for c in range(of["cols"]):
+        above, column = 0, []
+        for at in range(c * of["rows"], (c + 1) * of["rows"]):
+            above = (above + planes[at] + 256 * planes[count + at]) % 65536
+            i = c % len(of["low"])
+            column.append(math.nan if above == 65535 else of["low"][i] + of["unit"][i] * above)
+        columns.append(column)
+    return [list(row) for row in zip(*columns)]
+
+
+class Page(CommandTest):
+    def page(self, *arguments):
+        path = self.folder / "page.html"
+        self.done("decompose", *arguments, "--report", path)
+        return path.read_text(encoding="utf-8")
+
+    def data(self, page):
+        (text,) = re.findall(r'<script type="application/json" id="data">\n(.*?)\n?</script>', page, re.S)
+        return json.loads(text)
+
+    def test_same_bytes_and_no_date(self):
+        one, two = self.folder / "1.html", self.folder / "2.html"
+        for threads, path in (("1", one), ("2", two)):
+            self.done("decompose", walk(), "--threads", threads, "--report", path)
+        texts = [path.read_text(encoding="utf-8") for path in (one, two)]
+        datas = [self.data(text) for text in texts]
+        commands = [data.pop("command") for data in datas]
+        self.assertNotEqual(*commands)
+        self.assertEqual(*datas)
+        self.assertNotRegex(texts[0], r"20\d\d-\d\d-\d\d|\d\d:\d\d:\d\d")
+
+    def test_decomposition_is_the_json(self):
+        data = self.data(self.page(walk()))
+        self.assertEqual(data["format"], "stltsa-report/1")
+        self.assertEqual(data["decomposition"], self.json("decompose", walk()))
+        self.assertTrue(data["command"].startswith("stltsa decompose "), data["command"])
+
+    def test_positions_phase_and_mean_cycle(self):
+        data = self.data(self.page(walk()))
+        body, found = data["body"], data["decomposition"]
+        self.assertEqual((body["kind"], body["step"], body["space"]), ("skeleton", 1, 3))
+        places = unpacked(body["places"])
+        self.assertEqual(len(places), found["clip"]["frames"])
+        # The length of every bone is constant.
+        for child, part in enumerate(body["parts"]):
+            if part["parent"] < 0:
+                continue
+            lengths = [math.dist(row[3 * child : 3 * child + 3], row[3 * part["parent"] : 3 * part["parent"] + 3])
+                       for row in places[::20]]
+            self.assertLess(max(lengths) - min(lengths), 0.1)
+        self.done("decompose", walk(), "--phase", self.folder / "phase.csv")
+        with open(self.folder / "phase.csv", newline="", encoding="ascii") as file:
+            phases = [row["phase"] for row in csv.DictReader(file)]
+        for row, text in zip(unpacked(data["phase"]["values"]), phases, strict=True):
+            self.assertEqual(math.isnan(row[0]), text == "")
+            if text:
+                self.assertAlmostEqual(row[0], float(text), delta=1e-4)
+        (motion,) = data["motions"]
+        self.assertEqual({s["name"] for s in motion["sets"]}, {"position", "angle"})
+        for signals in motion["sets"]:
+            mean, single = unpacked(signals["mean"]), unpacked(signals["each"])
+            self.assertEqual((len(mean), len(single)), (101, 51 * len(signals["shown"])))
+            spread = max(c["unit"] for c in ({"unit": u} for u in signals["mean"]["unit"])) * 65534
+            for r in range(51):  # the cycles of the walker are equal
+                for c, value in enumerate(mean[2 * r]):
+                    self.assertAlmostEqual(single[r][c], value, delta=0.05 * spread + 1e-6)
+        self.assertGreater(len(motion["sides"]["pairs"]), 0)
+
+    def test_sides_are_partners(self):
+        parts = self.data(self.page(walk()))["body"]["parts"]
+        paired = [part for part in parts if part["partner"] >= 0]
+        self.assertGreater(len(paired), 3)
+        for part in paired:
+            self.assertEqual(parts[part["partner"]]["side"], 1 - part["side"])
+
+    def test_hostile_names(self):
+        clip = self.folder / ("a " + HOSTILE.replace("/", "") + ".csv")
+        names = [HOSTILE + c for c in "abc"]
+        with open(clip, "w", newline="", encoding="utf-8") as file:
+            rows = csv.writer(file)
+            rows.writerow(names)
+            for i in range(300):
+                rows.writerow([math.sin(i / 8 + k) + 0.2 * math.sin(i / 4 + k) for k in range(3)])
+        page = self.page(clip, "--fps", "60")
+        clean = self.page(circle())
+        # As many elements as in any other report: no name became one.
+        for tag in ("<script", "</script", "<!--", "-->"):
+            self.assertEqual(page.count(tag), clean.count(tag), tag)
+        data = self.data(page)
+        self.assertEqual([part["name"] for part in data["body"]["parts"]], names)
+        self.assertEqual(data["decomposition"]["clip"]["path"], str(clip))
+        self.assertIn("'\\''", data["command"])  # quoted for a shell
+
+    def test_points_and_matrices(self):
+        self.assertEqual(self.data(self.page(circle()))["body"]["kind"], "columns")
+        body = self.data(self.page(crowd()))["body"]
+        self.assertIn(body["kind"], ("points", "columns"))
+
+    def test_a_clip_in_which_nothing_repeats(self):
+        data = self.data(self.page(f"{walk()}:0-30"))
+        self.assertEqual(data["motions"], [])
+        self.assertEqual(data["body"]["places"]["rows"], 30)
+
+    def test_needs_nothing_else(self):
+        page = self.page(walk())
+        self.assertIn("default-src 'none'", page)
+        self.assertNotRegex(page, r"""(?:src|href)=["']?(?:https?:)?//""")
+        code = page.replace(re.search(r'id="data">\n(.*?)</script>', page, re.S)[1], "")
+        self.assertLess(len(code.encode()), 150_000)
+
+    def test_suffix(self):
+        self.assertIn("must end in", self.fails(2, "decompose", walk(), "--report", self.folder / "x.pdf"))
+
+
+if __name__ == "__main__":
+    unittest.main()
