@@ -93,11 +93,9 @@ def _write(axes: Any, path: FloatArray, texts: list[tuple[str, FloatArray]]) -> 
         outward = _outward(path, point)
         width, height = 0.62 * size * len(text) * points_to_pixels, size * points_to_pixels
         places = sorted(
-            (
-                (away - np.cos(angle) * outward[0] - np.sin(angle) * outward[1], away, angle)
-                for away in (_NEAR, _FAR)
-                for angle in _EIGHT
-            )
+            (away - np.cos(angle) * outward[0] - np.sin(angle) * outward[1], away, angle)
+            for away in (_NEAR, _FAR)
+            for angle in _EIGHT
         )
         for _, away, angle in places:
             dx = np.cos(angle) * (away * points_to_pixels + width / 2)
