@@ -211,16 +211,18 @@ class Writer {
 
     void keep_free(const Rect& box) { space_.take(box); }
 
-    void write(const std::string& text, Point at, std::string_view its_class) {
+    /// Whether there was room.
+    bool write(const std::string& text, Point at, std::string_view its_class) {
         const auto boxes = places(at, text_width(text, font), away_from(center_, at));
         const auto box = std::ranges::find_if(boxes, [&](const Rect& place) {
             return holds(area_, place) && space_.free(place) && !holds_any(place, line_);
         });
         if (box == boxes.end())
-            return;
+            return false;
         space_.take(*box);
         svg_.text_with_halo({box->x + 0.5 * box->width, box->bottom() - 1.2}, Anchor::middle, text,
                             font, its_class);
+        return true;
     }
 
   private:
@@ -250,16 +252,14 @@ void draw_numbers(Svg& svg, const Figure& figure, const std::vector<Point>& poin
     for (const auto& [frame, at] : numbered)
         writer.keep_free(around(at, 2));
     writer.keep_free(around(*start, 3.5));
-    for (const auto& [frame, at] : numbered)
-        svg.circle(at, mark_radius,
-                   {{"fill", unit_colors(figure.unit_at(frame)).line},
-                    {"stroke", "#ffffff"},
-                    {"stroke-width", 0.7}});
     draw_start(svg, *start);
     writer.write("start", *start, "start-text");
     for (const auto& [frame, at] : numbered)
-        if (frame > 0)
-            writer.write(std::to_string(frame), at, "number");
+        if (frame > 0 && writer.write(std::to_string(frame), at, "number"))
+            svg.circle(at, mark_radius,
+                       {{"fill", unit_colors(figure.unit_at(frame)).line},
+                        {"stroke", "#ffffff"},
+                        {"stroke-width", 0.7}});
 }
 
 } // namespace

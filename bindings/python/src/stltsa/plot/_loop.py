@@ -116,6 +116,8 @@ def _write(axes: Any, path: FloatArray, texts: list[tuple[str, FloatArray]]) -> 
                 path_effects=halo,
                 zorder=5,
             )
+            if text != "start":
+                axes.plot(*point, "o", color=INK, markersize=2.2, zorder=3)
             break
 
 
@@ -191,7 +193,6 @@ def loop(result: Decomposition, *, ax: Axes | None = None, numbers: int = 24) ->
             texts = [("start", coords[known[0]])]
             chosen_samples = np.unique(np.linspace(0, len(known) - 1, numbers).round().astype(int))
             for i in known[chosen_samples][1:]:
-                axes.plot(*coords[i], "o", color=INK, markersize=2.2, zorder=3)
                 texts.append((f"{frames[i]}", coords[i]))
             axes.plot(*coords[known[0]], "s", color=INK, markersize=3.2, zorder=4)
             _draw_arrows(axes, directed)
