@@ -91,7 +91,7 @@ def _write(axes: Any, path: FloatArray, texts: list[tuple[str, FloatArray]]) -> 
     for text, point in texts:
         x, y = axes.transData.transform(point)
         outward = _outward(path, point)
-        width, height = 0.62 * size * len(text) * points_to_pixels, size * points_to_pixels
+        width, height = np.array([0.68 * len(text), 1.25]) * size * points_to_pixels
         places = sorted(
             (away - np.cos(angle) * outward[0] - np.sin(angle) * outward[1], away, angle)
             for away in (_NEAR, _FAR)
