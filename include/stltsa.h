@@ -420,7 +420,7 @@ enum {
     STLTSA_INFO_GAP = 48,               /* real[] lambda_{d+2} / lambda_{d+1} of each
                                                   component; near 1: the curve is ill-defined */
     STLTSA_INFO_COMPONENTS = 49,        /* int    components of the neighborhood graph */
-    /* Decompositions; the last three are facts of a dimension, too. */
+    /* Decompositions; the last three but one are facts of a dimension, too. */
     STLTSA_INFO_COORDINATE = 60,        /* int    1-based column that was cut; 0: none */
     STLTSA_INFO_CYCLICITY = 61,         /* real   how well that coordinate repeats once a
                                                   period; 1: perfect */
@@ -435,6 +435,8 @@ enum {
                                                   tell */
     STLTSA_INFO_EIGENGAP = 67,          /* int    intrinsic dimension by the eigengap; 0:
                                                   cannot tell */
+    STLTSA_INFO_POSTURES = 68,          /* int[]  at most 24 frames of postures that differ, for
+                                                  a picture: the first n are a choice of n */
     /* Dimensions. */
     STLTSA_INFO_LOCAL_PCA_REASON = 70,  /* text   why local PCA cannot tell; empty if it can */
     STLTSA_INFO_EIGENGAP_REASON = 71,   /* text   why the eigengap cannot tell; empty if it can */

@@ -248,6 +248,8 @@ constexpr InfoRow decomposition_rows[] = {
     one<Decomposition>(
         STLTSA_INFO_REASON, [](const Decomposition& d) -> const auto& { return d.result.reason; }),
     list<Decomposition>(
+        STLTSA_INFO_POSTURES, [](const Decomposition& d) -> const auto& { return d.postures; }),
+    list<Decomposition>(
         STLTSA_INFO_EIGENVALUE,
         [](const Decomposition& d) -> const auto& { return d.result.eigenvalues; }),
     maybe<Decomposition>(

@@ -143,10 +143,32 @@ Values turned(const Pair& pair, std::span<const double> target) {
 
 struct Choice {
     Values curve;
-    Values partner;
     double correlation = 0;
     double cyclicity = 0;
 };
+
+/// The coordinate that is most like the curve a quarter of a period earlier, so that the two form a
+/// loop of one direction in every chunk; if there is none, this earlier curve itself.
+Values partner_of(const std::vector<Pair>& pairs, const Values& curve) {
+    constexpr std::size_t quarter = samples_per_period / 4;
+    Values earlier;
+    for (std::size_t i = 0; i < curve.size(); ++i) // before the first quarter, half a period later
+        earlier.push_back(i >= quarter                 ? curve[i - quarter]
+                          : i + quarter < curve.size() ? -curve[i + quarter]
+                                                       : 0);
+    Values best = earlier;
+    double most = least_correlation;
+    for (const Pair& pair : pairs) {
+        if (pair.second.empty())
+            continue;
+        Values partner = turned(pair, earlier);
+        if (const double like = correlation(partner, earlier); like > most) {
+            most = like;
+            best = std::move(partner);
+        }
+    }
+    return best;
+}
 
 /// Of the embeddings, the one whose turned coordinate is most like the target and most cyclic.
 Choice best_turn(const std::vector<Pair>& pairs, std::span<const double> target) {
@@ -159,7 +181,7 @@ Choice best_turn(const std::vector<Pair>& pairs, std::span<const double> target)
         if (like + cyclic <= best_score + slightly_better)
             continue;
         best_score = like + cyclic;
-        best = {std::move(curve), pair.second.empty() ? pair.first : pair.second, like, cyclic};
+        best = {std::move(curve), like, cyclic};
     }
     return best;
 }
@@ -235,7 +257,7 @@ class Tracer {
   private:
     void begin(Rows rows, const std::vector<Pair>& pairs, const Anchor* like) {
         const Pair& own = pairs[simplest(pairs)];
-        Choice chosen{own.first, own.second.empty() ? own.first : own.second, 1, own.cyclicity};
+        Choice chosen{own.first, 1, own.cyclicity};
         if (like != nullptr) {
             const Values target = anchored(*like, samples_.block(rows.begin, rows.count()));
             Choice turn = best_turn(pairs, target);
@@ -243,7 +265,7 @@ class Tracer {
                 turn.cyclicity >= own.cyclicity - start_loss)
                 chosen = std::move(turn);
         }
-        place(rows, chosen, 0);
+        place(rows, pairs, chosen, 0);
         learn(samples_.block(rows.begin, rows.count()), chosen.curve, result_.anchor);
     }
 
@@ -265,7 +287,7 @@ class Tracer {
             return restart(rows, pairs);
         if (!holds && !scale_to(before, begin + shared, turn.curve))
             return restart(rows, pairs);
-        place(rows, turn, shared);
+        place(rows, pairs, turn, shared);
         if (!holds)
             learn(samples_.block(rows.begin, rows.count()),
                   std::span<const double>(result_.curve)
@@ -292,18 +314,20 @@ class Tracer {
     /// A new coordinate, which does not continue the one before.
     void restart(Rows rows, const std::vector<Pair>& pairs) {
         const Pair& own = pairs[simplest(pairs)];
-        place(rows, {own.first, own.second.empty() ? own.first : own.second, 0, own.cyclicity}, 0);
+        place(rows, pairs, {own.first, 0, own.cyclicity}, 0);
     }
 
     /// Writes the chunk, crossfaded over the `shared` first samples.
-    void place(Rows rows, const Choice& chosen, std::size_t shared) {
+    void place(Rows rows, const std::vector<Pair>& pairs, const Choice& chosen,
+               std::size_t shared) {
         const auto begin = static_cast<std::size_t>(rows.begin);
+        const Values partner = partner_of(pairs, chosen.curve);
         for (std::size_t i = 0; i < chosen.curve.size(); ++i) {
-            double& at = result_.curve[begin + i];
             const double part =
                 i < shared ? static_cast<double>(i) / static_cast<double>(shared) : 1;
-            at = (1 - part) * at + part * chosen.curve[i];
-            result_.partner[begin + i] = chosen.partner[i];
+            const auto fade = [&](double& at, double to) { at = (1 - part) * at + part * to; };
+            fade(result_.curve[begin + i], chosen.curve[i]);
+            fade(result_.partner[begin + i], partner[i]);
         }
         result_.cyclicity.push_back(chosen.cyclicity);
     }

@@ -223,8 +223,8 @@ CyclicStretch cut_stretch(const Signal& signal, const Stretch& stretch, const St
     CyclicStretch cut{stretch, trace_phase(signal, stretch, like, progress), 0, {}, {}, {}};
     if (!cut.phase.curve.empty()) {
         cut.cyclicity = cut.phase.typical_cyclicity();
-        cut.phase.curve =
-            leveled(motion::smooth(cut.phase.curve, curve_smoothing * samples_per_period));
+        for (std::vector<double>* curve : {&cut.phase.curve, &cut.phase.partner})
+            *curve = leveled(motion::smooth(*curve, curve_smoothing * samples_per_period));
         for (const Sequence& sequence : regular_sequences(find_margins(cut.phase.curve))) {
             std::vector<double> rows;
             for (const Margin& margin : sequence)

@@ -10,6 +10,7 @@
 #include "clip/features/points.hpp"
 #include "ltsa/frames.hpp"
 #include "ltsa/warnings.hpp"
+#include "results/postures.hpp"
 
 namespace stltsa::results {
 namespace {
@@ -311,6 +312,8 @@ Decomposed decompose(const clip::Clip& clip, const clip::PrepareOptions& prepare
     made.units = units_of(found, frames);
     set_parts(found, frames, made);
     set_travels(clip, made);
+    for (const std::int64_t row : telling_postures(prepared.samples.view()))
+        made.postures.push_back(made.source.samples.first + row * made.source.samples.step);
     made.source.period.period = period_of_longest(made.segments);
     made.summaries = summaries_of(made.segments, made.cycle_parts, made.repetitions);
     made.result = std::move(found.shown);

@@ -82,6 +82,47 @@ static void three_cycles_back_to_back(void** state) {
     stltsa_clip_free(clip);
 }
 
+/* Squared distance of two rows. */
+static double apart(const double* rows, int64_t cols, int64_t a, int64_t b) {
+    double squares = 0;
+    for (int64_t c = 0; c < cols; ++c) {
+        const double d = rows[a * cols + c] - rows[b * cols + c];
+        squares += d * d;
+    }
+    return squares;
+}
+
+/* The first ones, of which a picture shows some, differ more than frames that are evenly spaced. */
+static void postures_differ(void** state) {
+    (void)state;
+    stltsa_clip* clip = opened();
+    stltsa_decomposition* d = decomposed(clip, NULL);
+    const stltsa_info* info = stltsa_decomposition_info(d);
+    const int64_t count = stltsa_info_count(info, STLTSA_INFO_POSTURES);
+    assert_in_range(count, 13, 24);
+    const int64_t frames = stltsa_clip_frames(clip), joints = stltsa_clip_joints(clip);
+    double* angles = new_matrix(frames, 4 * joints);
+    const stltsa_out out = packed_out(angles, frames, 4 * joints);
+    must(stltsa_clip_rotations(clip, &out));
+    double chosen = 0, evenly = 0;
+    enum { shown = 8 };
+    for (int i = 0; i < shown; ++i)
+        for (int j = 0; j < i; ++j) {
+            int64_t a, b;
+            must(stltsa_info_int(info, STLTSA_INFO_POSTURES, i, &a));
+            must(stltsa_info_int(info, STLTSA_INFO_POSTURES, j, &b));
+            assert_in_range(a, 0, frames - 1);
+            assert_true(a != b);
+            chosen += apart(angles, 4 * joints, a, b);
+            evenly += apart(angles, 4 * joints, (2 * i + 1) * frames / (2 * shown),
+                            (2 * j + 1) * frames / (2 * shown));
+        }
+    assert_true(chosen > 1.3 * evenly);
+    free(angles);
+    stltsa_decomposition_free(d);
+    stltsa_clip_free(clip);
+}
+
 static double* new_curve(const stltsa_decomposition* d, int64_t* count) {
     *count = get_int(d, STLTSA_INFO_ROWS);
     double* curve = new_matrix(*count, 1);
@@ -441,6 +482,7 @@ int main(int argc, char** argv) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(five_units_in_order),
         cmocka_unit_test(three_cycles_back_to_back),
+        cmocka_unit_test(postures_differ),
         cmocka_unit_test(column_of_the_coordinates_is_the_curve_before_smoothing),
         cmocka_unit_test(coordinates_of_a_clip_at_rest_are_zero),
         cmocka_unit_test(threads_change_no_bit),

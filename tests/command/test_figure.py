@@ -1,13 +1,56 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Figures: well-formed, the same bytes every time, and drawn from the result."""
 
+import functools
+import math
+import pathlib
+import re
 import shutil
+import subprocess
+import tempfile
 import unittest
 import xml.etree.ElementTree as ET
 
-from common import CommandTest, bursts, circle, crowd, drift, walk
+from common import WALKER, CommandTest, bursts, circle, crowd, drift, run, walk
 
 SVG = "{http://www.w3.org/2000/svg}"
+
+_folder = tempfile.TemporaryDirectory(prefix="stltsa-figures-")
+
+
+@functools.cache
+def synthetic(*settings):
+    """A synthetic walk."""
+    path = pathlib.Path(_folder.name) / ("walk" + "".join(settings) + ".bvh")
+    subprocess.run([WALKER, "--output", path, *settings], check=True)
+    return path
+
+
+def many_cycles():
+    return synthetic("--cycles", "45", "--fps", "30", "--noise", "1")
+
+
+def path_points(path):
+    """End points of the pieces of a path."""
+    numbers = [float(n) for n in re.findall(r"-?[\d.]+", path.get("d"))]
+    pairs = list(zip(numbers[::2], numbers[1::2]))
+    return pairs[:1] + pairs[3::3]
+
+
+def box_of(text, size=9.5):
+    """The box of a text that is anchored in its middle, not wider than any viewer draws it."""
+    x, y, width = float(text.get("x")), float(text.get("y")), 0.5 * size * len(text.text)
+    return x - width / 2, y - 0.7 * size, x + width / 2, y
+
+
+def crosses(box, a, b):
+    """Whether the line from a to b passes the box."""
+    steps = 1 + int(max(abs(a[0] - b[0]), abs(a[1] - b[1])))
+    for i in range(steps + 1):
+        x, y = (p + i / steps * (q - p) for p, q in zip(a, b))
+        if box[0] < x < box[2] and box[1] < y < box[3]:
+            return True
+    return False
 
 
 class Figure(CommandTest):
@@ -48,7 +91,8 @@ class Figure(CommandTest):
                 x, bar_width = float(bar.get("x")), float(bar.get("width"))
                 self.assertAlmostEqual(x, place(interval["begin"]), delta=inset)
                 self.assertAlmostEqual(x + bar_width, place(interval["end"]), delta=inset)
-        ticks = self.of_class(root, "tick")
+        below = float(frame.get("y")) + float(frame.get("height")) + 15
+        ticks = [t for t in self.of_class(root, "tick") if abs(float(t.get("y")) - below) < 0.02]
         self.assertGreater(len(ticks), 4)
         for tick in ticks:
             self.assertAlmostEqual(float(tick.get("x")), place(120 * float(tick.text)), delta=0.02)
@@ -60,11 +104,28 @@ class Figure(CommandTest):
         postures = self.of_class(root, "posture")
         frames = [int(posture.get("data-frame")) for posture in postures]
         self.assertTrue(5 <= len(frames) <= 14, frames)
-        slot = self.json("info", walk())["clip"]["frames"] / len(frames)
-        for i, frame in enumerate(frames):
-            self.assertLess(abs(frame - (i + 0.5) * slot), 0.4 * slot)
+        self.assertEqual(frames, sorted(set(frames)))
         for frame in frames:
             self.assertIn(str(frame), self.texts(root))
+
+    def test_postures_differ(self):
+        """A body that stands for most of the time is shown while it moves."""
+        clip = synthetic("--stand", "8", "--cycles", "3")
+        cyclic = next(u for u in self.json("decompose", clip)["units"] if u["kind"] == "cyclic")
+        frames = [
+            int(posture.get("data-frame"))
+            for posture in self.of_class(self.figure("decompose", clip), "posture")
+        ]
+        inside = [f for f in frames if cyclic["begin"] <= f < cyclic["end"]]
+        evenly = len(frames) * (cyclic["end"] - cyclic["begin"])
+        evenly /= self.json("info", clip)["clip"]["frames"]
+        self.assertGreaterEqual(len(inside), evenly + 2)
+
+    def test_heads(self):
+        root = self.figure("decompose", walk())
+        heads = self.of_class(root, "head")
+        self.assertEqual(len(heads), len(self.of_class(root, "posture")))
+        self.assertEqual(len({head.get("r") for head in heads}), 1)
 
     def test_bare_numbers_have_no_postures(self):
         root = self.figure("decompose", circle(), "--fps", "30")
@@ -81,7 +142,7 @@ class Figure(CommandTest):
         lengths = [segment["end"] - segment["begin"] for segment in found]
         for width, length in zip(widths, lengths):
             self.assertAlmostEqual(width / sum(widths), length / sum(lengths), delta=0.01)
-        self.assertIn("A 4x", self.texts(root))
+        self.assertIn("A 4 times", self.texts(root))
         self.assertEqual(self.of_class(self.figure("decompose", walk()), "segment"), [])
 
     def test_no_cycle_tells_why(self):
@@ -94,6 +155,156 @@ class Figure(CommandTest):
         path = self.folder / 'a<b>&"c".bvh'
         shutil.copy(walk(), path)
         self.assertIn(path.name, self.texts(self.figure("decompose", path)))
+
+    def test_hostile_names(self):
+        """Markup is text, and control characters are neither in the figure nor on the terminal."""
+        names = (
+            "<script>alert(1)</script>",
+            "\"'&quot; onload='x'",
+            "]]><!--",
+            "a\x1b[31mred\x07\x7f",
+            "\u009b31m\uffff",
+            "line\nbreak\ttab",
+        )
+        for name in names:
+            clip = self.folder / (name.replace("/", "|") + ".bvh")
+            shutil.copy(walk(), clip)
+            path = self.folder / "hostile.svg"
+            result = run("decompose", clip, "--plot", path)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            control = "[\x00-\x08\x0b-\x1f\x7f-\x9f]"
+            self.assertNotRegex(path.read_text(), control + "|[\ufffe\uffff]", name)
+            self.assertNotRegex(result.stdout.decode(), control, name)
+            self.assertNotIn("line\n", result.stdout.decode())
+            root = ET.fromstring(path.read_bytes())
+            self.assertEqual({e.tag for e in root.iter()} & {SVG + "script"}, set())
+            self.assertFalse([key for e in root.iter() for key in e.keys() if key[:2] == "on"])
+            title = root.find(SVG + "title").text
+            self.assertEqual(
+                title, re.sub("[\x00-\x1f\x7f-\x9f\ufffe\uffff]", "\ufffd", clip.name), name
+            )
+            errors = run("decompose", clip, "--period-max", "0.001").stderr.decode()
+            self.assertNotRegex(errors, control, name)
+            clip.write_text("no motion")
+            errors = run("decompose", clip).stderr.decode()
+            self.assertNotRegex(errors, control, name)
+
+    def test_loop_is_smooth_with_start_and_direction(self):
+        root = self.figure("decompose", walk())
+        curves = self.of_class(root, "loop")
+        self.assertTrue(all("C" in curve.get("d") for curve in curves))
+        (start,) = self.of_class(root, "start")
+        at = float(start.get("x")) + 3, float(start.get("y")) + 3
+        for a, b in zip(at, path_points(curves[0])[0]):
+            self.assertAlmostEqual(a, b, delta=0.02)
+        self.assertIn("start", self.texts(root))
+        # The arrowheads point the way of the representative cycle.
+        (cycle,) = self.of_class(root, "representative")
+        points = path_points(cycle)
+        arrows = self.of_class(root, "direction")
+        self.assertEqual(len(arrows), 3)
+        for arrow in arrows:
+            x, y, turn = map(float, re.findall(r"-?[\d.]+", arrow.get("transform")))
+            i = min(
+                range(len(points) - 1),
+                key=lambda i: sum(abs(a + b - 2 * c) for a, b, c in zip(*points[i : i + 2], (x, y))),
+            )
+            (ax, ay), (bx, by) = points[i : i + 2]
+            angle = math.degrees(math.atan2(by - ay, bx - ax))
+            self.assertLess(abs((turn - angle + 180) % 360 - 180), 40)
+
+    def test_labels_do_not_lie_on_lines(self):
+        for clip in (walk(), synthetic("--cycles", "12"), many_cycles()):
+            root = self.figure("decompose", clip)
+            curves = [path_points(curve) for curve in self.of_class(root, "loop")]
+            numbers = self.of_class(root, "number") + self.of_class(root, "start-text")
+            self.assertTrue(numbers)
+            for number in numbers:
+                box = box_of(number)
+                for curve in curves:
+                    hits = [p for p in zip(curve, curve[1:]) if crosses(box, *p)]
+                    self.assertFalse(hits, number.text)
+            lines = [
+                tuple((float(e.get(f"x{i}")), float(e.get(f"y{i}"))) for i in "12")
+                for name in ("margin", "tie")
+                for e in self.of_class(root, name)
+            ]
+            self.assertTrue(lines)
+            for number in self.of_class(root, "posture-number"):
+                self.assertFalse([l for l in lines if crosses(box_of(number), *l)], number.text)
+
+    def test_no_loop_is_named_where_there_is_none(self):
+        def titles(*arguments):
+            root = self.figure(*arguments)
+            return [e.text for e in self.of_class(root, "axis-title")]
+
+        self.assertIn("first coordinate of the loop", titles("decompose", walk()))
+        for arguments in (("decompose", drift(), "--fps", "30"), ("fit", walk())):
+            self.assertFalse([t for t in titles(*arguments) if "loop" in t])
+
+    def test_names_of_parameters_are_not_in_titles(self):
+        for command in ("decompose", "fit", "denoise"):
+            for text in self.texts(self.figure(command, walk())):
+                self.assertNotRegex(text, r"\b(k|w|mode|gamma|cyclicity|lag quality)\b")
+
+    def test_no_entry_of_the_key_is_repeated(self):
+        for arguments in ((walk(),), (bursts(), "--fps", "30"), (drift(), "--fps", "30")):
+            root = self.figure("decompose", *arguments)
+            elements = list(root.iter())
+            names = []
+            for mark in self.of_class(root, "key"):
+                after = elements[elements.index(mark) + 1 :]
+                names.append(next(e.text for e in after if e.tag == SVG + "text"))
+            self.assertTrue(names)
+            self.assertEqual(len(names), len(set(names)), names)
+
+    def test_many_cycles(self):
+        found = self.json("decompose", many_cycles())
+        self.assertGreater(len(found["cycles"]), 40)
+        root = self.figure("decompose", many_cycles())
+        self.assertEqual(len(self.of_class(root, "envelope")), 1)
+        self.assertEqual(self.of_class(root, "cycle"), [])
+        self.assertEqual(self.of_class(root, "margin"), [])
+        self.assertEqual(len(self.of_class(root, "overlaid")), len(found["cycles"]))
+        self.assertEqual(len(self.of_class(root, "mean")), 1)
+        self.assertEqual(len(self.of_class(root, "zoomed")), 1)
+        few = self.figure("decompose", walk())
+        for name in ("envelope", "overlaid", "zoomed"):
+            self.assertEqual(self.of_class(few, name), [])
+
+    def test_long_loops_go_one_way(self):
+        """The angle around the middle of the loop grows by one turn per cycle."""
+        found = self.json("decompose", many_cycles(), "--curve")
+        loop = found["curve"]["loop"]
+        cycles = found["cycles"]
+        first, last = cycles[0]["begin"], cycles[-1]["end"]
+        step = found["curve"]["frames"][1] - found["curve"]["frames"][0]
+        points = [p for f, p in zip(found["curve"]["frames"], loop) if first <= f < last]
+        middle = [sum(p[i] for p in points) / len(points) for i in (0, 1)]
+        angles = [math.atan2(p[1] - middle[1], p[0] - middle[0]) for p in points]
+        turned = sum(
+            (b - a + math.pi) % (2 * math.pi) - math.pi for a, b in zip(angles, angles[1:])
+        )
+        self.assertGreater(step, 0)
+        self.assertAlmostEqual(abs(turned) / (2 * math.pi), len(cycles), delta=1.5)
+
+    def test_cycle_times(self):
+        found = self.json("decompose", walk())
+        root = self.figure("decompose", walk())
+        marks = self.of_class(root, "cycle-time")
+        self.assertEqual(len(marks), len(found["cycles"]))
+        self.assertEqual(len([m for m in marks if m.get("fill") != "#ffffff"]), 1)
+        two = synthetic("--cycles", "2")
+        self.assertEqual(self.of_class(self.figure("decompose", two), "cycle-time"), [])
+
+    def test_neither_of_two_cycles_is_the_best(self):
+        self.assertNotIn("best", self.done("decompose", synthetic("--cycles", "2")).decode())
+        self.assertIn("best", self.done("decompose", walk()).decode())
+
+    def test_no_curve_where_nothing_was_fitted(self):
+        root = self.figure("decompose", many_cycles())  # it stands before and after
+        self.assertEqual(len(self.of_class(root, "no-curve")), 2)
+        self.assertEqual(self.of_class(self.figure("decompose", walk()), "no-curve"), [])
 
     def test_seams(self):
         """One strip per kind of cut, with its postures across the seam, in order."""
@@ -131,9 +342,12 @@ class Figure(CommandTest):
         self.figure("fit", circle())
 
     def test_loop_numbers_do_not_overlap(self):
-        root = self.figure("decompose", crowd(), "--fps", "50")
-        numbers = self.of_class(root, "number")
-        self.assertGreater(len(numbers), 2)
+        self.apart(self.of_class(self.figure("decompose", crowd(), "--fps", "50"), "number"))
+        numbers = self.of_class(self.figure("decompose", walk()), "number")
+        self.assertGreater(len(numbers), 4)
+        self.apart(numbers)
+
+    def apart(self, numbers):
         boxes = [
             (float(n.get("x")), float(n.get("y")), 0.55 * 9.5 * len(n.text)) for n in numbers
         ]

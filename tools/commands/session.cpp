@@ -175,9 +175,13 @@ void Session::set_fps(double fps) {
 }
 
 std::string Session::title() const {
-    if (is_standard_input(arguments_.input))
-        return "standard input" + arguments_.input.substr(1);
-    return std::filesystem::path(arguments_.input).filename().string();
+    std::string name = is_standard_input(arguments_.input)
+                           ? "standard input" + arguments_.input.substr(1)
+                           : std::filesystem::path(arguments_.input).filename().string();
+    // Other control characters are replaced where they are shown, but lines are part of tables.
+    for (std::size_t at = 0; (at = name.find('\n', at)) != std::string::npos;)
+        name.replace(at, 1, "\xEF\xBF\xBD"); // U+FFFD
+    return name;
 }
 
 void Session::add_file(const std::string& path, std::string content) {

@@ -2,44 +2,35 @@
 #include <algorithm>
 #include <cmath>
 
-#include "plot/labels.hpp"
+#include "plot/axes.hpp"
 #include "plot/palette.hpp"
 #include "plot/panels.hpp"
 #include "plot/postures.hpp"
-#include "plot/scale.hpp"
 #include "plot/stick_figure.hpp"
 
 namespace tool::plot {
 namespace {
 
-constexpr double small_font = 9.5;
+constexpr double air = 12; // between the curve and the postures
 
 /// Layout: bars above the frame; inside it postures, the curve, postures.
 struct Layout {
     Rect frame;
     Scale time;  ///< frame number to x
     Scale value; ///< curve value to y
+
+    double middle() const { return 0.5 * (value.start + value.end); }
 };
 
-std::pair<double, double> range_of(const std::vector<double>& values) {
-    double low = INFINITY;
-    double high = -HUGE_VAL;
-    for (const double v : values)
-        if (std::isfinite(v)) {
-            low = std::min(low, v);
-            high = std::max(high, v);
-        }
-    if (!(low < high))
-        return {low - 1, low + 1};
-    return {low, high};
-}
-
 Layout layout_of(const Figure& figure, const Rect& frame, double posture_height) {
-    const auto [low, high] = range_of(figure.curve);
-    constexpr double air = 12;
+    Range range;
+    for (const double value : figure.curve)
+        range.add(value);
+    range = range.wide();
     return {frame,
             {0, static_cast<double>(figure.frames), frame.x, frame.right()},
-            {low, high, frame.bottom() - posture_height - air, frame.y + posture_height + air}};
+            {range.low, range.high, frame.bottom() - posture_height - air,
+             frame.y + posture_height + air}};
 }
 
 Point curve_point(const Figure& figure, const Layout& layout, std::int64_t sample) {
@@ -47,7 +38,8 @@ Point curve_point(const Figure& figure, const Layout& layout, std::int64_t sampl
             layout.value(figure.curve[static_cast<std::size_t>(sample)])};
 }
 
-/// The point of the curve at a frame, interpolated between samples.
+/// The point of the curve at a frame, interpolated between samples; where there is none, a point of
+/// the line that says so.
 Point curve_at(const Figure& figure, const Layout& layout, std::int64_t frame) {
     const double at = static_cast<double>(frame - figure.first) / static_cast<double>(figure.step);
     const auto last = static_cast<std::int64_t>(figure.curve.size()) - 1;
@@ -57,7 +49,8 @@ Point curve_at(const Figure& figure, const Layout& layout, std::int64_t frame) {
     const double share = std::clamp(at - static_cast<double>(left), 0.0, 1.0);
     const Point a = curve_point(figure, layout, left);
     const Point b = curve_point(figure, layout, right);
-    return {layout.time(static_cast<double>(frame)), a.y + share * (b.y - a.y)};
+    const double y = a.y + share * (b.y - a.y);
+    return {layout.time(static_cast<double>(frame)), std::isfinite(y) ? y : layout.middle()};
 }
 
 void draw_bands(Svg& svg, const Figure& figure, const Layout& layout) {
@@ -69,9 +62,11 @@ void draw_bands(Svg& svg, const Figure& figure, const Layout& layout) {
     }
 }
 
-/// A darker band behind the representative cycle, a dashed line at every margin.
+/// A darker band behind the representative cycle, a dashed line at every margin. They end where the
+/// postures begin, so that no number lies on a line.
 void draw_margins(Svg& svg, const Figure& figure, const Layout& layout) {
     const char* color = unit_colors(STLTSA_UNIT_CYCLIC).line;
+    const double top = layout.value.end - air, bottom = layout.value.start + air;
     if (figure.representative >= 0) {
         const auto& cycle = figure.cycles[static_cast<std::size_t>(figure.representative)];
         const double begin = layout.time(static_cast<double>(cycle.begin));
@@ -79,73 +74,108 @@ void draw_margins(Svg& svg, const Figure& figure, const Layout& layout) {
         svg.rect({begin, layout.frame.y, end - begin, layout.frame.height},
                  {{"fill", color}, {"fill-opacity", 0.12}});
     }
-    svg.open("g", {{"stroke", color}, {"stroke-width", 0.8}, {"stroke-dasharray", "3 2.5"}});
-    for (std::size_t i = 0; i < figure.cycles.size() && cycles_fit(figure, layout.frame); ++i)
+    if (figure.dense())
+        return;
+    svg.open("g", {{"stroke", color}, {"stroke-width", thin_line}, {"stroke-dasharray", dashes}});
+    for (std::size_t i = 0; i < figure.cycles.size(); ++i)
         for (const std::int64_t frame : {figure.cycles[i].begin, figure.cycles[i].end})
             if (i == 0 || frame != figure.cycles[i - 1].end) {
                 const double x = layout.time(static_cast<double>(frame));
-                svg.line({x, layout.frame.y}, {x, layout.frame.bottom()}, {});
+                svg.line({x, top}, {x, bottom}, {{"class", "margin"}});
             }
     svg.close("g");
 }
 
+/// The width of a part of the envelope: a cycle, or a few pixels if there is none.
+double envelope_part(const Figure& figure, const Layout& layout) {
+    constexpr double least = 4;
+    std::int64_t total = 0;
+    for (const stltsa::Interval& cycle : figure.cycles)
+        total += cycle.end - cycle.begin;
+    const double mean = figure.cycles.empty() ? 0
+                                              : static_cast<double>(total) /
+                                                    static_cast<double>(figure.cycles.size());
+    return std::max(least, layout.time(mean) - layout.time(0));
+}
+
+/// From the lowest to the highest value in each of `parts` equal parts of the points.
+std::vector<Point> envelope_of(const std::vector<Point>& points, std::size_t parts) {
+    std::vector<Point> lows, outline;
+    for (std::size_t part = 0; part < parts; ++part) {
+        const std::size_t from = part * points.size() / parts;
+        const std::size_t to = (part + 1) * points.size() / parts;
+        const auto begin = points.begin() + static_cast<std::ptrdiff_t>(from);
+        const auto end = points.begin() + static_cast<std::ptrdiff_t>(to);
+        const auto [low, high] = std::minmax_element(
+            begin, end, [](const Point& a, const Point& b) { return a.y < b.y; });
+        const double x = part == 0           ? points.front().x
+                         : part + 1 == parts ? points.back().x
+                                             : 0.5 * (begin->x + (end - 1)->x);
+        outline.push_back({x, low->y});
+        lows.push_back({x, high->y});
+    }
+    outline.insert(outline.end(), lows.rbegin(), lows.rend());
+    return outline;
+}
+
 void draw_curve(Svg& svg, const Figure& figure, const Layout& layout) {
-    svg.open("g", {{"fill", "none"}, {"stroke-width", 1.8}, {"stroke-linejoin", "round"}});
+    const double part = envelope_part(figure, layout);
+    svg.open("g", {{"fill", "none"}, {"stroke-width", curve_line}, {"stroke-linejoin", "round"}});
     for (const Stretch& stretch : stretches(figure)) {
         std::vector<Point> points;
         for (std::int64_t i = stretch.begin; i < stretch.end; ++i)
             points.push_back(curve_point(figure, layout, i));
-        svg.polyline(points, {{"stroke", unit_colors(stretch.kind).line}});
+        const char* color = unit_colors(stretch.kind).line;
+        const auto parts = static_cast<std::size_t>((points.back().x - points.front().x) / part);
+        if (constexpr std::size_t fewest = 3; figure.dense() && parts >= fewest)
+            svg.polyline(envelope_of(points, parts), {{"class", "envelope"},
+                                                      {"fill", color},
+                                                      {"fill-opacity", 0.45},
+                                                      {"stroke", color},
+                                                      {"stroke-width", many_line}});
+        else
+            svg.polyline(points, {{"class", "curve"}, {"stroke", color}});
     }
     svg.close("g");
 }
 
-void draw_time_axis(Svg& svg, const Figure& figure, const Layout& layout) {
-    const double bottom = layout.frame.bottom();
-    const double to = figure.time_of(static_cast<double>(figure.frames));
-    const Scale time{0, to, layout.frame.x, layout.frame.right()};
-    for (const Tick& tick : nice_ticks(0, to, 12)) {
-        const double x = time(tick.value);
-        svg.line({x, bottom}, {x, bottom + 4}, {{"stroke", ink}, {"stroke-width", 0.8}});
-        svg.text({x, bottom + 15}, Anchor::middle, tick.label,
-                 {{"class", "tick"}, {"font-size", small_font}});
+/// A faint dotted line where there is no curve.
+void draw_gaps(Svg& svg, const Figure& figure, const Layout& layout) {
+    const auto x_of = [&](std::int64_t sample) {
+        return layout.time(static_cast<double>(figure.frame_of(sample)));
+    };
+    const auto draw = [&](double from, double to) {
+        if (constexpr double least = 3; to - from > least)
+            svg.line({from, layout.middle()}, {to, layout.middle()},
+                     {{"class", "no-curve"},
+                      {"stroke", faint_ink},
+                      {"stroke-width", thin_line},
+                      {"stroke-dasharray", "1 3"}});
+    };
+    double end = layout.frame.x;
+    for (const Stretch& stretch : stretches(figure)) {
+        draw(end, x_of(stretch.begin));
+        end = x_of(stretch.end);
     }
-    svg.text({layout.frame.x + 0.5 * layout.frame.width, bottom + 28}, Anchor::middle,
-             figure.fps > 0 ? "time in seconds" : "frame");
-}
-
-void draw_value_axis(Svg& svg, const Figure& figure, const Layout& layout) {
-    const double x = layout.frame.x;
-    for (const Tick& tick : nice_ticks(layout.value.from, layout.value.to, 5)) {
-        const double y = layout.value(tick.value);
-        svg.line({x - 4, y}, {x, y}, {{"stroke", ink}, {"stroke-width", 0.8}});
-        svg.text({x - 6, y + 3.5}, Anchor::end, tick.label, {{"font-size", small_font}});
-    }
-    const double middle = 0.5 * (layout.value.start + layout.value.end);
-    svg.open("g", {{"transform",
-                    "translate(" + number(x - 36) + " " + number(middle) + ") rotate(-90)"}});
-    svg.text({0, 0}, Anchor::middle, figure.curve_name);
-    svg.close("g");
+    draw(end, layout.frame.right());
 }
 
 constexpr double number_row = 12; // for the frame number beside a posture
 
-/// One posture above (even slots) or below (odd slots) the curve, connected to its point.
-void draw_posture(Svg& svg, const Figure& figure, const Layout& layout, const PosturePlan& plan,
-                  std::size_t slot) {
-    const std::int64_t frame = plan.frames[slot];
-    const bool above = slot % 2 == 0;
-    const double width = layout.frame.width / static_cast<double>(plan.frames.size());
-    const double x = layout.frame.x + (static_cast<double>(slot) + 0.5) * width;
-    const double tall = plan.scale * posture_box(*figure.bodies, frame).height;
-    const double ground = above ? layout.value.end - 14 : layout.frame.bottom() - number_row - 3;
-    const Point dot = curve_at(figure, layout, frame);
-    const Point tie{x, above ? ground + 3 : ground - tall - 4};
-    svg.line(dot, tie, {{"stroke", faint_ink}, {"stroke-width", 0.6}});
-    svg.circle(dot, 2.2, {{"fill", "#ffffff"}, {"stroke", ink}, {"stroke-width", 1.0}});
-    draw_stick_figure(svg, *figure.bodies, frame, {x, ground}, plan.scale);
-    svg.text_with_halo({x, above ? ground - tall - 4 : ground + number_row}, Anchor::middle,
-                       std::to_string(frame), small_font, "posture-number");
+/// A posture above or below the curve, connected to its point.
+void draw_posture(Svg& svg, const Figure& figure, const Layout& layout, const Posture& posture,
+                  double scale) {
+    const double tall = scale * posture_box(*figure.bodies, posture.frame).height;
+    const double ground =
+        posture.above ? layout.value.end - 14 : layout.frame.bottom() - number_row - 3;
+    const Point dot = curve_at(figure, layout, posture.frame);
+    const Point tie{posture.x, posture.above ? ground + 3 : ground - tall - 4};
+    svg.line(dot, tie,
+             {{"class", "tie"}, {"stroke", faint_ink}, {"stroke-width", 0.75 * thin_line}});
+    svg.circle(dot, mark_radius, {{"fill", "#ffffff"}, {"stroke", ink}, {"stroke-width", 1.0}});
+    draw_stick_figure(svg, *figure.bodies, posture.frame, {posture.x, ground}, scale);
+    svg.text_with_halo({posture.x, posture.above ? ground - tall - 4 : ground + number_row},
+                       Anchor::middle, std::to_string(posture.frame), small_font, "posture-number");
 }
 
 } // namespace
@@ -159,18 +189,21 @@ void draw_curve_panel(Svg& svg, const Figure& figure, const Rect& area) {
 
     draw_bands(svg, figure, layout);
     draw_margins(svg, figure, layout);
-    svg.rect(frame,
-             {{"class", "frame"}, {"fill", "none"}, {"stroke", hairline}, {"stroke-width", 0.8}});
-    draw_time_axis(svg, figure, layout);
+    draw_frame(svg, frame);
+    draw_x_axis(svg, frame,
+                {0, figure.time_of(static_cast<double>(figure.frames)), frame.x, frame.right()}, 12,
+                time_title(figure.fps));
     if (figure.curve.empty())
         return;
-    draw_value_axis(svg, figure, layout);
+    if (!stretches(figure).empty())
+        draw_y_axis(svg, frame, layout.value, 5, figure.curve_name);
+    draw_gaps(svg, figure, layout);
     draw_curve(svg, figure, layout);
     if (!figure.bodies)
         return;
-    const PosturePlan plan = plan_postures(figure, area.width, posture_height - number_row - 6);
-    for (std::size_t slot = 0; slot < plan.frames.size(); ++slot)
-        draw_posture(svg, figure, layout, plan, slot);
+    const PosturePlan plan = plan_postures(figure, frame, posture_height - number_row - 6);
+    for (const Posture& posture : plan.postures)
+        draw_posture(svg, figure, layout, posture, plan.scale);
 }
 
 } // namespace tool::plot

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <stltsa.hpp>
 
+#include "plot/axes.hpp"
 #include "plot/labels.hpp"
 #include "plot/palette.hpp"
 #include "plot/scale.hpp"
@@ -21,9 +22,10 @@ namespace {
 constexpr double width = 720;
 constexpr double left = 54;
 constexpr double right = 14;
-constexpr double panel_height = 150;
+constexpr double panel_height = 140;
+constexpr double residual_height = 80;
 constexpr double axis_height = 34;
-constexpr double small_font = 9.5;
+constexpr double heading = 18;
 /// More would not fit on a page.
 constexpr std::int64_t most_columns = 3;
 
@@ -31,11 +33,13 @@ const char* const curve_color = unit_colors(STLTSA_UNIT_CYCLIC).line;
 constexpr double band_opacity = 0.22;
 const char* const moved_color = unit_colors(STLTSA_UNIT_FINAL).line;
 
-/// One coordinate, before or after denoising.
+/// Points of one coordinate and their curve: before or after denoising, or the distance of the
+/// points from the curve, which is a level line then.
 struct Panel {
     const DenoiseFigure& figure;
     std::int64_t column;
     const stltsa::Matrix& points;
+    const stltsa::Matrix& curve;
     Rect frame;
     Scale time;  ///< row to x
     Scale value; ///< to y
@@ -46,11 +50,12 @@ struct Panel {
     double gamma() const { return figure.gammas[static_cast<std::size_t>(column)]; }
 };
 
-/// The common range of both panels, so that they can be compared.
-std::pair<double, double> range_of(const DenoiseFigure& figure, std::int64_t column) {
+using Matrices = std::initializer_list<const stltsa::Matrix*>;
+
+std::pair<double, double> range_of(Matrices matrices, std::int64_t column) {
     double low = INFINITY;
     double high = -HUGE_VAL;
-    for (const stltsa::Matrix* grid : {&figure.before, &figure.after, &figure.curve})
+    for (const stltsa::Matrix* grid : matrices)
         for (std::int64_t r = 0; r < grid->rows; ++r) {
             low = std::min(low, (*grid)(r, column));
             high = std::max(high, (*grid)(r, column));
@@ -61,47 +66,32 @@ std::pair<double, double> range_of(const DenoiseFigure& figure, std::int64_t col
 }
 
 Panel panel_of(const DenoiseFigure& figure, std::int64_t column, const stltsa::Matrix& points,
-               const Rect& frame) {
-    const auto [low, high] = range_of(figure, column);
+               const stltsa::Matrix& curve, std::pair<double, double> range, const Rect& frame) {
     constexpr double air = 8;
     const auto last = static_cast<double>(std::max<std::int64_t>(1, points.rows - 1));
     return {figure,
             column,
             points,
+            curve,
             frame,
             {0, last, frame.x + air, frame.right() - air},
-            {low, high, frame.bottom() - air, frame.y + air}};
+            {range.first, range.second, frame.bottom() - air, frame.y + air}};
 }
 
 void draw_axes(Svg& svg, const Panel& panel, const std::string& name, bool with_time) {
     const DenoiseFigure& figure = panel.figure;
-    svg.rect(panel.frame,
-             {{"class", "frame"}, {"fill", "none"}, {"stroke", hairline}, {"stroke-width", 0.8}});
-    for (const Tick& tick : nice_ticks(panel.value.from, panel.value.to, 4)) {
-        const double y = panel.value(tick.value);
-        svg.line({panel.frame.x - 4, y}, {panel.frame.x, y},
-                 {{"stroke", ink}, {"stroke-width", 0.8}});
-        svg.text({panel.frame.x - 6, y + 3.5}, Anchor::end, tick.label,
-                 {{"font-size", small_font}});
-    }
-    svg.text({panel.frame.x, panel.frame.y - 5}, Anchor::start, name, {{"font-weight", "bold"}});
+    draw_frame(svg, panel.frame);
+    draw_y_axis(svg, panel.frame, panel.value, 4, "");
+    svg.text({panel.frame.x, panel.frame.y - 5}, Anchor::start, name,
+             {{"class", "heading"}, {"font-weight", "bold"}});
     const double unit = figure.fps > 0 ? 1 / figure.fps : 1;
     const auto time_of = [&](double row) {
         return (static_cast<double>(figure.first) + row * static_cast<double>(figure.step)) * unit;
     };
-    const double bottom = panel.frame.bottom();
-    const Scale time{time_of(panel.time.from), time_of(panel.time.to), panel.time.start,
-                     panel.time.end};
-    for (const Tick& tick : nice_ticks(time.from, time.to, 12)) {
-        const double x = time(tick.value);
-        svg.line({x, bottom}, {x, bottom + 4}, {{"stroke", ink}, {"stroke-width", 0.8}});
-        if (with_time)
-            svg.text({x, bottom + 15}, Anchor::middle, tick.label,
-                     {{"class", "tick"}, {"font-size", small_font}});
-    }
-    if (with_time)
-        svg.text({panel.frame.x + 0.5 * panel.frame.width, bottom + 28}, Anchor::middle,
-                 figure.fps > 0 ? "time in seconds" : "frame");
+    draw_x_axis(
+        svg, panel.frame,
+        {time_of(panel.time.from), time_of(panel.time.to), panel.time.start, panel.time.end}, 12,
+        with_time ? time_title(figure.fps) : "");
 }
 
 /// Calls draw(begin, end) for the rows of each piece.
@@ -122,9 +112,9 @@ void draw_band(Svg& svg, const Panel& panel) {
     for_pieces(panel.figure, [&](std::int64_t begin, std::int64_t end) {
         std::vector<Point> outline;
         for (std::int64_t r = begin; r < end; ++r)
-            outline.push_back(held(panel.at(panel.figure.curve, r, panel.gamma())));
+            outline.push_back(held(panel.at(panel.curve, r, panel.gamma())));
         for (std::int64_t r = end; r-- > begin;)
-            outline.push_back(held(panel.at(panel.figure.curve, r, -panel.gamma())));
+            outline.push_back(held(panel.at(panel.curve, r, -panel.gamma())));
         svg.polyline(outline,
                      {{"class", "band"}, {"fill", curve_color}, {"fill-opacity", band_opacity}});
     });
@@ -134,7 +124,7 @@ void draw_curve(Svg& svg, const Panel& panel) {
     for_pieces(panel.figure, [&](std::int64_t begin, std::int64_t end) {
         std::vector<Point> line;
         for (std::int64_t r = begin; r < end; ++r)
-            line.push_back(panel.at(panel.figure.curve, r));
+            line.push_back(panel.at(panel.curve, r));
         svg.polyline(line, {{"class", "fitted"},
                             {"fill", "none"},
                             {"stroke", curve_color},
@@ -180,15 +170,46 @@ void draw_key(Svg& svg, double y) {
     svg.text({left + 222, y}, Anchor::start, "fitted curve");
     svg.rect({left + 310, middle - 5, 20, 10},
              {{"fill", curve_color}, {"fill-opacity", band_opacity}});
-    svg.text({left + 336, y}, Anchor::start, "within gamma of the curve");
+    svg.text({left + 336, y}, Anchor::start, "within the noise threshold");
 }
 
 double draw_facts(Svg& svg, const DenoiseFigure& figure, double y) {
-    constexpr double font = 10.5;
     for (const std::string& fact : figure.facts)
-        for (const std::string& line : lines_of(fact, font, width - left - right))
-            svg.text({left, y += 15}, Anchor::start, line, {{"font-size", font}});
+        for (const std::string& line : lines_of(fact, list_font, width - left - right))
+            svg.text({left, y += 15}, Anchor::start, line, {{"font-size", list_font}});
     return y;
+}
+
+stltsa::Matrix residuals_of(const DenoiseFigure& figure) {
+    stltsa::Matrix residuals = figure.before;
+    for (std::size_t i = 0; i < residuals.values.size(); ++i)
+        residuals.values[i] -= figure.curve.values[i];
+    return residuals;
+}
+
+/// One coordinate before and after, with one range so that they can be compared, and the residuals.
+double draw_column(Svg& svg, const DenoiseFigure& figure, std::int64_t c, double y) {
+    const stltsa::Matrix residuals = residuals_of(figure);
+    const stltsa::Matrix level(residuals.rows, residuals.cols);
+    const auto common = range_of({&figure.before, &figure.after, &figure.curve}, c);
+    auto apart = range_of({&residuals}, c);
+    const double gamma = figure.gammas[static_cast<std::size_t>(c)];
+    apart = {std::min(apart.first, -gamma), std::max(apart.second, gamma)};
+    const auto place = [&](double height) {
+        const Rect frame{left, y + heading, width - left - right, height};
+        y += heading + height + 4;
+        return frame;
+    };
+    const auto named = [&](const char* what) {
+        return fmt::format("coordinate {}, {}", c + 1, what);
+    };
+    draw_panel(svg, panel_of(figure, c, figure.before, figure.curve, common, place(panel_height)),
+               named("before denoising"), false);
+    draw_panel(svg, panel_of(figure, c, figure.after, figure.curve, common, place(panel_height)),
+               named("after denoising"), false);
+    draw_panel(svg, panel_of(figure, c, residuals, level, apart, place(residual_height)),
+               named("residuals: before denoising, less the fitted curve"), true);
+    return y + axis_height;
 }
 
 } // namespace
@@ -198,17 +219,8 @@ std::string denoise_figure_svg(const DenoiseFigure& figure) {
     double y = draw_title(svg, figure.title, figure.summary, left, width - right) + 20;
     draw_key(svg, y);
     y += 8;
-    constexpr double heading = 18;
     for (std::int64_t c = 0; c < std::min(figure.curve.cols, most_columns); ++c)
-        for (const bool before : {true, false}) {
-            const Rect frame{left, y + heading, width - left - right, panel_height};
-            const Panel panel = panel_of(figure, c, before ? figure.before : figure.after, frame);
-            draw_panel(
-                svg, panel,
-                fmt::format("coordinate {}, {} denoising", c + 1, before ? "before" : "after"),
-                !before);
-            y += heading + panel_height + (before ? 4 : axis_height);
-        }
+        y = draw_column(svg, figure, c, y);
     y = draw_facts(svg, figure, y + 4);
     return svg.document(width, y + 16, figure.title);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The figure of a clip: the curve over time with units, cycles and postures (Fig. 3 of the paper),
-// and the loop of two coordinates with frame numbers (Fig. 1).
+// the loop of two coordinates with frame numbers (Fig. 1), and cycle times; of many cycles, also
+// these on 0 to 100 % and the representative one. docs/figures.md describes how it is drawn.
 #pragma once
 
 #include <cstdint>
@@ -23,19 +24,28 @@ struct Figure {
     std::int64_t first = 0;         ///< sample i is frame first + i * step
     std::int64_t step = 1;
     std::string curve_name;
-    std::vector<double> curve;        ///< one value per sample
+    std::vector<double> curve;        ///< one value per sample; NaN: there is no curve
     std::vector<std::int64_t> pieces; ///< per sample: pieces are not connected; empty: one piece
     std::vector<std::string> loop_names;
-    stltsa::Matrix loop; ///< samples x 2; empty: no second panel
+    stltsa::Matrix loop; ///< samples x 2, NaN as in the curve; empty: no second panel
     std::vector<stltsa::Segment> segments;
     std::vector<stltsa::Interval> units;
     std::vector<stltsa::Interval> cycles;
     std::int64_t representative = -1; ///< index into cycles
+    std::int64_t enlarged = -1; ///< the representative cycle or, if it has no curve, another one
+    /// The curve on 0 to 100 % of the cycles in the segment of the enlarged one.
+    std::optional<stltsa::Cycles> overlaid;
+    std::string cycle_times; ///< mean and spread in words; empty: several motions
     std::optional<SideView> bodies;
+    std::vector<std::int64_t> postures; ///< frames, the most telling first
 
     std::int64_t frame_of(std::int64_t sample) const { return first + sample * step; }
     /// Seconds, or frames if the rate is unknown.
     double time_of(double frame) const { return fps > 0 ? frame / fps : frame; }
+    /// Whether single cycles are too many to be drawn one beside the other.
+    bool dense() const;
+    /// Whether more than one behavior is seen.
+    bool several() const;
     /// The unit of a frame, as STLTSA_UNIT_*; 0: none.
     std::int32_t unit_at(std::int64_t frame) const;
 };

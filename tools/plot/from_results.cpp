@@ -42,14 +42,86 @@ plot::Figure figure_of(const Session& session, const stltsa::Info& info) {
 }
 
 std::vector<std::string> facts_of(const stltsa::Info& info) {
-    return {neighbors_text(info), "samples: " + samples_text(info),
-            "features: " + features_text(info)};
+    const std::int64_t neighbors = info.integer(STLTSA_INFO_NEIGHBORS);
+    const double fps = info.real(STLTSA_INFO_FPS);
+    std::vector<std::string> facts{"samples: " + samples_text(info),
+                                   "features: " + features_text(info)};
+    if (neighbors > 0)
+        facts.push_back(
+            "neighborhoods: " + counted(neighbors, "sample") +
+            (fps > 0 ? fmt::format(", {:.2f} s", static_cast<double>(neighbors) / fps) : ""));
+    return facts;
 }
 
 std::string embedding_text(const stltsa::Info& info) {
-    return fmt::format("period {:.3f} s, lag quality {:.2f}, cyclicity {:.2f}",
-                       info.real(STLTSA_INFO_PERIOD), info.real(STLTSA_INFO_LAG_QUALITY),
-                       info.real(STLTSA_INFO_CYCLICITY));
+    return fmt::format("likeness one period later: {:.2f}; regularity of the curve: {:.2f} "
+                       "(1: perfect)",
+                       info.real(STLTSA_INFO_LAG_QUALITY), info.real(STLTSA_INFO_CYCLICITY));
+}
+
+/// Sets samples to NaN where all that is drawn is exactly zero, because nothing was fitted there; a
+/// loop of which nothing is left is removed.
+void leave_out_unfitted(plot::Figure& figure) {
+    std::int64_t left = 0;
+    for (std::int64_t i = 0; i < figure.loop.rows; ++i) {
+        double& curve = figure.curve[static_cast<std::size_t>(i)];
+        if (curve == 0 && figure.loop(i, 0) == 0 && figure.loop(i, 1) == 0)
+            curve = figure.loop(i, 0) = figure.loop(i, 1) = NAN;
+        else
+            left += figure.loop(i, 1) == 0 ? 0 : 1;
+    }
+    if (left == 0)
+        figure.loop = {};
+}
+
+bool has_curve(const plot::Figure& figure, const stltsa::Interval& cycle) {
+    const std::int64_t middle = ((cycle.begin + cycle.end) / 2 - figure.first) / figure.step;
+    return middle >= 0 && middle < std::ssize(figure.curve) &&
+           std::isfinite(figure.curve[static_cast<std::size_t>(middle)]);
+}
+
+/// The representative cycle, or else the first one that has a curve; -1: none.
+std::int64_t enlarged_cycle(const plot::Figure& figure) {
+    const auto fits = [&](const stltsa::Interval& cycle) { return has_curve(figure, cycle); };
+    if (figure.representative >= 0 &&
+        fits(figure.cycles[static_cast<std::size_t>(figure.representative)]))
+        return figure.representative;
+    const auto found = std::ranges::find_if(figure.cycles, fits);
+    return found == figure.cycles.end() ? -1 : found - figure.cycles.begin();
+}
+
+/// The curve on 0 to 100 % of each cycle in the segment of the enlarged one.
+std::optional<stltsa::Cycles> overlaid_cycles(const plot::Figure& figure) {
+    if (figure.enlarged < 0)
+        return std::nullopt;
+    const std::int32_t segment = figure.cycles[static_cast<std::size_t>(figure.enlarged)].segment;
+    std::vector<double> borders; // in samples
+    const auto add = [&](std::int64_t frame) {
+        const double sample =
+            static_cast<double>(frame - figure.first) / static_cast<double>(figure.step);
+        borders.push_back(std::clamp(sample, 0.0, static_cast<double>(figure.curve.size())));
+    };
+    for (const stltsa::Interval& cycle : figure.cycles)
+        if (cycle.segment == segment) {
+            if (borders.empty())
+                add(cycle.begin);
+            add(cycle.end);
+        }
+    stltsa::Matrix curve(std::ssize(figure.curve), 1);
+    curve.values = figure.curve;
+    constexpr std::int64_t percent = 101;
+    return stltsa::cycles_between(borders, curve, percent);
+}
+
+/// Mean and spread, if all cycles are of one motion.
+std::string cycle_times_of(const stltsa::Decomposition& result) {
+    if (result.summary_count() != 1)
+        return "";
+    const stltsa::Statistics times =
+        result.statistics(STLTSA_PART_CYCLE, result.summary(0).label, -1, STLTSA_QUANTITY_TIME);
+    return times.count < 2
+               ? ""
+               : fmt::format("{:.3f} s, standard deviation {:.3f} s", times.mean, times.sd);
 }
 
 /// More would not fit on a page.
@@ -131,15 +203,24 @@ std::string decomposition_figure(const Session& session,
     figure.facts = facts_of(info);
     if (info.real(STLTSA_INFO_PERIOD) > 0)
         figure.facts.insert(figure.facts.begin(), embedding_text(info));
-    const std::int64_t column = info.integer(STLTSA_INFO_COORDINATE);
-    figure.curve_name = column == 0 ? "coordinate" : fmt::format("coordinate {}", column);
+    figure.curve_name = "motion coordinate";
     figure.curve = decomposition.curve().values;
-    figure.loop_names = {"first coordinate of the loop", "second coordinate of the loop"};
+    const char* what = decomposition.cycle_count() > 0 ? "loop" : "curve";
+    figure.loop_names = {fmt::format("first coordinate of the {}", what),
+                         fmt::format("second coordinate of the {}", what)};
     figure.loop = decomposition.loop();
+    leave_out_unfitted(figure);
     figure.segments = decomposition.segments();
     figure.units = decomposition.units();
     figure.cycles = decomposition.cycles();
     figure.representative = info.integer(STLTSA_INFO_REPRESENTATIVE);
+    figure.postures = info.integers(STLTSA_INFO_POSTURES);
+    figure.cycle_times = cycle_times_of(decomposition);
+    if (figure.dense()) {
+        figure.enlarged = enlarged_cycle(figure);
+        figure.overlaid = overlaid_cycles(figure);
+        figure.facts.emplace_back("band of the curve: lowest to highest value of each cycle");
+    }
     return plot::figure_svg(figure);
 }
 
@@ -147,15 +228,18 @@ std::string fit_figure(const Session& session, const stltsa::Model& model) {
     const stltsa::Info info = model.info();
     const stltsa::Matrix coords = model.coords();
     plot::Figure figure = figure_of(session, info);
-    figure.summary = fmt::format("curve of {}, mode {}", counted(coords.cols, "coordinate"),
-                                 named(info, STLTSA_INFO_MODE));
+    figure.summary = fmt::format("curve of {}, {} neighborhoods",
+                                 counted(coords.cols, "coordinate"), named(info, STLTSA_INFO_MODE));
     figure.facts = facts_of(info);
-    figure.curve_name = "coordinate 1";
+    figure.curve_name = "first coordinate";
+    constexpr std::int64_t postures = 11; // evenly spaced: a model keeps no poses to choose from
+    for (std::int64_t i = 0; i < std::min(postures, figure.frames); ++i)
+        figure.postures.push_back((2 * i + 1) * figure.frames / (2 * postures));
     figure.pieces = model.components();
     for (std::int64_t i = 0; i < coords.rows; ++i)
         figure.curve.push_back(coords(i, 0));
     if (coords.cols >= 2) {
-        figure.loop_names = {"coordinate 1", "coordinate 2"};
+        figure.loop_names = {"first coordinate", "second coordinate"};
         figure.loop = stltsa::Matrix(coords.rows, 2);
         for (std::int64_t i = 0; i < coords.rows; ++i)
             for (std::int64_t c = 0; c < 2; ++c)

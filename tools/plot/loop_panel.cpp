@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
+#include "plot/axes.hpp"
 #include "plot/labels.hpp"
 #include "plot/palette.hpp"
 #include "plot/panels.hpp"
@@ -11,57 +13,106 @@
 namespace tool::plot {
 namespace {
 
-constexpr double font = 9.5;
+constexpr double font = small_font;
 constexpr int most_numbers = 16;
 constexpr double air = 22; // between the frame and the loop, for numbers outside it
 
 /// Points of the samples, with one scale for both axes and the loop centered.
 std::vector<Point> loop_points(const stltsa::Matrix& loop, const Rect& area) {
-    Point low{INFINITY, INFINITY};
-    Point high{-HUGE_VAL, -HUGE_VAL};
+    Range along, up;
     for (std::int64_t i = 0; i < loop.rows; ++i) {
-        low = {std::min(low.x, loop(i, 0)), std::min(low.y, loop(i, 1))};
-        high = {std::max(high.x, loop(i, 0)), std::max(high.y, loop(i, 1))};
+        along.add(loop(i, 0));
+        up.add(loop(i, 1));
     }
-    const double size = std::max({high.x - low.x, high.y - low.y, 1e-300});
+    const double size = std::max({along.high - along.low, up.high - up.low, 1e-300});
     const double scale = (std::min(area.width, area.height) - 2 * air) / size;
     std::vector<Point> points;
     for (std::int64_t i = 0; i < loop.rows; ++i)
         points.push_back(
-            {area.x + 0.5 * area.width + scale * (loop(i, 0) - 0.5 * (low.x + high.x)),
-             area.y + 0.5 * area.height - scale * (loop(i, 1) - 0.5 * (low.y + high.y))});
+            {area.x + 0.5 * area.width + scale * (loop(i, 0) - 0.5 * (along.low + along.high)),
+             area.y + 0.5 * area.height - scale * (loop(i, 1) - 0.5 * (up.low + up.high))});
     return points;
 }
 
+bool exists(Point point) {
+    return std::isfinite(point.x) && std::isfinite(point.y);
+}
+
 void draw_lines(Svg& svg, const Figure& figure, const std::vector<Point>& points) {
-    const bool many = points.size() > 600;
     svg.open("g", {{"fill", "none"},
                    {"stroke-linejoin", "round"},
-                   {"stroke-width", many ? 0.9 : 1.5},
-                   {"stroke-opacity", many ? 0.75 : 1.0}});
+                   {"stroke-width", figure.dense() ? many_line : 0.8 * curve_line},
+                   {"stroke-opacity", figure.dense() ? 0.25 : 1.0}});
     for (const Stretch& stretch : stretches(figure)) {
         const auto begin = points.begin() + stretch.begin;
         const auto end = points.begin() + stretch.end;
-        svg.polyline({begin, end}, {{"stroke", unit_colors(stretch.kind).line}});
+        svg.curve({begin, end}, {{"class", "loop"}, {"stroke", unit_colors(stretch.kind).line}});
     }
     svg.close("g");
 }
 
-void draw_representative(Svg& svg, const Figure& figure, const std::vector<Point>& points) {
-    if (figure.representative < 0)
-        return;
-    const auto& cycle = figure.cycles[static_cast<std::size_t>(figure.representative)];
+/// The points of the representative cycle.
+std::vector<Point> representative_part(const Figure& figure, const std::vector<Point>& points) {
     std::vector<Point> part;
+    if (figure.representative < 0)
+        return part;
+    const auto& cycle = figure.cycles[static_cast<std::size_t>(figure.representative)];
     for (std::size_t i = 0; i < points.size(); ++i) {
         const std::int64_t frame = figure.frame_of(static_cast<std::int64_t>(i));
-        if (frame >= cycle.begin && frame <= cycle.end)
+        if (frame >= cycle.begin && frame <= cycle.end && exists(points[i]))
             part.push_back(points[i]);
     }
-    svg.polyline(part, {{"fill", "none"},
-                        {"stroke", unit_colors(STLTSA_UNIT_CYCLIC).line},
-                        {"stroke-width", 3.2},
-                        {"stroke-linejoin", "round"},
-                        {"stroke-opacity", 0.45}});
+    return part;
+}
+
+/// The points up to the first gap.
+std::vector<Point> first_part(const Figure& figure, const std::vector<Point>& points) {
+    const std::vector<Stretch> all = stretches(figure);
+    if (all.empty())
+        return {};
+    std::int64_t end = all.front().end;
+    for (const Stretch& stretch : all)
+        if (stretch.begin < end)
+            end = stretch.end;
+    return {points.begin() + all.front().begin, points.begin() + end};
+}
+
+void draw_representative(Svg& svg, const std::vector<Point>& part) {
+    svg.curve(part, {{"class", "representative"},
+                     {"fill", "none"},
+                     {"stroke", unit_colors(STLTSA_UNIT_CYCLIC).line},
+                     {"stroke-width", wide_line},
+                     {"stroke-linejoin", "round"},
+                     {"stroke-opacity", 0.45}});
+}
+
+/// Arrowheads along the path, which point the way that it goes. Returns their boxes.
+std::vector<Rect> draw_arrows(Svg& svg, const std::vector<Point>& path) {
+    constexpr int arrows = 3;
+    constexpr double size = 4.5;
+    std::vector<double> length{0};
+    for (std::size_t i = 1; i < path.size(); ++i)
+        length.push_back(length.back() +
+                         std::hypot(path[i].x - path[i - 1].x, path[i].y - path[i - 1].y));
+    std::vector<Rect> boxes;
+    if (constexpr double shortest = 60; path.size() < 3 || length.back() < shortest)
+        return boxes;
+    for (int arrow = 0; arrow < arrows; ++arrow) {
+        const double at = (arrow + 0.5) / arrows * length.back();
+        const auto i = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(
+            std::ranges::lower_bound(length, at) - length.begin(), 1, std::ssize(path) - 1));
+        const double share = (at - length[i - 1]) / std::max(1e-9, length[i] - length[i - 1]);
+        const Point a = path[i - 1], b = path[i];
+        const Point tip{a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
+        const double angle = std::atan2(b.y - a.y, b.x - a.x) * 57.295779513082323;
+        svg.add("path", {{"class", "direction"},
+                         {"d", "M5 0L-4 4L-2 0L-4 -4Z"},
+                         {"transform", "translate(" + number(tip.x) + " " + number(tip.y) +
+                                           ") rotate(" + number(angle) + ")"},
+                         {"fill", ink}});
+        boxes.push_back({tip.x - size, tip.y - size, 2 * size, 2 * size});
+    }
+    return boxes;
 }
 
 struct Numbered {
@@ -82,29 +133,31 @@ std::vector<Numbered> numbered_points(const Figure& figure, const std::vector<Po
                              static_cast<double>(figure.step);
         const Point a = points[static_cast<std::size_t>(left)];
         const Point b = points[static_cast<std::size_t>(std::min(left + 1, last))];
-        numbered.push_back({frame, {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)}});
+        if (exists(a) && exists(b))
+            numbered.push_back({frame, {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)}});
     }
     return numbered;
 }
 
-/// The eight positions for a number around its point, closest to direction `outward` first.
+/// Positions for a text around its point: near ones first, of these the one closest to direction
+/// `outward`.
 std::vector<Rect> places(Point at, double width, Point outward) {
     constexpr double height = font;
-    constexpr double distance = 4;
     struct Place {
-        double fit;
+        double cost;
         Rect box;
     };
     std::vector<Place> found;
-    for (int i = 0; i < 8; ++i) {
-        const double angle = i * 0.78539816339744831;
-        const Point direction{std::cos(angle), std::sin(angle)};
-        const Point middle{at.x + direction.x * (distance + 0.5 * width),
-                           at.y + direction.y * (distance + 0.5 * height)};
-        found.push_back({direction.x * outward.x + direction.y * outward.y,
-                         {middle.x - 0.5 * width, middle.y - 0.5 * height, width, height}});
-    }
-    std::ranges::stable_sort(found, std::greater{}, &Place::fit);
+    for (const double distance : {4.0, 8.0})
+        for (int i = 0; i < 8; ++i) {
+            const double angle = i * 0.78539816339744831;
+            const Point direction{std::cos(angle), std::sin(angle)};
+            const Point middle{at.x + direction.x * (distance + 0.5 * width),
+                               at.y + direction.y * (distance + 0.5 * height)};
+            found.push_back({distance - direction.x * outward.x - direction.y * outward.y,
+                             {middle.x - 0.5 * width, middle.y - 0.5 * height, width, height}});
+        }
+    std::ranges::stable_sort(found, {}, &Place::cost);
     std::vector<Rect> boxes;
     for (const Place& place : found)
         boxes.push_back(place.box);
@@ -112,12 +165,14 @@ std::vector<Rect> places(Point at, double width, Point outward) {
 }
 
 /// Points on the lines, close enough together that no line passes a number unnoticed.
-std::vector<Point> dense(const std::vector<Point>& points) {
+std::vector<Point> close_points(const std::vector<Point>& points) {
     constexpr double most_apart = 2;
     std::vector<Point> result;
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
         const Point a = points[i];
         const Point b = points[i + 1];
+        if (!exists(a) || !exists(b))
+            continue;
         const double length = std::hypot(b.x - a.x, b.y - a.y);
         const int parts = std::max(1, static_cast<int>(length / most_apart));
         for (int part = 0; part < parts; ++part) {
@@ -128,10 +183,17 @@ std::vector<Point> dense(const std::vector<Point>& points) {
     return result;
 }
 
-std::size_t points_inside(const std::vector<Point>& points, const Rect& box) {
-    return static_cast<std::size_t>(std::ranges::count_if(points, [&](const Point& p) {
-        return p.x > box.x && p.x < box.right() && p.y > box.y && p.y < box.bottom();
-    }));
+bool holds_any(const Rect& box, const std::vector<Point>& points) {
+    constexpr double around = 1.5; // half the width of a line, and a little
+    return std::ranges::any_of(points, [&](const Point& p) {
+        return p.x > box.x - around && p.x < box.right() + around && p.y > box.y - around &&
+               p.y < box.bottom() + around;
+    });
+}
+
+bool holds(const Rect& area, const Rect& box) {
+    return box.x >= area.x && box.right() <= area.right() && box.y >= area.y &&
+           box.bottom() <= area.bottom();
 }
 
 Point away_from(Point center, Point at) {
@@ -139,58 +201,92 @@ Point away_from(Point center, Point at) {
     return {(at.x - center.x) / length, (at.y - center.y) / length};
 }
 
-/// Writes a number where it covers no other number and as little of the curve as possible; omits it
-/// if there is no room.
-void draw_number(Svg& svg, const std::string& text, Point at, Point outward,
-                 const std::vector<Point>& line, LabelSpace& space) {
-    const Rect* best = nullptr;
-    std::size_t covered = 0;
-    const std::vector<Rect> boxes = places(at, text_width(text, font), outward);
-    for (const Rect& box : boxes)
-        if (space.free(box))
-            if (const std::size_t here = points_inside(line, box);
-                best == nullptr || here < covered) {
-                best = &box;
-                covered = here;
-            }
-    if (best == nullptr)
-        return;
-    space.take(*best);
-    svg.text_with_halo({best->x + 0.5 * best->width, best->bottom() - 1.2}, Anchor::middle, text,
-                       font, "number");
+/// Writes texts where they cover neither each other nor a line; omits those without room.
+class Writer {
+  public:
+    Writer(Svg& svg, const Rect& area, const std::vector<Point>& points)
+        : svg_(svg), area_(area), line_(close_points(points)), center_{area.x + 0.5 * area.width,
+                                                                       area.y + 0.5 * area.height} {
+    }
+
+    void keep_free(const Rect& box) { space_.take(box); }
+
+    /// Whether there was room.
+    bool write(const std::string& text, Point at, std::string_view its_class) {
+        const auto boxes = places(at, text_width(text, font), away_from(center_, at));
+        const auto box = std::ranges::find_if(boxes, [&](const Rect& place) {
+            return holds(area_, place) && space_.free(place) && !holds_any(place, line_);
+        });
+        if (box == boxes.end())
+            return false;
+        space_.take(*box);
+        svg_.text_with_halo({box->x + 0.5 * box->width, box->bottom() - 1.2}, Anchor::middle, text,
+                            font, its_class);
+        return true;
+    }
+
+  private:
+    Svg& svg_;
+    Rect area_;
+    std::vector<Point> line_;
+    Point center_;
+    LabelSpace space_;
+};
+
+Rect around(Point at, double size) {
+    return {at.x - size, at.y - size, 2 * size, 2 * size};
+}
+
+void draw_start(Svg& svg, Point at) {
+    const Rect box = around(at, 3);
+    svg.rect(box,
+             {{"class", "start"}, {"fill", ink}, {"stroke", "#ffffff"}, {"stroke-width", 0.7}});
 }
 
 void draw_numbers(Svg& svg, const Figure& figure, const std::vector<Point>& points,
-                  const Rect& area) {
-    const Point center{area.x + 0.5 * area.width, area.y + 0.5 * area.height};
+                  Writer& writer) {
+    const auto start = std::ranges::find_if(points, exists);
+    if (start == points.end())
+        return;
     const std::vector<Numbered> numbered = numbered_points(figure, points);
-    const std::vector<Point> line = dense(points);
-    LabelSpace space;
     for (const auto& [frame, at] : numbered)
-        space.take({at.x - 2, at.y - 2, 4, 4});
-    for (const auto& [frame, at] : numbered) {
-        svg.circle(at, 2.2,
-                   {{"fill", unit_colors(figure.unit_at(frame)).line},
-                    {"stroke", "#ffffff"},
-                    {"stroke-width", 0.7}});
-        draw_number(svg, std::to_string(frame), at, away_from(center, at), line, space);
-    }
+        writer.keep_free(around(at, 2));
+    writer.keep_free(around(*start, 3.5));
+    draw_start(svg, *start);
+    writer.write("start", *start, "start-text");
+    for (const auto& [frame, at] : numbered)
+        if (frame > 0 && writer.write(std::to_string(frame), at, "number"))
+            svg.circle(at, mark_radius,
+                       {{"fill", unit_colors(figure.unit_at(frame)).line},
+                        {"stroke", "#ffffff"},
+                        {"stroke-width", 0.7}});
 }
 
 } // namespace
 
-void draw_loop_panel(Svg& svg, const Figure& figure, const Rect& area) {
-    svg.rect(area, {{"fill", "none"}, {"stroke", hairline}, {"stroke-width", 0.8}});
+double draw_loop_panel(Svg& svg, const Figure& figure, const Rect& area) {
+    draw_frame(svg, area);
     const std::vector<Point> points = loop_points(figure.loop, area);
-    draw_representative(svg, figure, points);
+    const std::vector<Point> representative = representative_part(figure, points);
+    draw_representative(svg, representative);
     draw_lines(svg, figure, points);
-    draw_numbers(svg, figure, points, area);
+    Writer writer(svg, area, points);
+    for (const Rect& arrow :
+         draw_arrows(svg, representative.empty() ? first_part(figure, points) : representative))
+        writer.keep_free(arrow);
+    draw_numbers(svg, figure, points, writer);
     svg.text({area.x + 0.5 * area.width, area.bottom() + 14}, Anchor::middle,
-             figure.loop_names.at(0));
-    svg.open("g", {{"transform", "translate(" + number(area.x - 8) + " " +
-                                     number(area.y + 0.5 * area.height) + ") rotate(-90)"}});
-    svg.text({0, 0}, Anchor::middle, figure.loop_names.at(1));
-    svg.close("g");
+             figure.loop_names.at(0), {{"class", "axis-title"}});
+    draw_upward(svg, {area.x - 8, area.y + 0.5 * area.height}, figure.loop_names.at(1));
+    double y = area.bottom() + 18;
+    if (figure.cycles.size() > 1)
+        for (const std::string& line : lines_of(
+                 "The curve drifts slowly, so even equal cycles lie side by side: the width of "
+                 "the loop is drift as well as difference.",
+                 font, area.width))
+            svg.text({area.x, y += 12}, Anchor::start, line,
+                     {{"class", "caption"}, {"font-size", font}, {"fill", faint_ink}});
+    return y;
 }
 
 } // namespace tool::plot

@@ -2,15 +2,14 @@
 #include "plot/postures.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "plot/stick_figure.hpp"
 
 namespace tool::plot {
 namespace {
 
-constexpr std::int64_t most_slots = 13;
-constexpr std::int64_t fewest_slots = 5;
+constexpr std::int64_t most_postures = 13;
+constexpr std::int64_t fewest_postures = 5;
 constexpr std::int64_t frames_tried = 200;
 
 struct Size {
@@ -30,55 +29,48 @@ Size largest_posture(const SideView& view) {
     return size;
 }
 
-void add_extrema(const Figure& figure, std::vector<std::int64_t>& events) {
-    const std::vector<double>& y = figure.curve;
-    for (std::size_t i = 1; i + 1 < y.size(); ++i)
-        if ((y[i] - y[i - 1]) * (y[i + 1] - y[i]) < 0)
-            events.push_back(figure.frame_of(static_cast<std::int64_t>(i)));
-}
-
-std::vector<std::int64_t> events_of(const Figure& figure) {
-    std::vector<std::int64_t> events;
-    for (const stltsa::Interval& unit : figure.units)
-        events.push_back(unit.begin);
-    for (const stltsa::Interval& cycle : figure.cycles) {
-        events.push_back(cycle.begin);
-        events.push_back(cycle.end);
+/// Moves every second posture, from `first`, so that they are `room` apart and inside the frame.
+void spread(std::vector<Posture>& postures, std::size_t first, const Rect& frame, double room) {
+    double least = frame.x + 0.5 * room;
+    for (std::size_t i = first; i < postures.size(); i += 2) {
+        postures[i].x = std::max(postures[i].x, least);
+        least = postures[i].x + room;
     }
-    add_extrema(figure, events);
-    return events;
-}
-
-std::int64_t frame_for_slot(const std::vector<std::int64_t>& events, double middle, double reach) {
-    const auto distance = [&](std::int64_t frame) {
-        return std::abs(static_cast<double>(frame) - middle);
-    };
-    const auto nearest = std::ranges::min_element(events, {}, distance);
-    if (nearest != events.end() && distance(*nearest) <= reach)
-        return *nearest;
-    return static_cast<std::int64_t>(middle);
+    double most = frame.right() - 0.5 * room;
+    for (std::size_t i = postures.size(); i-- > first;)
+        if ((i - first) % 2 == 0) {
+            postures[i].x = std::min(postures[i].x, most);
+            most = postures[i].x - room;
+        }
 }
 
 } // namespace
 
-PosturePlan plan_postures(const Figure& figure, double width, double height) {
+PosturePlan plan_postures(const Figure& figure, const Rect& frame, double height) {
     const Size largest = largest_posture(*figure.bodies);
     if (largest.height <= 0)
         return {};
     PosturePlan plan;
     plan.scale = height / largest.height;
-    constexpr double air = 4;
-    const double room = largest.width * plan.scale + air;
-    const auto fitting = static_cast<std::int64_t>(2 * width / room);
-    const std::int64_t slots =
-        std::min(figure.frames, std::clamp(fitting, fewest_slots, most_slots));
-    plan.scale *= std::min(1.0, 2 * width / static_cast<double>(slots) / room);
+    constexpr double air = 4, number = 32;
+    double room = std::max(number, largest.width * plan.scale + air);
+    const auto fitting = 2 * static_cast<std::int64_t>(frame.width / room);
+    const auto count =
+        std::min(std::clamp(fitting, fewest_postures, most_postures), std::ssize(figure.postures));
+    const double widest =
+        2 * frame.width / static_cast<double>(std::max<std::int64_t>(count, 2) + 1);
+    plan.scale *= std::min(1.0, widest / room);
+    room = std::min(room, widest);
 
-    const std::vector<std::int64_t> events = events_of(figure);
-    const double slot = static_cast<double>(figure.frames) / static_cast<double>(slots);
-    for (std::int64_t i = 0; i < slots; ++i)
-        plan.frames.push_back(
-            frame_for_slot(events, (static_cast<double>(i) + 0.5) * slot, 0.35 * slot));
+    std::vector<std::int64_t> frames(figure.postures.begin(), figure.postures.begin() + count);
+    std::ranges::sort(frames);
+    for (const std::int64_t chosen : frames)
+        plan.postures.push_back({chosen,
+                                 frame.x + frame.width * static_cast<double>(chosen) /
+                                               static_cast<double>(figure.frames),
+                                 plan.postures.size() % 2 == 0});
+    spread(plan.postures, 0, frame, room);
+    spread(plan.postures, 1, frame, room);
     return plan;
 }
 

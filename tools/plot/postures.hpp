@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Choice and size of the postures along the curve.
+// Choice, place and size of the postures along the curve.
 #pragma once
 
 #include <cstdint>
@@ -9,14 +9,19 @@
 
 namespace tool::plot {
 
-struct PosturePlan {
-    std::vector<std::int64_t> frames; ///< one per slot, in order of time
-    double scale = 1;                 ///< figure units per file unit
+struct Posture {
+    std::int64_t frame = 0;
+    double x = 0; ///< its middle
+    bool above = true;
 };
 
-/// Divides `width` into equal slots. Postures alternate above and below the curve, so each has room
-/// for two slots; they are at most `height` tall. Each slot shows the event nearest to its middle
-/// (a border, a margin, an extremum of the curve), or else its middle frame.
-PosturePlan plan_postures(const Figure& figure, double width, double height);
+struct PosturePlan {
+    std::vector<Posture> postures; ///< in order of time
+    double scale = 1;              ///< figure units per file unit
+};
+
+/// As many of the figure's postures as fit, alternately above and below the curve, each as near to
+/// its time as its neighbors allow, and at most `height` tall.
+PosturePlan plan_postures(const Figure& figure, const Rect& frame, double height);
 
 } // namespace tool::plot

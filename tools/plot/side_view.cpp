@@ -155,11 +155,21 @@ void SideView::find_bones() {
     }
 }
 
+/// The bone from the head to its end; if it has none, the bone to the head.
 void SideView::find_head() {
-    for (const Bone& bone : bones_)
-        if (lower(bodies_.joints[bone.from].name).find("head") != std::string::npos &&
-            (!head_ || head_->from != bone.from))
-            head_ = bone;
+    const auto is_head = [&](std::size_t joint) {
+        return lower(bodies_.joints[joint].name).find("head") != std::string::npos;
+    };
+    const auto found = std::ranges::find_if(
+        bones_, [&](const Bone& bone) { return is_head(bone.from) || is_head(bone.to); });
+    if (found == bones_.end())
+        return;
+    const std::size_t joint = is_head(found->from) ? found->from : found->to;
+    const auto beyond = std::ranges::find(bones_, joint, &Bone::from);
+    const Bone& bone = beyond == bones_.end() ? *found : *beyond;
+    const std::vector<Body> mean = mean_posture();
+    const auto [low, high] = std::ranges::minmax_element(mean, {}, &Body::height);
+    head_ = Head{bone.from, bone.to, (high->height - low->height) / 16};
 }
 
 std::vector<Point> SideView::posture(std::int64_t frame) const {

@@ -35,6 +35,13 @@ struct Bone {
     Depth depth = Depth::middle;
 };
 
+/// A disk around the middle of a bone that ends in a joint named after the head, or begins there.
+struct Head {
+    std::size_t from = 0;
+    std::size_t to = 0;
+    double radius = 0; ///< in the file's unit: a sixteenth of the body's height
+};
+
 class SideView {
   public:
     explicit SideView(Bodies bodies);
@@ -42,8 +49,8 @@ class SideView {
     /// One point per joint: x forward of the root, y up from the ground, in the file's unit.
     std::vector<Point> posture(std::int64_t frame) const;
     const std::vector<Bone>& bones() const { return bones_; }
-    /// The bone of the head, if a joint has that name.
-    const std::optional<Bone>& head() const { return head_; }
+    /// The head, if a joint has that name.
+    const std::optional<Head>& head() const { return head_; }
     std::int64_t frames() const { return bodies_.positions.rows; }
 
   private:
@@ -66,7 +73,7 @@ class SideView {
     Point forward_{1, 0};        ///< in the horizontal plane of the un-yawed body
     std::vector<double> ground_; ///< height of the ground per frame
     std::vector<Bone> bones_;
-    std::optional<Bone> head_;
+    std::optional<Head> head_;
 };
 
 } // namespace tool::plot

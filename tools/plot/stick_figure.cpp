@@ -22,11 +22,14 @@ std::string bones_path(const SideView& view, const std::vector<Point>& points, D
     return path;
 }
 
-void draw_head(Svg& svg, const Bone& head, const std::vector<Point>& points) {
+void draw_head(Svg& svg, const Head& head, const std::vector<Point>& points, double scale) {
     const Point& neck = points[head.from];
     const Point& crown = points[head.to];
-    const double radius = 0.5 * std::hypot(crown.x - neck.x, crown.y - neck.y);
-    svg.circle({0.5 * (neck.x + crown.x), 0.5 * (neck.y + crown.y)}, radius, {{"fill", ink}});
+    const double length = std::hypot(crown.x - neck.x, crown.y - neck.y);
+    const double radius = scale * head.radius;
+    const double share = length > 0 ? std::max(0.5, radius / length) : 0;
+    svg.circle({neck.x + share * (crown.x - neck.x), neck.y + share * (crown.y - neck.y)}, radius,
+               {{"class", "head"}, {"fill", ink}, {"stroke", "none"}});
 }
 
 } // namespace
@@ -36,7 +39,8 @@ Rect posture_box(const SideView& view, std::int64_t frame) {
     const auto [left, right] = std::ranges::minmax_element(points, {}, &Point::x);
     const auto [low, high] = std::ranges::minmax_element(points, {}, &Point::y);
     const double bottom = std::min(0.0, low->y);
-    return {left->x, bottom, right->x - left->x, high->y - bottom};
+    const double top = high->y + (view.head() ? view.head()->radius : 0); // the head may stand out
+    return {left->x, bottom, right->x - left->x, top - bottom};
 }
 
 void draw_stick_figure(Svg& svg, const SideView& view, std::int64_t frame, Point ground,
@@ -49,15 +53,15 @@ void draw_stick_figure(Svg& svg, const SideView& view, std::int64_t frame, Point
     svg.open("g", {{"class", "posture"},
                    {"data-frame", std::to_string(frame)},
                    {"fill", "none"},
-                   {"stroke-width", 1.5},
+                   {"stroke-width", 0.85 * curve_line},
                    {"stroke-linecap", "round"},
                    {"stroke-linejoin", "round"}});
     for (const auto& [depth, color] :
-         {std::pair{Depth::far, "#a0a0a0"}, {Depth::middle, ink}, {Depth::near, ink}})
+         {std::pair{Depth::far, far_limb}, {Depth::middle, ink}, {Depth::near, ink}})
         if (const std::string path = bones_path(view, points, depth); !path.empty())
             svg.add("path", {{"d", path}, {"stroke", color}});
     if (view.head())
-        draw_head(svg, *view.head(), points);
+        draw_head(svg, *view.head(), points, scale);
     svg.close("g");
 }
 

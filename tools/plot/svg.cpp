@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plot/svg.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -12,13 +13,18 @@ namespace {
 
 constexpr std::string_view replacement = "\xEF\xBF\xBD"; // U+FFFD in UTF-8
 
-bool forbidden_in_xml(char c) {
-    const auto code = static_cast<unsigned char>(c);
-    return code < 0x20 && c != '\t' && c != '\n' && c != '\r';
+/// Control characters of ASCII and Latin-1, of which XML 1.0 forbids most and none can be seen, and
+/// U+FFFE and U+FFFF, which it forbids as well.
+bool is_control(std::string_view character) {
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(character[i]); };
+    if (character.size() == 1)
+        return byte(0) < 0x20 || byte(0) == 0x7F;
+    return (byte(0) == 0xC2 && byte(1) < 0xA0) || character == "\xEF\xBF\xBE" ||
+           character == "\xEF\xBF\xBF";
 }
 
-std::string_view escape_of(char c) {
-    switch (c) {
+std::string_view escape_of(std::string_view character) {
+    switch (character[0]) {
     case '&':
         return "&amp;";
     case '<':
@@ -27,13 +33,27 @@ std::string_view escape_of(char c) {
         return "&gt;";
     case '"':
         return "&quot;";
+    case '\'':
+        return "&#39;";
     default:
-        return forbidden_in_xml(c) ? replacement : "";
+        return is_control(character) ? replacement : "";
     }
 }
 
 /// Points closer than this to the previous one are indistinguishable from it.
 constexpr double finest = 0.1;
+
+/// The points without those, except that the first and the last stay.
+std::vector<Point> distinct(const std::vector<Point>& points) {
+    std::vector<Point> kept;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const Point& p = points[i];
+        const bool end = i == 0 || i + 1 == points.size();
+        if (end || std::hypot(p.x - kept.back().x, p.y - kept.back().y) >= finest)
+            kept.push_back(p);
+    }
+    return kept;
+}
 
 } // namespace
 
@@ -49,8 +69,8 @@ std::string escaped(std::string_view text) {
     std::string result;
     while (!text.empty()) {
         const std::size_t length = stltsa::utf8_length(text, 0);
-        const std::string_view escape = length == 0 ? replacement : escape_of(text[0]);
         const std::string_view character = text.substr(0, length == 0 ? 1 : length);
+        const std::string_view escape = length == 0 ? replacement : escape_of(character);
         result += escape.empty() ? character : escape;
         text.remove_prefix(character.size());
     }
@@ -102,15 +122,27 @@ void Svg::polyline(const std::vector<Point>& points, Attributes attributes) {
     if (points.size() < 2)
         return;
     std::string list;
-    Point last{-1e9, -1e9};
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const bool end = i == 0 || i + 1 == points.size();
-        if (!end && std::hypot(points[i].x - last.x, points[i].y - last.y) < finest)
-            continue;
-        last = points[i];
-        list += fmt::format("{}{},{}", list.empty() ? "" : " ", number(last.x), number(last.y));
-    }
+    for (const Point& point : distinct(points))
+        list += fmt::format("{}{},{}", list.empty() ? "" : " ", number(point.x), number(point.y));
     start("polyline", {{"points", list}}, attributes);
+    body_ += "/>\n";
+}
+
+void Svg::curve(const std::vector<Point>& all, Attributes attributes) {
+    const std::vector<Point> points = distinct(all);
+    if (points.size() < 2)
+        return;
+    const auto at = [&](std::size_t i) { return points[std::min(i, points.size() - 1)]; };
+    std::string path = fmt::format("M{} {}", number(at(0).x), number(at(0).y));
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+        const Point before = at(i == 0 ? 0 : i - 1), from = at(i), to = at(i + 1),
+                    after = at(i + 2);
+        path += fmt::format("C{} {} {} {} {} {}", number(from.x + (to.x - before.x) / 6),
+                            number(from.y + (to.y - before.y) / 6),
+                            number(to.x - (after.x - from.x) / 6),
+                            number(to.y - (after.y - from.y) / 6), number(to.x), number(to.y));
+    }
+    start("path", {{"d", path}}, attributes);
     body_ += "/>\n";
 }
 

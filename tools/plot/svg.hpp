@@ -13,7 +13,7 @@ namespace tool::plot {
 /// At most two decimals, with a decimal point, never "-0": the same bytes everywhere.
 std::string number(double value);
 
-/// Text as XML: markup escaped; characters that XML 1.0 forbids become U+FFFD.
+/// Text as XML: markup escaped; control characters become U+FFFD.
 std::string escaped(std::string_view text);
 
 struct Point {
@@ -52,6 +52,8 @@ class Svg {
     void rect(const Rect& rect, Attributes attributes);
     void circle(Point center, double radius, Attributes attributes);
     void polyline(const std::vector<Point>& points, Attributes attributes);
+    /// A smooth curve through all points (a Catmull-Rom spline).
+    void curve(const std::vector<Point>& points, Attributes attributes);
     void text(Point at, Anchor anchor, std::string_view content, Attributes attributes = {});
     /// Text over other drawing, with a wider white copy behind it. ("paint-order" would do the
     /// same, but not all programs support it.)

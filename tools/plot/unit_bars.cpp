@@ -13,8 +13,6 @@ namespace {
 constexpr double unit_bar = 15;
 constexpr double cycle_bar = 13;
 constexpr double segment_bar = 18;
-/// Narrower cycles get no bars, which would run into each other.
-constexpr double least_cycle = 3;
 constexpr double gap = 2;
 constexpr double font = 10;
 
@@ -33,35 +31,47 @@ Rect bar_of(const Figure& figure, const Interval& interval, const Rect& row) {
     return {begin, row.y, end - begin, row.height};
 }
 
-void draw_cycle_bar(Svg& svg, const Rect& bar, std::size_t index, bool chosen) {
-    const UnitColors colors = unit_colors(STLTSA_UNIT_CYCLIC);
-    const Rect inner{bar.x + 1, bar.y + 0.5, std::max(0.5, bar.width - 2), bar.height - 1};
-    svg.rect(inner, {{"class", "cycle"},
-                     {"fill", chosen ? colors.line : "#ffffff"},
-                     {"stroke", colors.line},
-                     {"stroke-width", 1.0}});
-    const std::string number_text = std::to_string(index + 1);
-    const std::string long_text = "cycle " + number_text;
-    const char* color = chosen ? colors.text : colors.line;
-    bar_text(svg, inner, text_width(long_text, font) + 2 <= inner.width ? long_text : number_text,
-             color);
+/// "cycle 12", or "12", in each bar of the cycles; nothing if one of them is too narrow.
+std::string cycle_text(const std::vector<Rect>& bars, std::size_t index) {
+    const auto fits = [&](std::string_view word) {
+        const double width = text_width(std::string(word) + std::to_string(bars.size()), font) + 4;
+        return std::ranges::all_of(bars, [&](const Rect& bar) { return bar.width >= width; });
+    };
+    for (const std::string_view word : {"cycle ", ""})
+        if (fits(word))
+            return std::string(word) + std::to_string(index + 1);
+    return "";
 }
 
-/// "A 12x", or "A" where this does not fit.
+void draw_cycle_bars(Svg& svg, const Figure& figure, const Rect& row) {
+    const UnitColors colors = unit_colors(STLTSA_UNIT_CYCLIC);
+    std::vector<Rect> bars;
+    for (const stltsa::Interval& cycle : figure.cycles) {
+        const Rect bar = bar_of(figure, cycle, row);
+        bars.push_back({bar.x + 1, bar.y + 0.5, std::max(0.5, bar.width - 2), bar.height - 1});
+    }
+    for (std::size_t i = 0; i < bars.size(); ++i) {
+        const bool chosen = static_cast<std::int64_t>(i) == figure.representative;
+        svg.rect(bars[i], {{"class", "cycle"},
+                           {"fill", chosen ? colors.line : "#ffffff"},
+                           {"stroke", colors.line},
+                           {"stroke-width", 1.0}});
+        bar_text(svg, bars[i], cycle_text(bars, i), chosen ? colors.text : colors.line);
+    }
+}
+
+/// "A 12 times", or "A" where this does not fit.
 void segment_text(Svg& svg, const Rect& bar, const stltsa::Segment& segment, const char* color) {
     const std::string label = label_text(segment.label);
     const bool repeats =
         segment.kind == STLTSA_SEGMENT_CYCLIC || segment.kind == STLTSA_SEGMENT_REPETITIONS;
-    const std::string counted = repeats ? label + " " + std::to_string(segment.count) + "x" : label;
-    bar_text(svg, bar, text_width(counted, font) + 2 <= bar.width ? counted : label, color);
+    const std::string repeated = repeats ? label + " " + counted(segment.count, "time") : label;
+    bar_text(svg, bar, text_width(repeated, font) + 2 <= bar.width ? repeated : label, color);
 }
 
 /// Repetitions are framed dashed, single actions faint.
 double draw_segment_bars(Svg& svg, const Figure& figure, const Rect& row) {
-    const auto moving = std::ranges::count_if(figure.segments, [](const stltsa::Segment& segment) {
-        return segment.kind != STLTSA_SEGMENT_REST;
-    });
-    if (moving < 2)
+    if (!figure.several())
         return 0;
     for (const stltsa::Segment& segment : figure.segments) {
         const UnitColors colors = label_colors(segment.label);
@@ -82,10 +92,6 @@ double draw_segment_bars(Svg& svg, const Figure& figure, const Rect& row) {
 
 } // namespace
 
-bool cycles_fit(const Figure& figure, const Rect& row) {
-    return static_cast<double>(figure.cycles.size()) * least_cycle <= row.width;
-}
-
 double draw_unit_bars(Svg& svg, const Figure& figure, const Rect& all) {
     if (figure.units.empty())
         return 0;
@@ -98,12 +104,9 @@ double draw_unit_bars(Svg& svg, const Figure& figure, const Rect& all) {
         svg.rect(bar, {{"class", "unit"}, {"fill", colors.line}});
         bar_text(svg, bar, stltsa::unit_name(unit.kind), colors.text);
     }
-    if (figure.cycles.empty() || !cycles_fit(figure, area))
+    if (figure.cycles.empty() || figure.dense())
         return used + unit_bar + gap;
-    const Rect cycles{area.x, area.y + unit_bar + gap, area.width, cycle_bar};
-    for (std::size_t i = 0; i < figure.cycles.size(); ++i)
-        draw_cycle_bar(svg, bar_of(figure, figure.cycles[i], cycles), i,
-                       static_cast<std::int64_t>(i) == figure.representative);
+    draw_cycle_bars(svg, figure, {area.x, area.y + unit_bar + gap, area.width, cycle_bar});
     return used + unit_bar + gap + cycle_bar + gap;
 }
 

@@ -107,7 +107,7 @@ std::string cycles_table(const stltsa::Decomposition& result) {
         std::string remark;
         if (info.integer(STLTSA_INFO_REPRESENTATIVE) == i)
             remark = "representative";
-        if (info.integer(STLTSA_INFO_BEST) == i)
+        if (count > 2 && info.integer(STLTSA_INFO_BEST) == i) // two are equally like each other
             remark += remark.empty() ? "best" : ", best";
         add_row(table, {std::to_string(i + 1)}, result.cycle(i), remark);
     }

@@ -8,7 +8,16 @@ position of a unit kind among the kinds determines its color.
 from ._native import lib
 from ._text import names, string
 
-_PALETTE = ("#56B4E9", "#E69F00", "#0072B2", "#D55E00", "#CC79A7", "#009E73")
+_PALETTE = (
+    "#56B4E9",
+    "#E69F00",
+    "#0072B2",
+    "#D55E00",
+    "#CC79A7",
+    "#009E73",
+    "#0072B2",
+    "#F0E442",
+)
 UNIT_COLORS = {
     string(lib.stltsa_unit_name(kind)): _PALETTE[place % len(_PALETTE)]
     for place, kind in enumerate(sorted(names("STLTSA_UNIT_")))
@@ -17,4 +26,5 @@ UNIT_COLORS["cycle"] = UNIT_COLORS["cyclic"]
 POINTS = "#D55E00"
 CURVE = "#0072B2"
 INK = "#222222"
-FAINT = "#999999"
+FAINT = "#767676"
+FAR_LIMB = "#A0A0A0"

@@ -7,10 +7,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._colors import CURVE, POINTS
+from .._colors import CURVE as CURVE_COLOR
+from .._colors import FAINT, POINTS
 from .._given import expect
 from ..denoising import Denoising
-from ._style import COLUMN, axes_to_draw_in
+from ._style import COLUMN, CURVE, axes_to_draw_in, legend_above, time_label
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -25,8 +26,11 @@ def denoising(
     column: int = 0,
     fps: float | None = None,
     ax: Sequence[Axes] | npt.NDArray[np.object_] | None = None,
-) -> tuple[Axes, Axes]:
-    """Draw coordinates and the fitted curve, before and after cleaning (the paper's Fig. 2).
+) -> tuple[Axes, Axes, Axes]:
+    """Draw coordinates before and after cleaning (the paper's Fig. 2), and the residuals.
+
+    Points that are moved are filled. The band is the noise threshold on both sides of the fitted
+    curve. The residuals are the points before cleaning, less the fitted curve.
 
     Parameters
     ----------
@@ -36,42 +40,65 @@ def denoising(
         Index of the coordinate.
     fps : float, optional
         Rows per second: the time axis is in seconds, otherwise in rows. Default: the model's.
-    ax : sequence of two matplotlib Axes, optional
+    ax : sequence of three matplotlib Axes, optional
         Axes to draw into; a new figure by default.
 
     Returns
     -------
-    tuple of two matplotlib Axes
+    tuple of three matplotlib Axes
     """
     result = expect(result, Denoising, "stltsa.plot.denoising", "stltsa.denoise")
     if fps is None and result.model is not None:
         fps = result.model.fps
     time = np.arange(len(result.points)) / (fps or 1.0)
-    panels = (("(a) before", result.points), ("(b) after", result.cleaned))
-    with axes_to_draw_in(ax, 0.58 * COLUMN, count=2) as axes:
-        for panel, (title, points) in zip(axes, panels, strict=True):
-            panel.plot(
+    before, after = result.points[:, column], result.cleaned[:, column]
+    curve, gamma = result.curve[:, column], float(result.facts["gamma"][column])
+    moved = result.moves[:, column] != 0
+    panels = (
+        ("before denoising", before, curve),
+        ("after denoising", after, curve),
+        ("residuals before denoising", before - curve, np.zeros_like(curve)),
+    )
+    with axes_to_draw_in(ax, 1.15 * COLUMN, rows=3, ratios=(1.0, 1.0, 0.6)) as axes:
+        for panel, (title, points, line) in zip(axes, panels, strict=True):
+            panel.fill_between(
                 time,
-                points[:, column],
-                "*",
-                color=POINTS,
-                markersize=3.2,
-                markeredgewidth=0,
-                label="coordinates",
+                line - gamma,
+                line + gamma,
+                color=CURVE_COLOR,
+                alpha=0.22,
+                linewidth=0,
+                label="noise threshold",
             )
-            curve = result.curve[:, column]
-            panel.plot(time, curve, color=CURVE, linewidth=1.0, label="fitted curve", zorder=3)
+            panel.plot(
+                time[~moved],
+                points[~moved],
+                "o",
+                markerfacecolor="none",
+                markeredgecolor=FAINT,
+                markersize=2.0,
+                markeredgewidth=0.5,
+                label="coordinate",
+            )
+            panel.plot(time, line, color=CURVE_COLOR, linewidth=CURVE, label="fitted curve")
+            panel.plot(
+                time[moved],
+                points[moved],
+                "o",
+                color=POINTS,
+                markersize=2.4,
+                markeredgewidth=0,
+                label="noisy, moved",
+            )
             panel.set_title(title)
-            panel.set_xlabel("time in seconds" if fps else "row")
+        values = np.concatenate([before, after, curve])
+        room = 0.06 * (np.ptp(values) or 1.0)
+        for panel in axes[:2]:
+            panel.set_ylim(values.min() - room, values.max() + room)
         axes[0].set_ylabel(f"coordinate {column + 1}")
-        axes[0].legend(
-            loc="lower left",
-            bbox_to_anchor=(0.0, 1.16),
-            ncols=2,
-            handlelength=1.2,
-            columnspacing=1.0,
-            handletextpad=0.4,
-            borderaxespad=0.1,
-        )
-    before, after = axes
-    return before, after
+        axes[1].set_ylabel(f"coordinate {column + 1}")
+        axes[2].set_ylabel("distance")
+        axes[2].set_xlabel(time_label(fps, "row"))
+        legend_above(axes[0], 1.16)
+    first, second, third = axes
+    return first, second, third

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Stick figures: the body of a clip, seen from its right or left side."""
+"""Stick figures: the body of a clip from its right, as the command draws it."""
 
 from __future__ import annotations
 
@@ -12,44 +12,104 @@ if TYPE_CHECKING:
     from .._arrays import FloatArray
     from ..clip import Clip
 
+FAR, MIDDLE, NEAR = -1, 0, 1
+
 
 class SideView:
-    """Postures in the plane of largest movement, toes pointing right.
+    """Postures in the plane in which the body walks or, in place, in its plane of symmetry.
 
-    Root position and yaw are removed as in the library's features `positions`.
+    The path and the yaw of the root are removed (tools/plot/side_view.cpp).
 
     Attributes
     ----------
     bones : list of (int, int)
         Pairs of joints to connect.
-    far : ndarray of bool
-        Which bones are on the far side of the body.
+    depth : list of int
+        Of each bone: on the far side of the body, in the middle, or near.
+    head : (int, int) or None
+        The bone around whose middle the head lies.
+    radius : float
+        Of the head.
     """
 
     def __init__(self, clip: Clip) -> None:
-        body = clip.features("positions").reshape(len(clip), -1, 3)
         up = "xyz".index(json.loads(clip.to_json())["up_axis"])
-        height = body[:, :, up]
-        flat = np.delete(body, up, axis=2)
-        self.bones = [(p, j) for j, p in enumerate(clip.parents) if p >= 0]
-        forward = self._forward(flat, height)
-        ground = np.median(height.min(axis=1))
-        across = flat.mean(axis=0) @ np.array([-forward[1], forward[0]])
-        sides = across[[j for _, j in self.bones]] / max(float(np.abs(across).max()), 1e-12)
-        self.far = sides > 0.1
-        self._points = np.stack([flat @ forward, height - ground], axis=2)
-        self._points /= max(float(np.ptp(self._points[:, :, 1])), 1e-12)
+        first, second = (up + 1) % 3, (up + 2) % 3
+        places, rotations = clip.positions, clip.rotations[:, 0]
+        yaw = 2 * np.arctan2(rotations[:, 1 + up], rotations[:, 0])
+        self._turn = np.stack([np.cos(yaw), np.sin(yaw)], axis=1)
+        root = places[:, 0, [first, second]]
+        u, v = self._unturned(places[:, :, first] - root[:, :1], places[:, :, second] - root[:, 1:])
+        height = places[:, :, up]
+        self.bones = [(int(p), j) for j, p in enumerate(clip.parents) if p >= 0]
+        forward = self._travel(root, float(np.ptp(height.mean(axis=0))))
+        if forward is None:
+            forward = self._toes(u.mean(axis=0), v.mean(axis=0), height.mean(axis=0))
+        along = u * forward[0] + v * forward[1]
+        right = (u * forward[1] - v * forward[0]).mean(axis=0)
+        sides = right / max(float(np.abs(right).max()), 1e-300)
+        self.depth = [
+            NEAR if sides[j] > 0.1 else FAR if sides[j] < -0.1 else 0 for _, j in self.bones
+        ]
+        self._points = np.stack([along, height - self._ground(height)[:, None]], axis=2)
+        self.head = self._head(clip)
+        self.radius = float(np.ptp(height.mean(axis=0))) / 16 if self.head else 0.0
+        self.tallest = float(self._points[:, :, 1].max()) + self.radius
 
-    def _forward(self, flat: FloatArray, height: FloatArray) -> FloatArray:
-        """Return the direction of largest movement, with the toes in front."""
-        moving = (flat - flat.mean(axis=0)).reshape(-1, 2)
-        direction = np.linalg.eigh(moving.T @ moving)[1][:, -1]
-        low, mean = height.mean(axis=0), flat.mean(axis=0)
-        knee = low.min() + 0.2 * np.ptp(low)
-        feet = [mean[j] - mean[p] for p, j in self.bones if low[j] < knee and low[p] < knee]
-        sign = 1.0 if not feet or np.sum(feet, axis=0) @ direction >= 0 else -1.0
-        return np.asarray(sign * direction)
+    def _unturned(self, x: FloatArray, y: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Return horizontal vectors of each frame without the yaw."""
+        cos, sin = self._turn[:, :1], self._turn[:, 1:]
+        return cos * x + sin * y, cos * y - sin * x
 
-    def posture(self, frame: int) -> list[FloatArray]:
-        """Return each bone as two points, in units of the largest height of the clip."""
-        return [self._points[frame, list(bone)] for bone in self.bones]
+    def _travel(self, root: FloatArray, body: float) -> FloatArray | None:
+        """Return the direction of the net motion as the body sees it; None if it stays in place."""
+        steps = np.zeros_like(root)
+        steps[1:] = np.diff(root, axis=0)
+        u, v = self._unturned(steps[:, :1], steps[:, 1:])
+        net = np.array([u.sum(), v.sum()])
+        length, path = np.hypot(*net), np.hypot(*steps.T).sum()
+        if length < 0.5 * path or length < 0.5 * body or length == 0:
+            return None
+        return np.asarray(net / length)
+
+    def _toes(self, x: FloatArray, y: FloatArray, height: FloatArray) -> FloatArray:
+        """Return the direction across which the body is widest, with the toes in front."""
+        widest = 0.5 * np.arctan2(2 * x @ y, x @ x - y @ y)
+        across = np.array([-np.sin(widest), np.cos(widest)])
+        knee = height.min() + 0.2 * np.ptp(height)
+        feet = sum(
+            (x[j] - x[p]) * across[0] + (y[j] - y[p]) * across[1]
+            for p, j in self.bones
+            if height[j] < knee and height[p] < knee
+        )
+        return -across if feet < 0 else across
+
+    def _ground(self, height: FloatArray) -> FloatArray:
+        """Return one floor for all frames or, if the body climbs, the lowest joint of each."""
+        lowest = height.min(axis=1)
+        tallest = np.ptp(height, axis=1).max()
+        low, middle, high = np.quantile(lowest, [0.05, 0.5, 0.95], method="lower")
+        level = high - low < 0.5 * tallest
+        return np.full_like(lowest, middle) if level else lowest
+
+    def _head(self, clip: Clip) -> tuple[int, int] | None:
+        names = [name.lower() for name in clip.joints]
+        for parent, joint in self.bones:
+            head = parent if "head" in names[parent] else joint
+            if "head" in names[head]:
+                beyond = [bone for bone in self.bones if bone[0] == head]
+                return beyond[0] if beyond else (parent, joint)
+        return None
+
+    def posture(self, frame: int) -> FloatArray:
+        """Return the joints as points: forward of the root, and above the ground."""
+        return np.asarray(self._points[frame])
+
+    def middle_of_head(self, frame: int) -> FloatArray | None:
+        """Return the middle of the head; None if no joint is named after it."""
+        if self.head is None:
+            return None
+        neck, crown = self._points[frame, self.head[0]], self._points[frame, self.head[1]]
+        length = np.linalg.norm(crown - neck)
+        share = max(0.5, self.radius / length) if length > 0 else 0.0
+        return np.asarray(neck + share * (crown - neck))

@@ -1,23 +1,31 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Style shared by the figures."""
+"""Style and marks shared by the figures (docs/figures.md)."""
 
 from __future__ import annotations
 
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
+from .._colors import UNIT_COLORS
+
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    import numpy as np
-    import numpy.typing as npt
     from matplotlib.axes import Axes
 
-    from .._arrays import IntArray
+    from .._arrays import FloatArray, IntArray
     from .._rows import Interval
     from ..decomposition import Decomposition
 
 COLUMN = 88 / 25.4  # inches: the width of a column of most journals
+
+# Widths in points, in the same proportions as in the command's figures.
+CURVE, MANY, THIN, WIDE = 1.2, 0.45, 0.6, 2.7
+DASHES = (0, (3, 2.5))
+MOST_CYCLES = 40  # more are drawn as an envelope
+MOST_SAMPLES = 6000
 
 STYLE: dict[Any, Any] = {
     "font.size": 7.0,
@@ -37,7 +45,9 @@ STYLE: dict[Any, Any] = {
 
 
 @contextmanager
-def axes_to_draw_in(given: Any, height: float, count: int = 1) -> Iterator[Any]:
+def axes_to_draw_in(
+    given: Any, height: float, rows: int = 1, ratios: tuple[float, ...] | None = None
+) -> Iterator[Any]:
     """Return the caller's axes, or new ones in our style and column width."""
     import matplotlib.pyplot as plt
 
@@ -46,7 +56,13 @@ def axes_to_draw_in(given: Any, height: float, count: int = 1) -> Iterator[Any]:
         return
     with plt.rc_context(STYLE):
         _, axes = plt.subplots(
-            1, count, figsize=(COLUMN, height), dpi=200, sharey=True, layout="constrained"
+            rows,
+            1,
+            figsize=(COLUMN, height),
+            dpi=200,
+            sharex=rows > 1,
+            height_ratios=ratios,
+            layout="constrained",
         )
         yield axes
 
@@ -56,9 +72,9 @@ def seconds(result: Decomposition) -> float:
     return 1 / (result.clip.fps or 1.0)
 
 
-def time_label(result: Decomposition) -> str:
+def time_label(fps: float | None, unit: str = "frame") -> str:
     """Return the label of the time axis."""
-    return "time in seconds" if result.clip.fps else "frame"
+    return "time in seconds" if fps else unit
 
 
 def span(result: Decomposition, interval: Interval) -> tuple[float, float]:
@@ -68,10 +84,12 @@ def span(result: Decomposition, interval: Interval) -> tuple[float, float]:
     return interval.begin, interval.end
 
 
-def legend_of_kinds(axes: Axes, above: float) -> None:
-    """Draw a legend above the axes, with one entry for each kind of unit."""
+def legend_above(axes: Axes, above: float) -> None:
+    """Draw a legend above the axes, with one entry for each label."""
     handles, labels = axes.get_legend_handles_labels()
     kinds = dict(zip(labels, handles, strict=True))
+    if not kinds:
+        return
     axes.legend(
         kinds.values(),
         kinds.keys(),
@@ -85,13 +103,56 @@ def legend_of_kinds(axes: Axes, above: float) -> None:
     )
 
 
+def label_kinds(axes: Axes, result: Decomposition) -> None:
+    """Give the legend a line for each kind of unit."""
+    for kind in dict.fromkeys(unit.kind for unit in result.unit_list):
+        axes.plot([], [], color=UNIT_COLORS[kind], linewidth=CURVE, label=kind)
+
+
+def drawn_values(result: Decomposition) -> tuple[FloatArray, FloatArray]:
+    """Return curve and loop; NaN where they are zero because nothing was fitted there."""
+    curve, loop = result.curve.copy(), result.loop.copy()
+    nothing = (curve == 0) & (loop == 0).all(axis=1)
+    curve[nothing], loop[nothing] = np.nan, np.nan
+    return curve, loop
+
+
+def is_dense(result: Decomposition) -> bool:
+    """Return whether single cycles are too many to be drawn one beside the other."""
+    return len(result.cycle_list) > MOST_CYCLES or len(result.frames) > MOST_SAMPLES
+
+
 def unit_slices(result: Decomposition) -> list[tuple[Interval, slice]]:
     """Return the samples of each unit plus the first of the next, so that lines meet."""
     frames = result.frames
     found = []
     for unit in result.unit_list:
-        inside: IntArray | npt.NDArray[np.bool_] = (frames >= unit.begin) & (frames < unit.end)
+        inside: IntArray | np.ndarray[Any, Any] = (frames >= unit.begin) & (frames < unit.end)
         (at,) = inside.nonzero()
         if len(at):
             found.append((unit, slice(at[0], min(at[-1] + 2, len(frames)))))
     return found
+
+
+def color_of(kind: str) -> str:
+    """Return the color of a kind of unit."""
+    return UNIT_COLORS[kind]
+
+
+def smooth_path(points: FloatArray) -> Any:
+    """Return a smooth path through points (a Catmull-Rom spline); NaN breaks it."""
+    from matplotlib.path import Path
+
+    vertices: list[FloatArray] = []
+    codes: list[Any] = []
+    real = np.isfinite(points).all(axis=1)
+    for part in np.split(np.arange(len(points)), np.flatnonzero(np.diff(real)) + 1):
+        p = points[part]
+        if len(p) < 2 or not real[part[0]]:
+            continue
+        tangents = np.concatenate([p[1:2] - p[:1], p[2:] - p[:-2], p[-1:] - p[-2:-1]]) / 6
+        tangents = tangents.reshape(len(p), 2)
+        curves = np.stack([p[:-1] + tangents[:-1], p[1:] - tangents[1:], p[1:]], axis=1)
+        vertices += [p[:1], curves.reshape(-1, 2)]
+        codes += [Path.MOVETO] + [Path.CURVE4] * (3 * (len(p) - 1))
+    return Path(np.concatenate(vertices), codes) if vertices else Path(np.empty((0, 2)))

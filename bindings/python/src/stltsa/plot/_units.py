@@ -7,14 +7,22 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .._colors import FAINT, INK, UNIT_COLORS
+from .._colors import FAINT, FAR_LIMB, INK
 from .._given import expect
 from ..decomposition import Decomposition
-from ._postures import SideView
+from ._postures import FAR, SideView
 from ._style import (
     COLUMN,
+    CURVE,
+    DASHES,
+    MANY,
+    THIN,
     axes_to_draw_in,
-    legend_of_kinds,
+    color_of,
+    drawn_values,
+    is_dense,
+    label_kinds,
+    legend_above,
     seconds,
     span,
     time_label,
@@ -24,34 +32,70 @@ from ._style import (
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from .._arrays import FloatArray
+    from .._arrays import FloatArray, IntArray
 
-_POSTURE = 29.0  # points: the height of a stick figure
+_POSTURE = 29.0  # points: the height of the tallest stick figure
+_NUMBER = 18.0  # points: room for the number of a frame
 _ROOM = 0.46  # share of the axes' height for the curve, between the two rows of postures
+_PADDING = 0.05  # share of the curve's height between it and the postures
 
 
-def _draw_curve(axes: Any, result: Decomposition, time: FloatArray) -> None:
+def _envelope(axes: Any, time: FloatArray, curve: FloatArray, part: float, color: str) -> bool:
+    """Draw the lowest to the highest value of each part of the time; whether there were enough."""
+    parts = int((time[-1] - time[0]) / part) if len(time) else 0
+    if parts < 3:
+        return False
+    edges = np.arange(parts) * len(curve) // parts
+    middle = np.add.reduceat(time, edges) / np.diff([*edges, len(time)])
+    middle[[0, -1]] = time[[0, -1]]
+    low, high = np.minimum.reduceat(curve, edges), np.maximum.reduceat(curve, edges)
+    axes.fill_between(middle, low, high, color=color, alpha=0.45, linewidth=MANY)
+    return True
+
+
+def _draw_curve(axes: Any, result: Decomposition, time: FloatArray, postures: bool) -> FloatArray:
     from matplotlib.ticker import MaxNLocator
 
-    curve = result.curve
+    curve, _ = drawn_values(result)
+    cycles = [np.diff(span(result, cycle))[0] for cycle in result.cycle_list]
+    part = float(np.mean(cycles)) if cycles else time[-1] / 160
     for unit, at in unit_slices(result):
-        color = UNIT_COLORS[unit.kind]
+        color = color_of(unit.kind)
         axes.axvspan(*span(result, unit), color=color, alpha=0.13, linewidth=0)
-        axes.plot(time[at], curve[at], color=color, linewidth=1.3, label=unit.kind)
-    low, high = curve.min(), curve.max()
-    room = 0.5 * ((high - low) or 1.0) * (1 / _ROOM - 1)
+        known = np.isfinite(curve[at])
+        if not is_dense(result) or not _envelope(
+            axes, time[at][known], curve[at][known], part, color
+        ):
+            axes.plot(time[at], curve[at], color=color, linewidth=CURVE)
+    known = np.isfinite(curve)
+    low, high = (curve[known].min(), curve[known].max()) if known.any() else (-1.0, 1.0)
+    share = _ROOM if postures else 0.9
+    room = 0.5 * ((high - low) or 1.0) * (1 / share - 1)
     axes.set_ylim(low - room, high + room)
     axes.set_yticks([t for t in MaxNLocator(4).tick_values(low, high) if low <= t <= high])
+    return np.where(known, curve, 0.5 * (low + high))
 
 
-def _draw_cycles(axes: Any, result: Decomposition) -> None:
+def _draw_cycles(axes: Any, result: Decomposition, level: FloatArray, postures: bool) -> None:
+    chosen = result.representative_cycle
+    color = color_of("cycle")
+    if chosen:
+        axes.axvspan(*span(result, chosen), color=color, alpha=0.12, linewidth=0)
+    if is_dense(result):
+        return
     spans = [span(result, cycle) for cycle in result.cycle_list]
-    for edge in [begin for begin, _ in spans] + [end for _, end in spans[-1:]]:
-        axes.axvline(edge, color=UNIT_COLORS["cycle"], linewidth=0.7, linestyle=(0, (3, 2)))
+    # Margins end where the postures begin, so that no number lies on a line.
+    low, high = axes.get_ylim()
+    if postures:
+        air = _PADDING * np.ptp(level)
+        low, high = level.min() - air, level.max() + air
+    for edge in sorted({edge for ends in spans for edge in ends}):
+        axes.plot([edge, edge], [low, high], color=color, linewidth=THIN, linestyle=DASHES)
     for number, (begin, end) in enumerate(spans, 1):
-        shown = f"cycle {number}" if len(spans) <= 4 else f"{number}"
+        if len(spans) > 20:
+            break
         axes.annotate(
-            shown,
+            f"cycle {number}" if len(spans) <= 4 else f"{number}",
             (0.5 * (begin + end), 1.0),
             xycoords=axes.get_xaxis_transform(),
             xytext=(0, 1.5),
@@ -59,57 +103,86 @@ def _draw_cycles(axes: Any, result: Decomposition) -> None:
             ha="center",
             va="bottom",
             fontsize="small",
-            color=UNIT_COLORS["cycle"],
+            color=color,
         )
 
 
 def _stick_figure(view: SideView, frame: int) -> Any:
     from matplotlib.lines import Line2D
     from matplotlib.offsetbox import DrawingArea
+    from matplotlib.patches import Circle
 
-    bones = view.posture(frame)
-    points = np.concatenate(bones) * _POSTURE
+    size = _POSTURE / view.tallest
+    points = view.posture(frame) * size
+    head = view.middle_of_head(frame)
     left, width = points[:, 0].min(), np.ptp(points[:, 0])
-    area = DrawingArea(width, _POSTURE, 0, 0)
-    for near in (False, True):
-        for bone in (b for b, far in zip(bones, view.far, strict=True) if far != near):
-            area.add_artist(
-                Line2D(
-                    bone[:, 0] * _POSTURE - left,
-                    bone[:, 1] * _POSTURE,
-                    color=INK if near else FAINT,
-                    linewidth=0.9,
-                    solid_capstyle="round",
+    area = DrawingArea(width, float(points[:, 1].max()) + size * view.radius, 0, 0)
+    for far in (True, False):
+        for bone, depth in zip(view.bones, view.depth, strict=True):
+            if (depth == FAR) == far:
+                line = points[list(bone)]
+                area.add_artist(
+                    Line2D(
+                        line[:, 0] - left,
+                        line[:, 1],
+                        color=FAR_LIMB if far else INK,
+                        linewidth=0.85 * CURVE,
+                        solid_capstyle="round",
+                    )
                 )
-            )
+    if head is not None:
+        x, y = head * size
+        area.add_artist(Circle((x - left, y), size * view.radius, color=INK, linewidth=0))
     return area
 
 
-def _draw_postures(axes: Any, result: Decomposition, time: FloatArray, count: int) -> None:
+def _spread(x: FloatArray, low: float, high: float, room: float) -> FloatArray:
+    """Move ascending places so that they are `room` apart and inside the axes."""
+    steps = room * np.arange(len(x))
+    placed = np.maximum.accumulate(np.maximum(x - steps, low + 0.5 * room)) + steps
+    back = steps[::-1]
+    ends = np.minimum.accumulate(np.minimum(placed + back, high - 0.5 * room)[::-1])[::-1]
+    return np.asarray(ends - back)
+
+
+def _draw_postures(
+    axes: Any, result: Decomposition, curve: FloatArray, chosen: IntArray, time: FloatArray
+) -> None:
     from matplotlib.offsetbox import AnnotationBbox, TextArea, VPacker
 
-    view, curve, frames = SideView(result.clip), result.curve, result.frames
-    samples = (np.arange(count) + 0.5) / count * len(frames)
-    for place, i in enumerate(samples.astype(int)):
+    view = SideView(result.clip)
+    at = chosen * seconds(result)
+    end = len(result.clip) * seconds(result)
+    x = at.astype(np.float64)
+    figures = [_stick_figure(view, frame) for frame in chosen]
+    points = axes.bbox.width / axes.figure.dpi * 72
+    room = end / points * max(_NUMBER, *(figure.width + 3 for figure in figures))
+    for row in (0, 1):
+        x[row::2] = _spread(x[row::2], 0, end, min(room, 2 * end / (len(chosen) + 1)))
+    for place, (frame, figure) in enumerate(zip(chosen, figures, strict=True)):
         above = place % 2 == 0
-        number = TextArea(f"{frames[i]}", textprops={"fontsize": "small", "color": INK})
-        figure = _stick_figure(view, frames[i])
+        number = TextArea(f"{frame}", textprops={"fontsize": "small", "color": INK})
         parts = [number, figure] if above else [figure, number]
+        dot = at[place], np.interp(at[place], time, curve)
         axes.add_artist(
             AnnotationBbox(
                 VPacker(children=parts, align="center", pad=0, sep=1),
-                (time[i], curve[i]),
-                xybox=(time[i], 0.99 if above else 0.01),
+                dot,
+                xybox=(x[place], 0.99 if above else 0.01),
                 boxcoords=axes.get_xaxis_transform(),
                 box_alignment=(0.5, 1.0 if above else 0.0),
                 frameon=False,
                 pad=0.0,
-                arrowprops={"arrowstyle": "-", "color": FAINT, "linewidth": 0.5, "shrinkB": 1.5},
+                arrowprops={
+                    "arrowstyle": "-",
+                    "color": FAINT,
+                    "linewidth": 0.75 * THIN,
+                    "shrinkB": 1.5,
+                },
             )
         )
         axes.plot(
-            time[i],
-            curve[i],
+            *dot,
             "o",
             color="white",
             markeredgecolor=INK,
@@ -122,6 +195,9 @@ def _draw_postures(axes: Any, result: Decomposition, time: FloatArray, count: in
 def units(result: Decomposition, *, ax: Axes | None = None, postures: int | None = None) -> Axes:
     """Draw the coordinate over time with units, cycles and postures (the paper's Fig. 3).
 
+    Of more than 40 cycles, the curve is an envelope: the lowest to the highest value of each cycle.
+    There is no curve where nothing was fitted.
+
     Parameters
     ----------
     result : Decomposition
@@ -129,8 +205,8 @@ def units(result: Decomposition, *, ax: Axes | None = None, postures: int | None
     ax : matplotlib Axes, optional
         Axes to draw into; a new figure by default.
     postures : int, optional
-        Number of stick figures, evenly spaced in time, with their frame numbers; by default 11 if
-        the clip has a skeleton, otherwise none.
+        Number of stick figures, at most 24, which differ as much as possible, with their frame
+        numbers; by default 11 if the clip has a skeleton, otherwise none.
 
     Returns
     -------
@@ -141,13 +217,15 @@ def units(result: Decomposition, *, ax: Axes | None = None, postures: int | None
     if postures is None:
         postures = 11 if result.clip.joints else 0
     with axes_to_draw_in(ax, 0.92 * COLUMN) as axes:
-        _draw_curve(axes, result, time)
-        _draw_cycles(axes, result)
+        level = _draw_curve(axes, result, time, postures > 0)
+        _draw_cycles(axes, result, level, postures > 0)
         if postures:
-            _draw_postures(axes, result, time, postures)
+            chosen = np.sort(np.array(result.facts["postures"][:postures], dtype=np.int64))
+            _draw_postures(axes, result, level, chosen, time)
         axes.set_xlim(0, len(result.clip) * seconds(result))
-        axes.set_xlabel(time_label(result))
-        axes.set_ylabel(f"coordinate {result.facts['coordinate']}")
-        legend_of_kinds(axes, 1.06)
+        axes.set_xlabel(time_label(result.clip.fps))
+        axes.set_ylabel("motion coordinate")
+        label_kinds(axes, result)
+        legend_above(axes, 1.06)
     drawn: Axes = axes
     return drawn
