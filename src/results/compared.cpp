@@ -133,12 +133,20 @@ phase::Lag lag_of(const phase::Resampled& first, const phase::Resampled& second)
 /// Turns the second body about `up`, an axis of the first, onto the first.
 double turn_second(const phase::Resampled& first, clip::Axis axis, Side& second) {
     const phase::Resampled other = second.cycles(first.mean.rows(), 0);
-    const phase::Lag lag = lag_of(first, other);
     const auto up = static_cast<std::int64_t>(axis);
-    const Matrix mean = phase::once_around(other.mean);
-    return turn_to(phase::once_around(first.mean),
-                   phase::later(mean, std::isnan(lag.samples) ? 0 : lag.samples),
-                   {up % 3, (up + 1) % 3, 3}, second.signals);
+    const Level level{up % 3, (up + 1) % 3, 3};
+    const Matrix to = phase::once_around(first.mean), mean = phase::once_around(other.mean);
+    // Lag and turn depend on each other.
+    double best = 0, most = likeness_if_turned(to, mean, level);
+    for (std::int64_t lag = 1; lag < mean.rows(); ++lag) {
+        const auto shift = static_cast<double>(lag);
+        if (const double like = likeness_if_turned(to, phase::later(mean, shift), level);
+            like > most) {
+            most = like;
+            best = shift;
+        }
+    }
+    return turn_to(to, phase::later(mean, best), level, second.signals);
 }
 
 /// Mean distance (root mean square) of the parts from their middle over the mean cycle.

@@ -5,8 +5,14 @@
 #include <numbers>
 
 namespace stltsa::results {
+namespace {
 
-double turn_to(const Matrix& to, const Matrix& mean, const Level& level, Matrix& signals) {
+/// Sums of products of the horizontal coordinates: of the same ones, and of one with the other.
+struct Sums {
+    double along = 0, across = 0;
+};
+
+Sums sums_of(const Matrix& to, const Matrix& mean, const Level& level) {
     double along = 0, across = 0;
     for (std::int64_t c = 0; c + level.width <= to.cols(); c += level.width)
         for (std::int64_t s = 0; s < to.rows(); ++s) {
@@ -16,6 +22,23 @@ double turn_to(const Matrix& to, const Matrix& mean, const Level& level, Matrix&
             along += std::isnan(dot) ? 0 : dot;
             across += std::isnan(cross) ? 0 : cross;
         }
+    return {along, across};
+}
+
+} // namespace
+
+double likeness_if_turned(const Matrix& to, const Matrix& mean, const Level& level) {
+    const auto [along, across] = sums_of(to, mean, level);
+    double upright = 0;
+    const std::int64_t up = 3 - level.first - level.second;
+    for (std::int64_t s = 0; s < to.rows(); ++s)
+        for (std::int64_t c = up; c < to.cols(); c += 3)
+            upright += to(s, c) * mean(s, c);
+    return std::hypot(along, across) + upright;
+}
+
+double turn_to(const Matrix& to, const Matrix& mean, const Level& level, Matrix& signals) {
+    const auto [along, across] = sums_of(to, mean, level);
     const double length = std::hypot(along, across);
     if (!(length > 0))
         return 0;

@@ -13,6 +13,9 @@ struct Level {
     std::int64_t first = 0, second = 0, width = 0; ///< width 0: there are none
 };
 
+/// How like the curves are that `mean` and `to` are, if the one is turned about the up axis.
+double likeness_if_turned(const Matrix& to, const Matrix& mean, const Level& level);
+
 /// Turns the signals about the up axis by the angle at which `mean`, their mean curves, are closest
 /// to `to`, the curves of the other body at the same phases. Returns the angle in degrees. NaN is
 /// left out.
