@@ -92,7 +92,8 @@ static double apart(const double* rows, int64_t cols, int64_t a, int64_t b) {
     return squares;
 }
 
-/* The first ones, of which a picture shows some, differ more than frames that are evenly spaced. */
+/* No two of the first ones, which a picture shows, are alike. Of frames that are evenly spaced,
+ * some are equal, since the body stands. */
 static void postures_differ(void** state) {
     (void)state;
     stltsa_clip* clip = opened();
@@ -104,7 +105,7 @@ static void postures_differ(void** state) {
     double* angles = new_matrix(frames, 4 * joints);
     const stltsa_out out = packed_out(angles, frames, 4 * joints);
     must(stltsa_clip_rotations(clip, &out));
-    double chosen = 0, evenly = 0;
+    double least = HUGE_VAL;
     enum { shown = 8 };
     for (int i = 0; i < shown; ++i)
         for (int j = 0; j < i; ++j) {
@@ -113,11 +114,9 @@ static void postures_differ(void** state) {
             must(stltsa_info_int(info, STLTSA_INFO_POSTURES, j, &b));
             assert_in_range(a, 0, frames - 1);
             assert_true(a != b);
-            chosen += apart(angles, 4 * joints, a, b);
-            evenly += apart(angles, 4 * joints, (2 * i + 1) * frames / (2 * shown),
-                            (2 * j + 1) * frames / (2 * shown));
+            least = fmin(least, apart(angles, 4 * joints, a, b));
         }
-    assert_true(chosen > 1.3 * evenly);
+    assert_true(least > 0.02);
     free(angles);
     stltsa_decomposition_free(d);
     stltsa_clip_free(clip);
