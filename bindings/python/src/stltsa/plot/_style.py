@@ -146,7 +146,7 @@ def smooth_path(points: FloatArray) -> Any:
 
     vertices: list[FloatArray] = []
     codes: list[Any] = []
-    real = np.isfinite(points).all(axis=1)
+    real = np.asarray(np.isfinite(points).all(axis=1))
     for part in np.split(np.arange(len(points)), np.flatnonzero(np.diff(real)) + 1):
         p = points[part]
         if len(p) < 2 or not real[part[0]]:
