@@ -82,42 +82,28 @@ static void three_cycles_back_to_back(void** state) {
     stltsa_clip_free(clip);
 }
 
-/* Squared distance of two rows. */
-static double apart(const double* rows, int64_t cols, int64_t a, int64_t b) {
-    double squares = 0;
-    for (int64_t c = 0; c < cols; ++c) {
-        const double d = rows[a * cols + c] - rows[b * cols + c];
-        squares += d * d;
-    }
-    return squares;
-}
-
-/* The first ones, of which a picture shows some, differ more than frames that are evenly spaced. */
+/* No two of the first ones, which a picture shows, are alike, though the body stands twice. */
 static void postures_differ(void** state) {
     (void)state;
     stltsa_clip* clip = opened();
     stltsa_decomposition* d = decomposed(clip, NULL);
     const stltsa_info* info = stltsa_decomposition_info(d);
-    const int64_t count = stltsa_info_count(info, STLTSA_INFO_POSTURES);
-    assert_in_range(count, 13, 24);
-    const int64_t frames = stltsa_clip_frames(clip), joints = stltsa_clip_joints(clip);
-    double* angles = new_matrix(frames, 4 * joints);
-    const stltsa_out out = packed_out(angles, frames, 4 * joints);
+    assert_in_range(stltsa_info_count(info, STLTSA_INFO_POSTURES), 13, 24);
+    const int64_t frames = stltsa_clip_frames(clip), cols = 4 * stltsa_clip_joints(clip);
+    double* angles = new_matrix(frames, cols);
+    const stltsa_out out = packed_out(angles, frames, cols);
     must(stltsa_clip_rotations(clip, &out));
-    double chosen = 0, evenly = 0;
-    enum { shown = 8 };
-    for (int i = 0; i < shown; ++i)
+    for (int i = 0; i < 8; ++i)
         for (int j = 0; j < i; ++j) {
-            int64_t a, b;
+            int64_t a = -1, b = -1;
             must(stltsa_info_int(info, STLTSA_INFO_POSTURES, i, &a));
             must(stltsa_info_int(info, STLTSA_INFO_POSTURES, j, &b));
             assert_in_range(a, 0, frames - 1);
-            assert_true(a != b);
-            chosen += apart(angles, 4 * joints, a, b);
-            evenly += apart(angles, 4 * joints, (2 * i + 1) * frames / (2 * shown),
-                            (2 * j + 1) * frames / (2 * shown));
+            double squares = 0;
+            for (int64_t c = 0; c < cols; ++c)
+                squares += pow(angles[a * cols + c] - angles[b * cols + c], 2);
+            assert_true(squares > 0.02);
         }
-    assert_true(chosen > 1.3 * evenly);
     free(angles);
     stltsa_decomposition_free(d);
     stltsa_clip_free(clip);

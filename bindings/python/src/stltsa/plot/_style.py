@@ -13,6 +13,7 @@ from .._colors import UNIT_COLORS
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
+    import numpy.typing as npt
     from matplotlib.axes import Axes
 
     from .._arrays import FloatArray, IntArray
@@ -127,7 +128,7 @@ def unit_slices(result: Decomposition) -> list[tuple[Interval, slice]]:
     frames = result.frames
     found = []
     for unit in result.unit_list:
-        inside: IntArray | np.ndarray[Any, Any] = (frames >= unit.begin) & (frames < unit.end)
+        inside: IntArray | npt.NDArray[np.bool_] = (frames >= unit.begin) & (frames < unit.end)
         (at,) = inside.nonzero()
         if len(at):
             found.append((unit, slice(at[0], min(at[-1] + 2, len(frames)))))
@@ -145,7 +146,7 @@ def smooth_path(points: FloatArray) -> Any:
 
     vertices: list[FloatArray] = []
     codes: list[Any] = []
-    real = np.isfinite(points).all(axis=1)
+    real = np.asarray(np.isfinite(points).all(axis=1))
     for part in np.split(np.arange(len(points)), np.flatnonzero(np.diff(real)) + 1):
         p = points[part]
         if len(p) < 2 or not real[part[0]]:
