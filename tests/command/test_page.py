@@ -96,7 +96,7 @@ class Page(CommandTest):
 
     def test_hostile_names(self):
         clip = self.folder / ("a " + HOSTILE.replace("/", "") + ".csv")
-        names = [HOSTILE + c for c in "abc"]
+        names = [HOSTILE.replace('"', "") + c for c in "abc"]
         with open(clip, "w", newline="", encoding="utf-8") as file:
             rows = csv.writer(file)
             rows.writerow(names)
