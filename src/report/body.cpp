@@ -15,7 +15,7 @@ namespace {
 
 /// Limits that keep the report of an hour below 10 MB: numbers that are considered, and the length
 /// of their text.
-constexpr std::int64_t most_values = 6'000'000;
+constexpr std::int64_t most_values = 12'000'000;
 constexpr std::ptrdiff_t longest_text = 6'000'000;
 
 std::vector<std::string> names_of(const clip::Clip& clip) {
