@@ -170,13 +170,14 @@ class Comparison:
 
 
 def _difference(raw: Any) -> Difference:
-    values = (getattr(raw, field) for field in Difference._fields[:-1])
-    return Difference(*values, bool(raw.significant))
+    values = [getattr(raw, field) for field in Difference._fields[:-1]]
+    return Difference._make([*values, bool(raw.significant)])
 
 
 def _part(handle: Any, raw: Any, axis: str) -> ComparedPart:
     return ComparedPart(
-        *(string(lib.stltsa_comparison_part_name(handle, which, raw.part)) for which in (0, 1)),
+        string(lib.stltsa_comparison_part_name(handle, 0, raw.part)),
+        string(lib.stltsa_comparison_part_name(handle, 1, raw.part)),
         axis,
         raw.rms,
         raw.chance,
