@@ -160,7 +160,8 @@ double size_of(const Matrix& mean) {
             for (std::int64_t c = axis; c < mean.cols(); c += 3)
                 squares += (mean(s, c) - middle / count) * (mean(s, c) - middle / count);
         }
-    return std::sqrt(squares / static_cast<double>(mean.rows() * (mean.cols() / 3)));
+    const std::int64_t parts = mean.cols() / 3;
+    return std::sqrt(squares / static_cast<double>(mean.rows() * parts));
 }
 
 phase::Quantity cycle_times(const phase::Resampled& cycles, double fps) {
