@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
+#include <iterator>
 #include <optional>
 
 #include "capi/boundary/arrays.hpp"
@@ -21,12 +21,6 @@ namespace {
 /// other.
 constexpr int64_t least_samples = 5, most_samples = 1001;
 
-void check_samples(int64_t samples) {
-    if (samples < least_samples || samples > most_samples)
-        fail(Status::argument, "samples is {}; it must be from {} to {}", samples, least_samples,
-             most_samples);
-}
-
 std::optional<int32_t> wanted(int32_t label) {
     return label == -1 ? std::nullopt : std::optional(label);
 }
@@ -42,9 +36,15 @@ void check_which(int32_t which) {
              which);
 }
 
-void give_part(const Comparison& of, const std::vector<phase::PartDifference>& all, int64_t index,
-               int64_t part, stltsa_compared_part* to, const char* name) {
-    const phase::PartDifference& found = all[static_cast<std::size_t>(index)];
+/// `part_of`: of each of the list, the part it belongs to; empty: it is that part.
+void give_part(const Comparison& of, const std::vector<phase::PartDifference>& all,
+               const std::vector<int64_t>& part_of, int64_t index, stltsa_compared_part* to,
+               const char* name) {
+    if (index < 0 || index >= std::ssize(all))
+        fail(Status::argument, "{} {} does not exist: there are {}", name, index, all.size());
+    const auto at = static_cast<std::size_t>(index);
+    const phase::PartDifference& found = all[at];
+    const int64_t part = part_of.empty() ? index : part_of[at];
     const double cycle = results::mean_cycle_time(of);
     const stltsa_compared_part copy = {sizeof(stltsa_compared_part),
                                        part,
@@ -104,7 +104,7 @@ stltsa_status stltsa_compare(const stltsa_phase* first, int32_t first_label,
         required(comparison, "comparison") = nullptr;
         const results::Phased& one = required(first, "first");
         const results::Phased& other = required(second, "second");
-        check_samples(samples);
+        capi::check_samples(samples, least_samples, most_samples);
         *comparison = new stltsa_comparison(
             results::compare(one, wanted(first_label), other, wanted(second_label), samples));
     });
@@ -118,11 +118,7 @@ stltsa_status stltsa_compare_left_right(const stltsa_clip* clip, const stltsa_ph
         required(comparison, "comparison") = nullptr;
         const clip::Clip& of = required(clip, "clip").clip;
         const results::Phased& by = required(phase, "phase");
-        if (of.frames() != by.clip.frames || of.fps != by.clip.fps)
-            fail(Status::argument,
-                 "the phase belongs to another clip: it has {} frames, and this clip has {}",
-                 by.clip.frames, of.frames());
-        check_samples(samples);
+        capi::check_samples(samples, least_samples, most_samples);
         const capi::OptionsReader reader(options);
         *comparison = new stltsa_comparison(results::compare_left_right(
             of, by, wanted(label), samples, reader.prepare_options(), reader.progress()));
@@ -170,10 +166,7 @@ stltsa_status stltsa_comparison_part(const stltsa_comparison* comparison, int64_
                                      stltsa_compared_part* part) noexcept {
     return guard([&] {
         const Comparison& of = required(comparison, "comparison");
-        if (index < 0 || index >= stltsa_comparison_part_count(comparison))
-            fail(Status::argument, "part {} does not exist: there are {}", index,
-                 stltsa_comparison_part_count(comparison));
-        give_part(of, of.differences.parts, index, index, part, "part");
+        give_part(of, of.differences.parts, {}, index, part, "part");
     });
 }
 
@@ -193,11 +186,7 @@ stltsa_status stltsa_comparison_channel(const stltsa_comparison* comparison, int
                                         stltsa_compared_part* channel) noexcept {
     return guard([&] {
         const Comparison& of = required(comparison, "comparison");
-        if (index < 0 || index >= stltsa_comparison_channel_count(comparison))
-            fail(Status::argument, "channel {} does not exist: there are {}", index,
-                 stltsa_comparison_channel_count(comparison));
-        give_part(of, of.differences.columns, index,
-                  of.columns.part[static_cast<std::size_t>(index)], channel, "channel");
+        give_part(of, of.differences.columns, of.columns.part, index, channel, "channel");
     });
 }
 

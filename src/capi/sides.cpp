@@ -69,10 +69,6 @@ stltsa_status stltsa_sides_find(const stltsa_clip* clip, const stltsa_phase* pha
         required(sides, "sides") = nullptr;
         const clip::Clip& of = required(clip, "clip").clip;
         const results::Phased& by = required(phase, "phase");
-        if (of.frames() != by.clip.frames || of.fps != by.clip.fps)
-            fail(Status::argument,
-                 "the phase belongs to another clip: it has {} frames, and this clip has {}",
-                 by.clip.frames, of.frames());
         capi::check_samples(samples);
         const capi::OptionsReader reader(options);
         *sides = new stltsa_sides(results::compare_sides(

@@ -301,7 +301,7 @@ Comparison compare_left_right(const clip::Clip& clip, const Phased& phased,
                               std::optional<std::int32_t> label, std::int64_t samples,
                               const clip::PrepareOptions& prepare, const Progress& progress) {
     const PhasedMotion& motion = longest(candidates(phased, label, "first"));
-    check_columns(clip, phased);
+    check_same_clip(clip, phased);
     const Matrix own = rows_by_frame(phased);
     if (const std::string reason = resample(phased, motion.label, own.view(), samples).no_halves;
         !reason.empty())

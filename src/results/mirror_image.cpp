@@ -68,7 +68,11 @@ void turn_to_sides(const phase::Resampled& own, const phase::Resampled& image, c
 
 } // namespace
 
-void check_columns(const clip::Clip& clip, const Phased& phased) {
+void check_same_clip(const clip::Clip& clip, const Phased& phased) {
+    if (clip.frames() != phased.clip.frames || clip.fps != phased.clip.fps)
+        fail(Status::argument,
+             "the phase belongs to another clip: it has {} frames, and this clip has {}",
+             phased.clip.frames, clip.frames());
     const clip::Features features = phased.samples.features;
     const bool any = features == clip::Features::raw;
     const bool points = features == clip::Features::points;
@@ -85,7 +89,6 @@ Matrix rows_by_frame(const Phased& phased) {
 Matrix mirror_image(const clip::Clip& clip, const Phased& phased, std::int32_t label,
                     std::int64_t samples, const clip::PrepareOptions& prepare,
                     const Progress& progress) {
-    check_columns(clip, phased);
     auto [image, turned] = image_of(clip, phased, prepare, progress);
     if (const Level level = level_of(clip, phased, turned); level.width > 0)
         turn_to_sides(resample(phased, label, rows_by_frame(phased).view(), samples),

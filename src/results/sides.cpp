@@ -83,7 +83,7 @@ ComparedSides compare_sides(const phase::Resampled& cycles, std::span<const std:
 ComparedSides compare_sides(const clip::Clip& clip, const Phased& phased, std::int32_t label,
                             std::int64_t samples, const clip::PrepareOptions& prepare,
                             const Progress& progress) {
-    check_columns(clip, phased);
+    check_same_clip(clip, phased);
     const Matrix rows = rows_by_frame(phased);
     const phase::Resampled own = resample(phased, label, rows.view(), samples);
     if (!own.no_halves.empty())

@@ -20,6 +20,7 @@
 #include <thread>
 #include <vector>
 
+#include <malloc.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -281,8 +282,16 @@ long open_files() {
     return std::distance(std::filesystem::directory_iterator("/proc/self/fd"), {});
 }
 
+/// Bytes that are allocated and not freed, in all arenas. Unlike the memory of the process, they do
+/// not depend on how the heap is fragmented.
+long live_bytes() {
+    const struct mallinfo2 heap = ::mallinfo2();
+    return static_cast<long>(heap.uordblks + heap.hblkhd);
+}
+
 struct Usage {
     long kilobytes = from_status("VmRSS"), threads = from_status("Threads"), files = open_files();
+    long bytes = live_bytes();
 };
 
 /// Runs all works at the same time, on handles that were not used before.
@@ -313,11 +322,14 @@ void soak(double seconds) {
         ++rounds;
     }
     const Usage after;
-    std::printf("soak: %.0f s, %d rounds, memory %ld to %ld kB, threads %ld to %ld, files %ld to "
-                "%ld\n",
-                passed(), rounds, before.kilobytes, after.kilobytes, before.threads, after.threads,
-                before.files, after.files);
+    std::printf(
+        "soak: %.0f s, %d rounds, memory %ld to %ld kB, allocated %ld to %ld bytes, threads "
+        "%ld to %ld, files %ld to %ld\n",
+        passed(), rounds, before.kilobytes, after.kilobytes, before.bytes, after.bytes,
+        before.threads, after.threads, before.files, after.files);
     expect(after.kilobytes < before.kilobytes + before.kilobytes / 20 + 1024, "memory grows");
+    // Without a leak, caches of the heap make a difference of up to 30 kB, in any number of rounds.
+    expect(after.bytes < before.bytes + 128 * 1024, "allocations are not freed");
     expect(after.threads == before.threads && after.files == before.files, "handles stay open");
 }
 

@@ -161,10 +161,9 @@ std::vector<std::int64_t> clip_lengths(const stltsa_in* lengths, std::int64_t ro
     return input_integers(lengths, "lengths");
 }
 
-void check_samples(std::int64_t samples) {
-    constexpr std::int64_t most = 1000000;
-    if (samples < 2 || samples > most)
-        fail(Status::argument, "samples is {}; it must be 2 to {}", samples, most);
+void check_samples(std::int64_t samples, std::int64_t least, std::int64_t most) {
+    if (samples < least || samples > most)
+        fail(Status::argument, "samples is {}; it must be {} to {}", samples, least, most);
 }
 
 } // namespace stltsa::capi

@@ -141,7 +141,9 @@ def decompose(motion: Motion, **options: Unpack[Options]) -> Decomposition:
     return result
 
 
-def report(motion: Motion, path: str | os.PathLike[str], **options: Unpack[Options]) -> Decomposition:
+def report(
+    motion: Motion, path: str | os.PathLike[str], **options: Unpack[Options]
+) -> Decomposition:
     """Decompose a recording and write a report of it, one HTML page.
 
     Parameters
