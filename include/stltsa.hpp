@@ -1047,6 +1047,11 @@ class Comparison {
     std::vector<std::string> warnings() const {
         return detail::texts(stltsa_comparison_warning_count, stltsa_comparison_warning, get());
     }
+    /// Writes a report: one HTML page. `command`: which repeats it; empty: unknown.
+    void save_report(const std::string& path, const std::string& command = {}) const {
+        detail::check(stltsa_comparison_report_save(
+            get(), command.empty() ? nullptr : command.c_str(), path.c_str()));
+    }
     std::string json() const { return detail::json(stltsa_comparison_json, get()); }
 
     const stltsa_comparison* get() const noexcept { return handle_.get(); }

@@ -27,21 +27,22 @@ async function opened(browser, report, { width = 1240, colorScheme = "light" } =
   return { page, told };
 }
 
-async function checkUse(browser, report) {
-  const { page, told } = await opened(browser, report);
+// Whether it holds within three seconds.
+async function comes(page, holds) {
+  for (let i = 0; i < 30; ++i) {
+    if (await holds()) return true;
+    await page.waitForTimeout(100);
+  }
+  return false;
+}
+
+// First paint, playing and seeking, which both pages have.
+async function checkPlaying(page) {
   const timing = await page.evaluate(() => ({ paint: performance.getEntriesByName("first-contentful-paint")[0].startTime, ready: performance.now() }));
   check(timing.paint < 1000, `first paint after ${timing.paint.toFixed(0)} ms (ready after ${timing.ready.toFixed(0)} ms)`);
   const clock = () => page.locator("#clock").textContent();
-  // Whether it holds within three seconds.
-  const comes = async holds => {
-    for (let i = 0; i < 30; ++i) {
-      if (await holds()) return true;
-      await page.waitForTimeout(100);
-    }
-    return false;
-  };
-  const before = await clock();
-  const picture = await pixels(page, "viewer", 1);
+  const moving = await page.locator("#viewer canvas").count() ? "viewer" : "curves";
+  const before = await clock(), picture = await pixels(page, moving, 1);
   await page.click("#play");
   const rate = await page.evaluate(() => new Promise(done => {
     let count = 0;
@@ -51,7 +52,7 @@ async function checkUse(browser, report) {
   }));
   check(rate > 10, `plays at ${rate.toFixed(0)} pictures a second (software rendering)`);
   await page.click("#play");
-  check(await clock() !== before && await pixels(page, "viewer", 1) !== picture, "playing moves the body");
+  check(await clock() !== before && await pixels(page, moving, 1) !== picture, "playing moves the picture");
   const cost = await page.evaluate(async () => {
     const scrub = document.getElementById("scrub"), begin = performance.now();
     for (let i = 0; i < 60; ++i) {
@@ -62,27 +63,16 @@ async function checkUse(browser, report) {
     return (performance.now() - begin) / 60;
   });
   check(cost < 100, `seeking takes ${cost.toFixed(1)} ms a step`);
-  await page.locator("#band canvas").last().focus();
-  await page.keyboard.press("Home");
-  check(await comes(async () => /frame 0$/.test(await clock())), "Home goes to the first frame");
-  await page.keyboard.press("ArrowRight");
-  check(await comes(async () => /frame 1$/.test(await clock())), "an arrow key goes one frame on");
-  const view = await pixels(page, "band", 0);
-  await page.keyboard.press("+");
-  check(await comes(async () => await pixels(page, "band", 0) !== view), "+ zooms the recording");
-  await page.keyboard.press("0");
-  await page.mouse.move(0, 0);
-  const box = await page.locator("#band canvas").last().boundingBox();
-  await page.mouse.click(box.x + box.width * 0.5, box.y + 75);
-  check(await comes(async () => !/frame 1$/.test(await clock())), "a click into the recording goes there");
-  await page.keyboard.press("m");
-  if (await page.locator("#mark").isVisible()) check(await page.locator(".event").count() === 1 && /stltsa events .* --mark/.test(await page.locator("#events pre").textContent()), "m marks an event, and its command is shown");
-  for (const id of ["save-json", "save-csv"]) {
+}
+
+// Downloads, accessibility, and what the page asked for or said.
+async function checkRest(page, told, ids, format) {
+  for (const id of ["save-json", ...ids]) {
     const [download] = await Promise.all([page.waitForEvent("download"), page.click("#" + id)]);
     const file = path.join(folder, download.suggestedFilename());
     await download.saveAs(file);
     check(fs.statSync(file).size > 50, `${download.suggestedFilename()} is saved`);
-    if (id === "save-json") check(/^stltsa-decomposition/.test(JSON.parse(fs.readFileSync(file, "utf8")).format), "it is the decomposition");
+    if (id === "save-json") check(JSON.parse(fs.readFileSync(file, "utf8")).format.startsWith(format), `it is ${format}`);
   }
   for (const [kind, magic] of [["SVG", "<svg"], ["PNG", "\x89PNG"]])
     for (const button of await page.locator("figcaption button", { hasText: kind }).all()) {
@@ -101,6 +91,49 @@ async function checkUse(browser, report) {
   }
   check(told.length === 0, "no request, nothing on the console" + told.map(text => " (" + text + ")").join(""));
   await page.close();
+}
+
+async function checkReport(page) {
+  const clock = () => page.locator("#clock").textContent();
+  await page.locator("#band canvas").last().focus();
+  await page.keyboard.press("Home");
+  check(await comes(page, async () => /frame 0$/.test(await clock())), "Home goes to the first frame");
+  await page.keyboard.press("ArrowRight");
+  check(await comes(page, async () => /frame 1$/.test(await clock())), "an arrow key goes one frame on");
+  const view = await pixels(page, "band", 0);
+  await page.keyboard.press("+");
+  check(await comes(page, async () => await pixels(page, "band", 0) !== view), "+ zooms the recording");
+  await page.keyboard.press("0");
+  await page.mouse.move(0, 0);
+  const box = await page.locator("#band canvas").last().boundingBox();
+  await page.mouse.click(box.x + box.width * 0.5, box.y + 75);
+  check(await comes(page, async () => !/frame 1$/.test(await clock())), "a click into the recording goes there");
+  await page.keyboard.press("m");
+  if (await page.locator("#mark").isVisible()) check(await page.locator(".event").count() === 1 && /stltsa events .* --mark/.test(await page.locator("#events pre").textContent()), "m marks an event, and its command is shown");
+}
+
+async function checkComparison(page) {
+  const part = () => page.locator("#part").inputValue();
+  const count = await page.locator("#part option").count(), first = await part();
+  await page.locator("#intervals canvas").last().focus();
+  await page.keyboard.press("ArrowDown");
+  if (count > 1) check(await comes(page, async () => await part() !== first), "an arrow key in the list of differences chooses the next part");
+  const picture = await pixels(page, "curves", 0);
+  await page.locator("#part").selectOption(first);
+  if (count > 1) check(await comes(page, async () => await pixels(page, "curves", 0) !== picture), "choosing a part shows its curves");
+  const clock = () => page.locator("#clock").textContent(), before = await clock();
+  await page.locator("#curves canvas").last().scrollIntoViewIfNeeded();
+  const box = await page.locator("#curves canvas").last().boundingBox();
+  await page.mouse.click(box.x + 70, box.y + 80);
+  check(await comes(page, async () => await clock() !== before), "a click on a curve goes to that phase");
+}
+
+async function checkUse(browser, report) {
+  const { page, told } = await opened(browser, report);
+  const compared = await page.evaluate(() => /comparison/.test(document.title));
+  await checkPlaying(page);
+  await (compared ? checkComparison(page) : checkReport(page));
+  await (compared ? checkRest(page, told, ["save-csv", "save-curves"], "stltsa-comparison") : checkRest(page, told, ["save-csv"], "stltsa-decomposition"));
 }
 
 async function checkPrint(browser, report, name) {

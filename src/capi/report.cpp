@@ -4,10 +4,12 @@
 #include "capi/json/results.hpp"
 #include "capi/options/reader.hpp"
 #include "clip/files/write_file.hpp"
+#include "report/comparison_page.hpp"
 #include "report/page.hpp"
 
 using namespace stltsa;
 using capi::compute;
+using capi::guard;
 using capi::required;
 
 stltsa_status stltsa_report_save(const stltsa_clip* clip, const stltsa_decomposition* decomposition,
@@ -22,5 +24,15 @@ stltsa_status stltsa_report_save(const stltsa_clip* clip, const stltsa_decomposi
                           capi::decomposition_json(decomposed), command == nullptr ? "" : command},
                          reader.progress());
         clip::write_file(place, page);
+    });
+}
+
+stltsa_status stltsa_comparison_report_save(const stltsa_comparison* comparison,
+                                            const char* command, const char* path) noexcept {
+    return guard([&] {
+        const std::string place = &required(path, "path");
+        const results::Comparison& of = required(comparison, "comparison");
+        clip::write_file(place, report::comparison_page(of, capi::comparison_json(of),
+                                                        command == nullptr ? "" : command));
     });
 }

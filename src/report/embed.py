@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Makes template.cpp of page.html and the style sheet and scripts that it names.
+"""Makes a C++ source of a page of HTML and the style sheet and scripts that it names.
 
-Usage: embed.py page.html template.cpp template.d
+Usage: embed.py FUNCTION page.html template.cpp template.d
 
 A line <!-- style FILE --> or <!-- script FILE --> of the page is replaced by that file; the data come at the line
-<!-- data -->. The third file lists what was read, for Ninja.
+<!-- data -->. The last file lists what was read, for Ninja.
 """
 
 import re
@@ -21,7 +21,7 @@ def literals(text):
     return "\n".join(f'    R"stltsa({piece})stltsa"' for piece in pieces)
 
 
-def main(page, source, depfile):
+def main(function, page, source, depfile):
     page = Path(page)
     read = [page]
 
@@ -34,8 +34,7 @@ def main(page, source, depfile):
     Path(source).write_text(
         '#include "report/template.hpp"\n\n'
         "namespace stltsa::report {\n\n"
-        f"std::string_view before_data() {{\n    return\n{literals(before)};\n}}\n\n"
-        f"std::string_view after_data() {{\n    return\n{literals(after)};\n}}\n\n"
+        f"Template {function}() {{\n    return {{\n{literals(before)},\n{literals(after)}}};\n}}\n\n"
         "} // namespace stltsa::report\n",
         encoding="utf-8",
     )

@@ -123,4 +123,8 @@ Json packed(std::span<const double> values) {
     return packed(column.view());
 }
 
+std::string compressed_text(const std::string& text) {
+    return base64(compressed(text));
+}
+
 } // namespace stltsa::report

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "base/json.hpp"
@@ -23,5 +24,8 @@ Json packed(ConstMatrixView values, std::int64_t ranges);
 Json packed(ConstMatrixView values);
 /// A column.
 Json packed(std::span<const double> values);
+
+/// Text compressed by zlib, in base64.
+std::string compressed_text(const std::string& text);
 
 } // namespace stltsa::report

@@ -52,18 +52,6 @@ std::string_view bytes_of(const Matrix& matrix) {
             sizeof(double) * static_cast<std::size_t>(matrix.rows() * matrix.cols())};
 }
 
-/// JSON within an element `script` of HTML, which "</script" or "<!--" in a name would end.
-std::string in_html(const std::string& json) {
-    std::string text;
-    text.reserve(json.size());
-    for (const char c : json)
-        if (c == '<')
-            text += "\\u003c";
-        else
-            text += c;
-    return text;
-}
-
 } // namespace
 
 std::string page(const Reported& reported, const Progress& progress) {
@@ -78,10 +66,7 @@ std::string page(const Reported& reported, const Progress& progress) {
              motions_json(clip, reported.decomposed, phased, parts, reported.prepare, progress));
     std::string json = data.text();
     json.insert(1, "\"decomposition\":" + reported.json + ',');
-    std::string text(before_data());
-    text += in_html(json);
-    text += after_data();
-    return text;
+    return filled(report_template(), json);
 }
 
 } // namespace stltsa::report

@@ -1,12 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The page without its data, which embed.py makes of the folder page.
+// The pages without their data, which embed.py makes of the folder page.
 #pragma once
 
+#include <string>
 #include <string_view>
 
 namespace stltsa::report {
 
-std::string_view before_data();
-std::string_view after_data();
+struct Template {
+    std::string_view before, after; ///< the data
+};
+
+Template report_template();
+Template comparison_template();
+
+/// The page. `json`: its data, in which no text ends the element of HTML.
+std::string filled(Template page, const std::string& json);
 
 } // namespace stltsa::report

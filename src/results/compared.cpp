@@ -217,6 +217,27 @@ void warn_of_likeness(Comparison& result) {
             result.size_ratio));
 }
 
+Placement placement(const Phased& first, const CommonColumns& columns) {
+    Placement placed{in_space(first), first.samples.features == clip::Features::positions,
+                     first.samples.up, std::vector<std::int64_t>(columns.names.size(), -1)};
+    if (!placed.skeleton)
+        return placed;
+    const auto& joints = first.body.skeleton.joints;
+    std::vector<std::int64_t> part_of(joints.size(),
+                                      -1); // three columns for each joint of the body
+    for (std::size_t c = 0; c < columns.first.size(); ++c)
+        part_of[first.body.root + static_cast<std::size_t>(columns.first[c] / 3)] = columns.part[c];
+    for (std::size_t j = first.body.root; j < joints.size(); ++j) {
+        int parent = joints[j].parent;
+        while (parent >= 0 && part_of[static_cast<std::size_t>(parent)] < 0)
+            parent = joints[static_cast<std::size_t>(parent)].parent;
+        if (part_of[j] >= 0 && parent >= 0)
+            placed.parents[static_cast<std::size_t>(part_of[j])] =
+                part_of[static_cast<std::size_t>(parent)];
+    }
+    return placed;
+}
+
 /// What is left once the cycles are aligned.
 Comparison compared(const Side& first, const Side& second, phase::Resampled one,
                     phase::Resampled other, CommonColumns columns, bool sides) {
@@ -235,6 +256,7 @@ Comparison compared(const Side& first, const Side& second, phase::Resampled one,
     result.cycle_time =
         phase::estimate(time, other_time, phase::dependence_of({&time}, {&other_time}, sides));
     result.motions = {motion_facts(first, one), motion_facts(second, other)};
+    result.placement = placement(first.phased, columns);
     result.columns = std::move(columns);
     for (const phase::PartDifference& part : result.differences.parts) {
         judge(part.lag, result);

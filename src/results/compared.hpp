@@ -20,6 +20,14 @@ struct ComparedMotion {
     Matrix mean, deviation;  ///< samples x columns
 };
 
+/// Where the parts are, for pictures.
+struct Placement {
+    bool in_space = false; ///< whether columns are coordinates in space
+    bool skeleton = false; ///< whose root is at the origin
+    clip::Axis up = clip::Axis::none;
+    std::vector<std::int64_t> parents; ///< of each part the next of its ancestors; -1: none
+};
+
 /// Unknown numbers are NaN.
 struct Comparison {
     std::array<ComparedMotion, 2> motions;
@@ -27,6 +35,7 @@ struct Comparison {
     std::int64_t samples = 0;
     bool sides = false; ///< of one clip: the second motion is its mirror image
     CommonColumns columns;
+    Placement placement;   ///< of the first
     phase::Estimate shift; ///< phase of the second at phase 0 of the first; only difference, error
                            ///< and interval
     double likeness = 0;   ///< correlation of the mean cycles once aligned

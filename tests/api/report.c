@@ -87,6 +87,44 @@ static void what_is_wrong_is_said(void** state) {
     stltsa_clip_free(clip);
 }
 
+static stltsa_comparison* sides_of(const stltsa_clip* clip) {
+    stltsa_decomposition* found = NULL;
+    stltsa_phase* phase = NULL;
+    stltsa_comparison* sides = NULL;
+    must(stltsa_decompose(clip, NULL, &found));
+    must(stltsa_phase_find(clip, found, NULL, &phase));
+    must(stltsa_compare_left_right(clip, phase, -1, 51, NULL, &sides));
+    stltsa_phase_free(phase);
+    stltsa_decomposition_free(found);
+    return sides;
+}
+
+static char* comparison_report(const stltsa_comparison* sides, const char* command) {
+    must(stltsa_comparison_report_save(sides, command, path));
+    return file_text();
+}
+
+static void a_comparison_is_a_page(void** state) {
+    (void)state;
+    stltsa_clip* clip = opened();
+    stltsa_comparison* sides = sides_of(clip);
+    char* one = comparison_report(sides, NULL);
+    char* two = comparison_report(sides, NULL);
+    assert_string_equal(one, two);
+    assert_non_null(strstr(one, "\"format\":\"stltsa-comparison-report/1\""));
+    free(one);
+    free(two);
+    char* page = comparison_report(sides, "</script>a");
+    assert_null(strstr(page, "</script>a"));
+    free(page);
+    assert_int_equal(stltsa_comparison_report_save(NULL, NULL, path), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_comparison_report_save(sides, NULL, NULL), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_comparison_report_save(sides, NULL, "/no/such/folder/x.html"),
+                     STLTSA_E_IO);
+    stltsa_comparison_free(sides);
+    stltsa_clip_free(clip);
+}
+
 int main(int argc, char** argv) {
     if (argc < 2)
         return 2;
@@ -95,6 +133,7 @@ int main(int argc, char** argv) {
         cmocka_unit_test(a_page_repeats_to_the_byte),
         cmocka_unit_test(no_text_ends_the_data),
         cmocka_unit_test(what_is_wrong_is_said),
+        cmocka_unit_test(a_comparison_is_a_page),
     };
     return cmocka_run_group_tests(tests, make_folder, remove_folder);
 }

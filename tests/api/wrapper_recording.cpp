@@ -26,12 +26,18 @@ const stltsa::Clip& walker() {
 
 void a_report_is_a_page(void**) {
     const std::string path = "/tmp/stltsa-wrapper-" + std::to_string(::getpid()) + ".html";
-    stltsa::decompose(walker()).save_report(walker(), path, "a command");
-    std::ifstream file(path, std::ios::binary);
-    const std::string page{std::istreambuf_iterator<char>(file), {}};
-    assert_int_equal(::unlink(path.c_str()), 0);
-    assert_true(page.starts_with("<!doctype html>"));
-    assert_true(page.find("\"command\":\"a command\"") != page.npos);
+    const auto check = [&path] {
+        std::ifstream file(path, std::ios::binary);
+        const std::string page{std::istreambuf_iterator<char>(file), {}};
+        assert_int_equal(::unlink(path.c_str()), 0);
+        assert_true(page.starts_with("<!doctype html>"));
+        assert_true(page.find("\"command\":\"a command\"") != page.npos);
+    };
+    const stltsa::Decomposition found = stltsa::decompose(walker());
+    found.save_report(walker(), path, "a command");
+    check();
+    stltsa::find_phase(walker(), found).compare_left_right(walker()).save_report(path, "a command");
+    check();
 }
 
 void a_recording_is_divided_into_segments(void**) {

@@ -29,15 +29,17 @@ def unpacked(of):
     return [list(row) for row in zip(*columns)]
 
 
-class Page(CommandTest):
+class Pages(CommandTest):
+    def data(self, page):
+        (text,) = re.findall(r'<script type="application/json" id="data">\n(.*?)\n?</script>', page, re.S)
+        return json.loads(text)
+
+
+class Page(Pages):
     def page(self, *arguments):
         path = self.folder / "page.html"
         self.done("decompose", *arguments, "--report", path)
         return path.read_text(encoding="utf-8")
-
-    def data(self, page):
-        (text,) = re.findall(r'<script type="application/json" id="data">\n(.*?)\n?</script>', page, re.S)
-        return json.loads(text)
 
     def test_same_bytes_and_no_date(self):
         one, two = self.folder / "1.html", self.folder / "2.html"
@@ -142,6 +144,47 @@ class Page(CommandTest):
 
     def test_suffix(self):
         self.assertIn("must end in", self.fails(2, "decompose", walk(), "--report", self.folder / "x.pdf"))
+
+
+class ComparisonPage(Pages):
+    """The page of a comparison, whose data are those of the JSON."""
+
+    def page(self, *arguments):
+        path = self.folder / "comparison.html"
+        self.done("compare", *arguments, "--report", path)
+        return path.read_text(encoding="utf-8")
+
+    def test_comparison_is_the_json(self):
+        line = (walk(), f"{walk()}:200-")
+        data = self.data(self.page(*line))
+        self.assertEqual(data["format"], "stltsa-comparison-report/1")
+        self.assertTrue(data["command"].startswith("stltsa compare "), data["command"])
+        found = json.loads(zlib.decompress(base64.b64decode(data["comparison"])))
+        self.assertEqual(found, self.json("compare", *line))
+
+    def test_bones_join_the_parts(self):
+        for line in ((walk(), f"{walk()}:200-"), (walk(),)):
+            data = self.data(self.page(*line))
+            found = json.loads(zlib.decompress(base64.b64decode(data["comparison"])))
+            names = [part["first"] for part in found["parts"]]
+            self.assertEqual(len(data["parents"]), len(names))
+            self.assertTrue(data["skeleton"])
+            self.assertEqual(data["up"], 1)
+            parent = data["parents"][names.index("LeftFoot")]
+            self.assertEqual(names[parent], "LeftLeg")
+            hip = data["parents"][names.index("LeftUpLeg")]
+            self.assertEqual(hip, names.index("Hips") if "Hips" in names else -1)
+
+    def test_matrices_have_no_places(self):
+        data = self.data(self.page(circle(), circle(), "--fps", "30"))
+        self.assertNotIn("parents", data)
+        self.assertFalse(data["skeleton"])
+
+    def test_needs_nothing_else(self):
+        page = self.page(walk())
+        self.assertIn("default-src 'none'", page)
+        self.assertNotRegex(page, r"""(?:src|href)=["']?(?:https?:)?//""")
+        self.assertIn("must end in", self.fails(2, "compare", walk(), "--report", self.folder / "x.pdf"))
 
 
 if __name__ == "__main__":

@@ -367,6 +367,8 @@ stltsa_status comparisons(const std::string&) {
             [&] { return stltsa_comparison_difference(of_motions, &mean, nullptr, nullptr); });
         calls.make([&] { return stltsa_comparison_json(of_motions, &json); });
         stltsa_free(json);
+        calls.make(
+            [&] { return stltsa_comparison_report_save(of_motions, "stltsa", "/dev/null"); });
         if (stltsa_comparison_part_count(of_motions) != channels ||
             *stltsa_comparison_part_name(of_motions, 1, 0) != 'c' ||
             *stltsa_comparison_channel_axis(of_motions, 0) != 0 ||

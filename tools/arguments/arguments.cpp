@@ -163,11 +163,7 @@ class Parser {
                         "Write the phase of each frame to a .csv or .npy file: frame, seconds, "
                         "segment, cycle, phase, residual.")
             ->type_name("FILE");
-        decompose
-            .add_option("--report", to_.report,
-                        "Write a report as HTML: one page with the moving skeleton, the units and "
-                        "cycles over time, mean cycles, and tables.")
-            ->type_name("FILE");
+        add_report(decompose, "the units and cycles over time, mean cycles, and tables.");
         decompose.add_flag("--curve", to_.curve,
                            "Add the curve and the loop, sample by sample, to the JSON.");
         add_denoise();
@@ -349,6 +345,13 @@ class Parser {
                         "The second clip; without it, left and right of the first.")
             ->expected(0, 1);
         add_output(compare);
+        add_report(compare, "the curves of each part, and all differences with their intervals.");
+    }
+    void add_report(CLI::App& command, const std::string& content) {
+        command
+            .add_option("--report", to_.report,
+                        "Write a report as HTML: one page with the moving skeleton, " + content)
+            ->type_name("FILE");
     }
     void add_events() {
         CLI::App& events = clip_command(Command::events, "events", "The clip with the marks.");

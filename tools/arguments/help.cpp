@@ -142,7 +142,8 @@ Examples:
   stltsa compare before.bvh after.bvh
   stltsa compare walk.bvh                          left against right
   stltsa compare patient.csv model.csv --fps 100 --json
-  stltsa compare walk.bvh:A walk.bvh:B -o differences.csv)";
+  stltsa compare walk.bvh:A walk.bvh:B -o differences.csv
+  stltsa compare before.bvh after.bvh --report comparison.html)";
 
 constexpr const char* about_events =
     R"(Finds a marked event in every cycle, and in other clips.

@@ -36,6 +36,10 @@ Exit run_compare(const Arguments& arguments) {
         return phase.compare(phase_of(session, other, second));
     };
     const stltsa::Comparison comparison = compared();
+    if (!arguments.report.empty())
+        session.add_report(arguments.report, [&](const std::string& name) {
+            comparison.save_report(name, arguments.line);
+        });
     session.finish(
         {[&] { return comparison.json(); },
          [&] { return comparison_report(comparison, session.title(), file_name(other)); },

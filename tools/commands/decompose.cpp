@@ -97,7 +97,9 @@ Exit run_decompose(const Arguments& arguments) {
     if (!arguments.plot.empty())
         session.add_file(arguments.plot, decomposition_figure(session, found));
     if (!arguments.report.empty())
-        session.add_report(arguments.report, found);
+        session.add_report(arguments.report, [&](const std::string& name) {
+            found.save_report(session.clip(), name, arguments.line, session.options());
+        });
     std::vector<std::string> warnings = found.warnings();
     PhaseAnswer of_phase;
     if (!arguments.phase.empty())

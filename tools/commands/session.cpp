@@ -239,10 +239,10 @@ void Session::add_model(const std::string& path, const stltsa::Model& model) {
     files_.add_written(path, ".stltsa", [&model](const std::string& name) { save(model, name); });
 }
 
-void Session::add_report(const std::string& path, const stltsa::Decomposition& found) {
-    files_.add_written(path, ".html", [this, &found](const std::string& name) {
+void Session::add_report(const std::string& path, std::function<void(const std::string&)> save) {
+    files_.add_written(path, ".html", [save = std::move(save)](const std::string& name) {
         try {
-            found.save_report(clip(), name, arguments_.line, options());
+            save(name);
         } catch (const stltsa::Error& error) {
             throw error.status() == STLTSA_E_IO ? Failure(Exit::failed, error.what())
                                                 : Failure(error);

@@ -54,8 +54,8 @@ class Session {
     /// The suffix determines the format. The clip, like a model, must live until finish().
     void add_clip(const std::string& path, const stltsa::Clip& clip);
     void add_model(const std::string& path, const stltsa::Model& model);
-    /// The report of a decomposition of clip(); it must live until finish().
-    void add_report(const std::string& path, const stltsa::Decomposition& found);
+    /// A report, which `save` writes under a given name.
+    void add_report(const std::string& path, std::function<void(const std::string&)> save);
     /// The result that finish() writes, as JSON or as a table; only one is called.
     struct Answer {
         std::function<std::string()> json;

@@ -79,6 +79,18 @@ def test_a_comparison_is_pickled(compared):
     again = pickle.loads(pickle.dumps(compared))
     assert again.parts[1].name == compared.parts[1].name
     np.testing.assert_array_equal(again.margin, compared.margin)
+    with pytest.raises(ValueError, match="compare again"):
+        again.report("never.html")
+
+
+def test_a_report_is_one_page(compared, tmp_path):
+    path = tmp_path / "comparison.html"
+    compared.report(path, command="a </script> command")
+    page = path.read_text(encoding="utf-8")
+    assert page.startswith("<!doctype html>")
+    assert "a \\u003c/script> command" in page
+    with pytest.raises(stltsa.FileError):
+        compared.report(tmp_path / "none" / "x.html")
 
 
 def test_a_table_has_a_row_for_each_part_and_channel(compared):

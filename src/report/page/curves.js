@@ -98,8 +98,6 @@ function plotsShown() {
   const left = partner >= 0 && body.parts[part].side === 1 ? partner : part, right = left === part ? partner : part;
   return columnsOf(set, left).map(column => [column, partner >= 0 ? columnsOf(set, right).find(other => other.axis === column.axis) : undefined].filter(Boolean));
 }
-const upName = body.up >= 0 ? "xyz"[body.up] : "";
-const axisText = axis => axis.length === 1 ? axis + (axis === upName ? " (up)" : "") : axis.length === 2 ? "turn about " + axis[1] : axis;
 const shift = () => state.zero > 0 && state.marks[state.zero - 1] ? state.marks[state.zero - 1].phase : 0;
 
 function sidesCurves(column) {
@@ -109,26 +107,6 @@ function sidesCurves(column) {
   return index < 0 ? null : { index, pair: sides.pairs[index], left: sides.left_curves, right: sides.right_curves };
 }
 
-// One plot: mean with spread, single cycles, and the cursor.
-function drawPlot(pen, box, lines, range, { title, color, axis, bottom }) {
-  const { x, y, w, h } = box, px = share => x + share * w, py = v => y + h - (v - range[0]) / (range[1] - range[0]) * h;
-  pen.rect(x, y, w, h, { fill: colors.paper, radius: 6 });
-  for (const t of [0.25, 0.5, 0.75]) pen.line([px(t), y, px(t), y + h], { stroke: colors.grid });
-  for (const v of ticks(range[0], range[1], 4)) { pen.line([x, py(v), x + w, py(v)], { stroke: colors.grid }); if (axis) pen.text(x - 6, py(v), number(v, 4), { size: 11, color: colors.soft, align: "right" }); }
-  pen.clip(x, y, w, h, () => {
-    for (const line of lines) {
-      if (line.sd) {
-        const up = [], down = [];
-        line.mean.forEach((m, i) => { if (Number.isNaN(m + line.sd[i])) return; up.push(px(i / 100), py(m + line.sd[i])); down.unshift(px(i / 100), py(m - line.sd[i])); });
-        pen.line([...up, ...down], { fill: line.color, alpha: 0.2 });
-      }
-      for (const one of line.each || []) pen.line(one.flatMap((v, i) => [px(i / (one.length - 1)), py(v)]), { stroke: line.color, width: 0.8, alpha: 0.4 });
-      pen.line(line.mean.flatMap((v, i) => [px(i / 100), py(v)]), { stroke: line.color, width: 2.4, dash: line.dash || [] });
-    }
-  });
-  if (title) pen.text(x, y - 10, title, { bold: true, color: color || colors.ink });
-  if (bottom) for (const t of w < 190 ? [0, 0.5, 1] : [0, 0.25, 0.5, 0.75, 1]) pen.text(px(t), y + h + 12, t === 1 ? "100 %" : String(100 * t), { size: 11, color: colors.soft, align: t === 1 ? "right" : t ? "center" : "left" });
-}
 // The curve begins at another phase; what came before follows at its end.
 function rotated(values, phase) {
   if (!phase) return values;
@@ -174,7 +152,7 @@ function makeCycles() {
           const line = l.shown === 1 ? Math.floor(r / l.across) : r * (l.narrow ? 2 : 1), at = l.shown === 1 ? r % l.across : c;
           const box = { x: l.left + at * (l.width + l.gap), y: 34 + line * (l.height + l.space), w: l.width, h: l.height, column };
           const side = body.parts[column.part] ? body.parts[column.part].side : -1, color = side === 0 ? colors.left : side === 1 ? colors.right : colors.accent;
-          drawPlot(pen, box, [{ ...look(column), color }], range, { title: `${column.name}${column.axis ? " · " + axisText(column.axis) : ""}${set.unit ? " [" + set.unit + "]" : ""}`, color, axis: at === 0 || l.shown === 1, bottom: true });
+          drawPlot(pen, box, [{ ...look(column), color }], range, { title: `${column.name}${column.axis ? " · " + axisText(column.axis, body.up) : ""}${set.unit ? " [" + set.unit + "]" : ""}`, color, axis: at === 0 || l.shown === 1, bottom: true });
           plotBoxes.push(box);
         });
         const both = l.together && row.length === 2 ? sidesCurves(row[0]) : null;
@@ -235,7 +213,7 @@ function makeGroup() {
         pen.text(x + cell / 2, y + high - 16, `${part.index + 1}${part.likeness === null || part.likeness === undefined ? "" : ` · ${percent(part.likeness, 0)} alike`}`, { color: colors.soft, align: "center", size: 11.5 });
         if (Number.isNaN(frame)) return;
         const points = posture(frame), middle = middleOf(points), scale = Math.min(0.40 * (high - 34), 0.46 * cell) / body.size;
-        const project = projection([middle[0], body.space === 2 ? middle[1] : body.height, middle[2]], cell, high - 26, scale);
+        const project = projection([middle[0], body.space === 2 ? middle[1] : body.height, middle[2]], cell, high - 26, scale, body.size, body.space === 2);
         drawBody(pen, points, p => { const q = project(p); return [q[0] + x, q[1] + y + 2, q[2]]; }, 2.2, -1);
       });
     },

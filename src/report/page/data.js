@@ -5,7 +5,7 @@ const found = data.decomposition;
 const clip = found.clip || { path: null, frames: data.body.places.rows, fps: 1, notes: [] };
 const fps = clip.fps || 1, frames = clip.frames;
 const motions = data.motions;
-const letters = n => n < 0 ? "" : letters(Math.floor(n / 26) - 1) + String.fromCharCode(65 + n % 26);
+const stem = () => fileStem(clip.path, "clip");
 
 class Packed {
   constructor(of, integers) { Object.assign(this, { rows: of.rows, cols: of.cols, low: of.low, unit: of.unit, integers }); }
@@ -22,10 +22,7 @@ class Packed {
 }
 
 async function unpack(of) {
-  const text = atob(of.data), bytes = new Uint8Array(text.length);
-  for (let i = 0; i < text.length; ++i) bytes[i] = text.charCodeAt(i);
-  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
-  const planes = new Uint8Array(await new Response(stream).arrayBuffer());
+  const planes = new Uint8Array(await (await inflate(of.data)).arrayBuffer());
   const count = of.rows * of.cols, integers = new Uint16Array(count);
   for (let c = 0, at = 0; c < of.cols; ++c)
     for (let r = 0, above = 0; r < of.rows; ++r, ++at) integers[at] = above = above + planes[at] + (planes[count + at] << 8) & 65535;
@@ -111,9 +108,4 @@ function hasCurve(segment) {
   return segment.curved;
 }
 
-const number = (value, digits = 3) => value === null || value === undefined || Number.isNaN(value) ? "–"
-  : value !== 0 && (Math.abs(value) < 1e-3 || Math.abs(value) >= 1e5) ? value.toExponential(1) : String(+value.toPrecision(digits)).replace("-", "−");
-const percent = (value, digits = 1) => value === null || value === undefined || Number.isNaN(value) ? "–" : (100 * value).toFixed(digits).replace("-", "−") + " %";
-const signed = text => /^[1-9]|^0\.0*[1-9]/.test(text) ? "+" + text : text;
 const time = frame => { const s = frame / fps, m = Math.floor(s / 60); return frames / fps < 60 ? s.toFixed(2) + " s" : m + ":" + (s - 60 * m).toFixed(2).padStart(5, "0"); };
-const plural = (count, word) => count + " " + word + (count === 1 ? "" : "s");

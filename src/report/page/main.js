@@ -1,9 +1,4 @@
 // Choices, keys, saving and printing.
-function options(select, list, value) {
-  const key = JSON.stringify(list);
-  if (select.dataset.key !== key) { select.dataset.key = key; select.replaceChildren(...list.map(([v, text]) => element("option", { value: String(v) }, text))); }
-  select.value = String(value);
-}
 function choices() {
   const motion = motionShown();
   if (!motion) return;
@@ -37,9 +32,6 @@ function csv() {
   for (const r of found.repetitions) add("repetition", "repetition", r.label, r);
   return csvText(rows);
 }
-// Cells that a spreadsheet would take for a formula are quoted and begin with a quote.
-const csvCell = cell => typeof cell !== "string" ? String(cell) : /[",\n\r]|^[=+@-]/.test(cell) ? '"' + (/^[=+@-]/.test(cell) ? "'" : "") + cell.replace(/"/g, '""') + '"' : cell;
-const csvText = rows => rows.map(row => row.map(csvCell).join(",") + "\n").join("");
 function cyclesCsv() {
   const rows = [["label", "signal", "name", "axis", "percent", "mean", "sd"]];
   for (const motion of motions) for (const set of motion.sets) set.columns.forEach((column, c) => { for (let r = 0; r < set.mean.rows; ++r) rows.push([letters(motion.label), set.name, column.name, column.axis, r, set.mean.at(r, c), Number.isNaN(set.sd.at(r, c)) ? "" : set.sd.at(r, c)]); });
@@ -53,12 +45,6 @@ function showExport() {
   byId("export").dataset.key = stretch + "!";
   const suffixes = body.kind === "skeleton" ? ["glb", "bvh"] : body.kind === "points" ? ["glb", "csv"] : ["csv"];
   byId("export").replaceChildren(...(body.kind === "skeleton" ? [element("p", { class: "facts" }, whole ? "The whole clip for other programs (zoom in above to choose a stretch):" : "The stretch that is shown above, for other programs:"), ...suffixes.map(suffix => commandBox(`stltsa synthesize ${clipWord(a, b)}${rateWord()} -o ${shellWord(stem().replace(/\.\w+$/, "") + (stretch ? "-" + stretch : "") + "." + suffix)}`))] : []));
-}
-
-function theme(name) {
-  document.documentElement.dataset.theme = name;
-  readColors();
-  show();
 }
 
 function control() {
@@ -77,27 +63,15 @@ function control() {
   on("set", "change", event => { state.set = +event.target.value; show(); });
   on("part", "change", event => { state.part = +event.target.value; show(); });
   on("zero", "change", event => { state.zero = +event.target.value; show(); });
-  on("theme", "click", () => theme(document.documentElement.dataset.theme === "dark" ? "light" : "dark"));
   on("save-json", "click", () => save(stem() + ".json", JSON.stringify(found) + "\n", "application/json"));
   on("save-csv", "click", () => save(stem() + ".csv", csv(), "text/csv"));
   on("save-cycles", "click", () => save(stem() + "-cycles.csv", cyclesCsv(), "text/csv"));
-  on("print", "click", () => print());
   addEventListener("keydown", event => {
     if (event.ctrlKey || event.metaKey || event.altKey || /^(INPUT|SELECT|BUTTON|SUMMARY|TEXTAREA)$/.test(event.target.tagName)) return;
     if (event.key === " ") { event.preventDefault(); play(); }
     else if ((event.key === "m" || event.key === "M") && motions.length) addMark();
   });
-  let shownTheme = "";
-  addEventListener("beforeprint", () => {
-    printing = true;
-    play(false);
-    shownTheme = document.documentElement.dataset.theme;
-    document.documentElement.dataset.theme = "light";
-    readColors();
-    for (const panel of panels) panel.print(true);
-  });
-  addEventListener("afterprint", () => { printing = false; for (const panel of panels) panel.print(false); theme(shownTheme); });
-  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", event => theme(event.matches ? "dark" : "light"));
+  controlTheme();
   listeners.push(level => {
     byId("scrub").value = String(state.frame);
     byId("scrub").setAttribute("aria-valuetext", time(state.frame));
@@ -107,8 +81,7 @@ function control() {
 }
 
 async function start() {
-  document.documentElement.dataset.theme = matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light";
-  readColors();
+  firstTheme();
   makeHead();
   await unpackAll(data);
   // The motion with the most frames comes first.

@@ -1,21 +1,5 @@
 // A figure: what changes seldom on one canvas, what follows the cursor on another above it.
 const panels = [];
-const element = (tag, attributes = {}, ...children) => {
-  const made = document.createElement(tag);
-  for (const [key, value] of Object.entries(attributes)) if (key.startsWith("on")) made[key] = value; else if (value !== false) made.setAttribute(key, value === true ? "" : value);
-  made.append(...children.filter(child => child !== null && child !== undefined));
-  return made;
-};
-const byId = id => document.getElementById(id);
-
-function save(name, content, type) {
-  const link = element("a", { href: URL.createObjectURL(content instanceof Blob ? content : new Blob([content], { type })), download: name });
-  document.body.append(link);
-  link.click();
-  link.remove();
-  setTimeout(() => URL.revokeObjectURL(link.href), 10000);
-}
-const stem = () => (clip.path || "clip").split("/").pop().replace(/[^\w.-]+/g, "_") || "clip";
 
 class Panel {
   // of: { title, label, height(width), base(pen, w, h), over(pen, w, h), tools: [elements] }
@@ -77,11 +61,3 @@ let printing = false;
 const drawAll = level => { for (const panel of panels) panel.draw(level); };
 listeners.push(drawAll);
 
-function tip(text, x, y) {
-  const box = byId("tip");
-  box.hidden = !text;
-  if (!text) return;
-  box.textContent = text;
-  box.style.left = Math.max(6, Math.min(x + 14, innerWidth - box.offsetWidth - 8)) + "px";
-  box.style.top = (y + 18 + box.offsetHeight > innerHeight ? y - box.offsetHeight - 10 : y + 18) + "px";
-}

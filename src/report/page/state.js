@@ -1,12 +1,6 @@
 // What the page shows: every panel draws from this, and changes it through these functions.
 const state = { frame: 0, playing: false, speed: 1, view: [0, frames], label: 0, set: 0, part: -1, zero: 0, marks: [] };
-const listeners = [];
-let changed = 0; // 1: the cursor moved; 2: something else, so that all is drawn anew
 
-function show(level = 2) {
-  if (changed === 0) requestAnimationFrame(() => { const now = changed; changed = 0; for (const listener of listeners) listener(now); });
-  changed = Math.max(changed, level);
-}
 function seek(frame) { state.frame = Math.max(0, Math.min(frame, frames - 1)); show(1); }
 function zoomTo(begin, end) {
   const least = Math.min(frames, Math.max(8, fps * 0.25));

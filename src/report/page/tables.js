@@ -1,10 +1,4 @@
 // Texts and tables.
-function table(caption, heads, rows, textColumns = 1) {
-  return element("table", {}, caption ? element("caption", {}, caption) : null,
-    element("thead", {}, element("tr", {}, ...heads.map((head, i) => element("th", { scope: "col", class: i < textColumns ? "text" : false }, head)))),
-    element("tbody", {}, ...rows.map(row => element("tr", {}, ...row.map((cell, i) => i === 0 ? element("th", { scope: "row", class: "text" }, cell) : element("td", { class: i < textColumns ? "text" : false }, cell))))));
-}
-const scrolled = (node, label) => element("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": label }, node);
 const swatch = hue => element("span", { class: "swatch", style: `background:${hue}` });
 const named = label => element("span", {}, swatch(labelHue(numberOf(label))), label);
 
@@ -52,7 +46,7 @@ function makeSides() {
     if (!sides.pairs.length) return place.replaceChildren(element("p", { class: "facts" }, "Not compared: " + sides.reason));
     const rows = [...sides.pairs].sort((a, b) => (b.rms || 0) - (a.rms || 0)).slice(0, 8);
     place.replaceChildren(scrolled(table(`Motion ${letters(motionShown().label)}: the largest of ${sides.pairs.length} differences of the left side from the mirrored right side. A difference is more than chance if “difference” is well above “by chance”.`, ["Left – right", "", "Difference (rms)", "By chance", "Mean left − right", "Range left", "Range right", "Right is later by"],
-      rows.map(p => [`${p.left} – ${p.right}`, p.axis ? axisText(p.axis) : "", number(p.rms), number(p.chance), signed(number(p.mean)), number(p.left_range), number(p.right_range), signed(percent(p.shift))]), 2), "Left against right"));
+      rows.map(p => [`${p.left} – ${p.right}`, p.axis ? axisText(p.axis, body.up) : "", number(p.rms), number(p.chance), signed(number(p.mean)), number(p.left_range), number(p.right_range), signed(percent(p.shift))]), 2), "Left against right"));
   });
 }
 
@@ -91,7 +85,6 @@ function makeTables() {
     add(title, list, ["", "Motion", "From", "Seconds", "Speed", "Way", "Turn, °", "Likeness", "Confidence"], (c, i) => [String(i + 1), named(labelOf(c.segment)), go(c), length(c), ...travel(c), percent(c.likeness, 0), percent(c.confidence, 0)]);
 }
 
-const shellWord = text => /^[\w+=./:,@%-]+$/.test(text) ? text : "'" + text.replace(/'/g, "'\\''") + "'";
 // The clip may itself be a stretch of its file, which the last note says: "frames [100, 220) of the clip, ...".
 const offsets = (clip.notes || []).map(note => note.match(/^frames \[(\d+), (\d+)\) of the clip, counted/)).filter(Boolean);
 function clipWord(begin = 0, end = frames) {
@@ -99,15 +92,6 @@ function clipWord(begin = 0, end = frames) {
   return shellWord((clip.path || "CLIP") + (whole && !offsets.length ? "" : `:${offset + begin}-${offset + end}`));
 }
 const rateWord = () => ["csv", "npy"].includes(clip.format) && clip.fps ? " --fps " + +fps.toPrecision(9) : "";
-function commandBox(text) {
-  const button = element("button", { type: "button" }, "Copy");
-  button.onclick = async () => {
-    try { await navigator.clipboard.writeText(text); button.textContent = "Copied"; } catch { const range = document.createRange(); range.selectNodeContents(box.firstChild); getSelection().removeAllRanges(); getSelection().addRange(range); button.textContent = "Selected"; }
-    setTimeout(() => { button.textContent = "Copy"; }, 1500);
-  };
-  const box = element("div", { class: "command" }, element("pre", {}, text), button);
-  return box;
-}
 function makeDetails() {
   const p = found.parameters, samples = found.samples, e = found.embedding || {}, intrinsic = found.intrinsic_dimension;
   const list = [["Features", `${clip.features}, ${plural(samples.feature_count, "column")}`], ["Samples", `${samples.count} at ${number(samples.fps, 4)} a second, smoothed over ${number(samples.smoothing_s)} s`],

@@ -1,6 +1,5 @@
 // The moving body, in three dimensions.
 const body = data.body;
-const camera = { yaw: 0.5, pitch: 0.16, zoom: 1 };
 const moves = body.space > 0; // not a matrix of bare numbers
 
 // x to the right, y up, z to the viewer. Of points in a plane, y points down, as in images.
@@ -44,15 +43,6 @@ function lookAtBody() {
   camera.first = camera.yaw;
 }
 
-function projection(target, w, h, scale) {
-  const cy = Math.cos(camera.yaw), sy = Math.sin(camera.yaw), cp = Math.cos(camera.pitch), sp = Math.sin(camera.pitch), far = 7 * body.size;
-  return p => {
-    const x = p[0] - target[0], y = p[1] - target[1], z = p[2] - target[2];
-    const right = x * cy + z * sy, back = -x * sy + z * cy, up = y * cp - back * sp, near = y * sp + back * cp;
-    const k = scale * (body.space === 2 ? 1 : far / Math.max(far * 0.2, far - near));
-    return [w / 2 + right * k, h / 2 - up * k, near];
-  };
-}
 const partColor = part => body.parts[part].side === 0 ? colors.left : body.parts[part].side === 1 ? colors.right : colors.middle;
 
 function drawBody(pen, points, project, width, chosen) {
@@ -79,15 +69,8 @@ function wayShown() {
   }
   return wayShown.points;
 }
-function drawGround(pen, target, project, w, h) {
-  const rough = body.size / 2, power = 10 ** Math.floor(Math.log10(rough)), step = [1, 2, 5, 10].map(k => k * power).find(s => s >= rough);
-  const reach = 7, [cx, cz] = [0, 2].map(a => Math.round(target[a] / step));
-  const fade = i => Math.max(0, 1 - Math.abs(i) / (reach + 0.5));
-  for (let i = -reach; i <= reach; ++i)
-    for (const turn of [false, true]) {
-      const ends = [-reach, 0, reach].map(j => project(turn ? [(cx + j) * step, body.ground, (cz + i) * step] : [(cx + i) * step, body.ground, (cz + j) * step]));
-      pen.line(ends.flatMap(p => [p[0], p[1]]), { stroke: colors.line, alpha: fade(i) });
-    }
+function drawGround(pen, target, project) {
+  drawGrid(pen, project, target, body.size, body.ground);
   const way = [];
   for (const middle of wayShown()) {
     if (Math.hypot(middle[0] - target[0], middle[2] - target[2]) < 4 * body.size) { const p = project([middle[0], body.ground, middle[2]]); way.push(p[0], p[1]); }
@@ -100,10 +83,7 @@ let shownFlat = [];
 function makeViewer() {
   if (moves) lookAtBody();
   const kinds = { skeleton: "Skeleton", points: "Markers", columns: "Signals" };
-  const tools = moves && body.space === 3 ? [
-    element("button", { type: "button", "aria-label": "Seen from the front or the side", title: "Front or side", onclick: () => { camera.yaw += Math.PI / 2; show(1); } }, "↻ 90°"),
-    element("button", { type: "button", "aria-label": "Larger", onclick: () => { camera.zoom = Math.min(6, camera.zoom * 1.2); show(1); } }, "+"),
-    element("button", { type: "button", "aria-label": "Smaller", onclick: () => { camera.zoom = Math.max(0.3, camera.zoom / 1.2); show(1); } }, "−")] : [];
+  const tools = moves && body.space === 3 ? viewTools() : [];
   const panel = new Panel("viewer", {
     title: kinds[body.kind], tools, height: w => printing ? 315 : Math.min(470, w * (w < 500 ? 0.9 : 0.72)),
     label: moves ? "The moving body. Drag to turn it, arrow keys turn it too; click a joint to see its curves." : "The columns around the present time.",
@@ -111,9 +91,9 @@ function makeViewer() {
       if (!moves) return drawColumns(pen, w, h);
       const points = posture(state.frame), middle = middleOf(points);
       const target = body.space === 2 ? middle : [middle[0], body.height + (body.ground - body.height) * 0.12, middle[2]];
-      const project = projection(target, w, h, 0.42 * h / body.size * camera.zoom);
+      const project = projection(target, w, h, 0.42 * h / body.size * camera.zoom, body.size, body.space === 2);
       pen.clip(0, 0, w, h, () => {
-        if (body.space === 3) drawGround(pen, target, project, w, h);
+        if (body.space === 3) drawGround(pen, target, project);
         shownFlat = drawBody(pen, points, project, Math.max(2.2, Math.min(5, h / 95 * camera.zoom)), state.part);
       });
       pen.rect(0, h - 28, w, 28, { fill: colors.sheet, alpha: 0.8 });
@@ -125,40 +105,12 @@ function makeViewer() {
     },
   });
   if (!moves) return;
-  const canvas = panel.canvas, pointers = new Map();
-  let dragged = 0;
-  canvas.style.touchAction = "pan-y";
-  canvas.style.cursor = "grab";
-  canvas.onpointerdown = event => { pointers.set(event.pointerId, [event.clientX, event.clientY]); canvas.setPointerCapture(event.pointerId); dragged = 0; };
-  canvas.onpointermove = event => {
-    const from = pointers.get(event.pointerId);
-    if (!from) return;
-    const dx = event.clientX - from[0], dy = event.clientY - from[1];
-    dragged += Math.abs(dx) + Math.abs(dy);
-    if (pointers.size === 2) {
-      const other = [...pointers].find(([id]) => id !== event.pointerId)[1];
-      camera.zoom = Math.max(0.3, Math.min(6, camera.zoom * Math.hypot(event.clientX - other[0], event.clientY - other[1]) / Math.max(1, Math.hypot(from[0] - other[0], from[1] - other[1]))));
-    } else if (body.space === 3) { camera.yaw -= dx * 0.008; camera.pitch = Math.max(-0.3, Math.min(1.5, camera.pitch + dy * 0.006)); }
-    pointers.set(event.pointerId, [event.clientX, event.clientY]);
-    show(1);
-  };
-  canvas.onpointerup = canvas.onpointercancel = event => {
-    pointers.delete(event.pointerId);
-    if (dragged > 5 || event.type === "pointercancel") return;
-    const box = canvas.getBoundingClientRect(), x = event.clientX - box.left, y = event.clientY - box.top;
+  orbit(panel.canvas, body.space === 2, (x, y) => {
     let best = -1, least = 22;
     shownFlat.forEach((p, i) => { const d = p ? Math.hypot(p[0] - x, p[1] - y) : 99; if (d < least) { least = d; best = i; } });
     if (best >= 0) { state.part = best; show(); }
-  };
-  canvas.ondblclick = () => motions.length && addMark();
-  canvas.addEventListener("wheel", event => { if (!event.ctrlKey) return; event.preventDefault(); camera.zoom = Math.max(0.3, Math.min(6, camera.zoom * Math.exp(-event.deltaY / 300))); show(1); }, { passive: false });
-  canvas.onkeydown = event => {
-    const turn = { ArrowLeft: [0.15, 0], ArrowRight: [-0.15, 0], ArrowUp: [0, 0.1], ArrowDown: [0, -0.1] }[event.key];
-    if (!turn || body.space !== 3) return;
-    event.preventDefault();
-    camera.yaw += turn[0]; camera.pitch = Math.max(-0.3, Math.min(1.5, camera.pitch + turn[1]));
-    show(1);
-  };
+  });
+  panel.canvas.ondblclick = () => motions.length && addMark();
 }
 function cycleText(frame) {
   const cycle = containing(found.cycles, frame);

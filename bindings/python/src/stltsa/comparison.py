@@ -3,13 +3,14 @@
 
 from __future__ import annotations
 
+import os
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ._arrays import FloatArray, columns, write_to
 from ._call import check, json_text, texts
 from ._native import ffi, lib
 from ._tables import frame
-from ._text import string
+from ._text import c_path, string
 
 if TYPE_CHECKING:
     from pandas import DataFrame
@@ -117,6 +118,7 @@ class Comparison:
     """
 
     def __init__(self, handle: Any) -> None:
+        self._handle = handle
         raw = ffi.new("stltsa_compared_cycles *", {"size": ffi.sizeof("stltsa_compared_cycles")})
         check(lib.stltsa_comparison_cycles(handle, raw))
         self.counts = (raw.first_count, raw.second_count)
@@ -144,6 +146,9 @@ class Comparison:
         self.warnings = texts(count, text, handle)
         self._json = json_text(lib.stltsa_comparison_json, handle)
 
+    def __getstate__(self) -> dict[str, Any]:
+        return {**self.__dict__, "_handle": None}
+
     def __getitem__(self, name: str) -> ComparedPart:
         """Return the first part of this name."""
         for part in self.parts:
@@ -154,6 +159,31 @@ class Comparison:
     def to_json(self) -> str:
         """Return the object of schema stltsa-comparison/1, as ``stltsa compare --json``."""
         return self._json
+
+    def report(self, path: str | os.PathLike[str], *, command: str | None = None) -> None:
+        """Write a report: one HTML page that a browser shows without a network.
+
+        It has both mean cycles as moving bodies, the largest differences with their intervals, the
+        curves of each part with their spread, tables, and warnings.
+
+        Parameters
+        ----------
+        path : path
+            The page, which is written completely or not at all.
+        command : str, optional
+            The command or call that repeats it, which the page shows.
+
+        Raises
+        ------
+        stltsa.FileError
+            The file cannot be written.
+        ValueError
+            The comparison was pickled, which keeps only its numbers.
+        """
+        if self._handle is None:
+            raise ValueError("a comparison that was pickled cannot write a report: compare again")
+        text = _NULL if command is None else ffi.new("char[]", command.encode())
+        check(lib.stltsa_comparison_report_save(self._handle, text, c_path(path)))
 
     def to_frame(self) -> DataFrame:
         """Return one row per part and channel; needs pandas."""

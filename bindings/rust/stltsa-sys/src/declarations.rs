@@ -3917,6 +3917,13 @@ extern "C" {
         path: *const ::std::os::raw::c_char,
     ) -> stltsa_status;
 }
+extern "C" {
+    pub fn stltsa_comparison_report_save(
+        comparison: *const stltsa_comparison,
+        command: *const ::std::os::raw::c_char,
+        path: *const ::std::os::raw::c_char,
+    ) -> stltsa_status;
+}
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct stltsa_denoising {

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //! [`Comparison`]: the cycles of two motions laid on each other by phase.
 
+use std::path::Path;
+use std::sync::Arc;
+
 use stltsa_sys as sys;
 
 use crate::array::Matrix;
 use crate::clip::Clip;
-use crate::error::{c_count, check, count, text, texts, Error, ErrorKind, Result};
+use crate::error::{c_count, c_name, c_path, check, count, text, texts, Error, ErrorKind, Result};
 use crate::handle::Owned;
 use crate::options::Options;
 use crate::phase::Phase;
@@ -116,6 +119,7 @@ pub struct Comparison {
     pub warnings: Vec<String>,
     /// The object of schema stltsa-comparison/1.
     pub json: String,
+    handle: Arc<Found>,
 }
 
 impl Phase {
@@ -155,7 +159,7 @@ impl Phase {
         let found = Owned::make(|out| unsafe {
             sys::stltsa_compare(self.raw(), label, second.raw(), second_label, wanted, out)
         })?;
-        Comparison::read(&found)
+        Comparison::read(found)
     }
 
     /// Compares the left side of the body with the mirror image of the right side half a cycle
@@ -178,7 +182,7 @@ impl Phase {
                 sys::stltsa_compare_left_right(clip.raw(), self.raw(), label, wanted, options, out)
             })
         })?;
-        Comparison::read(&found)
+        Comparison::read(found)
     }
 }
 
@@ -192,7 +196,22 @@ fn number(label: Option<usize>) -> Result<i32> {
 type Found = Owned<sys::stltsa_comparison>;
 
 impl Comparison {
-    fn read(found: &Found) -> Result<Self> {
+    /// Writes a report: one HTML page that a browser shows without a network. `command`: which
+    /// repeats it.
+    ///
+    /// # Errors
+    /// [`Io`](crate::ErrorKind::Io), [`Argument`](crate::ErrorKind::Argument) if `command` contains
+    /// a NUL.
+    pub fn report(&self, path: impl AsRef<Path>, command: Option<&str>) -> Result<()> {
+        let path = c_path(path.as_ref())?;
+        let command = command.map(c_name).transpose()?;
+        let text = command.as_ref().map_or(std::ptr::null(), |text| text.as_ptr());
+        // SAFETY: a live handle, and strings that live through the call.
+        check(unsafe { sys::stltsa_comparison_report_save(self.handle.raw(), text, path.as_ptr()) })
+    }
+
+    fn read(handle: Found) -> Result<Self> {
+        let found = &handle;
         // SAFETY: a struct of numbers, for which zeros are valid.
         let mut raw: sys::stltsa_compared_cycles = unsafe { std::mem::zeroed() };
         raw.size = std::mem::size_of::<sys::stltsa_compared_cycles>();
@@ -232,6 +251,7 @@ impl Comparison {
             },
             json: json(found)?,
             channels,
+            handle: Arc::new(handle),
         })
     }
 }

@@ -60,6 +60,13 @@ fn motions_are_compared() {
     assert!(found.left_out[0].is_empty() && !found.sides);
     assert!(found.json.starts_with("{\"format\":\"stltsa-comparison/1\""));
 
+    let path = std::env::temp_dir().join(format!("stltsa-compare-{}.html", std::process::id()));
+    found.clone().report(&path, Some("a </script> command")).unwrap();
+    let page = std::fs::read_to_string(&path).unwrap();
+    std::fs::remove_file(&path).unwrap();
+    assert!(page.contains("a \\u003c/script> command"));
+    assert_eq!(found.report(&path, Some("a\0b")).unwrap_err().kind(), ErrorKind::Argument);
+
     let sides = whole.compare_left_right(&clip, None, 101, &options).unwrap();
     assert!(sides.sides && sides.shift == 0.5 && sides.shift_error.is_nan());
     assert!(sides.parts.iter().all(|part| part.second_name.starts_with("Right")));

@@ -1,0 +1,106 @@
+// What both pages use: elements, texts, tables, numbers, saving and printing.
+const element = (tag, attributes = {}, ...children) => {
+  const made = document.createElement(tag);
+  for (const [key, value] of Object.entries(attributes)) if (key.startsWith("on")) made[key] = value; else if (value !== false) made.setAttribute(key, value === true ? "" : value);
+  made.append(...children.filter(child => child !== null && child !== undefined));
+  return made;
+};
+const byId = id => document.getElementById(id);
+
+const letters = n => n < 0 ? "" : letters(Math.floor(n / 26) - 1) + String.fromCharCode(65 + n % 26);
+const number = (value, digits = 3) => value === null || value === undefined || Number.isNaN(value) ? "–"
+  : value !== 0 && (Math.abs(value) < 1e-3 || Math.abs(value) >= 1e5) ? value.toExponential(1) : String(+value.toPrecision(digits)).replace("-", "−");
+const percent = (value, digits = 1) => value === null || value === undefined || Number.isNaN(value) ? "–" : (100 * value).toFixed(digits).replace(/^-(?=[0.]*$)/, "").replace("-", "−") + " %";
+const signed = text => /^[1-9]|^0\.0*[1-9]/.test(text) ? "+" + text : text;
+const plural = (count, word) => count + " " + word + (count === 1 ? "" : "s");
+
+// What is compressed: base64 of zlib.
+async function inflate(base64) {
+  const text = atob(base64), bytes = new Uint8Array(text.length);
+  for (let i = 0; i < text.length; ++i) bytes[i] = text.charCodeAt(i);
+  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
+  return new Response(stream);
+}
+
+// Every panel draws anew when show() was called.
+const listeners = [];
+let changed = 0; // 1: the cursor moved; 2: something else, so that all is drawn anew
+
+function show(level = 2) {
+  if (changed === 0) requestAnimationFrame(() => { const now = changed; changed = 0; for (const listener of listeners) listener(now); });
+  changed = Math.max(changed, level);
+}
+
+function save(name, content, type) {
+  const link = element("a", { href: URL.createObjectURL(content instanceof Blob ? content : new Blob([content], { type })), download: name });
+  document.body.append(link);
+  link.click();
+  link.remove();
+  setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+}
+
+const fileStem = (path, other) => (path || other).split("/").pop().replace(/[^\w.-]+/g, "_") || other;
+// Cells that a spreadsheet would take for a formula are quoted and begin with a quote.
+const csvCell = cell => typeof cell !== "string" ? String(cell) : /[",\n\r]|^[=+@-]/.test(cell) ? '"' + (/^[=+@-]/.test(cell) ? "'" : "") + cell.replace(/"/g, '""') + '"' : cell;
+const csvText = rows => rows.map(row => row.map(csvCell).join(",") + "\n").join("");
+
+function table(caption, heads, rows, textColumns = 1) {
+  return element("table", {}, caption ? element("caption", {}, caption) : null,
+    element("thead", {}, element("tr", {}, ...heads.map((head, i) => element("th", { scope: "col", class: i < textColumns ? "text" : false }, head)))),
+    element("tbody", {}, ...rows.map(row => element("tr", {}, ...row.map((cell, i) => i === 0 ? element("th", { scope: "row", class: "text" }, cell) : element("td", { class: i < textColumns ? "text" : false }, cell))))));
+}
+const scrolled = (node, label) => element("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": label }, node);
+
+const shellWord = text => /^[\w+=./:,@%-]+$/.test(text) ? text : "'" + text.replace(/'/g, "'\\''") + "'";
+
+function commandBox(text) {
+  const button = element("button", { type: "button" }, "Copy");
+  button.onclick = async () => {
+    try { await navigator.clipboard.writeText(text); button.textContent = "Copied"; } catch { const range = document.createRange(); range.selectNodeContents(box.firstChild); getSelection().removeAllRanges(); getSelection().addRange(range); button.textContent = "Selected"; }
+    setTimeout(() => { button.textContent = "Copy"; }, 1500);
+  };
+  const box = element("div", { class: "command" }, element("pre", {}, text), button);
+  return box;
+}
+
+function tip(text, x, y) {
+  const box = byId("tip");
+  box.hidden = !text;
+  if (!text) return;
+  box.textContent = text;
+  box.style.left = Math.max(6, Math.min(x + 14, innerWidth - box.offsetWidth - 8)) + "px";
+  box.style.top = (y + 18 + box.offsetHeight > innerHeight ? y - box.offsetHeight - 10 : y + 18) + "px";
+}
+
+function theme(name) {
+  document.documentElement.dataset.theme = name;
+  readColors();
+  show();
+}
+
+function firstTheme() {
+  document.documentElement.dataset.theme = matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light";
+  readColors();
+}
+
+function controlTheme() {
+  byId("theme").addEventListener("click", () => theme(document.documentElement.dataset.theme === "dark" ? "light" : "dark"));
+  byId("print").addEventListener("click", () => print());
+  let shownTheme = "";
+  addEventListener("beforeprint", () => {
+    printing = true;
+    play(false);
+    shownTheme = document.documentElement.dataset.theme;
+    document.documentElement.dataset.theme = "light";
+    readColors();
+    for (const panel of panels) panel.print(true);
+  });
+  addEventListener("afterprint", () => { printing = false; for (const panel of panels) panel.print(false); theme(shownTheme); });
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", event => theme(event.matches ? "dark" : "light"));
+}
+
+function options(select, list, value) {
+  const key = JSON.stringify(list);
+  if (select.dataset.key !== key) { select.dataset.key = key; select.replaceChildren(...list.map(([v, text]) => element("option", { value: String(v) }, text))); }
+  select.value = String(value);
+}
