@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import os
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ._arrays import FloatArray, columns, write_to
@@ -13,6 +12,8 @@ from ._tables import frame
 from ._text import c_path, string
 
 if TYPE_CHECKING:
+    import os
+
     from pandas import DataFrame
 
 _NULL = ffi.NULL

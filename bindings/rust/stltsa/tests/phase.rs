@@ -61,7 +61,7 @@ fn motions_are_compared() {
     assert!(found.json.starts_with("{\"format\":\"stltsa-comparison/1\""));
 
     let path = std::env::temp_dir().join(format!("stltsa-compare-{}.html", std::process::id()));
-    found.clone().report(&path, Some("a </script> command")).unwrap();
+    found.report(&path, Some("a </script> command")).unwrap();
     let page = std::fs::read_to_string(&path).unwrap();
     std::fs::remove_file(&path).unwrap();
     assert!(page.contains("a \\u003c/script> command"));
