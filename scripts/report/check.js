@@ -15,7 +15,7 @@ function check(holds, what) {
 
 const pixels = (page, id, layer) => page.evaluate(([name, at]) => document.querySelectorAll(`#${name} canvas`)[at].toDataURL().length + document.querySelectorAll(`#${name} canvas`)[at].toDataURL().slice(-4000), [id, layer]);
 
-// A page of the report, and everything that it asked for or complained about.
+// A page with the report, its requests and its console messages.
 async function opened(browser, report, { width = 1240, colorScheme = "light" } = {}) {
   const page = await browser.newPage({ viewport: { width, height: width < 600 ? 844 : 900 }, colorScheme, acceptDownloads: true });
   const told = [];
@@ -32,7 +32,7 @@ async function checkUse(browser, report) {
   const timing = await page.evaluate(() => ({ paint: performance.getEntriesByName("first-contentful-paint")[0].startTime, ready: performance.now() }));
   check(timing.paint < 1000, `first paint after ${timing.paint.toFixed(0)} ms (ready after ${timing.ready.toFixed(0)} ms)`);
   const clock = () => page.locator("#clock").textContent();
-  // Whether it holds within three seconds.
+  // Whether the condition holds within three seconds.
   const comes = async holds => {
     for (let i = 0; i < 30; ++i) {
       if (await holds()) return true;
@@ -74,7 +74,7 @@ async function checkUse(browser, report) {
   await page.mouse.move(0, 0);
   const box = await page.locator("#band canvas").last().boundingBox();
   await page.mouse.click(box.x + box.width * 0.5, box.y + 75);
-  check(await comes(async () => !/frame 1$/.test(await clock())), "a click into the recording goes there");
+  check(await comes(async () => !/frame 1$/.test(await clock())), "a click on the recording goes there");
   await page.keyboard.press("m");
   if (await page.locator("#mark").isVisible()) check(await page.locator(".event").count() === 1 && /stltsa events .* --mark/.test(await page.locator("#events pre").textContent()), "m marks an event, and its command is shown");
   for (const id of ["save-json", "save-csv"]) {

@@ -12,7 +12,7 @@
 namespace stltsa::report {
 namespace {
 
-/// Rows of a series beyond which every second, third, ... is kept.
+/// Of a series with more rows than this, only every second, third, ... is kept.
 constexpr std::int64_t most_rows = 200'000;
 
 std::int64_t step_of(std::int64_t rows) {
@@ -52,7 +52,7 @@ std::string_view bytes_of(const Matrix& matrix) {
             sizeof(double) * static_cast<std::size_t>(matrix.rows() * matrix.cols())};
 }
 
-/// JSON within an element `script` of HTML, which "</script" or "<!--" in a name would end.
+/// JSON inside a `script` element of HTML, which "</script" or "<!--" in a name would break.
 std::string in_html(const std::string& json) {
     std::string text;
     text.reserve(json.size());

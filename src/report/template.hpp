@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The page without its data, which embed.py makes of the folder page.
+// The page without its data, which embed.py makes from the folder page.
 #pragma once
 
 #include <string_view>

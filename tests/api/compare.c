@@ -268,7 +268,7 @@ static stltsa_phase* phase_of_points(const char* const* names, int64_t count, do
     return phase;
 }
 
-/* Points of other names are left out; another up axis, order and unit do no harm. */
+/* Points with different names are left out; a different up axis, order or unit does no harm. */
 static void common_points_are_compared(void** state) {
     (void)state;
     const char* const names[] = {"a", "b", "c", "d", "e"};

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""stltsa compare: two motions, or left and right, laid on each other by phase."""
+"""stltsa compare: two motions, or left and right, aligned by phase."""
 
 import csv
 import io
@@ -76,7 +76,7 @@ class Compare(CommandTest):
 
     def test_what_cannot_be_compared(self):
         self.assertIn("no cycles to compare", self.fails(4, "compare", walk(), f"{walk()}:0-100"))
-        self.assertIn("other features", self.fails(1, "compare", walk(), circle(), "--fps", "30"))
+        self.assertIn("different features", self.fails(1, "compare", walk(), circle(), "--fps", "30"))
         self.assertIn("left and right", self.fails(1, "compare", circle(), "--fps", "30"))
         self.fails(4, "compare", still(), "--fps", "30")
         self.assertIn("At Most 1", self.fails(2, "compare", walk(), walk(), walk()))

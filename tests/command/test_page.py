@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The report: one HTML page whose data are those of the JSON, with hostile names, the same bytes every time."""
+"""The report: one HTML page with the data of the JSON, safe from hostile names, the same bytes every time."""
 
 import base64
 import csv

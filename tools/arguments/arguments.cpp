@@ -165,8 +165,8 @@ class Parser {
             ->type_name("FILE");
         decompose
             .add_option("--report", to_.report,
-                        "Write a report as HTML: one page with the moving skeleton, the units and "
-                        "cycles over time, mean cycles, and tables.")
+                        "Write a report: one HTML page with the moving skeleton or points, the units "
+                        "and cycles over time, mean cycles, and tables.")
             ->type_name("FILE");
         decompose.add_flag("--curve", to_.curve,
                            "Add the curve and the loop, sample by sample, to the JSON.");
@@ -346,7 +346,7 @@ class Parser {
         CLI::App& compare = clip_command(Command::compare, "compare", "The first clip.");
         compare
             .add_option("second", to_.pieces,
-                        "The second clip; without it, left and right of the first.")
+                        "The second clip. Without it, left and right of the first are compared.")
             ->expected(0, 1);
         add_output(compare);
     }
@@ -401,7 +401,7 @@ class Parser {
     CLI::App app_;
 };
 
-/// The word as a shell must read it.
+/// The word, quoted for a shell if necessary.
 std::string shell_word(const std::string& word) {
     constexpr std::string_view plain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"
                                        "0123456789_-+=./:,@%";

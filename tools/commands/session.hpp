@@ -54,7 +54,7 @@ class Session {
     /// The suffix determines the format. The clip, like a model, must live until finish().
     void add_clip(const std::string& path, const stltsa::Clip& clip);
     void add_model(const std::string& path, const stltsa::Model& model);
-    /// The report of a decomposition of clip(); it must live until finish().
+    /// Adds the report of a decomposition of clip(). The decomposition must live until finish().
     void add_report(const std::string& path, const stltsa::Decomposition& found);
     /// The result that finish() writes, as JSON or as a table; only one is called.
     struct Answer {
