@@ -1,7 +1,7 @@
-// What the page shows: every panel draws from this, and changes it through these functions.
+// What the page shows: every panel draws from this state, and changes it through these functions.
 const state = { frame: 0, playing: false, speed: 1, view: [0, frames], label: 0, set: 0, part: -1, zero: 0, marks: [] };
 const listeners = [];
-let changed = 0; // 1: the cursor moved; 2: something else, so that all is drawn anew
+let changed = 0; // 1: the cursor moved; 2: something else did, so everything is redrawn
 
 function show(level = 2) {
   if (changed === 0) requestAnimationFrame(() => { const now = changed; changed = 0; for (const listener of listeners) listener(now); });
