@@ -1354,7 +1354,7 @@ typedef struct stltsa_compared_cycles {
     int32_t first_label, second_label; /* of the segments, 0 for A */
     int64_t samples;                   /* of each cycle */
     stltsa_estimate cycle_time;        /* seconds */
-    double first_per_minute, second_per_minute; /* cadence: 60 divided by the mean cycle time */
+    double first_per_minute, second_per_minute; /* cycles per minute: 60 / mean cycle time */
     double shift;         /* phase of the second motion at phase 0 of the first, -0.5 to 0.5 */
     double shift_error;   /* its standard error; NaN: it is half a cycle by definition */
     double shift_low, shift_high; /* its 95 % confidence interval */
