@@ -49,7 +49,7 @@ async function checkUse(browser, report) {
     const step = () => { count += 1; if (performance.now() - begin > 2000) done(count / 2); else requestAnimationFrame(step); };
     requestAnimationFrame(step);
   }));
-  check(rate > 10, `plays at ${rate.toFixed(0)} pictures a second (software rendering)`);
+  check(rate > 10, `plays at ${rate.toFixed(0)} frames per second (software rendering)`);
   await page.click("#play");
   check(await clock() !== before && await pixels(page, "viewer", 1) !== picture, "playing moves the body");
   const cost = await page.evaluate(async () => {
@@ -61,7 +61,7 @@ async function checkUse(browser, report) {
     }
     return (performance.now() - begin) / 60;
   });
-  check(cost < 100, `seeking takes ${cost.toFixed(1)} ms a step`);
+  check(cost < 100, `seeking takes ${cost.toFixed(1)} ms per step`);
   await page.locator("#band canvas").last().focus();
   await page.keyboard.press("Home");
   check(await comes(async () => /frame 0$/.test(await clock())), "Home goes to the first frame");

@@ -10,7 +10,7 @@ from common import CommandTest, circle, still, walk, write_csv
 
 
 def swings(name, late=0.0, gain=1.0, period=1.0, rate=100):
-    """Two columns that swing once in a period; the amplitude of each cycle is its own."""
+    """Columns that swing once per period; the amplitude differs from cycle to cycle."""
     rows = []
     for i in range(10 * rate):
         turns = i / rate / period

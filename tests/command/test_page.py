@@ -15,7 +15,7 @@ HOSTILE = "</script><!--<script>\u2028'\"&\\"
 
 
 def unpacked(of):
-    """Rows of numbers of src/report/packed.hpp."""
+    """Rows of the numbers that src/report/packed.hpp describes."""
     planes, count = zlib.decompress(base64.b64decode(of["data"])), of["rows"] * of["cols"]
     assert len(planes) == 2 * count
     columns = []
