@@ -14,16 +14,17 @@ namespace stltsa::phase {
 
 /// Of some columns, such as the coordinates of a joint. Unknown fields are NaN.
 struct PartDifference {
-    double rms = 0;    ///< root mean square, over the cycle, of second minus first
-    double chance = 0; ///< `rms` expected from the spread between cycles alone
+    double rms = 0;         ///< root mean square, over the cycle, of second minus first
+    double chance = 0;      ///< `rms` expected from the spread between cycles alone
     double correlation = 0; ///< of the curves after the lag is removed
     /// Delay of the second curve in the cycle, as a share of it; unknown if the curves are not
     /// alike. `first` is 0; the standard deviations are those of the timing of single cycles.
     Estimate lag;
     /// Of the mean curve: the distance between its two points that are farthest apart.
     Estimate amplitude;
-    Estimate ratio; ///< of the amplitudes; its difference, low and high are ratios, the rest is unknown
-    Estimate mean;  ///< over the cycle; only of a single column
+    /// Of the amplitudes: `difference`, `low` and `high` are ratios, the other fields are unknown.
+    Estimate ratio;
+    Estimate mean; ///< over the cycle; only of a single column
 };
 
 struct Differences {

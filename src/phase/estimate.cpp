@@ -94,8 +94,8 @@ double t_quantile(double freedom) {
             1 / y;
     }
     const double found = std::sqrt(freedom * y);
-    // Below 2 it is too large, by 18 % at 1. An interpolation between the exact values at 1 and 2 is
-    // too large by at most 2.6 %.
+    // Below 2 it is too large, by 18 % at 1. An interpolation between the exact values at 1 and 2
+    // is too large by at most 2.6 %.
     constexpr double of_one = 12.706204736174698, of_two = 4.302652729749464;
     return freedom < 2 ? std::min(found, of_two * std::pow(of_one / of_two, 2 / freedom - 1))
                        : found;
@@ -113,8 +113,8 @@ double deviation_of(const std::vector<double>& deviations) {
 }
 
 // With autocovariances c_h of the deviations from the mean of n values that are correlated up to
-// lag L, the variance of the mean is (c_0 + 2 sum c_h) / (n - 1 - 2 sum (1 - h / n)): subtracting the
-// sample mean lowers each c_h by the variance of the mean, which the denominator corrects.
+// lag L, the variance of the mean is (c_0 + 2 sum c_h) / (n - 1 - 2 sum (1 - h / n)): subtracting
+// the sample mean lowers each c_h by the variance of the mean, which the denominator corrects.
 double persistence(const std::vector<std::vector<double>>& deviations) {
     if (deviations.empty() || deviations.front().size() < least_cycles)
         return 1;

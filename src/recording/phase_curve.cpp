@@ -147,8 +147,8 @@ struct Choice {
     double cyclicity = 0;
 };
 
-/// The coordinate that is most like the curve a quarter of a period earlier, so that the loop of the
-/// two runs in the same direction in every chunk; if there is none, that earlier curve itself.
+/// The coordinate that is most like the curve a quarter of a period earlier, so that the loop of
+/// the two runs in the same direction in every chunk; if there is none, that earlier curve itself.
 Values partner_of(const std::vector<Pair>& pairs, const Values& curve) {
     constexpr std::size_t quarter = samples_per_period / 4;
     Values earlier;

@@ -13,8 +13,8 @@
 namespace stltsa::report {
 namespace {
 
-/// Limits that keep the report of an hour below 10 MB: the numbers that are packed, and the length of
-/// their text.
+/// Limits that keep the report of an hour below 10 MB: the numbers that are packed, and the length
+/// of their text.
 constexpr std::int64_t most_values = 12'000'000;
 constexpr std::ptrdiff_t longest_text = 6'000'000;
 

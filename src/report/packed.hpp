@@ -14,9 +14,9 @@ namespace stltsa::report {
 /// CRC-32 of the bytes, as 8 hexadecimal digits.
 std::string checksum(std::string_view bytes);
 
-/// {"rows", "cols", "low", "unit", "data"}. A value in column c is low[c % n] + unit[c % n] * integer
-/// with n = `ranges`; the integer 65535 is NaN. The integers go column by column, each as the
-/// difference, modulo 65536, from the one above it: first all low bytes, then all high bytes,
+/// {"rows", "cols", "low", "unit", "data"}. A value in column c is low[c % n] + unit[c % n] *
+/// integer with n = `ranges`; the integer 65535 is NaN. The integers go column by column, each as
+/// the difference, modulo 65536, from the one above it: first all low bytes, then all high bytes,
 /// compressed by zlib, in base64.
 Json packed(ConstMatrixView values, std::int64_t ranges);
 /// Each column has a range of its own.

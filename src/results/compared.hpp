@@ -45,15 +45,15 @@ double mean_cycle_time(const Comparison& of);
 /// How many differences would be significant by chance if there were none.
 double expected_by_chance(const Comparison& of);
 
-/// `label`: of a cyclic motion. Empty: in the first clip the one with the most frames, in the second
-/// the one most like it. Throws Status::no_such_part for a clip without cycles, Status::argument for
-/// a label without cycles, Status::shape if the clips have nothing in common, and
-/// Status::too_few_frames if a clip has no complete cycle.
+/// `label`: of a cyclic motion. Empty: in the first clip the one with the most frames, in the
+/// second the one most like it. Throws Status::no_such_part for a clip without cycles,
+/// Status::argument for a label without cycles, Status::shape if the clips have nothing in common,
+/// and Status::too_few_frames if a clip has no complete cycle.
 Comparison compare(const Phased& first, std::optional<std::int32_t> label, const Phased& second,
                    std::optional<std::int32_t> other_label, std::int64_t samples);
 
-/// The left side against the right one, mirrored and half a cycle later. Throws Status::unsupported if
-/// the sides cannot be compared.
+/// The left side against the right one, mirrored and half a cycle later. Throws Status::unsupported
+/// if the sides cannot be compared.
 Comparison compare_left_right(const clip::Clip& clip, const Phased& phased,
                               std::optional<std::int32_t> label, std::int64_t samples,
                               const clip::PrepareOptions& prepare, const Progress& progress);

@@ -98,8 +98,9 @@ bool in_space(const Phased& phased) {
 
 CommonColumns common_columns(const Phased& first, const Phased& second) {
     if (first.samples.features != second.samples.features || in_space(first) != in_space(second))
-        fail(Status::shape, "the clips have different features: decompose both with the same option "
-                            "features");
+        fail(Status::shape,
+             "the clips have different features: decompose both with the same option "
+             "features");
     const auto parts = parts_of(first), others = parts_of(second);
     const auto of_first = by_name(parts), of_second = by_name(others);
     const auto axes = axes_of(first);

@@ -6,8 +6,8 @@
 
 namespace stltsa::results {
 
-/// Throws Status::argument if the clip is not that of the phase, as far as the number of frames, the
-/// frame rate and the names of the features tell.
+/// Throws Status::argument if the clip is not that of the phase, as far as the number of frames,
+/// the frame rate and the names of the features tell.
 void check_same_clip(const clip::Clip& clip, const Phased& phased);
 
 /// The features, a row for each frame of the file, NaN for those that were dropped.

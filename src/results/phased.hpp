@@ -49,8 +49,8 @@ phase::Range unbroken(const Phased& phased, const phase::Run& run);
 /// has neither cycles nor repetitions.
 const PhasedMotion& motion_of(const Phased& phased, std::int32_t label);
 
-/// For each cycle, the rows at which the phase passes `samples` evenly spaced values, from the `zero`
-/// that is nearest to its begin to the next one. NaN beyond the reach of its run.
+/// For each cycle, the rows at which the phase passes `samples` evenly spaced values, from the
+/// `zero` that is nearest to its begin to the next one. NaN beyond the reach of its run.
 Matrix turns_of(const PhasedMotion& motion, std::int64_t samples, double zero = 0);
 
 /// "A" for 0.

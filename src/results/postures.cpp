@@ -12,8 +12,8 @@ namespace {
 constexpr std::size_t most_postures = 24;
 /// Of more rows, only every second, third, ... is tried.
 constexpr std::int64_t most_tried = 2000;
-/// Postures that are closer in time than this share of the clip count as more alike than their poses
-/// are. A picture shows about a dozen.
+/// Postures that are closer in time than this share of the clip count as more alike than their
+/// poses are. A picture shows about a dozen.
 constexpr double apart = 1.0 / 12;
 /// Weight of the distance in time, relative to the mean difference of two postures.
 constexpr double weight_of_time = 0.7;

@@ -10,8 +10,8 @@ static const double turn = 6.283185307179586;
 
 enum { columns = 6, samples = 101 };
 
-/* A motion that repeats once per period; columns 0 and 3 have the same shape, and so do 1 and 4, and
- * 2 and 5. */
+/* A motion that repeats once per period; columns 0 and 3 have the same shape, and so do 1 and 4,
+ * and 2 and 5. */
 struct motion {
     double fps, period, seconds;
     double late;  /* share of the cycle: column 0 comes later, column 3 earlier */

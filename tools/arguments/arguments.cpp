@@ -164,9 +164,10 @@ class Parser {
                         "segment, cycle, phase, residual.")
             ->type_name("FILE");
         decompose
-            .add_option("--report", to_.report,
-                        "Write a report: one HTML page with the moving skeleton or points, the units "
-                        "and cycles over time, mean cycles, and tables.")
+            .add_option(
+                "--report", to_.report,
+                "Write a report: one HTML page with the moving skeleton or points, the units "
+                "and cycles over time, mean cycles, and tables.")
             ->type_name("FILE");
         decompose.add_flag("--curve", to_.curve,
                            "Add the curve and the loop, sample by sample, to the JSON.");

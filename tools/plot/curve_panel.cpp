@@ -38,8 +38,8 @@ Point curve_point(const Figure& figure, const Layout& layout, std::int64_t sampl
             layout.value(figure.curve[static_cast<std::size_t>(sample)])};
 }
 
-/// The point of the curve at a frame, interpolated between samples; where there is no curve, a point
-/// on the dotted line.
+/// The point of the curve at a frame, interpolated between samples; where there is no curve, a
+/// point on the dotted line.
 Point curve_at(const Figure& figure, const Layout& layout, std::int64_t frame) {
     const double at = static_cast<double>(frame - figure.first) / static_cast<double>(figure.step);
     const auto last = static_cast<std::int64_t>(figure.curve.size()) - 1;

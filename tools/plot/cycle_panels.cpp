@@ -67,9 +67,8 @@ void draw_overlay(Svg& svg, const Figure& figure, const Rect& area) {
     const Scale x{0, last, area.x, area.right()};
     const Scale y{range.low, range.high, area.bottom() - air, area.y + air};
     draw_heading(svg, area,
-                 lines < all.count()
-                     ? fmt::format("{} of {} cycles, overlaid", lines, all.count())
-                     : fmt::format("{} cycles, overlaid", lines));
+                 lines < all.count() ? fmt::format("{} of {} cycles, overlaid", lines, all.count())
+                                     : fmt::format("{} cycles, overlaid", lines));
     svg.open("g", {{"fill", "none"},
                    {"stroke", cycle_color},
                    {"stroke-width", many_line},
