@@ -420,7 +420,7 @@ enum {
     STLTSA_INFO_GAP = 48,               /* real[] lambda_{d+2} / lambda_{d+1} of each
                                                   component; near 1: the curve is ill-defined */
     STLTSA_INFO_COMPONENTS = 49,        /* int    components of the neighborhood graph */
-    /* Decompositions; the last three but one are facts of a dimension, too. */
+    /* Decompositions; EIGENVALUE, LOCAL_PCA and EIGENGAP are facts of a dimension, too. */
     STLTSA_INFO_COORDINATE = 60,        /* int    1-based column that was cut; 0: none */
     STLTSA_INFO_CYCLICITY = 61,         /* real   how well that coordinate repeats once a
                                                   period; 1: perfect */
@@ -435,8 +435,8 @@ enum {
                                                   tell */
     STLTSA_INFO_EIGENGAP = 67,          /* int    intrinsic dimension by the eigengap; 0:
                                                   cannot tell */
-    STLTSA_INFO_POSTURES = 68,          /* int[]  at most 24 frames of postures that differ, for
-                                                  a picture: the first n are a choice of n */
+    STLTSA_INFO_POSTURES = 68,          /* int[]  frames of up to 24 distinct postures, for
+                                                  pictures; to draw n, take the first n */
     /* Dimensions. */
     STLTSA_INFO_LOCAL_PCA_REASON = 70,  /* text   why local PCA cannot tell; empty if it can */
     STLTSA_INFO_EIGENGAP_REASON = 71,   /* text   why the eigengap cannot tell; empty if it can */
@@ -1325,23 +1325,23 @@ STLTSA_API const char *stltsa_events_warning(const stltsa_events *events,
 
 /* ---- Comparison of two motions -------------------------------------------------------------- */
 
-/* The cycles of two motions, such as those of a patient before and after, laid on each other by
- * phase: what differs in timing and amplitude, and how well these differences are known. */
+/* The cycles of two motions, such as those of a patient before and after treatment, aligned by
+ * phase: the differences in timing and amplitude, and how precisely they are known. */
 typedef struct stltsa_comparison stltsa_comparison;
 
-/* A quantity of both mean cycles and its difference. Intervals are of 95 %, from the spread over the
- * cycles, by Student's t distribution with the degrees of freedom of Welch; they are wider if cycles
- * resemble those before them, which at least four cycles show. One value in 20 is significant by
- * chance alone. An interval says how well the mean of these cycles is known, not what the same
- * person does on another day (docs/answers.md has measurements). What is not known is NaN: all that
- * depends on the spread if there is only one cycle. Frozen. */
+/* A quantity of both mean cycles and its difference. The interval is a 95 % confidence interval from
+ * the spread between cycles, by Student's t distribution with Welch's degrees of freedom. From four
+ * cycles on, it is wider if successive cycles resemble each other. Of 20 differences that are really
+ * zero, about one is significant by chance. The interval says how well the mean of these cycles is
+ * known, not how the same person moves on another day (docs/answers.md has measurements). Unknown
+ * values are NaN; with only one cycle, these are all that depend on the spread. Frozen. */
 typedef struct stltsa_estimate {
-    double first, first_sd;   /* value, standard deviation over the cycles */
+    double first, first_sd;   /* value, standard deviation between cycles */
     double second, second_sd;
-    double difference;        /* second less first */
+    double difference;        /* second minus first */
     double standard_error;    /* of the difference */
     double low, high;         /* its confidence interval */
-    int32_t significant;      /* 1: the interval does not include 0 */
+    int32_t significant;      /* 1: the interval excludes 0, by more than rounding */
     int32_t reserved;
 } stltsa_estimate;
 
@@ -1354,21 +1354,21 @@ typedef struct stltsa_compared_cycles {
     int32_t first_label, second_label; /* of the segments, 0 for A */
     int64_t samples;                   /* of each cycle */
     stltsa_estimate cycle_time;        /* seconds */
-    double first_per_minute, second_per_minute; /* cycles: 60 divided by their mean time */
+    double first_per_minute, second_per_minute; /* cycles per minute: 60 / mean cycle time */
     double shift;         /* phase of the second motion at phase 0 of the first, -0.5 to 0.5 */
     double shift_error;   /* its standard error; NaN: it is half a cycle by definition */
-    double shift_low, shift_high; /* its interval */
-    double likeness;      /* correlation of the two mean cycles; below 0.6 these are different
-                             motions, and a warning says so */
-    double runner_up;     /* the same at the next best shift; NaN: there is no other. If it is within
-                             0.1 of likeness, the shift is not certain, and a warning says so */
-    double turn;          /* degrees by which the second body was turned about the up axis, onto the
-                             first: points, and skeletons of other joints; otherwise 0 */
-    double size_ratio;    /* size of the second body by that of the first, from what was compared;
-                             NaN: not positions in space */
-    int64_t judged;       /* lags and amplitudes of parts that have an interval */
-    int64_t significant;  /* how many of them are significant; 0.05 * judged are by chance */
-    int32_t sides;        /* 1: of stltsa_compare_left_right */
+    double shift_low, shift_high; /* its 95 % confidence interval */
+    double likeness;      /* correlation of the two mean cycles; below 0.6, a warning says that the
+                             motions seem to be different */
+    double runner_up;     /* the same at the next best shift; NaN: there is none. If it is within
+                             0.1 of likeness, a warning says that the shift is uncertain */
+    double turn;          /* degrees by which the second body was turned about the up axis to face
+                             as the first does: points, and skeletons with different joints; else 0 */
+    double size_ratio;    /* size of the second body divided by that of the first, from the parts
+                             that were compared; NaN: no positions in space, or only one part */
+    int64_t judged;       /* number of lags and amplitudes of parts that have an interval */
+    int64_t significant;  /* how many of them are significant; by chance, 0.05 * judged would be */
+    int32_t sides;        /* 1: from stltsa_compare_left_right */
     int32_t reserved;
 } stltsa_compared_cycles;
 
@@ -1377,36 +1377,37 @@ typedef struct stltsa_compared_cycles {
 typedef struct stltsa_compared_part {
     size_t size;
     int64_t part;          /* index of the part; of a channel, of the part it belongs to */
-    double rms;            /* root mean square over the cycle of second less first */
+    double rms;            /* root mean square, over the cycle, of second minus first */
     double chance;         /* rms expected from the spread between cycles alone */
-    double correlation;    /* of both mean curves after the lag is removed */
-    stltsa_estimate lag;   /* how much later in its cycle the second motion does this, relative to
-                              the whole body, as a share of the cycle; first is 0, and the standard
-                              deviations are those of the timing of single cycles. NaN if the curves
-                              are not alike (correlation below 0.7) */
-    stltsa_estimate amplitude; /* of the mean curve: largest distance of two of its places; of one
-                              channel, highest less lowest value */
-    double ratio;          /* amplitude of second by that of first */
+    double correlation;    /* of the two mean curves after the lag is removed */
+    stltsa_estimate lag;   /* how much later in its cycle the second motion does the same, relative
+                              to the whole body (left and right: to half a cycle), as a share of the
+                              cycle; first is 0, and the standard deviations are those of the timing
+                              of single cycles. NaN if the curves are not alike (correlation below
+                              0.7) */
+    stltsa_estimate amplitude; /* of the mean curve: largest distance between two of its points; of
+                              one channel, the range (maximum minus minimum) */
+    double ratio;          /* amplitude of the second motion divided by that of the first */
     double ratio_low, ratio_high; /* its interval */
-    double lag_s, lag_low_s, lag_high_s; /* lag in seconds of the mean of both cycle times */
-    stltsa_estimate mean;  /* over the cycle; NaN for a part of several channels */
+    double lag_s, lag_low_s, lag_high_s; /* lag in seconds, for the mean of both cycle times */
+    stltsa_estimate mean;  /* mean over the cycle; NaN for a part with several channels */
 } stltsa_compared_part;
 
-/* Compares the features of two motions in cycles.
+/* Compares the features of two cyclic motions.
  *
- * first, second  phases of two clips, or of the same. Frame rates and lengths may differ. Joints,
- *                points or columns are compared that have the same name in both. If the clips have
- *                other up axes, those of the first count. If some points are left out, the others
- *                are relative to their own mean
- * labels         of the segments, 0 for A; -1: of the first clip the motion with the most frames in
- *                cycles, of the second the motion that is most like it
+ * first, second  phases of two clips, or of the same clip. Frame rates and lengths may differ. What
+ *                has the same name in both is compared: joints, points or columns. If the clips have
+ *                different up axes, the axes of the first are used. If some points are left out, the
+ *                others are relative to their own mean
+ * labels         of the segments, 0 for A; -1: in the first clip the motion with the most frames in
+ *                cycles, in the second the motion that is most like it
  * samples        of each cycle, 5 to 1001; 101 for percent
  * comparison     to be freed with stltsa_comparison_free; NULL on failure
  *
- * Of each clip the cycles count that it has from 0 to 100 %, see stltsa_cycles_resample.
- * E_NO_SUCH_PART: a clip has no cycles. E_ARGUMENT: a label has none, or samples is out of range.
- * E_SHAPE: the clips have other kinds of features, or no name in common. E_TOO_FEW_FRAMES: no cycle
- * is complete. */
+ * Only cycles that the clip has completely, from 0 to 100 %, are compared (see
+ * stltsa_cycles_resample). E_NO_SUCH_PART: a clip has no cycles. E_ARGUMENT: a label has no cycles,
+ * or samples is out of range. E_SHAPE: the clips have different kinds of features, or no name in
+ * common. E_TOO_FEW_FRAMES: a clip has no complete cycle. */
 STLTSA_API stltsa_status stltsa_compare(const stltsa_phase *first, int32_t first_label,
                                         const stltsa_phase *second, int32_t second_label,
                                         int64_t samples,
@@ -1414,10 +1415,11 @@ STLTSA_API stltsa_status stltsa_compare(const stltsa_phase *first, int32_t first
 
 /* Compares the left side of a body with its right side: the first motion is the left side, the
  * second the mirror image of the right side half a cycle later (see stltsa_sides_find). Differences
- * are taken within each cycle, so that what changes on both sides alike does not widen intervals.
- * Lags count from exactly half a cycle. clip, options: those of stltsa_phase_find. Errors as
- * stltsa_compare; E_UNSUPPORTED: it is not known that both halves of a cycle are the same motion of
- * opposite sides, or no two names differ in the side only. */
+ * are taken within each cycle, so a change of both sides alike does not widen the intervals. Lags
+ * are relative to exactly half a cycle. clip, options: those of stltsa_phase_find. Errors as for
+ * stltsa_compare, and E_ARGUMENT: the phase is of another clip. E_UNSUPPORTED: the two halves of a
+ * cycle are not known to be the same motion of opposite sides, no two names differ only in the side,
+ * or the clip cannot be mirrored. */
 STLTSA_API stltsa_status stltsa_compare_left_right(const stltsa_clip *clip,
                                                    const stltsa_phase *phase, int32_t label,
                                                    int64_t samples,
@@ -1433,8 +1435,8 @@ STLTSA_API int64_t
 stltsa_comparison_part_count(const stltsa_comparison *comparison) STLTSA_NOEXCEPT;
 STLTSA_API stltsa_status stltsa_comparison_part(const stltsa_comparison *comparison, int64_t index,
                                                 stltsa_compared_part *part) STLTSA_NOEXCEPT;
-/* Its name in the first (0) or the second (1) motion, which differ for left and right. "" beyond the
- * last; valid, as all texts here, until the comparison is freed. */
+/* Name of a part in the first (0) or the second (1) motion; the two differ for left and right. ""
+ * beyond the last. Valid, like all texts here, until the comparison is freed. */
 STLTSA_API const char *stltsa_comparison_part_name(const stltsa_comparison *comparison,
                                                    int32_t which, int64_t index) STLTSA_NOEXCEPT;
 /* The coordinates of the parts, part by part. */
@@ -1443,18 +1445,19 @@ stltsa_comparison_channel_count(const stltsa_comparison *comparison) STLTSA_NOEX
 STLTSA_API stltsa_status stltsa_comparison_channel(const stltsa_comparison *comparison,
                                                    int64_t index,
                                                    stltsa_compared_part *channel) STLTSA_NOEXCEPT;
-/* "x", "y", "z", or "rz" of an angle; "" for a part with one channel, and beyond the last. */
+/* "x", "y" or "z" of a position; such as "rz" of an angle; "1" to "6" of a rotation matrix; "" for
+ * the only channel of a part, and beyond the last. */
 STLTSA_API const char *stltsa_comparison_channel_axis(const stltsa_comparison *comparison,
                                                       int64_t index) STLTSA_NOEXCEPT;
 
-/* Mean and standard deviation over the cycles of the first (0) or the second (1) motion, samples x
- * channels; each may be NULL. Sample s of both is at phase s / (samples - 1) of the first. */
+/* Mean and standard deviation between cycles of the first (0) or the second (1) motion, samples x
+ * channels; each may be NULL. Sample s of both is at phase s / (samples - 1) of the first motion. */
 STLTSA_API stltsa_status stltsa_comparison_curves(const stltsa_comparison *comparison,
                                                   int32_t which, const stltsa_out *mean,
                                                   const stltsa_out *deviation) STLTSA_NOEXCEPT;
-/* At each sample, samples x channels; each may be NULL: second less first, its standard error, and
- * the half width of its interval, which holds for each sample by itself: of 100 samples without a
- * difference five lie outside by chance. */
+/* Second minus first at each sample, its standard error, and half the width of its interval: samples
+ * x channels; each may be NULL. Each interval holds for one sample: of 100 samples without a
+ * difference, about five intervals exclude 0 by chance. */
 STLTSA_API stltsa_status stltsa_comparison_difference(const stltsa_comparison *comparison,
                                                       const stltsa_out *difference,
                                                       const stltsa_out *standard_error,
@@ -1465,8 +1468,8 @@ STLTSA_API int64_t stltsa_comparison_left_out_count(const stltsa_comparison *com
                                                     int32_t which) STLTSA_NOEXCEPT;
 STLTSA_API const char *stltsa_comparison_left_out(const stltsa_comparison *comparison,
                                                   int32_t which, int64_t index) STLTSA_NOEXCEPT;
-/* Warnings: few cycles, motions that are not alike, an uncertain shift, bodies of other size or
- * unit, phases that are linear in time. */
+/* Warnings: few cycles, motions that are not alike, an uncertain shift, bodies of different size or
+ * unit, and those of both phases (see stltsa_phase_warning). */
 STLTSA_API int64_t
 stltsa_comparison_warning_count(const stltsa_comparison *comparison) STLTSA_NOEXCEPT;
 STLTSA_API const char *stltsa_comparison_warning(const stltsa_comparison *comparison,
@@ -1562,14 +1565,14 @@ STLTSA_API stltsa_status stltsa_live_push(stltsa_live *live, double seconds,
 
 /* ---- Reports -------------------------------------------------------------------------------- */
 
-/* Writes a report of a clip that was decomposed: one HTML page, completely or not at all, that a
- * browser shows without a network. It has the moving skeleton or points; segments, units, cycles
- * and repetitions over time; the curve and the loop; mean cycles with their spread, left beside
- * right; tables and warnings. Of a long clip it has every second, third, ... posture, so that an
- * hour takes at most 10 MB; the page says so.
+/* Writes a report of a clip that was decomposed: one HTML page that a browser shows without a
+ * network. The file is written completely or not at all. The page has the moving skeleton or points;
+ * segments, units, cycles and repetitions over time; the curve and the loop; mean cycles with
+ * standard deviation, left beside right; tables and warnings. For a long clip it keeps only every
+ * second, third, ... posture, so that an hour takes at most 10 MB, and says so.
  *
  * options   those with which the clip was decomposed
- * command   the command or call that repeats the report, which the page shows; NULL: unknown
+ * command   the command or call that makes the report again, for the page to show; NULL: unknown
  *
  * The same input gives the same bytes; there is no date in them. E_ARGUMENT: the decomposition is
  * of another clip. E_IO. */

@@ -760,8 +760,8 @@ class Decomposition {
     std::vector<Interval> cycles() const {
         return detail::list(cycle_count(), [this](std::int64_t index) { return cycle(index); });
     }
-    /// Writes a report of the clip that was decomposed. `options`: those of stltsa::decompose();
-    /// `command`: which repeats it; empty: unknown.
+    /// Writes a report of the clip that was decomposed. `options`: those of stltsa::decompose().
+    /// `command`: the command or call that makes the report again; empty: unknown.
     void save_report(const Clip& clip, const std::string& path, const std::string& command = {},
                      const Options& options = {}) const {
         detail::check(stltsa_report_save(clip.get(), get(), options.get(),
@@ -966,8 +966,7 @@ class Events {
     detail::Handle<stltsa_events, stltsa_events_free> handle_;
 };
 
-/// The cycles of two motions laid on each other by phase. `which`: 0 for the first motion, 1 for
-/// the second.
+/// The cycles of two motions, aligned by phase. `which`: 0 for the first motion, 1 for the second.
 class Comparison {
   public:
     using Pointer = stltsa_comparison*;
@@ -1005,11 +1004,11 @@ class Comparison {
     std::vector<ComparedPart> channels() const {
         return detail::list(channel_count(), [this](std::int64_t index) { return channel(index); });
     }
-    /// Empty for a part with one channel.
+    /// Empty for the only channel of a part.
     std::string channel_axis(std::int64_t index) const {
         return stltsa_comparison_channel_axis(get(), index);
     }
-    /// Over the cycles, samples x channels.
+    /// Mean cycle and standard deviation between cycles, samples x channels.
     Matrix mean(std::int32_t which) const {
         return samples_by_channels([&](const stltsa_out* to) {
             return stltsa_comparison_curves(get(), which, to, nullptr);
@@ -1020,7 +1019,7 @@ class Comparison {
             return stltsa_comparison_curves(get(), which, nullptr, to);
         });
     }
-    /// Second less first, samples x channels.
+    /// Second minus first, samples x channels.
     Matrix difference() const {
         return samples_by_channels([&](const stltsa_out* to) {
             return stltsa_comparison_difference(get(), to, nullptr, nullptr);
@@ -1031,13 +1030,13 @@ class Comparison {
             return stltsa_comparison_difference(get(), nullptr, to, nullptr);
         });
     }
-    /// Half width of the interval of each sample.
+    /// Half the width of the interval at each sample.
     Matrix margin() const {
         return samples_by_channels([&](const stltsa_out* to) {
             return stltsa_comparison_difference(get(), nullptr, nullptr, to);
         });
     }
-    /// Names that the other clip lacks.
+    /// Names in this clip that the other one lacks.
     std::vector<std::string> left_out(std::int32_t which) const {
         std::vector<std::string> names;
         for (std::int64_t i = 0; i < stltsa_comparison_left_out_count(get(), which); ++i)
@@ -1126,8 +1125,8 @@ class Phase {
         detail::check(stltsa_sides_find(clip.get(), get(), label, samples, options.get(), &sides));
         return {sides, samples};
     }
-    /// Compares motions in cycles of this clip and of another. Labels: of the segments, 0 for A;
-    /// -1: the longest motion here, there the one most like it.
+    /// Compares a cyclic motion of this clip with one of another. Labels: of the segments, 0 for A;
+    /// -1: the longest such motion here, and there the one most like it.
     Comparison compare(const Phase& second, std::int32_t label = -1, std::int32_t second_label = -1,
                        std::int64_t samples = 101) const {
         stltsa_comparison* comparison = nullptr;

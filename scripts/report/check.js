@@ -15,7 +15,7 @@ function check(holds, what) {
 
 const pixels = (page, id, layer) => page.evaluate(([name, at]) => document.querySelectorAll(`#${name} canvas`)[at].toDataURL().length + document.querySelectorAll(`#${name} canvas`)[at].toDataURL().slice(-4000), [id, layer]);
 
-// A page of the report, and everything that it asked for or complained about.
+// A page with the report, its requests and its console messages.
 async function opened(browser, report, { width = 1240, colorScheme = "light" } = {}) {
   const page = await browser.newPage({ viewport: { width, height: width < 600 ? 844 : 900 }, colorScheme, acceptDownloads: true });
   const told = [];
@@ -27,7 +27,7 @@ async function opened(browser, report, { width = 1240, colorScheme = "light" } =
   return { page, told };
 }
 
-// Whether it holds within three seconds.
+// Whether the condition holds within three seconds.
 async function comes(page, holds) {
   for (let i = 0; i < 30; ++i) {
     if (await holds()) return true;
@@ -50,7 +50,7 @@ async function checkPlaying(page) {
     const step = () => { count += 1; if (performance.now() - begin > 2000) done(count / 2); else requestAnimationFrame(step); };
     requestAnimationFrame(step);
   }));
-  check(rate > 10, `plays at ${rate.toFixed(0)} pictures a second (software rendering)`);
+  check(rate > 10, `plays at ${rate.toFixed(0)} frames per second (software rendering)`);
   await page.click("#play");
   check(await clock() !== before && await pixels(page, moving, 1) !== picture, "playing moves the picture");
   const cost = await page.evaluate(async () => {
@@ -62,7 +62,7 @@ async function checkPlaying(page) {
     }
     return (performance.now() - begin) / 60;
   });
-  check(cost < 100, `seeking takes ${cost.toFixed(1)} ms a step`);
+  check(cost < 100, `seeking takes ${cost.toFixed(1)} ms per step`);
 }
 
 // Downloads, accessibility, and what the page asked for or said.
@@ -107,7 +107,7 @@ async function checkReport(page) {
   await page.mouse.move(0, 0);
   const box = await page.locator("#band canvas").last().boundingBox();
   await page.mouse.click(box.x + box.width * 0.5, box.y + 75);
-  check(await comes(page, async () => !/frame 1$/.test(await clock())), "a click into the recording goes there");
+  check(await comes(page, async () => !/frame 1$/.test(await clock())), "a click on the recording goes there");
   await page.keyboard.press("m");
   if (await page.locator("#mark").isVisible()) check(await page.locator(".event").count() === 1 && /stltsa events .* --mark/.test(await page.locator("#events pre").textContent()), "m marks an event, and its command is shown");
 }

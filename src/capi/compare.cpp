@@ -17,8 +17,8 @@ using results::Comparison;
 
 namespace {
 
-/// More samples than this add nothing to a cycle; the places of a curve are compared with each
-/// other.
+/// More samples add nothing to a cycle, and the time rises with their square: each point of a curve
+/// is compared with every other.
 constexpr int64_t least_samples = 5, most_samples = 1001;
 
 std::optional<int32_t> wanted(int32_t label) {
@@ -36,7 +36,7 @@ void check_which(int32_t which) {
              which);
 }
 
-/// `part_of`: of each of the list, the part it belongs to; empty: it is that part.
+/// `part_of`: the part to which each element of `all` belongs; empty: each is a part itself.
 void give_part(const Comparison& of, const std::vector<phase::PartDifference>& all,
                const std::vector<int64_t>& part_of, int64_t index, stltsa_compared_part* to,
                const char* name) {
@@ -85,7 +85,7 @@ struct Wanted {
     const Matrix& values;
 };
 
-/// All or, after an error, none.
+/// Writes all or, after an error, none.
 void write_all(std::initializer_list<Wanted> all) {
     for (const Wanted& each : all)
         if (each.out != nullptr)

@@ -87,8 +87,8 @@ double squared_distance_between(const Matrix& curve, std::int64_t a, std::int64_
     return sum;
 }
 
-/// The distance of the places of the mean curve that are farthest apart; of a cycle, the distance
-/// of the same places in that direction.
+/// The distance between the two points of the mean curve that are farthest apart; for a cycle, the
+/// distance between the same two points in that direction.
 Quantity amplitude_of(const Curves& curves) {
     std::int64_t from = 0, to = 0;
     double most = 0;
@@ -142,8 +142,8 @@ Quantity level_of(const Curves& curves) {
     return level;
 }
 
-/// Root mean square over the samples of the sum over the columns of squares, without the last
-/// sample, which is the first again.
+/// Root mean square, over the samples, of the length of each row, without the last sample, which
+/// repeats the first.
 double rms_of(const Matrix& values, const Columns& columns) {
     double squares = 0;
     for (std::int64_t s = 0; s + 1 < values.rows(); ++s)
@@ -152,7 +152,7 @@ double rms_of(const Matrix& values, const Columns& columns) {
     return std::sqrt(squares / static_cast<double>(values.rows() - 1));
 }
 
-/// The deviations at a sample of a column.
+/// One value of the mean cycle, and how each cycle deviates from it.
 Quantity sample_of(const Resampled& cycles, std::int64_t index) {
     Quantity sample{cycles.mean.data()[index], {}};
     for (const Matrix& cycle : cycles.each)
@@ -185,14 +185,14 @@ void set_pointwise(const Resampled& first, const Resampled& second, bool paired,
     }
 }
 
-/// What is estimated of some columns.
+/// What is measured of some columns.
 struct Measured {
     Timing timing;
     Quantity amplitude, other_amplitude;
-    Quantity level, other_level; ///< of one column
+    Quantity level, other_level; ///< means over the cycle; only of a single column
 };
 
-/// `whole`: the timing of all columns; null: lags count from the cycle.
+/// `whole`: the timing of all columns, which is subtracted; null: nothing is.
 Measured measured(const Resampled& first, const Resampled& second, const Columns& columns,
                   const Timing* whole) {
     const Curves one = curves_of(first, columns), other = curves_of(second, columns);
@@ -211,7 +211,7 @@ Measured measured(const Resampled& first, const Resampled& second, const Columns
     return made;
 }
 
-/// The dependence of one quantity of all parts.
+/// The dependence of one kind of quantity, from all parts.
 template <class First, class Second>
 Dependence dependence_in(const std::vector<Measured>& all, bool paired, First first,
                          Second second) {

@@ -40,7 +40,7 @@ Uncertainty uncertainty_of(const Quantity& first, const Quantity& second,
                        spread_of(second.deviations, dependence.second));
 }
 
-/// Degrees of freedom of as many independent values as are worth the spread.
+/// Degrees of freedom of the equivalent number of independent values.
 double freedom_of(const Spread& spread) {
     return std::max(1.0, spread.count / spread.persistence - 1);
 }
@@ -54,10 +54,10 @@ std::size_t reach_of(std::size_t cycles) {
     return std::clamp<std::size_t>(cycles / 3, 1, 3);
 }
 
-/// Fewer cycles do not show their correlation.
+/// With fewer cycles, their correlation cannot be estimated.
 constexpr std::size_t least_cycles = 4;
 
-/// Deviations need not have the mean 0 to the last bit.
+/// Deviations need not have a mean of exactly 0.
 std::vector<double> centered(std::vector<double> values) {
     double mean = 0;
     for (const double value : values)
@@ -72,7 +72,7 @@ std::vector<double> centered(std::vector<double> values) {
 // Hill, Algorithm 396: Student's t-quantiles, Communications of the ACM 13, 1970.
 double t_quantile(double freedom) {
     constexpr double both_tails = 0.05;
-    constexpr double normal = -1.959963984540054; // quantile of half of them
+    constexpr double normal = -1.959963984540054; // quantile of one tail
     const double a = 1 / (freedom - 0.5);
     const double b = 48 / square(a);
     double c = ((20700 * a / b - 98) * a - 16) * a + 96.36;
@@ -94,8 +94,8 @@ double t_quantile(double freedom) {
             1 / y;
     }
     const double found = std::sqrt(freedom * y);
-    // Below 2 it is too large, by 18 % at 1; an interpolation between the exact values at 1 and 2
-    // is so by at most 2.6 %.
+    // Below 2 it is too large, by 18 % at 1. An interpolation between the exact values at 1 and 2
+    // is too large by at most 2.6 %.
     constexpr double of_one = 12.706204736174698, of_two = 4.302652729749464;
     return freedom < 2 ? std::min(found, of_two * std::pow(of_one / of_two, 2 / freedom - 1))
                        : found;
@@ -113,8 +113,8 @@ double deviation_of(const std::vector<double>& deviations) {
 }
 
 // With autocovariances c_h of the deviations from the mean of n values that are correlated up to
-// lag L, the variance of the mean is (c_0 + 2 sum c_h) / (n - 1 - 2 sum (1 - h / n)): the mean
-// takes as much from each c_h as its own variance, which is added again.
+// lag L, the variance of the mean is (c_0 + 2 sum c_h) / (n - 1 - 2 sum (1 - h / n)): subtracting
+// the sample mean lowers each c_h by the variance of the mean, which the denominator corrects.
 double persistence(const std::vector<std::vector<double>>& deviations) {
     if (deviations.empty() || deviations.front().size() < least_cycles)
         return 1;

@@ -12,14 +12,14 @@ namespace stltsa::phase {
 namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
-/// A deviation from the level that is below this share of the level is only rounding.
+/// A deviation from the mean that is below this share of the mean is only rounding.
 constexpr double still = 1e-9;
 
 std::int64_t wrapped(std::int64_t sample, std::int64_t count) {
     return ((sample % count) + count) % count;
 }
 
-/// Deviations from the mean of each column, of length 1; empty if the curve does not move.
+/// Deviations from the mean of each column, scaled to length 1; empty if the curve does not move.
 Matrix direction_of(const Matrix& curve) {
     Matrix direction = copied(curve.view());
     double squares = 0, levels = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// By how much one closed curve comes later than another.
+// The delay of one closed curve relative to another.
 #pragma once
 
 #include <cstdint>
@@ -9,20 +9,20 @@
 namespace stltsa::phase {
 
 /// Below this correlation, one curve explains less than half of the variance of the other, so it is
-/// not clear which of their features correspond.
+/// not clear which parts of the curves correspond.
 inline constexpr double least_correlation = 0.7;
 
 /// Curves over a cycle at evenly spaced phases: samples x columns. The first sample is not repeated
 /// at the end. Columns are the coordinates of one curve, such as those of a joint or of the body.
 struct Lag {
-    double samples = 0;     ///< delay of the second curve; NaN: none fits best
-    double correlation = 0; ///< of the curves after this shift is removed; NaN: one does not move
-    /// The next highest peak of the correlation over all shifts; NaN: there is none within `most`.
+    double samples = 0;     ///< delay of the second curve; NaN: no peak
+    double correlation = 0; ///< after this delay is removed; NaN: a curve does not move
+    /// The next highest peak of the correlation; NaN: there is no other within `most`.
     double runner_up = 0;
 };
 
-/// The lag at which the curves, each less its mean, match best, at most `most` samples: the peak of
-/// the parabola through the best correlation and its two neighbors.
+/// The lag, at most `most` samples, at which the curves match best once their means are subtracted:
+/// the peak of the parabola through the highest correlation and its two neighbors.
 Lag lag_between(const Matrix& first, const Matrix& second, std::int64_t most);
 
 /// Each sample has the value from `shift` samples later; linear between samples, cyclic.

@@ -147,12 +147,13 @@ struct Choice {
     double cyclicity = 0;
 };
 
-/// The coordinate that is most like the curve a quarter of a period earlier, so that the two form a
-/// loop of one direction in every chunk; if there is none, this earlier curve itself.
+/// The coordinate that is most like the curve a quarter of a period earlier, so that the loop of
+/// the two runs in the same direction in every chunk; if there is none, that earlier curve itself.
 Values partner_of(const std::vector<Pair>& pairs, const Values& curve) {
     constexpr std::size_t quarter = samples_per_period / 4;
     Values earlier;
-    for (std::size_t i = 0; i < curve.size(); ++i) // before the first quarter, half a period later
+    // In the first quarter of a period, the negated curve half a period later.
+    for (std::size_t i = 0; i < curve.size(); ++i)
         earlier.push_back(i >= quarter                 ? curve[i - quarter]
                           : i + quarter < curve.size() ? -curve[i + quarter]
                                                        : 0);

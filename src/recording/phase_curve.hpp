@@ -26,8 +26,8 @@ struct Anchor {
 struct PhaseCurve {
     std::vector<double> places; ///< row of each warped sample, increasing
     std::vector<double> curve;  ///< the coordinate at each of them
-    std::vector<double>
-        partner; ///< a second coordinate, a quarter of a period behind: both form a loop
+    /// A second coordinate, a quarter of a period behind; the two form a loop.
+    std::vector<double> partner;
     std::vector<double> cyclicity; ///< of each chunk, at most 1
     Anchor anchor;                 ///< learned on this stretch
 

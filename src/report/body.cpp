@@ -13,7 +13,7 @@
 namespace stltsa::report {
 namespace {
 
-/// Limits that keep the report of an hour below 10 MB: numbers that are considered, and the length
+/// Limits that keep the report of an hour below 10 MB: the numbers that are packed, and the length
 /// of their text.
 constexpr std::int64_t most_values = 12'000'000;
 constexpr std::ptrdiff_t longest_text = 6'000'000;
@@ -36,12 +36,12 @@ std::vector<std::string> names_of(const clip::Clip& clip) {
     return names;
 }
 
-/// Columns of a row of places.
+/// Number of columns of `places()`.
 std::int64_t width_of(const clip::Clip& clip) {
     return clip.skeleton ? 3 * std::ssize(clip.skeleton->joints) : clip.values.cols();
 }
 
-/// Every step-th frame; what is missing is NaN.
+/// Positions in every step-th frame; NaN where they are missing.
 Matrix places(const clip::Clip& clip, std::int64_t step) {
     Matrix rows((clip.frames() + step - 1) / step, width_of(clip));
     clip::Pose pose;

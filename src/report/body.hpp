@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The moving body of a report: joints, points or, of a matrix, its columns.
+// The moving body of a report: joints, points or, for a matrix, its columns.
 #pragma once
 
 #include <string>
@@ -11,14 +11,14 @@
 
 namespace stltsa::report {
 
-/// A part of the body that has a name.
+/// A joint, a point or a column.
 struct Part {
     std::string name;
-    int side = -1;             ///< 0: left, 1: right
-    std::int64_t partner = -1; ///< the same part of the other side
+    int side = -1;             ///< 0: left, 1: right, -1: neither
+    std::int64_t partner = -1; ///< index of the same part on the other side; -1: none
 };
 
-/// Joints, points or columns.
+/// The parts of a clip.
 std::vector<Part> parts_of(const clip::Clip& clip);
 
 /// Sets "body": what moves and, for every step-th frame, where it is.

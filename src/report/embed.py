@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Makes a C++ source of a page of HTML and the style sheet and scripts that it names.
+"""Makes a C++ source file from a page of HTML and the style sheet and scripts that it names.
 
 Usage: embed.py FUNCTION page.html template.cpp template.d
 
@@ -16,7 +16,7 @@ PIECE = 8000  # characters of a string literal; compilers must accept 65536 byte
 
 
 def literals(text):
-    """Return string literals of C++ that together are the text."""
+    """Return adjacent C++ string literals that together are the text."""
     pieces = [text[i : i + PIECE] for i in range(0, len(text), PIECE)] or [""]
     return "\n".join(f'    R"stltsa({piece})stltsa"' for piece in pieces)
 

@@ -17,21 +17,21 @@
 namespace stltsa::report {
 namespace {
 
-constexpr std::int64_t samples = 101;      ///< of a cycle: one for each percent
-constexpr std::int64_t every = 2;          ///< of single cycles, every second sample is kept
-constexpr std::int64_t every_time = 10;    ///< and of their times, every tenth
-constexpr std::int64_t most_columns = 300; ///< of a set of signals: those that move most
-constexpr std::int64_t most_cycles = 24, least_cycles = 4; ///< that are drawn one by one
-constexpr std::int64_t most_values = 1'000'000;            ///< of all cycles drawn one by one
+constexpr std::int64_t samples = 101;      ///< per cycle: one for each percent
+constexpr std::int64_t every = 2;          ///< every second sample of single cycles is kept,
+constexpr std::int64_t every_time = 10;    ///< and every tenth of their times
+constexpr std::int64_t most_columns = 300; ///< in a set of signals: those that move most
+constexpr std::int64_t most_cycles = 24, least_cycles = 4; ///< drawn one by one
+constexpr std::int64_t most_values = 1'000'000;            ///< in all cycles drawn one by one
 
 /// A signal: a coordinate of a part of the body, an angle, or a column.
 struct Column {
-    std::int64_t part = -1; ///< among the parts of the body; -1: none
+    std::int64_t part = -1; ///< index of the part of the body; -1: none
     std::string name;       ///< of the part
     std::string axis;       ///< "x" to "z", "rx" to "rz"; empty: it is the only signal of its part
 };
 
-/// Signals of one kind and unit, a row for each frame.
+/// Signals of the same kind and unit, a row for each frame.
 struct SignalSet {
     const char* name;
     const char* unit; ///< empty: that of the file
@@ -88,7 +88,8 @@ SignalSet signal_set(const clip::Clip& clip, clip::Features kind, const results:
     return set;
 }
 
-/// The kinds of signals that are shown: those that were decomposed and, of a skeleton, its angles.
+/// The kinds of signals that are shown: the features that were decomposed and, for a skeleton, the
+/// joint angles.
 std::vector<SignalSet> signal_sets(const clip::Clip& clip, const results::Phased& phased,
                                    const std::vector<Part>& parts, clip::GapRule gaps) {
     std::vector<SignalSet> sets;
@@ -101,7 +102,7 @@ std::vector<SignalSet> signal_sets(const clip::Clip& clip, const results::Phased
     return sets;
 }
 
-/// The columns whose mean moves most, in ascending order; all unless they are many.
+/// Indices, in ascending order, of the columns whose mean cycle moves most; of few columns, all.
 std::vector<std::int64_t> chosen_columns(const Matrix& mean) {
     std::vector<std::int64_t> order(static_cast<std::size_t>(mean.cols()));
     std::iota(order.begin(), order.end(), 0);
@@ -125,7 +126,7 @@ std::vector<std::int64_t> chosen_columns(const Matrix& mean) {
     return order;
 }
 
-/// Some rows and columns.
+/// Every `step`-th row of some columns.
 Matrix taken(const Matrix& from, std::int64_t step, const std::vector<std::int64_t>& columns) {
     Matrix result((from.rows() + step - 1) / step, std::ssize(columns));
     for (std::int64_t r = 0; r < result.rows(); ++r)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The motions of a clip that repeat, on 0 to 100 % of the cycle.
+// The repeating motions of a clip, on 0 to 100 % of the cycle.
 #pragma once
 
 #include <vector>
@@ -11,8 +11,8 @@
 
 namespace stltsa::report {
 
-/// A list with an object for each label that has cycles or repetitions: signals of its cycles with
-/// mean and spread, times, and left against right.
+/// A list with an object for each label that has cycles or repetitions: their signals with mean and
+/// standard deviation, their times, and left against right.
 Json motions_json(const clip::Clip& clip, const results::Decomposed& decomposed,
                   const results::Phased& phased, const std::vector<Part>& parts,
                   const clip::PrepareOptions& prepare, const Progress& progress);

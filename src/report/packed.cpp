@@ -18,7 +18,7 @@ namespace {
 constexpr std::uint16_t missing = 65535;
 constexpr double most = 65534; ///< the largest integer of a value
 
-/// What the integers of some columns stand for.
+/// How the integers of each range of columns become values.
 struct Ranges {
     std::vector<double> low, unit;
 };
@@ -71,7 +71,7 @@ std::string compressed(const std::string& bytes) {
                                    reinterpret_cast<const Bytef*>(bytes.data()),
                                    static_cast<uLong>(bytes.size()), Z_BEST_COMPRESSION);
     if (status == Z_MEM_ERROR)
-        fail(Status::no_memory, "out of memory while numbers are compressed");
+        fail(Status::no_memory, "out of memory while compressing the numbers of the report");
     if (status != Z_OK)
         fail(Status::internal, "zlib cannot compress: status {}", status);
     result.resize(size);

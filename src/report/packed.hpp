@@ -15,14 +15,14 @@ namespace stltsa::report {
 /// CRC-32 of the bytes, as 8 hexadecimal digits.
 std::string checksum(std::string_view bytes);
 
-/// {"rows", "cols", "low", "unit", "data"}. A value is low[c % n] + unit[c % n] * integer, where
-/// column c has the range c % n of n = `ranges`; 65535 is NaN. The integers stand column by column,
-/// each as the difference from the one above it modulo 65536: first all low bytes, then all high
-/// bytes, compressed by zlib, in base64.
+/// {"rows", "cols", "low", "unit", "data"}. A value in column c is low[c % n] + unit[c % n] *
+/// integer with n = `ranges`; the integer 65535 is NaN. The integers go column by column, each as
+/// the difference, modulo 65536, from the one above it: first all low bytes, then all high bytes,
+/// compressed by zlib, in base64.
 Json packed(ConstMatrixView values, std::int64_t ranges);
-/// With a range for each column.
+/// Each column has a range of its own.
 Json packed(ConstMatrixView values);
-/// A column.
+/// A single column.
 Json packed(std::span<const double> values);
 
 /// Text compressed by zlib, in base64.

@@ -12,7 +12,7 @@
 namespace stltsa::report {
 namespace {
 
-/// Rows of a series beyond which every second, third, ... is kept.
+/// Of a series with more rows than this, only every second, third, ... is kept.
 constexpr std::int64_t most_rows = 200'000;
 
 std::int64_t step_of(std::int64_t rows) {

@@ -15,9 +15,9 @@ namespace stltsa::report {
 struct Reported {
     const clip::Clip& clip;
     const results::Decomposed& decomposed; ///< of this clip
-    clip::PrepareOptions prepare;          ///< with which it was decomposed
-    std::string json;                      ///< of the decomposition
-    std::string command;                   ///< which repeats it; empty: unknown
+    clip::PrepareOptions prepare;          ///< those of the decomposition
+    std::string json;                      ///< the decomposition as JSON
+    std::string command;                   ///< makes the report again; empty: unknown
 };
 
 /// The page. Throws Status::argument if the decomposition is not of the clip.

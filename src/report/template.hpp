@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The pages without their data, which embed.py makes of the folder page.
+// The pages without their data, which embed.py makes from the folder page.
 #pragma once
 
 #include <string>

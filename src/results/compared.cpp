@@ -14,13 +14,13 @@ namespace stltsa::results {
 namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
-/// Mean cycles less alike than this are of other motions, as in events.
+/// Mean cycles less alike than this are of different motions, as for events.
 constexpr double least_likeness = 0.6;
 /// If the next best alignment is this near, it may be the right one.
 constexpr double doubtful = 0.1;
-/// Bodies differ less in size; units differ by 2.54 and more.
+/// Bodies differ less than this in size; units differ by a factor of 2.54 or more.
 constexpr double most_size_ratio = 2;
-/// Share of intervals that do not include the truth.
+/// Share of intervals that do not contain the true value.
 constexpr double chance = 0.05;
 
 std::string name_of(const Phased& phased, const char* which) {
@@ -34,7 +34,7 @@ std::int64_t frames_of(const PhasedMotion& motion) {
     return count;
 }
 
-/// The motions in cycles that may be compared.
+/// The cyclic motions that may be compared.
 std::vector<const PhasedMotion*> candidates(const Phased& phased, std::optional<std::int32_t> label,
                                             const char* which) {
     std::vector<const PhasedMotion*> found;
@@ -46,7 +46,7 @@ std::vector<const PhasedMotion*> candidates(const Phased& phased, std::optional<
              *label < 0 ? format_text("{}", *label) : label_text(*label), name_of(phased, which));
     if (found.empty())
         fail(Status::no_such_part,
-             "{} has no cycles, so nothing can be compared by phase: its decomposition says why",
+             "{} has no cycles, so it cannot be compared by phase: its decomposition says why",
              name_of(phased, which));
     return found;
 }
@@ -64,7 +64,7 @@ Matrix chosen(const Matrix& rows, const std::vector<std::int64_t>& columns) {
     return result;
 }
 
-/// Cycles, by index, whose samples the clip has.
+/// For each cycle, whether the clip has all its samples.
 std::vector<bool> complete(const Matrix& rows) {
     std::vector<bool> result;
     for (std::int64_t k = 0; k < rows.rows(); ++k)
@@ -82,7 +82,7 @@ phase::Resampled resampled(const Matrix& signals, const Matrix& rows,
             to = std::copy_n(rows.row(k), rows.cols(), to);
     if (kept.rows() == 0)
         fail(Status::too_few_frames,
-             "no cycle of {} is complete from 0 to 100 %: a longer clip is needed", name);
+             "{} has no complete cycle from 0 to 100 %: a longer clip is needed", name);
     return phase::resample(signals.view(), std::move(kept));
 }
 
@@ -100,7 +100,7 @@ struct Side {
 };
 
 /// Removes the horizontal mean of the common points from each frame: the features are relative to
-/// the mean of all points, which differ.
+/// the mean of all points of a clip, and the two clips have different points.
 void center(const Phased& phased, Matrix& signals) {
     const std::int64_t up = static_cast<std::int64_t>(phased.samples.up) - 1;
     const double points = static_cast<double>(signals.cols()) / 3;
@@ -116,7 +116,7 @@ void center(const Phased& phased, Matrix& signals) {
         }
 }
 
-/// Whether the headings of the two may be of other parts of the body.
+/// Whether the headings of the two may come from different parts of the body.
 bool headings_differ(const Phased& first, const Phased& second) {
     if (!in_space(first) || first.samples.up == clip::Axis::none ||
         second.samples.up == clip::Axis::none)
@@ -130,7 +130,7 @@ phase::Lag lag_of(const phase::Resampled& first, const phase::Resampled& second)
                               (first.mean.rows() - 1) / 2);
 }
 
-/// Turns the second body about `up`, an axis of the first, onto the first.
+/// Turns the second body about `axis`, the up axis of the first, to face as the first does.
 double turn_second(const phase::Resampled& first, clip::Axis axis, Side& second) {
     const phase::Resampled other = second.cycles(first.mean.rows(), 0);
     const auto up = static_cast<std::int64_t>(axis);
@@ -149,7 +149,7 @@ double turn_second(const phase::Resampled& first, clip::Axis axis, Side& second)
     return turn_to(to, phase::later(mean, best), level, second.signals);
 }
 
-/// Mean distance (root mean square) of the parts from their middle over the mean cycle.
+/// Root mean square distance of the parts from their center, over the mean cycle.
 double size_of(const Matrix& mean) {
     double squares = 0;
     for (std::int64_t s = 0; s < mean.rows(); ++s)
@@ -193,8 +193,7 @@ void warn(const Side& side, const ComparedMotion& motion, Comparison& result) {
     if (motion.cycles < 3)
         result.warnings.push_back(
             motion.cycles == 1
-                ? format_text("{}: only one cycle is complete, so no spread and no interval is "
-                              "known",
+                ? format_text("{}: only one cycle is complete, so spread and intervals are unknown",
                               name)
                 : format_text("{}: only two cycles are complete, so intervals are wide", name));
 }
@@ -202,13 +201,13 @@ void warn(const Side& side, const ComparedMotion& motion, Comparison& result) {
 void warn_of_likeness(Comparison& result) {
     if (!(result.likeness >= least_likeness))
         result.warnings.push_back(format_text(
-            "these seem to be different motions: their mean cycles correlate by {:.2f} at best, "
-            "below {}, so that 0 % need not be the same moment",
+            "these seem to be different motions: their mean cycles have a correlation of at most "
+            "{:.2f}, below {}, so 0 % may not be the same moment in both",
             result.likeness, least_likeness));
     else if (result.runner_up > result.likeness - doubtful)
         result.warnings.push_back(format_text(
-            "it is not certain that 0 % is the same moment in both: at another shift the mean "
-            "cycles correlate by {:.2f}, against {:.2f}",
+            "it is not certain that 0 % is the same moment in both: at another shift the "
+            "correlation of the mean cycles is {:.2f}, nearly the {:.2f} at this one",
             result.runner_up, result.likeness));
     if (result.size_ratio > most_size_ratio || result.size_ratio < 1 / most_size_ratio)
         result.warnings.push_back(format_text(
@@ -223,9 +222,8 @@ Placement placement(const Phased& first, const CommonColumns& columns) {
     if (!placed.skeleton)
         return placed;
     const auto& joints = first.body.skeleton.joints;
-    std::vector<std::int64_t> part_of(joints.size(),
-                                      -1); // three columns for each joint of the body
-    for (std::size_t c = 0; c < columns.first.size(); ++c)
+    std::vector<std::int64_t> part_of(joints.size(), -1);
+    for (std::size_t c = 0; c < columns.first.size(); ++c) // each joint has three
         part_of[first.body.root + static_cast<std::size_t>(columns.first[c] / 3)] = columns.part[c];
     for (std::size_t j = first.body.root; j < joints.size(); ++j) {
         int parent = joints[j].parent;
@@ -238,7 +236,7 @@ Placement placement(const Phased& first, const CommonColumns& columns) {
     return placed;
 }
 
-/// What is left once the cycles are aligned.
+/// Compares cycles that are aligned.
 Comparison compared(const Side& first, const Side& second, phase::Resampled one,
                     phase::Resampled other, CommonColumns columns, bool sides) {
     Comparison result;

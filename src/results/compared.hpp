@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The cycles of two motions laid on each other by phase.
+// The cycles of two motions, aligned by phase.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ namespace stltsa::results {
 struct ComparedMotion {
     ClipFacts clip;
     std::int32_t label = 0;
-    std::int64_t cycles = 0; ///< those compared: within the clip from 0 to 100 %
+    std::int64_t cycles = 0; ///< compared: those that the clip has completely
     Matrix mean, deviation;  ///< samples x columns
 };
 
@@ -33,15 +33,15 @@ struct Comparison {
     std::array<ComparedMotion, 2> motions;
     clip::Features features = clip::Features::raw;
     std::int64_t samples = 0;
-    bool sides = false; ///< of one clip: the second motion is its mirror image
+    bool sides = false; ///< of one clip: the second motion is its mirror image, half a cycle later
     CommonColumns columns;
     Placement placement;   ///< of the first
     phase::Estimate shift; ///< phase of the second at phase 0 of the first; only difference, error
                            ///< and interval
     double likeness = 0;   ///< correlation of the mean cycles once aligned
-    double runner_up = 0;  ///< the same of the next best alignment; NaN: there is no other
+    double runner_up = 0;  ///< the same at the next best shift; NaN: there is none
     double turn = 0;       ///< degrees by which the second was turned about the up axis
-    double size_ratio = 0; ///< size of the second body by that of the first
+    double size_ratio = 0; ///< size of the second body divided by that of the first
     phase::Estimate cycle_time; ///< seconds
     phase::Differences differences;
     std::int64_t judged = 0, significant = 0; ///< lags and amplitudes of parts with an interval
@@ -51,18 +51,18 @@ struct Comparison {
 /// The mean of both cycle times, in seconds.
 double mean_cycle_time(const Comparison& of);
 
-/// How many differences seem significant if there are none.
+/// How many differences would be significant by chance if there were none.
 double expected_by_chance(const Comparison& of);
 
-/// `label`: of a motion in cycles. Empty: of the first clip the motion with the most frames, of the
+/// `label`: of a cyclic motion. Empty: in the first clip the one with the most frames, in the
 /// second the one most like it. Throws Status::no_such_part for a clip without cycles,
-/// Status::argument for a label without, Status::shape if the clips have nothing in common, and
-/// Status::too_few_frames if no cycle is complete.
+/// Status::argument for a label without cycles, Status::shape if the clips have nothing in common,
+/// and Status::too_few_frames if a clip has no complete cycle.
 Comparison compare(const Phased& first, std::optional<std::int32_t> label, const Phased& second,
                    std::optional<std::int32_t> other_label, std::int64_t samples);
 
-/// The left side and, mirrored and half a cycle later, the right one. Throws Status::unsupported if
-/// the sides cannot be compared.
+/// The left side against the right one, mirrored and half a cycle later. Throws Status::unsupported
+/// if the sides cannot be compared.
 Comparison compare_left_right(const clip::Clip& clip, const Phased& phased,
                               std::optional<std::int32_t> label, std::int64_t samples,
                               const clip::PrepareOptions& prepare, const Progress& progress);

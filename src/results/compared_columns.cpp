@@ -16,7 +16,7 @@ struct Part {
     std::int64_t begin = 0, count = 0; ///< columns of the features
 };
 
-/// Columns of one part follow one another. Those of a file's numbers are parts of their own.
+/// The columns of a part follow one another. Each column of plain numbers is a part of its own.
 std::vector<Part> parts_of(const Phased& phased) {
     std::vector<Part> parts;
     const bool single = phased.samples.features == clip::Features::raw;
@@ -50,7 +50,7 @@ std::vector<std::string> axes_of(const Phased& phased) {
 
 using Key = std::pair<std::string, std::size_t>;
 
-/// Parts by their names; those that recur by their order.
+/// Parts by name; parts with the same name by their order.
 std::map<Key, Part> by_name(const std::vector<Part>& parts) {
     std::map<Key, Part> result;
     for (const Part& part : parts) {
@@ -82,7 +82,7 @@ std::string some(const std::vector<Part>& parts) {
     return parts.size() > 3 ? text + ", ..." : text;
 }
 
-/// By how much the axes of the second are exchanged, for the same up axis.
+/// By how many places the axes of the second are rotated, so that both have the same up axis.
 std::int64_t axis_turn(const Phased& first, const Phased& second) {
     const auto up = [](const Phased& of) { return static_cast<std::int64_t>(of.samples.up); };
     return in_space(first) && up(first) > 0 && up(second) > 0 ? (up(second) - up(first) + 3) % 3
@@ -98,8 +98,9 @@ bool in_space(const Phased& phased) {
 
 CommonColumns common_columns(const Phased& first, const Phased& second) {
     if (first.samples.features != second.samples.features || in_space(first) != in_space(second))
-        fail(Status::shape, "the clips have other features: decompose both with the same option "
-                            "features");
+        fail(Status::shape,
+             "the clips have different features: decompose both with the same option "
+             "features");
     const auto parts = parts_of(first), others = parts_of(second);
     const auto of_first = by_name(parts), of_second = by_name(others);
     const auto axes = axes_of(first);
@@ -128,7 +129,7 @@ CommonColumns common_columns(const Phased& first, const Phased& second) {
 CommonColumns side_columns_of(const Phased& phased) {
     const auto axes = axes_of(phased);
     const auto parts = parts_of(phased);
-    std::map<std::int64_t, std::int64_t> right_of; // first columns
+    std::map<std::int64_t, std::int64_t> right_of; // their first columns
     for (const SideColumns& pair : side_columns(phased.owners))
         right_of[static_cast<std::int64_t>(pair.left)] = static_cast<std::int64_t>(pair.right);
     CommonColumns common;

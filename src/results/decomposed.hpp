@@ -21,7 +21,7 @@ struct Decomposed {
     std::vector<std::vector<std::string>> carriers; ///< of each segment, what moves most first
     std::vector<std::string> reasons;               ///< of each segment; empty: it repeats
     std::vector<stltsa_interval> units;
-    std::vector<std::int64_t> postures; ///< for pictures, the most telling first
+    std::vector<std::int64_t> postures; ///< frames for pictures: see telling_postures()
     std::vector<stltsa_interval> cycles;
     std::vector<stltsa_part> cycle_parts;
     std::vector<stltsa_part> steps;

@@ -45,7 +45,7 @@ Image image_of(const clip::Clip& clip, const Phased& phased, clip::PrepareOption
     return {by_frame(prepared.samples, phased.clip.frames, first), prepared.turned};
 }
 
-/// Of points whose heading was removed.
+/// The horizontal columns of points whose heading was removed; otherwise none.
 Level level_of(const clip::Clip& clip, const Phased& phased, bool turned) {
     if (phased.samples.features != clip::Features::points || !turned)
         return {};

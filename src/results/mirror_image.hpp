@@ -6,15 +6,15 @@
 
 namespace stltsa::results {
 
-/// Throws Status::argument unless the frames and features of the clip are those of the phase, as
-/// far as their number and names tell.
+/// Throws Status::argument if the clip is not that of the phase, as far as the number of frames,
+/// the frame rate and the names of the features tell.
 void check_same_clip(const clip::Clip& clip, const Phased& phased);
 
 /// The features, a row for each frame of the file, NaN for those that were dropped.
 Matrix rows_by_frame(const Phased& phased);
 
-/// The same of the mirror image: columns of the left side have what the right side does. Those of
-/// points are turned about the up axis so that the sides differ least over the cycles of the label.
+/// The same for the mirror image: columns of the left side have what the right side does. Points
+/// are turned about the up axis so that the sides differ least over the cycles of the label.
 /// `clip`: that of the phase. `prepare`: as for the decomposition. Throws Status::argument if the
 /// label has no cycles, and Status::unsupported for a clip that has no mirror image.
 Matrix mirror_image(const clip::Clip& clip, const Phased& phased, std::int32_t label,

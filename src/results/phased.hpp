@@ -45,11 +45,12 @@ struct Phased {
 /// Rows around a run that no hole interrupts.
 phase::Range unbroken(const Phased& phased, const phase::Run& run);
 
-/// The motion of a label, in cycles if there is one. Throws Status::argument for a label without.
+/// The motion of a label: the cyclic one if there is one. Throws Status::argument for a label that
+/// has neither cycles nor repetitions.
 const PhasedMotion& motion_of(const Phased& phased, std::int32_t label);
 
-/// Rows at which the turns of a motion pass even phases from `zero` on, a turn for each cycle, of
-/// which the begin is nearest. NaN where its reach ends.
+/// For each cycle, the rows at which the phase passes `samples` evenly spaced values, from the
+/// `zero` that is nearest to its begin to the next one. NaN beyond the reach of its run.
 Matrix turns_of(const PhasedMotion& motion, std::int64_t samples, double zero = 0);
 
 /// "A" for 0.

@@ -10,12 +10,12 @@ namespace stltsa::results {
 namespace {
 
 constexpr std::size_t most_postures = 24;
-/// Rows are tried at a stride that leaves at most about so many.
+/// Of more rows, only every second, third, ... is tried.
 constexpr std::int64_t most_tried = 2000;
-/// Closer than this share of the clip, two postures also count as alike by their time. A picture
-/// shows about a dozen.
+/// Postures that are closer in time than this share of the clip count as more alike than their
+/// poses are. A picture shows about a dozen.
 constexpr double apart = 1.0 / 12;
-/// Weight of being apart in time against the mean difference of two postures.
+/// Weight of the distance in time, relative to the mean difference of two postures.
 constexpr double weight_of_time = 0.7;
 
 class Choice {
@@ -35,7 +35,7 @@ class Choice {
         mean_difference_ = std::sqrt(2 * squares);
     }
 
-    /// Takes the row that differs most from those taken; whether there is another.
+    /// Takes the row that differs most from those taken. Returns whether there was one.
     bool take(std::vector<std::int64_t>& rows) {
         const auto farthest = std::ranges::max_element(nearest_);
         if (!(*farthest > 0))

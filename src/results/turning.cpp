@@ -7,7 +7,7 @@
 namespace stltsa::results {
 namespace {
 
-/// Sums of products of the horizontal coordinates: of the same ones, and of one with the other.
+/// Sums of the dot products and of the cross products of horizontal positions.
 struct Sums {
     double along = 0, across = 0;
 };

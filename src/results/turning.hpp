@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The heading of one body on that of another.
+// Turns one body to the heading of another.
 #pragma once
 
 #include <cstdint>
@@ -13,12 +13,13 @@ struct Level {
     std::int64_t first = 0, second = 0, width = 0; ///< width 0: there are none
 };
 
-/// How like the curves are that `mean` and `to` are, if the one is turned about the up axis.
+/// How well `mean`, turned about the up axis by the best angle, matches `to`: the sum of their
+/// products.
 double likeness_if_turned(const Matrix& to, const Matrix& mean, const Level& level);
 
-/// Turns the signals about the up axis by the angle at which `mean`, their mean curves, are closest
-/// to `to`, the curves of the other body at the same phases. Returns the angle in degrees. NaN is
-/// left out.
+/// Turns the signals about the up axis by the angle that brings `mean`, their mean curves, closest
+/// to `to`, the curves of the other body at the same phases. Returns the angle in degrees. NaN
+/// values are left out.
 double turn_to(const Matrix& to, const Matrix& mean, const Level& level, Matrix& signals);
 
 } // namespace stltsa::results

@@ -10,8 +10,8 @@ static const double turn = 6.283185307179586;
 
 enum { columns = 6, samples = 101 };
 
-/* A motion that repeats once in a period; columns 0 and 3 have the same shape, as 1 and 4, 2 and 5.
- */
+/* A motion that repeats once per period; columns 0 and 3 have the same shape, and so do 1 and 4,
+ * and 2 and 5. */
 struct motion {
     double fps, period, seconds;
     double late;  /* share of the cycle: column 0 comes later, column 3 earlier */
@@ -121,7 +121,7 @@ static void a_motion_does_not_differ_from_itself(void** state) {
     stltsa_comparison_free(same);
 }
 
-/* Other tempo, frame rate and length; each change is found where it is, and nowhere else. */
+/* Different tempo, frame rate and length; each change is found where it is, and nowhere else. */
 static void known_differences_are_found(void** state) {
     (void)state;
     const struct motion second = {60, 1.4, 15, 0.02, 1.25, 2, 0.05, 0};
@@ -150,7 +150,7 @@ static void known_differences_are_found(void** state) {
     stltsa_comparison_free(of);
 }
 
-/* If the second is compared with the first, every difference has the other sign. */
+/* If the second is compared with the first, every difference has the opposite sign. */
 static void differences_change_sign(void** state) {
     (void)state;
     struct motion second = usual;
@@ -268,7 +268,7 @@ static stltsa_phase* phase_of_points(const char* const* names, int64_t count, do
     return phase;
 }
 
-/* Points of other names are left out; another up axis, order and unit do no harm. */
+/* Points with different names are left out; a different up axis, order or unit does no harm. */
 static void common_points_are_compared(void** state) {
     (void)state;
     const char* const names[] = {"a", "b", "c", "d", "e"};

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""stltsa compare: two motions, or left and right, laid on each other by phase."""
+"""stltsa compare: two motions, or left and right, aligned by phase."""
 
 import csv
 import io
@@ -10,7 +10,7 @@ from common import CommandTest, circle, still, walk, write_csv
 
 
 def swings(name, late=0.0, gain=1.0, period=1.0, rate=100):
-    """Two columns that swing once in a period; the amplitude of each cycle is its own."""
+    """Columns that swing once per period; the amplitude differs from cycle to cycle."""
     rows = []
     for i in range(10 * rate):
         turns = i / rate / period
@@ -76,7 +76,7 @@ class Compare(CommandTest):
 
     def test_what_cannot_be_compared(self):
         self.assertIn("no cycles to compare", self.fails(4, "compare", walk(), f"{walk()}:0-100"))
-        self.assertIn("other features", self.fails(1, "compare", walk(), circle(), "--fps", "30"))
+        self.assertIn("different features", self.fails(1, "compare", walk(), circle(), "--fps", "30"))
         self.assertIn("left and right", self.fails(1, "compare", circle(), "--fps", "30"))
         self.fails(4, "compare", still(), "--fps", "30")
         self.assertIn("At Most 1", self.fails(2, "compare", walk(), walk(), walk()))

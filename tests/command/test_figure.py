@@ -38,13 +38,13 @@ def path_points(path):
 
 
 def box_of(text, size=9.5):
-    """The box of a text that is anchored in its middle, not wider than any viewer draws it."""
+    """The box of a text anchored at its middle, no wider than any viewer draws it."""
     x, y, width = float(text.get("x")), float(text.get("y")), 0.5 * size * len(text.text)
     return x - width / 2, y - 0.7 * size, x + width / 2, y
 
 
 def crosses(box, a, b):
-    """Whether the line from a to b passes the box."""
+    """Whether the line from a to b crosses the box."""
     steps = 1 + int(max(abs(a[0] - b[0]), abs(a[1] - b[1])))
     for i in range(steps + 1):
         x, y = (p + i / steps * (q - p) for p, q in zip(a, b))
@@ -198,7 +198,7 @@ class Figure(CommandTest):
         for a, b in zip(at, path_points(curves[0])[0]):
             self.assertAlmostEqual(a, b, delta=0.02)
         self.assertIn("start", self.texts(root))
-        # The arrowheads point the way of the representative cycle.
+        # The arrowheads point in the direction of the representative cycle.
         (cycle,) = self.of_class(root, "representative")
         points = path_points(cycle)
         arrows = self.of_class(root, "direction")

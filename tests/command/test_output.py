@@ -115,7 +115,7 @@ class Files(CommandTest):
         self.assertTrue(os.path.exists("/dev/full"))
 
     def test_full_disk_keeps_the_old_file(self):
-        alone = ["unshare", "--mount", "--map-root-user"]  # a disk that only this test sees
+        alone = ["unshare", "--mount", "--map-root-user"]  # a file system that only this test sees
         if subprocess.run([*alone, "true"], capture_output=True, check=False).returncode != 0:
             self.skipTest("no mount namespaces here")
         script = (

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The report: one HTML page whose data are those of the JSON, with hostile names, the same bytes every time."""
+"""The report: one HTML page with the data of the JSON, safe from hostile names, the same bytes every time."""
 
 import base64
 import csv
@@ -15,7 +15,7 @@ HOSTILE = "</script><!--<script>\u2028'\"&\\"
 
 
 def unpacked(of):
-    """Rows of numbers of src/report/packed.hpp."""
+    """Rows of the numbers that src/report/packed.hpp describes."""
     planes, count = zlib.decompress(base64.b64decode(of["data"])), of["rows"] * of["cols"]
     assert len(planes) == 2 * count
     columns = []

@@ -92,7 +92,7 @@ const stltsa_clip* swinging() {
     return clip;
 }
 
-/// Writes a report of a clip that is decomposed already.
+/// Writes a report of a clip that has already been decomposed.
 stltsa_status report(const std::string&) {
     static const stltsa_decomposition* found = [] {
         stltsa_decomposition* made = nullptr;

@@ -328,7 +328,7 @@ void soak(double seconds) {
         passed(), rounds, before.kilobytes, after.kilobytes, before.bytes, after.bytes,
         before.threads, after.threads, before.files, after.files);
     expect(after.kilobytes < before.kilobytes + before.kilobytes / 20 + 1024, "memory grows");
-    // Without a leak, caches of the heap make a difference of up to 30 kB, in any number of rounds.
+    // Without a leak, caches of the heap differ by up to 30 kB, for any number of rounds.
     expect(after.bytes < before.bytes + 128 * 1024, "allocations are not freed");
     expect(after.threads == before.threads && after.files == before.files, "handles stay open");
 }

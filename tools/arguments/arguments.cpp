@@ -342,7 +342,7 @@ class Parser {
         CLI::App& compare = clip_command(Command::compare, "compare", "The first clip.");
         compare
             .add_option("second", to_.pieces,
-                        "The second clip; without it, left and right of the first.")
+                        "The second clip. Without it, left and right of the first are compared.")
             ->expected(0, 1);
         add_output(compare);
         add_report(compare, "the curves of each part, and all differences with their intervals.");
@@ -350,7 +350,8 @@ class Parser {
     void add_report(CLI::App& command, const std::string& content) {
         command
             .add_option("--report", to_.report,
-                        "Write a report as HTML: one page with the moving skeleton, " + content)
+                        "Write a report: one HTML page with the moving skeleton or points, " +
+                            content)
             ->type_name("FILE");
     }
     void add_events() {
@@ -404,7 +405,7 @@ class Parser {
     CLI::App app_;
 };
 
-/// The word as a shell must read it.
+/// The word, quoted for a shell if necessary.
 std::string shell_word(const std::string& word) {
     constexpr std::string_view plain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"
                                        "0123456789_-+=./:,@%";

@@ -132,11 +132,11 @@ Examples:
 constexpr const char* about_compare =
     R"(Compares the cycles of two clips, or left and right of one.
 
-The mean cycles are laid on each other by phase. For each joint, point or
-column that both clips have: how much later in the cycle it moves, how its
-amplitude differs, and how well these differences are known (intervals of
-95 %). A * marks a difference whose interval does not include 0; one in 20
-is marked by chance.
+The mean cycles are aligned by phase. For each joint, point or column that
+both clips have, the answer says how much later in the cycle it moves, how
+its amplitude differs, and how precisely this is known (95 % confidence
+intervals). A * marks a difference whose interval excludes 0; by chance
+alone, about one difference in 20 is marked.
 
 Examples:
   stltsa compare before.bvh after.bvh

@@ -29,10 +29,10 @@ std::optional<double> number_in(std::string_view text) {
 
 struct Place {
     std::optional<double> value; ///< absent: not a number
-    bool seconds;                ///< else frames
+    bool seconds;                ///< otherwise in frames
 };
 
-/// What stands before the first =.
+/// What comes before the first =.
 Place place_of(const std::string& mark) {
     std::string_view place = std::string_view(mark).substr(0, mark.find('='));
     const bool seconds = place.ends_with('s');

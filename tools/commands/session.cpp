@@ -178,7 +178,7 @@ std::string Session::title() const {
     std::string name = is_standard_input(arguments_.input)
                            ? "standard input" + arguments_.input.substr(1)
                            : std::filesystem::path(arguments_.input).filename().string();
-    // Other control characters are replaced where they are shown, but lines are part of tables.
+    // Other control characters are replaced where they are shown, but tables contain line breaks.
     for (std::size_t at = 0; (at = name.find('\n', at)) != std::string::npos;)
         name.replace(at, 1, "\xEF\xBF\xBD"); // U+FFFD
     return name;

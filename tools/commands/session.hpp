@@ -54,7 +54,7 @@ class Session {
     /// The suffix determines the format. The clip, like a model, must live until finish().
     void add_clip(const std::string& path, const stltsa::Clip& clip);
     void add_model(const std::string& path, const stltsa::Model& model);
-    /// A report, which `save` writes under a given name.
+    /// Adds a report, which `save` writes under a given name.
     void add_report(const std::string& path, std::function<void(const std::string&)> save);
     /// The result that finish() writes, as JSON or as a table; only one is called.
     struct Answer {

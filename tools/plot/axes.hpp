@@ -13,15 +13,15 @@ namespace tool::plot {
 inline constexpr double small_font = 9.5;
 inline constexpr double list_font = 10.5;
 
-/// What a time axis is called, whether the rate is known or not.
+/// Title of a time axis: in seconds, or in frames if the rate is unknown.
 std::string_view time_title(double fps);
 
 void draw_frame(Svg& svg, const Rect& frame);
-/// Ticks below the frame; an empty title also leaves out their labels.
+/// Ticks below the frame, with labels unless the title is empty.
 void draw_x_axis(Svg& svg, const Rect& frame, const Scale& scale, int most, std::string_view title);
-/// Ticks at the left of the frame; the title, if there is one, stands beside the scale's middle.
+/// Ticks at the left of the frame, and the title, if any, beside the middle of the scale.
 void draw_y_axis(Svg& svg, const Rect& frame, const Scale& scale, int most, std::string_view title);
-/// Text that reads upward, with its middle at a point.
+/// Text that reads upward, centered at a point.
 void draw_upward(Svg& svg, Point middle, std::string_view text);
 
 } // namespace tool::plot

@@ -38,8 +38,8 @@ Point curve_point(const Figure& figure, const Layout& layout, std::int64_t sampl
             layout.value(figure.curve[static_cast<std::size_t>(sample)])};
 }
 
-/// The point of the curve at a frame, interpolated between samples; where there is none, a point of
-/// the line that says so.
+/// The point of the curve at a frame, interpolated between samples; where there is no curve, a
+/// point on the dotted line.
 Point curve_at(const Figure& figure, const Layout& layout, std::int64_t frame) {
     const double at = static_cast<double>(frame - figure.first) / static_cast<double>(figure.step);
     const auto last = static_cast<std::int64_t>(figure.curve.size()) - 1;
@@ -98,7 +98,7 @@ double envelope_part(const Figure& figure, const Layout& layout) {
     return std::max(least, layout.time(mean) - layout.time(0));
 }
 
-/// From the lowest to the highest value in each of `parts` equal parts of the points.
+/// The outline from the lowest to the highest value in each of `parts` equal parts of the points.
 std::vector<Point> envelope_of(const std::vector<Point>& points, std::size_t parts) {
     std::vector<Point> lows, outline;
     for (std::size_t part = 0; part < parts; ++part) {
@@ -139,7 +139,7 @@ void draw_curve(Svg& svg, const Figure& figure, const Layout& layout) {
     svg.close("g");
 }
 
-/// A faint dotted line where there is no curve.
+/// Draws a faint dotted line where there is no curve.
 void draw_gaps(Svg& svg, const Figure& figure, const Layout& layout) {
     const auto x_of = [&](std::int64_t sample) {
         return layout.time(static_cast<double>(figure.frame_of(sample)));

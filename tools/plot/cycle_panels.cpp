@@ -14,7 +14,7 @@ namespace {
 const char* const cycle_color = unit_colors(STLTSA_UNIT_CYCLIC).line;
 constexpr double air = 8; // between the frame and what it shows
 
-/// Of many cycles this many lines are drawn, evenly chosen.
+/// Of more cycles, this many are drawn, evenly spaced.
 constexpr std::int64_t most_lines = 60;
 
 std::vector<Point> line_of(const stltsa::Matrix& values, const Scale& x, const Scale& y) {
@@ -67,9 +67,8 @@ void draw_overlay(Svg& svg, const Figure& figure, const Rect& area) {
     const Scale x{0, last, area.x, area.right()};
     const Scale y{range.low, range.high, area.bottom() - air, area.y + air};
     draw_heading(svg, area,
-                 lines < all.count()
-                     ? fmt::format("{} of {} cycles, one over the other", lines, all.count())
-                     : fmt::format("{} cycles, one over the other", lines));
+                 lines < all.count() ? fmt::format("{} of {} cycles, overlaid", lines, all.count())
+                                     : fmt::format("{} cycles, overlaid", lines));
     svg.open("g", {{"fill", "none"},
                    {"stroke", cycle_color},
                    {"stroke-width", many_line},

@@ -33,8 +33,8 @@ const char* const curve_color = unit_colors(STLTSA_UNIT_CYCLIC).line;
 constexpr double band_opacity = 0.22;
 const char* const moved_color = unit_colors(STLTSA_UNIT_FINAL).line;
 
-/// Points of one coordinate and their curve: before or after denoising, or the distance of the
-/// points from the curve, which is a level line then.
+/// Points of one coordinate and the fitted curve, before or after denoising; or the residuals,
+/// whose curve is the zero line.
 struct Panel {
     const DenoiseFigure& figure;
     std::int64_t column;
@@ -187,7 +187,8 @@ stltsa::Matrix residuals_of(const DenoiseFigure& figure) {
     return residuals;
 }
 
-/// One coordinate before and after, with one range so that they can be compared, and the residuals.
+/// One coordinate before and after, on the same scale so that they can be compared, and the
+/// residuals.
 double draw_column(Svg& svg, const DenoiseFigure& figure, std::int64_t c, double y) {
     const stltsa::Matrix residuals = residuals_of(figure);
     const stltsa::Matrix level(residuals.rows, residuals.cols);
@@ -208,7 +209,7 @@ double draw_column(Svg& svg, const DenoiseFigure& figure, std::int64_t c, double
     draw_panel(svg, panel_of(figure, c, figure.after, figure.curve, common, place(panel_height)),
                named("after denoising"), false);
     draw_panel(svg, panel_of(figure, c, residuals, level, apart, place(residual_height)),
-               named("residuals: before denoising, less the fitted curve"), true);
+               named("residuals: before denoising, minus the fitted curve"), true);
     return y + axis_height;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The figure of a clip: the curve over time with units, cycles and postures (Fig. 3 of the paper),
-// the loop of two coordinates with frame numbers (Fig. 1), and cycle times; of many cycles, also
-// these on 0 to 100 % and the representative one. docs/figures.md describes how it is drawn.
+// the loop of two coordinates with frame numbers (Fig. 1), and cycle times; if there are many
+// cycles, also these on 0 to 100 % and the representative one. docs/figures.md describes the style.
 #pragma once
 
 #include <cstdint>
@@ -33,18 +33,18 @@ struct Figure {
     std::vector<stltsa::Interval> cycles;
     std::int64_t representative = -1; ///< index into cycles
     std::int64_t enlarged = -1; ///< the representative cycle or, if it has no curve, another one
-    /// The curve on 0 to 100 % of the cycles in the segment of the enlarged one.
+    /// The curve of the cycles in the segment of the enlarged one, on 0 to 100 %.
     std::optional<stltsa::Cycles> overlaid;
-    std::string cycle_times; ///< mean and spread in words; empty: several motions
+    std::string cycle_times; ///< mean and standard deviation in words; empty: several motions
     std::optional<SideView> bodies;
-    std::vector<std::int64_t> postures; ///< frames, the most telling first
+    std::vector<std::int64_t> postures; ///< frames; the first n are the choice of n postures
 
     std::int64_t frame_of(std::int64_t sample) const { return first + sample * step; }
     /// Seconds, or frames if the rate is unknown.
     double time_of(double frame) const { return fps > 0 ? frame / fps : frame; }
-    /// Whether single cycles are too many to be drawn one beside the other.
+    /// Whether there are too many cycles to draw them side by side.
     bool dense() const;
-    /// Whether more than one behavior is seen.
+    /// Whether there is more than one behavior.
     bool several() const;
     /// The unit of a frame, as STLTSA_UNIT_*; 0: none.
     std::int32_t unit_at(std::int64_t frame) const;

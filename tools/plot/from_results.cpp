@@ -59,8 +59,8 @@ std::string embedding_text(const stltsa::Info& info) {
                        info.real(STLTSA_INFO_LAG_QUALITY), info.real(STLTSA_INFO_CYCLICITY));
 }
 
-/// Sets samples to NaN where all that is drawn is exactly zero, because nothing was fitted there; a
-/// loop of which nothing is left is removed.
+/// Sets samples to NaN where curve and loop are exactly zero, because nothing was fitted there;
+/// removes a loop of which nothing is left.
 void leave_out_unfitted(plot::Figure& figure) {
     std::int64_t left = 0;
     for (std::int64_t i = 0; i < figure.loop.rows; ++i) {
@@ -90,7 +90,7 @@ std::int64_t enlarged_cycle(const plot::Figure& figure) {
     return found == figure.cycles.end() ? -1 : found - figure.cycles.begin();
 }
 
-/// The curve on 0 to 100 % of each cycle in the segment of the enlarged one.
+/// The curve of each cycle in the segment of the enlarged one, on 0 to 100 %.
 std::optional<stltsa::Cycles> overlaid_cycles(const plot::Figure& figure) {
     if (figure.enlarged < 0)
         return std::nullopt;
@@ -113,7 +113,7 @@ std::optional<stltsa::Cycles> overlaid_cycles(const plot::Figure& figure) {
     return stltsa::cycles_between(borders, curve, percent);
 }
 
-/// Mean and spread, if all cycles are of one motion.
+/// Mean and standard deviation, if all cycles are of one motion.
 std::string cycle_times_of(const stltsa::Decomposition& result) {
     if (result.summary_count() != 1)
         return "";
@@ -219,7 +219,7 @@ std::string decomposition_figure(const Session& session,
     if (figure.dense()) {
         figure.enlarged = enlarged_cycle(figure);
         figure.overlaid = overlaid_cycles(figure);
-        figure.facts.emplace_back("band of the curve: lowest to highest value of each cycle");
+        figure.facts.emplace_back("band of the curve: range of each cycle");
     }
     return plot::figure_svg(figure);
 }

@@ -92,7 +92,7 @@ double draw_rows(Svg& svg, const Figure& figure, const Rect& area) {
     return y + line_height + 8;
 }
 
-/// The colors of the kinds of units, each once, in lines.
+/// The colors of the kinds of units, each kind once, in rows.
 double draw_kinds(Svg& svg, const Figure& figure, const Rect& area, double y) {
     double x = area.x;
     for (const Row& row : unit_rows(figure)) {

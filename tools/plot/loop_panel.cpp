@@ -86,7 +86,7 @@ void draw_representative(Svg& svg, const std::vector<Point>& part) {
                      {"stroke-opacity", 0.45}});
 }
 
-/// Arrowheads along the path, which point the way that it goes. Returns their boxes.
+/// Draws arrowheads along the path, in its direction. Returns their boxes.
 std::vector<Rect> draw_arrows(Svg& svg, const std::vector<Point>& path) {
     constexpr int arrows = 3;
     constexpr double size = 4.5;
@@ -282,7 +282,7 @@ double draw_loop_panel(Svg& svg, const Figure& figure, const Rect& area) {
     if (figure.cycles.size() > 1)
         for (const std::string& line : lines_of(
                  "The curve drifts slowly, so even equal cycles lie side by side: the width of "
-                 "the loop is drift as well as difference.",
+                 "the loop shows drift as well as difference.",
                  font, area.width))
             svg.text({area.x, y += 12}, Anchor::start, line,
                      {{"class", "caption"}, {"font-size", font}, {"fill", faint_ink}});

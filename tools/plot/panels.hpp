@@ -17,7 +17,7 @@ struct Range {
     double high = -HUGE_VAL;
 
     void add(double value); ///< NaN is left out
-    Range wide() const;     ///< as above; of nothing, -1 to 1
+    Range wide() const;     ///< widened if low and high are equal; -1 to 1 if nothing was added
 };
 
 /// Samples [begin, end) that one line of one color connects. A line ends at the sample where the
@@ -31,13 +31,13 @@ struct Stretch {
 std::vector<Stretch> stretches(const Figure& figure);
 
 void draw_curve_panel(Svg& svg, const Figure& figure, const Rect& area);
-/// Returns the y below the panel and what is written there.
+/// Returns the y below the panel and its caption.
 double draw_loop_panel(Svg& svg, const Figure& figure, const Rect& area);
 /// Units or segments, and facts. Returns the y below them.
 double draw_key(Svg& svg, const Figure& figure, const Rect& area);
 /// The curve of all cycles on 0 to 100 %, with mean and standard deviation.
 void draw_overlay(Svg& svg, const Figure& figure, const Rect& area);
-/// The curve of the enlarged cycle and of one cycle on each side.
+/// The curve of the enlarged cycle and of its two neighbors.
 void draw_zoom(Svg& svg, const Figure& figure, const Rect& area);
 /// The length of each cycle.
 void draw_cycle_times(Svg& svg, const Figure& figure, const Rect& area);

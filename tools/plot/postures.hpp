@@ -11,7 +11,7 @@ namespace tool::plot {
 
 struct Posture {
     std::int64_t frame = 0;
-    double x = 0; ///< its middle
+    double x = 0; ///< of its middle
     bool above = true;
 };
 
@@ -20,8 +20,8 @@ struct PosturePlan {
     double scale = 1;              ///< figure units per file unit
 };
 
-/// As many of the figure's postures as fit, alternately above and below the curve, each as near to
-/// its time as its neighbors allow, and at most `height` tall.
+/// Places as many of the figure's postures as fit, alternately above and below the curve, each as
+/// near to its time as its neighbors allow and at most `height` tall.
 PosturePlan plan_postures(const Figure& figure, const Rect& frame, double height);
 
 } // namespace tool::plot

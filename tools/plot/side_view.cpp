@@ -155,7 +155,7 @@ void SideView::find_bones() {
     }
 }
 
-/// The bone from the head to its end; if it has none, the bone to the head.
+/// The bone from the head joint to its child; if it has none, the bone to the head joint.
 void SideView::find_head() {
     const auto is_head = [&](std::size_t joint) {
         return lower(bodies_.joints[joint].name).find("head") != std::string::npos;

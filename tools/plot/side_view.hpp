@@ -35,7 +35,7 @@ struct Bone {
     Depth depth = Depth::middle;
 };
 
-/// A disk around the middle of a bone that ends in a joint named after the head, or begins there.
+/// A disk around the middle of a bone that begins or ends at a joint with "head" in its name.
 struct Head {
     std::size_t from = 0;
     std::size_t to = 0;
@@ -49,7 +49,7 @@ class SideView {
     /// One point per joint: x forward of the root, y up from the ground, in the file's unit.
     std::vector<Point> posture(std::int64_t frame) const;
     const std::vector<Bone>& bones() const { return bones_; }
-    /// The head, if a joint has that name.
+    /// The head, if a joint has "head" in its name.
     const std::optional<Head>& head() const { return head_; }
     std::int64_t frames() const { return bodies_.positions.rows; }
 

@@ -39,7 +39,8 @@ Rect posture_box(const SideView& view, std::int64_t frame) {
     const auto [left, right] = std::ranges::minmax_element(points, {}, &Point::x);
     const auto [low, high] = std::ranges::minmax_element(points, {}, &Point::y);
     const double bottom = std::min(0.0, low->y);
-    const double top = high->y + (view.head() ? view.head()->radius : 0); // the head may stand out
+    // The head may reach higher than the joints.
+    const double top = high->y + (view.head() ? view.head()->radius : 0);
     return {left->x, bottom, right->x - left->x, top - bottom};
 }
 

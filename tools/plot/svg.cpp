@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::string_view replacement = "\xEF\xBF\xBD"; // U+FFFD in UTF-8
 
-/// Control characters of ASCII and Latin-1, of which XML 1.0 forbids most and none can be seen, and
-/// U+FFFE and U+FFFF, which it forbids as well.
+/// Control characters of ASCII and Latin-1, which are invisible and mostly forbidden in XML 1.0,
+/// and U+FFFE and U+FFFF, which it forbids as well.
 bool is_control(std::string_view character) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(character[i]); };
     if (character.size() == 1)

@@ -14,7 +14,7 @@
 namespace tool {
 namespace {
 
-/// The number of parts in the table; JSON and CSV have all.
+/// The largest number of parts in the table; JSON and CSV have all.
 constexpr std::size_t most_rows = 16;
 
 constexpr const char* unknown = "-";
@@ -73,8 +73,8 @@ std::string parts_table(const stltsa::Comparison& comparison) {
     }
     const std::size_t more = rows.size() - std::min(rows.size(), most_rows);
     return table.text() + (more == 0 ? ""
-                                     : fmt::format("  ... and {} more with smaller rms; all are in "
-                                                   "the JSON (--json) and the CSV (-o FILE.csv)\n",
+                                     : fmt::format("  ... and {} more with smaller rms; --json and "
+                                                   "-o FILE.csv have all\n",
                                                    more));
 }
 
@@ -166,7 +166,7 @@ std::string comparison_report(const stltsa::Comparison& comparison, const std::s
     facts.add("alignment", alignment_text(cycles));
     facts.add("significant",
               fmt::format("{} of {} differences in timing and amplitude (*); about {:.0f} would be "
-                          "by chance alone",
+                          "significant by chance alone",
                           cycles.significant, cycles.judged,
                           0.05 * static_cast<double>(cycles.judged)));
     add_left_out(facts, "first only", comparison.left_out(0));

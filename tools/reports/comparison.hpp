@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What differs between the cycles of two motions.
+// The differences between the cycles of two motions, as text and as CSV.
 #pragma once
 
 #include <string>
@@ -8,11 +8,11 @@
 
 namespace tool {
 
-/// `first`, `second`: what the clips are called.
+/// `first`, `second`: names of the clips.
 std::string comparison_report(const stltsa::Comparison& comparison, const std::string& first,
                               const std::string& second);
 
-/// A row for each part and each of its channels.
+/// A row for each part, followed by a row for each of its channels.
 std::string comparison_csv(const stltsa::Comparison& comparison);
 
 } // namespace tool

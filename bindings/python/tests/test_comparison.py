@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Two motions, or left and right, laid on each other by phase."""
+"""Two motions, or left and right, aligned by phase."""
 
 import json
 import pickle

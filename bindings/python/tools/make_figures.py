@@ -4,7 +4,7 @@
 
 Usage: make_figures.py OUTPUT DATA CLIPS
 
-CLIPS: the folder of walk.bvh and noisy.bvh.
+CLIPS: the folder that contains walk.bvh and noisy.bvh.
 """
 
 import pathlib

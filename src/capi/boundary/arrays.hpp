@@ -41,7 +41,7 @@ void write_integers(const stltsa_out* out, const char* name, std::span<const std
 /// The rows of each clip; NULL: one clip of all rows.
 std::vector<std::int64_t> clip_lengths(const stltsa_in* lengths, std::int64_t rows);
 
-/// Throws Status::argument unless `samples`, the number per cycle, is within the limits.
+/// Throws Status::argument unless `samples`, the number of samples per cycle, is within the limits.
 void check_samples(std::int64_t samples, std::int64_t least = 2, std::int64_t most = 1'000'000);
 
 } // namespace stltsa::capi

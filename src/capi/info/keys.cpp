@@ -87,7 +87,7 @@ constexpr stltsa_info_key rows[] = {
     whole(STLTSA_INFO_LOCAL_PCA, "local_pca", "Intrinsic dimension by local PCA; 0: cannot tell."),
     whole(STLTSA_INFO_EIGENGAP, "eigengap", "Intrinsic dimension by the eigengap; 0: cannot tell."),
     whole(STLTSA_INFO_POSTURES, "postures",
-          "Frames of postures that differ, for a picture: any first part of the list is a choice."),
+          "Frames of up to 24 distinct postures, for pictures; to draw n, take the first n."),
     text(STLTSA_INFO_LOCAL_PCA_REASON, "local_pca_reason",
          "Why local PCA cannot tell; empty if it can."),
     text(STLTSA_INFO_EIGENGAP_REASON, "eigengap_reason",

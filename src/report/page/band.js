@@ -6,7 +6,7 @@ const rowsOf = () => {
   if (found.cycles.length || found.repetitions.length) { rows.push({ name: found.cycles.length ? found.repetitions.length ? "Cycles, reps" : "Cycles" : "Repetitions", y, h: 20 }); y += 26; }
   rows.push({ name: "Events", y, h: 16 }); y += 22;
   if (curved.length) { rows.push({ name: "Curve", y, h: 74 }); y += 80; }
-  if (found.cycles.length) { rows.push({ name: "Off the mean", y, h: 38 }); y += 44; }
+  if (found.cycles.length) { rows.push({ name: "Distance", y, h: 38 }); y += 44; }
   rows.push({ name: "", y: y + 4, h: 26 });
   return rows;
 };
@@ -92,7 +92,7 @@ function makeBand() {
         pen.clip(left, r.y, right - left, r.h, () => { for (const s of curved) drawSeries(pen, curve, 0, data.curve, Math.max(a, s.begin), Math.min(b, s.end - data.curve.step), x, y, { stroke: colors.accent, width: 1.6 }); });
       }
       if (found.cycles.length) {
-        const r = row("Off the mean"), y = v => r.y + r.h - Math.min(1, v / residualTop) * (r.h - 4);
+        const r = row("Distance"), y = v => r.y + r.h - Math.min(1, v / residualTop) * (r.h - 4);
         pen.line([left, r.y + r.h, right, r.y + r.h], { stroke: colors.line });
         pen.clip(left, r.y, right - left, r.h, () => drawSeries(pen, data.phase.values, 1, { first: 0, step: data.phase.step }, a, b, x, y, { stroke: colors.soft, width: 1.2 }));
       }
@@ -119,13 +119,13 @@ function makeBand() {
 function bandText(x, y, w) {
   const frame = bandFrame(x, w), at = list => list[containing(list, frame)];
   const span = part => `${time(first(part))} to ${time(last(part))}, ${number((part.end_s - part.begin_s), 3)} s`;
-  const sure = part => part.confidence === null || part.confidence === undefined ? "" : `\nsure to ${percent(part.confidence, 0)}`;
-  if (y >= 26 && y < 62) { const s = at(found.segments); return s && `${segmentText(s)}\n${span(s)}${sure(s)}${s.period_s ? `\none cycle in ${number(s.period_s)} s` : ""}${s.reason && s.kind !== "rest" ? "\n" + s.reason : ""}${s.carried_by.length ? "\nmoves: " + s.carried_by.slice(0, 5).join(", ") : ""}`; }
+  const sure = part => part.confidence === null || part.confidence === undefined ? "" : `\nconfidence ${percent(part.confidence, 0)}`;
+  if (y >= 26 && y < 62) { const s = at(found.segments); return s && `${segmentText(s)}\n${span(s)}${sure(s)}${s.period_s ? `\ncycle time ${number(s.period_s)} s` : ""}${s.reason && s.kind !== "rest" ? "\n" + s.reason : ""}${s.carried_by.length ? "\nmoves: " + s.carried_by.slice(0, 5).join(", ") : ""}`; }
   if (y >= 64 && y < 86) { const u = at(found.units); return u && `${u.kind}\n${span(u)}`; }
   const parts = bandRows[2];
   if (y >= parts.y && y < parts.y + parts.h && parts.name !== "Events") {
     const c = containing(found.cycles, frame), r = containing(found.repetitions, frame), part = c >= 0 ? found.cycles[c] : found.repetitions[r];
-    return part && `${cycleText(frame)}\n${span(part)}${part.likeness === null ? "" : `\n${percent(part.likeness, 0)} like the mean`}${sure(part)}${part.travel ? `\nspeed ${number(part.travel.speed)}, way ${number(part.travel.way)}` : ""}`;
+    return part && `${cycleText(frame)}\n${span(part)}${part.likeness === null ? "" : `\nlikeness ${percent(part.likeness, 0)}`}${sure(part)}${part.travel ? `\nspeed ${number(part.travel.speed)}, path ${number(part.travel.way)}` : ""}`;
   }
   return "";
 }

@@ -4,7 +4,7 @@ let found = null; // stltsa-comparison/1
 const state = { phase: 0, playing: false, speed: 1, part: 0, apart: false };
 const sided = () => found.kind === "left_right";
 const which = ["first", "second"];
-const fileName = path => (path || "from memory").split("/").pop();
+const fileName = path => (path || "clip from memory").split("/").pop();
 const stem = () => fileStem(found.first.path, "motion") + (sided() ? "-sides" : "-" + fileStem(found.second.path, "motion"));
 const shortNames = () => sided() ? ["left", "right, mirrored"] : which.map(w => `${w}: ${fileName(found[w].path)}`);
 const colorOf = w => w === 0 ? colors.left : colors.right;
@@ -79,7 +79,7 @@ function makeViewer() {
   const apart = element("button", { type: "button", "aria-pressed": "false", onclick: () => { state.apart = !state.apart; apart.setAttribute("aria-pressed", String(state.apart)); show(1); } }, "Apart");
   const panel = new Panel("viewer", {
     title: "Mean cycles", tools: [apart, ...viewTools()], height: w => printing ? 300 : Math.min(470, w * (w < 500 ? 0.9 : 0.8)),
-    label: "The mean postures of both motions at one phase, the second one dashed. Drag to turn them, arrow keys turn them too; click a joint to see its curves.",
+    label: "The mean postures of both motions at one phase, the second one dashed. Drag them or press the arrow keys to turn them; click a joint to see its curves.",
     over(pen, w, h) {
       const scale = 0.43 * Math.min(h, state.apart ? w : 1.4 * w) / body.size * camera.zoom, target = [0, body.height, 0], width = Math.max(2, Math.min(4.5, h / 105 * camera.zoom));
       shownFlat = [];
@@ -246,9 +246,9 @@ function makeDetails() {
   if (sided()) list.push(["Alignment", "the right side mirrored, half a cycle later"]);
   else list.push(["Alignment", `second shifted by ${share(a.shift)} of the cycle${isKnown(a.low) ? ` (95 %: ${between(a.low, a.high, share)})` : ""}`], ["Correlation", `${number(a.likeness)}${isKnown(a.runner_up) ? `; at the next best shift ${number(a.runner_up)}` : ""}`], ["Turned by", number(a.turn_deg) + "°"]);
   if (isKnown(found.size_ratio) && !sided()) list.push(["Size of the second body", `${number(found.size_ratio)} of the first`]);
-  list.push(...(sided() ? ["first"] : which).map(w => [sided() ? "File" : w === "first" ? "First file" : "Second file", `${found[w].path || "from memory"} (${plural(found[w].frames, "frame")}, ${number(found[w].fps, 5)} a second)`]), ["Library", "libstltsa " + found.library]);
+  list.push(...(sided() ? ["first"] : which).map(w => [sided() ? "File" : w === "first" ? "First file" : "Second file", `${found[w].path || "none (from memory)"} (${plural(found[w].frames, "frame")}, ${number(found[w].fps, 5)} per second)`]), ["Library", "libstltsa " + found.library]);
   byId("details").append(element("dl", {}, ...list.flatMap(([term, value]) => [element("dt", {}, term), element("dd", {}, String(value))])));
-  if (data.command) byId("details").append(element("p", { class: "facts" }, "What repeats this page:"), commandBox(data.command));
+  if (data.command) byId("details").append(element("p", { class: "facts" }, "To make this page again:"), commandBox(data.command));
 }
 
 function csv() {

@@ -1,4 +1,4 @@
-// The loop, the cycles laid on each other, and postures side by side.
+// The loop, the overlaid cycles, and postures side by side.
 const motionShown = () => motions[state.label];
 const hereInMotion = () => { const s = found.segments[containing(found.segments, state.frame)]; return Boolean(motionShown() && s && s.label === letters(motionShown().label)); };
 const looped = () => found.segments.filter(s => s.kind === "cyclic" && hasCurve(s));
@@ -16,7 +16,7 @@ function smooth(points, parts) {
   return result;
 }
 
-// The stretch whose loop is shown: the one at the cursor, else the longest of the motion that is chosen.
+// The segment whose loop is shown: the one at the cursor, or else the longest of the selected motion.
 function loopSegment() {
   const cyclic = looped();
   const here = cyclic.find(s => state.frame >= s.begin && state.frame < s.end);
@@ -29,7 +29,7 @@ function makeLoop() {
   let drawn = null, project = null;
   if (!looped().length) { document.querySelector(".view .two").style.gridTemplateColumns = "minmax(0, 1fr)"; byId("loop").remove(); return; }
   const panel = new Panel("loop", {
-    title: "Loop", height: w => printing ? 315 : Math.min(470, innerWidth < 760 ? w * 0.7 : Math.max(w, byId("viewer").firstChild.clientHeight - 37)), label: "The motion as a loop: each turn is one cycle. Click it to move in time.",
+    title: "Loop", height: w => printing ? 315 : Math.min(470, innerWidth < 760 ? w * 0.7 : Math.max(w, byId("viewer").firstChild.clientHeight - 37)), label: "The motion as a loop: each turn is one cycle. Click it to go to that time.",
     base(pen, w, h) {
       const s = loopSegment();
       drawn = s;
@@ -52,7 +52,7 @@ function makeLoop() {
         const at = rows[0] + Math.min(rows.length - 2, Math.max(1, (s.period_s || 1) * fps / step * 0.25)), p = project(at), q = project(at + 0.6), angle = Math.atan2(q[1] - p[1], q[0] - p[0]);
         pen.line([...[2.6, 0, -2.6].flatMap(turn => [p[0] + (turn ? 11 : 0) * Math.cos(angle + turn), p[1] + (turn ? 11 : 0) * Math.sin(angle + turn)])], { stroke: colors.ink, width: 2 });
       }
-      if (w > 300) pen.text(14, h - 14, "○ begin   › direction", { color: colors.soft });
+      if (w > 300) pen.text(14, h - 14, "○ start   › direction", { color: colors.soft });
       pen.text(w - 14, h - 14, `${s.label} from ${time(s.begin)} · ${plural(s.count, "turn")}`, { color: colors.soft, align: "right" });
     },
     over(pen, w, h) {
@@ -75,7 +75,7 @@ function makeLoop() {
 
 const setShown = () => { const motion = motionShown(); return motion && motion.sets[Math.min(state.set, motion.sets.length - 1)]; };
 const columnsOf = (set, part) => set.columns.map((column, index) => ({ ...column, index })).filter(column => column.part === part);
-// The part whose curves are shown: the one that was chosen, if it has any, else what moves most.
+// The part whose curves are shown: the selected one if it has any, or else the one that moves most.
 function partShown() {
   const set = setShown();
   if (!set) return -1;
@@ -107,7 +107,7 @@ function sidesCurves(column) {
   return index < 0 ? null : { index, pair: sides.pairs[index], left: sides.left_curves, right: sides.right_curves };
 }
 
-// The curve begins at another phase; what came before follows at its end.
+// The curve from another phase on; what came before that phase follows at the end.
 function rotated(values, phase) {
   if (!phase) return values;
   const n = values.length - 1, result = [];
@@ -139,7 +139,7 @@ function layOut(w) {
 function makeCycles() {
   if (!motions.some(motion => motion.sets.length)) { byId("s-cycles").hidden = true; return; }
   const panel = new Panel("cycles", {
-    title: "Cycles", height: w => { const l = layOut(w); return 36 + l.lines * (l.height + l.space); }, label: "Curves of all cycles on 0 to 100 percent, with mean and standard deviation. Click to move to this phase.",
+    title: "Cycles", height: w => { const l = layOut(w); return 36 + l.lines * (l.height + l.space); }, label: "Curves of all cycles on 0 to 100 percent, with mean and standard deviation. Click to go to that phase.",
     base(pen, w, h) {
       const set = setShown(), l = layOut(w);
       plotBoxes = [];
@@ -181,12 +181,12 @@ function makeCycles() {
     const set = setShown(), motion = motionShown(), count = motion ? partsOf(motion).length : 0, word = motion && motion.cyclic ? "cycle" : "repetition";
     panel.title(`${plural(count, word)} of ${motion ? letters(motion.label) : ""}`, set ? "0 to 100 % of a " + word : "");
     byId("cycles-hint").textContent = !set ? "" : `Thick: mean of ${plural(count, word)}; shaded: one standard deviation; thin: ${set.shown.length < count ? set.shown.length + " of them" : "each"}. ` +
-      (set.name === "position" ? "Positions are relative to the body, in the unit of the file, with the heading removed. " : set.name === "angle" ? "Angles of the file, in degrees. " : "") +
-      (motion.sides && motion.sides.pairs.length && set.name !== "angle" ? "Where both sides are drawn together, the right one is mirrored and moved by half a cycle, so that a symmetric motion gives one curve. " : "") + (moves ? "Click a curve to see its posture." : "Click a curve to go to this phase.");
+      (set.name === "position" ? "Positions are relative to the body, without its heading, in the unit of the file. " : set.name === "angle" ? "Joint angles as in the file, in degrees. " : "") +
+      (motion.sides && motion.sides.pairs.length && set.name !== "angle" ? "Where both sides are drawn together, the right one is mirrored and shifted by half a cycle, so the curves of a symmetric motion coincide. " : "") + (moves ? "Click a curve to see the posture at that phase." : "Click a curve to go to that phase.");
   });
 }
 const canvasBox = (canvas, event) => { const box = canvas.getBoundingClientRect(); return [event.clientX - box.left, event.clientY - box.top]; };
-// Moves to this phase of the cycle at the cursor, else of the first one.
+// Goes to this phase of the cycle at the cursor, or else of the first one that has it.
 function goToPhase(phase) {
   const motion = motionShown(), parts = partsOf(motion), at = Math.max(0, containing(parts, state.frame));
   for (const index of [at, ...parts.keys()]) { const frame = frameAt(motion, index, phase); if (!Number.isNaN(frame)) return seek(frame); }
@@ -195,7 +195,7 @@ function goToPhase(phase) {
 let groupBoxes = [];
 function makeGroup() {
   if (!moves || !motions.some(motion => motion.sets.length && partsOf(motion).length > 1)) { byId("s-group").hidden = true; return; }
-  byId("group-hint").textContent = "The same phase of several cycles or repetitions. Play, or move in time, to see them move together; click one to go there.";
+  byId("group-hint").textContent = "Postures of several cycles or repetitions at the same phase. Play the motion, or move in time, to see them move together; click one to go there.";
   const chosen = () => { const parts = motionShown() ? partsOf(motionShown()) : [], most = Math.min(parts.length, 6); return Array.from({ length: most }, (_, i) => Math.floor(i * parts.length / most)); };
   let phase = 0;
   const panel = new Panel("group", {
@@ -210,7 +210,7 @@ function makeGroup() {
         groupBoxes.push({ x, y, w: cell, h: high, frame });
         const on = state.frame >= first(part) && state.frame < last(part);
         if (on) pen.rect(x + 4, y + 4, cell - 8, high - 8, { fill: colors.cursor, alpha: 0.09, radius: 8 });
-        pen.text(x + cell / 2, y + high - 16, `${part.index + 1}${part.likeness === null || part.likeness === undefined ? "" : ` · ${percent(part.likeness, 0)} alike`}`, { color: colors.soft, align: "center", size: 11.5 });
+        pen.text(x + cell / 2, y + high - 16, `${part.index + 1}${part.likeness === null || part.likeness === undefined ? "" : ` · likeness ${percent(part.likeness, 0)}`}`, { color: colors.soft, align: "center", size: 11.5 });
         if (Number.isNaN(frame)) return;
         const points = posture(frame), middle = middleOf(points), scale = Math.min(0.40 * (high - 34), 0.46 * cell) / body.size;
         const project = projection([middle[0], body.space === 2 ? middle[1] : body.height, middle[2]], cell, high - 26, scale, body.size, body.space === 2);

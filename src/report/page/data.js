@@ -53,7 +53,7 @@ function containing(list, frame) {
   return low > 0 && frame < Math.max(last(list[low - 1]), list[low - 1].end) ? low - 1 : -1;
 }
 
-// Phase of a frame of a motion, in [0, 1): as stored for each frame; of a repetition, from its times. NaN elsewhere.
+// Phase of a frame, in [0, 1): in a cycle, the stored one; in a repetition, from its times. NaN elsewhere.
 function phaseAt(frame) {
   const series = data.phase.values, row = frame / data.phase.step;
   const a = series.at(Math.max(0, Math.min(Math.floor(row), series.rows - 1)), 0);
@@ -73,7 +73,7 @@ function phaseAt(frame) {
   return NaN;
 }
 
-// The frame of a cycle or repetition at a phase; NaN if it has none.
+// The frame at which a cycle or repetition has a phase; NaN if there is none.
 function frameAt(motion, index, phase) {
   const part = partsOf(motion)[index];
   if (!motion.cyclic) {
@@ -97,7 +97,7 @@ function frameAt(motion, index, phase) {
   return NaN;
 }
 
-// Whether the curve of a segment moves: some have none.
+// Whether a segment has a curve: where nothing was fitted, the values are constant.
 function hasCurve(segment) {
   if (segment.curved === undefined) {
     const { values, first: from, step } = data.curve, begin = Math.max(0, Math.ceil((segment.begin - from) / step)), end = Math.min(values.rows, Math.ceil((segment.end - from) / step));

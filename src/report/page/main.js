@@ -1,4 +1,4 @@
-// Choices, keys, saving and printing.
+// Selections, keys, saving and printing.
 function choices() {
   const motion = motionShown();
   if (!motion) return;
@@ -44,7 +44,7 @@ function showExport() {
   if (byId("export").dataset.key === stretch + "!") return;
   byId("export").dataset.key = stretch + "!";
   const suffixes = body.kind === "skeleton" ? ["glb", "bvh"] : body.kind === "points" ? ["glb", "csv"] : ["csv"];
-  byId("export").replaceChildren(...(body.kind === "skeleton" ? [element("p", { class: "facts" }, whole ? "The whole clip for other programs (zoom in above to choose a stretch):" : "The stretch that is shown above, for other programs:"), ...suffixes.map(suffix => commandBox(`stltsa synthesize ${clipWord(a, b)}${rateWord()} -o ${shellWord(stem().replace(/\.\w+$/, "") + (stretch ? "-" + stretch : "") + "." + suffix)}`))] : []));
+  byId("export").replaceChildren(...(body.kind === "skeleton" ? [element("p", { class: "facts" }, whole ? "The whole clip for other programs (to choose a part of it, zoom in above):" : "The part of the clip that is shown above, for other programs:"), ...suffixes.map(suffix => commandBox(`stltsa synthesize ${clipWord(a, b)}${rateWord()} -o ${shellWord(stem().replace(/\.\w+$/, "") + (stretch ? "-" + stretch : "") + "." + suffix)}`))] : []));
 }
 
 function control() {
@@ -92,7 +92,7 @@ async function start() {
   makeViewer(); makeBand(); makeLoop(); makeCycles(); makeGroup();
   makeSummary(); makeSides(); makeWarnings(); makeTables(); makeDetails();
   showMarks();
-  byId("mark").hidden = byId("s-events").hidden = !motions.length; // nothing in which to find it again
+  byId("mark").hidden = byId("s-events").hidden = !motions.length; // nothing repeats, so a mark cannot be found again
   control();
   show();
   document.documentElement.dataset.ready = "yes";

@@ -1,4 +1,4 @@
-// A figure: what changes seldom on one canvas, what follows the cursor on another above it.
+// A figure: one canvas for what rarely changes, and another above it for what follows the cursor.
 const panels = [];
 
 class Panel {
@@ -39,7 +39,7 @@ class Panel {
     this.stale = 0;
   }
   whole(pen, w, h) { this.of.base && this.of.base(pen, w, h); this.of.over && this.of.over(pen, w, h); return pen; }
-  // For printing: the same as SVG, which is sharp at any size.
+  // For printing: the figure as SVG, which is sharp at any size.
   print(on) {
     if (this.printed) this.printed.remove();
     this.printed = null;

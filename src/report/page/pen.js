@@ -1,4 +1,4 @@
-// Draws on a canvas, or the same as SVG.
+// Two pens with the same functions: one draws on a canvas, the other writes SVG.
 const colors = {}, hues = {};
 // Okabe and Ito's colors, which color-blind people can tell apart, as in the library's figures; lighter in the dark.
 const palettes = {

@@ -1,7 +1,7 @@
 // Curves on 0 to 100 % of a cycle.
 const axisText = (axis, up) => axis.length === 1 ? axis + (axis === "xyz"[up] ? " (up)" : "") : axis.length === 2 ? "turn about " + axis[1] : axis;
 
-// One plot: mean with spread, single cycles, and the cursor.
+// One plot: means with standard deviation, and single cycles.
 function drawPlot(pen, box, lines, range, { title, color, axis, bottom }) {
   const { x, y, w, h } = box, px = share => x + share * w, py = v => y + h - (v - range[0]) / (range[1] - range[0]) * h;
   pen.rect(x, y, w, h, { fill: colors.paper, radius: 6 });

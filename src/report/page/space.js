@@ -58,6 +58,6 @@ function orbit(canvas, flat, pick) {
 }
 
 const viewTools = () => [
-  element("button", { type: "button", "aria-label": "Seen from the front or the side", title: "Front or side", onclick: () => { camera.yaw += Math.PI / 2; show(1); } }, "↻ 90°"),
+  element("button", { type: "button", "aria-label": "Turn the view by 90 degrees", title: "Turn by 90°", onclick: () => { camera.yaw += Math.PI / 2; show(1); } }, "↻ 90°"),
   element("button", { type: "button", "aria-label": "Larger", onclick: () => { camera.zoom = Math.min(6, camera.zoom * 1.2); show(1); } }, "+"),
   element("button", { type: "button", "aria-label": "Smaller", onclick: () => { camera.zoom = Math.max(0.3, camera.zoom / 1.2); show(1); } }, "−")];

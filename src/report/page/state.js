@@ -1,4 +1,4 @@
-// What the page shows: every panel draws from this, and changes it through these functions.
+// What the page shows: every panel draws from this state, and changes it through these functions.
 const state = { frame: 0, playing: false, speed: 1, view: [0, frames], label: 0, set: 0, part: -1, zero: 0, marks: [] };
 
 function seek(frame) { state.frame = Math.max(0, Math.min(frame, frames - 1)); show(1); }

@@ -5,11 +5,11 @@ const named = label => element("span", {}, swatch(labelHue(numberOf(label))), la
 function leadText() {
   const texts = found.summary.map(s => {
     const cyclic = found.segments.some(x => x.label === s.label && x.kind === "cyclic");
-    return `${s.label}: ${plural(s.count, cyclic ? "cycle" : "repetition")} of ${number(s.cycle_time_s.mean)} s${cyclic ? ` (${number(s.cycles_per_min)} a minute)` : ""}`;
+    return `${s.label}: ${plural(s.count, cyclic ? "cycle" : "repetition")} of ${number(s.cycle_time_s.mean)} s${cyclic ? ` (${number(s.cycles_per_min)} per minute)` : ""}`;
   });
   const moving = found.segments.filter(s => s.kind !== "rest");
-  if (!texts.length) return moving.length ? `Nothing in this recording repeats: ${found.reason || "it is one action"}.` : "The body rests in the whole recording.";
-  return (moving.length > 1 ? `${plural(moving.length, "stretch").replace("stretchs", "stretches")} of motion. ` : "") + texts.slice(0, 5).join("; ") + (texts.length > 5 ? `; and ${texts.length - 5} more` : "") + ".";
+  if (!texts.length) return moving.length ? `Nothing in this recording repeats: ${found.reason || "it is one action"}.` : "The body rests throughout the recording.";
+  return (moving.length > 1 ? `${plural(moving.length, "segment")} of motion. ` : "") + texts.slice(0, 5).join("; ") + (texts.length > 5 ? `; and ${texts.length - 5} more` : "") + ".";
 }
 
 function makeHead() {
@@ -18,7 +18,7 @@ function makeHead() {
   document.title = name + " – motion report";
   byId("lead").textContent = leadText();
   const count = body.parts.length;
-  byId("facts").textContent = [plural(frames, "frame"), clip.fps ? `${number(fps, 5)} frames a second` : null, time(frames), body.kind === "skeleton" ? plural(count, "joint") : body.kind === "points" ? plural(count, "marker") : plural(count, "column")].filter(Boolean).join(" · ");
+  byId("facts").textContent = [plural(frames, "frame"), clip.fps ? `${number(fps, 5)} frames per second` : null, time(frames), body.kind === "skeleton" ? plural(count, "joint") : body.kind === "points" ? plural(count, "marker") : plural(count, "column")].filter(Boolean).join(" · ");
 }
 
 function makeSummary() {
@@ -26,11 +26,11 @@ function makeSummary() {
   if (!found.summary.length) { byId("s-summary").hidden = true; return; }
   place.setAttribute("tabindex", "0"); place.setAttribute("role", "region"); place.setAttribute("aria-label", "Numbers of each motion");
   const of = value => !value ? "–" : value.count > 1 || value.count === undefined && value.sd > 0 ? `${number(value.mean)} ± ${number(value.sd, 2)}` : number(value.mean);
-  const least = 5; // a trend of fewer says nothing
-  const rows = [["Number", s => String(s.count)], ["Cadence, a minute", s => number(s.cycles_per_min)], ["Cycle time, s (mean ± SD)", s => of(s.cycle_time_s)],
-    ["Variation (CV)", s => s.count > 1 ? percent(s.cycle_time_s.cv) : "–"], ["Trend of cycle time, a minute", s => s.count >= least ? signed(percent(s.cycle_time_s.trend)) : "–"],
-    ["Steps a minute", s => number(s.steps_per_min)], ["Speed, units / s", s => of(s.speed)], ["Stride, units", s => of(s.stride)], ["Way of a cycle, units", s => of(s.way)], ["Turn of a cycle, °", s => of(s.turn_deg)],
-    ["Largest left–right difference", s => { const m = motionOf(s.label), pairs = m && m.sides ? m.sides.pairs : []; const p = [...pairs].filter(x => x.rms !== null).sort((a, b) => b.rms - a.rms)[0]; return p ? `${number(p.rms, 2)}${p.chance === null ? "" : ` (chance: ${number(p.chance, 2)})`}` : "–"; }]]
+  const least = 5; // a trend over fewer says nothing
+  const rows = [["Number", s => String(s.count)], ["Cycles per minute", s => number(s.cycles_per_min)], ["Cycle time, s (mean ± SD)", s => of(s.cycle_time_s)],
+    ["Variation (CV)", s => s.count > 1 ? percent(s.cycle_time_s.cv) : "–"], ["Trend of cycle time, per minute", s => s.count >= least ? signed(percent(s.cycle_time_s.trend)) : "–"],
+    ["Steps per minute", s => number(s.steps_per_min)], ["Speed, units / s", s => of(s.speed)], ["Stride length, units", s => of(s.stride)], ["Path length per cycle, units", s => of(s.way)], ["Turn per cycle, °", s => of(s.turn_deg)],
+    ["Largest left–right difference", s => { const m = motionOf(s.label), pairs = m && m.sides ? m.sides.pairs : []; const p = [...pairs].filter(x => x.rms !== null).sort((a, b) => b.rms - a.rms)[0]; return p ? `${number(p.rms, 2)}${p.chance === null ? "" : ` (by chance: ${number(p.chance, 2)})`}` : "–"; }]]
     .map(([head, value]) => [head, ...found.summary.map(value)]).filter(row => row.slice(1).some(cell => cell !== "–"));
   place.append(element("p", { class: "hint" }, "Lengths are in the unit of the file. SD: standard deviation; CV: SD / mean."), table("", ["", ...found.summary.map(s => named(s.label))], rows));
 }
@@ -45,7 +45,7 @@ function makeSides() {
     if (!sides) return;
     if (!sides.pairs.length) return place.replaceChildren(element("p", { class: "facts" }, "Not compared: " + sides.reason));
     const rows = [...sides.pairs].sort((a, b) => (b.rms || 0) - (a.rms || 0)).slice(0, 8);
-    place.replaceChildren(scrolled(table(`Motion ${letters(motionShown().label)}: the largest of ${sides.pairs.length} differences of the left side from the mirrored right side. A difference is more than chance if “difference” is well above “by chance”.`, ["Left – right", "", "Difference (rms)", "By chance", "Mean left − right", "Range left", "Range right", "Right is later by"],
+    place.replaceChildren(scrolled(table(`Motion ${letters(motionShown().label)}: the largest of ${sides.pairs.length} differences between the left side and the mirrored right side half a cycle later. A difference is real if it is well above the value expected by chance.`, ["Left – right", "", "Difference (rms)", "By chance", "Mean left − right", "Range left", "Range right", "Delay of the right"],
       rows.map(p => [`${p.left} – ${p.right}`, p.axis ? axisText(p.axis, body.up) : "", number(p.rms), number(p.chance), signed(number(p.mean)), number(p.left_range), number(p.right_range), signed(percent(p.shift))]), 2), "Left against right"));
   });
 }
@@ -53,10 +53,10 @@ function makeSides() {
 function makeWarnings() {
   const texts = found.warnings.map(w => w.text + (w.begin_s === null ? "" : ` (at ${number(w.begin_s, 4)} s)`));
   texts.push(...data.phase.warnings, ...(clip.notes || []));
-  if (body.step > 1) texts.push(`To keep the file small, this page has every ${body.step}${body.step === 2 ? "nd" : body.step === 3 ? "rd" : "th"} posture (${number(fps / body.step)} a second); between them it is interpolated. All results are of all frames.`);
+  if (body.step > 1) texts.push(`To keep the file small, this page has only every ${body.step}${body.step === 2 ? "nd" : body.step === 3 ? "rd" : "th"} posture (${number(fps / body.step)} per second) and interpolates between them. The results are from all frames.`);
   for (const motion of motions) {
-    if (motion.reason) texts.push(`No curves of ${letters(motion.label)}: ${motion.reason}`);
-    for (const set of motion.sets) if (set.columns.length < set.columns_of_all) texts.push(`Curves are shown of the ${set.columns.length} columns of ${set.columns_of_all} that move most.`);
+    if (motion.reason) texts.push(`No curves for ${letters(motion.label)}: ${motion.reason}`);
+    for (const set of motion.sets) if (set.columns.length < set.columns_of_all) texts.push(`Curves are shown for the ${set.columns.length} of ${set.columns_of_all} columns that move most.`);
   }
   if (found.reason) texts.push("Nothing repeats: " + found.reason);
   for (const s of found.segments) if (s.reason && s.kind === "action" && found.summary.length) texts.push(`${s.label} at ${time(s.begin)}: ${s.reason}`);
@@ -64,7 +64,7 @@ function makeWarnings() {
   if (list.length > printed) byId("warnings").dataset.more = `and ${list.length - printed} more in the file`;
   byId("warnings").append(...list.slice(0, 12).map(text => element("li", {}, text)));
   if (list.length > 12) byId("warnings").after(element("details", {}, element("summary", {}, `${list.length - 12} more`), element("ul", {}, ...list.slice(12).map(text => element("li", {}, text)))));
-  if (!list.length) byId("warnings").append(element("li", {}, "Nothing: no warning was given."));
+  if (!list.length) byId("warnings").append(element("li", {}, "There are no warnings."));
 }
 
 // Rows of a long table are made when it is opened.
@@ -82,10 +82,10 @@ function makeTables() {
   add("Segments", found.segments, ["", "Kind", "From", "Seconds", "Number", "Cycle time, s", "Confidence", "Moves most"], (s, i) => [String(i + 1), s.label ? element("span", {}, named(s.label), " " + s.kind) : s.kind, go(s), length(s), String(s.count), number(s.period_s), percent(s.confidence, 0), s.carried_by.slice(0, 3).join(", ")]);
   add("Units", found.units, ["", "Kind", "From", "Seconds"], (u, i) => [String(i + 1), u.kind, go(u), length(u)]);
   for (const [title, list] of [["Cycles", found.cycles], ["Repetitions", found.repetitions]])
-    add(title, list, ["", "Motion", "From", "Seconds", "Speed", "Way", "Turn, °", "Likeness", "Confidence"], (c, i) => [String(i + 1), named(labelOf(c.segment)), go(c), length(c), ...travel(c), percent(c.likeness, 0), percent(c.confidence, 0)]);
+    add(title, list, ["", "Motion", "From", "Seconds", "Speed", "Path length", "Turn, °", "Likeness", "Confidence"], (c, i) => [String(i + 1), named(labelOf(c.segment)), go(c), length(c), ...travel(c), percent(c.likeness, 0), percent(c.confidence, 0)]);
 }
 
-// The clip may itself be a stretch of its file, which the last note says: "frames [100, 220) of the clip, ...".
+// The clip may itself be a part of its file, which a note says: "frames [100, 220) of the clip, ...".
 const offsets = (clip.notes || []).map(note => note.match(/^frames \[(\d+), (\d+)\) of the clip, counted/)).filter(Boolean);
 function clipWord(begin = 0, end = frames) {
   const offset = offsets.reduce((sum, match) => sum + Number(match[1]), 0), whole = begin <= 0 && end >= frames;
@@ -94,14 +94,14 @@ function clipWord(begin = 0, end = frames) {
 const rateWord = () => ["csv", "npy"].includes(clip.format) && clip.fps ? " --fps " + +fps.toPrecision(9) : "";
 function makeDetails() {
   const p = found.parameters, samples = found.samples, e = found.embedding || {}, intrinsic = found.intrinsic_dimension;
-  const list = [["Features", `${clip.features}, ${plural(samples.feature_count, "column")}`], ["Samples", `${samples.count} at ${number(samples.fps, 4)} a second, smoothed over ${number(samples.smoothing_s)} s`],
-    ["Neighbors", `${p.neighbors}, ${p.mode}, window ${p.window}`], ["Dimension of the tangents", p.dimension], ["Periods looked for", `${number(p.period_min_s)} to ${number(p.period_max_s)} s`],
-    ["Period", found.period_s ? number(found.period_s) + " s" : "none"], ["How well it repeats", e.cyclicity ? number(e.cyclicity) + " (1: perfect)" : "–"], ["Up axis", samples.up_axis || "–"],
+  const list = [["Features", `${clip.features}, ${plural(samples.feature_count, "column")}`], ["Samples", `${samples.count} at ${number(samples.fps, 4)} per second, smoothed over ${number(samples.smoothing_s)} s`],
+    ["Neighbors", `${p.neighbors}, ${p.mode}, window ${p.window}`], ["Dimension of the tangents", p.dimension], ["Range of the period search", `${number(p.period_min_s)} to ${number(p.period_max_s)} s`],
+    ["Period", found.period_s ? number(found.period_s) + " s" : "none"], ["Regularity of the curve", e.cyclicity ? number(e.cyclicity) + " (1: perfect)" : "–"], ["Up axis", samples.up_axis || "–"],
     ["Intrinsic dimension", intrinsic ? `${intrinsic.local_pca || "cannot tell"} by local PCA, ${intrinsic.eigengap || "cannot tell"} by the eigengap` : "not asked for (--dimension-estimate)"],
-    ["Library", "libstltsa " + found.library], ["File", clip.path || "from memory"], ["Checksum of its numbers", "CRC-32 " + data.checksum]];
+    ["Library", "libstltsa " + found.library], ["File", clip.path || "none (from memory)"], ["Checksum of the data", "CRC-32 " + data.checksum]];
   byId("details").append(element("dl", {}, ...list.flatMap(([term, value]) => [element("dt", {}, term), element("dd", {}, String(value))])),
-    element("p", { class: "facts" }, "What repeats this report:"), commandBox(data.command || `stltsa decompose ${clipWord()}${rateWord()} --report ${shellWord(stem() + ".html")}`),
-    element("p", { class: "facts screen" }, "The error estimate and the residual of an embedding of the whole clip:"), element("div", { class: "screen" }, commandBox(`stltsa fit ${clipWord()}${rateWord()}`)));
+    element("p", { class: "facts" }, "To make this report again:"), commandBox(data.command || `stltsa decompose ${clipWord()}${rateWord()} --report ${shellWord(stem() + ".html")}`),
+    element("p", { class: "facts screen" }, "For the error estimate and the residual of an embedding of the whole clip:"), element("div", { class: "screen" }, commandBox(`stltsa fit ${clipWord()}${rateWord()}`)));
   const values = (e.eigenvalues || []).filter(v => v !== null);
   if (values.length < 2) return;
   new Panel("spectrum", {

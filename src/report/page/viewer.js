@@ -2,7 +2,7 @@
 const body = data.body;
 const moves = body.space > 0; // not a matrix of bare numbers
 
-// x to the right, y up, z to the viewer. Of points in a plane, y points down, as in images.
+// x to the right, y up, z towards the viewer. In clips of points in a plane, y points down, as in images.
 const axes = body.space === 2 ? [[0, 1], [1, -1], null] : body.up === 2 ? [[0, 1], [2, 1], [1, -1]] : body.up === 0 ? [[1, 1], [0, 1], [2, -1]] : [[0, 1], [1, 1], [2, 1]];
 function place(row, part, to) {
   for (let a = 0; a < 3; ++a) to[a] = axes[a] ? axes[a][1] * body.places.between(row, part * body.space + axes[a][0]) : 0;
@@ -22,7 +22,7 @@ function middleOf(points) {
 }
 const median = list => list.length ? list.sort((a, b) => a - b)[list.length >> 1] : 0;
 
-// Size of the body, the ground and the direction of travel, for the first view of it.
+// Finds the size of the body, the ground and the direction of travel, for the initial view.
 function lookAtBody() {
   const sizes = [], lows = [], ways = [];
   for (let i = 0; i < 60; ++i) {
@@ -39,7 +39,7 @@ function lookAtBody() {
   body.height = median(ways.map(way => way[1]));
   const along = ways.length ? [0, 2].map(a => ways[ways.length - 1][a] - ways[0][a]) : [0, 0];
   if (body.space === 2) Object.assign(camera, { yaw: 0, pitch: 0 });
-  else if (Math.hypot(...along) > body.size) camera.yaw = Math.atan2(along[1], along[0]) + 0.35; // seen from the side, it walks to the right
+  else if (Math.hypot(...along) > body.size) camera.yaw = Math.atan2(along[1], along[0]) + 0.35; // from the side, walking to the right
   camera.first = camera.yaw;
 }
 
@@ -59,7 +59,7 @@ function drawBody(pen, points, project, width, chosen) {
   return flat;
 }
 
-// The way of the body over the ground, of what is shown.
+// The path of the body over the ground, in the time range shown.
 function wayShown() {
   const key = state.view.join();
   if (wayShown.key !== key) {
@@ -86,7 +86,7 @@ function makeViewer() {
   const tools = moves && body.space === 3 ? viewTools() : [];
   const panel = new Panel("viewer", {
     title: kinds[body.kind], tools, height: w => printing ? 315 : Math.min(470, w * (w < 500 ? 0.9 : 0.72)),
-    label: moves ? "The moving body. Drag to turn it, arrow keys turn it too; click a joint to see its curves." : "The columns around the present time.",
+    label: moves ? "The moving body. Drag it or press the arrow keys to turn it; click a joint to see its curves." : "The columns around the current time.",
     over(pen, w, h) {
       if (!moves) return drawColumns(pen, w, h);
       const points = posture(state.frame), middle = middleOf(points);
@@ -119,7 +119,7 @@ function cycleText(frame) {
   return repetition >= 0 ? "repetition " + (repetition + 1) : "";
 }
 
-// Of a matrix: the columns that carry most of the motion, around the present time.
+// For a matrix: the columns that move most in the segment at the current time.
 function chosenColumns(most) {
   const at = containing(found.segments, state.frame), segment = found.segments[at];
   const names = segment && segment.carried_by.length ? segment.carried_by : (found.segments.find(s => s.carried_by.length) || { carried_by: [] }).carried_by;

@@ -65,7 +65,7 @@ void later_and_slope_are_cyclic(void**) {
     ASSERT_NEAR(rise(50, 0), -turn / 100, 1e-4);
 }
 
-/// Values that each hold `memory` of the one before.
+/// Values with a correlation of `memory` with the one before.
 std::vector<double> remembering(std::int64_t count, double memory, std::mt19937& random) {
     std::normal_distribution<double> normal;
     std::vector<double> values{normal(random)};
@@ -83,7 +83,7 @@ Quantity quantity(std::vector<double> values, double value) {
     return {value + mean, std::move(values)};
 }
 
-/// How often intervals contain the truth, 2, for cycles that resemble those before.
+/// How often intervals contain the true value, 2, for cycles that resemble those before them.
 double coverage(double memory, bool paired) {
     std::mt19937 random(7);
     int inside = 0;
@@ -123,7 +123,7 @@ void single_cycles_have_no_interval(void**) {
     assert_true(estimate(same, far, {}).significant);
 }
 
-/// Cycles of 100 samples of a run of constant rate.
+/// Cycles of 100 samples from a run at a constant rate.
 Resampled cycles_of(double late, double gain, unsigned seed) {
     constexpr std::int64_t count = 9;
     std::mt19937 random(seed);
@@ -157,7 +157,7 @@ void lag_and_amplitude_have_their_errors(void**) {
     assert_true(late.lag.significant && early.lag.significant && gain.amplitude.significant);
     assert_false(late.amplitude.significant);
     assert_true(found.columns.size() == 3 && found.difference.rows() == 101);
-    // Two columns that are one part: the longest way across an ellipse.
+    // Two columns that are one part: the longest diameter of an ellipse.
     const std::vector<std::int64_t> together{0, 0, 1};
     const Differences joint = compare(first, second, together, false);
     ASSERT_NEAR(joint.parts[0].amplitude.first, 10, 0.4);

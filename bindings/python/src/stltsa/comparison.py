@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The cycles of two motions laid on each other by phase."""
+"""The cycles of two motions, aligned by phase."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ _NULL = ffi.NULL
 
 
 class Difference(NamedTuple):
-    """A quantity of both mean cycles and its difference, second less first.
+    """A quantity of both mean cycles and its difference, second minus first.
 
-    `low` and `high` are its 95 % confidence interval, from the spread over the cycles;
-    `significant` is true if it does not include 0, which one in 20 does not by chance. NaN is what
-    is not known.
+    `low` and `high` are the 95 % confidence interval of the difference, from the spread between
+    cycles; `significant` is true if the interval excludes 0. Of 20 differences that are really
+    zero, about one is significant by chance. Unknown values are NaN.
     """
 
     first: float
@@ -41,13 +41,15 @@ class Difference(NamedTuple):
 class ComparedPart(NamedTuple):
     """A joint, a point or a column of the file, or one of its coordinates.
 
-    `name` and `second_name` differ for left and right only. `axis` is "" for a whole part. `rms` is
-    the root mean square over the cycle of second less first, `chance` what the spread between
-    cycles alone would make, `correlation` that of the mean curves after the lag is removed. `lag`
-    is how much later in its cycle the second motion does this, relative to the whole body, as a
-    share of the cycle; `lag_s` is the same in seconds with its interval. `amplitude` is the largest
-    distance of two places of the mean curve; `ratio` that of second by that of first, with its
-    interval. `mean` is that over the cycle, of a part with one channel.
+    `name` and `second_name` differ only for left and right. `axis` is "" for a whole part and for
+    the only channel of a part. `rms` is the root mean square, over the cycle, of second minus
+    first, and `chance` the value expected from the spread between cycles alone. `lag` is how much
+    later in its cycle the second motion does the same, relative to the whole body (left and right:
+    to half a cycle), as a share of the cycle; `lag_s` is the lag in seconds with its interval.
+    `correlation` is that of the mean curves after the lag is removed. `amplitude` is the largest
+    distance between two points of the mean curve (of one channel, its range); `ratio` is the
+    amplitude of the second motion divided by that of the first, with its interval. `mean` is the
+    mean over the cycle, for a part with one channel.
     """
 
     name: str
@@ -76,44 +78,44 @@ class ComparedPart(NamedTuple):
 
 
 class Comparison:
-    """What differs between the cycles of two motions, and how well it is known.
+    """The differences between the cycles of two motions, and how precisely they are known.
 
     Attributes
     ----------
     parts, channels : tuple of ComparedPart
         Joints, points or columns; and their coordinates, part by part.
     counts : tuple of int
-        Cycles of both motions that are complete, and so were compared.
+        Number of complete cycles of each motion, which were compared.
     labels : tuple of int
         Labels of their segments, 0 for A.
     cycle_time : Difference
         In seconds.
     per_minute : tuple of float
-        Cycles of both motions.
+        Cycles per minute of each motion.
     shift : float
-        Phase of the second motion at phase 0 of the first, in cycles: there, all parts together
-        match best.
+        Phase of the second motion at phase 0 of the first, in cycles: the shift at which all parts
+        together match best.
     shift_error : float
         Its standard error.
     shift_interval : tuple of float
-        Its interval.
+        Its 95 % confidence interval.
     likeness, runner_up : float
-        Correlation of the mean cycles, and the same at the next best shift (NaN: there is none).
+        Correlation of the mean cycles, and that at the next best shift (NaN: there is none).
     turn : float
-        Degrees by which the second body was turned about the up axis, onto the first.
+        Degrees by which the second body was turned about the up axis to face as the first does.
     size_ratio : float
-        Size of the second body by that of the first.
+        Size of the second body divided by that of the first; NaN if it is unknown.
     judged, significant : int
-        Lags and amplitudes of parts that have an interval, and how many are significant; a
-        twentieth is by chance.
+        Number of lags and amplitudes of parts that have an interval, and how many of them are
+        significant; by chance, a twentieth would be.
     sides : bool
         Whether left and right of one clip are compared.
     mean, sd : tuple of two ndarrays of shape (samples, channels)
-        Mean cycles of both motions and standard deviations over the cycles.
+        Mean cycles of both motions, and standard deviations between cycles.
     difference, standard_error, margin : ndarray of shape (samples, channels)
-        At each sample, second less first, its standard error, and half the width of its interval.
+        Second minus first at each sample, its standard error, and half the width of its interval.
     left_out : tuple of two tuples of str
-        Names in each clip that the other lacks.
+        Names in each clip that the other one lacks.
     warnings : tuple of str
         What a user should know about the result.
     """
@@ -158,7 +160,7 @@ class Comparison:
         raise KeyError(name)
 
     def to_json(self) -> str:
-        """Return the object of schema stltsa-comparison/1, as ``stltsa compare --json``."""
+        """Return the object of schema stltsa-comparison/1, like ``stltsa compare --json``."""
         return self._json
 
     def report(self, path: str | os.PathLike[str], *, command: str | None = None) -> None:

@@ -144,7 +144,7 @@ def decompose(motion: Motion, **options: Unpack[Options]) -> Decomposition:
 def report(
     motion: Motion, path: str | os.PathLike[str], **options: Unpack[Options]
 ) -> Decomposition:
-    """Decompose a recording and write a report of it, one HTML page.
+    """Decompose a recording and write a report of it: one HTML page.
 
     Parameters
     ----------
@@ -437,8 +437,8 @@ class Decomposition(Described):
         Parameters
         ----------
         second : Decomposition, optional
-            Such as of the same person later. Without it, the left side of the body is compared with
-            the mirror image of the right side half a cycle later.
+            Another clip, such as the same person later. Without it, the left side of the body is
+            compared with the mirror image of the right side half a cycle later.
         label, second_label, samples
             See :meth:`Phase.compare`.
 
@@ -529,16 +529,16 @@ class Decomposition(Described):
     def report(self, path: str | os.PathLike[str], *, command: str | None = None) -> None:
         """Write a report: one HTML page that a browser shows without a network.
 
-        It has the moving skeleton or points, what happens when, the curve and the loop, mean cycles
-        with their spread, left beside right, tables, and warnings. The same input gives the same
-        bytes.
+        The page has the moving skeleton or points, segments, units, cycles and repetitions over
+        time, the curve and the loop, mean cycles with standard deviation, left beside right,
+        tables, and warnings. The same input gives the same bytes.
 
         Parameters
         ----------
         path : path
             The page, which is written completely or not at all.
         command : str, optional
-            The command or call that repeats it, which the page shows.
+            The command or call that makes the report again, for the page to show.
 
         Raises
         ------

@@ -314,18 +314,18 @@ class Phase:
         *,
         samples: int = 101,
     ) -> Comparison:
-        """Lay the cycles of another motion on those of this one, by phase, and compare them.
+        """Align the cycles of another motion with those of this one by phase, and compare them.
 
         Parameters
         ----------
         second : Phase
-            Of another clip, such as one of the same person later, or of this clip. Frame rates and
-            lengths may differ; joints, points or columns of the same name are compared.
+            The phase of another clip, such as one of the same person later, or of this clip. Frame
+            rates and lengths may differ; joints, points or columns of the same name are compared.
         label, second_label : str, optional
-            Labels of the segments whose cycles are compared; by default the motion with the most
-            frames in cycles, and the one in the second clip that is most like it.
+            Labels of the segments whose cycles are compared; by default, the motion of this clip
+            with the most frames in cycles, and the motion of the second that is most like it.
         samples : int
-            Samples per cycle, 5 to 1001; 101 gives one per percent.
+            Samples per cycle, 5 to 1001; 101 gives one for each percent.
 
         Returns
         -------

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-//! [`Comparison`]: the cycles of two motions laid on each other by phase.
+//! [`Comparison`]: the cycles of two motions, aligned by phase.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -13,27 +13,28 @@ use crate::handle::Owned;
 use crate::options::Options;
 use crate::phase::Phase;
 
-/// A quantity of both mean cycles and its difference, second less first. NaN: unknown.
+/// A quantity of both mean cycles and its difference, second minus first. NaN: unknown.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Difference {
-    /// Of the first motion.
+    /// Value for the first motion.
     pub first: f64,
-    /// Its standard deviation over the cycles.
+    /// Its standard deviation between cycles.
     pub first_sd: f64,
-    /// Of the second motion.
+    /// Value for the second motion.
     pub second: f64,
-    /// Its standard deviation over the cycles.
+    /// Its standard deviation between cycles.
     pub second_sd: f64,
-    /// Second less first.
+    /// Second minus first.
     pub difference: f64,
-    /// Of the difference.
+    /// Standard error of the difference.
     pub standard_error: f64,
-    /// Lower end of its 95 % confidence interval.
+    /// Lower end of the 95 % confidence interval of the difference.
     pub low: f64,
     /// Upper end of the interval.
     pub high: f64,
-    /// The interval does not include 0: one in 20 does not by chance.
+    /// The interval excludes 0. Of 20 differences that are really zero, about one is significant by
+    /// chance.
     pub significant: bool,
 }
 
@@ -43,31 +44,31 @@ pub struct Difference {
 pub struct ComparedPart {
     /// Name in the first motion.
     pub name: String,
-    /// Name in the second motion; another one for left and right.
+    /// Name in the second motion; it differs only for left and right.
     pub second_name: String,
-    /// `"x"` or `"rz"` of a coordinate; empty for a whole part.
+    /// Such as `"x"` or `"rz"`; empty for a whole part, and for the only channel of a part.
     pub axis: String,
-    /// Root mean square over the cycle of second less first.
+    /// Root mean square, over the cycle, of second minus first.
     pub rms: f64,
     /// `rms` expected from the spread between cycles alone.
     pub chance: f64,
     /// Correlation of the mean curves after the lag is removed.
     pub correlation: f64,
-    /// How much later in its cycle the second motion does this, relative to the whole body, as a
-    /// share of the cycle.
+    /// How much later in its cycle the second motion does the same, relative to the whole body
+    /// (left and right: to half a cycle), as a share of the cycle.
     pub lag: Difference,
-    /// Largest distance of two places of the mean curve.
+    /// Largest distance between two points of the mean curve; of one channel, its range.
     pub amplitude: Difference,
-    /// Amplitude of second by that of first, and its interval.
+    /// Amplitude of the second motion divided by that of the first, and its interval.
     pub ratio: [f64; 3],
     /// Lag in seconds, and its interval.
     pub lag_s: [f64; 3],
-    /// Mean over the cycle, of a part with one channel.
+    /// Mean over the cycle, for a part with one channel.
     pub mean: Difference,
 }
 
-/// What differs between the cycles of two motions, and how well it is known. Pairs are of the first
-/// and the second motion.
+/// The differences between the cycles of two motions, and how precisely they are known. Pairs are
+/// of the first and the second motion.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct Comparison {
@@ -75,45 +76,45 @@ pub struct Comparison {
     pub parts: Vec<ComparedPart>,
     /// Their coordinates, part by part.
     pub channels: Vec<ComparedPart>,
-    /// Cycles that are complete, and so were compared.
+    /// Number of complete cycles, which were compared.
     pub counts: [usize; 2],
     /// Labels of their segments, 0 for A.
     pub labels: [usize; 2],
-    /// In seconds.
+    /// Cycle time in seconds.
     pub cycle_time: Difference,
     /// Cycles per minute.
     pub per_minute: [f64; 2],
     /// Phase of the second motion at phase 0 of the first, in cycles.
     pub shift: f64,
-    /// Its standard error and interval; NaN if it is half a cycle by definition.
+    /// Its standard error; NaN for left and right, whose shift is half a cycle by definition.
     pub shift_error: f64,
-    /// Its interval.
+    /// Its 95 % confidence interval.
     pub shift_interval: [f64; 2],
     /// Correlation of the mean cycles.
     pub likeness: f64,
-    /// The same at the next best shift; NaN: there is no other.
+    /// The same at the next best shift; NaN: there is none.
     pub runner_up: f64,
-    /// Degrees by which the second body was turned about the up axis, onto the first.
+    /// Degrees by which the second body was turned about the up axis to face as the first does.
     pub turn: f64,
-    /// Size of the second body by that of the first; NaN: not positions in space.
+    /// Size of the second body divided by that of the first; NaN: unknown.
     pub size_ratio: f64,
-    /// Lags and amplitudes of parts that have an interval.
+    /// Number of lags and amplitudes of parts that have an interval.
     pub judged: usize,
-    /// How many of them are significant; a twentieth is by chance.
+    /// How many of them are significant; by chance, a twentieth would be.
     pub significant: usize,
-    /// Left and right of one clip are compared.
+    /// Whether left and right of one clip are compared.
     pub sides: bool,
     /// Mean cycles, samples x channels.
     pub mean: [Matrix; 2],
-    /// Standard deviations over the cycles, samples x channels.
+    /// Standard deviations between cycles, samples x channels.
     pub deviation: [Matrix; 2],
-    /// Second less first, samples x channels.
+    /// Second minus first, samples x channels.
     pub difference: Matrix,
-    /// Of the difference, samples x channels.
+    /// Standard error of the difference, samples x channels.
     pub standard_error: Matrix,
-    /// Half the width of the interval of each sample.
+    /// Half the width of the interval at each sample.
     pub margin: Matrix,
-    /// Names that the other clip lacks.
+    /// Names in each clip that the other one lacks.
     pub left_out: [Vec<String>; 2],
     /// What a user should know about the result.
     pub warnings: Vec<String>,
@@ -123,8 +124,9 @@ pub struct Comparison {
 }
 
 impl Phase {
-    /// Compares the cycles of a motion with those of another clip's. Labels count from 0 for A;
-    /// `None`: the motion with the most frames in cycles, in the second clip the one most like it.
+    /// Compares the cycles of a motion with those of a motion of another clip. Labels count from 0
+    /// for A; `None`: the motion with the most frames in cycles, and the one most like it in the
+    /// second clip.
     ///
     /// ```no_run
     /// use stltsa::{Clip, Options, Phase};
@@ -143,9 +145,9 @@ impl Phase {
     ///
     /// # Errors
     /// [`NoSuchPart`](crate::ErrorKind::NoSuchPart) if a clip has no cycles,
-    /// [`Argument`](crate::ErrorKind::Argument) if a label has none,
+    /// [`Argument`](crate::ErrorKind::Argument) if a label has no cycles,
     /// [`Shape`](crate::ErrorKind::Shape) if the clips have nothing in common,
-    /// [`TooFewFrames`](crate::ErrorKind::TooFewFrames) if no cycle is complete.
+    /// [`TooFewFrames`](crate::ErrorKind::TooFewFrames) if a clip has no complete cycle.
     pub fn compare(
         &self,
         second: &Phase,

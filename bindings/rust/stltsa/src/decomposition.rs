@@ -348,7 +348,7 @@ impl Decomposition {
     }
 
     /// Writes a report of the clip that was decomposed with these options: one HTML page that a
-    /// browser shows without a network. `command`: which repeats it.
+    /// browser shows without a network. `command`: the command or call that makes it again.
     ///
     /// # Errors
     /// [`Io`](crate::ErrorKind::Io), [`Argument`](crate::ErrorKind::Argument) if the decomposition

@@ -22,7 +22,7 @@
 //! * [`Dimension`]: the intrinsic dimension of a motion.
 //! * [`Denoising`]: a curve without its noise.
 //! * [`Phase`]: a phase for every frame, and signals on 0 to 100 % of each cycle ([`Cycles`]).
-//! * [`Comparison`]: the cycles of two clips, or left and right of one, laid on each other by phase.
+//! * [`Comparison`]: the cycles of two clips, or left and right of one, aligned by phase.
 //! * [`Synthesis`]: new motion from pieces of clips.
 //! * [`Facts`]: all other facts about a clip or a result, by key.
 //! * [`Options`]: deviations from the defaults, progress and cancelling.

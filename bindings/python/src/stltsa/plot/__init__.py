@@ -8,7 +8,7 @@
 :func:`units`
     Fig. 3: the coordinate over time, cut into units and cycles, with postures.
 :func:`cycles`
-    The curve of all cycles on 0 to 100 %, with mean and standard deviation.
+    The curves of all cycles on 0 to 100 %, with mean and standard deviation.
 :func:`cycle_times`
     How long each cycle lasts.
 

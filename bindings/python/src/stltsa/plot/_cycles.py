@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The curve of every cycle on 0 to 100 %, one over the other, and how long each cycle lasts."""
+"""The curves of all cycles, overlaid on 0 to 100 %, and how long each cycle lasts."""
 
 from __future__ import annotations
 
@@ -21,8 +21,8 @@ _MOST_LINES = 60
 def cycles(result: Decomposition, *, ax: Axes | None = None) -> Axes:
     """Draw the curve of each cycle on 0 to 100 %, with mean and standard deviation.
 
-    The cycles are those of the segment of the representative cycle or, if no curve was fitted
-    there, of the first one with a curve; of more than 60, 60 are drawn.
+    The cycles are those in the segment of the representative cycle or, if no curve was fitted
+    there, of the first cycle with a curve. Of more than 60 cycles, 60 are drawn.
 
     Parameters
     ----------
@@ -83,7 +83,7 @@ def _needs_cycles(result: Decomposition, caller: str) -> None:
 
 
 def _enlarged(result: Decomposition) -> int:
-    """Return the representative cycle or, if it has no curve, the first one that has."""
+    """Return the index of the representative cycle or, if it has no curve, the first that has."""
     curve, _ = drawn_values(result)
     places = np.array([(cycle.begin + cycle.end) // 2 for cycle in result.cycle_list])
     first, step = int(result.frames[0]), int(result.facts["frame_step"][0])

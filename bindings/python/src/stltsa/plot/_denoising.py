@@ -30,7 +30,7 @@ def denoising(
     """Draw coordinates before and after cleaning (the paper's Fig. 2), and the residuals.
 
     Points that are moved are filled. The band is the noise threshold on both sides of the fitted
-    curve. The residuals are the points before cleaning, less the fitted curve.
+    curve. The residuals are the points before cleaning, minus the fitted curve.
 
     Parameters
     ----------

@@ -36,7 +36,7 @@ _NEAR, _FAR = 3.5, 7.0  # points between a mark and its text
 
 
 def _outward(path: FloatArray, point: FloatArray) -> FloatArray:
-    """Return the direction away from the middle of the loop."""
+    """Return the direction from the center of the loop to a point."""
     out = point - np.nanmean(path, axis=0)
     return np.asarray(out / (np.linalg.norm(out) or 1.0))
 
@@ -72,7 +72,7 @@ def _draw_arrows(axes: Any, path: FloatArray) -> None:
 def _write(axes: Any, path: FloatArray, texts: list[tuple[str, FloatArray]]) -> None:
     """Write texts beside their points, where they cover neither lines nor each other.
 
-    Texts without room are left out. Needs the final limits of the axes.
+    Texts without room are left out. The axes must have their final limits.
     """
     from matplotlib import patheffects
     from matplotlib.transforms import Bbox
@@ -127,7 +127,7 @@ def _number_size(axes: Any) -> float:
 
 
 def _filled(points: FloatArray, apart: float) -> FloatArray:
-    """Return points with others between them, so that no text passes between two."""
+    """Return points with others added between them, so that no text fits between two."""
     parts = [points]
     for a, b in itertools.pairwise(points):
         count = int(np.hypot(*(b - a)) / apart)
@@ -140,7 +140,7 @@ def loop(result: Decomposition, *, ax: Axes | None = None, numbers: int = 24) ->
     """Draw the two coordinates of the loop, with frame numbers (the paper's Fig. 1).
 
     A square marks the start, arrowheads the direction, a wide line the representative cycle. The
-    curve drifts slowly, so even equal cycles lie side by side: the width of the loop is drift as
+    curve drifts slowly, so even equal cycles lie side by side: the width of the loop shows drift as
     well as difference.
 
     Parameters

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Stick figures: the body of a clip from its right, as the command draws it."""
+"""Stick figures: the body of a clip seen from its right, as the command draws it."""
 
 from __future__ import annotations
 
@@ -25,11 +25,11 @@ class SideView:
     bones : list of (int, int)
         Pairs of joints to connect.
     depth : list of int
-        Of each bone: on the far side of the body, in the middle, or near.
+        FAR, MIDDLE or NEAR for each bone: the side of the body on which it is.
     head : (int, int) or None
-        The bone around whose middle the head lies.
+        The bone around whose middle the head is drawn.
     radius : float
-        Of the head.
+        Radius of the head.
     """
 
     def __init__(self, clip: Clip) -> None:
@@ -62,7 +62,7 @@ class SideView:
         return cos * x + sin * y, cos * y - sin * x
 
     def _travel(self, root: FloatArray, body: float) -> FloatArray | None:
-        """Return the direction of the net motion as the body sees it; None if it stays in place."""
+        """Return the direction of travel relative to the body; None if it stays in place."""
         steps = np.zeros_like(root)
         steps[1:] = np.diff(root, axis=0)
         u, v = self._unturned(steps[:, :1], steps[:, 1:])
@@ -106,7 +106,7 @@ class SideView:
         return np.asarray(self._points[frame])
 
     def middle_of_head(self, frame: int) -> FloatArray | None:
-        """Return the middle of the head; None if no joint is named after it."""
+        """Return the middle of the head; None if no joint has "head" in its name."""
         if self.head is None:
             return None
         neck, crown = self._points[frame, self.head[0]], self._points[frame, self.head[1]]

@@ -105,13 +105,13 @@ def legend_above(axes: Axes, above: float) -> None:
 
 
 def label_kinds(axes: Axes, result: Decomposition) -> None:
-    """Give the legend a line for each kind of unit."""
+    """Add an entry for each kind of unit to the legend."""
     for kind in dict.fromkeys(unit.kind for unit in result.unit_list):
         axes.plot([], [], color=UNIT_COLORS[kind], linewidth=CURVE, label=kind)
 
 
 def drawn_values(result: Decomposition) -> tuple[FloatArray, FloatArray]:
-    """Return curve and loop; NaN where they are zero because nothing was fitted there."""
+    """Return curve and loop, with NaN where they are zero because nothing was fitted."""
     curve, loop = result.curve.copy(), result.loop.copy()
     nothing = (curve == 0) & (loop == 0).all(axis=1)
     curve[nothing], loop[nothing] = np.nan, np.nan
@@ -119,7 +119,7 @@ def drawn_values(result: Decomposition) -> tuple[FloatArray, FloatArray]:
 
 
 def is_dense(result: Decomposition) -> bool:
-    """Return whether single cycles are too many to be drawn one beside the other."""
+    """Return whether there are too many cycles to draw them side by side."""
     return len(result.cycle_list) > MOST_CYCLES or len(result.frames) > MOST_SAMPLES
 
 

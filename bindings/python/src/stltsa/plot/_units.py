@@ -41,7 +41,7 @@ _PADDING = 0.05  # share of the curve's height between it and the postures
 
 
 def _envelope(axes: Any, time: FloatArray, curve: FloatArray, part: float, color: str) -> bool:
-    """Draw the lowest to the highest value of each part of the time; whether there were enough."""
+    """Draw the range of the curve in each part of the time; return False if there are too few."""
     parts = int((time[-1] - time[0]) / part) if len(time) else 0
     if parts < 3:
         return False
@@ -195,7 +195,7 @@ def _draw_postures(
 def units(result: Decomposition, *, ax: Axes | None = None, postures: int | None = None) -> Axes:
     """Draw the coordinate over time with units, cycles and postures (the paper's Fig. 3).
 
-    Of more than 40 cycles, the curve is an envelope: the lowest to the highest value of each cycle.
+    With more than 40 cycles or 6000 samples, the curve is an envelope: the range of each cycle.
     There is no curve where nothing was fitted.
 
     Parameters
@@ -205,8 +205,8 @@ def units(result: Decomposition, *, ax: Axes | None = None, postures: int | None
     ax : matplotlib Axes, optional
         Axes to draw into; a new figure by default.
     postures : int, optional
-        Number of stick figures, at most 24, which differ as much as possible, with their frame
-        numbers; by default 11 if the clip has a skeleton, otherwise none.
+        Number of stick figures with frame numbers, at most 24. Their postures differ as much as
+        possible. Default: 11 if the clip has a skeleton, otherwise none.
 
     Returns
     -------

@@ -309,8 +309,8 @@ kinds! {
         LocalPca = STLTSA_INFO_LOCAL_PCA,
         /// `int`: intrinsic dimension by the eigengap; 0: cannot tell.
         Eigengap = STLTSA_INFO_EIGENGAP,
-        /// `int[]`: at most 24 frames of postures that differ, for a picture: the first n are a
-        /// choice of n.
+        /// `int[]`: frames of up to 24 distinct postures, for pictures; to draw n, take the first
+        /// n.
         Postures = STLTSA_INFO_POSTURES,
         /// `text`: why local PCA cannot tell; empty if it can.
         LocalPcaReason = STLTSA_INFO_LOCAL_PCA_REASON,
