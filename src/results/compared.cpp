@@ -182,7 +182,7 @@ ComparedMotion motion_facts(const Side& side, phase::Resampled& cycles) {
 }
 
 void judge(const phase::Estimate& estimate, Comparison& result) {
-    result.judged += estimate.error > 0 ? 1 : 0;
+    result.judged += estimate.error > 0 || estimate.significant ? 1 : 0; // equal cycles: no error
     result.significant += estimate.significant ? 1 : 0;
 }
 
