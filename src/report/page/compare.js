@@ -198,7 +198,7 @@ function makeCurves() {
         const above = { x, y, w: s.width, h: s.high }, below = { x, y: y + s.high + 32, w: s.width, h: s.low };
         drawPlot(pen, above, lines, rangeOf(lines), { title: channel.axis ? axisText(channel.axis, data.up) : partName(part), axis: true, bottom: false });
         const range = rangeOf(difference, true), zero = below.y + below.h * (range[1] / (range[1] - range[0]));
-        drawPlot(pen, below, difference, range, { title: sided() ? "right less left" : "second less first", color: colors.soft, axis: true, bottom: true });
+        drawPlot(pen, below, difference, range, { title: sided() ? "right minus left" : "second minus first", color: colors.soft, axis: true, bottom: true });
         pen.line([below.x, zero, below.x + below.w, zero], { stroke: colors.soft, width: 1.2 });
         boxes.push(above, below);
       });
