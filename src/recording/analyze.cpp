@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "linalg/simd.hpp"
+#include "motion/curve/statistics.hpp"
 #include "motion/decompose.hpp"
 #include "recording/answer.hpp"
 #include "recording/change_points.hpp"
@@ -68,6 +69,37 @@ bool explains(const motion::Decomposition& single, const Signal& signal,
     });
 }
 
+/// The coordinate of the loop that is less like the curve.
+std::int64_t partner_column(const motion::Decomposition& found) {
+    double like[2] = {}, squares[2] = {};
+    for (std::int64_t i = 0; i < found.loop.rows(); ++i)
+        for (std::int64_t c = 0; c < 2; ++c) {
+            like[c] += found.loop(i, c) * found.curve[static_cast<std::size_t>(i)];
+            squares[c] += found.loop(i, c) * found.loop(i, c);
+        }
+    return std::abs(like[1]) * std::sqrt(squares[0]) <= std::abs(like[0]) * std::sqrt(squares[1])
+               ? 1
+               : 0;
+}
+
+/// The coordinates of samples from `first` on as a curve of rows, as high as traced ones.
+PhaseCurve curve_of(const motion::Decomposition& found, double first, double step) {
+    PhaseCurve phase;
+    const std::int64_t partner = partner_column(found);
+    std::vector<double>* const curves[] = {&phase.curve, &phase.partner};
+    for (std::int64_t i = 0; i < found.loop.rows(); ++i) {
+        phase.places.push_back((static_cast<double>(i) + first) / step);
+        phase.curve.push_back(found.curve[static_cast<std::size_t>(i)]);
+        phase.partner.push_back(found.loop(i, partner));
+    }
+    for (std::vector<double>* curve : curves) {
+        const double height = motion::quantile(*curve, 0.95) - motion::quantile(*curve, 0.05);
+        for (double& value : *curve)
+            value = height > 0 ? value / height : 0;
+    }
+    return phase;
+}
+
 /// The claims of the method for one motion in a short part in which the track claims none.
 void decide_as_single(ConstMatrixView samples, double fps, const Options& options,
                       const Signal& signal, const Pauses& pauses, Part& part) {
@@ -90,6 +122,7 @@ void decide_as_single(ConstMatrixView samples, double fps, const Options& option
     cut.stretch.quality = found.lag_quality;
     cut.stretch.period.assign(static_cast<std::size_t>(part.rows.count()), found.period / step);
     cut.cyclicity = found.cyclicity;
+    cut.phase = curve_of(found, static_cast<double>(first), step);
     std::vector<double> margins;
     const auto row = [&](double sample) { return (sample + static_cast<double>(first)) / step; };
     for (const motion::Unit& unit : found.units)
