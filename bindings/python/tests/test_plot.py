@@ -198,8 +198,13 @@ def test_cycles_on_both_sides_of_a_gap():
 
 
 def test_cycle_times(result):
-    (marks,) = stltsa.plot.cycle_times(result).collections
+    axes = stltsa.plot.cycle_times(result)
+    (marks,) = axes.collections
     numbers, lengths = marks.get_offsets().T
+    filled = [color[:3].min() < 1 for color in marks.get_facecolors()]
+    assert filled == [cycle == result.representative_cycle for cycle in result.cycle_list]
+    low, high = axes.get_ylim()
+    assert low < lengths.min() and lengths.max() < high
     assert numbers.tolist() == [1, 2, 3]
     assert np.asarray(lengths) == pytest.approx(np.asarray(result.cycles["duration_s"]))
 
