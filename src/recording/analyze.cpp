@@ -69,34 +69,22 @@ bool explains(const motion::Decomposition& single, const Signal& signal,
     });
 }
 
-/// The coordinate of the loop that is less like the curve.
-std::int64_t partner_column(const motion::Decomposition& found) {
-    double like[2] = {}, squares[2] = {};
-    for (std::int64_t i = 0; i < found.loop.rows(); ++i)
-        for (std::int64_t c = 0; c < 2; ++c) {
-            like[c] += found.loop(i, c) * found.curve[static_cast<std::size_t>(i)];
-            squares[c] += found.loop(i, c) * found.loop(i, c);
-        }
-    return std::abs(like[1]) * std::sqrt(squares[0]) <= std::abs(like[0]) * std::sqrt(squares[1])
-               ? 1
-               : 0;
-}
-
-/// The coordinates of samples from `first` on as a curve of rows, as high as traced ones.
+/// The coordinate of samples from `first` on as a curve of rows, as high as traced ones, with the
+/// same a quarter of a period earlier as its partner.
 PhaseCurve curve_of(const motion::Decomposition& found, double first, double step) {
     PhaseCurve phase;
-    const std::int64_t partner = partner_column(found);
-    std::vector<double>* const curves[] = {&phase.curve, &phase.partner};
-    for (std::int64_t i = 0; i < found.loop.rows(); ++i) {
+    phase.curve = found.curve;
+    const double height = motion::quantile(phase.curve, 0.95) - motion::quantile(phase.curve, 0.05);
+    const auto quarter = static_cast<std::size_t>(std::lround(found.period / 4));
+    const std::size_t count = phase.curve.size();
+    for (std::size_t i = 0; i < count; ++i) {
         phase.places.push_back((static_cast<double>(i) + first) / step);
-        phase.curve.push_back(found.curve[static_cast<std::size_t>(i)]);
-        phase.partner.push_back(found.loop(i, partner));
+        phase.curve[i] = height > 0 ? phase.curve[i] / height : 0;
     }
-    for (std::vector<double>* curve : curves) {
-        const double height = motion::quantile(*curve, 0.95) - motion::quantile(*curve, 0.05);
-        for (double& value : *curve)
-            value = height > 0 ? value / height : 0;
-    }
+    for (std::size_t i = 0; i < count; ++i) // before the first quarter, half a period later
+        phase.partner.push_back(i >= quarter          ? phase.curve[i - quarter]
+                                : i + quarter < count ? -phase.curve[i + quarter]
+                                                      : 0);
     return phase;
 }
 
