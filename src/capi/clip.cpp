@@ -59,20 +59,54 @@ std::vector<clip::Frames> find(const clip::Clip& clip, const std::string& what,
     });
 }
 
+/// The frames of the file that these frames of the clip are.
+std::vector<clip::Frames> pieces_of(const stltsa_clip& clip,
+                                    const std::vector<clip::Frames>& stretches) {
+    if (clip.pieces.empty())
+        return stretches;
+    std::vector<clip::Frames> pieces;
+    for (const clip::Frames& stretch : stretches) {
+        std::int64_t at = 0; // of the piece in the clip
+        for (const clip::Frames& piece : clip.pieces) {
+            const std::int64_t moved = piece.begin - at;
+            const clip::Frames part{std::max(piece.begin, stretch.begin + moved),
+                                    std::min(piece.end, stretch.end + moved)};
+            if (part.begin < part.end)
+                pieces.push_back(part);
+            at += piece.count();
+        }
+    }
+    return pieces;
+}
+
+std::unique_ptr<stltsa_clip> cut(const stltsa_clip& whole, const std::string& what,
+                                 const capi::OptionsReader& reader) {
+    const auto stretches = find(whole.clip, what, reader);
+    auto made = std::make_unique<stltsa_clip>(clip::cut(whole.clip, stretches));
+    made->pieces = pieces_of(whole, stretches);
+    if (whole.pieces.empty())
+        made->stretch = what;
+    else if (made->pieces.size() == 1)
+        made->stretch = format_text("{}-{}", made->pieces[0].begin, made->pieces[0].end);
+    return made;
+}
+
 /// The stretch of the clip; all of it if `what` is empty. `text`: how the caller names it.
-clip::Clip stretch_of(clip::Clip whole, const std::string& what, const std::string& text,
-                      const capi::OptionsReader& reader) {
+std::unique_ptr<stltsa_clip> stretch_of(clip::Clip whole, const std::string& what,
+                                        const std::string& text,
+                                        const capi::OptionsReader& reader) {
+    auto made = std::make_unique<stltsa_clip>(std::move(whole));
     if (what.empty())
-        return whole;
+        return made;
     try {
-        return clip::cut(whole, find(whole, what, reader));
+        return cut(*made, what, reader);
     } catch (const Error& error) {
         fail(error.status(), "{}: {}", text, error.what());
     }
 }
 
 /// The clip at a path, or the stretch of it that follows the path.
-clip::Clip read_path(const std::string& text, const capi::OptionsReader& reader) {
+std::unique_ptr<stltsa_clip> read_path(const std::string& text, const capi::OptionsReader& reader) {
     const auto [path, what] = clip::split_stretch(text);
     return stretch_of(clip::read(path, reader.read_options()), what, text, reader);
 }
@@ -89,7 +123,7 @@ stltsa_status stltsa_clip_open(const char* path, const stltsa_options* options,
         required(clip, "clip") = nullptr;
         const capi::OptionsReader reader(options);
         reader.progress().report(Stage::read, 0);
-        auto made = std::make_unique<stltsa_clip>(read_path(&required(path, "path"), reader));
+        auto made = read_path(&required(path, "path"), reader);
         reader.progress().report(Stage::read, 1);
         *clip = made.release();
     });
@@ -109,8 +143,7 @@ stltsa_status stltsa_clip_parse(const void* bytes, size_t size, int32_t format, 
         clip::Clip whole = clip::parse(all, format_of(format, all), path.empty() ? "memory" : path,
                                        reader.read_options());
         whole.path = path;
-        auto made = std::make_unique<stltsa_clip>(
-            stretch_of(std::move(whole), what, name == nullptr ? "" : name, reader));
+        auto made = stretch_of(std::move(whole), what, name == nullptr ? "" : name, reader);
         reader.progress().report(Stage::read, 1);
         *clip = made.release();
     });
@@ -135,10 +168,9 @@ stltsa_status stltsa_clip_stretch(const stltsa_clip* clip, const char* what,
                                   const stltsa_options* options, stltsa_clip** stretch) noexcept {
     return compute([&] {
         required(stretch, "stretch") = nullptr;
-        const clip::Clip& whole = required(clip, "clip").clip;
-        auto made = std::make_unique<stltsa_clip>(
-            clip::cut(whole, find(whole, &required(what, "what"), capi::OptionsReader(options))));
-        *stretch = made.release();
+        const stltsa_clip& whole = required(clip, "clip");
+        const std::string typed = &required(what, "what");
+        *stretch = cut(whole, typed, capi::OptionsReader(options)).release();
     });
 }
 

@@ -48,7 +48,9 @@ struct stltsa_clip : stltsa_info {
           channels(stltsa::capi::channel_texts(clip)) {}
 
     stltsa::clip::Clip clip;
-    std::vector<std::string> channels; ///< of stltsa_joint, for each joint
+    std::string stretch = {}; ///< of the file at the path, as typed; empty: all, or unknown
+    std::vector<stltsa::clip::Frames> pieces = {}; ///< its frames there; empty: all
+    std::vector<std::string> channels;             ///< of stltsa_joint, for each joint
 };
 
 struct stltsa_model : stltsa_info, stltsa::results::Fitted {

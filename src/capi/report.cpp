@@ -2,6 +2,7 @@
 #include "capi/boundary/guard.hpp"
 #include "capi/handles.hpp"
 #include "capi/json/results.hpp"
+#include "capi/options/flags.hpp"
 #include "capi/options/reader.hpp"
 #include "clip/files/write_file.hpp"
 #include "report/comparison_page.hpp"
@@ -12,17 +13,38 @@ using capi::compute;
 using capi::guard;
 using capi::required;
 
+namespace {
+
+/// How commands name the clip: as its reader did; empty: unknown.
+std::string name_of(const stltsa_clip& clip) {
+    const std::string& path = clip.clip.path;
+    if (path.empty() || clip.pieces.empty())
+        return path;
+    return clip.stretch.empty() ? "" : path + ':' + clip.stretch;
+}
+
+/// For the commands on the page.
+std::vector<std::pair<const char*, std::string>> flags_by_command(const stltsa_options* options) {
+    constexpr int32_t open = STLTSA_CALL_OPEN;
+    return {{"decompose", capi::flags_of(options, open | STLTSA_CALL_DECOMPOSE)},
+            {"fit", capi::flags_of(options, open | STLTSA_CALL_FIT)},
+            {"synthesize", capi::flags_of(options, open | STLTSA_CALL_SYNTHESIZE)}};
+}
+
+} // namespace
+
 stltsa_status stltsa_report_save(const stltsa_clip* clip, const stltsa_decomposition* decomposition,
                                  const stltsa_options* options, const char* command,
                                  const char* path) noexcept {
     return compute([&] {
         const std::string place = &required(path, "path");
+        const stltsa_clip& of = required(clip, "clip");
         const results::Decomposed& decomposed = required(decomposition, "decomposition");
         const capi::OptionsReader reader(options);
-        const std::string page =
-            report::page({required(clip, "clip").clip, decomposed, reader.prepare_options(),
-                          capi::decomposition_json(decomposed), command == nullptr ? "" : command},
-                         reader.progress());
+        const std::string page = report::page(
+            {of.clip, decomposed, reader.prepare_options(), capi::decomposition_json(decomposed),
+             command == nullptr ? "" : command, name_of(of), of.pieces, flags_by_command(options)},
+            reader.progress());
         clip::write_file(place, page);
     });
 }

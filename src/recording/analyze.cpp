@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "linalg/simd.hpp"
+#include "motion/curve/statistics.hpp"
 #include "motion/decompose.hpp"
 #include "recording/answer.hpp"
 #include "recording/change_points.hpp"
@@ -68,6 +69,25 @@ bool explains(const motion::Decomposition& single, const Signal& signal,
     });
 }
 
+/// The coordinate of samples from `first` on as a curve of rows, as high as traced ones, with the
+/// same a quarter of a period earlier as its partner.
+PhaseCurve curve_of(const motion::Decomposition& found, double first, double step) {
+    PhaseCurve phase;
+    phase.curve = found.curve;
+    const double height = motion::quantile(phase.curve, 0.95) - motion::quantile(phase.curve, 0.05);
+    const auto quarter = static_cast<std::size_t>(std::lround(found.period / 4));
+    const std::size_t count = phase.curve.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        phase.places.push_back((static_cast<double>(i) + first) / step);
+        phase.curve[i] = height > 0 ? phase.curve[i] / height : 0;
+    }
+    for (std::size_t i = 0; i < count; ++i) // before the first quarter, half a period later
+        phase.partner.push_back(i >= quarter          ? phase.curve[i - quarter]
+                                : i + quarter < count ? -phase.curve[i + quarter]
+                                                      : 0);
+    return phase;
+}
+
 /// The claims of the method for one motion in a short part in which the track claims none.
 void decide_as_single(ConstMatrixView samples, double fps, const Options& options,
                       const Signal& signal, const Pauses& pauses, Part& part) {
@@ -90,6 +110,7 @@ void decide_as_single(ConstMatrixView samples, double fps, const Options& option
     cut.stretch.quality = found.lag_quality;
     cut.stretch.period.assign(static_cast<std::size_t>(part.rows.count()), found.period / step);
     cut.cyclicity = found.cyclicity;
+    cut.phase = curve_of(found, static_cast<double>(first), step);
     std::vector<double> margins;
     const auto row = [&](double sample) { return (sample + static_cast<double>(first)) / step; };
     for (const motion::Unit& unit : found.units)

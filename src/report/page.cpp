@@ -47,6 +47,16 @@ Json phase_json(const results::Phased& phased) {
     return JsonObject("step", step, "values", packed(rows.view()), "warnings", phased.warnings);
 }
 
+Json source_json(const Reported& reported) {
+    JsonObject flags;
+    for (const auto& [command, text] : reported.flags)
+        flags.set(command, text);
+    std::vector<Json> pieces;
+    for (const clip::Frames& piece : reported.pieces)
+        pieces.push_back(std::vector<Json>{piece.begin, piece.end});
+    return JsonObject("name", reported.name, "pieces", pieces, "flags", flags);
+}
+
 std::string_view bytes_of(const Matrix& matrix) {
     return {reinterpret_cast<const char*>(matrix.data()),
             sizeof(double) * static_cast<std::size_t>(matrix.rows() * matrix.cols())};
@@ -60,7 +70,7 @@ std::string page(const Reported& reported, const Progress& progress) {
         results::find_phase(clip, reported.decomposed, reported.prepare, progress);
     const std::vector<Part> parts = parts_of(clip);
     JsonObject data("format", "stltsa-report/1", "command", reported.command, "checksum",
-                    checksum(bytes_of(clip.values)));
+                    checksum(bytes_of(clip.values)), "source", source_json(reported));
     set_body(data, clip, parts, phased.samples.up);
     data.set("curve", curve_json(reported.decomposed), "phase", phase_json(phased), "motions",
              motions_json(clip, reported.decomposed, phased, parts, reported.prepare, progress));

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "base/progress.hpp"
 #include "clip/clip.hpp"
@@ -18,6 +20,10 @@ struct Reported {
     clip::PrepareOptions prepare;          ///< those of the decomposition
     std::string json;                      ///< the decomposition as JSON
     std::string command;                   ///< makes the report again; empty: unknown
+    std::string name;                      ///< of the clip in commands; empty: unknown
+    std::vector<clip::Frames> pieces;      ///< of the file, of which the clip consists; empty: all
+    /// By command: flags for the options with which the clip was read and decomposed.
+    std::vector<std::pair<const char*, std::string>> flags;
 };
 
 /// The page. Throws Status::argument if the decomposition is not of the clip.

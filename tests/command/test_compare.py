@@ -76,12 +76,29 @@ class Compare(CommandTest):
 
     def test_what_cannot_be_compared(self):
         self.assertIn("no cycles to compare", self.fails(4, "compare", walk(), f"{walk()}:0-100"))
-        self.assertIn("different features", self.fails(1, "compare", walk(), circle(), "--fps", "30"))
-        self.assertIn("left and right", self.fails(1, "compare", circle(), "--fps", "30"))
+        self.assertIn("different features", self.fails(4, "compare", walk(), circle(), "--fps", "30"))
+        self.assertIn("left and right", self.fails(4, "compare", circle(), "--fps", "30"))
+        others = write_csv("others.csv", [[math.sin(i / 8), math.cos(i / 8)] for i in range(400)], "u,v\n")
+        self.assertIn("no joint, point or column of the same name",
+                      self.fails(4, "compare", others, swings("named.csv"), "--fps", "60"))
         self.fails(4, "compare", still(), "--fps", "30")
-        self.assertIn("At Most 1", self.fails(2, "compare", walk(), walk(), walk()))
+        self.assertIn("takes one or two clips", self.fails(2, "compare", walk(), walk(), walk()))
         self.fails(2, "compare")
         self.fails(2, "compare", walk(), walk(), "-o", self.folder / "parts.png")
+
+    def test_names_do_not_break_the_table(self):
+        odd = self.folder / "new\nline.csv"
+        rows = [[math.sin(i / 8), math.cos(i / 8)] for i in range(400)]
+        name = 10 * "\u00e9" + 2000 * "x" + "end"
+        text = f"{name},other\n" + "".join(f"{a},{b}\n" for a, b in rows)
+        odd.write_text(text, encoding="utf-8")
+        table = self.done("compare", odd, odd, "--fps", "60").decode()
+        self.assertIn("new\ufffdline.csv:", table)
+        self.assertIn(10 * "\u00e9" + "xxxxx...", table)
+        self.assertLess(max(map(len, table.splitlines())), 140)
+        self.assertIn(name, self.done("compare", odd, odd, "--fps", "60", "--json").decode())
+        both = self.done("compare", "-", "-", input=walk().read_bytes()).decode()
+        self.assertEqual(both.count("standard input:"), 2)
 
     def test_the_same_bits_again(self):
         line = ("compare", walk(), f"{walk()}:200-", "--json")

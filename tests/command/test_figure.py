@@ -11,7 +11,7 @@ import tempfile
 import unittest
 import xml.etree.ElementTree as ET
 
-from common import WALKER, CommandTest, bursts, circle, crowd, drift, run, walk
+from common import WALKER, CommandTest, bursts, circle, crowd, drift, run, walk, write_csv
 
 SVG = "{http://www.w3.org/2000/svg}"
 
@@ -271,6 +271,23 @@ class Figure(CommandTest):
         few = self.figure("decompose", walk())
         for name in ("envelope", "overlaid", "zoomed"):
             self.assertEqual(self.of_class(few, name), [])
+
+    def test_cycles_beyond_a_gap_are_not_overlaid(self):
+        def row(i):
+            at = 2 * math.pi * i / 66
+            return [math.sin(at) + 0.2 * math.sin(2 * at), math.cos(at), math.sin(at + 1)]
+
+        rows = [row(i) for i in range(1650)]
+        other = [[rows[-1][0], rows[-1][1] + 1.5 * math.sin(math.pi * k / 40),
+                  rows[-1][2] + math.sin(2 * math.pi * k / 40)] for k in range(40)]
+        line = ("decompose", write_csv("gap.csv", rows + other + rows, "a,b,c\n"), "--fps", "60")
+        found = self.json(*line)
+        cycles = found["cycles"]
+        gaps = [i for i in range(1, len(cycles)) if cycles[i]["begin"] > cycles[i - 1]["end"]]
+        self.assertEqual((len(found["segments"]), len(gaps)), (1, 1))
+        before = found["representative_cycle"]["begin"] < cycles[gaps[0]]["begin"]
+        run = gaps[0] if before else len(cycles) - gaps[0]
+        self.assertEqual(len(self.of_class(self.figure(*line), "overlaid")), run)
 
     def test_long_loops_go_one_way(self):
         """The angle around the middle of the loop grows by one turn per cycle."""

@@ -6,6 +6,7 @@ import csv
 import json
 import math
 import re
+import shlex
 import unittest
 import zlib
 
@@ -95,6 +96,38 @@ class Page(Pages):
         self.assertGreater(len(paired), 3)
         for part in paired:
             self.assertEqual(parts[part["partner"]]["side"], 1 - part["side"])
+
+    def events(self, source, frame):
+        words = shlex.split(source["name"] + source["flags"]["decompose"])
+        found = self.json("events", *words, "--mark", f"{frame}=here")
+        return [event["frame"] for event in found["events"]]
+
+    def test_commands_read_the_clip_as_it_was_read(self):
+        """What the page shows as commands: the name, the flags, and the frames of the file."""
+        label = f"{walk()}:A"
+        source = self.data(self.page(label, "--fps", "90", "--keep-start", "--features", "euler",
+                                     "--period-max", "2.5", "--threads", "1"))["source"]
+        self.assertEqual(source["name"], label)
+        self.assertEqual(source["flags"]["decompose"],
+                         " --features euler --keep-start --fps 90 --period-max 2.5")
+        self.assertEqual(source["flags"]["synthesize"], " --fps 90")
+        ((begin, end),) = source["pieces"]
+        data = self.data(self.page(label))
+        self.assertEqual(data["body"]["places"]["rows"], data["source"]["pieces"][0][1] - data["source"]["pieces"][0][0])
+        cycles = data["decomposition"]["cycles"]
+        found = self.events(data["source"], cycles[1]["begin"] + 10)
+        self.assertIn(cycles[1]["begin"] + 10, found)
+        for cycle in cycles:
+            self.assertLess(min(abs(frame - cycle["begin"] - 10) for frame in found), 3)
+        # Of a stretch of a file, the frames of the file.
+        first = unpacked(data["body"]["places"])[0][:3]
+        begin = data["source"]["pieces"][0][0]
+        there = unpacked(self.data(self.page(f"{walk()}:{begin}-"))["body"]["places"])[0][:3]
+        for one, other in zip(first, there):
+            self.assertAlmostEqual(one, other, delta=0.02)
+        whole = self.data(self.page(walk()))["source"]
+        self.assertEqual((whole["name"], whole["pieces"]), (str(walk()), []))
+        self.assertEqual(set(whole["flags"].values()), {""})
 
     def test_hostile_names(self):
         clip = self.folder / ("a " + HOSTILE.replace("/", "") + ".csv")

@@ -208,12 +208,21 @@ class Parser {
                 chosen != nullptr && dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr;
             throw Failure(Exit::usage,
                           fmt::format("{}\nTry 'stltsa {}--help'.",
-                                      too_many ? unexpected(*chosen) : error.what(),
+                                      too_many                              ? unexpected(*chosen)
+                                      : chosen != nullptr && third(*chosen) ? third_clip
+                                                                            : error.what(),
                                       chosen == nullptr ? "" : chosen->get_name() + " "));
         }
     }
 
   private:
+    static constexpr const char* third_clip = "compare takes one or two clips, and here are more: "
+                                              "compare others one after another";
+
+    static bool third(const CLI::App& command) {
+        const CLI::Option* second = command.get_option_no_throw("second");
+        return second != nullptr && second->count() > 1;
+    }
     /// The message for the first option that the command does not have, or else for the first extra
     /// argument.
     static std::string unexpected(const CLI::App& command) {

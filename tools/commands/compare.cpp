@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include "arguments/option_flags.hpp"
 #include "commands/commands.hpp"
 #include "commands/session.hpp"
+#include "exit_status.hpp"
 #include "reports/comparison.hpp"
 
 namespace tool {
@@ -18,8 +20,16 @@ stltsa::Phase phase_of(const Session& session, const std::string& path, const st
     return stltsa::find_phase(clip, found, session.options());
 }
 
-std::string file_name(const std::string& path) {
-    return path.substr(path.find_last_of('/') + 1);
+/// The result of a comparison, which clips of other motions or names do not permit.
+template <class Compare>
+stltsa::Comparison if_comparable(Compare compare) {
+    try {
+        return compare();
+    } catch (const stltsa::Error& error) {
+        if (error.status() != STLTSA_E_UNSUPPORTED && error.status() != STLTSA_E_SHAPE)
+            throw;
+        throw Failure(Exit::untrustworthy, with_flags(error.what()));
+    }
 }
 
 } // namespace
@@ -31,9 +41,11 @@ Exit run_compare(const Arguments& arguments) {
     const std::string other = arguments.pieces.empty() ? "" : arguments.pieces.front();
     const auto compared = [&] {
         if (other.empty())
-            return phase.compare_left_right(clip, -1, session.options());
+            return if_comparable(
+                [&] { return phase.compare_left_right(clip, -1, session.options()); });
         const stltsa::Clip second = session.open_clip(other);
-        return phase.compare(phase_of(session, other, second));
+        const stltsa::Phase of_second = phase_of(session, other, second);
+        return if_comparable([&] { return phase.compare(of_second); });
     };
     const stltsa::Comparison comparison = compared();
     if (!arguments.report.empty())
@@ -42,7 +54,7 @@ Exit run_compare(const Arguments& arguments) {
         });
     session.finish(
         {[&] { return comparison.json(); },
-         [&] { return comparison_report(comparison, session.title(), file_name(other)); },
+         [&] { return comparison_report(comparison, session.title(), Session::title_of(other)); },
          comparison.warnings(), [&] { return comparison_csv(comparison); }});
     return Exit::done;
 }

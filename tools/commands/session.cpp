@@ -175,13 +175,12 @@ void Session::set_fps(double fps) {
 }
 
 std::string Session::title() const {
-    std::string name = is_standard_input(arguments_.input)
-                           ? "standard input" + arguments_.input.substr(1)
-                           : std::filesystem::path(arguments_.input).filename().string();
-    // Other control characters are replaced where they are shown, but tables contain line breaks.
-    for (std::size_t at = 0; (at = name.find('\n', at)) != std::string::npos;)
-        name.replace(at, 1, "\xEF\xBF\xBD"); // U+FFFD
-    return name;
+    return title_of(arguments_.input);
+}
+
+std::string Session::title_of(const std::string& path) {
+    return one_line(is_standard_input(path) ? "standard input" + path.substr(1)
+                                            : std::filesystem::path(path).filename().string());
 }
 
 void Session::add_file(const std::string& path, std::string content) {

@@ -42,6 +42,7 @@ class Session {
 
     /// The file's name without its folder.
     std::string title() const;
+    static std::string title_of(const std::string& path);
 
     void add_file(const std::string& path, std::string content);
     /// As NPY or CSV, by suffix; the columns of a CSV file are named y1, y2 and so on. If the rate

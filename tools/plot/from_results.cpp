@@ -90,23 +90,29 @@ std::int64_t enlarged_cycle(const plot::Figure& figure) {
     return found == figure.cycles.end() ? -1 : found - figure.cycles.begin();
 }
 
-/// The curve of each cycle in the segment of the enlarged one, on 0 to 100 %.
+/// The curves on 0 to 100 % of the enlarged cycle and of those that follow one another before and
+/// after it; between other cycles of its segment there may be another motion.
 std::optional<stltsa::Cycles> overlaid_cycles(const plot::Figure& figure) {
     if (figure.enlarged < 0)
         return std::nullopt;
-    const std::int32_t segment = figure.cycles[static_cast<std::size_t>(figure.enlarged)].segment;
+    const auto& cycles = figure.cycles;
+    const auto continues = [&](std::size_t i) {
+        return cycles[i].segment == cycles[i - 1].segment && cycles[i].begin == cycles[i - 1].end;
+    };
+    auto first = static_cast<std::size_t>(figure.enlarged), last = first;
+    while (first > 0 && continues(first))
+        --first;
+    while (last + 1 < cycles.size() && continues(last + 1))
+        ++last;
     std::vector<double> borders; // in samples
     const auto add = [&](std::int64_t frame) {
         const double sample =
             static_cast<double>(frame - figure.first) / static_cast<double>(figure.step);
         borders.push_back(std::clamp(sample, 0.0, static_cast<double>(figure.curve.size())));
     };
-    for (const stltsa::Interval& cycle : figure.cycles)
-        if (cycle.segment == segment) {
-            if (borders.empty())
-                add(cycle.begin);
-            add(cycle.end);
-        }
+    add(cycles[first].begin);
+    for (std::size_t i = first; i <= last; ++i)
+        add(cycles[i].end);
     stltsa::Matrix curve(std::ssize(figure.curve), 1);
     curve.values = figure.curve;
     constexpr std::int64_t percent = 101;

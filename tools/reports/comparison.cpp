@@ -17,6 +17,9 @@ namespace {
 /// The largest number of parts in the table; JSON and CSV have all.
 constexpr std::size_t most_rows = 16;
 
+/// Characters of a name in the table.
+constexpr std::size_t longest_name = 32;
+
 constexpr const char* unknown = "-";
 
 std::string mark(const stltsa::Difference& of) {
@@ -36,7 +39,10 @@ std::string number(double value) {
 }
 
 std::string name_of(const stltsa::Comparison& comparison, std::int64_t part) {
-    const std::string first = comparison.part_name(0, part), second = comparison.part_name(1, part);
+    const auto shown = [&](std::int32_t which) {
+        return shortened(one_line(comparison.part_name(which, part)), longest_name);
+    };
+    const std::string first = shown(0), second = shown(1);
     return first == second ? first : first + " - " + second;
 }
 

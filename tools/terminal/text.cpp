@@ -98,6 +98,29 @@ std::size_t characters(std::string_view text) {
     return static_cast<std::size_t>(std::ranges::count_if(text, first_byte));
 }
 
+std::string one_line(std::string text) {
+    // Other control characters are replaced where they are shown.
+    for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos;)
+        text.replace(at, 1, "\xEF\xBF\xBD");
+    return text;
+}
+
+std::string shortened(const std::string& text, std::size_t most) {
+    const std::size_t count = characters(text), kept = most - 3;
+    if (count <= most)
+        return text;
+    std::string begin, end;
+    std::size_t seen = 0; // characters, with this one
+    for (const char c : text) {
+        seen += characters({&c, 1});
+        if (seen <= (kept + 1) / 2)
+            begin += c;
+        else if (seen > count - kept / 2)
+            end += c;
+    }
+    return begin + "..." + end;
+}
+
 std::string label_text(std::int32_t label) {
     std::string text;
     for (std::int32_t rest = label; rest >= 0; rest = rest / 26 - 1)

@@ -29,6 +29,12 @@ std::string hint(std::string_view word, const std::vector<std::string>& names);
 /// Number of characters in UTF-8 text.
 std::size_t characters(std::string_view text);
 
+/// The text with U+FFFD for each line break: lines are part of tables.
+std::string one_line(std::string text);
+
+/// At most so many characters, with ... for those in the middle that are left out.
+std::string shortened(const std::string& text, std::size_t most);
+
 /// The label of a segment: A, B, ... Z, AA, AB, ...; empty for -1.
 std::string label_text(std::int32_t label);
 

@@ -168,15 +168,43 @@ def test_cycles(result, many):
     *each, mean = [line.get_ydata() for line in axes.lines]
     assert len(each) == len(result.cycle_list)
     assert mean == pytest.approx(np.mean(each, axis=0))
+    (band,) = axes.collections
+    drawn = band.get_paths()[0].vertices[:, 1]
+    deviation = np.std(each, axis=0, ddof=1)
+    assert drawn.max() == pytest.approx((mean + deviation).max())
+    assert drawn.min() == pytest.approx((mean - deviation).min())
     for line, cycle in zip(each, result.cycle_list, strict=True):
         ends = np.interp([cycle.begin, cycle.end], result.frames, result.curve)
         assert [line[0], line[-1]] == pytest.approx(ends)
     assert len(stltsa.plot.cycles(many).lines) == len(many.cycle_list) + 1
 
 
+def test_cycles_on_both_sides_of_a_gap():
+    turns = 2 * np.pi * np.arange(900) / 66
+    cycle = np.stack([np.sin(turns) + 0.2 * np.sin(2 * turns), np.cos(turns), np.sin(turns + 1)], 1)
+    along = np.linspace(0, 1, 40)[:, None]
+    other = cycle[-1] + [0, 1.5, 1] * np.sin(np.pi * along * [0, 1, 2])
+    result = stltsa.decompose(np.concatenate([cycle, other, cycle]), fps=60)
+    found = result.cycle_list
+    gaps = [i for i in range(1, len(found)) if found[i].begin > found[i - 1].end]
+    assert len(gaps) == 1 and len(result.segments) == 1
+    before = result.facts["representative"] < gaps[0]
+    run = found[: gaps[0]] if before else found[gaps[0] :]
+    *each, _ = [line.get_ydata() for line in stltsa.plot.cycles(result).lines]
+    assert len(each) == len(run)
+    for line, shown in zip(each, run, strict=True):
+        ends = np.interp([shown.begin, shown.end], result.frames, result.curve)
+        assert [line[0], line[-1]] == pytest.approx(ends)
+
+
 def test_cycle_times(result):
-    (marks,) = stltsa.plot.cycle_times(result).collections
+    axes = stltsa.plot.cycle_times(result)
+    (marks,) = axes.collections
     numbers, lengths = marks.get_offsets().T
+    filled = [color[:3].min() < 1 for color in marks.get_facecolors()]
+    assert filled == [cycle == result.representative_cycle for cycle in result.cycle_list]
+    low, high = axes.get_ylim()
+    assert low < lengths.min() and lengths.max() < high
     assert numbers.tolist() == [1, 2, 3]
     assert np.asarray(lengths) == pytest.approx(np.asarray(result.cycles["duration_s"]))
 

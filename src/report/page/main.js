@@ -43,8 +43,10 @@ function showExport() {
   byId("shown").textContent = whole ? "" : `shown: ${time(a)} to ${time(b)}, frames ${a} to ${b}`;
   if (byId("export").dataset.key === stretch + "!") return;
   byId("export").dataset.key = stretch + "!";
-  const suffixes = body.kind === "skeleton" ? ["glb", "bvh"] : body.kind === "points" ? ["glb", "csv"] : ["csv"];
-  byId("export").replaceChildren(...(body.kind === "skeleton" ? [element("p", { class: "facts" }, whole ? "The whole clip for other programs (to choose a part of it, zoom in above):" : "The part of the clip that is shown above, for other programs:"), ...suffixes.map(suffix => commandBox(`stltsa synthesize ${clipWord(a, b)}${rateWord()} -o ${shellWord(stem().replace(/\.\w+$/, "") + (stretch ? "-" + stretch : "") + "." + suffix)}`))] : []));
+  // The whole file in its own format would be written over itself.
+  const suffixes = ["glb", "bvh"].filter(suffix => !whole || cut || suffix !== clip.format);
+  const name = stem().replace(/\.\w+$/, "") + (stretch || cut ? "-" + (stretch || "stretch") : "");
+  byId("export").replaceChildren(...(body.kind === "skeleton" ? [element("p", { class: "facts" }, whole ? "The whole clip for other programs (to choose a part of it, zoom in above):" : "The part of the clip that is shown above, for other programs:"), ...suffixes.map(suffix => commandBox(`stltsa synthesize ${stretchWords(a, b)}${flagWords("synthesize")} -o ${argumentWord(name + "." + suffix)}`))] : []));
 }
 
 function control() {

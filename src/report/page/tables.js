@@ -85,13 +85,23 @@ function makeTables() {
     add(title, list, ["", "Motion", "From", "Seconds", "Speed", "Path length", "Turn, °", "Likeness", "Confidence"], (c, i) => [String(i + 1), named(labelOf(c.segment)), go(c), length(c), ...travel(c), percent(c.likeness, 0), percent(c.confidence, 0)]);
 }
 
-// The clip may itself be a part of its file, which a note says: "frames [100, 220) of the clip, ...".
-const offsets = (clip.notes || []).map(note => note.match(/^frames \[(\d+), (\d+)\) of the clip, counted/)).filter(Boolean);
-function clipWord(begin = 0, end = frames) {
-  const offset = offsets.reduce((sum, match) => sum + Number(match[1]), 0), whole = begin <= 0 && end >= frames;
-  return shellWord((clip.path || "CLIP") + (whole && !offsets.length ? "" : `:${offset + begin}-${offset + end}`));
+// What a shell reads as an argument that is no option.
+const argumentWord = text => shellWord(text.startsWith("-") ? "./" + text : text);
+const { name: clipName, pieces, flags } = data.source; // the clip may be a stretch of its file, or several
+const cut = pieces.length > 0;
+const clipWord = () => argumentWord(clipName || "CLIP");
+// Frames of the clip as stretches of its file.
+function stretchWords(begin, end) {
+  if (begin <= 0 && end >= frames) return clipWord();
+  let at = 0;
+  return (cut ? pieces : [[0, frames]]).flatMap(([from, to]) => {
+    const a = Math.max(from, from + begin - at), b = Math.min(to, from + end - at);
+    at += to - from;
+    return a < b ? [argumentWord(`${clip.path || "CLIP"}:${a}-${b}`)] : [];
+  }).join(" ");
 }
-const rateWord = () => ["csv", "npy"].includes(clip.format) && clip.fps ? " --fps " + +fps.toPrecision(9) : "";
+// Flags of a command for the options with which the clip was read; text files need their rate.
+const flagWords = command => flags[command] + (["csv", "npy"].includes(clip.format) && clip.fps && !flags[command].includes(" --fps ") ? " --fps " + +fps.toPrecision(9) : "");
 function makeDetails() {
   const p = found.parameters, samples = found.samples, e = found.embedding || {}, intrinsic = found.intrinsic_dimension;
   const list = [["Features", `${clip.features}, ${plural(samples.feature_count, "column")}`], ["Samples", `${samples.count} at ${number(samples.fps, 4)} per second, smoothed over ${number(samples.smoothing_s)} s`],
@@ -100,8 +110,8 @@ function makeDetails() {
     ["Intrinsic dimension", intrinsic ? `${intrinsic.local_pca || "cannot tell"} by local PCA, ${intrinsic.eigengap || "cannot tell"} by the eigengap` : "not asked for (--dimension-estimate)"],
     ["Library", "libstltsa " + found.library], ["File", clip.path || "none (from memory)"], ["Checksum of the data", "CRC-32 " + data.checksum]];
   byId("details").append(element("dl", {}, ...list.flatMap(([term, value]) => [element("dt", {}, term), element("dd", {}, String(value))])),
-    element("p", { class: "facts" }, "To make this report again:"), commandBox(data.command || `stltsa decompose ${clipWord()}${rateWord()} --report ${shellWord(stem() + ".html")}`),
-    element("p", { class: "facts screen" }, "For the error estimate and the residual of an embedding of the whole clip:"), element("div", { class: "screen" }, commandBox(`stltsa fit ${clipWord()}${rateWord()}`)));
+    element("p", { class: "facts" }, "To make this report again:"), commandBox(data.command || `stltsa decompose ${clipWord()}${flagWords("decompose")} --report ${shellWord(stem() + ".html")}`),
+    element("p", { class: "facts screen" }, "For the error estimate and the residual of an embedding of the whole clip:"), element("div", { class: "screen" }, commandBox(`stltsa fit ${clipWord()}${flagWords("fit")}`)));
   const values = (e.eigenvalues || []).filter(v => v !== null);
   if (values.length < 2) return;
   new Panel("spectrum", {

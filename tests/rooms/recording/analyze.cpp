@@ -210,6 +210,21 @@ void cycles_of_a_crop_begin_at_the_same_half(void**) {
     }
 }
 
+/// Two cycles of a short part, which the method for one motion finds, have a curve as well.
+void few_cycles_between_others_have_a_curve(void**) {
+    const Matrix samples = Recorder()
+                               .cycles(20, 1.1, 0)
+                               .action(5, 7)
+                               .cycles(3.4, 1.6, 3)
+                               .action(4, 7)
+                               .cycles(15, 0.9, 0)
+                               .samples();
+    const Recording found = answer(samples);
+    check_cover(found, samples);
+    check_curves(found);
+    assert_int_equal(std::ranges::count(moving_kinds(found), SegmentKind::cyclic), 3);
+}
+
 /// Cycles that begin and end with the recording are whole.
 void no_cycle_is_lost_at_the_ends(void**) {
     for (const double seconds : {0.0, 0.25, 0.5, 0.75}) {
@@ -275,6 +290,7 @@ int main() {
         cmocka_unit_test(repetitions_with_a_short_pause_are_counted),
         cmocka_unit_test(a_swaying_body_rests),
         cmocka_unit_test(cycles_of_a_crop_begin_at_the_same_half),
+        cmocka_unit_test(few_cycles_between_others_have_a_curve),
         cmocka_unit_test(no_cycle_is_lost_at_the_ends),
         cmocka_unit_test(a_hole_takes_no_cycle_beside_it),
         cmocka_unit_test(it_can_be_cancelled),

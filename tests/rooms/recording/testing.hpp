@@ -2,6 +2,7 @@
 // Motions for the tests of the room recording.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -97,6 +98,21 @@ inline void check_cover(const Recording& found, const Matrix& samples) {
     };
     check(found.segments);
     check(found.units);
+}
+
+/// Pictures show the coordinate of every cycle: it swings, as high in all segments, and so does its
+/// partner.
+inline void check_curves(const Recording& found) {
+    for (const Cycle& cycle : found.cycles)
+        for (std::int64_t column = 0; column < 2; ++column) {
+            double low = 1e9, high = -1e9;
+            for (auto i = static_cast<std::int64_t>(cycle.begin) + 1;
+                 static_cast<double>(i) < cycle.end; ++i) {
+                low = std::min(low, found.shown.loop(i, column));
+                high = std::max(high, found.shown.loop(i, column));
+            }
+            assert_true(high - low > 0.5 && high - low < 2);
+        }
 }
 
 } // namespace recording_testing

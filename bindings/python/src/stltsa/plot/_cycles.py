@@ -15,14 +15,17 @@ from ._style import COLUMN, CURVE, MANY, THIN, axes_to_draw_in, color_of, drawn_
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
+    from .._rows import Interval
+
 _MOST_LINES = 60
 
 
 def cycles(result: Decomposition, *, ax: Axes | None = None) -> Axes:
     """Draw the curve of each cycle on 0 to 100 %, with mean and standard deviation.
 
-    The cycles are those in the segment of the representative cycle or, if no curve was fitted
-    there, of the first cycle with a curve. Of more than 60 cycles, 60 are drawn.
+    The cycles are the representative one or, if no curve was fitted there, the first one with a
+    curve, and those of its segment that follow one another before and after it; of more than 60,
+    60 are drawn.
 
     Parameters
     ----------
@@ -42,9 +45,7 @@ def cycles(result: Decomposition, *, ax: Axes | None = None) -> Axes:
     """
     result = expect(result, Decomposition, "stltsa.plot.cycles", "stltsa.decompose")
     _needs_cycles(result, "stltsa.plot.cycles")
-    segments = np.asarray(result.cycle_facts["segment"])
-    chosen = segments[_enlarged(result)]
-    found = [c for c, segment in zip(result.cycle_list, segments, strict=True) if segment == chosen]
+    found = _run_around(result, _enlarged(result))
     first, step = int(result.frames[0]), int(result.facts["frame_step"][0])
     borders = [found[0].begin, *(cycle.end for cycle in found)]
     in_samples = (np.array(borders, dtype=np.float64) - first) / step
@@ -80,6 +81,21 @@ def cycles(result: Decomposition, *, ax: Axes | None = None) -> Axes:
 def _needs_cycles(result: Decomposition, caller: str) -> None:
     if not result.cycle_list:
         raise ValueError(f"{caller}: there are no cycles: {result.reason or 'nothing cycles'}")
+
+
+def _run_around(result: Decomposition, index: int) -> tuple[Interval, ...]:
+    """Return the cycles of a segment that follow one another, this one among them."""
+    segments, every = np.asarray(result.cycle_facts["segment"]), result.cycle_list
+
+    def continues(i: int) -> bool:
+        return bool(segments[i] == segments[i - 1] and every[i].begin == every[i - 1].end)
+
+    first = last = index
+    while first > 0 and continues(first):
+        first -= 1
+    while last + 1 < len(every) and continues(last + 1):
+        last += 1
+    return every[first : last + 1]
 
 
 def _enlarged(result: Decomposition) -> int:
