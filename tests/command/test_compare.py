@@ -27,6 +27,9 @@ class Compare(CommandTest):
         line += ("--fps", "100")
         found = self.json(*line)
         parts = {part["first"]: part for part in found["parts"]}
+        aligned = found["alignment"]
+        self.assertLess(aligned["low"], aligned["shift"])
+        self.assertLess(aligned["shift"], aligned["high"])
         self.assertEqual(list(parts), ["hip", "knee", "ankle", "toe"])
         knee = parts["knee"]["differences"]
         self.assertAlmostEqual(knee["amplitude_ratio"]["value"], 1.5, delta=0.05)
