@@ -27,6 +27,9 @@ class Compare(CommandTest):
         line += ("--fps", "100")
         found = self.json(*line)
         parts = {part["first"]: part for part in found["parts"]}
+        aligned = found["alignment"]
+        self.assertLess(aligned["low"], aligned["shift"])
+        self.assertLess(aligned["shift"], aligned["high"])
         self.assertEqual(list(parts), ["hip", "knee", "ankle", "toe"])
         knee = parts["knee"]["differences"]
         self.assertAlmostEqual(knee["amplitude_ratio"]["value"], 1.5, delta=0.05)
@@ -85,6 +88,16 @@ class Compare(CommandTest):
         self.assertIn("takes one or two clips", self.fails(2, "compare", walk(), walk(), walk()))
         self.fails(2, "compare")
         self.fails(2, "compare", walk(), walk(), "-o", self.folder / "parts.png")
+
+    def test_nothing_is_judged_by_single_cycles(self):
+        found = self.json("compare", walk(), walk(), "--period-max", "3")
+        self.assertGreater(found["judged"], 0)
+        one = swings("one.csv")
+        first = one.read_text().splitlines()
+        short = self.folder / "short.csv"
+        short.write_text("\n".join(first[:260]) + "\n")
+        found = self.json("compare", short, short, "--fps", "100")
+        self.assertEqual((found["first"]["cycles"], found["judged"], found["significant"]), (1, 0, 0))
 
     def test_names_do_not_break_the_table(self):
         odd = self.folder / "new\nline.csv"

@@ -7,10 +7,11 @@ import json
 import math
 import re
 import shlex
+import subprocess
 import unittest
 import zlib
 
-from common import CommandTest, circle, walk
+from common import WALKER, CommandTest, circle, walk
 
 HOSTILE = "</script><!--<script>\u2028'\"&\\"
 
@@ -89,6 +90,33 @@ class Page(Pages):
                 for c, value in enumerate(mean[2 * r]):
                     self.assertAlmostEqual(single[r][c], value, delta=0.05 * spread + 1e-6)
         self.assertGreater(len(motion["sides"]["pairs"]), 0)
+
+    def test_sides_residuals_and_chosen_cycles_are_those_of_the_json(self):
+        clip = self.folder / "long.bvh"
+        subprocess.run([WALKER, "-o", clip, "--cycles", "30", "--fps", "30", "--noise", "1"], check=True,
+                       stdout=subprocess.DEVNULL)
+        found = self.json("decompose", clip, "--phase", self.folder / "phase.csv")
+        data = self.data(self.page(clip))
+        (motion,), (sides,) = data["motions"], found["sides"]
+        pairs = {(pair["left"], pair["axis"]): pair for pair in sides["pairs"]}
+        curves = [list(zip(*unpacked(motion["sides"][name]))) for name in ("left_curves", "right_curves")]
+        for pair, left, right in zip(motion["sides"]["pairs"], *curves):
+            expected = pairs[pair["left"], pair["axis"]]
+            for name in ("left_range", "right_range"):
+                self.assertEqual(pair[name], expected[name])
+            self.assertEqual((pair["rms"], pair["chance"]),
+                             (expected["rms_difference"], expected["rms_by_chance"]))
+            for curve, name in ((left, "left_range"), (right, "right_range")):
+                self.assertAlmostEqual(max(curve) - min(curve), pair[name], delta=1e-3 + 1e-3 * pair[name])
+        with open(self.folder / "phase.csv", newline="", encoding="ascii") as file:
+            residuals = [row["residual"] for row in csv.DictReader(file)]
+        for row, text in zip(unpacked(data["phase"]["values"]), residuals, strict=True):
+            if text:
+                self.assertAlmostEqual(row[1], float(text), delta=1e-3)
+        count = len(motion["times"])
+        self.assertGreater(count, 24)
+        for signals in motion["sets"]:
+            self.assertEqual(signals["shown"], [i * count // 24 for i in range(24)])
 
     def test_sides_are_partners(self):
         parts = self.data(self.page(walk()))["body"]["parts"]

@@ -164,6 +164,36 @@ void lag_and_amplitude_have_their_errors(void**) {
     assert_true(std::isnan(joint.parts[0].mean.difference));
 }
 
+/// Ten cycles of two columns, by turns 0.01 of a cycle early and late.
+Resampled jittered(double late) {
+    Matrix signals(1001, 2), rows(10, 101);
+    for (std::int64_t k = 0; k < 10; ++k)
+        for (std::int64_t s = 0; s <= 100; ++s) {
+            const double own = late + (k % 2 == 0 ? 0.01 : -0.01);
+            const double at = turn * (static_cast<double>(s) / 100 - own);
+            signals(100 * k + s, 0) = std::sin(at);
+            signals(100 * k + s, 1) = std::cos(at);
+            rows(k, s) = static_cast<double>(100 * k + s);
+        }
+    return resample(signals.view(), std::move(rows));
+}
+
+void deviations_of_lags_are_those_of_the_cycles(void**) {
+    const Resampled first = jittered(0), second = jittered(0.04);
+    const std::vector<std::int64_t> groups{0, 1};
+    const double sd = 0.01 * std::sqrt(10.0 / 9);
+    const Estimate pairs = compare(first, second, groups, true).parts[0].lag;
+    ASSERT_NEAR(pairs.difference, 0.04, 1e-3);
+    ASSERT_NEAR(pairs.first_sd / sd, 1, 0.1);
+    ASSERT_NEAR(pairs.second_sd / sd, 1, 0.1);
+    ASSERT_NEAR(pairs.error, 0, 2e-4); // both are late together
+    const Differences found = compare(first, second, groups, false);
+    ASSERT_NEAR(found.shift, 0.04, 1e-3);
+    ASSERT_NEAR(found.parts[0].lag.difference, 0, 1e-3); // counts from that of the body
+    ASSERT_NEAR(found.parts[0].lag.first_sd, 0, 1e-3);
+    ASSERT_NEAR(estimate({0, {-1, 0, 1}}, {0, {-1, 0, 1}}, {}).first_sd, 1, 1e-12);
+}
+
 } // namespace
 
 int main() {
@@ -175,6 +205,7 @@ int main() {
         cmocka_unit_test(intervals_contain_the_truth),
         cmocka_unit_test(single_cycles_have_no_interval),
         cmocka_unit_test(lag_and_amplitude_have_their_errors),
+        cmocka_unit_test(deviations_of_lags_are_those_of_the_cycles),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }
