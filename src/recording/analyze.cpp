@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "linalg/simd.hpp"
+#include "ltsa/frames.hpp"
 #include "motion/curve/statistics.hpp"
 #include "motion/decompose.hpp"
 #include "recording/answer.hpp"
@@ -228,6 +229,7 @@ std::vector<Rows> rows_of(const std::vector<Hole>& holes, const Signal& signal) 
 
 Recording analyze(ConstMatrixView samples, double fps, const Options& options,
                   const Progress& progress) {
+    ltsa::check_frames(samples, {&samples.rows, 1});
     const double seconds = static_cast<double>(samples.rows) / fps;
     const bool whole = wants_one_embedding(options.single);
     const bool is_short = seconds <= longest_single_s;

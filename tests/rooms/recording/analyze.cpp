@@ -259,6 +259,20 @@ void a_hole_takes_no_cycle_beside_it(void**) {
     }
 }
 
+/// At 1e300 sums of squares overflow.
+void numbers_too_large_are_refused(void**) {
+    Matrix samples = Recorder().cycles(200, 1, 0).samples();
+    for (std::int64_t i = 0; i < samples.rows(); ++i)
+        for (std::int64_t c = 0; c < samples.cols(); ++c)
+            samples(i, c) *= 1e300;
+    try {
+        analyze(samples.view(), fps, {});
+        assert_true(false);
+    } catch (const stltsa::Error& error) {
+        assert_true(error.status() == stltsa::Status::not_finite);
+    }
+}
+
 void it_can_be_cancelled(void**) {
     const Matrix samples = Recorder().cycles(200, 1, 0).samples();
     int calls = 0;
@@ -293,6 +307,7 @@ int main() {
         cmocka_unit_test(few_cycles_between_others_have_a_curve),
         cmocka_unit_test(no_cycle_is_lost_at_the_ends),
         cmocka_unit_test(a_hole_takes_no_cycle_beside_it),
+        cmocka_unit_test(numbers_too_large_are_refused),
         cmocka_unit_test(it_can_be_cancelled),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
