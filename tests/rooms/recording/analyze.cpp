@@ -266,7 +266,7 @@ void numbers_too_large_are_refused(void**) {
         for (std::int64_t c = 0; c < samples.cols(); ++c)
             samples(i, c) *= 1e300;
     try {
-        analyze(samples.view(), fps, {});
+        analyze(samples.view(), fps, {}, Progress());
         assert_true(false);
     } catch (const stltsa::Error& error) {
         assert_true(error.status() == stltsa::Status::not_finite);
