@@ -4,6 +4,7 @@
 const fs = require("fs");
 const path = require("path");
 const { chromium } = require("playwright-core");
+const puppeteer = require("puppeteer-core");
 const axe = fs.readFileSync(require.resolve("axe-core/axe.min.js"), "utf8");
 
 const [folder, ...reports] = process.argv[3] === "--picture" ? [process.argv[2]] : process.argv.slice(2);
@@ -16,8 +17,8 @@ function check(holds, what) {
 const pixels = (page, id, layer) => page.evaluate(([name, at]) => document.querySelectorAll(`#${name} canvas`)[at].toDataURL().length + document.querySelectorAll(`#${name} canvas`)[at].toDataURL().slice(-4000), [id, layer]);
 
 // A page with the report, its requests and its console messages.
-async function opened(browser, report, { width = 1240, colorScheme = "light" } = {}) {
-  const page = await browser.newPage({ viewport: { width, height: width < 600 ? 844 : 900 }, colorScheme, acceptDownloads: true });
+async function opened(browser, report, { width = 1240, colorScheme = "light", hasTouch = false } = {}) {
+  const page = await browser.newPage({ viewport: { width, height: width < 600 ? 844 : 900 }, colorScheme, hasTouch, acceptDownloads: true });
   const told = [];
   page.on("request", request => { if (!/^(data|blob):/.test(request.url()) && request.url() !== "file://" + report) told.push("request " + request.url()); });
   page.on("console", message => told.push(message.type() + " " + message.text()));
@@ -136,6 +137,50 @@ async function checkUse(browser, report) {
   await (compared ? checkRest(page, told, ["save-csv", "save-curves"], "stltsa-comparison") : checkRest(page, told, ["save-csv"], "stltsa-decomposition"));
 }
 
+// Two fingers that move apart by this much to each side.
+async function pinch(page, id, far) {
+  await page.locator("#" + id).scrollIntoViewIfNeeded();
+  const box = await page.locator(`#${id} canvas`).last().boundingBox(), x = box.x + box.width / 2, y = box.y + box.height / 2;
+  const session = await page.context().newCDPSession(page), send = (type, off) => session.send("Input.dispatchTouchEvent", { type, touchPoints: type === "touchEnd" ? [] : [{ x: x - off, y, id: 0 }, { x: x + off, y, id: 1 }] });
+  await send("touchStart", 20);
+  for (let k = 1; k <= 8; ++k) await send("touchMove", 20 + far * k / 8);
+  await send("touchEnd", 0);
+}
+
+async function checkTouch(browser, report) {
+  const { page } = await opened(browser, report, { width: 390, hasTouch: true });
+  if (await page.locator("#viewer canvas").count()) {
+    const picture = await pixels(page, "viewer", 1);
+    await pinch(page, "viewer", 60);
+    const space = await page.locator("#viewer button", { hasText: "+" }).count() > 0;
+    if (space) check(await comes(page, async () => await pixels(page, "viewer", 1) !== picture), "two fingers make the body larger");
+  }
+  if (await page.locator("#band canvas").count()) {
+    const view = await pixels(page, "band", 0);
+    await pinch(page, "band", 60);
+    check(await comes(page, async () => await pixels(page, "band", 0) !== view), "two fingers zoom the recording");
+  }
+  await page.close();
+}
+
+async function checkFirefox(browser, report) {
+  const page = await browser.newPage(), told = [];
+  await page.setViewport({ width: 1240, height: 900 });
+  page.on("console", message => told.push(message.type() + " " + message.text()));
+  page.on("pageerror", error => told.push("error " + error.message));
+  page.on("request", request => { if (!/^data:/.test(request.url()) && request.url() !== "file://" + report) told.push("request " + request.url()); });
+  await page.goto("file://" + report);
+  await page.waitForSelector("html[data-ready]");
+  const clock = () => page.$eval("#clock", node => node.textContent), before = await clock();
+  await page.click("#play");
+  let moved = false;
+  for (let i = 0; i < 30 && !moved; ++i) { await new Promise(done => setTimeout(done, 100)); moved = await clock() !== before; }
+  check(moved, "plays in Firefox");
+  check(told.length === 0, "no request, nothing on the console of Firefox" + told.map(text => " (" + text + ")").join(""));
+  await page.screenshot({ path: path.join(folder, path.basename(report, ".html") + "-firefox.png") });
+  await page.close();
+}
+
 async function checkPrint(browser, report, name) {
   const { page } = await opened(browser, report);
   const pdf = await page.pdf({ format: "A4", preferCSSPageSize: true, path: path.join(folder, name + ".pdf") });
@@ -171,10 +216,18 @@ async function shoot(browser, report, name) {
     const name = path.basename(report, ".html");
     console.log(`${report}: ${fs.statSync(report).size} bytes`);
     await checkUse(browser, report);
+    await checkTouch(browser, report);
     await checkPrint(browser, report, name);
     await shoot(browser, report, name);
   }
   await browser.close();
+  const firefox = "/usr/bin/firefox-esr";
+  if (fs.existsSync(firefox)) {
+    const other = await puppeteer.launch({ browser: "firefox", executablePath: firefox, headless: true });
+    console.log(await other.version());
+    for (const report of reports) await checkFirefox(other, path.resolve(report));
+    await other.close();
+  } else console.log("firefox-esr is not installed: not checked in Firefox");
   console.log(failures ? `${failures} checks failed` : "all checks passed");
   process.exit(failures ? 1 : 0);
 })();
