@@ -187,7 +187,8 @@ def test_cycles_on_both_sides_of_a_gap():
     result = stltsa.decompose(np.concatenate([cycle, other, cycle]), fps=60)
     found = result.cycle_list
     gaps = [i for i in range(1, len(found)) if found[i].begin > found[i - 1].end]
-    assert len(gaps) == 1 and len(result.segments) == 1
+    assert len(gaps) == 1
+    assert len(result.segments) == 1
     before = result.facts["representative"] < gaps[0]
     run = found[: gaps[0]] if before else found[gaps[0] :]
     *each, _ = [line.get_ydata() for line in stltsa.plot.cycles(result).lines]
@@ -204,7 +205,8 @@ def test_cycle_times(result):
     filled = [color[:3].min() < 1 for color in marks.get_facecolors()]
     assert filled == [cycle == result.representative_cycle for cycle in result.cycle_list]
     low, high = axes.get_ylim()
-    assert low < lengths.min() and lengths.max() < high
+    assert low < lengths.min()
+    assert lengths.max() < high
     assert numbers.tolist() == [1, 2, 3]
     assert np.asarray(lengths) == pytest.approx(np.asarray(result.cycles["duration_s"]))
 
