@@ -13,10 +13,8 @@
 namespace stltsa::report {
 namespace {
 
-/// Limits that keep the report of an hour below 10 MB: the numbers that are packed, and the length
-/// of their text.
+/// More numbers are not packed, for the sake of time.
 constexpr std::int64_t most_values = 12'000'000;
-constexpr std::ptrdiff_t longest_text = 6'000'000;
 
 std::vector<std::string> names_of(const clip::Clip& clip) {
     std::vector<std::string> names;
@@ -92,8 +90,8 @@ std::vector<Part> parts_of(const clip::Clip& clip) {
     return parts;
 }
 
-void set_body(JsonObject& page, const clip::Clip& clip, const std::vector<Part>& parts,
-              clip::Axis up) {
+Json body_json(const clip::Clip& clip, const std::vector<Part>& parts, clip::Axis up,
+               std::int64_t longest_text) {
     const int space = clip.skeleton ? 3 : clip.space;
     const char* const kind = clip.skeleton ? "skeleton" : space > 0 ? "points" : "columns";
     const std::int64_t ranges = std::max<std::int64_t>(space > 0 ? space : width_of(clip), 1);
@@ -104,8 +102,8 @@ void set_body(JsonObject& page, const clip::Clip& clip, const std::vector<Part>&
         step = step * std::ssize(kept.text()) / longest_text + 1;
         kept = packed(places(clip, step).view(), ranges);
     }
-    page.set("body", JsonObject("kind", kind, "space", space, "up", static_cast<int>(up) - 1,
-                                "parts", parts_json(clip, parts), "step", step, "places", kept));
+    return JsonObject("kind", kind, "space", space, "up", static_cast<int>(up) - 1, "parts",
+                      parts_json(clip, parts), "step", step, "places", kept);
 }
 
 } // namespace stltsa::report

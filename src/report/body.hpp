@@ -21,8 +21,8 @@ struct Part {
 /// The parts of a clip.
 std::vector<Part> parts_of(const clip::Clip& clip);
 
-/// Sets "body": what moves and, for every step-th frame, where it is.
-void set_body(JsonObject& page, const clip::Clip& clip, const std::vector<Part>& parts,
-              clip::Axis up);
+/// What moves, and where it is in every step-th frame: as many frames as the text has room for.
+Json body_json(const clip::Clip& clip, const std::vector<Part>& parts, clip::Axis up,
+               std::int64_t longest_text);
 
 } // namespace stltsa::report

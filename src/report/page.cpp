@@ -57,6 +57,12 @@ Json source_json(const Reported& reported) {
     return JsonObject("name", reported.name, "pieces", pieces, "flags", flags);
 }
 
+/// The report of an hour has at most 10 MB (10^7 bytes): postures get what the rest leaves.
+std::int64_t room_for_body(std::size_t used) {
+    constexpr std::int64_t longest_page = 9'900'000, least = 1'000'000, most = 6'000'000;
+    return std::clamp(longest_page - static_cast<std::int64_t>(used), least, most);
+}
+
 std::string_view bytes_of(const Matrix& matrix) {
     return {reinterpret_cast<const char*>(matrix.data()),
             sizeof(double) * static_cast<std::size_t>(matrix.rows() * matrix.cols())};
@@ -71,12 +77,15 @@ std::string page(const Reported& reported, const Progress& progress) {
     const std::vector<Part> parts = parts_of(clip);
     JsonObject data("format", "stltsa-report/1", "command", reported.command, "checksum",
                     checksum(bytes_of(clip.values)), "source", source_json(reported));
-    set_body(data, clip, parts, phased.samples.up);
     data.set("curve", curve_json(reported.decomposed), "phase", phase_json(phased), "motions",
              motions_json(clip, reported.decomposed, phased, parts, reported.prepare, progress));
+    const Template around = report_template();
+    data.set("body", body_json(clip, parts, phased.samples.up,
+                               room_for_body(around.before.size() + around.after.size() +
+                                             data.text().size() + reported.json.size())));
     std::string json = data.text();
     json.insert(1, "\"decomposition\":" + reported.json + ',');
-    return filled(report_template(), json);
+    return filled(around, json);
 }
 
 } // namespace stltsa::report
