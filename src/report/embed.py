@@ -16,9 +16,9 @@ PIECE = 8000  # characters of a string literal; compilers must accept 65536 byte
 
 
 def literals(text):
-    """Return adjacent C++ string literals that together are the text."""
+    """Return C++ string literals, each followed by a comma, that together are the text."""
     pieces = [text[i : i + PIECE] for i in range(0, len(text), PIECE)] or [""]
-    return "\n".join(f'    R"stltsa({piece})stltsa"' for piece in pieces)
+    return "\n".join(f'    R"stltsa({piece})stltsa",' for piece in pieces)
 
 
 def main(function, page, source, depfile):
@@ -34,7 +34,11 @@ def main(function, page, source, depfile):
     Path(source).write_text(
         '#include "report/template.hpp"\n\n'
         "namespace stltsa::report {\n\n"
-        f"Template {function}() {{\n    return {{\n{literals(before)},\n{literals(after)}}};\n}}\n\n"
+        "namespace {\n\n"
+        f"constexpr std::string_view before[] = {{\n{literals(before)}\n}};\n"
+        f"constexpr std::string_view after[] = {{\n{literals(after)}\n}};\n\n"
+        "} // namespace\n\n"
+        f"Template {function}() {{\n    return {{before, after}};\n}}\n\n"
         "} // namespace stltsa::report\n",
         encoding="utf-8",
     )

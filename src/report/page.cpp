@@ -80,9 +80,9 @@ std::string page(const Reported& reported, const Progress& progress) {
     data.set("curve", curve_json(reported.decomposed), "phase", phase_json(phased), "motions",
              motions_json(clip, reported.decomposed, phased, parts, reported.prepare, progress));
     const Template around = report_template();
-    data.set("body", body_json(clip, parts, phased.samples.up,
-                               room_for_body(around.before.size() + around.after.size() +
-                                             data.text().size() + reported.json.size())));
+    data.set("body",
+             body_json(clip, parts, phased.samples.up,
+                       room_for_body(around.size() + data.text().size() + reported.json.size())));
     std::string json = data.text();
     json.insert(1, "\"decomposition\":" + reported.json + ',');
     return filled(around, json);

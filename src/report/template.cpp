@@ -18,10 +18,21 @@ std::string in_html(const std::string& json) {
 
 } // namespace
 
+std::size_t Template::size() const {
+    std::size_t sum = 0;
+    for (const auto& pieces : {before, after})
+        for (const std::string_view piece : pieces)
+            sum += piece.size();
+    return sum;
+}
+
 std::string filled(Template page, const std::string& json) {
-    std::string text(page.before);
+    std::string text;
+    for (const std::string_view piece : page.before)
+        text += piece;
     text += in_html(json);
-    text += page.after;
+    for (const std::string_view piece : page.after)
+        text += piece;
     return text;
 }
 

@@ -2,13 +2,17 @@
 // The pages without their data, which embed.py makes from the folder page.
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 
 namespace stltsa::report {
 
+/// In pieces, because compilers need not accept longer literals.
 struct Template {
-    std::string_view before, after; ///< the data
+    std::span<const std::string_view> before, after; ///< the data
+
+    std::size_t size() const;
 };
 
 Template report_template();
