@@ -279,7 +279,7 @@ Parts Decomposed::parts(std::int32_t kind) const {
 Decomposed decompose(const clip::Clip& clip, const clip::PrepareOptions& prepare,
                      recording::Options options, const Progress& progress) {
     if (!(clip.fps > 0))
-        fail(Status::argument, "{}: the frame rate is unknown: open the clip with option fps",
+        fail(Status::argument, "the frame rate of {} is unknown: open it with option fps",
              clip.path.empty() ? "the clip" : clip.path);
     const clip::Clip* single = &clip;
     ClipSamples prepared = prepare_clips({&single, 1}, prepare, progress);

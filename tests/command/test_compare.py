@@ -85,7 +85,7 @@ class Compare(CommandTest):
         self.assertIn("no joint, point or column of the same name",
                       self.fails(4, "compare", others, swings("named.csv"), "--fps", "60"))
         self.fails(4, "compare", still(), "--fps", "30")
-        self.assertIn(f"{circle()}: the frame rate is unknown", self.fails(2, "compare", walk(), circle()))
+        self.assertIn(f"frame rate of {circle()} is unknown", self.fails(2, "compare", walk(), circle()))
         self.assertIn("takes one or two clips", self.fails(2, "compare", walk(), walk(), walk()))
         self.fails(2, "compare")
         self.fails(2, "compare", walk(), walk(), "-o", self.folder / "parts.png")

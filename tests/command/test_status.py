@@ -83,7 +83,7 @@ class Usage(CommandTest):
             self.assertIn("known format: .bvh, .amc, .csv, .tsv, .npy", self.fails(3, "info", path))
 
     def test_rate_is_needed(self):
-        self.assertIn("open the clip with --fps", self.fails(2, "decompose", circle()))
+        self.assertIn("open it with --fps", self.fails(2, "decompose", circle()))
         self.assertIn("--fps", self.fails(2, "fit", circle(), "--neighbors", "1.2s"))
 
     def test_options_are_called_by_their_flags(self):
