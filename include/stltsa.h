@@ -1580,9 +1580,9 @@ STLTSA_API stltsa_status stltsa_report_save(const stltsa_clip *clip,
                                             const stltsa_decomposition *decomposition,
                                             const stltsa_options *options, const char *command,
                                             const char *path) STLTSA_NOEXCEPT;
-/* Writes a report of a comparison, in the same way: both mean cycles as moving bodies, the largest
- * differences in timing and amplitude with their intervals, the curves of each part with their
- * spread, tables and warnings. command: as above. E_IO. */
+/* Writes a report of a comparison in the same way: one HTML page with both mean cycles as moving
+ * bodies, the largest differences in timing and amplitude with their confidence intervals, the
+ * curves of each part with standard deviation, tables and warnings. command: as above. E_IO. */
 STLTSA_API stltsa_status stltsa_comparison_report_save(const stltsa_comparison *comparison,
                                                        const char *command,
                                                        const char *path) STLTSA_NOEXCEPT;

@@ -14,6 +14,15 @@ function check(holds, what) {
   if (!holds) failures += 1;
 }
 
+// The bytes of a report and of its parts: code, postures, results, curves and mean cycles.
+function bytesByPart(report) {
+  const page = fs.readFileSync(report, "utf8"), text = page.match(/id="data">\n([^]*?)<\/script>/)[1];
+  const bytes = of => Buffer.byteLength(of), part = key => key in data ? bytes(JSON.stringify(data[key])) : 0;
+  const data = JSON.parse(text);
+  const parts = { code: bytes(page) - bytes(text), postures: part("body"), results: part("decomposition") + part("comparison"), curves: part("curve") + part("phase"), "mean cycles": part("motions") };
+  return `${bytes(page)} bytes: ` + Object.entries(parts).map(([name, size]) => `${name} ${size}`).join(", ");
+}
+
 const pixels = (page, id, layer) => page.evaluate(([name, at]) => document.querySelectorAll(`#${name} canvas`)[at].toDataURL().length + document.querySelectorAll(`#${name} canvas`)[at].toDataURL().slice(-4000), [id, layer]);
 
 // A page with the report, its requests and its console messages.
@@ -122,6 +131,12 @@ async function checkComparison(page) {
   const picture = await pixels(page, "curves", 0);
   await page.locator("#part").selectOption(first);
   if (count > 1) check(await comes(page, async () => await pixels(page, "curves", 0) !== picture), "choosing a part shows its curves");
+  const apart = page.locator("#viewer button", { hasText: "Apart" });
+  if (await apart.count()) {
+    const together = await pixels(page, "viewer", 1);
+    await apart.click();
+    check(await comes(page, async () => await pixels(page, "viewer", 1) !== together), "Apart moves the bodies apart");
+  }
   const clock = () => page.locator("#clock").textContent(), before = await clock();
   await page.locator("#curves canvas").last().scrollIntoViewIfNeeded();
   const box = await page.locator("#curves canvas").last().boundingBox();
@@ -214,7 +229,7 @@ async function shoot(browser, report, name) {
   }
   for (const report of reports.map(name => path.resolve(name))) {
     const name = path.basename(report, ".html");
-    console.log(`${report}: ${fs.statSync(report).size} bytes`);
+    console.log(`${report}: ${bytesByPart(report)}`);
     await checkUse(browser, report);
     await checkTouch(browser, report);
     await checkPrint(browser, report, name);

@@ -76,16 +76,12 @@ PhaseCurve curve_of(const motion::Decomposition& found, double first, double ste
     PhaseCurve phase;
     phase.curve = found.curve;
     const double height = motion::quantile(phase.curve, 0.95) - motion::quantile(phase.curve, 0.05);
-    const auto quarter = static_cast<std::size_t>(std::lround(found.period / 4));
-    const std::size_t count = phase.curve.size();
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < phase.curve.size(); ++i) {
         phase.places.push_back((static_cast<double>(i) + first) / step);
         phase.curve[i] = height > 0 ? phase.curve[i] / height : 0;
     }
-    for (std::size_t i = 0; i < count; ++i) // before the first quarter, half a period later
-        phase.partner.push_back(i >= quarter          ? phase.curve[i - quarter]
-                                : i + quarter < count ? -phase.curve[i + quarter]
-                                                      : 0);
+    phase.partner =
+        earlier_curve(phase.curve, static_cast<std::size_t>(std::lround(found.period / 4)));
     return phase;
 }
 

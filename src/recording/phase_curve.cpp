@@ -150,13 +150,7 @@ struct Choice {
 /// The coordinate that is most like the curve a quarter of a period earlier, so that the loop of
 /// the two runs in the same direction in every chunk; if there is none, that earlier curve itself.
 Values partner_of(const std::vector<Pair>& pairs, const Values& curve) {
-    constexpr std::size_t quarter = samples_per_period / 4;
-    Values earlier;
-    // In the first quarter of a period, the negated curve half a period later.
-    for (std::size_t i = 0; i < curve.size(); ++i)
-        earlier.push_back(i >= quarter                 ? curve[i - quarter]
-                          : i + quarter < curve.size() ? -curve[i + quarter]
-                                                       : 0);
+    const Values earlier = earlier_curve(curve, samples_per_period / 4);
     Values best = earlier;
     double most = least_correlation;
     for (const Pair& pair : pairs) {
@@ -377,6 +371,15 @@ PhaseCurve trace_view(ConstMatrixView samples, const Values& places, bool high_p
 
 double PhaseCurve::typical_cyclicity() const {
     return motion::median(cyclicity);
+}
+
+std::vector<double> earlier_curve(const std::vector<double>& curve, std::size_t quarter) {
+    Values earlier;
+    for (std::size_t i = 0; i < curve.size(); ++i)
+        earlier.push_back(i >= quarter                 ? curve[i - quarter]
+                          : i + quarter < curve.size() ? -curve[i + quarter]
+                                                       : 0);
+    return earlier;
 }
 
 PhaseCurve trace_phase(const Signal& signal, const Stretch& stretch, const Anchor* like,

@@ -34,6 +34,10 @@ struct PhaseCurve {
     double typical_cyclicity() const; ///< 0 for a curve that is too short
 };
 
+/// The curve a quarter of a period earlier; in the first quarter, the negated curve half a period
+/// later.
+std::vector<double> earlier_curve(const std::vector<double>& curve, std::size_t quarter);
+
 /// `like`: the anchor of an earlier stretch of the same motion; the curve begins with its phase and
 /// sign if it can.
 PhaseCurve trace_phase(const Signal& signal, const Stretch& stretch, const Anchor* like,

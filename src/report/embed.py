@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Makes a C++ source file from a page of HTML and the style sheet and scripts that it names.
+"""Makes a C++ source file from a page of HTML and the files that it includes.
 
 Usage: embed.py FUNCTION page.html template.cpp template.d
 
-A line <!-- style FILE --> or <!-- script FILE --> of the page is replaced by that file; the data come at the line
+A line <!-- include FILE --> is replaced by that file, which may include others; the data come at the line
 <!-- data -->. The last file lists what was read, for Ninja.
 """
 
@@ -23,18 +23,17 @@ def literals(text):
 
 def main(function, page, source, depfile):
     page = Path(page)
-    read = [page]
+    read = []
 
-    def file_text(match):
-        read.append(page.parent / match[1])
-        return read[-1].read_text(encoding="utf-8")
+    def whole(path):
+        read.append(path)
+        text = path.read_text(encoding="utf-8")
+        return re.sub(r"<!-- include (\S+) -->\n", lambda match: whole(path.parent / match[1]), text)
 
-    text = re.sub(r"<!-- (?:style|script) (\S+) -->\n", file_text, page.read_text(encoding="utf-8"))
-    before, after = text.split("<!-- data -->\n")
+    before, after = whole(page).split("<!-- data -->\n")
     Path(source).write_text(
         '#include "report/template.hpp"\n\n'
-        "namespace stltsa::report {\n\n"
-        "namespace {\n\n"
+        "namespace stltsa::report {\nnamespace {\n\n"
         f"constexpr std::string_view before[] = {{\n{literals(before)}\n}};\n"
         f"constexpr std::string_view after[] = {{\n{literals(after)}\n}};\n\n"
         "} // namespace\n\n"

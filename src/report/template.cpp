@@ -4,7 +4,7 @@
 namespace stltsa::report {
 namespace {
 
-/// JSON within an element `script` of HTML, which "</script" or "<!--" in a name would end.
+/// JSON inside a `script` element of HTML, which "</script" or "<!--" in a name would break.
 std::string in_html(const std::string& json) {
     std::string text;
     text.reserve(json.size());

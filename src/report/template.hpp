@@ -8,9 +8,9 @@
 
 namespace stltsa::report {
 
-/// In pieces, because compilers need not accept longer literals.
+/// What comes before and after the data, in pieces: compilers limit the length of literals.
 struct Template {
-    std::span<const std::string_view> before, after; ///< the data
+    std::span<const std::string_view> before, after;
 
     std::size_t size() const;
 };
@@ -18,7 +18,7 @@ struct Template {
 Template report_template();
 Template comparison_template();
 
-/// The page. `json`: its data, in which no text ends the element of HTML.
+/// The page with its data as JSON. No name in them can end the script element.
 std::string filled(Template page, const std::string& json);
 
 } // namespace stltsa::report

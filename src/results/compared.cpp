@@ -182,7 +182,9 @@ ComparedMotion motion_facts(const Side& side, phase::Resampled& cycles) {
 }
 
 void judge(const phase::Estimate& estimate, Comparison& result) {
-    result.judged += estimate.error > 0 || estimate.significant ? 1 : 0; // equal cycles: no error
+    if (!(estimate.error > 0))
+        return;
+    result.judged += 1;
     result.significant += estimate.significant ? 1 : 0;
 }
 

@@ -328,8 +328,8 @@ void soak(double seconds) {
         before.threads, after.threads, before.files, after.files);
     // Without a leak, caches of the heap differ by up to 30 kB, for any number of rounds.
     expect(after.bytes < before.bytes + 128 * 1024, "allocations are not freed");
-    // The arenas of the threads fragment: in an hour of 2879 rounds they grew by a sixth.
-    expect(after.kilobytes < before.kilobytes + before.kilobytes / 2, "memory grows");
+    // In an hour of 3543 rounds, it grew by 0.8 %.
+    expect(after.kilobytes < before.kilobytes + before.kilobytes / 20 + 1024, "memory grows");
     expect(after.threads == before.threads && after.files == before.files, "handles stay open");
 }
 

@@ -216,8 +216,8 @@ class Parser {
     }
 
   private:
-    static constexpr const char* third_clip = "compare takes one or two clips, and here are more: "
-                                              "compare others one after another";
+    static constexpr const char* third_clip = "compare takes one or two clips: compare more "
+                                              "of them in pairs";
 
     static bool third(const CLI::App& command) {
         const CLI::Option* second = command.get_option_no_throw("second");

@@ -15,6 +15,14 @@ const bandX = (frame, w) => bandLeft(w) + (frame - state.view[0]) / (state.view[
 const bandFrame = (x, w) => state.view[0] + (x - bandLeft(w)) / (w - bandLeft(w) - bandRight) * (state.view[1] - state.view[0]);
 const wholeX = (frame, w) => bandLeft(w) + frame / frames * (w - bandLeft(w) - bandRight);
 
+function tip(text, x, y) {
+  const box = byId("tip");
+  box.hidden = !text;
+  if (!text) return;
+  box.textContent = text;
+  box.style.left = Math.max(6, Math.min(x + 14, innerWidth - box.offsetWidth - 8)) + "px";
+  box.style.top = (y + 18 + box.offsetHeight > innerHeight ? y - box.offsetHeight - 10 : y + 18) + "px";
+}
 function fitted(pen, text, width, size = 12) {
   if (pen.measure(text, size) <= width) return text;
   for (let n = text.length - 1; n > 2; --n) if (pen.measure(text.slice(0, n) + "…", size) <= width) return text.slice(0, n) + "…";

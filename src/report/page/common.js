@@ -63,15 +63,6 @@ function commandBox(text) {
   return box;
 }
 
-function tip(text, x, y) {
-  const box = byId("tip");
-  box.hidden = !text;
-  if (!text) return;
-  box.textContent = text;
-  box.style.left = Math.max(6, Math.min(x + 14, innerWidth - box.offsetWidth - 8)) + "px";
-  box.style.top = (y + 18 + box.offsetHeight > innerHeight ? y - box.offsetHeight - 10 : y + 18) + "px";
-}
-
 function theme(name) {
   document.documentElement.dataset.theme = name;
   readColors();

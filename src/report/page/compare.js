@@ -37,15 +37,14 @@ function makeHead() {
   byId("title").textContent = title;
   document.title = title + " – comparison";
   byId("lead").textContent = leadText();
-  byId("facts").textContent = `${found.significant} of ${found.judged} differences in timing and amplitude are significant; about ${number(found.expected_by_chance, 2)} would be by chance alone.`;
+  byId("facts").textContent = `${found.significant} of ${found.judged} differences in timing and amplitude are significant; about ${number(found.expected_by_chance, 2)} would be so by chance alone.`;
 }
 
 // Where a curve is at a phase in [0, 1).
 function valueAt(values, phase) {
   const at = phase * (values.length - 1), i = Math.floor(at), a = values[i];
-  if (a === null) return NaN;
   const b = values[Math.min(i + 1, values.length - 1)];
-  return a + (at - i) * (b - a);
+  return a === null || b === null ? NaN : a + (at - i) * (b - a);
 }
 const axes = { 0: [[1, 1], [0, 1], [2, -1]], 2: [[0, 1], [2, 1], [1, -1]] }[data.up] || [[0, 1], [1, 1], [2, 1]];
 const posture = (w, phase) => found.parts.map(part => axes.map(([axis, sign]) => sign * valueAt(part.channels[axis][which[w]].mean, phase)));
@@ -84,12 +83,12 @@ function makeViewer() {
       const scale = 0.43 * Math.min(h, state.apart ? w : 1.4 * w) / body.size * camera.zoom, target = [0, body.height, 0], width = Math.max(2, Math.min(4.5, h / 105 * camera.zoom));
       shownFlat = [];
       pen.clip(0, 0, w, h, () => {
-        [0, 1].forEach(w_ => {
-          const moved = state.apart ? (w_ ? 0.25 : -0.25) * w : 0, plain = projection(target, w, h - 20, scale, body.size);
+        for (const second of [0, 1]) {
+          const moved = state.apart ? (second ? 0.25 : -0.25) * w : 0, plain = projection(target, w, h - 20, scale, body.size);
           const project = p => { const q = plain(p); return [q[0] + moved, q[1], q[2]]; };
-          if (!w_ || state.apart) drawGrid(pen, project, target, body.size, body.low);
-          drawBody(pen, w_, project, width);
-        });
+          if (!second || state.apart) drawGrid(pen, project, target, body.size, body.low);
+          drawBody(pen, second, project, width);
+        }
       });
       drawKey(pen, h);
       pen.text(14, 12, partName(found.parts[state.part]), { color: colors.cursor, bold: true });
@@ -125,8 +124,8 @@ function drawKey(pen, h) {
 
 // The differences of each part with their intervals.
 const measures = [
-  { title: "later in the cycle, %", short: "later, %", of: part => part.differences.lag, value: e => e.difference, low: e => e.low, high: e => e.high },
-  { title: "amplitude, %", short: "amplitude, %", of: part => ({ ...part.differences.amplitude_ratio, significant: part.differences.amplitude.significant }), value: e => minusOne(e.value), low: e => minusOne(e.low), high: e => minusOne(e.high) }];
+  { title: "later in the cycle, %", short: "later, %", unknown: "not alike", of: part => part.differences.lag, value: e => e.difference, low: e => e.low, high: e => e.high },
+  { title: "amplitude, %", short: "amplitude, %", unknown: "–", of: part => ({ ...part.differences.amplitude_ratio, significant: part.differences.amplitude.significant }), value: e => minusOne(e.value), low: e => minusOne(e.low), high: e => minusOne(e.high) }];
 const minusOne = ratio => isKnown(ratio) ? ratio - 1 : null;
 // Wide enough for all values and most intervals; longer ones end at the border.
 function reachOf(measure, rows) {
@@ -155,7 +154,7 @@ function makeIntervals() {
         for (const t of ticks(-reach, reach, width < 140 ? 4 : 6)) { pen.line([px(t), top, px(t), h - 30], { stroke: t ? colors.grid : colors.soft }); pen.text(px(t), h - 17, signed(number(100 * t)), { size: 11, color: colors.soft, align: "center" }); }
         pen.clip(x, 0, width, h, () => rows.forEach((row, r) => {
           const of = measure.of(found.parts[row]), y = top + (r + 0.5) * space(), value = measure.value(of);
-          if (!isKnown(value)) return pen.text(x + width / 2 + 6, y, measures.indexOf(measure) ? "–" : "not alike", { size: 11, color: colors.soft });
+          if (!isKnown(value)) return pen.text(x + width / 2 + 6, y, measure.unknown, { size: 11, color: colors.soft });
           if (isKnown(measure.low(of))) pen.line([px(Math.max(-2 * reach, measure.low(of))), y, px(Math.min(2 * reach, measure.high(of))), y], { stroke: colors.accent, width: 2 });
           pen.circle(px(value), y, 4.5, { fill: of.significant ? colors.accent : colors.sheet, stroke: colors.accent, width: 2 });
         }));
@@ -226,7 +225,7 @@ function makeNumbers() {
 function makeWarnings() {
   const list = [...found.warnings];
   which.forEach((w, i) => { const names = found[w].left_out; if (names.length && !sided()) list.push(`Only the ${w} clip has ${names.slice(0, 8).join(", ")}${names.length > 8 ? ` and ${names.length - 8} more` : ""}: not compared.`); });
-  list.push(`Each of the ${found.judged} differences is judged by itself. Of ${found.judged} that are not there, about ${number(found.expected_by_chance, 2)} would be marked significant.`);
+  list.push(`Each of the ${found.judged} differences is judged by itself. Without any difference, about ${number(found.expected_by_chance, 2)} of ${found.judged} would be marked as significant.`);
   byId("warnings").append(...list.map(text => element("li", {}, text)));
 }
 function makeParts() {
@@ -251,10 +250,16 @@ function makeDetails() {
   if (data.command) byId("details").append(element("p", { class: "facts" }, "To make this page again:"), commandBox(data.command));
 }
 
+// The columns of stltsa compare -o FILE.csv.
 function csv() {
-  const heads = ["level", "first", "second", "axis", "rms", "rms_by_chance", "correlation", "lag", "lag_low", "lag_high", "lag_significant", "amplitude_first", "amplitude_second", "amplitude_ratio", "ratio_low", "ratio_high", "amplitude_significant"];
-  const cell = value => isKnown(value) ? value : "", row = (level, part, axis, d) => [level, part.first, part.second, axis || "", cell(d.rms_difference), cell(d.rms_by_chance), cell(d.correlation), cell(d.lag.difference), cell(d.lag.low), cell(d.lag.high), Number(d.lag.significant), cell(d.amplitude.first), cell(d.amplitude.second), cell(d.amplitude_ratio.value), cell(d.amplitude_ratio.low), cell(d.amplitude_ratio.high), Number(d.amplitude.significant)];
-  return csvText([heads, ...found.parts.flatMap(part => [row("part", part, "", part.differences), ...part.channels.map(channel => row("channel", part, channel.axis, channel.differences))])]);
+  const cell = value => isKnown(value) ? value : "", significant = of => isKnown(of.low) ? Number(of.significant) : "";
+  const judged = (name, of) => [[name + "_error", cell(of.standard_error)], [name + "_low", cell(of.low)], [name + "_high", cell(of.high)], [name + "_significant", significant(of)]];
+  const values = (name, of) => [[name + "_first", cell(of.first)], [name + "_sd_first", cell(of.first_sd)], [name + "_second", cell(of.second)], [name + "_sd_second", cell(of.second_sd)], [name + "_difference", cell(of.difference)], ...judged(name, of)];
+  const row = (level, part, axis, d, mean) => [["level", level], ["part", part.first], ["second_part", part.second], ["axis", axis || ""], ["rms", cell(d.rms_difference)], ["rms_by_chance", cell(d.rms_by_chance)], ["correlation", cell(d.correlation)],
+    ["lag", cell(d.lag.difference)], ["lag_sd_first", cell(d.lag.first_sd)], ["lag_sd_second", cell(d.lag.second_sd)], ...judged("lag", d.lag), ["lag_s", cell(d.lag_s.value)], ...values("amplitude", d.amplitude),
+    ["ratio", cell(d.amplitude_ratio.value)], ["ratio_low", cell(d.amplitude_ratio.low)], ["ratio_high", cell(d.amplitude_ratio.high)], ...values("mean", mean)];
+  const rows = found.parts.flatMap(part => [row("part", part, "", part.differences, part.channels.length === 1 ? part.channels[0].mean : {}), ...part.channels.map(channel => row("channel", part, channel.axis, channel.differences, channel.mean))]);
+  return csvText([rows[0].map(([head]) => head), ...rows.map(cells => cells.map(([, value]) => value))]);
 }
 function curvesCsv() {
   const rows = [["part", "second_part", "axis", "percent", "first_mean", "first_sd", "second_mean", "second_sd", "difference", "margin"]], cell = value => isKnown(value) ? value : "";

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "motion/decompose.hpp"
+#include "recording/phase_curve.hpp"
 
 namespace {
 
@@ -211,6 +212,18 @@ void cycles_of_a_crop_begin_at_the_same_half(void**) {
 }
 
 /// Two cycles of a short part, which the method for one motion finds, have a curve as well.
+void the_earlier_curve_is_a_quarter_behind(void**) {
+    const auto wave = [](std::size_t i, double phase) {
+        return std::sin(2 * std::numbers::pi * (static_cast<double>(i) / 24 - phase));
+    };
+    std::vector<double> curve;
+    for (std::size_t i = 0; i < 60; ++i)
+        curve.push_back(wave(i, 0));
+    const std::vector<double> earlier = earlier_curve(curve, 6);
+    for (std::size_t i = 0; i < curve.size(); ++i)
+        assert_true(std::abs(earlier[i] - wave(i, 0.25)) < 1e-12);
+}
+
 void few_cycles_between_others_have_a_curve(void**) {
     const Matrix samples = Recorder()
                                .cycles(20, 1.1, 0)
@@ -304,6 +317,7 @@ int main() {
         cmocka_unit_test(repetitions_with_a_short_pause_are_counted),
         cmocka_unit_test(a_swaying_body_rests),
         cmocka_unit_test(cycles_of_a_crop_begin_at_the_same_half),
+        cmocka_unit_test(the_earlier_curve_is_a_quarter_behind),
         cmocka_unit_test(few_cycles_between_others_have_a_curve),
         cmocka_unit_test(no_cycle_is_lost_at_the_ends),
         cmocka_unit_test(a_hole_takes_no_cycle_beside_it),
