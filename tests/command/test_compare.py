@@ -76,6 +76,9 @@ class Compare(CommandTest):
             self.assertEqual(part["first"].replace("Left", "Right"), part["second"])
             self.assertLess(part["differences"]["rms_difference"], 0.1)
         self.assertIn("left and right", self.done("compare", walk()).decode())
+        # The right side is half a cycle later, so the clip does not have its last cycle.
+        cycles = len(self.json("decompose", walk())["cycles"])
+        self.assertEqual([found[side]["cycles"] for side in ("first", "second")], 2 * [cycles - 1])
 
     def test_what_cannot_be_compared(self):
         self.assertIn("no cycles to compare", self.fails(4, "compare", walk(), f"{walk()}:0-100"))

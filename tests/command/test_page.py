@@ -76,10 +76,11 @@ class Page(Pages):
         self.done("decompose", walk(), "--phase", self.folder / "phase.csv")
         with open(self.folder / "phase.csv", newline="", encoding="ascii") as file:
             phases = [row["phase"] for row in csv.DictReader(file)]
-        for row, text in zip(unpacked(data["phase"]["values"]), phases, strict=True):
+        values = data["phase"]["values"]
+        for row, text in zip(unpacked(values), phases, strict=True):
             self.assertEqual(math.isnan(row[0]), text == "")
-            if text:
-                self.assertAlmostEqual(row[0], float(text), delta=1e-4)
+            if text:  # rounded to the nearest integer
+                self.assertAlmostEqual(row[0], float(text), delta=0.51 * values["unit"][0])
         (motion,) = data["motions"]
         self.assertEqual({s["name"] for s in motion["sets"]}, {"position", "angle"})
         for signals in motion["sets"]:
@@ -126,7 +127,7 @@ class Page(Pages):
             self.assertEqual(parts[part["partner"]]["side"], 1 - part["side"])
 
     def events(self, source, frame):
-        words = shlex.split(source["name"] + source["flags"]["decompose"])
+        words = shlex.split(source["name"] + source["flags"]["events"])
         found = self.json("events", *words, "--mark", f"{frame}=here")
         return [event["frame"] for event in found["events"]]
 
@@ -134,10 +135,13 @@ class Page(Pages):
         """What the page shows as commands: the name, the flags, and the frames of the file."""
         label = f"{walk()}:A"
         source = self.data(self.page(label, "--fps", "90", "--keep-start", "--features", "euler",
-                                     "--period-max", "2.5", "--threads", "1"))["source"]
+                                     "--period-max", "2.5", "--dimension-estimate", "--variance", "0.9",
+                                     "--threads", "1"))["source"]
         self.assertEqual(source["name"], label)
-        self.assertEqual(source["flags"]["decompose"],
-                         " --features euler --keep-start --fps 90 --period-max 2.5")
+        flags = " --features euler --keep-start --fps 90 --period-max 2.5"
+        self.assertEqual(source["flags"]["events"], flags)
+        self.assertEqual(sorted(source["flags"]["decompose"].split(" --")),
+                         sorted([*flags.split(" --"), "dimension-estimate", "variance 0.9"]))
         self.assertEqual(source["flags"]["synthesize"], " --fps 90")
         ((begin, end),) = source["pieces"]
         data = self.data(self.page(label))

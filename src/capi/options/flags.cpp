@@ -31,10 +31,12 @@ std::string choice_of(const char* choices, double value) {
 
 } // namespace
 
-std::string flags_of(const stltsa_options* options, int32_t calls) {
+std::string flags_of(const stltsa_options* options, int32_t calls,
+                     std::initializer_list<int32_t> without) {
     std::string flags;
     for (const stltsa_option_info& row : options_table()) {
-        if ((row.calls & calls) == 0 || row.key == STLTSA_OPT_THREADS || !is_set(options, row.key))
+        if ((row.calls & calls) == 0 || row.key == STLTSA_OPT_THREADS ||
+            std::ranges::count(without, row.key) > 0 || !is_set(options, row.key))
             continue;
         std::string name = row.name;
         std::ranges::replace(name, '_', '-');

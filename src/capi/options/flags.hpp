@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <initializer_list>
 #include <string>
 
 #include "stltsa.h"
@@ -8,7 +9,9 @@
 namespace stltsa::capi {
 
 /// The options that were set and that these calls (STLTSA_CALL_*) have, as flags of the command: a
-/// blank before each. Without the number of threads, which changes no result.
-std::string flags_of(const stltsa_options* options, int32_t calls);
+/// blank before each. Leaves out the keys of `without` (STLTSA_OPT_*) and the number of threads,
+/// which changes no result.
+std::string flags_of(const stltsa_options* options, int32_t calls,
+                     std::initializer_list<int32_t> without = {});
 
 } // namespace stltsa::capi

@@ -23,8 +23,6 @@ function addMark() {
   showMarks();
   show();
 }
-// Those of decompose, without the ones about the dimension, which events does not estimate.
-const eventFlags = () => flagWords("decompose").replace(/ --(no-)?dimension-estimate| --(eigengap|variance) \S+/g, "");
 function showMarks() {
   const place = byId("events");
   const intro = element("p", { class: "hint" }, "Move to a posture, such as a heel strike, and press “Mark this posture” (or M, or double-click the body). The page finds the same phase in every other cycle. For the exact answer, with confidence, run the command that appears below.");
@@ -34,7 +32,7 @@ function showMarks() {
       element("button", { type: "button", onclick: () => { state.marks.splice(i, 1); state.zero = 0; showMarks(); show(); } }, "Remove")),
     element("p", { class: "facts" }, mark.reason || `Phase ${percent(mark.phase)} of ${mark.label}; ${mark.found.length} found: ` + mark.found.slice(0, 12).map(event => time(event.frame)).join(", ") + (mark.found.length > 12 ? ", …" : ""))));
   const command = element("div");
-  const showCommand = () => command.replaceChildren(...(state.marks.length ? [element("p", { class: "facts" }, "The exact answer, with confidence (add more clips to find the event in them, too):"), commandBox(`stltsa events ${clipWord()}${eventFlags()}${state.marks.map(mark => " --mark " + shellWord(`${mark.frame}=${mark.name}`)).join("")}`)] : []));
+  const showCommand = () => command.replaceChildren(...(state.marks.length ? [element("p", { class: "facts" }, "The exact answer, with confidence (add more clips to find the event in them, too):"), commandBox(`stltsa events ${clipWord()}${flagWords("events")}${state.marks.map(mark => " --mark " + shellWord(`${mark.frame}=${mark.name}`)).join("")}`)] : []));
   byId("s-events").classList.toggle("nothing", !state.marks.length); // not printed
   place.replaceChildren(intro, ...boxes, command);
   showCommand();
