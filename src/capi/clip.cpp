@@ -51,7 +51,7 @@ std::vector<clip::Frames> find(const clip::Clip& clip, const std::string& what,
                                const capi::OptionsReader& reader) {
     const auto stretch = clip::parse_stretch(what);
     if (!stretch)
-        fail(Status::argument, "{} is no stretch of a clip: there are {}", clip::quoted(what),
+        fail(Status::argument, "{} is no stretch of a clip: there are {}", clip::in_quotes(what),
              clip::stretch_forms);
     return results::find_stretches(clip, *stretch, [&] {
         return results::decompose(clip, reader.prepare_options(), reader.decompose_options(),

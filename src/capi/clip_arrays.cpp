@@ -59,7 +59,7 @@ clip::Channel channel_of(std::string_view word, const clip::Joint& joint, Adds& 
             if (adds != Adds::unknown && adds != as)
                 fail(Status::argument,
                      "joint {}: either all positions of a skeleton add to the offset, or none",
-                     clip::quoted(joint.name));
+                     clip::in_quotes(joint.name));
             adds = as;
         }
         return channel;
@@ -67,7 +67,7 @@ clip::Channel channel_of(std::string_view word, const clip::Joint& joint, Adds& 
     fail(Status::argument,
          "joint {}: there is no channel {}: expected words of tx ty tz rx ry rz, such as "
          "\"rz rx ry\"",
-         clip::quoted(joint.name), clip::quoted(word));
+         clip::in_quotes(joint.name), clip::in_quotes(word));
 }
 
 void set_channels(const char* text, clip::Joint& joint, Adds& adds) {
@@ -77,7 +77,7 @@ void set_channels(const char* text, clip::Joint& joint, Adds& adds) {
          word = clip::next_word(words)) {
         const clip::Channel channel = channel_of(word, joint, adds);
         if (!clip::may_follow(channel, joint.channels))
-            fail(Status::argument, "joint {}: {}", clip::quoted(joint.name), clip::channel_limit);
+            fail(Status::argument, "joint {}: {}", clip::in_quotes(joint.name), clip::channel_limit);
         joint.channels.push_back(channel);
     }
 }

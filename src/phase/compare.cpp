@@ -3,14 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "base/numbers.hpp"
 #include "phase/lag.hpp"
 
 namespace stltsa::phase {
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr Estimate unknown{none, none, none, none, none, none, none, none, false};
 
 using Columns = std::vector<std::int64_t>;

@@ -3,13 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
+
+#include "base/numbers.hpp"
 
 namespace stltsa::phase {
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 /// A difference below this share of the values is only rounding.
 constexpr double rounding = 1e-9;
 

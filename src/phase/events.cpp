@@ -5,13 +5,13 @@
 #include <cmath>
 #include <limits>
 
+#include "base/numbers.hpp"
 #include "linalg/simd.hpp"
 #include "motion/curve/statistics.hpp"
 
 namespace stltsa::phase {
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 /// Templates reach so far to each side, as a share of a cycle; longer ones follow the motion before
 /// and after the event.
 constexpr double half_window = 0.05;

@@ -3,14 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "base/numbers.hpp"
 #include "phase/lag.hpp"
 
 namespace stltsa::phase {
 namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 Matrix column_of(const std::vector<double>& curve) {
     Matrix column = Matrix::unset(static_cast<std::int64_t>(curve.size()), 1);

@@ -3,15 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
+#include "base/numbers.hpp"
 #include "linalg/simd.hpp"
 
 namespace stltsa::phase {
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 /// A deviation from the mean that is below this share of the mean is only rounding.
 constexpr double still = 1e-9;
 

@@ -4,16 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <span>
 #include <utility>
 
+#include "base/numbers.hpp"
 #include "linalg/simd.hpp"
 
 namespace stltsa::phase {
 namespace {
 
-constexpr double turn = 2 * std::numbers::pi;
 constexpr std::int64_t rate_count = 17;
 constexpr double least_rate = 0.4, most_rate = 2; ///< of the usual one
 /// Frames a second for which the next constants were found.

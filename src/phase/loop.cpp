@@ -3,15 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "base/numbers.hpp"
 #include "linalg/band.hpp"
 #include "linalg/simd.hpp"
 
 namespace stltsa::phase {
 namespace {
 
-constexpr double turn = 2 * std::numbers::pi;
 /// Of the highest harmonic, as a share of the number of rows; falls with the fourth power.
 constexpr double ridge = 1e-3;
 /// From 4 to 24 harmonics the phase of annotated events scatters alike.

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "base/numbers.hpp"
 #include "motion/curve/statistics.hpp"
 
 namespace stltsa::phase {
@@ -15,7 +15,6 @@ namespace {
 constexpr double most_residual = 0.4;
 /// Sides that swing less, see Wave, say nothing of the cycle.
 constexpr double least_swing = 0.2;
-constexpr double turn = 2 * std::numbers::pi;
 
 double typical_length(std::span<const Borders> sequences) {
     std::vector<double> lengths;

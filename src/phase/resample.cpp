@@ -3,14 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "base/numbers.hpp"
 
 namespace stltsa::phase {
 namespace {
 
 /// Places between borders have such errors, in rows.
 constexpr double rounding = 1e-6;
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 /// The place at which the rising values reach `value`; NaN outside.
 double place_of(const std::vector<double>& values, double value) {

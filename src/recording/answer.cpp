@@ -146,7 +146,7 @@ void append_repetitions(Work& work, const Draft& draft, Segment& segment) {
     segment.confidence = mean_of(confidences);
 }
 
-bool in_motion(const Signal& signal, std::int64_t row) {
+bool moves_at(const Signal& signal, std::int64_t row) {
     const auto at = static_cast<std::size_t>(row);
     return signal.usual[at] > 0 && signal.speed[at] > moving * signal.usual[at];
 }
@@ -194,9 +194,9 @@ void append_segment(Work& work, std::vector<Draft>& drafts, std::size_t i) {
     }
     if (draft.kind != SegmentKind::rest) {
         segment.energy = energy_of(work, draft);
-        segment.open_begin = draft.begin <= 0 && in_motion(work.signal, 0);
+        segment.open_begin = draft.begin <= 0 && moves_at(work.signal, 0);
         segment.open_end = draft.end >= static_cast<double>(work.signal.rows()) &&
-                           in_motion(work.signal, work.signal.rows() - 1);
+                           moves_at(work.signal, work.signal.rows() - 1);
     }
     work.result.segments.push_back(std::move(segment));
 }

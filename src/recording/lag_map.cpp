@@ -13,7 +13,7 @@ constexpr double lag_step = 0.03;
 constexpr double times_per_second = 8;
 /// Sigma of the window as a share of the lag, and at least in seconds; it ends at two sigma.
 constexpr double window_share = 0.5;
-constexpr double window_s = 0.1;
+constexpr double least_window_s = 0.1;
 constexpr double window_end = 2;
 /// Speeds below this share of the usual one do not count as motion.
 constexpr double still = 0.15;
@@ -97,7 +97,8 @@ LagMap make_lag_map(const Signal& signal, Rows range, double shortest, double lo
         if (lag >= static_cast<double>(range.count() - 2))
             continue;
         multiply(velocity, squares, static_cast<std::int64_t>(lag), products);
-        const auto weights = half_window(std::max(window_share * lag, window_s * signal.rate));
+        const auto weights =
+            half_window(std::max(window_share * lag, least_window_s * signal.rate));
         for (std::int64_t t = 0; t < map.times; ++t)
             map.match[static_cast<std::size_t>(t) * map.lags.size() + l] = static_cast<float>(
                 weighted_ratio(products, static_cast<double>(t * map.hop) - lag / 2, weights));

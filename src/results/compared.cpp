@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "base/numbers.hpp"
 #include "clip/body/skeleton.hpp"
 #include "phase/lag.hpp"
 #include "results/mirror_image.hpp"
@@ -13,7 +13,6 @@
 namespace stltsa::results {
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 /// Mean cycles less alike than this are of different motions, as for events.
 constexpr double least_likeness = 0.6;
 /// If the next best alignment is this near, it may be the right one.

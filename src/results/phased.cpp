@@ -4,16 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <map>
 
+#include "base/numbers.hpp"
 #include "clip/features/column_owners.hpp"
 #include "clip/features/drift.hpp"
 
 namespace stltsa::results {
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 /// Cycles that end and begin closer together, in rows, are back to back.
 constexpr double touching = 0.5;
 /// Shorter cycles, in rows, have no velocity to speak of.

@@ -28,7 +28,7 @@ constexpr std::int64_t most_frames = 200;
 /// frame up to 0.1 s later.
 constexpr double stand_in_s = 0.04;
 /// Differences below this share of the size of a posture are rounding.
-constexpr double rounding = 1e-4;
+constexpr double posture_rounding = 1e-4;
 
 double nearest(const Track& track, std::int64_t frame, std::int64_t first, std::int64_t last,
                double velocity_s) {
@@ -81,7 +81,8 @@ double repetition_distance(const Track& track, std::int64_t begin, std::int64_t 
     }
     const double common = motion::median(repetitions.empty() ? later : repetitions);
     // Cuts lie on frames, so even identical repetitions may be half a frame apart.
-    return std::max({common, motion::median(steps) / 2, rounding * posture_size(track, begin)});
+    return std::max(
+        {common, motion::median(steps) / 2, posture_rounding * posture_size(track, begin)});
 }
 
 } // namespace stltsa::synthesis

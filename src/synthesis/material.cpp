@@ -11,7 +11,7 @@ namespace stltsa::synthesis {
 namespace {
 
 /// Longer clips are assumed to be mistakes.
-constexpr double most_frames = 2147483647;
+constexpr double longest_clip = 2147483647;
 
 std::string name_of(std::span<const Piece> pieces, std::size_t p) {
     const std::string& path = pieces[p].clip->path;
@@ -44,10 +44,10 @@ void check_pieces(std::span<const Piece> pieces) {
                  static_cast<double>(pieces[p].repeat) *
                  (pieces[0].clip->fps / pieces[p].clip->fps);
     }
-    if (total > most_frames)
+    if (total > longest_clip)
         fail(Status::argument,
              "the new clip would have {} frames, more than {}: use fewer repetitions", total,
-             most_frames);
+             longest_clip);
 }
 
 /// The joint that turns the body in any of the clips: in a clip of standing, no joint does.

@@ -16,7 +16,7 @@ namespace {
 constexpr double near_s = 0.125;
 constexpr double usual = 0.95;
 /// Steps below this share of the size of a posture are rounding.
-constexpr double rounding = 1e-6;
+constexpr double step_rounding = 1e-6;
 
 struct Differences {
     std::vector<double> steps;
@@ -69,7 +69,7 @@ double visible_posture(const Options& options) {
 
 Roughness usual_roughness(const Track& track, std::int64_t begin, std::int64_t end) {
     const Differences found = differences(track.postures, track.frames(), begin, end);
-    const double least = rounding * posture_size(track, begin);
+    const double least = step_rounding * posture_size(track, begin);
     return {std::max(motion::quantile(found.steps, usual), least),
             std::max(motion::quantile(found.accelerations, usual), least)};
 }

@@ -54,9 +54,9 @@ class Curve {
 };
 
 // Key points of one cycle; README.md lists their sources.
-const Curve thigh{{0.00, 23},  {0.06, 23},    {0.12, 21.5}, {0.31, -1.5},
-                  {0.42, -12}, {0.50, -17.5}, {0.56, -17},  {0.62, -10.5},
-                  {0.75, 16},  {0.86, 26.5},  {0.94, 24}};
+const Curve thigh_curve{{0.00, 23},  {0.06, 23},    {0.12, 21.5}, {0.31, -1.5},
+                        {0.42, -12}, {0.50, -17.5}, {0.56, -17},  {0.62, -10.5},
+                        {0.75, 16},  {0.86, 26.5},  {0.94, 24}};
 const Curve knee{{0.00, 2.5}, {0.06, 11},   {0.14, 20},   {0.31, 6},  {0.40, 3.5},
                  {0.50, 9.5}, {0.62, 35.5}, {0.73, 61.5}, {0.86, 28}, {0.96, 2}};
 const Curve foot{{0.00, 20.5},  {0.04, 7.5},   {0.09, 0},    {0.13, 0},     {0.20, 0},
@@ -75,7 +75,7 @@ double wave(double phase, double peak, double harmonic = 1) {
 } // namespace
 
 LegAngles leg_angles(double phase) {
-    return {thigh(phase), knee(phase), foot(phase), toes(phase), 1.5 * wave(phase, 0.3)};
+    return {thigh_curve(phase), knee(phase), foot(phase), toes(phase), 1.5 * wave(phase, 0.3)};
 }
 
 ArmAngles arm_angles(double phase) {

@@ -2,7 +2,6 @@
 #include "arguments/marks.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <initializer_list>
 #include <optional>
@@ -11,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "arguments/number.hpp"
 #include "arguments/pieces.hpp"
 #include "base/formula.hpp"
 #include "exit_status.hpp"
@@ -19,12 +19,9 @@
 namespace tool {
 namespace {
 
-std::optional<double> number_in(std::string_view text) {
-    double value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
-        return std::nullopt;
-    return value;
+std::optional<double> finite_in(std::string_view text) {
+    const auto value = number_in<double>(text);
+    return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
 struct Place {
@@ -38,7 +35,7 @@ Place place_of(const std::string& mark) {
     const bool seconds = place.ends_with('s');
     if (seconds)
         place.remove_suffix(1);
-    return {number_in(place), seconds};
+    return {finite_in(place), seconds};
 }
 
 using Row = std::vector<std::string>;
@@ -119,7 +116,7 @@ Marks labels_in(const std::string& table, const std::string& path, const std::st
         if (cell_of(row, file, clip) != clip || cell_of(row, what, "") == "STOP")
             continue;
         const std::string label = cell_of(row, name, "");
-        if (const auto seconds = number_in(cell_of(row, time, "")); seconds && !label.empty())
+        if (const auto seconds = finite_in(cell_of(row, time, "")); seconds && !label.empty())
             labels[label].push_back(*seconds * fps);
     }
     if (labels.empty())

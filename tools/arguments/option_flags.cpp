@@ -2,7 +2,6 @@
 #include "arguments/option_flags.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 
@@ -12,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "arguments/choices.hpp"
+#include "arguments/number.hpp"
 #include "exit_status.hpp"
 #include "terminal/text.hpp"
 
@@ -81,15 +81,6 @@ std::string default_text(const OptionInfo& info) {
         return fmt::format(" Default: {}.", info.standard);
     }
     return "";
-}
-
-template <class T>
-std::optional<T> number_in(std::string_view text) {
-    T value{};
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size())
-        return std::nullopt;
-    return value;
 }
 
 [[noreturn]] void refuse(const OptionInfo& info, const std::string& typed,

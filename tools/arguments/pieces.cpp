@@ -2,7 +2,6 @@
 #include "arguments/pieces.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <optional>
@@ -12,20 +11,11 @@
 #include <fmt/ranges.h>
 
 #include "arguments/choices.hpp"
+#include "arguments/number.hpp"
 #include "exit_status.hpp"
 
 namespace tool {
 namespace {
-
-/// The whole text as a nonnegative number.
-template <class T>
-std::optional<T> number_in(std::string_view text) {
-    T value{};
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size() || !(value >= T{}))
-        return std::nullopt;
-    return value;
-}
 
 [[noreturn]] void no_piece(const std::string& text, std::string_view why) {
     throw Failure(Exit::usage,

@@ -11,7 +11,7 @@
 namespace tool::plot {
 namespace {
 
-constexpr double air = 12; // between the curve and the postures
+constexpr double curve_air = 12; // between the curve and the postures
 
 /// Layout: bars above the frame; inside it postures, the curve, postures.
 struct Layout {
@@ -29,8 +29,8 @@ Layout layout_of(const Figure& figure, const Rect& frame, double posture_height)
     range = range.wide();
     return {frame,
             {0, static_cast<double>(figure.frames), frame.x, frame.right()},
-            {range.low, range.high, frame.bottom() - posture_height - air,
-             frame.y + posture_height + air}};
+            {range.low, range.high, frame.bottom() - posture_height - curve_air,
+             frame.y + posture_height + curve_air}};
 }
 
 Point curve_point(const Figure& figure, const Layout& layout, std::int64_t sample) {
@@ -66,7 +66,7 @@ void draw_bands(Svg& svg, const Figure& figure, const Layout& layout) {
 /// postures begin, so that no number lies on a line.
 void draw_margins(Svg& svg, const Figure& figure, const Layout& layout) {
     const char* color = unit_colors(STLTSA_UNIT_CYCLIC).line;
-    const double top = layout.value.end - air, bottom = layout.value.start + air;
+    const double top = layout.value.end - curve_air, bottom = layout.value.start + curve_air;
     if (figure.representative >= 0) {
         const auto& cycle = figure.cycles[static_cast<std::size_t>(figure.representative)];
         const double begin = layout.time(static_cast<double>(cycle.begin));

@@ -12,7 +12,7 @@ namespace tool::plot {
 namespace {
 
 const char* const cycle_color = unit_colors(STLTSA_UNIT_CYCLIC).line;
-constexpr double air = 8; // between the frame and what it shows
+constexpr double cycle_air = 8; // between the frame and what it shows
 
 /// Of more cycles, this many are drawn, evenly spaced.
 constexpr std::int64_t most_lines = 60;
@@ -65,7 +65,7 @@ void draw_overlay(Svg& svg, const Figure& figure, const Rect& area) {
     range = range.wide();
     const auto last = static_cast<double>(mean.rows - 1);
     const Scale x{0, last, area.x, area.right()};
-    const Scale y{range.low, range.high, area.bottom() - air, area.y + air};
+    const Scale y{range.low, range.high, area.bottom() - cycle_air, area.y + cycle_air};
     draw_heading(svg, area,
                  lines < all.count() ? fmt::format("{} of {} cycles, overlaid", lines, all.count())
                                      : fmt::format("{} cycles, overlaid", lines));
@@ -100,7 +100,7 @@ void draw_zoom(Svg& svg, const Figure& figure, const Rect& area) {
             range.add(figure.curve[static_cast<std::size_t>(i)]);
     range = range.wide();
     const Scale x{static_cast<double>(begin), static_cast<double>(end), area.x, area.right()};
-    const Scale y{range.low, range.high, area.bottom() - air, area.y + air};
+    const Scale y{range.low, range.high, area.bottom() - cycle_air, area.y + cycle_air};
     const double from = x(static_cast<double>(cycle.begin));
     const double to = x(static_cast<double>(cycle.end));
     draw_heading(svg, area,
@@ -138,8 +138,8 @@ void draw_cycle_times(Svg& svg, const Figure& figure, const Rect& area) {
     const double missing = std::max(0.0, least - (range.high - range.low));
     range = Range{range.low - 0.5 * missing, range.high + 0.5 * missing}.wide();
     const auto count = static_cast<double>(figure.cycles.size());
-    const Scale x{1, count, area.x + air, area.right() - air};
-    const Scale y{range.low, range.high, area.bottom() - air, area.y + air};
+    const Scale x{1, count, area.x + cycle_air, area.right() - cycle_air};
+    const Scale y{range.low, range.high, area.bottom() - cycle_air, area.y + cycle_air};
     draw_heading(svg, area, "cycle times");
     svg.text({area.right(), area.y - 5}, Anchor::end, figure.cycle_times,
              {{"font-size", small_font}, {"fill", faint_ink}});

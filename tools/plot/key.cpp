@@ -98,14 +98,14 @@ double draw_kinds(Svg& svg, const Figure& figure, const Rect& area, double y) {
     for (const Row& row : unit_rows(figure)) {
         if (row.color == nullptr)
             continue;
-        const double width = 16 + text_width(row.name, list_font) + 10;
-        if (x + width > area.right() && x > area.x) {
+        const double taken = 16 + text_width(row.name, list_font) + 10;
+        if (x + taken > area.right() && x > area.x) {
             x = area.x;
             y += line_height;
         }
         svg.rect({x, y - 8.5, 10, 10}, {{"class", "key"}, {"fill", row.color}});
         svg.text({x + 14, y}, Anchor::start, row.name, {{"font-size", list_font}});
-        x += width;
+        x += taken;
     }
     return y + line_height + 8;
 }

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double font = small_font;
 constexpr int most_numbers = 16;
-constexpr double air = 22; // between the frame and the loop, for numbers outside it
+constexpr double loop_air = 22; // between the frame and the loop, for numbers outside it
 
 /// Points of the samples, with one scale for both axes and the loop centered.
 std::vector<Point> loop_points(const stltsa::Matrix& loop, const Rect& area) {
@@ -25,7 +25,7 @@ std::vector<Point> loop_points(const stltsa::Matrix& loop, const Rect& area) {
         up.add(loop(i, 1));
     }
     const double size = std::max({along.high - along.low, up.high - up.low, 1e-300});
-    const double scale = (std::min(area.width, area.height) - 2 * air) / size;
+    const double scale = (std::min(area.width, area.height) - 2 * loop_air) / size;
     std::vector<Point> points;
     for (std::int64_t i = 0; i < loop.rows; ++i)
         points.push_back(

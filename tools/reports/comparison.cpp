@@ -15,7 +15,7 @@ namespace tool {
 namespace {
 
 /// The largest number of parts in the table; JSON and CSV have all.
-constexpr std::size_t most_rows = 16;
+constexpr std::size_t most_parts = 16;
 
 /// Characters of a name in the table.
 constexpr std::size_t longest_name = 32;
@@ -67,7 +67,7 @@ std::string parts_table(const stltsa::Comparison& comparison) {
     const std::vector<Row> rows = rows_of(comparison);
     Table table({left, right, right, right, right, right, right, right});
     table.add({"", "later, %", "95 %", "amplitude", "change, %", "95 %", "rms", "by chance"});
-    for (std::size_t i = 0; i < std::min(rows.size(), most_rows); ++i) {
+    for (std::size_t i = 0; i < std::min(rows.size(), most_parts); ++i) {
         const auto& [name, part] = rows[i];
         const bool timed = !std::isnan(part.lag.difference);
         table.add(
@@ -77,7 +77,7 @@ std::string parts_table(const stltsa::Comparison& comparison) {
              interval(part.ratio_low - 1, part.ratio_high - 1), number(part.rms),
              number(part.chance)});
     }
-    const std::size_t more = rows.size() - std::min(rows.size(), most_rows);
+    const std::size_t more = rows.size() - std::min(rows.size(), most_parts);
     return table.text() + (more == 0 ? ""
                                      : fmt::format("  ... and {} more with smaller rms; --json and "
                                                    "-o FILE.csv have all\n",

@@ -16,7 +16,7 @@ namespace {
 
 using Estimate = stltsa::Dimension::Estimate;
 
-constexpr std::size_t most_rows = 10;
+constexpr std::size_t most_values = 10;
 constexpr std::size_t bar_width = 40;
 
 std::string estimate_text(const Estimate& estimate) {
@@ -29,7 +29,7 @@ std::string reason_text(const Estimate& estimate) {
 
 /// The first values, with 0 in place of NaN.
 std::vector<double> shown_values(std::vector<double> values) {
-    values.resize(std::min(values.size(), most_rows));
+    values.resize(std::min(values.size(), most_values));
     std::ranges::replace_if(
         values, [](double value) { return !std::isfinite(value); }, 0.0);
     return values;

@@ -14,7 +14,7 @@ namespace tool {
 namespace {
 
 /// The number of pairs in the table; the JSON has all pairs.
-constexpr std::size_t most_rows = 6;
+constexpr std::size_t most_pairs = 6;
 
 /// Pairs with names and coordinates.
 struct Named {
@@ -79,12 +79,12 @@ std::string table_of(const stltsa::Sides& sides, bool axes) {
     });
     Table table({left, left, right, right, right, right, right});
     table.add({"left - right", "", "rms", "by chance", "mean", "range", "right later"});
-    for (std::size_t i = 0; i < std::min(pairs.size(), most_rows); ++i) {
+    for (std::size_t i = 0; i < std::min(pairs.size(), most_pairs); ++i) {
         const auto& [name, other, axis, index, pair] = pairs[i];
         table.add({name, axis, number(pair.rms), number(pair.chance), with_sign(pair.mean),
                    with_sign(pair.left_range - pair.right_range), percent(pair.shift)});
     }
-    const std::size_t more = pairs.size() - std::min(pairs.size(), most_rows);
+    const std::size_t more = pairs.size() - std::min(pairs.size(), most_pairs);
     return table.text() +
            (more == 0 ? ""
                       : fmt::format("  ... and {} more pairs with smaller differences; all are in "

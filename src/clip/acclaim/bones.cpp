@@ -21,7 +21,7 @@ class SectionReader {
         for (std::string_view line = in_.line(); !line.empty(); line = in_.line())
             statement(line.substr(0, line.find('#')));
         if (in_bone_)
-            in_.fail(Status::format, "the file ends inside bone {}", quoted(bone().name));
+            in_.fail(Status::format, "the file ends inside bone {}", in_quotes(bone().name));
         return std::move(sections_);
     }
 
@@ -47,8 +47,8 @@ class SectionReader {
 
     void begin_section(const std::string& word) {
         if (in_bone_)
-            in_.fail(Status::format, "{} is inside bone {}: 'end' is missing", quoted(word),
-                     quoted(bone().name));
+            in_.fail(Status::format, "{} is inside bone {}: 'end' is missing", in_quotes(word),
+                     in_quotes(bone().name));
         section_ = word;
     }
 
@@ -57,7 +57,7 @@ class SectionReader {
             return;
         const std::string_view value = next_word(line, separators);
         if (!starts_with_ignoring_case(value, "deg") && !starts_with_ignoring_case(value, "rad"))
-            in_.fail(Status::format, "the angle unit must be deg or rad, not {}", quoted(value));
+            in_.fail(Status::format, "the angle unit must be deg or rad, not {}", in_quotes(value));
         sections_.degrees = starts_with_ignoring_case(value, "deg");
     }
 
@@ -77,7 +77,7 @@ class SectionReader {
         if (word == "begin")
             begin_bone();
         else if (!in_bone_)
-            in_.fail(Status::format, "{} is outside begin ... end", quoted(word));
+            in_.fail(Status::format, "{} is outside begin ... end", in_quotes(word));
         else if (word == "end")
             end_bone();
         else if (word == "name")
@@ -95,7 +95,7 @@ class SectionReader {
     void begin_bone() {
         if (in_bone_)
             in_.fail(Status::format, "'begin' is inside bone {}: 'end' is missing",
-                     quoted(bone().name));
+                     in_quotes(bone().name));
         in_bone_ = true;
         sections_.bones.emplace_back();
         bone().line = in_.line_number();
@@ -120,7 +120,7 @@ class SectionReader {
             if (!is_rotation(channel))
                 in_.fail(Status::unsupported,
                          "bone {} has the position channel {}: only the root may translate",
-                         quoted(bone().name), channel_name(channel));
+                         in_quotes(bone().name), channel_name(channel));
     }
 
     std::string bone_name(std::string_view word) const {
@@ -134,8 +134,8 @@ class SectionReader {
              word = next_word(line, separators)) {
             const Channel next = channel(to_lower(word));
             if (!may_follow(next, result))
-                in_.fail(Status::format, "bone {} has one {} too many: {}", quoted(bone),
-                         quoted(word), channel_limit);
+                in_.fail(Status::format, "bone {} has one {} too many: {}", in_quotes(bone),
+                         in_quotes(word), channel_limit);
             result.push_back(next);
         }
         return result;
@@ -147,13 +147,13 @@ class SectionReader {
                 return static_cast<Channel>(c);
         if (word == "l")
             in_.fail(Status::unsupported, "bones of variable length (dof l) are not supported");
-        in_.fail(Status::format, "{} is not one of tx ty tz rx ry rz", quoted(word));
+        in_.fail(Status::format, "{} is not one of tx ty tz rx ry rz", in_quotes(word));
     }
 
     std::array<int, 3> axis_order(std::string_view word) {
         const std::string order = to_lower(word);
         if (order.size() != 3 || order.find_first_not_of("xyz") != order.npos)
-            in_.fail(Status::format, "{} is not an order of axes such as XYZ", quoted(word));
+            in_.fail(Status::format, "{} is not an order of axes such as XYZ", in_quotes(word));
         return {order[0] - 'x', order[1] - 'x', order[2] - 'x'};
     }
 
@@ -169,7 +169,7 @@ class SectionReader {
         const auto value = parse_number(word);
         if (!value || !std::isfinite(*value))
             in_.fail(value ? Status::not_finite : Status::format,
-                     "'{}' needs finite numbers, not {}", keyword, quoted(word));
+                     "'{}' needs finite numbers, not {}", keyword, in_quotes(word));
         return *value;
     }
 

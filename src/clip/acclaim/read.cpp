@@ -71,8 +71,8 @@ class AmcReader {
     double rate(std::string_view word) {
         const auto value = parse_number(word);
         if (!value || !(*value > 0 && *value <= most_rate))
-            in_.fail(Status::format, "{} is not a frame rate above 0 and up to {:g}", quoted(word),
-                     most_rate);
+            in_.fail(Status::format, "{} is not a frame rate above 0 and up to {:g}",
+                     in_quotes(word), most_rate);
         return *value;
     }
 
@@ -105,15 +105,16 @@ class AmcReader {
             Status::format,
             "frame {} ends before this line without bone {}, which can move in {}: is the file "
             "truncated, or the skeleton the wrong one?",
-            number_, quoted(missing), asf_name_);
+            number_, in_quotes(missing), asf_name_);
     }
 
     void bone(std::string_view word, std::string_view line) {
         if (frame_ < 0)
-            in_.fail(Status::format, "{} comes before the number of the first frame", quoted(word));
+            in_.fail(Status::format, "{} comes before the number of the first frame",
+                     in_quotes(word));
         Slot& slot = find(word);
         if (slot.frame == frame_)
-            in_.fail(Status::format, "bone {} appears twice in frame {}", quoted(word), number_);
+            in_.fail(Status::format, "bone {} appears twice in frame {}", in_quotes(word), number_);
         slot.frame = frame_;
         ++bones_read_;
         double* values = &values_[static_cast<std::size_t>(frame_) * columns_ + slot.column];
@@ -124,7 +125,7 @@ class AmcReader {
             in_.fail(Status::format,
                      "bone {} has {} degrees of freedom in {}, but more numbers here: is it the "
                      "wrong skeleton?",
-                     quoted(word), channels.size(), asf_name_);
+                     in_quotes(word), channels.size(), asf_name_);
     }
 
     Slot& find(std::string_view word) {
@@ -134,7 +135,7 @@ class AmcReader {
             found = slots_.find(to_lower(word));
         if (found == slots_.end())
             in_.fail(Status::format, "{} has no moving bone {}: is it the wrong skeleton?",
-                     asf_name_, quoted(word));
+                     asf_name_, in_quotes(word));
         return found->second;
     }
 
@@ -143,13 +144,13 @@ class AmcReader {
             in_.fail(Status::format,
                      "bone {} has {} degrees of freedom in {}, but fewer numbers here: is it the "
                      "wrong skeleton?",
-                     quoted(slot.joint->name), slot.joint->channels.size(), asf_name_);
+                     in_quotes(slot.joint->name), slot.joint->channels.size(), asf_name_);
         const auto value = parse_number(word);
         if (!value)
-            in_.fail(Status::format, "{} is not a number", quoted(word));
+            in_.fail(Status::format, "{} is not a number", in_quotes(word));
         if (!std::isfinite(*value))
             in_.fail(Status::not_finite, "frame {}, {} of bone {} is {}", frame_,
-                     channel_name(channel), quoted(slot.joint->name), *value);
+                     channel_name(channel), in_quotes(slot.joint->name), *value);
         return is_rotation(channel) && !degrees_ ? *value * (180 / std::numbers::pi) : *value;
     }
 

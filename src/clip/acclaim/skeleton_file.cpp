@@ -60,7 +60,7 @@ class SkeletonBuilder {
         for (std::size_t number = 0; number <= count; ++number)
             if (!numbers_.emplace(bone(number).name, number).second)
                 in_.fail_at(bone(number).line, Status::format, "a second bone named {}",
-                            quoted(bone(number).name));
+                            in_quotes(bone(number).name));
         children_.resize(count + 1);
         has_parent_.resize(count + 1);
     }
@@ -69,7 +69,7 @@ class SkeletonBuilder {
         const auto found = numbers_.find(name);
         if (found == numbers_.end())
             in_.fail_at(line, Status::format, "{} is not among the bones of :bonedata",
-                        quoted(name));
+                        in_quotes(name));
         return found->second;
     }
 
@@ -79,7 +79,7 @@ class SkeletonBuilder {
             const std::size_t child = number_of(link.child, link.line);
             if (child == root || has_parent_[child])
                 in_.fail_at(link.line, Status::format, "{} already has a parent",
-                            quoted(link.child));
+                            in_quotes(link.child));
             has_parent_[child] = true;
             children_[parent].push_back(child);
         }
@@ -87,7 +87,7 @@ class SkeletonBuilder {
             if (!has_parent_[number])
                 in_.fail_at(bone(number).line, Status::format,
                             "bone {} is missing from the section :hierarchy",
-                            quoted(bone(number).name));
+                            in_quotes(bone(number).name));
     }
 
     void add_bones() {

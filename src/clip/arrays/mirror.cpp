@@ -44,8 +44,8 @@ Partners partners_by_name(const std::vector<std::string>& names) {
         if (partners[partners[i]] != i)
             fail(Status::unsupported,
                  "{} and {} cannot both be the other side of {}: name the sides left and right",
-                 quoted(names[i]), quoted(names[partners[partners[i]]]),
-                 quoted(names[partners[i]]));
+                 in_quotes(names[i]), in_quotes(names[partners[partners[i]]]),
+                 in_quotes(names[partners[i]]));
     return partners;
 }
 
@@ -76,7 +76,7 @@ std::size_t end_site_partner(const Skeleton& skeleton, const Partners& partners,
     const auto place = static_cast<std::size_t>(std::ranges::find(here, joint) - here.begin());
     if (there.size() != here.size())
         fail(Status::unsupported, "joint {} has {} end sites, but its other side {}",
-             quoted(skeleton.joints[static_cast<std::size_t>(parent)].name), here.size(),
+             in_quotes(skeleton.joints[static_cast<std::size_t>(parent)].name), here.size(),
              there.size());
     return there[place];
 }
@@ -97,7 +97,7 @@ Partners partners_of(const Skeleton& skeleton) {
             fail(Status::unsupported,
                  "joints {} and {} are the two sides of one another, but hang from joints that are "
                  "not",
-                 quoted(joint.name), quoted(partner.name));
+                 in_quotes(joint.name), in_quotes(partner.name));
     }
     return partners;
 }

@@ -40,11 +40,11 @@ void check_hierarchy(const Skeleton& skeleton) {
             fail(Status::argument,
                  "joint {} ({}) has parent {}: joint 0 is the root, with parent -1, and parents "
                  "come before their children",
-                 j, quoted(joint.name), joint.parent);
+                 j, in_quotes(joint.name), joint.parent);
         for (const double value : joint.offset)
             if (!std::isfinite(value))
-                fail(Status::not_finite, "the offset of joint {} ({}) is {}", j, quoted(joint.name),
-                     value);
+                fail(Status::not_finite, "the offset of joint {} ({}) is {}", j,
+                     in_quotes(joint.name), value);
     }
     if (channel_count(skeleton) == 0)
         fail(Status::argument, "no joint has a channel: the skeleton cannot move");
@@ -67,7 +67,7 @@ void check_arrays(const SkeletonArrays& arrays) {
     if (has_root && std::count_if(of_root.begin(), of_root.end(),
                                   [](Channel c) { return !is_rotation(c); }) != 3)
         fail(Status::argument, "joint 0 ({}) has no channels tx ty tz for root positions",
-             quoted(arrays.skeleton.joints[0].name));
+             in_quotes(arrays.skeleton.joints[0].name));
     for (const ConstMatrixView& view : {arrays.rotations, arrays.root})
         for (std::int64_t i = 0; i < view.rows; ++i)
             for (std::int64_t c = 0; c < view.cols; ++c)
@@ -188,7 +188,7 @@ std::size_t read_rotations(const Skeleton& skeleton, RotationForm form, const do
 std::string no_rotation(const Skeleton& skeleton, RotationForm form, std::size_t joint) {
     return format_text("the {} of joint {} ({}) is no rotation, whose {}",
                        form == RotationForm::matrices ? "matrix" : "quaternion", joint,
-                       quoted(skeleton.joints[joint].name),
+                       in_quotes(skeleton.joints[joint].name),
                        form == RotationForm::matrices ? "columns are at right angles, of length 1"
                                                       : "length is 1");
 }

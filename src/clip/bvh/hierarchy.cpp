@@ -43,7 +43,7 @@ class HierarchyReader {
         }
         if (!open_.empty())
             in_.fail(Status::format, "MOTION comes before the closing brace of joint {} on line {}",
-                     quoted(joint().name), open_.back().line);
+                     in_quotes(joint().name), open_.back().line);
         if (skeleton_.joints.empty())
             in_.fail(Status::format, "the hierarchy has no ROOT");
         return std::move(skeleton_);
@@ -64,7 +64,7 @@ class HierarchyReader {
         if (equals_ignoring_case(word, "ROOT"))
             root();
         else if (open_.empty())
-            in_.fail(Status::format, "{} is outside ROOT {{ ... }}", quoted(word));
+            in_.fail(Status::format, "{} is outside ROOT {{ ... }}", in_quotes(word));
         else if (equals_ignoring_case(word, "OFFSET"))
             offset();
         else if (equals_ignoring_case(word, "CHANNELS"))
@@ -78,13 +78,13 @@ class HierarchyReader {
         else
             in_.fail(Status::format,
                      "{} is not expected here; a joint has OFFSET, CHANNELS, JOINT or End Site",
-                     quoted(word));
+                     in_quotes(word));
     }
 
     void root() {
         if (!open_.empty())
             in_.fail(Status::format, "ROOT is inside joint {}: a closing brace is missing",
-                     quoted(joint().name));
+                     in_quotes(joint().name));
         if (!skeleton_.joints.empty())
             in_.fail(Status::unsupported,
                      "a second ROOT: files with several figures are not supported; keep one");
@@ -104,7 +104,7 @@ class HierarchyReader {
         joint.name = in_.rest_of_line('{');
         in_.check_name(joint.name);
         if (in_.word() != "{")
-            in_.fail(Status::format, "'{{' is missing after {} on line {}", quoted(joint.name),
+            in_.fail(Status::format, "'{{' is missing after {} on line {}", in_quotes(joint.name),
                      line);
         if (skeleton_.joints.size() == most_joints)
             in_.fail(Status::unsupported, "more than {} joints", most_joints);
@@ -137,11 +137,11 @@ class HierarchyReader {
             if (!channel)
                 in_.fail(Status::format,
                          "{} is not a channel; expected {} of Xposition ... Zrotation",
-                         quoted(word), *count);
+                         in_quotes(word), *count);
             std::vector<Channel>& channels = joint().channels;
             if (!may_follow(*channel, channels))
-                in_.fail(Status::format, "joint {} has one {} too many: {}", quoted(joint().name),
-                         quoted(word), channel_limit);
+                in_.fail(Status::format, "joint {} has one {} too many: {}",
+                         in_quotes(joint().name), in_quotes(word), channel_limit);
             channels.push_back(*channel);
         }
     }
@@ -151,16 +151,16 @@ class HierarchyReader {
         const auto value = parse_number(word);
         if (!value)
             in_.fail(Status::format, "{} must be followed by three numbers, not {}", keyword,
-                     quoted(word));
+                     in_quotes(word));
         if (!std::isfinite(*value))
             in_.fail(Status::not_finite, "the {} of joint {} is not finite", keyword,
-                     quoted(joint().name));
+                     in_quotes(joint().name));
         return *value;
     }
 
     void close() {
         if (!open_.back().has_offset)
-            in_.fail(Status::format, "joint {} on line {} has no OFFSET", quoted(joint().name),
+            in_.fail(Status::format, "joint {} on line {} has no OFFSET", in_quotes(joint().name),
                      open_.back().line);
         open_.pop_back();
     }

@@ -20,7 +20,7 @@ std::string_view header_value(TextCursor& in, std::string_view first, std::strin
     for (const std::string_view word : {first, second, std::string_view(":")}) {
         if (!starts_with_ignoring_case(remaining, word))
             in.fail(Status::format, "'{}{}{}:' is expected here, not {}", first,
-                    second.empty() ? "" : " ", second, quoted(line));
+                    second.empty() ? "" : " ", second, in_quotes(line));
         remaining = trim(remaining.substr(word.size()));
     }
     return remaining;
@@ -31,7 +31,7 @@ std::int64_t read_frame_count(TextCursor& in) {
     const auto frames = parse_integer(text);
     if (!frames || *frames < 0)
         in.fail(Status::format, "'Frames:' must be followed by the number of frames, not {}",
-                quoted(text));
+                in_quotes(text));
     if (*frames == 0)
         in.fail(Status::format, "the file has no frames, only a skeleton");
     return *frames;
@@ -42,7 +42,7 @@ void read_rate(TextCursor& in, Clip& clip) {
     const auto seconds = parse_number(text);
     if (!seconds || *seconds < 0 || !std::isfinite(*seconds))
         in.fail(Status::format, "'Frame Time:' must be followed by a number of seconds, not {}",
-                quoted(text));
+                in_quotes(text));
     if (*seconds > 0 && (*seconds < shortest_frame_s || *seconds > longest_frame_s))
         in.fail(Status::format, "invalid Frame Time {} s; expected {} s to {} s", *seconds,
                 shortest_frame_s, longest_frame_s);
@@ -85,8 +85,8 @@ class RowReader {
                 check_row_begin();
             const auto value = parse_number(word);
             if (!value)
-                in_.fail(Status::format, "{} is not a number (frame {}, channel {})", quoted(word),
-                         frame_, name(c));
+                in_.fail(Status::format, "{} is not a number (frame {}, channel {})",
+                         in_quotes(word), frame_, name(c));
             if (!std::isfinite(*value))
                 in_.fail(Status::not_finite, "frame {}, channel {} is {}", frame_, name(c), *value);
             row[c] = *value;
@@ -123,7 +123,7 @@ class RowReader {
     }
 
     std::string name(std::int64_t c) const {
-        return quoted(clip_.channel_names[static_cast<std::size_t>(c)]);
+        return in_quotes(clip_.channel_names[static_cast<std::size_t>(c)]);
     }
 
     TextCursor& in_;

@@ -66,10 +66,10 @@ std::string doubt(const Columns& found) {
         return "only some have a confidence";
     if (others > 0 && (found.points < least_points || others >= std::ssize(found.coordinates)))
         return "there are as many other columns, or fewer than 3 points: " +
-               quoted(found.others[0]);
+               in_quotes(found.others[0]);
     if (!found.quantities.empty() && found.points < least_points)
         return "there are other quantities, and fewer than 3 points: " +
-               quoted(found.quantities[0]);
+               in_quotes(found.quantities[0]);
     if (!found.are_set_apart && found.points < least_points)
         return "fewer than 3 points need names such as 'heel_x'";
     return {};
@@ -85,7 +85,7 @@ void note_left_out(const Columns& found, Clip& clip) {
         clip.notes.push_back(
             format_text("no coordinates of points, so left out: {} {}",
                         count == 1 ? "column" : format_text("{} columns, the first is", count),
-                        quoted(found.others.front())));
+                        in_quotes(found.others.front())));
 }
 
 Matrix columns_of(const Matrix& values, const std::vector<std::int64_t>& columns) {

@@ -92,7 +92,7 @@ class CsvReader {
             const auto is_filled = [](std::string_view cell) { return !cell.empty(); };
             if (!parse_cell(cells[0]) && std::ranges::count_if(cells, is_filled) == 1) {
                 clip_.notes.push_back(
-                    format_text("the rows from {} on are not read", quoted(cells[0])));
+                    format_text("the rows from {} on are not read", in_quotes(cells[0])));
                 return;
             }
             row(cells);
@@ -140,7 +140,7 @@ class CsvReader {
             return std::numeric_limits<double>::quiet_NaN();
         const auto value = parse_cell(cell);
         if (!value)
-            in_.fail(Status::format, "column {}: {} is not a number", title(c), quoted(cell));
+            in_.fail(Status::format, "column {}: {} is not a number", title(c), in_quotes(cell));
         if (!std::isfinite(*value))
             in_.fail(Status::not_finite, "column {} is {}", title(c), *value);
         return *value;
@@ -149,7 +149,7 @@ class CsvReader {
     std::string title(std::size_t c) const {
         const auto& names = clip_.channel_names;
         return names.empty() ? format_text("{}", c + 1)
-                             : format_text("{} ({})", c + 1, quoted(names[c]));
+                             : format_text("{} ({})", c + 1, in_quotes(names[c]));
     }
 
     TextCursor& in_;

@@ -64,7 +64,7 @@ bool is_complete(const std::vector<double>& column) {
 
 /// Whether the column counts frames and is therefore not a channel.
 bool take_count(Clip& clip, std::int64_t column) {
-    const std::string title = quoted(clip.channel_names[static_cast<std::size_t>(column)]);
+    const std::string title = in_quotes(clip.channel_names[static_cast<std::size_t>(column)]);
     const std::vector<double> values = column_of(clip.values, column);
     const bool counts = is_complete(values) && TimeSteps(values).count();
     clip.notes.push_back(
@@ -76,7 +76,7 @@ bool take_count(Clip& clip, std::int64_t column) {
 /// Whether the column is time and therefore not a channel. Its seconds are put into `times`.
 bool take_time(Clip& clip, std::int64_t column, double unit, const ReadOptions& options,
                std::vector<double>& times) {
-    const std::string title = quoted(clip.channel_names[static_cast<std::size_t>(column)]);
+    const std::string title = in_quotes(clip.channel_names[static_cast<std::size_t>(column)]);
     std::vector<double> seconds = column_of(clip.values, column);
     const bool complete = is_complete(seconds);
     const TimeSteps steps(complete ? seconds : std::vector<double>{0, 0});

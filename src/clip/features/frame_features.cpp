@@ -106,7 +106,7 @@ void FrameFeatures::check_like(const Clip& clip) const {
             fail(Status::shape,
                  "joint {} ({}) has another parent or other channels than in the "
                  "clip of the model",
-                 j, quoted(joints[j].name));
+                 j, in_quotes(joints[j].name));
 }
 
 bool FrameFeatures::next(std::span<const Quaternion> local, const Vec3& root, double* features) {

@@ -16,10 +16,10 @@ std::string name_of(const Clip& clip, int width, std::int64_t group) {
         return format_text("{}", group + 1);
     const std::string& name = clip.channel_names[column];
     if (width == 1)
-        return quoted(name);
+        return in_quotes(name);
     if (width == 3 && !names_coordinate(clip.channel_names, column))
         return format_text("{}", group + 1);
-    return quoted(point_name(name));
+    return in_quotes(point_name(name));
 }
 
 /// The names of the first groups, and the number of the others.

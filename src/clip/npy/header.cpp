@@ -89,7 +89,7 @@ class DictReader {
         const bool known =
             descr.size() == 3 && std::string_view("<>=|").find(descr[0]) != descr.npos;
         if (!known || std::ranges::find(types, descr.substr(1)) == std::end(types))
-            unsupported(format_text("an array of dtype {}", quoted(descr)));
+            unsupported(format_text("an array of dtype {}", in_quotes(descr)));
         header_.big_endian =
             descr[0] == '>' || (descr[0] == '=' && std::endian::native == std::endian::big);
         header_.kind = descr[1];

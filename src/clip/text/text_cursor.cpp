@@ -69,7 +69,7 @@ std::string_view next_word(std::string_view& line, std::string_view separators) 
     return word;
 }
 
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
     constexpr std::size_t longest = 40; // characters
     std::string result;
     for (std::size_t at = 0, count = 0; at < text.size(); ++count) {

@@ -24,7 +24,7 @@ bool is_utf16(std::string_view bytes);
 std::string_view next_word(std::string_view& line, std::string_view separators = {});
 
 /// Quotes text of a file for an error message: shortened, without unprintable characters.
-std::string quoted(std::string_view text);
+std::string in_quotes(std::string_view text);
 
 /// Lines end with \n, \r\n or \r; control characters count as blanks (old files end with Ctrl-Z);
 /// a UTF-8 byte order mark is skipped. Text in UTF-16 is an error.
@@ -49,8 +49,8 @@ class TextCursor {
     void check_name(std::string_view name) const {
         constexpr std::size_t most = 256;
         if (name.size() > most)
-            fail(Status::format, "the name {} has {} bytes; at most {} are allowed", quoted(name),
-                 name.size(), most);
+            fail(Status::format, "the name {} has {} bytes; at most {} are allowed",
+                 in_quotes(name), name.size(), most);
     }
 
     /// Throws an Error with "name:line: " before the text.

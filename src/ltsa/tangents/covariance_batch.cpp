@@ -16,11 +16,7 @@ namespace {
 constexpr std::int64_t term_group = 8;
 
 /// Additional columns of the block: more columns converge in fewer, longer steps.
-constexpr std::int64_t guard_columns = 4;
-
-constexpr std::int64_t rounded_up(std::int64_t value, std::int64_t step) {
-    return (value + step - 1) / step * step;
-}
+constexpr std::int64_t covariance_guards = 4;
 
 /// Covariance matrices times k, as the products of the shared members plus those of the terms (the
 /// other members) minus S S^T / k, with S the sum of the terms.
@@ -83,7 +79,7 @@ struct CovarianceKernel {
 CovarianceBatch::CovarianceBatch(ConstMatrixView x, std::int64_t size, std::int64_t count,
                                  Simd simd)
     : x_(x), features_(x.cols), size_(size), count_(count),
-      eigen_({features_, count, count + guard_columns}, simd),
+      eigen_({features_, count, count + covariance_guards}, simd),
       shared_products_(features_, features_), offset_(static_cast<std::size_t>(features_)),
       vector_(static_cast<std::size_t>(features_)), centered_(size, features_),
       terms_(checked_size(rounded_up(size, term_group) * lanes(), features_)),

@@ -4,14 +4,6 @@
 #include "base/random.hpp"
 
 namespace stltsa::ltsa {
-namespace {
-
-std::int64_t rounded_up(std::int64_t value, std::int64_t step) {
-    return (value + step - 1) / step * step;
-}
-
-} // namespace
-
 EigenBatch::EigenBatch(const Shape& shape, Simd simd)
     : shape_(shape), rows_(rounded_up(shape.size, product_rows)),
       columns_(rounded_up(shape.columns, product_columns)), simd_(simd), lanes_(simd_width(simd)) {

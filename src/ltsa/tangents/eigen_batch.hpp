@@ -11,6 +11,10 @@
 
 namespace stltsa::ltsa {
 
+constexpr std::int64_t rounded_up(std::int64_t value, std::int64_t step) {
+    return (value + step - 1) / step * step;
+}
+
 /// A lane's results do not depend on the other lanes or their number.
 class EigenBatch {
   public:

@@ -10,7 +10,7 @@ namespace {
 
 /// Additional columns of the block: the fastest choice for windows of 12 to 48 frames of recorded
 /// motion.
-constexpr std::int64_t guard_columns = 2;
+constexpr std::int64_t correlation_guards = 2;
 
 /// Computes the correlation matrix from squared distances, and its eigenvectors.
 struct CorrelationKernel {
@@ -57,7 +57,7 @@ struct CorrelationKernel {
 } // namespace
 
 GramBatch::GramBatch(std::int64_t size, std::int64_t count, Simd simd)
-    : size_(size), count_(count), eigen_({size, count, count + guard_columns}, simd) {}
+    : size_(size), count_(count), eigen_({size, count, count + correlation_guards}, simd) {}
 
 void GramBatch::solve() {
     run_simd(eigen_.simd(), CorrelationKernel{eigen_.iteration()});

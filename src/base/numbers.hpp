@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <limits>
+#include <numbers>
+
+namespace stltsa {
+
+/// Stands for a number that is unknown.
+inline constexpr double none = std::numeric_limits<double>::quiet_NaN();
+/// Radians.
+inline constexpr double turn = 2 * std::numbers::pi;
+
+} // namespace stltsa
