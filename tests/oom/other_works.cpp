@@ -415,15 +415,16 @@ stltsa_status models(const std::string&) {
 stltsa_status streams(const std::string&) {
     Calls calls;
     stltsa_model* model = nullptr;
-    stltsa_live* live = nullptr;
+    stltsa_live* stream = nullptr;
     calls.make([&] { return stltsa_fit_clip(kept().matrix, nullptr, &model); }, model);
     calls.make([&] { return stltsa_model_keep_cycle(model, kept().phase); });
     calls.make([&] { return stltsa_model_keep_mark(model, kept().phase, 40, "a step, say"); });
-    calls.make([&] { return stltsa_live_new(model, &live); }, live);
-    if (calls.good() && (stltsa_model_has_cycle(model) != 1 || stltsa_live_mark_count(live) != 1 ||
-                         *stltsa_live_mark_name(live, 0) != 'a'))
+    calls.make([&] { return stltsa_live_new(model, &stream); }, stream);
+    if (calls.good() &&
+        (stltsa_model_has_cycle(model) != 1 || stltsa_live_mark_count(stream) != 1 ||
+         *stltsa_live_mark_name(stream, 0) != 'a'))
         calls.make([] { return 1; });
-    stltsa_live_free(live);
+    stltsa_live_free(stream);
     stltsa_model_free(model);
     return calls.status();
 }

@@ -82,14 +82,14 @@ void counts_lines_of_every_kind(void**) {
 }
 
 void quotes_only_printable_characters(void**) {
-    assert_string_equal(stltsa::clip::quoted("a\x01\xFFz").c_str(), "'a??z'");
-    assert_true(stltsa::clip::quoted(std::string(1000, 'x')).size() < 60);
-    assert_string_equal(stltsa::clip::quoted("\xC3\xA9-\xC2\x9B\xC3").c_str(), "'\xC3\xA9-?"
-                                                                               "?'");
+    assert_string_equal(stltsa::clip::in_quotes("a\x01\xFFz").c_str(), "'a??z'");
+    assert_true(stltsa::clip::in_quotes(std::string(1000, 'x')).size() < 60);
+    assert_string_equal(stltsa::clip::in_quotes("\xC3\xA9-\xC2\x9B\xC3").c_str(), "'\xC3\xA9-?"
+                                                                                  "?'");
     std::string letters; // cut between characters, not within one
     for (int i = 0; i < 50; ++i)
         letters += "\xC3\xA9";
-    assert_string_equal(stltsa::clip::quoted(letters).c_str(),
+    assert_string_equal(stltsa::clip::in_quotes(letters).c_str(),
                         ("'" + letters.substr(0, 80) + "...'").c_str());
 }
 
