@@ -77,7 +77,8 @@ void set_channels(const char* text, clip::Joint& joint, Adds& adds) {
          word = clip::next_word(words)) {
         const clip::Channel channel = channel_of(word, joint, adds);
         if (!clip::may_follow(channel, joint.channels))
-            fail(Status::argument, "joint {}: {}", clip::in_quotes(joint.name), clip::channel_limit);
+            fail(Status::argument, "joint {}: {}", clip::in_quotes(joint.name),
+                 clip::channel_limit);
         joint.channels.push_back(channel);
     }
 }
