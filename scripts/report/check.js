@@ -118,6 +118,7 @@ async function checkReport(page) {
   const box = await page.locator("#band canvas").last().boundingBox();
   await page.mouse.click(box.x + box.width * 0.5, box.y + 75);
   check(await comes(page, async () => !/frame 1$/.test(await clock())), "a click on the recording goes there");
+  await page.locator("#scrub").focus(); // controls keep only the keys that they use
   await page.keyboard.press("m");
   if (await page.locator("#mark").isVisible()) check(await page.locator(".event").count() === 1 && /stltsa events .* --mark/.test(await page.locator("#events pre").textContent()), "m marks an event, and its command is shown");
 }

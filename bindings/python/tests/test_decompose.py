@@ -232,3 +232,5 @@ def test_report(result, tmp_path):
     assert again.read_text(encoding="utf-8").count("</script>") == page.count("</script>") == 2
     with pytest.raises(stltsa.FileError):
         result.report(tmp_path / "none" / "x.html")
+    with pytest.raises(ValueError, match="give fps="):
+        stltsa.report(result.clip.features(), again)

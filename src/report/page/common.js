@@ -6,6 +6,8 @@ const element = (tag, attributes = {}, ...children) => {
   return made;
 };
 const byId = id => document.getElementById(id);
+// Controls that the space bar operates, or types into.
+const usesSpace = of => of.matches('button, summary, a, select, textarea, input:not([type="range"])');
 
 const letters = n => n < 0 ? "" : letters(Math.floor(n / 26) - 1) + String.fromCharCode(65 + n % 26);
 const number = (value, digits = 3) => value === null || value === undefined || Number.isNaN(value) ? "–"

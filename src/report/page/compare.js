@@ -291,7 +291,7 @@ function control() {
   on("save-json", "click", () => save(stem() + ".json", JSON.stringify(found) + "\n", "application/json"));
   on("save-csv", "click", () => save(stem() + ".csv", csv(), "text/csv"));
   on("save-curves", "click", () => save(stem() + "-curves.csv", curvesCsv(), "text/csv"));
-  addEventListener("keydown", event => { if (event.key === " " && !/^(INPUT|SELECT|BUTTON|SUMMARY|TEXTAREA)$/.test(event.target.tagName)) { event.preventDefault(); play(); } });
+  addEventListener("keydown", event => { if (event.key === " " && !usesSpace(event.target)) { event.preventDefault(); play(); } });
   controlTheme();
   byId("part-kind").textContent = data.skeleton || found.features === "euler" || found.features === "rotations6d" ? "Joint" : found.features === "points" ? "Marker" : "Column";
   listeners.push(level => {

@@ -69,8 +69,8 @@ function control() {
   on("save-csv", "click", () => save(stem() + ".csv", csv(), "text/csv"));
   on("save-cycles", "click", () => save(stem() + "-cycles.csv", cyclesCsv(), "text/csv"));
   addEventListener("keydown", event => {
-    if (event.ctrlKey || event.metaKey || event.altKey || /^(INPUT|SELECT|BUTTON|SUMMARY|TEXTAREA)$/.test(event.target.tagName)) return;
-    if (event.key === " ") { event.preventDefault(); play(); }
+    if (event.ctrlKey || event.metaKey || event.altKey || event.target.matches('select, textarea, input[type="text"]')) return;
+    if (event.key === " " && !usesSpace(event.target)) { event.preventDefault(); play(); }
     else if ((event.key === "m" || event.key === "M") && motions.length) addMark();
   });
   controlTheme();

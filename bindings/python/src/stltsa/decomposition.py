@@ -544,12 +544,16 @@ class Decomposition(Described):
         ------
         stltsa.FileError
             The file cannot be written.
+        ValueError
+            The frame rate is unknown.
 
         Examples
         --------
         >>> import stltsa
         >>> stltsa.decompose("walker.bvh").report("walker.html")
         """
+        if not self.clip.fps:
+            raise ValueError("a report is in seconds, and the frame rate is unknown: give fps=")
         text = ffi.NULL if command is None else ffi.new("char[]", command.encode())
         with Call(self._options, working_rate(self.clip.fps, self._options)) as call:
             given = (self.clip._handle, self._handle, call.options, text, c_path(path))
