@@ -8,7 +8,7 @@ namespace stltsa {
 
 /// Stands for a number that is unknown.
 inline constexpr double none = std::numeric_limits<double>::quiet_NaN();
-/// Radians.
+/// A full turn in radians.
 inline constexpr double turn = 2 * std::numbers::pi;
 
 } // namespace stltsa

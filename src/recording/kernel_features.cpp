@@ -15,7 +15,7 @@ namespace {
 constexpr double moments_per_second = 10;
 /// Velocities per moment count so many times as poses.
 constexpr double velocity_weight = 3;
-constexpr double statistics_s = 0.45;
+constexpr double statistics_window_s = 0.45;
 /// Squared distance at which the kernel has fallen to 1/e: the median distance, but at least this
 /// share of the total variance. Without that limit, one long motion is cut at nothing.
 constexpr double least_bandwidth = 0.3;
@@ -120,7 +120,7 @@ KernelFeatures::KernelFeatures(const Signal& signal)
     : step_(std::max<std::int64_t>(1, std::lround(signal.rate / moments_per_second))),
       rate_(signal.rate / static_cast<double>(step_)) {
     const Matrix x = scaled_motion(signal, step_, rate_);
-    const Matrix statistics = windowed(x, statistics_s * rate_);
+    const Matrix statistics = windowed(x, statistics_window_s * rate_);
     const double bandwidth =
         std::max(median_distance(statistics), least_bandwidth * total_variance(x));
     const Matrix landmarks = spread_rows(statistics, most_landmarks);

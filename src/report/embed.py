@@ -34,10 +34,10 @@ def main(function, page, source, depfile):
     Path(source).write_text(
         '#include "report/template.hpp"\n\n'
         "namespace stltsa::report {\nnamespace {\n\n"
-        f"constexpr std::string_view {function}_before[] = {{\n{literals(before)}\n}};\n"
-        f"constexpr std::string_view {function}_after[] = {{\n{literals(after)}\n}};\n\n"
+        f"constexpr std::string_view before[] = {{\n{literals(before)}\n}};\n"
+        f"constexpr std::string_view after[] = {{\n{literals(after)}\n}};\n\n"
         "} // namespace\n\n"
-        f"Template {function}() {{\n    return {{{function}_before, {function}_after}};\n}}\n\n"
+        f"Template {function}() {{\n    return {{before, after}};\n}}\n\n"
         "} // namespace stltsa::report\n",
         encoding="utf-8",
     )

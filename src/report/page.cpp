@@ -30,8 +30,8 @@ Json curve_json(const results::Decomposed& decomposed) {
         for (int c = 0; c < 2; ++c)
             rows(r, 1 + c) = found.loop(r * step, c);
     }
-    const results::SampleFacts& facts = decomposed.source.samples;
-    return JsonObject("first", facts.first, "step", step * facts.step, "values",
+    const results::SampleFacts& samples = decomposed.source.samples;
+    return JsonObject("first", samples.first, "step", step * samples.step, "values",
                       packed(rows.view()));
 }
 
@@ -59,8 +59,8 @@ Json source_json(const Reported& reported) {
 
 /// The report of an hour has at most 10 MB (10^7 bytes): postures get what the rest leaves.
 std::int64_t room_for_body(std::size_t used) {
-    constexpr std::int64_t longest_page = 9'900'000, smallest = 1'000'000, largest = 6'000'000;
-    return std::clamp(longest_page - static_cast<std::int64_t>(used), smallest, largest);
+    constexpr std::int64_t longest_page = 9'900'000, least = 1'000'000, most = 6'000'000;
+    return std::clamp(longest_page - static_cast<std::int64_t>(used), least, most);
 }
 
 std::string_view bytes_of(const Matrix& matrix) {

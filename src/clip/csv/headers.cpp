@@ -10,7 +10,7 @@
 namespace stltsa::clip {
 namespace {
 
-using Names = std::vector<std::string>;
+using Line = std::vector<std::string>; ///< its cells
 
 /// Numbers begin within so many lines, or there is no preamble.
 constexpr std::size_t most_lines = 64;
@@ -22,12 +22,12 @@ bool is_filled(const std::string& cell) {
     return !cell.empty();
 }
 
-std::int64_t filled(const Names& cells) {
+std::int64_t filled(const Line& cells) {
     return std::ranges::count_if(cells, is_filled);
 }
 
 /// Filled cells, or all but the label of the line, which is in one of the first two columns.
-bool is_all(const Names& cells, bool (*holds)(std::string_view)) {
+bool is_all(const Line& cells, bool (*holds)(std::string_view)) {
     return std::all_of(cells.begin() + std::min<std::ptrdiff_t>(2, std::ssize(cells)), cells.end(),
                        [holds](const std::string& cell) { return cell.empty() || holds(cell); });
 }
@@ -41,7 +41,7 @@ bool is_unit(std::string_view cell) {
 
 /// "Marker", "Marker", ... of each column, or the name of the network that tracked: they tell no
 /// columns apart.
-bool is_constant(const Names& cells) {
+bool is_constant(const Line& cells) {
     for (std::size_t c = 3; c < cells.size(); ++c)
         if (cells[c] != cells[2] && !cells[c].empty())
             return false;
@@ -49,14 +49,14 @@ bool is_constant(const Names& cells) {
 }
 
 /// Numbers that a system gives its markers.
-bool is_identity(const Names& cells) {
+bool is_identity(const Line& cells) {
     return std::any_of(cells.begin(),
                        cells.begin() + std::min<std::ptrdiff_t>(2, std::ssize(cells)),
                        [](const std::string& cell) { return equals_ignoring_case(cell, "id"); });
 }
 
 /// A name stands above the first of its columns.
-void spread_names(Names& cells) {
+void spread_names(Line& cells) {
     for (std::size_t c = 1; c < cells.size(); ++c)
         if (cells[c].empty())
             cells[c] = cells[c - 1];
@@ -74,7 +74,7 @@ class HeadReader {
         Head head;
         head.separator = separator_;
         find_rate(head);
-        std::vector<Names> levels = levels_of();
+        std::vector<Line> levels = levels_of();
         if (levels.empty())
             return std::nullopt;
         set_names(levels, head);
@@ -111,12 +111,12 @@ class HeadReader {
         }
     }
 
-    static Names split(std::string_view line, char separator) {
+    static Line split(std::string_view line, char separator) {
         const auto cells = split_cells(line, separator);
-        return cells ? Names(cells->begin(), cells->end()) : Names();
+        return cells ? Line(cells->begin(), cells->end()) : Line();
     }
 
-    static bool is_data(const Names& cells) {
+    static bool is_data(const Line& cells) {
         const auto is_number = [](const std::string& cell) { return parse_cell(cell).has_value(); };
         return std::ranges::any_of(cells, is_number) &&
                std::ranges::all_of(
@@ -137,7 +137,7 @@ class HeadReader {
                 continue;
             const std::string_view first = lines[lines.size() - 2];
             const char separator = find_separator(first);
-            const Names cells = split(first, separator), next = split(line, separator);
+            const Line cells = split(first, separator), next = split(line, separator);
             if (cells.size() < 2 || cells.size() != next.size() || !is_data(cells) ||
                 !is_data(next))
                 continue;
@@ -158,13 +158,13 @@ class HeadReader {
             if (rate && *rate >= least_rate && *rate <= most_rate && head.fps == 0)
                 head.fps = *rate;
         };
-        for (const Names& cells : lines_) {
+        for (const Line& cells : lines_) {
             if (cells.size() >= columns_ && filled(cells) > 2)
                 continue;
             if (filled(cells) == 1)
                 take(cells[0]);
         }
-        for (const Names& cells : lines_)
+        for (const Line& cells : lines_)
             for (std::size_t c = 0; c + 1 < cells.size(); ++c) {
                 const std::string label = to_lower(cells[c]);
                 if (label.find("rate") != label.npos || label.find("frequency") != label.npos)
@@ -176,12 +176,12 @@ class HeadReader {
     }
 
     /// Whether the line names columns: it reaches at least to the last group of three.
-    bool can_be_level(const Names& cells) const {
+    bool can_be_level(const Line& cells) const {
         return cells.size() + 2 >= columns_ && cells.size() <= columns_ + 1 && filled(cells) >= 2;
     }
 
     /// The lines that name columns, from above.
-    std::vector<Names> levels_of() {
+    std::vector<Line> levels_of() {
         std::size_t end = lines_.size();
         if (filled(lines_[end - 1]) == 1 && !lines_[end - 1][0].empty() && end > 1)
             index_name_ = lines_[--end][0]; // pandas: the name of the index
@@ -193,9 +193,9 @@ class HeadReader {
         first_level_ = end;
         while (first_level_ > 0 && can_be_level(lines_[first_level_ - 1]))
             --first_level_;
-        std::vector<Names> levels;
+        std::vector<Line> levels;
         for (std::size_t i = first_level_; i < end; ++i) {
-            Names cells = lines_[i];
+            Line cells = lines_[i];
             cells.resize(columns_);
             const bool is_last = i + 1 == end || is_all(lines_[i + 1], is_unit);
             if (is_all(cells, is_unit) || is_identity(cells) || (is_constant(cells) && !is_last))
@@ -205,17 +205,17 @@ class HeadReader {
         return levels;
     }
 
-    void set_names(std::vector<Names>& levels, Head& head) const {
+    void set_names(std::vector<Line>& levels, Head& head) const {
         for (std::size_t l = 0; l + 1 < levels.size(); ++l)
             spread_names(levels[l]);
-        const Names& last = levels.back();
+        const Line& last = levels.back();
         for (std::size_t c = 0; c < columns_; ++c) {
             std::string name;
             // The first columns may be an index, with the titles of the lines above.
             const bool labelled = c < 2 && levels.size() > 1 && columns_ > 2 &&
                                   levels.front()[c] != levels.front()[c == 0 ? 1 : 2] &&
                                   !(c == 1 && levels.front()[c] == levels.front()[0]);
-            for (const Names& level : levels)
+            for (const Line& level : levels)
                 if (!level[c].empty() && (!labelled || &level == &levels.back()))
                     name += (name.empty() ? "" : "_") + level[c];
             head.names.push_back(name);
@@ -227,7 +227,7 @@ class HeadReader {
     }
 
     TextCursor& in_;
-    std::vector<Names> lines_; ///< before the numbers
+    std::vector<Line> lines_; ///< before the numbers
     TextCursor after_ = in_;   ///< before the first row of numbers
     std::size_t columns_ = 0;
     std::size_t first_level_ = 0;

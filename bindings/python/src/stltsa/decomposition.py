@@ -159,6 +159,11 @@ def report(
     -------
     Decomposition
 
+    Raises
+    ------
+    ValueError
+        The frame rate is unknown, as of an array without ``fps``.
+
     Examples
     --------
     >>> import stltsa
