@@ -228,7 +228,7 @@ class HeadReader {
 
     TextCursor& in_;
     std::vector<Line> lines_; ///< before the numbers
-    TextCursor after_ = in_;   ///< before the first row of numbers
+    TextCursor after_ = in_;  ///< before the first row of numbers
     std::size_t columns_ = 0;
     std::size_t first_level_ = 0;
     char separator_ = ',';
