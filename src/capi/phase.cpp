@@ -148,8 +148,8 @@ stltsa_status stltsa_cycles_between(const stltsa_in* borders, const stltsa_in* s
         for (int64_t i = 0; i < of.view().rows; ++i)
             rows.push_back(of.view()(i, 0));
         check_borders(rows, input.view().rows);
-        *cycles =
-            new stltsa_cycles(phase::resample(input.view(), phase::times_between(rows, samples)));
+        *cycles = new stltsa_cycles(
+            phase::resample(input.view(), {phase::times_between(rows, samples), {}}));
     });
 }
 

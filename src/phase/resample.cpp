@@ -28,21 +28,41 @@ double share_of(std::int64_t sample, std::int64_t samples) {
     return static_cast<double>(sample) / static_cast<double>(samples - 1);
 }
 
-Matrix linear_rows(ConstMatrixView signals, const double* places, std::int64_t count) {
+/// Two rows and the share of the way from the first to the second.
+struct Between {
+    std::int64_t row = 0, next = 0;
+    double part = 0;
+};
+
+Between between(double place, std::int64_t rows) {
+    const double inside = std::clamp(place, 0.0, static_cast<double>(rows - 1));
+    const auto row = static_cast<std::int64_t>(inside);
+    return {row, std::min(row + 1, rows - 1), inside - static_cast<double>(row)};
+}
+
+Between between_repeated(double place, const Range& repeated) {
+    const double floor = std::floor(place);
+    const std::int64_t at = static_cast<std::int64_t>(floor) - repeated.begin;
+    return {repeated.begin + at % repeated.rows(), repeated.begin + (at + 1) % repeated.rows(),
+            place - floor};
+}
+
+Matrix linear_rows(ConstMatrixView signals, const double* places, std::int64_t count,
+                   const Range& repeated) {
     Matrix result(count, signals.cols);
     for (std::int64_t s = 0; s < count; ++s) {
-        const auto last = static_cast<double>(signals.rows - 1);
-        if (!(places[s] <= last + rounding)) {
+        const bool known = repeated.rows() > 0
+                               ? !std::isnan(places[s])
+                               : places[s] <= static_cast<double>(signals.rows - 1) + rounding;
+        if (!known) {
             std::fill_n(result.row(s), signals.cols, none);
             continue;
         }
-        const double place = std::clamp(places[s], 0.0, last);
-        const auto i =
-            std::min(static_cast<std::int64_t>(place), std::max<std::int64_t>(0, signals.rows - 2));
-        const double part = place - static_cast<double>(i);
+        const auto [row, next, part] = repeated.rows() > 0 ? between_repeated(places[s], repeated)
+                                                           : between(places[s], signals.rows);
         for (std::int64_t c = 0; c < signals.cols; ++c)
-            result(s, c) = part > 0 ? signals(i, c) + part * (signals(i + 1, c) - signals(i, c))
-                                    : signals(i, c);
+            result(s, c) = part > 0 ? signals(row, c) + part * (signals(next, c) - signals(row, c))
+                                    : signals(row, c);
     }
     return result;
 }
@@ -138,6 +158,17 @@ Matrix times_of(const Run& run, double first, std::int64_t count, std::int64_t s
     return rows;
 }
 
+Turns closed_turn(const Run& run, double zero, std::int64_t samples) {
+    const auto round = std::ranges::lower_bound(run.phase, run.phase.front() + 1);
+    const std::vector<double> once(run.phase.begin(), round);
+    Run twice{run.begin, once};
+    for (const double phase : once)
+        twice.phase.push_back(phase + 1);
+    twice.phase.push_back(once.front() + 2);
+    const double first = std::ceil(run.phase.front() - zero) + zero;
+    return {times_of(twice, first, 1, samples), {{run.begin, run.begin + std::ssize(once)}}};
+}
+
 Matrix times_between(const Borders& borders, std::int64_t samples) {
     Matrix rows(static_cast<std::int64_t>(borders.size()) - 1, samples);
     for (std::int64_t k = 0; k < rows.rows(); ++k)
@@ -149,15 +180,18 @@ Matrix times_between(const Borders& borders, std::int64_t samples) {
     return rows;
 }
 
-Resampled resample(ConstMatrixView signals, Matrix rows) {
+Resampled resample(ConstMatrixView signals, Turns turns) {
     Resampled made;
+    Matrix& rows = turns.rows;
     made.warp = Matrix(rows.rows(), rows.cols());
     const std::int64_t last = rows.cols() - 1;
     for (std::int64_t k = 0; k < rows.rows(); ++k) {
         const double begin = rows(k, 0), length = rows(k, last) - begin;
         for (std::int64_t s = 0; s <= last; ++s)
             made.warp(k, s) = (rows(k, s) - begin) / length - share_of(s, last + 1);
-        made.each.push_back(linear_rows(signals, rows.row(k), rows.cols()));
+        const Range repeated =
+            turns.repeated.empty() ? Range{} : turns.repeated[static_cast<std::size_t>(k)];
+        made.each.push_back(linear_rows(signals, rows.row(k), rows.cols(), repeated));
     }
     set_spread(made);
     set_distances(made);

@@ -15,7 +15,18 @@ namespace stltsa::phase {
 /// samples, the last sample being the first of the next turn. NaN where the run does not reach.
 Matrix times_of(const Run& run, double first, std::int64_t count, std::int64_t samples);
 
-/// The same without registration: linear in time between the borders.
+/// Where samples of cycles lie.
+struct Turns {
+    Matrix rows; ///< cycles x samples, not rounded; NaN: unknown
+    /// Empty, or for each cycle the rows that it repeats: the row after the last of them is the
+    /// first one. Without rows: nothing is repeated.
+    std::vector<Range> repeated;
+};
+
+/// One turn of a run that begins within it and goes on at its begin when it ends.
+Turns closed_turn(const Run& run, double zero, std::int64_t samples);
+
+/// The same as times_of() without registration: linear in time between the borders.
 Matrix times_between(const Borders& borders, std::int64_t samples);
 
 struct Resampled {
@@ -35,6 +46,6 @@ Matrix group_distance(const Resampled& of, std::span<const std::int64_t> groups)
 
 /// `signals`: a row each; NaN is a missing value and is left out of means. Linear between rows. A
 /// row that is NaN, or beyond the last one, has no values.
-Resampled resample(ConstMatrixView signals, Matrix rows);
+Resampled resample(ConstMatrixView signals, Turns turns);
 
 } // namespace stltsa::phase

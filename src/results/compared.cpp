@@ -64,7 +64,8 @@ Matrix chosen(const Matrix& rows, const std::vector<std::int64_t>& columns) {
 }
 
 /// For each cycle, whether the clip has all its samples.
-std::vector<bool> complete(const Matrix& rows) {
+std::vector<bool> complete(const phase::Turns& turns) {
+    const Matrix& rows = turns.rows;
     std::vector<bool> result;
     for (std::int64_t k = 0; k < rows.rows(); ++k)
         result.push_back(std::none_of(rows.row(k), rows.row(k) + rows.cols(),
@@ -72,14 +73,17 @@ std::vector<bool> complete(const Matrix& rows) {
     return result;
 }
 
-phase::Resampled resampled(const Matrix& signals, const Matrix& rows,
+phase::Resampled resampled(const Matrix& signals, const phase::Turns& turns,
                            const std::vector<bool>& wanted, const std::string& name) {
-    Matrix kept(std::ranges::count(wanted, true), rows.cols());
-    double* to = kept.data();
-    for (std::int64_t k = 0; k < rows.rows(); ++k)
-        if (wanted[static_cast<std::size_t>(k)])
-            to = std::copy_n(rows.row(k), rows.cols(), to);
-    if (kept.rows() == 0)
+    const std::int64_t samples = turns.rows.cols();
+    phase::Turns kept{Matrix(std::ranges::count(wanted, true), samples), {}};
+    double* to = kept.rows.data();
+    for (std::size_t k = 0; k < wanted.size(); ++k)
+        if (wanted[k]) {
+            to = std::copy_n(turns.rows.row(static_cast<std::int64_t>(k)), samples, to);
+            kept.repeated.push_back(turns.repeated[k]);
+        }
+    if (kept.rows.rows() == 0)
         fail(Status::too_few_frames,
              "{} has no complete cycle from 0 to 100 %: a longer clip is needed", name);
     return phase::resample(signals.view(), std::move(kept));
@@ -93,8 +97,8 @@ struct Side {
     const char* which;
 
     phase::Resampled cycles(std::int64_t samples, double zero) const {
-        const Matrix rows = turns_of(motion, samples, zero);
-        return resampled(signals, rows, complete(rows), name_of(phased, which));
+        const phase::Turns turns = turns_of(motion, samples, zero);
+        return resampled(signals, turns, complete(turns), name_of(phased, which));
     }
 };
 
@@ -333,7 +337,8 @@ Comparison compare_left_right(const clip::Clip& clip, const Phased& phased,
     std::copy_n(image.row(phased.clip.first), rows.rows() * rows.cols(), rows.data());
     const Side left{phased, motion, chosen(phased.rows, columns.first), "first"};
     const Side right{phased, motion, chosen(rows, columns.second), "first"};
-    const Matrix turns = turns_of(motion, samples), later = turns_of(motion, samples, 0.5);
+    const phase::Turns turns = turns_of(motion, samples);
+    const phase::Turns later = turns_of(motion, samples, 0.5);
     std::vector<bool> both = complete(turns);
     const std::vector<bool> of_right = complete(later);
     for (std::size_t k = 0; k < both.size(); ++k)

@@ -149,6 +149,19 @@ void warn_if_linear(const PhasedMotion& motion, Phased& phased) {
             label_text(motion.label), motion.phases.residual));
 }
 
+phase::Turns turns_of_run(const PhasedMotion& motion, std::size_t r, std::int64_t samples,
+                          double zero) {
+    const phase::Run& run = motion.phases.runs[r];
+    const double first = std::round(run.phase.front() - zero) + zero;
+    const std::int64_t count = motion.cycles[r];
+    phase::Turns turns{phase::times_of(motion.reach[r], first, count, samples),
+                       std::vector<phase::Range>(static_cast<std::size_t>(count))};
+    const bool cut_off = std::isnan(turns.rows(0, 0)) || std::isnan(turns.rows(0, samples - 1));
+    if (count == 1 && motion.phases.cyclic && cut_off)
+        return phase::closed_turn(run, zero, samples);
+    return turns;
+}
+
 } // namespace
 
 std::string label_text(std::int32_t label) {
@@ -178,18 +191,18 @@ const PhasedMotion& motion_of(const Phased& phased, std::int32_t label) {
     return *motion;
 }
 
-Matrix turns_of(const PhasedMotion& motion, std::int64_t samples, double zero) {
+phase::Turns turns_of(const PhasedMotion& motion, std::int64_t samples, double zero) {
     std::int64_t count = 0;
     for (const std::int64_t cycles : motion.cycles)
         count += cycles;
-    Matrix rows(count, samples);
-    double* to = rows.data();
+    phase::Turns turns{Matrix(count, samples), {}};
+    double* to = turns.rows.data();
     for (std::size_t r = 0; r < motion.reach.size(); ++r) {
-        const double first = std::round(motion.phases.runs[r].phase.front() - zero) + zero;
-        const Matrix of_run = phase::times_of(motion.reach[r], first, motion.cycles[r], samples);
-        to = std::copy_n(of_run.data(), of_run.rows() * samples, to);
+        const phase::Turns of_run = turns_of_run(motion, r, samples, zero);
+        to = std::copy_n(of_run.rows.data(), of_run.rows.rows() * samples, to);
+        turns.repeated.insert(turns.repeated.end(), of_run.repeated.begin(), of_run.repeated.end());
     }
-    return rows;
+    return turns;
 }
 
 phase::Resampled resample(const Phased& phased, std::int32_t label, ConstMatrixView signals,
@@ -198,10 +211,12 @@ phase::Resampled resample(const Phased& phased, std::int32_t label, ConstMatrixV
     if (signals.rows != phased.clip.frames)
         fail(Status::shape, "signals has {} rows; the clip has {} frames", signals.rows,
              phased.clip.frames);
-    Matrix rows = turns_of(motion, samples);
-    for (std::int64_t i = 0; i < rows.rows() * rows.cols(); ++i)
-        rows.data()[i] += static_cast<double>(phased.clip.first);
-    phase::Resampled made = phase::resample(signals, std::move(rows));
+    phase::Turns turns = turns_of(motion, samples);
+    for (std::int64_t i = 0; i < turns.rows.rows() * turns.rows.cols(); ++i)
+        turns.rows.data()[i] += static_cast<double>(phased.clip.first);
+    for (phase::Range& rows : turns.repeated)
+        rows = {rows.begin + phased.clip.first, rows.end + phased.clip.first};
+    phase::Resampled made = phase::resample(signals, std::move(turns));
     if (!motion.phases.cyclic)
         made.no_halves = format_text("motion {} has repetitions but no cycles", label_text(label));
     else if (!motion.like_halves)

@@ -141,7 +141,7 @@ Resampled cycles_of(double late, double gain, unsigned seed) {
             rows(k, s) = static_cast<double>(row);
         }
     }
-    return resample(signals.view(), std::move(rows));
+    return resample(signals.view(), {std::move(rows), {}});
 }
 
 void lag_and_amplitude_have_their_errors(void**) {
@@ -175,7 +175,7 @@ Resampled jittered(double late) {
             signals(100 * k + s, 1) = std::cos(at);
             rows(k, s) = static_cast<double>(100 * k + s);
         }
-    return resample(signals.view(), std::move(rows));
+    return resample(signals.view(), {std::move(rows), {}});
 }
 
 void deviations_of_lags_are_those_of_the_cycles(void**) {

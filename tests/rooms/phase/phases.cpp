@@ -170,7 +170,7 @@ void a_peak_at_the_border_stays_one_peak(void**) {
         const double off = std::remainder(run.phase[static_cast<std::size_t>(i)], 1.0);
         peak(run.begin + i, 0) = std::exp(-off * off / 0.01);
     }
-    const Resampled made = resample(peak.view(), times_of(run, 1, 6, 101));
+    const Resampled made = resample(peak.view(), {times_of(run, 1, 6, 101), {}});
     ASSERT_NEAR(made.mean(0, 0), 1, 0.02);
     ASSERT_NEAR(made.mean(100, 0), 1, 0.02);
     int peaks = 0; // on the circle
@@ -191,10 +191,30 @@ void what_a_run_does_not_reach_is_unknown(void**) {
     Matrix signal(100, 1);
     for (std::int64_t i = 0; i < 100; ++i)
         signal(i, 0) = static_cast<double>(i);
-    const Resampled made = resample(signal.view(), rows);
+    const Resampled made = resample(signal.view(), {rows, {}});
     ASSERT_NEAR(made.mean(0, 0), 42, 1e-12); // of the second cycle alone
     assert_true(std::isnan(made.deviation(0, 0)));
     ASSERT_NEAR(made.mean(1, 0), 32, 1e-12);
+}
+
+void a_single_cycle_is_closed(void**) {
+    Run run{10, {}};
+    Matrix signal(60, 1);
+    for (std::int64_t i = 0; i < 60; ++i)
+        signal(i, 0) = std::nan("");
+    for (int i = 0; i < 40; ++i) {
+        run.phase.push_back(0.4 + i * 0.025);
+        signal(10 + i, 0) = std::cos(turn * run.phase.back());
+    }
+    const Turns turns = closed_turn(run, 0, 41);
+    ASSERT_NEAR(turns.rows(0, 0), 34, 1e-9);
+    ASSERT_NEAR(turns.rows(0, 40), 74, 1e-9);
+    const Resampled made = resample(signal.view(), turns);
+    for (std::int64_t s = 0; s <= 40; ++s) // among them, those between the last row and the first
+        ASSERT_NEAR(made.mean(s, 0), std::cos(turn * static_cast<double>(s) / 40), 2e-3);
+    const Turns later = closed_turn(run, 0.5, 41);
+    ASSERT_NEAR(later.rows(0, 0), 14, 1e-9);
+    ASSERT_NEAR(later.rows(0, 40), 54, 1e-9);
 }
 
 } // namespace
@@ -210,6 +230,7 @@ int main() {
         cmocka_unit_test(runs_grow_beyond_their_borders),
         cmocka_unit_test(a_peak_at_the_border_stays_one_peak),
         cmocka_unit_test(what_a_run_does_not_reach_is_unknown),
+        cmocka_unit_test(a_single_cycle_is_closed),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }
