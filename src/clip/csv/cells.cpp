@@ -66,6 +66,15 @@ std::optional<std::vector<std::string_view>> split_cells(std::string_view line, 
     }
 }
 
+std::string text_of(std::string_view cell) {
+    std::string text;
+    for (std::size_t i = 0; i < cell.size(); ++i) {
+        text += cell[i];
+        i += cell.substr(i).starts_with("\"\"") ? 1 : 0;
+    }
+    return text;
+}
+
 bool is_gap(std::string_view cell) {
     constexpr std::string_view words[] = {"", "nan", "na", "n/a", "null", "none", "-"};
     return std::any_of(std::begin(words), std::end(words),

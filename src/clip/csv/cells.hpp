@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -13,6 +14,9 @@ char find_separator(std::string_view line);
 /// The cells, without surrounding blanks and quotes. Empty if a quote is not closed, or is followed
 /// by more text in the cell.
 std::optional<std::vector<std::string_view>> split_cells(std::string_view line, char separator);
+
+/// The text of a cell: a doubled quote stands for one.
+std::string text_of(std::string_view cell);
 
 /// Whether the cell is empty, or one of the words for "no value".
 bool is_gap(std::string_view cell);

@@ -2,6 +2,7 @@
 #include "clip/csv/headers.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <span>
 
 #include "clip/csv/cells.hpp"
@@ -113,7 +114,10 @@ class HeadReader {
 
     static Line split(std::string_view line, char separator) {
         const auto cells = split_cells(line, separator);
-        return cells ? Line(cells->begin(), cells->end()) : Line();
+        Line line_cells;
+        if (cells)
+            std::ranges::transform(*cells, std::back_inserter(line_cells), text_of);
+        return line_cells;
     }
 
     static bool is_data(const Line& cells) {

@@ -118,7 +118,7 @@ class CsvReader {
             cells.pop_back();
         clip_.channel_names.clear();
         for (const std::string_view cell : cells)
-            clip_.channel_names.emplace_back(without_apostrophe(cell));
+            clip_.channel_names.push_back(text_of(without_apostrophe(cell)));
         columns_ = cells.size();
     }
 

@@ -22,10 +22,12 @@ void append_name(std::string& text, std::string_view name) {
         text += name;
         return;
     }
-    std::string cell(name);
-    for (char& c : cell) // a quoted cell ends with its line
-        c = c == '"' ? '\'' : c == '\n' || c == '\r' ? ' ' : c;
-    text += '"' + text_cell(cell) + '"';
+    text += '"';
+    for (const char c : text_cell(name)) {
+        text += c == '\n' || c == '\r' ? ' ' : c; // a quoted cell ends with its line
+        text += c == '"' ? "\"" : "";
+    }
+    text += '"';
 }
 
 /// A line of numbers would not be read as a header.

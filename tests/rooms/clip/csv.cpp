@@ -288,10 +288,9 @@ void names_are_no_formulas(void**) {
     const std::string text = stltsa::clip::find_format("a.csv")->write(clip);
     const std::string head = text.substr(0, text.find('\n'));
     assert_string_equal(head.c_str(),
-                        "\"'=HYPERLINK('http://x')\",\"'+1+1\",\"'-2+3\",\"'@SUM(1)\","
+                        "\"'=HYPERLINK(\"\"http://x\"\")\",\"'+1+1\",\"'-2+3\",\"'@SUM(1)\","
                         "\"''=1\",plain,\"'s\"");
     const Clip back = parse(text, Format::csv);
-    clip.channel_names[0] = "=HYPERLINK('http://x')"; // a quoted cell contains no double quotes
     assert_true(back.channel_names == clip.channel_names);
     assert_true(stltsa::text_cell("\t=1") == "'\t=1" && stltsa::text_cell("a=1") == "a=1");
 }

@@ -390,7 +390,7 @@ void numbers_of_poses_go_into_tables(void**) {
     const Clip csv = through_file(clip, "a.csv");
     check_same_bits(csv.values, clip.values);
     assert_true(csv.fps == 120);
-    assert_string_equal(csv.channel_names[0].c_str(), "'#1' of, all.tx");
+    assert_string_equal(csv.channel_names[0].c_str(), "\"#1\" of, all.tx");
     assert_string_equal(csv.channel_names[9].c_str(), "Arm.rx");
     check_same_bits(through_file(clip, "a.npy").values, clip.values);
 }
