@@ -27,7 +27,7 @@ std::string mark(const stltsa::Difference& of) {
 }
 
 std::string percent(double share) {
-    return fmt::format("{:+.1f}", 100 * share);
+    return with_sign(100 * share, 1);
 }
 
 std::string interval(double low, double high) {
@@ -94,7 +94,7 @@ std::string alignment_text(const stltsa::ComparedCycles& cycles) {
     if (!std::isnan(cycles.runner_up))
         text += fmt::format(", at the next best shift {:.2f}", cycles.runner_up);
     if (cycles.turn != 0)
-        text += fmt::format("; turned by {:+.1f} degrees", cycles.turn);
+        text += fmt::format("; turned by {} degrees", with_sign(cycles.turn, 1));
     return text;
 }
 
@@ -103,9 +103,10 @@ std::string time_text(const stltsa::ComparedCycles& cycles) {
     std::string text = fmt::format("{:.3f} s", time.first);
     if (cycles.sides != 0)
         return text;
-    text += fmt::format(" and {:.3f} s, {:+.3f} s", time.second, time.difference);
+    text += fmt::format(" and {:.3f} s, {} s", time.second, with_sign(time.difference, 3));
     if (!std::isnan(time.low))
-        text += fmt::format(" (95 %: {:+.3f} to {:+.3f}){}", time.low, time.high, mark(time));
+        text += fmt::format(" (95 %: {} to {}){}", with_sign(time.low, 3), with_sign(time.high, 3),
+                            mark(time));
     return text;
 }
 

@@ -60,7 +60,7 @@ std::string why_not(const LabelSides& of) {
 }
 
 std::string percent(double share) {
-    return std::isnan(share) ? "-" : fmt::format("{:+.1f} %", 100 * share);
+    return std::isnan(share) ? "-" : with_sign(100 * share, 1) + " %";
 }
 
 std::string number(double value) {

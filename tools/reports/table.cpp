@@ -114,6 +114,13 @@ std::string Facts::text() const {
     return result;
 }
 
+std::string with_sign(double value, int decimals) {
+    std::string text = fmt::format("{:+.{}f}", value, decimals);
+    if (text.find_first_of("123456789") == text.npos && !std::isnan(value))
+        text.front() = '+';
+    return text;
+}
+
 std::string bar(double share, std::size_t width) {
     const double full = std::clamp(share, 0.0, 1.0) * static_cast<double>(width);
     return std::string(static_cast<std::size_t>(std::lround(full)), '#');

@@ -41,6 +41,9 @@ class Facts {
     std::vector<std::pair<std::string, std::string>> facts_;
 };
 
+/// A number with its sign and so many decimals; "+" if they are all zero.
+std::string with_sign(double value, int decimals);
+
 /// A bar of `width` characters for a share of 1, fewer for less.
 std::string bar(double share, std::size_t width);
 
