@@ -101,3 +101,17 @@ def test_a_table_has_a_row_for_each_part_and_channel(compared):
         compared.parts[0].lag.difference
     )
     assert table.ratio_low[1] <= table.ratio[1] or np.isnan(table.ratio[1])
+
+
+def test_without_a_rate_there_are_no_times(tmp_path):
+    turns = np.arange(400)[:, None] / 40 + np.arange(3) / 7
+    result = stltsa.decompose(np.sin(2 * np.pi * turns))
+    with pytest.raises(stltsa.StltsaError, match="left and right"):
+        result.compare()
+    compared = result.compare(result)
+    assert compared.likeness == pytest.approx(1)
+    assert np.isnan([*compared.per_minute, compared.cycle_time.first]).all()
+    assert np.isnan([part.lag_s for part in (*compared.parts, *compared.channels)]).all()
+    assert "frame rate is unknown" in compared.warnings[0]
+    with pytest.raises(ValueError, match="give fps="):
+        compared.report(tmp_path / "page.html")

@@ -17,6 +17,11 @@ if TYPE_CHECKING:
     from pandas import DataFrame
 
 _NULL = ffi.NULL
+_NAN = float("nan")
+_UNKNOWN_RATE = (
+    "a frame rate is unknown, so times are NaN, and those of the JSON count 30 frames as a second; "
+    "give fps="
+)
 
 
 class Difference(NamedTuple):
@@ -89,7 +94,7 @@ class Comparison:
     labels : tuple of int
         Labels of their segments, 0 for A.
     cycle_time : Difference
-        In seconds.
+        In seconds; NaN, as all times are, if a frame rate is unknown.
     per_minute : tuple of float
         Cycles per minute of each motion.
     shift : float
@@ -120,8 +125,9 @@ class Comparison:
         What a user should know about the result.
     """
 
-    def __init__(self, handle: Any) -> None:
+    def __init__(self, handle: Any, *, timed: bool = True) -> None:
         self._handle = handle
+        self._timed = timed
         raw = ffi.new("stltsa_compared_cycles *", {"size": ffi.sizeof("stltsa_compared_cycles")})
         check(lib.stltsa_comparison_cycles(handle, raw))
         self.counts = (raw.first_count, raw.second_count)
@@ -148,6 +154,16 @@ class Comparison:
         count, text = lib.stltsa_comparison_warning_count, lib.stltsa_comparison_warning
         self.warnings = texts(count, text, handle)
         self._json = json_text(lib.stltsa_comparison_json, handle)
+        if not timed:
+            self._forget_seconds()
+
+    def _forget_seconds(self) -> None:
+        """Set what depends on an unknown frame rate to NaN."""
+        self.cycle_time = Difference(*8 * [_NAN], False)
+        self.per_minute = (_NAN, _NAN)
+        self.parts = tuple(part._replace(lag_s=3 * (_NAN,)) for part in self.parts)
+        self.channels = tuple(part._replace(lag_s=3 * (_NAN,)) for part in self.channels)
+        self.warnings = (_UNKNOWN_RATE, *self.warnings)
 
     def __getstate__(self) -> dict[str, Any]:
         return {**self.__dict__, "_handle": None}
@@ -181,10 +197,12 @@ class Comparison:
         stltsa.FileError
             The file cannot be written.
         ValueError
-            The comparison was pickled, which keeps only its numbers.
+            The comparison was pickled, which keeps only its numbers; or a frame rate is unknown.
         """
         if self._handle is None:
             raise ValueError("a comparison that was pickled cannot write a report: compare again")
+        if not self._timed:
+            raise ValueError("a report is in seconds, and a frame rate is unknown: give fps=")
         text = _NULL if command is None else ffi.new("char[]", command.encode())
         check(lib.stltsa_comparison_report_save(self._handle, text, c_path(path)))
 

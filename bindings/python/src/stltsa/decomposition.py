@@ -466,7 +466,7 @@ class Decomposition(Described):
             number = -1 if label is None else number_of(label)
             given = (self.clip._handle, phase._handle, number, samples)
             call.check(lib.stltsa_compare_left_right(*given, call.options, out))
-        return Comparison(owned("comparison", out))
+        return Comparison(owned("comparison", out), timed=bool(self.clip.fps))
 
     def to_frame(self) -> DataFrame:
         """Return one table of all segments, units, cycles and repetitions; needs pandas.

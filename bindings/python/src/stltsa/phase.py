@@ -352,7 +352,7 @@ class Phase:
                 self._handle, first_number, second._handle, second_number, samples, out
             )
         )
-        return Comparison(owned("comparison", out))
+        return Comparison(owned("comparison", out), timed=bool(self._fps and second._fps))
 
     def events(
         self, marks: float | Sequence[float], other: Phase | None = None, *, name: str = ""
