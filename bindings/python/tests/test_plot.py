@@ -20,6 +20,7 @@ from matplotlib.patches import PathPatch
 from matplotlib.path import Path
 
 from stltsa.plot._postures import FAR, SideView
+from stltsa.plot._style import color_of
 
 
 @pytest.fixture(autouse=True)
@@ -77,6 +78,8 @@ def test_loop(result):
     assert start == "start"
     assert len(numbers) > 8
     assert set(map(int, numbers)) <= set(result.frames.tolist())
+    colors = {line.get_color() for line in axes.lines if line.get_marker() == "o"}
+    assert colors == {color_of(kind) for kind in result.units["kind"]}
     assert legend_of(axes) == list(result.units["kind"])
     assert axes.get_xlabel() == "first coordinate of the loop"
 
@@ -209,6 +212,28 @@ def test_cycle_times(result):
     assert lengths.max() < high
     assert numbers.tolist() == [1, 2, 3]
     assert np.asarray(lengths) == pytest.approx(np.asarray(result.cycles["duration_s"]))
+
+
+@pytest.mark.parametrize("count", [1, 2, 3])
+def test_of_few_cycles_none_stands_out(count, tmp_path):
+    result = stltsa.decompose(synthetic(tmp_path, "--cycles", f"{count}", "--noise", "1"))
+    assert len(result.cycle_list) == count
+    (marks,) = stltsa.plot.cycle_times(result).collections
+    assert any(color[:3].min() < 1 for color in marks.get_facecolors()) == (count > 2)
+    units = stltsa.plot.units(result, postures=0)
+    rectangles = [p for p in units.patches if p.get_alpha() == 0.12]
+    assert (len(rectangles) == 1) == (count > 2)
+    widths = [p.get_linewidth() for p in stltsa.plot.loop(result).patches]
+    assert (max(widths) > 2) == (count > 2)
+    overlaid = stltsa.plot.cycles(result)
+    assert len(overlaid.collections) == (count > 1)  # of one cycle there is no deviation
+
+
+def test_at_most_60_cycles_are_overlaid(tmp_path):
+    result = stltsa.decompose(synthetic(tmp_path, "--cycles", "70", "--fps", "30"))
+    *each, mean = [line.get_ydata() for line in stltsa.plot.cycles(result).lines]
+    assert (len(result.cycle_list), len(each)) == (70, 60)
+    assert len(mean) == len(each[0])
 
 
 def numbers_in(text):

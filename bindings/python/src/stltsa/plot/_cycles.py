@@ -10,7 +10,17 @@ import numpy as np
 from .._given import expect
 from ..decomposition import Decomposition
 from ..phase import cycles_between
-from ._style import COLUMN, CURVE, MANY, THIN, axes_to_draw_in, color_of, drawn_values, legend_above
+from ._style import (
+    COLUMN,
+    CURVE,
+    MANY,
+    THIN,
+    axes_to_draw_in,
+    color_of,
+    drawn_values,
+    legend_above,
+    singled_out,
+)
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -109,7 +119,7 @@ def _enlarged(result: Decomposition) -> int:
 
 
 def cycle_times(result: Decomposition, *, ax: Axes | None = None) -> Axes:
-    """Draw how long each cycle lasts; the representative one is filled.
+    """Draw how long each cycle lasts; of three or more, the representative one is filled.
 
     Parameters
     ----------
@@ -134,7 +144,7 @@ def cycle_times(result: Decomposition, *, ax: Axes | None = None) -> Axes:
     timed = bool(result.clip.fps)
     found = result.cycle_list
     lengths = [c.duration_s if timed else c.end - c.begin for c in found]
-    chosen = [c == result.representative_cycle for c in found]
+    chosen = [c == singled_out(result) for c in found]
     color = color_of("cycle")
     with axes_to_draw_in(ax, 0.45 * COLUMN) as axes:
         axes.scatter(

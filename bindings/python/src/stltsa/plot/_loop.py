@@ -22,6 +22,7 @@ from ._style import (
     is_dense,
     label_kinds,
     legend_above,
+    singled_out,
     smooth_path,
     unit_slices,
 )
@@ -69,10 +70,11 @@ def _draw_arrows(axes: Any, path: FloatArray) -> None:
         )
 
 
-def _write(axes: Any, path: FloatArray, texts: list[tuple[str, FloatArray]]) -> None:
+def _write(axes: Any, path: FloatArray, texts: list[tuple[str, FloatArray, str]]) -> None:
     """Write texts beside their points, where they cover neither lines nor each other.
 
-    Texts without room are left out. The axes must have their final limits.
+    A number also gets a disk of its color. Texts without room are left out. The axes must have
+    their final limits.
     """
     from matplotlib import patheffects
     from matplotlib.transforms import Bbox
@@ -88,7 +90,7 @@ def _write(axes: Any, path: FloatArray, texts: list[tuple[str, FloatArray]]) -> 
     halo = [patheffects.withStroke(linewidth=1.6, foreground="white")]
     size = _number_size(axes)
     taken: list[Bbox] = []
-    for text, point in texts:
+    for text, point, color in texts:
         x, y = axes.transData.transform(point)
         outward = _outward(path, point)
         width, height = np.array([0.68 * len(text), 1.25]) * size * points_to_pixels
@@ -117,7 +119,8 @@ def _write(axes: Any, path: FloatArray, texts: list[tuple[str, FloatArray]]) -> 
                 zorder=5,
             )
             if text != "start":
-                axes.plot(*point, "o", color=INK, markersize=2.2, zorder=3)
+                edge = {"markeredgecolor": "white", "markeredgewidth": 0.45}
+                axes.plot(*point, "o", color=color, markersize=3.4, zorder=3, **edge)
             break
 
 
@@ -161,7 +164,7 @@ def loop(result: Decomposition, *, ax: Axes | None = None, numbers: int = 24) ->
 
     result = expect(result, Decomposition, "stltsa.plot.loop", "stltsa.decompose")
     _, coords = drawn_values(result)
-    frames, chosen = result.frames, result.representative_cycle
+    frames, chosen = result.frames, singled_out(result)
     dense = is_dense(result)
 
     def draw(axes: Any, path: FloatArray, **style: Any) -> None:
@@ -190,10 +193,11 @@ def loop(result: Decomposition, *, ax: Axes | None = None, numbers: int = 24) ->
         axes.set_xlabel(f"first coordinate of the {what}")
         axes.set_ylabel(f"second coordinate of the {what}")
         if len(known):
-            texts = [("start", coords[known[0]])]
+            texts = [("start", coords[known[0]], INK)]
             chosen_samples = np.unique(np.linspace(0, len(known) - 1, numbers).round().astype(int))
             for i in known[chosen_samples][1:]:
-                texts.append((f"{frames[i]}", coords[i]))
+                kind = next(u.kind for u in result.unit_list if frames[i] < u.end)
+                texts.append((f"{frames[i]}", coords[i], color_of(kind)))
             axes.plot(*coords[known[0]], "s", color=INK, markersize=3.2, zorder=4)
             _draw_arrows(axes, directed)
             label_kinds(axes, result)

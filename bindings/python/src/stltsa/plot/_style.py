@@ -118,6 +118,11 @@ def drawn_values(result: Decomposition) -> tuple[FloatArray, FloatArray]:
     return curve, loop
 
 
+def singled_out(result: Decomposition) -> Interval | None:
+    """Return the representative cycle; of one or two cycles, none stands for all."""
+    return result.representative_cycle if len(result.cycle_list) > 2 else None
+
+
 def is_dense(result: Decomposition) -> bool:
     """Return whether there are too many cycles to draw them side by side."""
     return len(result.cycle_list) > MOST_CYCLES or len(result.frames) > MOST_SAMPLES

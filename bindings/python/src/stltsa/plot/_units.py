@@ -24,6 +24,7 @@ from ._style import (
     label_kinds,
     legend_above,
     seconds,
+    singled_out,
     span,
     time_label,
     unit_slices,
@@ -77,7 +78,7 @@ def _draw_curve(axes: Any, result: Decomposition, time: FloatArray, postures: bo
 
 
 def _draw_cycles(axes: Any, result: Decomposition, level: FloatArray, postures: bool) -> None:
-    chosen = result.representative_cycle
+    chosen = singled_out(result)
     color = color_of("cycle")
     if chosen:
         axes.axvspan(*span(result, chosen), color=color, alpha=0.12, linewidth=0)
