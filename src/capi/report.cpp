@@ -30,7 +30,6 @@ std::vector<std::pair<const char*, std::string>> flags_by_command(const stltsa_o
             {"events", capi::flags_of(options, open | STLTSA_CALL_DECOMPOSE,
                                       {STLTSA_OPT_DIMENSION_ESTIMATE, STLTSA_OPT_EIGENGAP,
                                        STLTSA_OPT_VARIANCE})},
-            {"fit", capi::flags_of(options, open | STLTSA_CALL_FIT)},
             {"synthesize", capi::flags_of(options, open | STLTSA_CALL_SYNTHESIZE)}};
 }
 

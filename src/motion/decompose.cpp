@@ -55,6 +55,9 @@ void show_embedding(const Embedding& embedding, const Coordinate& chosen,
     result.coords = extended(model.coords, embedding.span, samples);
     result.curve = smooth(column_of(result.coords.view(), chosen.column), curve_smoothing * cycle);
     result.eigenvalues = model.components.front().eigenvalues;
+    result.residual = std::ranges::max(model.components, {}, &ltsa::Component::residual).residual;
+    result.error_estimate =
+        std::ranges::max(model.components, {}, &ltsa::Component::error_estimate).error_estimate;
     if (!std::isnan(break_s))
         result.warnings.push_back(parts_warning(model, break_s));
     result.warnings.insert(result.warnings.end(), model.warnings.begin(), model.warnings.end());

@@ -34,14 +34,9 @@ std::vector<std::string> names_of(const clip::Clip& clip) {
     return names;
 }
 
-/// Number of columns of `places()`.
-std::int64_t width_of(const clip::Clip& clip) {
-    return clip.skeleton ? 3 * std::ssize(clip.skeleton->joints) : clip.values.cols();
-}
-
 /// Positions in every step-th frame; NaN where they are missing.
 Matrix places(const clip::Clip& clip, std::int64_t step) {
-    Matrix rows((clip.frames() + step - 1) / step, width_of(clip));
+    Matrix rows((clip.frames() + step - 1) / step, places_width(clip));
     clip::Pose pose;
     for (std::int64_t r = 0; r < rows.rows(); ++r) {
         double* const row = rows.row(r);
@@ -72,6 +67,10 @@ Json parts_json(const clip::Clip& clip, const std::vector<Part>& parts) {
 
 } // namespace
 
+std::int64_t places_width(const clip::Clip& clip) {
+    return clip.skeleton ? 3 * std::ssize(clip.skeleton->joints) : clip.values.cols();
+}
+
 std::vector<Part> parts_of(const clip::Clip& clip) {
     std::vector<Part> parts;
     std::map<std::string, std::int64_t> index;
@@ -94,8 +93,8 @@ Json body_json(const clip::Clip& clip, const std::vector<Part>& parts, clip::Axi
                std::int64_t longest_text) {
     const int space = clip.skeleton ? 3 : clip.space;
     const char* const kind = clip.skeleton ? "skeleton" : space > 0 ? "points" : "columns";
-    const std::int64_t ranges = std::max<std::int64_t>(space > 0 ? space : width_of(clip), 1);
-    const std::int64_t values = clip.frames() * width_of(clip);
+    const std::int64_t ranges = std::max<std::int64_t>(space > 0 ? space : places_width(clip), 1);
+    const std::int64_t values = clip.frames() * places_width(clip);
     std::int64_t step = std::max<std::int64_t>(1, (values + most_values - 1) / most_values);
     Json kept = packed(places(clip, step).view(), ranges);
     while (std::ssize(kept.text()) > longest_text && step < clip.frames()) {

@@ -9,10 +9,13 @@
 #include <numeric>
 #include <string>
 
+#include "base/numbers.hpp"
 #include "clip/body/skeleton.hpp"
 #include "clip/features/column_owners.hpp"
+#include "clip/features/points.hpp"
 #include "report/packed.hpp"
 #include "results/sides.hpp"
+#include "results/summary.hpp"
 
 namespace stltsa::report {
 namespace {
@@ -69,6 +72,23 @@ std::vector<Column> columns_of(const clip::Clip& clip, clip::Features kind,
     return columns;
 }
 
+/// Removes what features invent in gaps that are too long to be filled over time: curves show what
+/// was recorded.
+void leave_out_gaps(const clip::Clip& clip, std::int64_t width, Matrix& rows) {
+    Matrix filled = copied(clip.values.view());
+    const clip::Gaps gaps =
+        clip::fill_gaps(filled, static_cast<int>(width), clip::GapRule::fill, clip.fps);
+    const auto clear = [&](std::int64_t frame, std::int64_t group) {
+        std::fill_n(rows.row(frame) + width * group, width, none);
+    };
+    for (const clip::Gap& gap : gaps.predicted)
+        for (std::int64_t frame = gap.begin; frame < gap.end; ++frame)
+            clear(frame, gap.group);
+    for (const std::int64_t group : gaps.dropped)
+        for (std::int64_t frame = 0; frame < rows.rows(); ++frame)
+            clear(frame, group);
+}
+
 SignalSet signal_set(const clip::Clip& clip, clip::Features kind, const results::Phased& phased,
                      const std::vector<Part>& parts, clip::GapRule gaps) {
     const char* const name = kind == clip::Features::positions || kind == clip::Features::points
@@ -78,6 +98,9 @@ SignalSet signal_set(const clip::Clip& clip, clip::Features kind, const results:
                                                                    : "value";
     SignalSet set{name, "", columns_of(clip, kind, parts),
                   clip::feature_rows(clip, kind, phased.samples.up, gaps).rows};
+    if (!clip.skeleton)
+        leave_out_gaps(clip, kind == clip::Features::points ? clip::point_columns(clip) : 1,
+                       set.rows);
     if (kind == clip::Features::euler) {
         constexpr double degrees = 180 / std::numbers::pi;
         set.unit = "°";
@@ -232,7 +255,10 @@ Json motions_json(const clip::Clip& clip, const results::Decomposed& decomposed,
             results::statistics_of(decomposed.segments, decomposed.parts(STLTSA_PART_CYCLE), label,
                                    -1, STLTSA_QUANTITY_TIME)
                 .count > 0;
-        JsonObject motion("label", label, "cyclic", cyclic);
+        JsonObject motion(
+            "label", label, "cyclic", cyclic, "trend_margin",
+            results::trend_margin(decomposed.segments,
+                                  cyclic ? decomposed.cycle_parts : decomposed.repetitions, label));
         std::vector<Json> shown_sets;
         std::string reason;
         try {

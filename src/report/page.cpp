@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/numbers.hpp"
 #include "report/body.hpp"
 #include "report/motions.hpp"
 #include "report/packed.hpp"
@@ -19,7 +20,7 @@ std::int64_t step_of(std::int64_t rows) {
     return std::max<std::int64_t>(1, (rows + most_rows - 1) / most_rows);
 }
 
-/// The coordinate that was cut and, beside it, the two of the loop.
+/// The coordinate that was cut and, beside it, the two of the loop; NaN where nothing was fitted.
 Json curve_json(const results::Decomposed& decomposed) {
     const motion::Decomposition& found = decomposed.result;
     const auto count = static_cast<std::int64_t>(found.curve.size());
@@ -29,6 +30,8 @@ Json curve_json(const results::Decomposed& decomposed) {
         rows(r, 0) = found.curve[static_cast<std::size_t>(r * step)];
         for (int c = 0; c < 2; ++c)
             rows(r, 1 + c) = found.loop(r * step, c);
+        if (std::all_of(rows.row(r), rows.row(r) + 3, [](double value) { return value == 0; }))
+            std::fill_n(rows.row(r), 3, none);
     }
     const results::SampleFacts& samples = decomposed.source.samples;
     return JsonObject("first", samples.first, "step", step * samples.step, "values",
@@ -47,6 +50,10 @@ Json phase_json(const results::Phased& phased) {
     return JsonObject("step", step, "values", packed(rows.view()), "warnings", phased.warnings);
 }
 
+Json accuracy_json(const motion::Decomposition& found) {
+    return JsonObject("residual", found.residual, "error_estimate", found.error_estimate);
+}
+
 Json source_json(const Reported& reported) {
     JsonObject flags;
     for (const auto& [command, text] : reported.flags)
@@ -57,10 +64,14 @@ Json source_json(const Reported& reported) {
     return JsonObject("name", reported.name, "pieces", pieces, "flags", flags);
 }
 
-/// The report of an hour has at most 10 MB (10^7 bytes): postures get what the rest leaves.
-std::int64_t room_for_body(std::size_t used) {
-    constexpr std::int64_t longest_page = 9'900'000, least = 1'000'000, most = 6'000'000;
-    return std::clamp(longest_page - static_cast<std::int64_t>(used), least, most);
+/// A page has at most 2 MB (10^6 bytes each), more only for more numbers than 5000 frames of 31
+/// joints, and at most 10 MB: postures get what the rest leaves.
+std::int64_t room_for_body(std::int64_t values, std::size_t used) {
+    constexpr std::int64_t short_page = 1'980'000, longest_page = 9'900'000;
+    constexpr std::int64_t least = 500'000, usual_values = 5000 * 31 * 3;
+    const std::int64_t page =
+        std::clamp(short_page * values / usual_values, short_page, longest_page);
+    return std::max(least, page - static_cast<std::int64_t>(used));
 }
 
 std::string_view bytes_of(const Matrix& matrix) {
@@ -77,12 +88,14 @@ std::string page(const Reported& reported, const Progress& progress) {
     const std::vector<Part> parts = parts_of(clip);
     JsonObject data("format", "stltsa-report/1", "command", reported.command, "checksum",
                     checksum(bytes_of(clip.values)), "source", source_json(reported));
-    data.set("curve", curve_json(reported.decomposed), "phase", phase_json(phased), "motions",
+    data.set("accuracy", accuracy_json(reported.decomposed.result), "curve",
+             curve_json(reported.decomposed), "phase", phase_json(phased), "motions",
              motions_json(clip, reported.decomposed, phased, parts, reported.prepare, progress));
     const Template around = report_template();
     data.set("body",
              body_json(clip, parts, phased.samples.up,
-                       room_for_body(around.size() + data.text().size() + reported.json.size())));
+                       room_for_body(clip.frames() * places_width(clip),
+                                     around.size() + data.text().size() + reported.json.size())));
     std::string json = data.text();
     json.insert(1, "\"decomposition\":" + reported.json + ',');
     return filled(around, json);

@@ -2,8 +2,10 @@
 #include "results/summary.hpp"
 
 #include <cmath>
-#include <limits>
 #include <map>
+
+#include "base/numbers.hpp"
+#include "phase/estimate.hpp"
 
 namespace stltsa::results {
 namespace {
@@ -32,29 +34,44 @@ double mean_of(const std::vector<double>& values) {
     return sum / static_cast<double>(values.size());
 }
 
+/// The straight line through the values over time that leaves the least squares.
+struct Line {
+    double mean = 0, slope = 0;
+    double squares = 0; ///< about the mean
+    double spread = 0;  ///< of the times, their squares about their mean
+
+    double squares_left() const { return squares - slope * slope * spread; }
+};
+
+Line line_through(const Values& all) {
+    Line line{mean_of(all.value)};
+    const double center = mean_of(all.middle);
+    double product = 0;
+    for (std::size_t i = 0; i < all.value.size(); ++i) {
+        const double apart = all.value[i] - line.mean, at = all.middle[i] - center;
+        line.squares += apart * apart;
+        product += apart * at;
+        line.spread += at * at;
+    }
+    line.slope = line.spread > 0 ? product / line.spread : 0;
+    return line;
+}
+
 /// `ratios`: the values have a zero, so that their spread can be divided by their mean.
 stltsa_statistics statistics_of(const Values& all, bool ratios) {
-    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
     if (all.value.empty())
-        return {0, unknown, unknown, unknown, unknown};
+        return {0, none, none, none, none};
     stltsa_statistics found{};
     found.count = static_cast<std::int64_t>(all.value.size());
-    found.mean = mean_of(all.value);
-    found.cv = found.trend = ratios ? 0 : unknown;
+    const Line line = line_through(all);
+    found.mean = line.mean;
+    found.cv = found.trend = ratios ? 0 : none;
     if (found.count < 2)
         return found;
-    const double center = mean_of(all.middle);
-    double squares = 0, slope = 0, spread = 0;
-    for (std::size_t i = 0; i < all.value.size(); ++i) {
-        const double apart = all.value[i] - found.mean, at = all.middle[i] - center;
-        squares += apart * apart;
-        slope += apart * at;
-        spread += at * at;
-    }
-    found.sd = std::sqrt(squares / static_cast<double>(found.count - 1));
+    found.sd = std::sqrt(line.squares / static_cast<double>(found.count - 1));
     if (ratios && found.mean > 0) {
         found.cv = found.sd / found.mean;
-        found.trend = spread > 0 ? minute * slope / spread / found.mean : 0;
+        found.trend = minute * line.slope / found.mean;
     }
     return found;
 }
@@ -122,6 +139,20 @@ stltsa_statistics statistics_of(std::span<const stltsa_segment> segments, const 
             values.add(value, parts[i]);
     }
     return statistics_of(values, quantity != STLTSA_QUANTITY_TURN);
+}
+
+double trend_margin(std::span<const stltsa_segment> segments, std::span<const stltsa_part> parts,
+                    std::int32_t label) {
+    Values lengths;
+    for (const stltsa_part& part : parts)
+        if (segments[static_cast<std::size_t>(part.segment)].label == label)
+            lengths.add(part.end_s - part.begin_s, part);
+    if (lengths.value.size() < 3)
+        return none;
+    const Line line = line_through(lengths);
+    const auto freedom = static_cast<double>(lengths.value.size() - 2);
+    const double error = std::sqrt(std::max(0.0, line.squares_left()) / freedom / line.spread);
+    return minute * phase::t_quantile(freedom) * error / line.mean;
 }
 
 } // namespace stltsa::results

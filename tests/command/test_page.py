@@ -165,7 +165,7 @@ class Page(Pages):
 
     def test_hostile_names(self):
         clip = self.folder / ("a " + HOSTILE.replace("/", "") + ".csv")
-        names = [HOSTILE.replace('"', "") + c for c in "abc"]
+        names = [HOSTILE + c for c in "abc"]
         with open(clip, "w", newline="", encoding="utf-8") as file:
             rows = csv.writer(file)
             rows.writerow(names)
@@ -201,6 +201,80 @@ class Page(Pages):
         data = self.data(self.page(f"{walk()}:0-30"))
         self.assertEqual(data["motions"], [])
         self.assertEqual(data["body"]["places"]["rows"], 30)
+
+    def test_a_single_cycle_is_closed(self):
+        clip = self.folder / "one.bvh"
+        self.done("synthesize", f"{walk()}:best", "-o", clip)
+        (motion,) = self.data(self.page(clip))["motions"]
+        whole = self.data(self.page(walk()))["motions"][0]
+        for one, all_cycles in zip(motion["sets"], whole["sets"], strict=True):
+            for row, expected in zip(unpacked(one["mean"]), unpacked(all_cycles["mean"]), strict=True):
+                for value, other, unit in zip(row, expected, all_cycles["mean"]["unit"], strict=True):
+                    self.assertAlmostEqual(value, other, delta=0.05 * 65534 * unit + 1e-3)
+        self.assertEqual(len(motion["sides"]["pairs"]), len(whole["sides"]["pairs"]))
+        found = self.json("compare", clip, walk())
+        self.assertEqual(found["first"]["cycles"], 1)
+        self.assertGreater(found["alignment"]["likeness"], 0.999)
+
+    def table(self, value):
+        clip = self.folder / "table.csv"
+        with open(clip, "w", newline="", encoding="ascii") as file:
+            rows = csv.writer(file)
+            rows.writerow("abcde")
+            rows.writerows([value(i, k) for k in range(5)] for i in range(1500))
+        return self.data(self.page(clip, "--fps", "100"))
+
+    def test_gaps_are_left_open(self):
+        def wave(i, k):  # the second column has a long gap and a short one; the third hardly any value
+            missing = k == 1 and (300 <= i < 500 or 700 <= i < 710) or k == 2 and i > 500
+            return "" if missing else round(math.sin(i / 16 + k), 4)
+
+        (motion,) = self.table(wave)["motions"]
+        (signals,) = motion["sets"]
+        shown = [motion["times"][k] for k in signals["shown"]]
+        each = unpacked(signals["each"])
+        for k, times in enumerate(shown):
+            for tenth, frame in enumerate(times):
+                if frame is None:
+                    continue
+                row = each[51 * k + 5 * tenth]
+                self.assertEqual(math.isnan(row[1]), 299 < frame < 500, frame)
+                self.assertEqual([math.isnan(row[c]) for c in (0, 2, 3)], [False, True, False])
+        self.assertFalse(any(math.isnan(row[1]) for row in unpacked(signals["mean"])))
+
+    def test_nothing_is_drawn_where_nothing_was_fitted(self):
+        data = self.table(lambda i, k: "" if 700 <= i < 900 else round(math.sin(i / 16 + k), 4))
+        curve = data["curve"]
+        rows = unpacked(curve["values"])
+        known = [not math.isnan(row[0]) for row in rows]
+        at = [known[(frame - curve["first"]) // curve["step"]] for frame in (300, 800, 1300)]
+        self.assertEqual(at, [True, False, True])
+
+    def test_trend_and_accuracy(self):
+        clip = self.folder / "noisy.bvh"
+        subprocess.run([WALKER, "-o", clip, "--cycles", "10", "--noise", "2"], check=True, stdout=subprocess.DEVNULL)
+        data = self.data(self.page(clip))
+        cycles = data["decomposition"]["cycles"]
+        self.assertEqual(len(cycles), 10)
+        middles = [(cycle["begin_s"] + cycle["end_s"]) / 2 for cycle in cycles]
+        lengths = [cycle["end_s"] - cycle["begin_s"] for cycle in cycles]
+        middle, mean = sum(middles) / 10, sum(lengths) / 10
+        spread = sum((x - middle) ** 2 for x in middles)
+        slope = sum((x - middle) * y for x, y in zip(middles, lengths)) / spread
+        left = sum((y - mean - slope * (x - middle)) ** 2 for x, y in zip(middles, lengths))
+        margin = 60 * 2.306004 * math.sqrt(left / 8 / spread) / mean  # of 8 degrees of freedom
+        self.assertAlmostEqual(data["motions"][0]["trend_margin"], margin, delta=1e-4 * margin)
+        for name in ("residual", "error_estimate"):
+            self.assertTrue(0 < data["accuracy"][name] < 1e-9, data["accuracy"])
+
+    def test_long_pages_have_fewer_postures(self):
+        clip = self.folder / "long.bvh"
+        subprocess.run([WALKER, "-o", clip, "--cycles", "60", "--noise", "8"], check=True, stdout=subprocess.DEVNULL)
+        page = self.page(clip)
+        frames = self.data(page)["decomposition"]["clip"]["frames"]
+        self.assertGreater(frames, 5000)
+        allowed = 2e6 * max(1, frames * 23 / (5000 * 31))
+        self.assertLess(len(page), allowed)
 
     def test_needs_nothing_else(self):
         page = self.page(walk())

@@ -63,9 +63,8 @@ void note_gaps(const Clip& clip, int width, GapRule rule, const Gaps& gaps,
                                     missing, how_filled(rule, gaps),
                                     listed(clip, width, gaps.filled), gaps.frames));
     if (!gaps.dropped.empty())
-        notes.push_back(format_text("{} {} in more than half of the frames, left out (their "
-                                    "features are 0): {}",
-                                    groups, missing, listed(clip, width, gaps.dropped)));
+        notes.push_back(format_text("{} {} in more than half of the frames, left out: {}", groups,
+                                    missing, listed(clip, width, gaps.dropped)));
     for (const Frames& hole : gaps.holes)
         notes.push_back(format_text("frames {} to {}: most {} are missing, so that no motion "
                                     "continues over them",

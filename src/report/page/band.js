@@ -23,11 +23,6 @@ function tip(text, x, y) {
   box.style.left = Math.max(6, Math.min(x + 14, innerWidth - box.offsetWidth - 8)) + "px";
   box.style.top = (y + 18 + box.offsetHeight > innerHeight ? y - box.offsetHeight - 10 : y + 18) + "px";
 }
-function fitted(pen, text, width, size = 12) {
-  if (pen.measure(text, size) <= width) return text;
-  for (let n = text.length - 1; n > 2; --n) if (pen.measure(text.slice(0, n) + "…", size) <= width) return text.slice(0, n) + "…";
-  return "";
-}
 const numberOf = text => [...text].reduce((n, letter) => n * 26 + letter.charCodeAt(0) - 64, 0) - 1;
 const hueOf = segment => labelHue(segment.label ? numberOf(segment.label) : -1);
 function segmentText(s) {

@@ -76,6 +76,20 @@ function firstTheme() {
   readColors();
 }
 
+// Shrinks each of the two printed pages to fit on A4.
+function fitPages(on) {
+  const blocks = [document.querySelector("header"), ...byId("main").children], rules = byId("print-rules"), width = 695, height = 1015;
+  for (const block of blocks) block.style.zoom = block.style.width = "";
+  if (!on) return;
+  const second = blocks.findIndex(block => block.classList.contains("page2")), pages = [blocks.slice(0, second), blocks.slice(second)];
+  rules.media = "all";
+  document.body.style.width = width + "px";
+  const scales = pages.map(page => { const boxes = page.map(block => block.getBoundingClientRect()).filter(box => box.height > 0); return boxes.length ? Math.min(1, height / (boxes[boxes.length - 1].bottom - boxes[0].top)) : 1; });
+  rules.media = "print";
+  document.body.style.width = "";
+  pages.forEach((page, i) => { if (scales[i] < 1) for (const block of page) Object.assign(block.style, { zoom: String(scales[i]), width: width + "px" }); });
+}
+
 function controlTheme() {
   byId("theme").addEventListener("click", () => theme(document.documentElement.dataset.theme === "dark" ? "light" : "dark"));
   byId("print").addEventListener("click", () => print());
@@ -87,8 +101,9 @@ function controlTheme() {
     document.documentElement.dataset.theme = "light";
     readColors();
     for (const panel of panels) panel.print(true);
+    fitPages(true);
   });
-  addEventListener("afterprint", () => { printing = false; for (const panel of panels) panel.print(false); theme(shownTheme); });
+  addEventListener("afterprint", () => { printing = false; for (const panel of panels) panel.print(false); fitPages(false); theme(shownTheme); });
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", event => theme(event.matches ? "dark" : "light"));
 }
 

@@ -4,7 +4,9 @@ let found = null; // stltsa-comparison/1
 const state = { phase: 0, playing: false, speed: 1, part: 0, apart: false };
 const sided = () => found.kind === "left_right";
 const which = ["first", "second"];
-const fileName = path => (path || "clip from memory").split("/").pop();
+const lastNames = (path, count) => (path || "clip from memory").split("/").slice(-count).join("/");
+// With the folder if both files have one name.
+const fileName = path => lastNames(path, !sided() && found.first.path !== found.second.path && lastNames(found.first.path, 1) === lastNames(found.second.path, 1) ? 2 : 1);
 const stem = () => fileStem(found.first.path, "motion") + (sided() ? "-sides" : "-" + fileStem(found.second.path, "motion"));
 const shortNames = () => sided() ? ["left", "right, mirrored"] : which.map(w => `${w}: ${fileName(found[w].path)}`);
 const colorOf = w => w === 0 ? colors.left : colors.right;
@@ -30,7 +32,8 @@ function leadText() {
   if (sided()) return `The right side, mirrored and half a cycle later, on the left side of ${plural(first.cycles, "cycle")} of ${first.label}: a symmetric motion would give one curve.`;
   const longer = time.difference > 0 ? "longer" : "shorter", size = `${number(Math.abs(time.difference))} s (${percent(Math.abs(time.difference) / time.first, 0)})`;
   const sure = !isKnown(time.low) ? "; too few cycles to say how certain that is" : time.significant ? `, 95 % interval ${between(time.low, time.high, value => signed(number(value)))} s` : ", which may be chance";
-  return `${plural(first.cycles, "cycle")} of ${first.label} in ${fileName(first.path)} and ${second.cycles} of ${second.label} in ${fileName(second.path)}. A cycle of the second takes ${number(time.second)} s, ${size} ${longer} than one of the first${sure}.`;
+  const compared = number(time.first) === number(time.second) ? "as long as one of the first" : `${size} ${longer} than one of the first${sure}`;
+  return `${plural(first.cycles, "cycle")} of ${first.label} in ${fileName(first.path)} and ${second.cycles} of ${second.label} in ${fileName(second.path)}. A cycle of the second takes ${number(time.second)} s, ${compared}.`;
 }
 function makeHead() {
   const title = sided() ? `${fileName(found.first.path)}: left and right` : `${fileName(found.first.path)} and ${fileName(found.second.path)}`;
@@ -90,7 +93,7 @@ function makeViewer() {
           drawBody(pen, second, project, width);
         }
       });
-      drawKey(pen, h);
+      drawKey(pen, w, h);
       pen.text(14, 12, partName(found.parts[state.part]), { color: colors.cursor, bold: true });
     },
   });
@@ -113,12 +116,13 @@ function drawBody(pen, w, project, width) {
     if (i === state.part) pen.circle(p[0], p[1], width * 2 + 2, { stroke: colors.cursor, width: 2 });
   });
 }
-function drawKey(pen, h) {
+function drawKey(pen, width, h) {
   let x = 14;
   shortNames().forEach((name, w) => {
+    const text = fitted(pen, name, width / 2 - 46);
     pen.line([x, h - 14, x + 22, h - 14], { stroke: colorOf(w), width: 3, dash: w ? [6, 5] : [] });
-    pen.text(x + 29, h - 14, name, { color: colors.soft });
-    x += 29 + pen.measure(name, 12) + 20;
+    pen.text(x + 29, h - 14, text, { color: colors.soft });
+    x += 29 + pen.measure(text, 12) + 20;
   });
 }
 
@@ -144,9 +148,7 @@ function makeIntervals() {
       rows.forEach((row, r) => {
         const y = top + (r + 0.5) * space();
         if (row === state.part) pen.rect(4, y - space() / 2, w - 8, space(), { fill: colors.cursor, alpha: 0.1, radius: 6 });
-        let name = partName(found.parts[row]);
-        while (name.length > 4 && pen.measure(name, 12) > label - 18) name = name.slice(0, -2) + "…";
-        pen.text(14, y, name, { size: 12, bold: row === state.part });
+        pen.text(14, y, fitted(pen, partName(found.parts[row]), label - 18), { size: 12, bold: row === state.part });
       });
       measures.forEach((measure, m) => {
         const x = label + m * (width + 18), reach = reachOf(measure, rows), px = v => x + (v / reach + 1) / 2 * width;
@@ -201,7 +203,7 @@ function makeCurves() {
         pen.line([below.x, zero, below.x + below.w, zero], { stroke: colors.soft, width: 1.2 });
         boxes.push(above, below);
       });
-      drawKey(pen, h);
+      drawKey(pen, w, h);
     },
     over(pen) { for (const box of boxes) pen.line([box.x + state.phase * box.w, box.y, box.x + state.phase * box.w, box.y + box.h], { stroke: colors.cursor, width: 1.6 }); },
   });
@@ -220,7 +222,7 @@ function makeNumbers() {
   const rows = sided() ? [["Cycles compared", String(first.cycles)], ["Cycles a minute", number(first.cycles_per_min)], ["Cycle time, s", withSd(time.first, time.first_sd)]]
     : [["Cycles compared", String(first.cycles), String(second.cycles), ""], ["Cycles a minute", number(first.cycles_per_min), number(second.cycles_per_min), signed(number(second.cycles_per_min - first.cycles_per_min))],
       ["Cycle time, s", withSd(time.first, time.first_sd), withSd(time.second, time.second_sd), `${signed(number(time.difference))}${star(time)}`], ["", "", "", isKnown(time.low) ? `95 %: ${between(time.low, time.high, value => signed(number(value)))}` : ""]];
-  byId("numbers").append(element("p", { class: "hint" }, sided() ? "Mean ± standard deviation over the cycles." : "Mean ± standard deviation over the cycles. *: the 95 % interval does not include 0."), scrolled(table("", sided() ? ["", "both"] : ["", "first", "second", "difference"], rows), "Numbers"));
+  byId("numbers").append(element("p", { class: "hint" }, `Mean ± standard deviation over the complete cycles, from phase 0 to the next phase 0; the report of a single clip measures all its cycles between their borders.${sided() ? "" : " *: the 95 % interval does not include 0."}`), scrolled(table("", sided() ? ["", "both"] : ["", "first", "second", "difference"], rows), "Numbers"));
 }
 function makeWarnings() {
   const list = [...found.warnings];

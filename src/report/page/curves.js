@@ -24,20 +24,29 @@ function loopSegment() {
   const own = cyclic.filter(s => motionShown() && s.label === letters(motionShown().label));
   return (own.length ? own : cyclic).sort((a, b) => b.end - b.begin - a.end + a.begin)[0];
 }
+// An arrowhead as in the library's figures.
+function drawArrow(pen, at, towards) {
+  const angle = Math.atan2(towards[1] - at[1], towards[0] - at[0]), cos = Math.cos(angle), sin = Math.sin(angle);
+  pen.line([[6, 0], [-5, 5], [-2.5, 0], [-5, -5], [6, 0]].flatMap(([x, y]) => [at[0] + x * cos - y * sin, at[1] + x * sin + y * cos]), { fill: colors.ink });
+}
 function makeLoop() {
   const series = data.curve.values, step = data.curve.step, from = data.curve.first;
+  const row = frame => (frame - from) / step;
+  // The cycle that shows the direction: the representative one, or else the first.
+  const shownTurn = s => [found.representative_cycle, ...found.cycles].find(cycle => cycle && cycle.begin >= s.begin && cycle.end <= s.end && !Number.isNaN(series.between(row((cycle.begin + cycle.end) / 2), 1)));
   let drawn = null, project = null;
   if (!looped().length) { document.querySelector(".view .two").style.gridTemplateColumns = "minmax(0, 1fr)"; byId("loop").remove(); return; }
   const panel = new Panel("loop", {
-    title: "Loop", height: w => printing ? 315 : Math.min(470, innerWidth < 760 ? w * 0.7 : Math.max(w, byId("viewer").firstChild.clientHeight - 37)), label: "The motion as a loop: each turn is one cycle. Click it to go to that time.",
+    title: "Loop", more: found.cycles.length > 1 ? "width shows drift, too" : "", height: w => printing ? 315 : Math.min(470, innerWidth < 760 ? w * 0.7 : Math.max(w, byId("viewer").firstChild.clientHeight - 37)), label: "The motion as a loop: each turn is one cycle. Click it to go to that time.",
     base(pen, w, h) {
       const s = loopSegment();
       drawn = s;
       const rows = [];
-      let low = [Infinity, Infinity], high = [-Infinity, -Infinity];
+      let low = [Infinity, Infinity], high = [-Infinity, -Infinity], starts = Infinity;
       for (let r = Math.max(0, Math.ceil((s.begin - from) / step)); r < series.rows && from + r * step < s.end; ++r) {
+        if (!Number.isNaN(series.at(r, 1))) starts = Math.min(starts, r);
         rows.push(r);
-        for (const c of [0, 1]) { const v = series.at(r, 1 + c); low[c] = Math.min(low[c], v); high[c] = Math.max(high[c], v); }
+        for (const c of [0, 1]) { const v = series.at(r, 1 + c); if (v < low[c]) low[c] = v; if (v > high[c]) high[c] = v; }
       }
       const pad = 28, scale = [0, 1].map(c => ([w, h - 24][c] - 2 * pad) / (high[c] - low[c] || 1));
       project = r => [w / 2 + (series.between(r, 1) - (low[0] + high[0]) / 2) * scale[0], (h - 24) / 2 - (series.between(r, 2) - (low[1] + high[1]) / 2) * scale[1]];
@@ -47,19 +56,23 @@ function makeLoop() {
       pen.line(smooth(points, rows.length < 4000 ? 5 : 1), { stroke: hueOf(s), width: 1.6, alpha: Math.max(0.12, Math.min(0.75, 4 / turns)) });
       // Start and direction.
       if (rows.length > 4) {
-        const a = project(rows[0]);
-        pen.circle(a[0], a[1], 4.5, { fill: colors.paper, stroke: hueOf(s), width: 2 });
-        const at = rows[0] + Math.min(rows.length - 2, Math.max(1, (s.period_s || 1) * fps / step * 0.25)), p = project(at), q = project(at + 0.6), angle = Math.atan2(q[1] - p[1], q[0] - p[0]);
-        pen.line([...[2.6, 0, -2.6].flatMap(turn => [p[0] + (turn ? 11 : 0) * Math.cos(angle + turn), p[1] + (turn ? 11 : 0) * Math.sin(angle + turn)])], { stroke: colors.ink, width: 2 });
+        const a = project(starts), turn = shownTurn(s), from = turn ? row(first(turn)) : rows[0], to = turn ? row(last(turn)) : rows[rows.length - 1];
+        for (const share of [1 / 6, 3 / 6, 5 / 6]) drawArrow(pen, project(from + share * (to - from)), project(Math.min(from + share * (to - from) + 0.6, series.rows - 1)));
+        pen.rect(a[0] - 4, a[1] - 4, 8, 8, { fill: colors.ink, stroke: colors.paper, width: 1 });
       }
-      if (w > 300) pen.text(14, h - 14, "○ start   › direction", { color: colors.soft });
+      if (w > 300) {
+        pen.rect(14, h - 18, 8, 8, { fill: colors.ink });
+        pen.text(27, h - 14, "start", { color: colors.soft });
+        drawArrow(pen, [72, h - 14], [73, h - 14]);
+        pen.text(82, h - 14, "direction", { color: colors.soft });
+      }
       pen.text(w - 14, h - 14, `${s.label} from ${time(s.begin)} · ${plural(s.count, "turn")}`, { color: colors.soft, align: "right" });
     },
     over(pen, w, h) {
       const s = loopSegment();
       if (s !== drawn) { panel.stale = 2; setTimeout(() => panel.draw(2)); return; }
       if (!project || state.frame < s.begin || state.frame >= s.end) return;
-      const cycle = found.cycles[containing(found.cycles, state.frame)], row = f => (f - from) / step;
+      const cycle = found.cycles[containing(found.cycles, state.frame)];
       if (cycle) { const points = []; for (let r = Math.max(0, Math.ceil(row(first(cycle)))); r <= Math.min(series.rows - 1, row(last(cycle))); ++r) points.push(...project(r)); pen.line(smooth(points, 5), { stroke: colors.ink, width: 2.4 }); }
       const p = project(Math.max(0, Math.min(series.rows - 1, row(state.frame))));
       pen.circle(p[0], p[1], 6.5, { fill: colors.cursor, stroke: colors.paper, width: 2 });
@@ -133,7 +146,7 @@ function layOut(w) {
   const rows = plotsShown(), columns = Math.max(1, ...rows.map(row => row.length)), together = rows.some(row => row.length === 2 && sidesCurves(row[0]));
   const shown = columns + (together ? 1 : 0), narrow = w < 600 && shown > 2;
   const across = narrow ? 2 : Math.max(shown, rows.length > 1 && shown === 1 && w > 600 ? Math.min(3, rows.length) : 1);
-  const left = 52, gap = 22, width = (w - left - 16 - gap * (across - 1)) / across, height = printing ? 76 : Math.max(86, Math.min(160, width * 0.52));
+  const left = 58, gap = shown === 1 ? 64 : 22, width = (w - left - 16 - gap * (across - 1)) / across, height = printing ? 76 : Math.max(86, Math.min(160, width * 0.52));
   return { rows, columns, together, shown, across, left, gap, width, height, space: printing ? 38 : 46, lines: shown === 1 ? Math.ceil(rows.length / across) : rows.length * (narrow ? 2 : 1), narrow };
 }
 function makeCycles() {
@@ -152,7 +165,7 @@ function makeCycles() {
           const line = l.shown === 1 ? Math.floor(r / l.across) : r * (l.narrow ? 2 : 1), at = l.shown === 1 ? r % l.across : c;
           const box = { x: l.left + at * (l.width + l.gap), y: 34 + line * (l.height + l.space), w: l.width, h: l.height, column };
           const side = body.parts[column.part] ? body.parts[column.part].side : -1, color = side === 0 ? colors.left : side === 1 ? colors.right : colors.accent;
-          drawPlot(pen, box, [{ ...look(column), color }], range, { title: `${column.name}${column.axis ? " · " + axisText(column.axis, body.up) : ""}${set.unit ? " [" + set.unit + "]" : ""}`, color, axis: at === 0 || l.shown === 1, bottom: true });
+          drawPlot(pen, box, [{ ...look(column), color }], range, { title: column.name, suffix: (column.axis ? " · " + axisText(column.axis, body.up) : "") + (set.unit ? " [" + set.unit + "]" : ""), color, axis: at === 0 || l.shown === 1, bottom: true });
           plotBoxes.push(box);
         });
         const both = l.together && row.length === 2 ? sidesCurves(row[0]) : null;
@@ -180,7 +193,7 @@ function makeCycles() {
     if (level < 2) return;
     const set = setShown(), motion = motionShown(), count = motion ? partsOf(motion).length : 0, word = motion && motion.cyclic ? "cycle" : "repetition";
     panel.title(`${plural(count, word)} of ${motion ? letters(motion.label) : ""}`, set ? "0 to 100 % of a " + word : "");
-    byId("cycles-hint").textContent = !set ? "" : `Thick: mean of ${plural(count, word)}; shaded: one standard deviation; thin: ${set.shown.length < count ? set.shown.length + " of them" : "each"}. ` +
+    byId("cycles-hint").textContent = !set ? "" : (count === 1 ? `The only ${word}. ` : `Thick: mean of ${plural(count, word)}; shaded: one standard deviation; thin: ${set.shown.length < count ? set.shown.length + " of them" : "each"}. `) +
       (set.name === "position" ? "Positions are relative to the body, without its heading, in the unit of the file. " : set.name === "angle" ? "Joint angles as in the file, in degrees. " : "") +
       (motion.sides && motion.sides.pairs.length && set.name !== "angle" ? "Where both sides are drawn together, the right one is mirrored and shifted by half a cycle, so the curves of a symmetric motion coincide. " : "") + (moves ? "Click a curve to see the posture at that phase." : "Click a curve to go to that phase.");
   });

@@ -95,6 +95,7 @@ async function start() {
   makeSummary(); makeSides(); makeWarnings(); makeTables(); makeDetails();
   showMarks();
   byId("mark").hidden = byId("s-events").hidden = !motions.length; // nothing repeats, so a mark cannot be found again
+  byId("save-cycles").hidden = !motions.some(motion => motion.sets.length);
   control();
   show();
   document.documentElement.dataset.ready = "yes";

@@ -2,13 +2,14 @@
 const panels = [];
 
 class Panel {
-  // of: { title, label, height(width), base(pen, w, h), over(pen, w, h), tools: [elements] }
+  // of: { title, more, label, height(width), base(pen, w, h), over(pen, w, h), tools: [elements] }
   constructor(id, of) {
     this.of = of;
     this.id = id;
     this.under = element("canvas", { "aria-hidden": "true" });
     this.canvas = element("canvas", { role: "img", tabindex: "0", "aria-label": of.label });
-    this.caption = element("span", {}, element("b", {}, of.title));
+    this.caption = element("span", {});
+    this.title(of.title, of.more);
     const button = (text, act) => element("button", { type: "button", onclick: act, "aria-label": `Save “${of.title}” as ${text}` }, text);
     this.figure = element("figure", {},
       element("figcaption", {}, this.caption, element("span", { class: "tools" }, ...(of.tools || []), button("PNG", () => this.savePng()), button("SVG", () => save(`${stem()}-${id}.svg`, this.svg(), "image/svg+xml")))),

@@ -80,6 +80,13 @@ class SvgPen {
   }
 }
 
+// As much of a text as fits into a width; "" if that is hardly anything.
+function fitted(pen, text, width, size = 12) {
+  if (pen.measure(text, size) <= width) return text;
+  for (let n = text.length - 1; n > 2; --n) if (pen.measure(text.slice(0, n) + "…", size) <= width) return text.slice(0, n) + "…";
+  return "";
+}
+
 // Round numbers between low and high, about `count` of them.
 function ticks(low, high, count) {
   const rough = (high - low) / Math.max(1, count), power = 10 ** Math.floor(Math.log10(rough));
@@ -87,6 +94,13 @@ function ticks(low, high, count) {
   const list = [];
   for (let i = Math.ceil(low / step - 1e-9); i * step <= high + step * 1e-9 && list.length < 50; ++i) list.push(+(i * step).toPrecision(12));
   return list;
+}
+// Texts that tell the ticks apart; far from zero, all but the first are relative to it.
+function tickTexts(list) {
+  const step = list.length > 1 ? list[1] - list[0] : Math.abs(list[0]) || 1, most = Math.max(...list.map(Math.abs));
+  const digits = Math.max(1, Math.ceil(Math.log10(most / step + 1)) + 1);
+  if (digits <= 5 || most < 1e7 && step >= 1) return list.map(v => most < 1e7 && step >= 1 ? String(v).replace("-", "−") : number(v, digits));
+  return list.map((v, i) => i ? "+" + number(v - list[0], 3) : number(v, 4));
 }
 function timeTicks(a, b, count) {
   const rough = (b - a) / Math.max(1, count);

@@ -13,7 +13,7 @@ function leadText() {
 }
 
 function makeHead() {
-  const name = (clip.path || "Motion").split("/").pop();
+  const name = (data.source.name || clip.path || "Motion").split("/").pop();
   byId("title").textContent = name;
   document.title = name + " – motion report";
   byId("lead").textContent = leadText();
@@ -21,18 +21,27 @@ function makeHead() {
   byId("facts").textContent = [plural(frames, "frame"), clip.fps ? `${number(fps, 5)} frames per second` : null, time(frames), body.kind === "skeleton" ? plural(count, "joint") : body.kind === "points" ? plural(count, "marker") : plural(count, "column")].filter(Boolean).join(" · ");
 }
 
+const degrees = value => value === null || value === undefined ? "–" : value.toFixed(Math.abs(value) < 10 ? 1 : 0).replace(/^-(?=[0.]*$)/, "").replace("-", "−");
+// The trend over the time from the middle of the first cycle to that of the last, with its 95 % interval.
+function trendText(s) {
+  const motion = motionOf(s.label), parts = partsOf(motion), middle = part => (part.begin_s + part.end_s) / 2;
+  const minutes = (middle(parts[parts.length - 1]) - middle(parts[0])) / 60;
+  const margin = motion.trend_margin === null ? "" : ` ± ${percent(motion.trend_margin * minutes)}`;
+  return `${signed(percent(s.cycle_time_s.trend * minutes))}${margin} in ${number(60 * minutes)} s`;
+}
+
 function makeSummary() {
   const place = byId("summary");
   if (!found.summary.length) { byId("s-summary").hidden = true; return; }
   place.setAttribute("tabindex", "0"); place.setAttribute("role", "region"); place.setAttribute("aria-label", "Numbers of each motion");
-  const of = value => !value ? "–" : value.count > 1 || value.count === undefined && value.sd > 0 ? `${number(value.mean)} ± ${number(value.sd, 2)}` : number(value.mean);
+  const of = (value, text = number) => !value ? "–" : value.sd > 0 ? `${text(value.mean)} ± ${text(value.sd, 2)}` : text(value.mean);
   const least = 5; // a trend over fewer says nothing
   const rows = [["Number", s => String(s.count)], ["Cycles per minute", s => number(s.cycles_per_min)], ["Cycle time, s (mean ± SD)", s => of(s.cycle_time_s)],
-    ["Variation (CV)", s => s.count > 1 ? percent(s.cycle_time_s.cv) : "–"], ["Trend of cycle time, per minute", s => s.count >= least ? signed(percent(s.cycle_time_s.trend)) : "–"],
-    ["Steps per minute", s => number(s.steps_per_min)], ["Speed, units / s", s => of(s.speed)], ["Stride length, units", s => of(s.stride)], ["Path length per cycle, units", s => of(s.way)], ["Turn per cycle, °", s => of(s.turn_deg)],
+    ["Variation (CV)", s => s.count > 1 ? percent(s.cycle_time_s.cv) : "–"], ["Change of cycle time, first to last", s => s.count >= least ? trendText(s) : "–"],
+    ["Steps per minute", s => number(s.steps_per_min)], ["Speed, units / s", s => of(s.speed)], ["Stride length, units", s => of(s.stride)], ["Path length per cycle, units", s => of(s.way)], ["Turn per cycle, °", s => of(s.turn_deg, degrees)],
     ["Largest left–right difference", s => { const m = motionOf(s.label), pairs = m && m.sides ? m.sides.pairs : []; const p = [...pairs].filter(x => x.rms !== null).sort((a, b) => b.rms - a.rms)[0]; return p ? `${number(p.rms, 2)}${p.chance === null ? "" : ` (by chance: ${number(p.chance, 2)})`}` : "–"; }]]
     .map(([head, value]) => [head, ...found.summary.map(value)]).filter(row => row.slice(1).some(cell => cell !== "–"));
-  place.append(element("p", { class: "hint" }, "Lengths are in the unit of the file. SD: standard deviation; CV: SD / mean."), table("", ["", ...found.summary.map(s => named(s.label))], rows));
+  place.append(element("p", { class: "hint" }, "Lengths are in the unit of the file. SD: standard deviation; CV: SD / mean; the change has its 95 % interval."), table("", ["", ...found.summary.map(s => named(s.label))], rows));
 }
 
 function makeSides() {
@@ -60,7 +69,7 @@ function makeWarnings() {
   }
   if (found.reason) texts.push("Nothing repeats: " + found.reason);
   for (const s of found.segments) if (s.reason && s.kind === "action" && found.summary.length) texts.push(`${s.label} at ${time(s.begin)}: ${s.reason}`);
-  const list = [...new Set(texts)], printed = 6;
+  const list = [...new Set(texts)].map(text => text[0].toUpperCase() + text.slice(1)), printed = 6;
   if (list.length > printed) byId("warnings").dataset.more = `and ${list.length - printed} more in the file`;
   byId("warnings").append(...list.slice(0, 12).map(text => element("li", {}, text)));
   if (list.length > 12) byId("warnings").after(element("details", {}, element("summary", {}, `${list.length - 12} more`), element("ul", {}, ...list.slice(12).map(text => element("li", {}, text)))));
@@ -76,7 +85,7 @@ function folded(title, make) {
 function makeTables() {
   const go = part => element("button", { type: "button", onclick: () => { seek(part.begin); zoomTo(first(part) - 0.5 * (last(part) - first(part)), last(part) + 0.5 * (last(part) - first(part))); } }, time(first(part)));
   const length = part => number(part.end_s - part.begin_s);
-  const travel = part => part.travel ? [number(part.travel.speed), number(part.travel.way), number(part.travel.turn_deg, 2)] : ["–", "–", "–"];
+  const travel = part => part.travel ? [number(part.travel.speed), number(part.travel.way), degrees(part.travel.turn_deg)] : ["–", "–", "–"];
   const limit = 2000, more = list => list.length > limit ? ` (the first ${limit} here; all are in the JSON)` : "";
   const add = (title, list, heads, row) => { if (list.length) byId("tables").append(folded(`${title}: ${list.length}${more(list)}`, () => scrolled(table("", heads, list.slice(0, limit).map(row), 2), title))); };
   add("Segments", found.segments, ["", "Kind", "From", "Seconds", "Number", "Cycle time, s", "Confidence", "Moves most"], (s, i) => [String(i + 1), s.label ? element("span", {}, named(s.label), " " + s.kind) : s.kind, go(s), length(s), String(s.count), number(s.period_s), percent(s.confidence, 0), s.carried_by.slice(0, 3).join(", ")]);
@@ -90,6 +99,9 @@ const argumentWord = text => shellWord(text.startsWith("-") ? "./" + text : text
 const { name: clipName, pieces, flags } = data.source; // the clip may be a stretch of its file, or several
 const cut = pieces.length > 0;
 const clipWord = () => argumentWord(clipName || "CLIP");
+// The command has no readers of its own for some files.
+const foreign = /\.(c3d|trc|mot|sto|npz)$/i.test(clip.path || "");
+const readerHint = () => foreign ? element("p", { class: "facts" }, "The command reads this file if pip has installed it: pip install stltsa.") : null;
 // Frames of the clip as stretches of its file.
 function stretchWords(begin, end) {
   if (begin <= 0 && end >= frames) return clipWord();
@@ -104,15 +116,15 @@ function stretchWords(begin, end) {
 const flagWords = command => flags[command] + (["csv", "npy"].includes(clip.format) && clip.fps && !flags[command].includes(" --fps ") ? " --fps " + +fps.toPrecision(9) : "");
 function makeDetails() {
   const p = found.parameters, samples = found.samples, e = found.embedding || {}, intrinsic = found.intrinsic_dimension;
+  const values = (e.eigenvalues || []).filter(v => v !== null), isFitted = values.length > 0;
   const list = [["Features", `${clip.features}, ${plural(samples.feature_count, "column")}`], ["Samples", `${samples.count} at ${number(samples.fps, 4)} per second, smoothed over ${number(samples.smoothing_s)} s`],
     ["Neighbors", `${p.neighbors}, ${p.mode}, window ${p.window}`], ["Dimension of the tangents", p.dimension], ["Range of the period search", `${number(p.period_min_s)} to ${number(p.period_max_s)} s`],
-    ["Period", found.period_s ? number(found.period_s) + " s" : "none"], ["Regularity of the curve", e.cyclicity ? number(e.cyclicity) + " (1: perfect)" : "–"], ["Up axis", samples.up_axis || "–"],
+    ["Period", found.period_s ? number(found.period_s) + " s" : "none"], ["Residual of the eigenvectors", isFitted ? number(data.accuracy.residual) + " (largest ‖Bu − λu‖ / k)" : "–"],
+    ["Estimated error of the subspace", !isFitted ? "–" : data.accuracy.error_estimate === null ? "unknown" : number(data.accuracy.error_estimate) + " rad (largest angle)"], ["Regularity of the curve", e.cyclicity ? number(e.cyclicity) + " (1: perfect)" : "–"], ["Up axis", samples.up_axis || "–"],
     ["Intrinsic dimension", intrinsic ? `${intrinsic.local_pca || "cannot tell"} by local PCA, ${intrinsic.eigengap || "cannot tell"} by the eigengap` : "not asked for (--dimension-estimate)"],
     ["Library", "libstltsa " + found.library], ["File", clip.path || "none (from memory)"], ["Checksum of the data", "CRC-32 " + data.checksum]];
   byId("details").append(element("dl", {}, ...list.flatMap(([term, value]) => [element("dt", {}, term), element("dd", {}, String(value))])),
-    element("p", { class: "facts" }, "To make this report again:"), commandBox(data.command || `stltsa decompose ${clipWord()}${flagWords("decompose")} --report ${shellWord(stem() + ".html")}`),
-    element("p", { class: "facts screen" }, "For the error estimate and the residual of an embedding of the whole clip:"), element("div", { class: "screen" }, commandBox(`stltsa fit ${clipWord()}${flagWords("fit")}`)));
-  const values = (e.eigenvalues || []).filter(v => v !== null);
+    element("p", { class: "facts" }, "To make this report again:"), readerHint() || "", commandBox(data.command || `stltsa decompose ${clipWord()}${flagWords("decompose")} --report ${shellWord(stem() + ".html")}`));
   if (values.length < 2) return;
   new Panel("spectrum", {
     title: "Spectrum", height: () => 190, label: "Eigenvalues of the alignment matrix: " + values.map(v => number(v)).join(", "),

@@ -24,18 +24,20 @@ const median = list => list.length ? list.sort((a, b) => a - b)[list.length >> 1
 
 // Finds the size of the body, the ground and the direction of travel, for the initial view.
 function lookAtBody() {
-  const sizes = [], lows = [], ways = [];
+  const sizes = [], talls = [], lows = [], ways = [];
   for (let i = 0; i < 60; ++i) {
     const points = posture(i / 60 * frames).filter(known);
     if (!points.length) continue;
     const middle = middleOf(points);
     sizes.push(Math.max(...points.map(p => Math.hypot(p[0] - middle[0], p[1] - middle[1], p[2] - middle[2]))));
+    talls.push(Math.max(...points.map(p => p[1])) - Math.min(...points.map(p => p[1])));
     lows.push(Math.min(...points.map(p => p[1])));
     ways.push(middle);
   }
   const size = sizes.sort((a, b) => a - b)[Math.floor(sizes.length * 0.9)] || 1;
   body.size = size > 0 ? size : 1;
   body.ground = lows.sort((a, b) => a - b)[Math.floor(lows.length * 0.1)] || 0;
+  body.tall = median(talls);
   body.height = median(ways.map(way => way[1]));
   const along = ways.length ? [0, 2].map(a => ways[ways.length - 1][a] - ways[0][a]) : [0, 0];
   if (body.space === 2) Object.assign(camera, { yaw: 0, pitch: 0 });
@@ -43,6 +45,15 @@ function lookAtBody() {
   camera.first = camera.yaw;
 }
 
+// The bone from the head joint to its child or, if it has none, to the head joint; as in the library's figures.
+function headBone() {
+  if (body.head === undefined) {
+    const isHead = i => /head/i.test(body.parts[i].name), joint = body.kind === "skeleton" ? body.parts.findIndex((_, i) => isHead(i)) : -1;
+    const child = joint < 0 ? -1 : body.parts.findIndex(part => part.parent === joint);
+    body.head = joint < 0 ? null : child >= 0 ? [joint, child] : body.parts[joint].parent >= 0 ? [body.parts[joint].parent, joint] : null;
+  }
+  return body.head;
+}
 const partColor = part => body.parts[part].side === 0 ? colors.left : body.parts[part].side === 1 ? colors.right : colors.middle;
 
 function drawBody(pen, points, project, width, chosen) {
@@ -54,6 +65,13 @@ function drawBody(pen, points, project, width, chosen) {
     if (parent && Math.hypot(...points[part.parent].map((v, a) => v - points[i][a])) > 0) shapes.push([Math.min(parent[2], flat[i][2]), () => pen.line([parent[0], parent[1], flat[i][0], flat[i][1]], { stroke: partColor(i), width })]);
     if (body.kind === "points") shapes.push([flat[i][2], () => pen.circle(flat[i][0], flat[i][1], width * 1.1, { fill: partColor(i) })]);
   });
+  const head = headBone();
+  if (head && flat[head[0]] && flat[head[1]]) { // a disk whose radius is a sixteenth of the body's height
+    const [neck, crown] = head.map(i => points[i]), radius = body.tall / 16, length = Math.hypot(...crown.map((v, a) => v - neck[a]));
+    const share = length > 0 ? Math.max(0.5, radius / length) : 0, middle = neck.map((v, a) => v + share * (crown[a] - v)), at = project(middle);
+    const edge = project([middle[0] + radius * Math.cos(camera.yaw), middle[1], middle[2] + radius * Math.sin(camera.yaw)]);
+    shapes.push([at[2], () => pen.circle(at[0], at[1], Math.hypot(edge[0] - at[0], edge[1] - at[1]), { fill: partColor(head[1]) })]);
+  }
   shapes.sort((a, b) => a[0] - b[0]).forEach(shape => shape[1]());
   if (chosen >= 0 && flat[chosen]) pen.circle(flat[chosen][0], flat[chosen][1], width * 2 + 2, { stroke: colors.cursor, width: 2 });
   return flat;
@@ -136,7 +154,7 @@ function drawColumns(pen, w, h) {
     const step = Math.max(body.step, 2 * half / w);
     for (let frame = begin; frame <= begin + 2 * half; frame += step) points.push(x(frame), top + each - 8 - (body.places.between(frame / body.step, part) - low) / range * (each - 14));
     pen.clip(108, 0, w - 120, h, () => pen.line(points, { stroke: part === state.part ? colors.cursor : colors.accent, width: 1.6 }));
-    pen.text(102, top + each / 2, body.parts[part].name.slice(0, 16), { color: colors.soft, align: "right" });
+    pen.text(102, top + each / 2, fitted(pen, body.parts[part].name, 92), { color: colors.soft, align: "right" });
   });
   const axis = timeTicks(begin / fps, (begin + 2 * half) / fps, 5);
   for (const s of axis.list) pen.text(x(s * fps), h - 12, axis.text(s), { color: colors.soft, align: "center", size: 11 });
