@@ -2,7 +2,8 @@
 // Tests memory exhaustion at every point: makes each allocation of a complete task fail in turn.
 // Each time the call must return STLTSA_E_NO_MEMORY with a text and no handle, must leak nothing
 // (the count of live allocations returns to its value), must leave the settings of OpenBLAS and
-// OpenMP as they were, and the same task must then succeed.
+// OpenMP as they were, and the same task must then succeed with the same result. So must a call
+// that succeeds although an allocation failed.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -40,6 +41,7 @@ stltsa_status decompose(const std::string& input) {
         status = 1;
     if (status == STLTSA_OK)
         status = stltsa_decomposition_json(units, &json);
+    note(json);
     stltsa_free(json);
     stltsa_decomposition_free(units);
     stltsa_clip_free(clip);
@@ -102,11 +104,22 @@ stltsa_status report(const std::string&) {
     return stltsa_report_save(swinging(), found, nullptr, "stltsa", "/dev/null");
 }
 
+stltsa_status note_model(const stltsa_model* model) {
+    unsigned char* bytes = nullptr;
+    std::size_t size = 0;
+    const stltsa_status status = stltsa_model_serialize(model, &bytes, &size);
+    note(bytes, status == STLTSA_OK ? size : 0);
+    stltsa_free(bytes);
+    return status;
+}
+
 /// A model that keeps frames and poses.
 stltsa_status fit_clip(const std::string&) {
     stltsa_model* model = nullptr;
     stltsa_status status = stltsa_fit_clip(swinging(), nullptr, &model);
-    if (status != STLTSA_OK && model != nullptr)
+    if (status == STLTSA_OK)
+        status = note_model(model);
+    else if (model != nullptr)
         status = 1;
     stltsa_model_free(model);
     return status;
@@ -135,8 +148,12 @@ stltsa_status map(const std::string&) {
         status = stltsa_unmap(model, &points, nullptr, nullptr, &frames_out, nullptr, nullptr);
     if (status == STLTSA_OK)
         status = stltsa_unmap_clip(model, &points, &hints, nullptr, nullptr, nullptr, &poses);
-    if (status != STLTSA_OK && poses != nullptr)
+    if (status == STLTSA_OK) {
+        note(coords, sizeof(coords));
+        note(frames, sizeof(frames));
+    } else if (poses != nullptr) {
         status = 1;
+    }
     stltsa_clip_free(poses);
     return status;
 }
@@ -180,6 +197,7 @@ stltsa_status model_file(const std::string&) {
         status = map_swinging(loaded);
     if (status == STLTSA_OK)
         status = map_swinging(parsed);
+    note(bytes, status == STLTSA_OK ? size : 0);
     ::unlink(path.c_str());
     stltsa_model_free(loaded);
     stltsa_model_free(parsed);
@@ -239,7 +257,9 @@ stltsa_status fit_file(const std::string&) {
         status = stltsa_fit_clip(clip, nullptr, &model);
     else if (clip != nullptr)
         status = 1;
-    if (status != STLTSA_OK && model != nullptr)
+    if (status == STLTSA_OK)
+        status = note_model(model);
+    else if (model != nullptr)
         status = 1;
     ::unlink(path.c_str());
     stltsa_model_free(model);
@@ -262,8 +282,10 @@ stltsa_status fit_mode(std::int64_t mode) {
         status = stltsa_options_set_int(options, STLTSA_OPT_THREADS, 2);
     if (status == STLTSA_OK)
         status = stltsa_fit(&in, nullptr, options, &model);
-    if (status != STLTSA_OK && model != nullptr)
+    else if (model != nullptr)
         status = 1;
+    if (status == STLTSA_OK)
+        status = note_model(model);
     stltsa_model_free(model);
     stltsa_options_free(options);
     return status;
@@ -274,6 +296,9 @@ stltsa_status fit_temporal(const std::string&) {
 }
 stltsa_status fit_spatial(const std::string&) {
     return fit_mode(STLTSA_MODE_SPATIAL);
+}
+stltsa_status fit_recurrent(const std::string&) {
+    return fit_mode(STLTSA_MODE_RECURRENT);
 }
 
 stltsa_status denoise(const std::string&) {
@@ -294,6 +319,7 @@ stltsa_status denoise(const std::string&) {
         status = stltsa_denoising_json(denoising, &json);
     else if (denoising != nullptr)
         status = 1;
+    note(json);
     stltsa_free(json);
     stltsa_denoising_free(denoising);
     stltsa_options_free(options);
@@ -310,6 +336,7 @@ stltsa_status synthesize(const std::string&) {
         status = stltsa_synthesis_json(synthesis, &json);
     else if (synthesis != nullptr)
         status = 1;
+    note(json);
     stltsa_free(json);
     stltsa_synthesis_free(synthesis);
     return status;
@@ -339,21 +366,26 @@ bool settings_remain() {
 
 struct Run {
     stltsa_status status;
-    bool failed;         ///< an allocation failed
-    std::int64_t leaked; ///< number of allocations that were not freed
+    std::uint64_t result; ///< see noted
+    bool failed;          ///< an allocation failed
+    std::int64_t leaked;  ///< number of allocations that were not freed
 };
 
 Run run_with_failure(const Work& work, const std::string& input, std::int64_t n) {
     const std::int64_t before = live.load();
+    noted = 0;
     until_failure = n;
     const stltsa_status status = work.run(input);
     const bool failed = until_failure.exchange(-1) < 0;
-    return {status, failed, live.load() - before};
+    return {status, noted, failed, live.load() - before};
 }
 
 /// Fails every `step`-th allocation until a run succeeds; returns false on any wrong result.
 bool survives(const Work& work, const std::string& input, std::int64_t step) {
-    if (work.run(input) != STLTSA_OK) { // also creates everything that libraries allocate once
+    // The first run also creates everything that libraries allocate once.
+    constexpr std::int64_t never = INT64_MAX;
+    const Run complete = run_with_failure(work, input, never);
+    if (complete.status != STLTSA_OK) {
         std::printf("%s fails with all memory: %s\n", work.name, stltsa_last_error());
         return false;
     }
@@ -372,6 +404,11 @@ bool survives(const Work& work, const std::string& input, std::int64_t step) {
                         work.name, static_cast<long long>(n));
             return false;
         }
+        if (run.status == STLTSA_OK && run.result != complete.result) {
+            std::printf("%s: failing allocation %lld changes the result\n", work.name,
+                        static_cast<long long>(n));
+            return false;
+        }
         if (!run.failed)
             break; // the task needed at most n allocations
         // If a thread cannot start, the others do its share, and the call succeeds.
@@ -384,8 +421,10 @@ bool survives(const Work& work, const std::string& input, std::int64_t step) {
         failures += run.status == STLTSA_E_NO_MEMORY;
         all_failures += 1;
     }
-    if (work.run(input) != STLTSA_OK) {
-        std::printf("%s fails after the failures: %s\n", work.name, stltsa_last_error());
+    const Run again = run_with_failure(work, input, never);
+    if (again.status != STLTSA_OK || again.result != complete.result) {
+        std::printf("%s fails after the failures, or gives another result: %s\n", work.name,
+                    stltsa_last_error());
         return false;
     }
     std::printf("%s: %lld of %lld allocations failed in turn\n", work.name,
@@ -398,12 +437,19 @@ bool survives(const Work& work, const std::string& input, std::int64_t step) {
 /// Usage: test_oom [STEP]: only every STEP-th allocation fails, for a quick run.
 int main(int count, char** arguments) {
     const std::int64_t step = count > 1 ? std::atoll(arguments[1]) : 1;
-    std::vector<Work> works = {{"decompose", decompose},     {"save", save},
-                               {"fit clip", fit_clip},       {"map", map},
-                               {"model file", model_file},   {"fit file", fit_file},
-                               {"open amc", open_amc},       {"denoise", denoise},
-                               {"synthesize", synthesize},   {"fit temporal", fit_temporal},
-                               {"fit spatial", fit_spatial}, {"report", report}};
+    std::vector<Work> works = {{"decompose", decompose},
+                               {"save", save},
+                               {"fit clip", fit_clip},
+                               {"map", map},
+                               {"model file", model_file},
+                               {"fit file", fit_file},
+                               {"open amc", open_amc},
+                               {"denoise", denoise},
+                               {"synthesize", synthesize},
+                               {"fit temporal", fit_temporal},
+                               {"fit spatial", fit_spatial},
+                               {"fit recurrent", fit_recurrent},
+                               {"report", report}};
     for (const Work& work : other_works())
         works.push_back(work);
     const std::string input = cyclic_csv();

@@ -7,6 +7,9 @@
 
 namespace {
 
+double room[1 << 16]; ///< memory for outputs that are not read
+double more_room[1 << 16];
+
 /// Makes calls in order until one fails.
 class Calls {
   public:
@@ -25,15 +28,18 @@ class Calls {
             status_ = call();
     }
     bool good() const { return status_ == STLTSA_OK; }
-    stltsa_status status() const { return status_; }
+    /// Of the first call that failed; notes the last outputs.
+    stltsa_status status() const {
+        note(room, 8192);
+        note(more_room, 8192);
+        return status_;
+    }
 
   private:
     stltsa_status status_ = STLTSA_OK;
 };
 
 constexpr std::int64_t frames = 150;
-double room[1 << 16]; ///< memory for outputs that are not read
-double more_room[1 << 16];
 
 stltsa_out out(std::int64_t rows, std::int64_t cols, double* to = room) {
     return {to, rows, cols, 0, 0, STLTSA_F64, 0};
@@ -110,6 +116,9 @@ void read_facts(Calls& calls, const stltsa_info* info) {
                    : key.type == STLTSA_TYPE_REAL ? stltsa_info_real(info, key.key, 0, &real)
                                                   : stltsa_info_text(info, key.key, 0, &text);
         });
+        note(&whole, sizeof whole);
+        note(&real, sizeof real);
+        note(text);
     }
 }
 
@@ -151,6 +160,7 @@ stltsa_status describe_clips(const std::string&) {
     for (const stltsa_clip* clip : {kept().matrix, kept().points, kept().body}) {
         char* json = nullptr;
         calls.make([&] { return stltsa_clip_json(clip, &json); }, json);
+        note(json);
         stltsa_free(json);
         calls.make([&] { return stltsa_clip_feature_count(clip, nullptr, &count); });
         const stltsa_out features = out(stltsa_clip_frames(clip), count);
@@ -206,6 +216,7 @@ stltsa_status dimensions(const std::string&) {
         char* json = nullptr;
         const char* reason = nullptr;
         calls.make([&] { return stltsa_dimension_json(of_clip, &json); }, json);
+        note(json);
         stltsa_free(json);
         const stltsa_info* info = stltsa_dimension_info(of_clip);
         stltsa_dimension_eigengap(of_clip, &reason);
@@ -235,6 +246,7 @@ stltsa_status read_parts(const std::string&) {
     std::int64_t samples = 0, dimension = 0;
     char* json = nullptr;
     calls.make([&] { return stltsa_decomposition_json(parts, &json); }, json);
+    note(json);
     stltsa_free(json);
     read_facts(calls, info);
     calls.make([&] { return stltsa_info_int(info, STLTSA_INFO_ROWS, 0, &samples); });
@@ -366,6 +378,7 @@ stltsa_status comparisons(const std::string&) {
         calls.make(
             [&] { return stltsa_comparison_difference(of_motions, &mean, nullptr, nullptr); });
         calls.make([&] { return stltsa_comparison_json(of_motions, &json); });
+        note(json);
         stltsa_free(json);
         calls.make(
             [&] { return stltsa_comparison_report_save(of_motions, "stltsa", "/dev/null"); });
@@ -400,6 +413,7 @@ stltsa_status models(const std::string&) {
     const stltsa_out mapped = out(frames, dimension);
     char* json = nullptr;
     calls.make([&] { return stltsa_model_json(model, &json); }, json);
+    note(json);
     stltsa_free(json);
     calls.make([&] { return stltsa_model_coords(model, &coords); });
     calls.make([&] { return stltsa_model_eigenvalues(model, &values); });
