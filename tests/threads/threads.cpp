@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Calls of many threads at the same time: fits in all modes, some of them cancelled, also by other
 // threads; one model with which several threads map and unmap, and which they write; one clip, one
-// decomposition, one phase and one set of options that several threads use; streams; and a fork
-// between calls. Each thread must get the same results as one thread alone.
+// decomposition, one phase and one set of options that several threads use, also for comparisons,
+// dimensions, denoising, synthesis and reports; streams; and a fork between calls. Each thread must
+// get the same results as one thread alone.
 // Usage: test_threads [ROUNDS]
 //        test_threads race: two threads write the same number, which a checker of threads must find
 //        test_threads soak SECONDS: repeats the calls; memory, open files and threads must not grow
@@ -134,16 +135,21 @@ std::vector<double> cancelled_by_another(std::int64_t mode, std::int32_t stage) 
 /// Handles that all threads share, used only as const.
 struct Shared {
     stltsa_options* options = nullptr;
-    stltsa_clip* clip = nullptr;
+    stltsa_clip *clip = nullptr, *body = nullptr;
     stltsa_model* model = nullptr; ///< its data for mapping are made at the first use
     stltsa_decomposition* parts = nullptr;
     stltsa_phase* phase = nullptr;
 
     Shared() {
         const stltsa_in x = in();
+        const stltsa_joint joints[] = {
+            {sizeof(stltsa_joint), "hip", -1, {0, 0, 0}, "rz rx ry", 0, 0},
+            {sizeof(stltsa_joint), "knee", 0, {0, -4, 0}, "rz rx ry", 0, 0}};
         const bool made = stltsa_options_new(&options) == STLTSA_OK &&
                           stltsa_options_set_int(options, STLTSA_OPT_THREADS, 2) == STLTSA_OK &&
                           stltsa_clip_from_matrix(&x, 30, &clip) == STLTSA_OK &&
+                          stltsa_clip_from_skeleton(joints, 2, STLTSA_ROTATIONS_CHANNELS, &x,
+                                                    nullptr, 30, &body) == STLTSA_OK &&
                           stltsa_decompose(clip, nullptr, &parts) == STLTSA_OK &&
                           stltsa_phase_find(clip, parts, nullptr, &phase) == STLTSA_OK &&
                           stltsa_fit_clip(clip, nullptr, &model) == STLTSA_OK &&
@@ -157,6 +163,7 @@ struct Shared {
         stltsa_phase_free(phase);
         stltsa_model_free(model);
         stltsa_decomposition_free(parts);
+        stltsa_clip_free(body);
         stltsa_clip_free(clip);
         stltsa_options_free(options);
     }
@@ -212,6 +219,14 @@ std::vector<double> decomposed(const Shared& shared) {
     return borders;
 }
 
+/// A number for the text of a result, which is freed.
+double hash_of(stltsa_status status, char* text, const char* what) {
+    expect(status == STLTSA_OK, what);
+    const std::string copy = text == nullptr ? "" : text;
+    stltsa_free(text);
+    return static_cast<double>(std::hash<std::string>{}(copy));
+}
+
 /// The phases, found again, and those of the shared handle; the text of the decomposition.
 std::vector<double> phases(const Shared& shared) {
     std::vector<double> values(2 * frames, -1);
@@ -225,12 +240,42 @@ std::vector<double> phases(const Shared& shared) {
            "values of the phase");
     stltsa_phase_free(again);
     char* text = nullptr;
-    expect(stltsa_decomposition_json(shared.parts, &text) == STLTSA_OK, "JSON");
-    values.push_back(static_cast<double>(std::hash<std::string>{}(text == nullptr ? "" : text)));
-    stltsa_free(text);
+    const stltsa_status status = stltsa_decomposition_json(shared.parts, &text);
+    values.push_back(hash_of(status, text, "JSON"));
     for (double& value : values)
         value = std::isnan(value) ? -1 : value; // outside cycles; NaN would differ from itself
     return values;
+}
+
+/// A comparison, a dimension, a denoising and a synthesis of the shared handles, and reports.
+std::vector<double> derived(const Shared& shared) {
+    stltsa_comparison* comparison = nullptr;
+    stltsa_dimension* dimension = nullptr;
+    stltsa_denoising* denoising = nullptr;
+    stltsa_synthesis* synthesis = nullptr;
+    const stltsa_piece piece = {shared.body, 8, 48, 2, 0};
+    expect(stltsa_compare(shared.phase, -1, shared.phase, -1, 21, &comparison) == STLTSA_OK &&
+               stltsa_estimate_dimension_clip(shared.clip, shared.options, &dimension) ==
+                   STLTSA_OK &&
+               stltsa_denoise_model(shared.model, shared.options, &denoising) == STLTSA_OK &&
+               stltsa_synthesize(&piece, 1, nullptr, &synthesis) == STLTSA_OK,
+           "derived results");
+    expect(stltsa_report_save(shared.clip, shared.parts, shared.options, "", "/dev/null") ==
+                   STLTSA_OK &&
+               stltsa_comparison_report_save(comparison, "", "/dev/null") == STLTSA_OK,
+           "reports");
+    char* texts[4] = {};
+    const stltsa_status statuses[] = {
+        stltsa_comparison_json(comparison, &texts[0]), stltsa_dimension_json(dimension, &texts[1]),
+        stltsa_denoising_json(denoising, &texts[2]), stltsa_synthesis_json(synthesis, &texts[3])};
+    std::vector<double> hashes;
+    for (int i = 0; i < 4; ++i)
+        hashes.push_back(hash_of(statuses[i], texts[i], "JSON of derived results"));
+    stltsa_synthesis_free(synthesis);
+    stltsa_denoising_free(denoising);
+    stltsa_dimension_free(dimension);
+    stltsa_comparison_free(comparison);
+    return hashes;
 }
 
 /// If the library kept threads, they would be missing in the child, which would wait for them.
@@ -259,6 +304,8 @@ const Work works[] = {
     phases,
     phases,
     streamed,
+    derived,
+    derived,
     decomposed,
     decomposed};
 

@@ -10,6 +10,7 @@
 
 #include <fcntl.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -21,6 +22,24 @@ namespace {
 using namespace clip_testing;
 using namespace stltsa::clip;
 namespace fs = std::filesystem;
+
+std::string steps; ///< what a write did for the sake of a power failure
+
+} // namespace
+
+// These take the place of the functions of the C library in this program.
+extern "C" int fsync(int file) {
+    struct stat status {};
+    ::fstat(file, &status);
+    steps += S_ISDIR(status.st_mode) ? "flush folder, " : "flush file, ";
+    return static_cast<int>(::syscall(SYS_fsync, file));
+}
+extern "C" int rename(const char* from, const char* to) noexcept {
+    steps += "rename, ";
+    return ::renameat(AT_FDCWD, from, AT_FDCWD, to);
+}
+
+namespace {
 
 std::string content_of(const std::string& path) {
     return read_file(path, {});
@@ -106,6 +125,13 @@ void a_pipe_whose_reader_left_is_an_error(void**) {
     assert_int_equal(::sigismember(&blocked, SIGPIPE), 0);
 }
 
+void the_bytes_are_on_the_disk_before_the_name(void**) {
+    const TemporaryFolder folder;
+    steps.clear();
+    write_file(folder.path("a"), "new");
+    assert_string_equal(steps.c_str(), "flush file, rename, flush folder, ");
+}
+
 void a_dangling_link_is_followed(void**) {
     const TemporaryFolder folder;
     fs::create_symlink("target", folder.path("link"));
@@ -124,6 +150,7 @@ int main() {
         cmocka_unit_test(a_killed_writer_leaves_one_of_the_two),
         cmocka_unit_test(what_killed_writers_left_is_deleted),
         cmocka_unit_test(a_pipe_whose_reader_left_is_an_error),
+        cmocka_unit_test(the_bytes_are_on_the_disk_before_the_name),
         cmocka_unit_test(a_dangling_link_is_followed),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
