@@ -51,31 +51,107 @@ static void use_model(const stltsa_model* model, const stltsa_in* frames, double
     stltsa_denoising_free(denoising);
 }
 
-static void decompose(const stltsa_in* frames, const stltsa_options* options) {
-    stltsa_clip* clip = NULL;
+static void compare(const stltsa_clip* clip, const stltsa_phase* phase, const stltsa_in* frames,
+                    const stltsa_options* options) {
+    const double mark = (double)frames->rows / 2;
+    const stltsa_in marks = given(&mark, 1, 1);
+    stltsa_events* events = NULL;
+    stltsa_cycles* cycles = NULL;
+    stltsa_sides* sides = NULL;
+    stltsa_comparison *with_itself = NULL, *of_sides = NULL;
+    MAKES(stltsa_events_find(phase, &marks, NULL, &events), events);
+    MAKES(stltsa_cycles_resample(phase, 0, frames, 7, &cycles), cycles);
+    MAKES(stltsa_sides_find(clip, phase, 0, 7, options, &sides), sides);
+    MAKES(stltsa_compare(phase, -1, phase, -1, 7, &with_itself), with_itself);
+    MAKES(stltsa_compare_left_right(clip, phase, -1, 7, options, &of_sides), of_sides);
+    if (with_itself != NULL)
+        promise(stltsa_comparison_report_save(with_itself, "", "/dev/null") == STLTSA_OK,
+                "a report of each comparison");
+    stltsa_comparison_free(of_sides);
+    stltsa_comparison_free(with_itself);
+    stltsa_sides_free(sides);
+    stltsa_cycles_free(cycles);
+    stltsa_events_free(events);
+}
+
+static void decompose(const stltsa_clip* clip, const stltsa_in* frames,
+                      const stltsa_options* options) {
     stltsa_decomposition* found = NULL;
     stltsa_phase* phase = NULL;
-    stltsa_events* events = NULL;
-    MAKES(stltsa_clip_from_matrix(frames, 10, &clip), clip);
-    if (clip != NULL)
-        MAKES(stltsa_decompose(clip, options, &found), found);
-    if (found != NULL)
+    stltsa_synthesis* loop = NULL;
+    MAKES(stltsa_decompose(clip, options, &found), found);
+    if (found != NULL) {
         MAKES(stltsa_phase_find(clip, found, options, &phase), phase);
-    if (phase != NULL) {
-        const double mark = (double)frames->rows / 2;
-        const stltsa_in marks = given(&mark, 1, 1);
-        MAKES(stltsa_events_find(phase, &marks, NULL, &events), events);
+        MAKES(stltsa_synthesize_loop(clip, found, options, &loop), loop);
+        promise(stltsa_report_save(clip, found, options, "", "/dev/null") != STLTSA_E_INTERNAL,
+                "no internal error");
     }
-    stltsa_events_free(events);
+    if (phase != NULL)
+        compare(clip, phase, frames, options);
+    stltsa_synthesis_free(loop);
     stltsa_phase_free(phase);
     stltsa_decomposition_free(found);
+}
+
+/* A leg whose joints have the columns as angles, in pieces that are joined. */
+static void move_body(const stltsa_in* frames, const stltsa_options* options) {
+    static const char* const channels[] = {"",         "rx",          "rz rx",
+                                           "rz rx ry", "ty rz rx ry", "tx ty rz rx ry"};
+    const stltsa_joint joints[] = {
+        {sizeof *joints, "hip", -1, {0, 0, 0}, channels[frames->cols], 0, 0},
+        {sizeof *joints, "l_foot", 0, {1, -4, 0}, "", 1, 0},
+        {sizeof *joints, "r_foot", 0, {-1, -4, 0}, "", 1, 0}};
+    stltsa_clip* clip = NULL;
+    stltsa_synthesis* synthesis = NULL;
+    MAKES(stltsa_clip_from_skeleton(joints, 3, STLTSA_ROTATIONS_CHANNELS, frames, NULL, 10, &clip),
+          clip);
+    if (clip == NULL)
+        return;
+    const int64_t half = frames->rows / 2;
+    const stltsa_piece pieces[] = {{clip, 0, half, 2, 0}, {clip, half / 2, frames->rows, 1, 0}};
+    decompose(clip, frames, options);
+    MAKES(stltsa_synthesize(pieces, 2, options, &synthesis), synthesis);
+    stltsa_synthesis_free(synthesis);
+    stltsa_clip_free(clip);
+}
+
+static void stream(const stltsa_clip* clip, const stltsa_in* frames,
+                   const stltsa_options* options) {
+    stltsa_decomposition* found = NULL;
+    stltsa_phase* phase = NULL;
+    stltsa_model* model = NULL;
+    stltsa_live* live = NULL;
+    MAKES(stltsa_decompose(clip, options, &found), found);
+    if (found != NULL)
+        MAKES(stltsa_phase_find(clip, found, options, &phase), phase);
+    if (phase != NULL)
+        MAKES(stltsa_fit_clip(clip, options, &model), model);
+    if (model != NULL && stltsa_model_keep_cycle(model, phase) == STLTSA_OK)
+        MAKES(stltsa_live_new(model, &live), live);
+    for (int64_t i = 0; live != NULL && i < frames->rows; ++i) {
+        stltsa_live_frame frame = {.size = sizeof frame};
+        promise(stltsa_live_push_frame(live, 0.1 * (double)i, clip, i, &frame) != STLTSA_E_INTERNAL,
+                "no internal error");
+    }
+    stltsa_live_free(live);
+    stltsa_model_free(model);
+    stltsa_phase_free(phase);
+    stltsa_decomposition_free(found);
+}
+
+static void use_matrix(const stltsa_in* frames, const stltsa_options* options,
+                       void (*use)(const stltsa_clip*, const stltsa_in*, const stltsa_options*)) {
+    stltsa_clip* clip = NULL;
+    MAKES(stltsa_clip_from_matrix(frames, 10, &clip), clip);
+    if (clip != NULL)
+        use(clip, frames, options);
     stltsa_clip_free(clip);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     bytes from = {data, size};
     double values[most_rows * most_columns], room[most_rows * most_columns];
-    const unsigned what = take(&from) % 4, settings = take(&from) % 6;
+    const unsigned what = take(&from) % 8, settings = take(&from) % 6;
     const int64_t rows = 1 + take(&from) % most_rows, columns = 1 + take(&from) % most_columns;
     stltsa_options* options = NULL;
     stltsa_model* model = NULL;
@@ -88,13 +164,21 @@ int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     stltsa_options_set_int(options, STLTSA_OPT_THREADS, 1);
     for (int64_t i = 0; i < rows * columns; ++i)
         values[i] = take_number(&from);
-    const stltsa_in frames = given(values, rows, columns);
+    stltsa_in frames = given(values, rows, columns);
+    if (rows % 2 == 0) { /* columns one after another */
+        frames.row_stride = sizeof *values;
+        frames.col_stride = rows * (int64_t)sizeof *values;
+    }
     if (what == 0) {
         MAKES(stltsa_fit(&frames, NULL, options, &model), model);
         if (model != NULL)
             use_model(model, &frames, room);
-    } else if (what == 1) {
-        decompose(&frames, options);
+    } else if (what == 1 || what == 4) {
+        use_matrix(&frames, options, decompose);
+    } else if (what == 5 || what == 6) {
+        move_body(&frames, options);
+    } else if (what == 7) {
+        use_matrix(&frames, options, stream);
     } else if (what == 2) {
         MAKES(stltsa_estimate_dimension(&frames, NULL, options, &dimension), dimension);
     } else {
