@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Terminal output: progress, colors, Ctrl-C."""
 
+import math
 import os
 import pty
 import re
@@ -113,8 +114,8 @@ class Colors(CommandTest):
 
 
 class HostileNames(CommandTest):
-    """File names must not control the terminal: no control characters of one or two bytes, and no
-    bytes that are not UTF-8. Letters of any script stay."""
+    """Names of files, joints and events must not control the terminal: no control characters of one or
+    two bytes, and no bytes that are not UTF-8. Letters of any script stay."""
 
     NAME = b"a\x1b]0;title\x07\x7f\xc2\x9b31m\xff\xc3\xa4"
     SHOWN = "a?]0;title???31m?\u00e4"
@@ -125,11 +126,14 @@ class HostileNames(CommandTest):
         shutil.copy(walk(), self.clip)
         self.missing = os.path.join(os.fsencode(self.folder), self.NAME)
 
-    def assert_clean(self, output):
+    def assert_no_controls(self, output):
         text = output.decode()  # UTF-8, or an error
         controls = [c for c in text if c != "\n" and unicodedata.category(c) == "Cc"]
         self.assertEqual(controls, [], text)
-        self.assertIn(self.SHOWN, text)
+
+    def assert_clean(self, output):
+        self.assert_no_controls(output)
+        self.assertIn(self.SHOWN, output.decode())
 
     def test_of_results(self):
         model = self.folder / "walk.stltsa"
@@ -142,10 +146,42 @@ class HostileNames(CommandTest):
             ["decompose", self.clip],
             ["denoise", self.clip],
             ["map", model, self.clip],
+            ["compare", self.clip],
+            ["compare", self.clip, walk()],
+            ["events", self.clip, "--mark", "400=step"],
             ["synthesize", self.clip + b":cycle2*2", "-o", new],
         ):
             with self.subTest(arguments[0]):
                 self.assert_clean(self.done(*arguments))
+
+    def test_of_joints_and_events(self):
+        """All that is printed; not every answer names the joint."""
+        folder = self.folder / "recordings"
+        folder.mkdir()
+        clip = folder / "walk.bvh"
+        clip.write_bytes(walk().read_bytes().replace(b"Hips", self.NAME))
+        table = folder / "table.csv"
+        rows = [f"{math.sin(i / 8)},{math.cos(i / 8)}" for i in range(400)]
+        table.write_bytes(self.NAME + b",b\n" + "\n".join(rows).encode() + b"\n")
+        model = self.folder / "walk.stltsa"
+        self.done("fit", clip, "-o", model)
+        named = 0
+        for arguments in (
+            ["info", clip],
+            ["decompose", clip],
+            ["decompose", table, "--fps", "30"],
+            ["compare", clip],
+            ["compare", clip, walk()],
+            ["events", clip, "--mark", b"400=" + self.NAME],
+            ["live", model, clip],
+            ["batch", folder, "--fps", "30", "--out", self.folder / "results"],
+        ):
+            with self.subTest(arguments):
+                result = run(*arguments)
+                self.assertEqual(result.returncode, 0, result.stderr)
+                self.assert_no_controls(result.stdout + result.stderr)
+                named += self.SHOWN in (result.stdout + result.stderr).decode()
+        self.assertGreater(named, 1)
 
     def test_of_errors(self):
         for arguments in (
