@@ -1144,8 +1144,8 @@ typedef struct stltsa_cycles stltsa_cycles;
  * If a label has no cycles, each repetition counts as a cycle. A turn of the phase belongs to the
  * cycle whose beginning is nearest to that of the turn, at most half a cycle away. Samples are NaN
  * if the clip does not reach them, or if they lie more than a quarter of a cycle outside the
- * cycles. A cycle without another one before or after it has all samples: what it does not reach
- * is taken from its other end, as if it were repeated.
+ * cycles. But a single cycle, with no other next to it, whose first or last sample would be NaN is
+ * closed: samples beyond one end are taken from its other end. Repetitions are not closed.
  * E_ARGUMENT: the label has neither cycles nor repetitions. E_SHAPE. */
 STLTSA_API stltsa_status stltsa_cycles_resample(const stltsa_phase *phase, int32_t label,
                                                 const stltsa_in *signals, int64_t samples,
@@ -1169,8 +1169,8 @@ STLTSA_API stltsa_status stltsa_cycles_mean(const stltsa_cycles *cycles, const s
 STLTSA_API stltsa_status stltsa_cycles_cycle(const stltsa_cycles *cycles, int64_t index,
                                              const stltsa_out *values) STLTSA_NOEXCEPT;
 /* When it happens, apart from what happens; each may be NULL.
- * frames    cycles x samples: the frame of each sample, not rounded; of a cycle that is repeated,
- *           counted on after its end
+ * frames    cycles x samples: the frame of each sample, not rounded; in a closed cycle, counted on
+ *           beyond its end
  * warp      cycles x samples: how much later than in linear time, as a share of the cycle */
 STLTSA_API stltsa_status stltsa_cycles_times(const stltsa_cycles *cycles, const stltsa_out *frames,
                                              const stltsa_out *warp) STLTSA_NOEXCEPT;

@@ -19,11 +19,11 @@ Matrix times_of(const Run& run, double first, std::int64_t count, std::int64_t s
 struct Turns {
     Matrix rows; ///< cycles x samples, not rounded; NaN: unknown
     /// Empty, or for each cycle the rows that it repeats: the row after the last of them is the
-    /// first one. Without rows: nothing is repeated.
+    /// first one. An empty range: nothing is repeated.
     std::vector<Range> repeated;
 };
 
-/// One turn of a run that begins within it and goes on at its begin when it ends.
+/// The first turn that begins within the run; where the run ends, it continues at the beginning.
 Turns closed_turn(const Run& run, double zero, std::int64_t samples);
 
 /// The same as times_of() without registration: linear in time between the borders.

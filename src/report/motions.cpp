@@ -72,8 +72,8 @@ std::vector<Column> columns_of(const clip::Clip& clip, clip::Features kind,
     return columns;
 }
 
-/// Removes what features invent in gaps that are too long to be filled over time: curves show what
-/// was recorded.
+/// Sets to NaN what the features predict in long gaps, and columns that are left out: curves show
+/// what was recorded.
 void leave_out_gaps(const clip::Clip& clip, std::int64_t width, Matrix& rows) {
     Matrix filled = copied(clip.values.view());
     const clip::Gaps gaps =

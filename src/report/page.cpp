@@ -64,8 +64,8 @@ Json source_json(const Reported& reported) {
     return JsonObject("name", reported.name, "pieces", pieces, "flags", flags);
 }
 
-/// A page has at most 2 MB (10^6 bytes each), more only for more numbers than 5000 frames of 31
-/// joints, and at most 10 MB: postures get what the rest leaves.
+/// A page has at most 2 MB (10^6 bytes each); for more numbers than 5000 frames of 31 joints have,
+/// in proportion more, up to 10 MB. Postures get what the rest leaves, but at least 0.5 MB.
 std::int64_t room_for_body(std::int64_t values, std::size_t used) {
     constexpr std::int64_t short_page = 1'980'000, longest_page = 9'900'000;
     constexpr std::int64_t least = 500'000, usual_values = 5000 * 31 * 3;

@@ -50,8 +50,8 @@ phase::Range unbroken(const Phased& phased, const phase::Run& run);
 const PhasedMotion& motion_of(const Phased& phased, std::int32_t label);
 
 /// For each cycle, the rows at which the phase passes `samples` evenly spaced values, from the
-/// `zero` that is nearest to its begin to the next one. NaN beyond the reach of its run; but if
-/// that is a single cycle, it is closed.
+/// `zero` that is nearest to its begin to the next one. NaN beyond the reach of its run; but a
+/// single cycle (not a repetition) that would begin or end with NaN is closed.
 phase::Turns turns_of(const PhasedMotion& motion, std::int64_t samples, double zero = 0);
 
 /// "A" for 0.

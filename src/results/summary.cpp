@@ -34,11 +34,11 @@ double mean_of(const std::vector<double>& values) {
     return sum / static_cast<double>(values.size());
 }
 
-/// The straight line through the values over time that leaves the least squares.
+/// The least-squares line through the values over time.
 struct Line {
     double mean = 0, slope = 0;
-    double squares = 0; ///< about the mean
-    double spread = 0;  ///< of the times, their squares about their mean
+    double squares = 0; ///< sum of squared deviations of the values from their mean
+    double spread = 0;  ///< the same of the times
 
     double squares_left() const { return squares - slope * slope * spread; }
 };

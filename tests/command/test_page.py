@@ -225,7 +225,7 @@ class Page(Pages):
         return self.data(self.page(clip, "--fps", "100"))
 
     def test_gaps_are_left_open(self):
-        def wave(i, k):  # the second column has a long gap and a short one; the third hardly any value
+        def wave(i, k):  # the second column has a long gap and a short one; the third only its first 501 values
             missing = k == 1 and (300 <= i < 500 or 700 <= i < 710) or k == 2 and i > 500
             return "" if missing else round(math.sin(i / 16 + k), 4)
 
@@ -267,7 +267,7 @@ class Page(Pages):
         for name in ("residual", "error_estimate"):
             self.assertTrue(0 < data["accuracy"][name] < 1e-9, data["accuracy"])
 
-    def test_long_pages_have_fewer_postures(self):
+    def test_long_pages_stay_small(self):
         clip = self.folder / "long.bvh"
         subprocess.run([WALKER, "-o", clip, "--cycles", "60", "--noise", "8"], check=True, stdout=subprocess.DEVNULL)
         page = self.page(clip)

@@ -155,7 +155,7 @@ class HostileNames(CommandTest):
                 self.assert_clean(self.done(*arguments))
 
     def test_of_joints_and_events(self):
-        """All that is printed; not every answer names the joint."""
+        """Checks everything printed; not every command prints the name."""
         folder = self.folder / "recordings"
         folder.mkdir()
         clip = folder / "walk.bvh"

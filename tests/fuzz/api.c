@@ -93,7 +93,8 @@ static void decompose(const stltsa_clip* clip, const stltsa_in* frames,
     stltsa_decomposition_free(found);
 }
 
-/* A leg whose joints have the columns as angles, in pieces that are joined. */
+/* A hip with two feet: the columns are the channels of the hip. Decomposes it, and joins two
+ * pieces. */
 static void move_body(const stltsa_in* frames, const stltsa_options* options) {
     static const char* const channels[] = {"",         "rx",          "rz rx",
                                            "rz rx ry", "ty rz rx ry", "tx ty rz rx ry"};

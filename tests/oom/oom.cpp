@@ -2,8 +2,8 @@
 // Tests memory exhaustion at every point: makes each allocation of a complete task fail in turn.
 // Each time the call must return STLTSA_E_NO_MEMORY with a text and no handle, must leak nothing
 // (the count of live allocations returns to its value), must leave the settings of OpenBLAS and
-// OpenMP as they were, and the same task must then succeed with the same result. So must a call
-// that succeeds although an allocation failed.
+// OpenMP as they were. A call that succeeds although an allocation failed must give the result of
+// the complete run; so must the task after all failures.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

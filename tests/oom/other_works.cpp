@@ -7,7 +7,7 @@
 
 namespace {
 
-double room[1 << 16]; ///< memory for outputs that are not read
+double room[1 << 16]; ///< memory for outputs, of which only the hash is used
 double more_room[1 << 16];
 
 /// Makes calls in order until one fails.

@@ -41,7 +41,7 @@ class Facts {
     std::vector<std::pair<std::string, std::string>> facts_;
 };
 
-/// A number with its sign and so many decimals; "+" if they are all zero.
+/// A number with its sign and so many decimals; "+" if all digits are zero.
 std::string with_sign(double value, int decimals);
 
 /// A bar of `width` characters for a share of 1, fewer for less.

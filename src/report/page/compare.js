@@ -5,7 +5,7 @@ const state = { phase: 0, playing: false, speed: 1, part: 0, apart: false };
 const sided = () => found.kind === "left_right";
 const which = ["first", "second"];
 const lastNames = (path, count) => (path || "clip from memory").split("/").slice(-count).join("/");
-// With the folder if both files have one name.
+// With the folder if both files have the same name.
 const fileName = path => lastNames(path, !sided() && found.first.path !== found.second.path && lastNames(found.first.path, 1) === lastNames(found.second.path, 1) ? 2 : 1);
 const stem = () => fileStem(found.first.path, "motion") + (sided() ? "-sides" : "-" + fileStem(found.second.path, "motion"));
 const shortNames = () => sided() ? ["left", "right, mirrored"] : which.map(w => `${w}: ${fileName(found[w].path)}`);

@@ -95,7 +95,7 @@ function ticks(low, high, count) {
   for (let i = Math.ceil(low / step - 1e-9); i * step <= high + step * 1e-9 && list.length < 50; ++i) list.push(+(i * step).toPrecision(12));
   return list;
 }
-// Texts that tell the ticks apart; far from zero, all but the first are relative to it.
+// Texts that tell the ticks apart; far from zero, all but the first are relative to the first.
 function tickTexts(list) {
   const step = list.length > 1 ? list[1] - list[0] : Math.abs(list[0]) || 1, most = Math.max(...list.map(Math.abs));
   const digits = Math.max(1, Math.ceil(Math.log10(most / step + 1)) + 1);

@@ -25,7 +25,7 @@ function drawPlot(pen, box, lines, range, { title, suffix = "", color, axis, bot
       pen.line(line.mean.flatMap((v, i) => [px(i / (line.mean.length - 1)), py(v)]), { stroke: line.color, width: 2.4, dash: line.dash || [] });
     }
   });
-  if (unknown) pen.text(x + w / 2, y + h / 2, "not recorded", { color: colors.soft, align: "center" });
+  if (unknown) pen.text(x + w / 2, y + h / 2, "too many values are missing", { color: colors.soft, align: "center" });
   if (title) pen.text(x, y - 10, fitted(pen, title, w - pen.measure(suffix) - 8) + suffix, { bold: true, color: color || colors.ink });
   if (bottom) for (const t of w < 190 ? [0, 0.5, 1] : [0, 0.25, 0.5, 0.75, 1]) pen.text(px(t), y + h + 12, t === 1 ? "100 %" : String(100 * t), { size: 11, color: colors.soft, align: t === 1 ? "right" : t ? "center" : "left" });
 }

@@ -41,7 +41,7 @@ function makeSummary() {
     ["Steps per minute", s => number(s.steps_per_min)], ["Speed, units / s", s => of(s.speed)], ["Stride length, units", s => of(s.stride)], ["Path length per cycle, units", s => of(s.way)], ["Turn per cycle, °", s => of(s.turn_deg, degrees)],
     ["Largest left–right difference", s => { const m = motionOf(s.label), pairs = m && m.sides ? m.sides.pairs : []; const p = [...pairs].filter(x => x.rms !== null).sort((a, b) => b.rms - a.rms)[0]; return p ? `${number(p.rms, 2)}${p.chance === null ? "" : ` (by chance: ${number(p.chance, 2)})`}` : "–"; }]]
     .map(([head, value]) => [head, ...found.summary.map(value)]).filter(row => row.slice(1).some(cell => cell !== "–"));
-  place.append(element("p", { class: "hint" }, "Lengths are in the unit of the file. SD: standard deviation; CV: SD / mean; the change has its 95 % interval."), table("", ["", ...found.summary.map(s => named(s.label))], rows));
+  place.append(element("p", { class: "hint" }, "Lengths are in the unit of the file. SD: standard deviation; CV: SD / mean; the change is followed by its 95 % interval."), table("", ["", ...found.summary.map(s => named(s.label))], rows));
 }
 
 function makeSides() {
@@ -101,7 +101,7 @@ const cut = pieces.length > 0;
 const clipWord = () => argumentWord(clipName || "CLIP");
 // The command has no readers of its own for some files.
 const foreign = /\.(c3d|trc|mot|sto|npz)$/i.test(clip.path || "");
-const readerHint = () => foreign ? element("p", { class: "facts" }, "The command reads this file if pip has installed it: pip install stltsa.") : null;
+const readerHint = () => foreign ? element("p", { class: "facts" }, "The command reads this file only if pip installed the command: pip install stltsa.") : null;
 // Frames of the clip as stretches of its file.
 function stretchWords(begin, end) {
   if (begin <= 0 && end >= frames) return clipWord();

@@ -45,7 +45,7 @@ function lookAtBody() {
   camera.first = camera.yaw;
 }
 
-// The bone from the head joint to its child or, if it has none, to the head joint; as in the library's figures.
+// The bone from the head joint to its child or, if it has none, from its parent to the head joint; as in the library's figures.
 function headBone() {
   if (body.head === undefined) {
     const isHead = i => /head/i.test(body.parts[i].name), joint = body.kind === "skeleton" ? body.parts.findIndex((_, i) => isHead(i)) : -1;

@@ -23,7 +23,7 @@ using namespace clip_testing;
 using namespace stltsa::clip;
 namespace fs = std::filesystem;
 
-std::string steps; ///< what a write did for the sake of a power failure
+std::string steps; ///< the steps of a write that protect against a power failure
 
 } // namespace
 
