@@ -130,7 +130,7 @@ async function checkComparison(page) {
   await page.keyboard.press("ArrowDown");
   if (count > 1) check(await comes(page, async () => await part() !== first), "an arrow key in the list of differences chooses the next part");
   const picture = await pixels(page, "curves", 0);
-  await page.locator("#part").selectOption(first);
+  await page.locator("#part").selectOption({ index: count - 1 }); // neighbors may have the same curves
   if (count > 1) check(await comes(page, async () => await pixels(page, "curves", 0) !== picture), "choosing a part shows its curves");
   const apart = page.locator("#viewer button", { hasText: "Apart" });
   if (await apart.count()) {
