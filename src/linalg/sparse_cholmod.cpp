@@ -95,6 +95,17 @@ struct SparseFactor::State {
     }
     State(const State&) = delete;
 
+    /// cholmod_l_solve2() would allocate these itself, but crashes if memory runs out for the first
+    /// and not for the second (SuiteSparse 5.12; tests/oom, "fit recurrent").
+    void allocate_work(std::size_t columns) {
+        if (factor->is_super == 0)
+            return;
+        cholmod_l_ensure_dense(&work_y, factor->n, columns, factor->n, factor->xtype, &common);
+        check();
+        cholmod_l_ensure_dense(&work_e, columns, factor->maxesize, columns, factor->xtype, &common);
+        check();
+    }
+
     void check() const {
         if (common.status == CHOLMOD_OUT_OF_MEMORY || common.status == CHOLMOD_TOO_LARGE)
             throw std::bad_alloc();
@@ -128,6 +139,7 @@ double SparseFactor::pivot_ratio() const {
 void SparseFactor::solve(MatrixView rows) {
     const WithoutOpenMp one_thread;
     cholmod_dense right = view_of(rows);
+    state_->allocate_work(right.ncol);
     cholmod_l_solve2(CHOLMOD_A, state_->factor, &right, nullptr, &state_->result, nullptr,
                      &state_->work_y, &state_->work_e, &state_->common);
     state_->check();
