@@ -68,7 +68,7 @@ Json source_json(const Reported& reported) {
 /// in proportion more, up to 10 MB. Postures get what the rest leaves, but at least 0.5 MB.
 std::int64_t room_for_body(std::int64_t values, std::size_t used) {
     constexpr std::int64_t short_page = 1'980'000, longest_page = 9'900'000;
-    constexpr std::int64_t least = 500'000, usual_values = 5000 * 31 * 3;
+    constexpr std::int64_t least = 500'000, usual_values = std::int64_t{5000} * 31 * 3;
     const std::int64_t page =
         std::clamp(short_page * values / usual_values, short_page, longest_page);
     return std::max(least, page - static_cast<std::int64_t>(used));
