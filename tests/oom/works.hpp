@@ -9,7 +9,8 @@
 
 #include "stltsa.h"
 
-/// A hash (FNV-1a with offset basis 0) of what the works computed, which must not depend on failed allocations.
+/// A hash (FNV-1a with offset basis 0) of what the works computed, which must not depend on failed
+/// allocations.
 inline std::uint64_t noted = 0;
 
 inline void note(const void* bytes, std::size_t size) {
