@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "base/numbers.hpp"
 
@@ -34,32 +35,34 @@ struct Between {
     double part = 0;
 };
 
-Between between(double place, std::int64_t rows) {
-    const double inside = std::clamp(place, 0.0, static_cast<double>(rows - 1));
+/// Nothing if the place is unknown, or beyond rows that are not repeated.
+std::optional<Between> between(double place, std::int64_t rows, const Range& repeated) {
+    if (std::isnan(place))
+        return std::nullopt;
+    if (const std::int64_t count = repeated.rows(); count > 0) {
+        const double floor = std::floor(place);
+        const std::int64_t at = static_cast<std::int64_t>(floor) - repeated.begin;
+        return Between{repeated.begin + at % count, repeated.begin + (at + 1) % count,
+                       place - floor};
+    }
+    const auto last = static_cast<double>(rows - 1);
+    if (place > last + rounding)
+        return std::nullopt;
+    const double inside = std::clamp(place, 0.0, last);
     const auto row = static_cast<std::int64_t>(inside);
-    return {row, std::min(row + 1, rows - 1), inside - static_cast<double>(row)};
-}
-
-Between between_repeated(double place, const Range& repeated) {
-    const double floor = std::floor(place);
-    const std::int64_t at = static_cast<std::int64_t>(floor) - repeated.begin;
-    return {repeated.begin + at % repeated.rows(), repeated.begin + (at + 1) % repeated.rows(),
-            place - floor};
+    return Between{row, std::min(row + 1, rows - 1), inside - static_cast<double>(row)};
 }
 
 Matrix linear_rows(ConstMatrixView signals, const double* places, std::int64_t count,
                    const Range& repeated) {
     Matrix result(count, signals.cols);
     for (std::int64_t s = 0; s < count; ++s) {
-        const bool known = repeated.rows() > 0
-                               ? !std::isnan(places[s])
-                               : places[s] <= static_cast<double>(signals.rows - 1) + rounding;
-        if (!known) {
+        const std::optional<Between> place = between(places[s], signals.rows, repeated);
+        if (!place) {
             std::fill_n(result.row(s), signals.cols, none);
             continue;
         }
-        const auto [row, next, part] = repeated.rows() > 0 ? between_repeated(places[s], repeated)
-                                                           : between(places[s], signals.rows);
+        const auto [row, next, part] = *place;
         for (std::int64_t c = 0; c < signals.cols; ++c)
             result(s, c) = part > 0 ? signals(row, c) + part * (signals(next, c) - signals(row, c))
                                     : signals(row, c);
@@ -159,8 +162,8 @@ Matrix times_of(const Run& run, double first, std::int64_t count, std::int64_t s
 }
 
 Turns closed_turn(const Run& run, double zero, std::int64_t samples) {
-    const auto round = std::ranges::lower_bound(run.phase, run.phase.front() + 1);
-    const std::vector<double> once(run.phase.begin(), round);
+    const auto end = std::ranges::lower_bound(run.phase, run.phase.front() + 1);
+    const std::vector<double> once(run.phase.begin(), end);
     Run twice{run.begin, once};
     for (const double phase : once)
         twice.phase.push_back(phase + 1);

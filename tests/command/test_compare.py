@@ -67,6 +67,11 @@ class Compare(CommandTest):
         self.assertIn("LeftFoot", names)
         self.assertEqual([c["axis"] for c in found["parts"][0]["channels"]], ["x", "y", "z"])
 
+    def test_no_difference_is_positive_zero(self):
+        table = self.done("compare", walk(), walk()).decode()
+        self.assertIn("+0.0", table)
+        self.assertNotRegex(table, r"-0\.0*(?![\d])")
+
     def test_one_clip_is_left_against_right(self):
         found = self.json("compare", walk())
         self.assertEqual(found["kind"], "left_right")

@@ -189,6 +189,14 @@ class Figure(CommandTest):
             errors = run("decompose", clip).stderr.decode()
             self.assertNotRegex(errors, control, name)
 
+    def test_of_few_cycles_none_stands_out(self):
+        for count in (1, 2, 3):
+            root = self.figure("decompose", synthetic("--cycles", str(count)))
+            self.assertEqual(len(self.of_class(root, "cycle")), count)
+            wide = [curve for curve in self.of_class(root, "representative") if curve.get("d")]
+            filled = [bar for bar in self.of_class(root, "cycle") if bar.get("fill") != "#ffffff"]
+            self.assertEqual((len(wide), len(filled)), (int(count > 2),) * 2)
+
     def test_loop_is_smooth_with_start_and_direction(self):
         root = self.figure("decompose", walk())
         curves = self.of_class(root, "loop")

@@ -74,23 +74,37 @@ static void compare(const stltsa_clip* clip, const stltsa_phase* phase, const st
     stltsa_events_free(events);
 }
 
+typedef struct cycles {
+    stltsa_decomposition* found;
+    stltsa_phase* phase;
+} cycles;
+
+static cycles find_cycles(const stltsa_clip* clip, const stltsa_options* options) {
+    cycles made = {NULL, NULL};
+    MAKES(stltsa_decompose(clip, options, &made.found), made.found);
+    if (made.found != NULL)
+        MAKES(stltsa_phase_find(clip, made.found, options, &made.phase), made.phase);
+    return made;
+}
+
+static void free_cycles(cycles made) {
+    stltsa_phase_free(made.phase);
+    stltsa_decomposition_free(made.found);
+}
+
 static void decompose(const stltsa_clip* clip, const stltsa_in* frames,
                       const stltsa_options* options) {
-    stltsa_decomposition* found = NULL;
-    stltsa_phase* phase = NULL;
+    const cycles made = find_cycles(clip, options);
     stltsa_synthesis* loop = NULL;
-    MAKES(stltsa_decompose(clip, options, &found), found);
-    if (found != NULL) {
-        MAKES(stltsa_phase_find(clip, found, options, &phase), phase);
-        MAKES(stltsa_synthesize_loop(clip, found, options, &loop), loop);
-        promise(stltsa_report_save(clip, found, options, "", "/dev/null") != STLTSA_E_INTERNAL,
+    if (made.found != NULL) {
+        MAKES(stltsa_synthesize_loop(clip, made.found, options, &loop), loop);
+        promise(stltsa_report_save(clip, made.found, options, "", "/dev/null") != STLTSA_E_INTERNAL,
                 "no internal error");
     }
-    if (phase != NULL)
-        compare(clip, phase, frames, options);
+    if (made.phase != NULL)
+        compare(clip, made.phase, frames, options);
     stltsa_synthesis_free(loop);
-    stltsa_phase_free(phase);
-    stltsa_decomposition_free(found);
+    free_cycles(made);
 }
 
 /* A hip with two feet: the columns are the channels of the hip. Decomposes it, and joins two
@@ -118,16 +132,12 @@ static void move_body(const stltsa_in* frames, const stltsa_options* options) {
 
 static void stream(const stltsa_clip* clip, const stltsa_in* frames,
                    const stltsa_options* options) {
-    stltsa_decomposition* found = NULL;
-    stltsa_phase* phase = NULL;
+    const cycles made = find_cycles(clip, options);
     stltsa_model* model = NULL;
     stltsa_live* live = NULL;
-    MAKES(stltsa_decompose(clip, options, &found), found);
-    if (found != NULL)
-        MAKES(stltsa_phase_find(clip, found, options, &phase), phase);
-    if (phase != NULL)
+    if (made.phase != NULL)
         MAKES(stltsa_fit_clip(clip, options, &model), model);
-    if (model != NULL && stltsa_model_keep_cycle(model, phase) == STLTSA_OK)
+    if (model != NULL && stltsa_model_keep_cycle(model, made.phase) == STLTSA_OK)
         MAKES(stltsa_live_new(model, &live), live);
     for (int64_t i = 0; live != NULL && i < frames->rows; ++i) {
         stltsa_live_frame frame = {.size = sizeof frame};
@@ -136,8 +146,7 @@ static void stream(const stltsa_clip* clip, const stltsa_in* frames,
     }
     stltsa_live_free(live);
     stltsa_model_free(model);
-    stltsa_phase_free(phase);
-    stltsa_decomposition_free(found);
+    free_cycles(made);
 }
 
 static void use_matrix(const stltsa_in* frames, const stltsa_options* options,

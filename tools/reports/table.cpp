@@ -116,7 +116,7 @@ std::string Facts::text() const {
 
 std::string with_sign(double value, int decimals) {
     std::string text = fmt::format("{:+.{}f}", value, decimals);
-    if (text.find_first_of("123456789") == text.npos && !std::isnan(value))
+    if (text.find_first_not_of("-0.") == text.npos)
         text.front() = '+';
     return text;
 }

@@ -12,7 +12,8 @@ const usesSpace = of => of.matches('button, summary, a, select, textarea, input:
 const letters = n => n < 0 ? "" : letters(Math.floor(n / 26) - 1) + String.fromCharCode(65 + n % 26);
 const number = (value, digits = 3) => value === null || value === undefined || Number.isNaN(value) ? "–"
   : value !== 0 && (Math.abs(value) < 1e-3 || Math.abs(value) >= 1e5) ? value.toExponential(1) : String(+value.toPrecision(digits)).replace("-", "−");
-const percent = (value, digits = 1) => value === null || value === undefined || Number.isNaN(value) ? "–" : (100 * value).toFixed(digits).replace(/^-(?=[0.]*$)/, "").replace("-", "−") + " %";
+const fixed = (value, digits) => value.toFixed(digits).replace(/^-(?=[0.]*$)/, "").replace("-", "−");
+const percent = (value, digits = 1) => value === null || value === undefined || Number.isNaN(value) ? "–" : fixed(100 * value, digits) + " %";
 const signed = text => /^[1-9]|^0\.0*[1-9]/.test(text) ? "+" + text : text;
 const plural = (count, word) => count + " " + word + (count === 1 ? "" : "s");
 
@@ -76,7 +77,7 @@ function firstTheme() {
   readColors();
 }
 
-// Shrinks each of the two printed pages to fit on A4.
+// Shrinks each of the two printed pages to fit on A4 within its margins of 13 mm, in CSS pixels.
 function fitPages(on) {
   const blocks = [document.querySelector("header"), ...byId("main").children], rules = byId("print-rules"), width = 695, height = 1015;
   for (const block of blocks) block.style.zoom = block.style.width = "";

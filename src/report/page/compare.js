@@ -234,7 +234,7 @@ function makeParts() {
   const rows = order.map(index => {
     const part = found.parts[index], { lag, lag_s: seconds, amplitude, amplitude_ratio: ratio, rms_difference: rms, rms_by_chance: chance, correlation } = part.differences;
     return [element("button", { type: "button", onclick: () => { choose(index); byId("curves").scrollIntoView({ block: "center" }); } }, partName(part)),
-      isKnown(lag.difference) ? share(lag.difference) + star(lag) : "–", between(lag.low, lag.high, share), isKnown(seconds.value) ? signed(seconds.value.toFixed(3).replace(/^-(?=[0.]*$)/, "").replace("-", "−")) : "–",
+      isKnown(lag.difference) ? share(lag.difference) + star(lag) : "–", between(lag.low, lag.high, share), isKnown(seconds.value) ? signed(fixed(seconds.value, 3)) : "–",
       number(amplitude.first), number(amplitude.second), isKnown(ratio.value) ? share(ratio.value - 1) + star(amplitude) : "–", between(minusOne(ratio.low), minusOne(ratio.high), share), number(rms), number(chance), number(correlation)];
   });
   byId("parts").append(element("p", { class: "hint" }, `Those with the largest differences first. Later: how much later in its cycle ${sided() ? "the right side" : "the second motion"} does this, relative to the whole body. Amplitude: the largest distance between two places of the mean curve. rms: over the cycle, of the difference; by chance: what the spread between cycles alone would make. *: the 95 % interval does not include 0.`), scrolled(table("",

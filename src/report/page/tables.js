@@ -21,7 +21,7 @@ function makeHead() {
   byId("facts").textContent = [plural(frames, "frame"), clip.fps ? `${number(fps, 5)} frames per second` : null, time(frames), body.kind === "skeleton" ? plural(count, "joint") : body.kind === "points" ? plural(count, "marker") : plural(count, "column")].filter(Boolean).join(" · ");
 }
 
-const degrees = value => value === null || value === undefined ? "–" : value.toFixed(Math.abs(value) < 10 ? 1 : 0).replace(/^-(?=[0.]*$)/, "").replace("-", "−");
+const degrees = value => value === null || value === undefined ? "–" : fixed(value, Math.abs(value) < 10 ? 1 : 0);
 // The trend over the time from the middle of the first cycle to that of the last, with its 95 % interval.
 function trendText(s) {
   const motion = motionOf(s.label), parts = partsOf(motion), middle = part => (part.begin_s + part.end_s) / 2;
@@ -101,7 +101,6 @@ const cut = pieces.length > 0;
 const clipWord = () => argumentWord(clipName || "CLIP");
 // The command has no readers of its own for some files.
 const foreign = /\.(c3d|trc|mot|sto|npz)$/i.test(clip.path || "");
-const readerHint = () => foreign ? element("p", { class: "facts" }, "The command reads this file only if pip installed the command: pip install stltsa.") : null;
 // Frames of the clip as stretches of its file.
 function stretchWords(begin, end) {
   if (begin <= 0 && end >= frames) return clipWord();
@@ -124,7 +123,7 @@ function makeDetails() {
     ["Intrinsic dimension", intrinsic ? `${intrinsic.local_pca || "cannot tell"} by local PCA, ${intrinsic.eigengap || "cannot tell"} by the eigengap` : "not asked for (--dimension-estimate)"],
     ["Library", "libstltsa " + found.library], ["File", clip.path || "none (from memory)"], ["Checksum of the data", "CRC-32 " + data.checksum]];
   byId("details").append(element("dl", {}, ...list.flatMap(([term, value]) => [element("dt", {}, term), element("dd", {}, String(value))])),
-    element("p", { class: "facts" }, "To make this report again:"), readerHint() || "", commandBox(data.command || `stltsa decompose ${clipWord()}${flagWords("decompose")} --report ${shellWord(stem() + ".html")}`));
+    element("p", { class: "facts" }, "To make this report again:"), foreign ? element("p", { class: "facts" }, "The command reads this file only if pip installed the command: pip install stltsa.") : "", commandBox(data.command || `stltsa decompose ${clipWord()}${flagWords("decompose")} --report ${shellWord(stem() + ".html")}`));
   if (values.length < 2) return;
   new Panel("spectrum", {
     title: "Spectrum", height: () => 190, label: "Eigenvalues of the alignment matrix: " + values.map(v => number(v)).join(", "),
