@@ -159,7 +159,7 @@ class Comparison:
 
     def _forget_seconds(self) -> None:
         """Set what depends on an unknown frame rate to NaN."""
-        self.cycle_time = Difference(*8 * [_NAN], False)
+        self.cycle_time = Difference._make([*8 * [_NAN], False])
         self.per_minute = (_NAN, _NAN)
         self.parts = tuple(part._replace(lag_s=3 * (_NAN,)) for part in self.parts)
         self.channels = tuple(part._replace(lag_s=3 * (_NAN,)) for part in self.channels)
