@@ -67,7 +67,7 @@ class Terminal:
 
 class Progress(CommandTest):
     def test_bar_on_a_terminal_only(self):
-        long = ("fit", long_clip(), "--neighbors", "100", "--sample-rate", "0")
+        long = ("fit", long_clip(), "--neighbors", "300", "--sample-rate", "0")
         status, seen, piped = Terminal(*long, on=("stderr",)).finish()
         self.assertEqual(status, 0)
         self.assertIn(b"spectrum", seen)
@@ -84,7 +84,7 @@ class Progress(CommandTest):
         self.assertEqual((status, seen), (0, b""))
 
     def test_quiet(self):
-        long = ("fit", long_clip(), "--neighbors", "100", "--sample-rate", "0")
+        long = ("fit", long_clip(), "--neighbors", "300", "--sample-rate", "0")
         status, seen, _ = Terminal(*long, "-q", on=("stderr",)).finish()
         self.assertEqual((status, seen), (0, b""))
 
