@@ -9,15 +9,20 @@
 #include <limits>
 #include <mutex>
 #include <thread>
+#include <utility>
 
 namespace stltsa {
 namespace {
 
+/// Ends a block whose loop was stopped.
+struct LoopStopped {};
+
 /// The state that all threads of a loop share.
 class BlockQueue {
   public:
-    BlockQueue(std::int64_t blocks, const std::function<void(std::int64_t)>& body)
-        : blocks_(blocks), body_(body) {}
+    BlockQueue(std::int64_t blocks, const std::function<void(std::int64_t)>& body,
+               const std::function<void(std::int64_t)>& poll)
+        : blocks_(blocks), body_(body), poll_(poll) {}
 
     /// Runs the next block; false if none is left.
     bool run_one() {
@@ -29,6 +34,7 @@ class BlockQueue {
         try {
             body_(block);
             done_.fetch_add(1);
+        } catch (const LoopStopped&) { // the poll's exception is recorded
         } catch (...) {
             record(block, std::current_exception());
         }
@@ -46,7 +52,19 @@ class BlockQueue {
         stopped_.store(true);
     }
 
-    std::int64_t done() const { return done_.load(); }
+    /// Of the caller's thread. If it throws, the loop stops, and with it each block that polls.
+    void poll() {
+        if (!poll_ || polled_out())
+            return;
+        try {
+            poll_(done_.load());
+        } catch (...) {
+            polled_out_.store(true);
+            record(-1, std::current_exception());
+        }
+    }
+
+    bool polled_out() const { return polled_out_.load(); }
     void rethrow() const {
         if (error_)
             std::rethrow_exception(error_);
@@ -55,12 +73,33 @@ class BlockQueue {
   private:
     const std::int64_t blocks_;
     const std::function<void(std::int64_t)>& body_;
+    const std::function<void(std::int64_t)>& poll_;
     std::atomic<std::int64_t> next_{0};
     std::atomic<std::int64_t> done_{0};
     std::atomic<bool> stopped_{false};
+    std::atomic<bool> polled_out_{false};
     std::mutex mutex_;
     std::int64_t error_block_ = std::numeric_limits<std::int64_t>::max();
     std::exception_ptr error_;
+};
+
+struct Loop {
+    BlockQueue* queue = nullptr;
+    bool leads = false; ///< this thread called parallel_blocks()
+};
+
+thread_local Loop current_loop;
+
+/// Sets the innermost loop of this thread during its lifetime.
+class CurrentLoop {
+  public:
+    explicit CurrentLoop(Loop loop) : outer_(std::exchange(current_loop, loop)) {}
+    ~CurrentLoop() { current_loop = outer_; }
+    CurrentLoop(const CurrentLoop&) = delete;
+    CurrentLoop& operator=(const CurrentLoop&) = delete;
+
+  private:
+    Loop outer_;
 };
 
 } // namespace
@@ -79,24 +118,21 @@ int thread_count(std::optional<std::int64_t> requested) {
 void parallel_blocks(std::int64_t blocks, int threads,
                      const std::function<void(std::int64_t)>& body,
                      const std::function<void(std::int64_t)>& poll) {
-    BlockQueue queue(blocks, body);
+    BlockQueue queue(blocks, body, poll);
     const auto help = [&queue] {
+        const CurrentLoop current({&queue, false});
         while (queue.run_one()) {
         }
     };
-    const auto lead = [&queue, &poll] {
-        try {
-            bool polled = !poll;
-            while (queue.run_one())
-                if (poll) {
-                    poll(queue.done());
-                    polled = true;
-                }
-            if (!polled) // the other threads took all blocks
-                poll(queue.done());
-        } catch (...) {
-            queue.record(-1, std::current_exception());
+    const auto lead = [&queue] {
+        const CurrentLoop current({&queue, true});
+        bool polled = false;
+        while (queue.run_one()) {
+            queue.poll();
+            polled = true;
         }
+        if (!polled) // the other threads took all blocks
+            queue.poll();
     };
     const std::int64_t helpers = std::min<std::int64_t>(threads, blocks) - 1;
     if (helpers < 1)
@@ -106,6 +142,16 @@ void parallel_blocks(std::int64_t blocks, int threads,
     else
         ThreadPool().run(helpers, help, lead);
     queue.rethrow();
+}
+
+void poll_within_block() {
+    const auto [queue, leads] = current_loop;
+    if (queue == nullptr)
+        return;
+    if (leads)
+        queue->poll();
+    if (queue->polled_out())
+        throw LoopStopped();
 }
 
 namespace {

@@ -3,6 +3,9 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <optional>
+#include <utility>
 
 #include "base/error.hpp"
 
@@ -37,19 +40,60 @@ class Progress {
         return part;
     }
 
+    /// Progress of work that is a small step of a later stage: reports only that stage. In the
+    /// stage spectrum it reports nothing, since the callback may do in other stages what it must
+    /// not do in this one.
+    Progress within(Stage stage, double fraction) const {
+        Progress part = *this;
+        if (!outer_)
+            part.outer_ = Reached{stage, begin_ + share_ * fraction};
+        return part;
+    }
+
     /// Reports the progress of a stage to the caller; throws Status::cancelled if the callback
     /// returns nonzero.
     void report(Stage stage, double fraction) const {
-        if (callback_ != nullptr &&
-            callback_(user_, static_cast<std::int32_t>(stage), begin_ + share_ * fraction) != 0)
+        if (callback_ == nullptr || (outer_ && stage == Stage::spectrum))
+            return;
+        const Reached shown = outer_.value_or(Reached{stage, begin_ + share_ * fraction});
+        if (callback_(user_, static_cast<std::int32_t>(shown.stage), shown.fraction) != 0)
             fail(Status::cancelled, "cancelled by the progress callback");
     }
 
   private:
+    struct Reached {
+        Stage stage;
+        double fraction;
+    };
+
     Callback callback_ = nullptr;
     void* user_ = nullptr;
     double begin_ = 0; ///< first fraction of the part
     double share_ = 1;
+    std::optional<Reached> outer_; ///< shown instead
+};
+
+/// Polls each time enough work is done, in loops whose steps take no time or long, depending on the
+/// clip.
+class PacedPoll {
+  public:
+    explicit PacedPoll(std::function<void()> poll) : poll_(std::move(poll)) {}
+    PacedPoll(const Progress& progress, Stage stage, double fraction = 0)
+        : poll_([=] { progress.report(stage, fraction); }) {}
+
+    /// Counts numbers that were read or computed.
+    void did(std::int64_t numbers) {
+        constexpr std::int64_t between_polls = 1 << 22; // some milliseconds
+        done_ += numbers;
+        if (done_ < between_polls || !poll_)
+            return;
+        done_ = 0;
+        poll_();
+    }
+
+  private:
+    std::function<void()> poll_;
+    std::int64_t done_ = 0;
 };
 
 } // namespace stltsa

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "base/progress.hpp"
+
 namespace stltsa {
 namespace {
 
@@ -35,6 +37,7 @@ void smooth_row(ConstMatrixView rows, std::int64_t middle, const std::vector<dou
     const auto reach = static_cast<std::int64_t>(weights.size()) - 1;
     const std::int64_t begin = middle - reach, end = middle + reach + 1;
     const double* center = rows.row(middle);
+    std::fill_n(out, rows.cols, 0.0);
     double total = 0;
     for (std::int64_t r = reflect ? begin : std::max<std::int64_t>(0, begin);
          r < (reflect ? end : std::min(rows.rows, end)); ++r) {
@@ -46,43 +49,30 @@ void smooth_row(ConstMatrixView rows, std::int64_t middle, const std::vector<dou
         out[c] = center[c] + out[c] / total;
 }
 
-/// Polls while rows are smoothed.
-class Poll {
-  public:
-    Poll(const std::function<void()>& poll, std::size_t weights, std::int64_t cols)
-        : poll_(poll), row_(2 * static_cast<double>(weights) * static_cast<double>(cols)) {}
-
-    void row_done() {
-        constexpr double products = 1 << 22; // between two polls; they take a few milliseconds
-        if ((done_ += row_) < products || !poll_)
-            return;
-        done_ = 0;
-        poll_();
-    }
-
-  private:
-    const std::function<void()>& poll_;
-    double row_;
-    double done_ = 0;
-};
+/// For PacedPoll.
+std::int64_t work_of_row(const std::vector<double>& weights, std::int64_t cols) {
+    return 2 * static_cast<std::int64_t>(weights.size()) * cols;
+}
 
 } // namespace
 
 Matrix gaussian_smoothed(ConstMatrixView rows, double sigma, Beyond beyond, std::int64_t step,
                          const std::function<void()>& poll) {
     const std::vector<double> weights = half_kernel(sigma, rows.rows);
-    Matrix result((rows.rows + step - 1) / step, rows.cols);
-    Poll polls(poll, weights.size(), rows.cols);
+    Matrix result = Matrix::unset((rows.rows + step - 1) / step, rows.cols);
+    PacedPoll polls(poll);
+    const std::int64_t work = work_of_row(weights, rows.cols);
     for (std::int64_t i = 0; i < result.rows(); ++i) {
         smooth_row(rows, i * step, weights, beyond, result.row(i));
-        polls.row_done();
+        polls.did(work);
     }
     return result;
 }
 
 void smooth_in_place(Matrix& rows, double sigma, Beyond beyond, const std::function<void()>& poll) {
     const std::vector<double> weights = half_kernel(sigma, rows.rows());
-    Poll polls(poll, weights.size(), rows.cols());
+    PacedPoll polls(poll);
+    const std::int64_t work = work_of_row(weights, rows.cols());
     const auto reach = static_cast<std::int64_t>(weights.size()) - 1;
     const std::int64_t block = std::max<std::int64_t>(4096, reach);
     Matrix before; // the original rows that the next block needs
@@ -94,9 +84,8 @@ void smooth_in_place(Matrix& rows, double sigma, Beyond beyond, const std::funct
         std::copy_n(before.data(), before.rows() * rows.cols(), around.data());
         std::copy_n(rows.row(begin), (last - begin) * rows.cols(), around.row(before.rows()));
         for (std::int64_t i = begin; i < end; ++i) {
-            std::fill_n(rows.row(i), rows.cols(), 0.0);
             smooth_row(around.view(), i - first, weights, beyond, rows.row(i));
-            polls.row_done();
+            polls.did(work);
         }
         const std::int64_t kept = std::min(reach, end - first);
         before = copied(around.view().block(end - kept - first, kept));

@@ -8,10 +8,13 @@
 
 namespace stltsa {
 
-std::vector<double> column_means(ConstMatrixView rows) {
+std::vector<double> column_means(ConstMatrixView rows, const Progress& progress) {
     std::vector<double> means(static_cast<std::size_t>(rows.cols));
-    for (std::int64_t i = 0; i < rows.rows; ++i)
+    PacedPoll poll(progress, Stage::features, 1);
+    for (std::int64_t i = 0; i < rows.rows; ++i) {
         axpy(1 / static_cast<double>(rows.rows), rows.row(i), means.data(), rows.cols);
+        poll.did(rows.cols);
+    }
     return means;
 }
 

@@ -5,11 +5,12 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/progress.hpp"
 #include "linalg/matrix.hpp"
 
 namespace stltsa {
 
-std::vector<double> column_means(ConstMatrixView rows);
+std::vector<double> column_means(ConstMatrixView rows, const Progress& progress = {});
 
 /// Of centered rows: the lower triangle by columns.
 void set_covariance(ConstMatrixView centered, double* matrix);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "linalg/simd.hpp"
 
@@ -12,7 +13,7 @@ namespace {
 constexpr std::int64_t phases = 32;
 
 /// The poses of a cycle at equally spaced phases, interpolated linearly.
-void poses_at_phases(const Cycle& cycle, ConstMatrixView samples, double* poses) {
+void poses_at_phases(const Cycle& cycle, ConstMatrixView samples, PacedPoll& poll, double* poses) {
     for (std::int64_t p = 0; p < phases; ++p) {
         const double at = cycle.begin + (cycle.end - cycle.begin) * static_cast<double>(p) / phases;
         const auto before = std::clamp(static_cast<std::int64_t>(at), std::int64_t{0},
@@ -22,6 +23,7 @@ void poses_at_phases(const Cycle& cycle, ConstMatrixView samples, double* poses)
         for (std::int64_t c = 0; c < samples.cols; ++c)
             poses[p * samples.cols + c] =
                 (1 - fraction) * samples(before, c) + fraction * samples(after, c);
+        poll.did(samples.cols);
     }
 }
 
@@ -34,21 +36,25 @@ std::vector<Cycle> cycles_between(const std::vector<double>& margins) {
     return cycles;
 }
 
-std::int64_t most_typical(const std::vector<Cycle>& cycles, ConstMatrixView samples) {
+std::int64_t most_typical(const std::vector<Cycle>& cycles, ConstMatrixView samples,
+                          const Progress& progress) {
     if (cycles.empty())
         return -1;
     const auto count = static_cast<std::int64_t>(cycles.size());
-    Matrix poses(count, phases * samples.cols);
-    std::vector<double> mean(static_cast<std::size_t>(poses.cols()));
-    for (std::int64_t i = 0; i < count; ++i) {
-        poses_at_phases(cycles[static_cast<std::size_t>(i)], samples, poses.row(i));
-        axpy(1 / static_cast<double>(count), poses.row(i), mean.data(), poses.cols());
+    PacedPoll poll(progress, Stage::units);
+    // Of one cycle at a time, since those of all may need more memory than the clip.
+    std::vector<double> poses(checked_size(phases, samples.cols)), mean(poses.size());
+    const std::int64_t size = phases * samples.cols;
+    for (const Cycle& cycle : cycles) {
+        poses_at_phases(cycle, samples, poll, poses.data());
+        axpy(1 / static_cast<double>(count), poses.data(), mean.data(), size);
     }
     // The cycle nearest to the mean has the least sum of squared distances to all cycles.
     std::int64_t best = 0;
-    double least = squared_distance(poses.row(0), mean.data(), poses.cols());
-    for (std::int64_t i = 1; i < count; ++i) {
-        const double distance = squared_distance(poses.row(i), mean.data(), poses.cols());
+    double least = std::numeric_limits<double>::infinity();
+    for (std::int64_t i = 0; i < count; ++i) {
+        poses_at_phases(cycles[static_cast<std::size_t>(i)], samples, poll, poses.data());
+        const double distance = squared_distance(poses.data(), mean.data(), size);
         // Two cycles are equally far from their mean, except for rounding.
         if (distance < least * (1 - 1e-9)) {
             least = distance;

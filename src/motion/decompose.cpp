@@ -79,7 +79,7 @@ void set_cycles(const std::vector<double>& margins, ConstMatrixView samples, dou
     result.margins = margins;
     result.cycles = cycles_between(margins);
     result.representative = 0;
-    result.best = most_typical(result.cycles, samples);
+    result.best = most_typical(result.cycles, samples, progress);
 }
 
 /// Decomposes a clip with a period by its most cyclic coordinate (paper, section 3.1). If the
@@ -97,7 +97,7 @@ void decompose_cyclic(const Embedding& embedding, ConstMatrixView samples, const
     const auto margins = longest_sequence(find_margins(result.curve, activity), period.samples);
     const Evidence evidence =
         weigh(margins, samples, activity, column_of(result.coords.view(), chosen.column),
-              chosen.cyclicity, period, fps);
+              chosen.cyclicity, period, fps, progress.within(Stage::units, 0));
     result.cyclicity = evidence.cyclicity;
     result.lag_quality = evidence.period.quality;
     result.reason =

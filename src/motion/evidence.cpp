@@ -54,7 +54,7 @@ double median_cycle(const std::vector<double>& margins) {
 
 Evidence weigh(const std::vector<double>& margins, ConstMatrixView samples,
                const Activity& activity, const std::vector<double>& coordinate, double cyclicity,
-               const Period& period, double fps) {
+               const Period& period, double fps, const Progress& progress) {
     Evidence evidence{period, cyclicity, margins.size(), median_cycle(margins)};
     if (margins.size() <= margins_of_a_cycle)
         return evidence;
@@ -63,7 +63,7 @@ Evidence weigh(const std::vector<double>& margins, ConstMatrixView samples,
         return evidence;
     const auto level = activity.levels(span.first, span.count);
     const auto refined =
-        refine_period(samples.block(span.first, span.count), level, period.samples, fps);
+        refine_period(samples.block(span.first, span.count), level, period.samples, fps, progress);
     if (refined) {
         evidence.period = *refined;
         evidence.cyclicity = motion::cyclicity(std::span(coordinate)

@@ -22,7 +22,7 @@ struct Evidence {
 /// `period`: of the whole clip.
 Evidence weigh(const std::vector<double>& margins, ConstMatrixView samples,
                const Activity& activity, const std::vector<double>& coordinate, double cyclicity,
-               const Period& period, double fps);
+               const Period& period, double fps, const Progress& progress = {});
 
 /// Why the evidence is not enough, with the numbers; empty if it is.
 std::string doubt(const Evidence& evidence, double fps);

@@ -104,18 +104,23 @@ Period at_minimum(const std::vector<double>& curve, std::size_t i, std::int64_t 
 
 } // namespace
 
-LagSamples::LagSamples(ConstMatrixView samples, std::span<const double> levels, double fps)
+LagSamples::LagSamples(ConstMatrixView samples, std::span<const double> levels, double fps,
+                       const Progress& progress)
     : step(std::llround(std::clamp(fps / rows_per_second, 1.0,
                                    std::max(1.0, static_cast<double>(samples.rows))))),
-      x((samples.rows + step - 1) / step, samples.cols) {
+      x(Matrix::unset((samples.rows + step - 1) / step, samples.cols)) {
+    PacedPoll poll(progress, Stage::neighbors);
     std::vector<double> mean(static_cast<std::size_t>(x.cols()));
-    for (std::int64_t i = 0; i < x.rows(); ++i)
+    for (std::int64_t i = 0; i < x.rows(); ++i) {
         axpy(1 / static_cast<double>(x.rows()), samples.row(i * step), mean.data(), x.cols());
+        poll.did(x.cols());
+    }
     for (std::int64_t i = 0; i < x.rows(); ++i) {
         std::copy_n(samples.row(i * step), x.cols(), x.row(i));
         axpy(-1, mean.data(), x.row(i), x.cols());
         level.push_back(levels[static_cast<std::size_t>(i * step)]);
         norm.push_back(dot(x.row(i), x.row(i), x.cols()));
+        poll.did(x.cols());
     }
 }
 
@@ -123,11 +128,15 @@ std::vector<double> lag_curve(const LagSamples& samples, std::int64_t first, std
                               const Progress& progress) {
     std::vector<double> curve;
     for (std::int64_t lag = first; lag <= last; ++lag) {
-        progress.report(Stage::neighbors,
-                        static_cast<double>(lag - first) / static_cast<double>(last - first + 1));
+        const double fraction =
+            static_cast<double>(lag - first) / static_cast<double>(last - first + 1);
+        progress.report(Stage::neighbors, fraction);
+        PacedPoll poll(progress, Stage::neighbors, fraction);
         PairSums sums(samples.x.cols());
-        for (std::int64_t t = 0; t + lag < samples.x.rows(); ++t)
+        for (std::int64_t t = 0; t + lag < samples.x.rows(); ++t) {
             sums.add(samples, t, t + lag);
+            poll.did(samples.x.cols());
+        }
         curve.push_back(sums.ratio());
     }
     return curve;
@@ -139,7 +148,7 @@ double longest_lag_s(std::int64_t samples, double fps, double longest_s) {
 
 Period find_period(ConstMatrixView samples, const Activity& activity, double fps, double shortest_s,
                    double longest_s, const Progress& progress) {
-    const LagSamples decimated(samples, activity.level, fps);
+    const LagSamples decimated(samples, activity.level, fps, progress);
     const double rate = fps / static_cast<double>(decimated.step);
     const double longest = longest_lag_s(decimated.x.rows(), rate, longest_s) * rate;
     if (!(longest >= 3) || !(activity.typical > 0))
@@ -158,20 +167,21 @@ Period find_period(ConstMatrixView samples, const Activity& activity, double fps
 
 Period find_period(ConstMatrixView samples, double fps, double shortest_s, double longest_s,
                    const Progress& progress) {
-    return find_period(samples, measure_activity(samples, fps), fps, shortest_s, longest_s,
+    const auto poll = [&] { progress.report(Stage::features, 1); };
+    return find_period(samples, measure_activity(samples, fps, poll), fps, shortest_s, longest_s,
                        progress);
 }
 
 std::optional<Period> refine_period(ConstMatrixView excerpt, std::span<const double> level,
-                                    double period, double fps) {
-    const LagSamples decimated(excerpt, level, fps);
+                                    double period, double fps, const Progress& progress) {
+    const LagSamples decimated(excerpt, level, fps, progress);
     const double rows = period / static_cast<double>(decimated.step);
     const auto first =
         std::max<std::int64_t>(1, static_cast<std::int64_t>(rows * (1 - refine_reach)) - 1);
     const auto last = static_cast<std::int64_t>(rows * (1 + refine_reach)) + 2;
     if (static_cast<double>(last) >= static_cast<double>(decimated.x.rows()) - least_seen * rows)
         return std::nullopt;
-    const std::vector<double> curve = lag_curve(decimated, first, last);
+    const std::vector<double> curve = lag_curve(decimated, first, last, progress);
     const auto i =
         static_cast<std::size_t>(std::min_element(curve.begin(), curve.end()) - curve.begin());
     if (i == 0 || i + 1 == curve.size())

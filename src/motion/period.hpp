@@ -21,7 +21,8 @@ struct Period {
 /// Samples minus their mean, decimated to about 30 per second: enough for human motion, and the
 /// cost of the lag curve is lags x samples.
 struct LagSamples {
-    LagSamples(ConstMatrixView samples, std::span<const double> levels, double fps);
+    LagSamples(ConstMatrixView samples, std::span<const double> levels, double fps,
+               const Progress& progress = {});
 
     std::int64_t step = 1; ///< source samples per row
     Matrix x;
@@ -48,8 +49,8 @@ Period find_period(ConstMatrixView samples, double fps, double shortest_s, doubl
                    const Progress& progress = {});
 
 /// The period of an excerpt of the samples, searched for near `period`; none if the excerpt is too
-/// short or does not repeat near it.
+/// short or does not repeat near it. Reports progress as the stage "neighbors".
 std::optional<Period> refine_period(ConstMatrixView excerpt, std::span<const double> level,
-                                    double period, double fps);
+                                    double period, double fps, const Progress& progress = {});
 
 } // namespace stltsa::motion

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/numbers.hpp"
+#include "base/progress.hpp"
 #include "linalg/band.hpp"
 #include "linalg/simd.hpp"
 
@@ -16,6 +17,9 @@ constexpr double ridge = 1e-3;
 /// From 4 to 24 harmonics the phase of annotated events scatters alike.
 constexpr std::int64_t least_harmonics = 3;
 constexpr std::int64_t most_harmonics = 12;
+
+/// Of which the coefficients are solved.
+constexpr std::int64_t columns_at_once = 4096;
 
 /// 1, cos(2 pi h phase), sin(2 pi h phase).
 void basis(double phase, std::int64_t harmonics, double* values) {
@@ -85,7 +89,9 @@ double Loop::variance() const {
            2;
 }
 
-Loop fit_loop(ConstMatrixView rows, std::span<const Run> runs, std::int64_t harmonics) {
+Loop fit_loop(ConstMatrixView rows, std::span<const Run> runs, std::int64_t harmonics,
+              const std::function<void()>& poll) {
+    PacedPoll polls(poll);
     const std::int64_t terms = 2 * harmonics + 1;
     Matrix normal(terms, terms), right(terms, rows.cols);
     std::vector<double> b(static_cast<std::size_t>(terms));
@@ -97,6 +103,7 @@ Loop fit_loop(ConstMatrixView rows, std::span<const Run> runs, std::int64_t harm
                 const double value = b[static_cast<std::size_t>(r)];
                 axpy(value, b.data(), normal.row(r), r + 1);
                 axpy(value, rows.row(run.begin + i), right.row(r), rows.cols);
+                polls.did(rows.cols);
             }
         }
     BandMatrix system(terms, terms - 1);
@@ -109,15 +116,18 @@ Loop fit_loop(ConstMatrixView rows, std::span<const Run> runs, std::int64_t harm
     }
     if (!system.factor(0))
         fail(Status::internal, "the mean cycle of {} rows has no fit", count);
-    Matrix columns(rows.cols, terms);
-    for (std::int64_t r = 0; r < terms; ++r)
-        for (std::int64_t j = 0; j < rows.cols; ++j)
-            columns(j, r) = right(r, j);
-    system.solve(columns.view(), {});
     Loop loop{Matrix(terms, rows.cols)};
-    for (std::int64_t r = 0; r < terms; ++r)
-        for (std::int64_t j = 0; j < rows.cols; ++j)
-            loop.coefficients(r, j) = columns(j, r);
+    for (std::int64_t first = 0; first < rows.cols; first += columns_at_once) {
+        Matrix columns(std::min(columns_at_once, rows.cols - first), terms);
+        for (std::int64_t r = 0; r < terms; ++r)
+            for (std::int64_t j = 0; j < columns.rows(); ++j)
+                columns(j, r) = right(r, first + j);
+        system.solve(columns.view(), {});
+        for (std::int64_t r = 0; r < terms; ++r)
+            for (std::int64_t j = 0; j < columns.rows(); ++j)
+                loop.coefficients(r, first + j) = columns(j, r);
+        polls.did(columns.rows() * terms * terms);
+    }
     return loop;
 }
 

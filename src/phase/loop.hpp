@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -39,7 +40,8 @@ struct Run {
 
 /// Least squares over the rows of all runs, with a small penalty on high harmonics, so that gaps in
 /// the phases covered do no harm.
-Loop fit_loop(ConstMatrixView rows, std::span<const Run> runs, std::int64_t harmonics);
+Loop fit_loop(ConstMatrixView rows, std::span<const Run> runs, std::int64_t harmonics,
+              const std::function<void()>& poll = {});
 
 /// Least harmonics for cycles of so many rows.
 std::int64_t harmonics_for(double period);

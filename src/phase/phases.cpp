@@ -45,13 +45,14 @@ Run linear_run(const Borders& borders, std::int64_t rows) {
 
 /// Cycles of one sequence may begin elsewhere than those of another: all are shifted to the longest
 /// one.
-void align(ConstMatrixView rows, double period, std::vector<Run>& runs) {
+void align(ConstMatrixView rows, double period, const std::function<void()>& poll,
+           std::vector<Run>& runs) {
     const auto longest = std::ranges::max_element(runs, {}, &Run::rows);
-    const Loop loop = fit_loop(rows, {&*longest, 1}, harmonics_for(period));
+    const Loop loop = fit_loop(rows, {&*longest, 1}, harmonics_for(period), poll);
     for (Run& run : runs) {
         if (&run == &*longest)
             continue;
-        const Loop own = fit_loop(rows, {&run, 1}, harmonics_for(period));
+        const Loop own = fit_loop(rows, {&run, 1}, harmonics_for(period), poll);
         const double shift = offset_between(loop, own).shift;
         for (double& phase : run.phase)
             phase -= shift > 0.5 ? shift - 1 : shift;
@@ -113,15 +114,16 @@ std::vector<Run> linear_runs(std::span<const Borders> sequences, std::int64_t ro
 }
 
 /// Phases that begin as `runs`.
-Phases registered(ConstMatrixView both, std::vector<Run> runs, double period) {
-    Registration found = register_runs(both, runs, period);
+Phases registered(ConstMatrixView both, std::vector<Run> runs, double period,
+                  const std::function<void()>& poll) {
+    Registration found = register_runs(both, runs, period, poll);
     Phases phases;
     phases.mean = std::move(found.mean);
     phases.residual = found.residual;
     phases.linear = found.residual > most_residual;
     phases.runs = phases.linear ? std::move(runs) : std::move(found.runs);
     if (phases.linear)
-        phases.mean.loop = fit_loop(both, phases.runs, harmonics_for(period));
+        phases.mean.loop = fit_loop(both, phases.runs, harmonics_for(period), poll);
     return phases;
 }
 
@@ -132,8 +134,8 @@ Phases find_phases(ConstMatrixView rows, double rate, std::span<const Borders> s
     const double period = typical_length(sequences);
     const Matrix both = pose_and_velocity(rows, rate, period, poll);
     std::vector<Run> runs = linear_runs(sequences, rows.rows);
-    align(both.view(), period, runs);
-    Phases phases = registered(both.view(), std::move(runs), period);
+    align(both.view(), period, poll, runs);
+    Phases phases = registered(both.view(), std::move(runs), period, poll);
     shift_zero(body_zero(phases.mean.loop, side), phases);
     return phases;
 }
@@ -143,7 +145,7 @@ Phases find_phases_of_repetitions(ConstMatrixView rows, double rate,
                                   const std::function<void()>& poll) {
     const double period = typical_length(repetitions);
     const Matrix both = pose_and_velocity(rows, rate, period, poll);
-    Phases phases = registered(both.view(), linear_runs(repetitions, rows.rows), period);
+    Phases phases = registered(both.view(), linear_runs(repetitions, rows.rows), period, poll);
     phases.cyclic = false;
     return phases;
 }

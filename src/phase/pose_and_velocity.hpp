@@ -16,7 +16,7 @@ struct Range {
 };
 
 /// Change from row to row: central differences, one-sided at the ends. At least two rows.
-Matrix differences(ConstMatrixView rows);
+Matrix differences(ConstMatrixView rows, const std::function<void()>& poll = {});
 
 /// What phases are found on: the smoothed rows and, beside them, their velocity times two. Velocity
 /// is scaled such that of a pure oscillation once per period it is as large as the pose. Velocity

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/numbers.hpp"
+#include "base/progress.hpp"
 #include "linalg/band.hpp"
 #include "linalg/simd.hpp"
 #include "motion/curve/statistics.hpp"
@@ -39,16 +41,24 @@ struct Pull {
     std::vector<double> weight, target;
 };
 
+/// For PacedPoll: a row is compared with the loop at its phase.
+std::int64_t work_at_phase(const Loop& loop) {
+    return loop.coefficients.rows() * loop.cols();
+}
+
 /// The variance of each column about the mean cycle. Empty: all columns have the same weight.
 using Spread = std::vector<double>;
 
-Spread spread_about(ConstMatrixView rows, const MeanCycle& cycle, const Run& run) {
+Spread spread_about(ConstMatrixView rows, const MeanCycle& cycle, const Run& run,
+                    const std::function<void()>& poll) {
+    PacedPoll polls(poll);
     Spread spread(static_cast<std::size_t>(rows.cols)), mean = spread;
     for (std::int64_t i = 0; i < run.rows(); ++i) {
         cycle.loop.at(run.phase[static_cast<std::size_t>(i)], mean.data());
         const double* row = rows.row(run.begin + i);
         for (std::size_t c = 0; c < spread.size(); ++c)
             spread[c] += (row[c] - mean[c]) * (row[c] - mean[c]) / static_cast<double>(run.rows());
+        polls.did(work_at_phase(cycle.loop));
     }
     const double sum = std::accumulate(spread.begin(), spread.end(), 0.0);
     const double floor = (variance_floor * sum + least_variance * cycle.variance) /
@@ -70,7 +80,9 @@ void weigh_columns(const double* row, const std::vector<double>& mean, const Spr
 }
 
 /// One Gauss-Newton step of each row towards the nearest point of the loop.
-Pull pull_to(ConstMatrixView rows, const Loop& loop, const Run& run, const Spread& spread) {
+Pull pull_to(ConstMatrixView rows, const Loop& loop, const Run& run, const Spread& spread,
+             const std::function<void()>& poll) {
+    PacedPoll polls(poll);
     Pull pull;
     std::vector<double> mean(static_cast<std::size_t>(rows.cols)), slope = mean;
     std::vector<double> counts(mean.size(), 1);
@@ -92,6 +104,7 @@ Pull pull_to(ConstMatrixView rows, const Loop& loop, const Run& run, const Sprea
         pull.target.push_back(
             phase +
             (weight > 0 ? std::clamp(along / weight, -most_correction, most_correction) : 0));
+        polls.did(2 * work_at_phase(loop));
     }
     return pull;
 }
@@ -227,17 +240,23 @@ std::vector<Run> runs_of(const std::vector<Moving>& all) {
     return runs;
 }
 
-double variance_of(ConstMatrixView rows, std::span<const Run> runs) {
+double variance_of(ConstMatrixView rows, std::span<const Run> runs,
+                   const std::function<void()>& poll) {
+    PacedPoll polls(poll);
     std::vector<double> mean(static_cast<std::size_t>(rows.cols));
     double count = 0, squares = 0;
     for (const Run& run : runs)
-        for (std::int64_t i = run.begin; i < run.end(); ++i, ++count)
+        for (std::int64_t i = run.begin; i < run.end(); ++i, ++count) {
             axpy(1, rows.row(i), mean.data(), rows.cols);
+            polls.did(rows.cols);
+        }
     for (double& value : mean)
         value /= count;
     for (const Run& run : runs)
-        for (std::int64_t i = run.begin; i < run.end(); ++i)
+        for (std::int64_t i = run.begin; i < run.end(); ++i) {
             squares += squared_distance(rows.row(i), mean.data(), rows.cols);
+            polls.did(rows.cols);
+        }
     return squares / count;
 }
 
@@ -251,10 +270,10 @@ double rate_at(const std::vector<double>& phase, bool at_end, double period) {
 }
 
 Run registered(ConstMatrixView rows, const MeanCycle& mean, Run run, double slowest, double smooth,
-               const Spread& spread) {
+               const Spread& spread, const std::function<void()>& poll) {
     Moving moving(std::move(run));
     for (int round = 0; round < rounds; ++round) {
-        const Pull pull = pull_to(rows, mean.loop, moving.run, spread);
+        const Pull pull = pull_to(rows, mean.loop, moving.run, spread, poll);
         moving.follow(pull, stiffness_of(mean_weight({pull}), smooth * mean.period),
                       slowest / mean.period);
     }
@@ -263,13 +282,13 @@ Run registered(ConstMatrixView rows, const MeanCycle& mean, Run run, double slow
 
 /// Registers the last two cycles at an end again, and blends them into what is there.
 void settle(ConstMatrixView rows, const MeanCycle& mean, const Spread& spread, bool at_end,
-            Run& run) {
+            const std::function<void()>& poll, Run& run) {
     const std::int64_t count =
         std::min(run.rows(), static_cast<std::int64_t>(std::llround(2 * mean.period)));
     const std::int64_t first = at_end ? run.rows() - count : 0;
     const auto begin = run.phase.begin() + first;
     const Run moved = registered(rows, mean, {run.begin + first, {begin, begin + count}},
-                                 slowest_beyond, smooth_share, spread);
+                                 slowest_beyond, smooth_share, spread, poll);
     for (std::int64_t i = 0; i < count; ++i) {
         const double place =
             static_cast<double>(i) / static_cast<double>(std::max<std::int64_t>(1, count - 1));
@@ -281,29 +300,30 @@ void settle(ConstMatrixView rows, const MeanCycle& mean, const Spread& spread, b
 
 } // namespace
 
-Registration register_runs(ConstMatrixView rows, std::vector<Run> runs, double period) {
+Registration register_runs(ConstMatrixView rows, std::vector<Run> runs, double period,
+                           const std::function<void()>& poll) {
     Registration result;
     result.mean.period = period;
-    result.mean.variance = variance_of(rows, runs);
+    result.mean.variance = variance_of(rows, runs, poll);
     const std::int64_t harmonics = harmonics_for(period);
     std::vector<Moving> all;
     for (Run& run : runs)
         all.emplace_back(std::move(run));
     for (int round = 0; round < rounds; ++round) {
-        const Loop loop = fit_loop(rows, runs_of(all), harmonics);
+        const Loop loop = fit_loop(rows, runs_of(all), harmonics, poll);
         std::vector<Pull> pulls;
         for (const Moving& moving : all)
-            pulls.push_back(pull_to(rows, loop, moving.run, {}));
+            pulls.push_back(pull_to(rows, loop, moving.run, {}, poll));
         const double stiffness = stiffness_of(mean_weight(pulls), smooth_share * period);
         for (std::size_t r = 0; r < all.size(); ++r)
             all[r].follow(pulls[r], stiffness, slowest_in_cycle / period);
         even_out(all);
     }
     result.runs = runs_of(all);
-    result.mean.loop = fit_loop(rows, result.runs, harmonics);
+    result.mean.loop = fit_loop(rows, result.runs, harmonics, poll);
     double squares = 0, count = 0;
     for (const Run& run : result.runs)
-        for (const double distance : residuals(rows, result.mean, run)) {
+        for (const double distance : residuals(rows, result.mean, run, poll)) {
             squares += distance * distance;
             ++count;
         }
@@ -313,7 +333,7 @@ Registration register_runs(ConstMatrixView rows, std::vector<Run> runs, double p
 
 Run register_with(ConstMatrixView rows, const MeanCycle& mean, Run run, double slowest,
                   double smooth) {
-    return registered(rows, mean, std::move(run), slowest, smooth, {});
+    return registered(rows, mean, std::move(run), slowest, smooth, {}, {});
 }
 
 Run continued(const Run& run, double period, Range within) {
@@ -328,9 +348,10 @@ Run continued(const Run& run, double period, Range within) {
     return {within.begin, std::move(phase)};
 }
 
-Run grown(ConstMatrixView rows, const MeanCycle& mean, const Run& run, Range within) {
+Run grown(ConstMatrixView rows, const MeanCycle& mean, const Run& run, Range within,
+          const std::function<void()>& poll) {
     Run result = run;
-    const Spread spread = spread_about(rows, mean, run);
+    const Spread spread = spread_about(rows, mean, run, poll);
     const std::int64_t step = std::max<std::int64_t>(3, static_cast<std::int64_t>(mean.period / 4));
     while (result.begin > within.begin || result.end() < within.end) {
         const Run before = std::move(result);
@@ -338,37 +359,45 @@ Run grown(ConstMatrixView rows, const MeanCycle& mean, const Run& run, Range wit
                            {std::max(within.begin, before.begin - step),
                             std::min(within.end, before.end() + step)});
         if (result.begin < before.begin)
-            settle(rows, mean, spread, false, result);
+            settle(rows, mean, spread, false, poll, result);
         if (result.end() > before.end())
-            settle(rows, mean, spread, true, result);
+            settle(rows, mean, spread, true, poll, result);
         make_rise(result.phase, slowest_beyond * slowest_in_cycle / mean.period);
     }
     return result;
 }
 
-std::vector<double> residuals(ConstMatrixView rows, const MeanCycle& mean, const Run& run) {
+std::vector<double> residuals(ConstMatrixView rows, const MeanCycle& mean, const Run& run,
+                              const std::function<void()>& poll) {
+    PacedPoll polls(poll);
     std::vector<double> expected(static_cast<std::size_t>(rows.cols)), result;
     for (std::int64_t i = 0; i < run.rows(); ++i) {
         mean.loop.at(run.phase[static_cast<std::size_t>(i)], expected.data());
         result.push_back(std::sqrt(
             squared_distance(rows.row(run.begin + i), expected.data(), rows.cols) / mean.variance));
+        polls.did(work_at_phase(mean.loop));
     }
     return result;
 }
 
 Offset offset_between(const Loop& first, const Loop& second) {
     constexpr std::int64_t places = 200;
-    Matrix a = first.sampled(places), b = second.sampled(places);
-    for (std::int64_t i = 0; i < places; ++i) {
-        axpy(-1, first.coefficients.row(0), a.row(i), a.cols());
-        axpy(-1, second.coefficients.row(0), b.row(i), b.cols());
-    }
-    std::vector<double> alike;
-    for (std::int64_t shift = 0; shift < places; ++shift) {
-        double sum = 0;
-        for (std::int64_t i = 0; i < places; ++i)
-            sum += dot(a.row(i), b.row((i + shift) % places), a.cols());
-        alike.push_back(sum);
+    const std::int64_t m = first.harmonics(), n = second.harmonics(), cols = first.cols();
+    // By Parseval's theorem, the sum over the places of the products of both curves is a Fourier
+    // series of the shift.
+    std::vector<double> alike(places, 0);
+    for (std::int64_t h = 1; h <= std::min(m, n); ++h) {
+        const double* a = first.coefficients.row(h);
+        const double* b = first.coefficients.row(m + h);
+        const double* c = second.coefficients.row(h);
+        const double* d = second.coefficients.row(n + h);
+        const double cosine = dot(a, c, cols) + dot(b, d, cols);
+        const double sine = dot(a, d, cols) - dot(b, c, cols);
+        for (std::int64_t shift = 0; shift < places; ++shift) {
+            const double angle = turn * static_cast<double>(h * shift) / places;
+            alike[static_cast<std::size_t>(shift)] +=
+                (cosine * std::cos(angle) + sine * std::sin(angle)) / 2;
+        }
     }
     const auto best = static_cast<std::int64_t>(std::ranges::max_element(alike) - alike.begin());
     const auto at = [&](std::int64_t i) {
@@ -377,8 +406,7 @@ Offset offset_between(const Loop& first, const Loop& second) {
     const double bend = at(best - 1) - 2 * at(best) + at(best + 1);
     const double vertex = bend < 0 ? (at(best - 1) - at(best + 1)) / (2 * bend) : 0;
     const double shift = (static_cast<double>(best) + vertex) / places;
-    const double size = std::sqrt(dot(a.data(), a.data(), places * a.cols()) *
-                                  dot(b.data(), b.data(), places * b.cols()));
+    const double size = std::sqrt(first.variance() * second.variance());
     return {shift - std::floor(shift), size > 0 ? at(best) / size : 0};
 }
 

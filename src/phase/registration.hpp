@@ -3,6 +3,7 @@
 // improved in turns, beginning with linear time.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -32,7 +33,8 @@ struct Registration {
 /// Registers runs of whole cycles with each other. `runs`: linear time between the borders of
 /// cycles; each has at least four rows. `rows`: pose_and_velocity(). After it, over whole turns,
 /// the mean share of time at each phase is uniform, so that phases of several clips compare.
-Registration register_runs(ConstMatrixView rows, std::vector<Run> runs, double period);
+Registration register_runs(ConstMatrixView rows, std::vector<Run> runs, double period,
+                           const std::function<void()>& poll = {});
 
 /// Registers one run with a known mean cycle. Steps of the phase are at least `slowest` of the
 /// mean.
@@ -42,14 +44,16 @@ Run register_with(ConstMatrixView rows, const MeanCycle& mean, Run run, double s
 /// The run, continued to rows [within.begin, within.end) a quarter of a cycle at a time. Steps are
 /// slower and faster there than within cycles, and columns that are far from the mean cycle have
 /// little weight.
-Run grown(ConstMatrixView rows, const MeanCycle& mean, const Run& run, Range within);
+Run grown(ConstMatrixView rows, const MeanCycle& mean, const Run& run, Range within,
+          const std::function<void()>& poll = {});
 
 /// The same without registration, at the rate of the last quarter of a cycle.
 Run continued(const Run& run, double period, Range within);
 
 /// Distance of each row of the run from the mean cycle, as a share of its root mean square
 /// deviation.
-std::vector<double> residuals(ConstMatrixView rows, const MeanCycle& mean, const Run& run);
+std::vector<double> residuals(ConstMatrixView rows, const MeanCycle& mean, const Run& run,
+                              const std::function<void()>& poll = {});
 
 /// A shift of phase, and the correlation of two mean cycles that it gives, each less its mean.
 struct Offset {

@@ -87,7 +87,8 @@ PhaseCurve curve_of(const motion::Decomposition& found, double first, double ste
 
 /// The claims of the method for one motion in a short part in which the track claims none.
 void decide_as_single(ConstMatrixView samples, double fps, const Options& options,
-                      const Signal& signal, const Pauses& pauses, Part& part) {
+                      const Signal& signal, const Pauses& pauses, const Progress& progress,
+                      Part& part) {
     if (!part.cycles().empty() ||
         static_cast<double>(part.rows.count()) > longest_part_s * signal.rate)
         return;
@@ -97,8 +98,8 @@ void decide_as_single(ConstMatrixView samples, double fps, const Options& option
         return;
     motion::DecomposeOptions of_part = options.single;
     of_part.estimate.reset();
-    const auto found =
-        motion::decompose(samples.block(first, last - first), fps, of_part, Progress());
+    const auto found = motion::decompose(samples.block(first, last - first), fps, of_part,
+                                         progress.within(Stage::units, 1));
     if (found.cycles.empty())
         return;
     CyclicStretch cut;
@@ -253,7 +254,7 @@ Recording analyze(ConstMatrixView samples, double fps, const Options& options,
         for (Part& part : parts)
             // A single part was decided above.
             if (seconds <= long_recording_s && !part.is_hole && !(is_short && parts.size() == 1))
-                decide_as_single(samples, fps, options, signal, pauses, part);
+                decide_as_single(samples, fps, options, signal, pauses, progress, part);
         return make_drafts(signal, parts, pauses);
     };
     std::vector<Draft> drafts = drafts_at(border_price);

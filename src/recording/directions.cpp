@@ -24,17 +24,19 @@ constexpr std::int64_t most_rows = most_columns / 2;
 class Scatter {
   public:
     Scatter(ConstMatrixView x, const std::vector<double>& usual, const Progress& progress)
-        : x_(x), mean_(column_means(x)), usual_(usual), progress_(progress) {}
+        : x_(x), mean_(column_means(x, progress)), usual_(usual),
+          work_of_row_(x.cols <= most_columns ? x.cols * x.cols / 2 : x.cols),
+          poll_(progress, Stage::features, 1) {}
 
     ConstMatrixView rows() const { return x_; }
     /// A pose, relative to the mean.
-    void put_pose(std::int64_t i, double* row) const {
-        progress_.report(Stage::features, 1);
+    void put_pose(std::int64_t i, double* row) {
+        poll_.did(work_of_row_);
         std::transform(x_.row(i), x_.row(i) + x_.cols, mean_.begin(), row, std::minus<>());
     }
     /// A velocity, relative to the usual one.
-    void put_velocity(std::int64_t i, double* row) const {
-        progress_.report(Stage::features, 1);
+    void put_velocity(std::int64_t i, double* row) {
+        poll_.did(work_of_row_);
         const double scale = usual_[static_cast<std::size_t>(i)];
         for (std::int64_t c = 0; c < x_.cols; ++c)
             row[c] = scale > 0 ? (x_(i + 1, c) - x_(i, c)) / scale : 0;
@@ -44,7 +46,8 @@ class Scatter {
     ConstMatrixView x_;
     std::vector<double> mean_;
     const std::vector<double>& usual_;
-    const Progress& progress_;
+    std::int64_t work_of_row_; ///< with what is made of it
+    PacedPoll poll_;
 };
 
 /// Adds the outer products of `count` rows, which row_of(i, values) writes, divided by their trace.
@@ -86,7 +89,7 @@ struct Leading {
     }
 };
 
-Matrix of_columns(const Scatter& scatter) {
+Matrix of_columns(Scatter& scatter) {
     const ConstMatrixView x = scatter.rows();
     Matrix sums(x.cols, x.cols);
     add_covariance(
@@ -102,17 +105,21 @@ Matrix of_columns(const Scatter& scatter) {
 }
 
 /// Divides rows by the square root of the sum of their squares.
-void normalize(MatrixView rows) {
+void normalize(MatrixView rows, PacedPoll& poll) {
     double trace = 0;
-    for (std::int64_t i = 0; i < rows.rows; ++i)
+    for (std::int64_t i = 0; i < rows.rows; ++i) {
         trace += dot(rows.row(i), rows.row(i), rows.cols);
-    for (std::int64_t i = 0; i < rows.rows && trace > 0; ++i)
+        poll.did(rows.cols);
+    }
+    for (std::int64_t i = 0; i < rows.rows && trace > 0; ++i) {
         for (std::int64_t c = 0; c < rows.cols; ++c)
             rows.row(i)[c] /= std::sqrt(trace);
+        poll.did(rows.cols);
+    }
 }
 
 /// Poses, then velocities; the two scatters have equal weight.
-Matrix spread_rows(const Scatter& scatter) {
+Matrix spread_rows(Scatter& scatter, PacedPoll& poll) {
     const ConstMatrixView x = scatter.rows();
     const std::int64_t count = std::min(x.rows, most_rows);
     const auto place = [&](std::int64_t i, std::int64_t rows) {
@@ -124,29 +131,32 @@ Matrix spread_rows(const Scatter& scatter) {
         if (x.rows > 1)
             scatter.put_velocity(place(i, x.rows - 1), a.row(count + i));
     }
-    normalize(a.view().block(0, count));
-    normalize(a.view().block(count, count));
+    normalize(a.view().block(0, count), poll);
+    normalize(a.view().block(count, count), poll);
     return a;
 }
 
 /// A^T u / |A^T u| for the leading eigenvectors u of A A^T.
-Matrix of_rows(const Scatter& scatter, const Progress& progress) {
-    const Matrix a = spread_rows(scatter);
+Matrix of_rows(Scatter& scatter, const Progress& progress) {
+    PacedPoll poll(progress, Stage::features, 1);
+    const Matrix a = spread_rows(scatter, poll);
     Matrix products(a.rows(), a.rows());
-    for (std::int64_t r = 0; r < a.rows(); ++r) {
-        progress.report(Stage::features, 1);
-        for (std::int64_t c = 0; c <= r; ++c)
+    for (std::int64_t r = 0; r < a.rows(); ++r)
+        for (std::int64_t c = 0; c <= r; ++c) {
             products(r, c) = dot(a.row(r), a.row(c), a.cols());
-    }
+            poll.did(a.cols());
+        }
     const Leading leading(products);
     Matrix directions(a.cols(), leading.count);
-    for (std::int64_t d = 0; d < leading.count; ++d) {
-        const double size = std::sqrt(std::max(0.0, leading.pairs.value(d)));
-        for (std::int64_t r = 0; r < a.rows() && size > 0; ++r) {
-            const double part = leading.pairs.vector(d)[r] / size;
-            for (std::int64_t c = 0; c < a.cols(); ++c)
-                directions(c, d) += part * a(r, c);
+    std::vector<double> parts(static_cast<std::size_t>(leading.count));
+    for (std::int64_t r = 0; r < a.rows(); ++r) {
+        for (std::int64_t d = 0; d < leading.count; ++d) {
+            const double size = std::sqrt(std::max(0.0, leading.pairs.value(d)));
+            parts[static_cast<std::size_t>(d)] = size > 0 ? leading.pairs.vector(d)[r] / size : 0;
         }
+        for (std::int64_t c = 0; c < a.cols(); ++c)
+            axpy(a(r, c), parts.data(), directions.row(c), leading.count);
+        poll.did(a.cols() * leading.count);
     }
     return directions;
 }
@@ -155,7 +165,7 @@ Matrix of_rows(const Scatter& scatter, const Progress& progress) {
 
 Matrix leading_directions(ConstMatrixView x, const std::vector<double>& usual,
                           const Progress& progress) {
-    const Scatter scatter(x, usual, progress);
+    Scatter scatter(x, usual, progress);
     return x.cols <= most_columns ? of_columns(scatter) : of_rows(scatter, progress);
 }
 

@@ -134,10 +134,13 @@ std::vector<double> usual_speeds(const std::vector<double>& speed, double rate,
 }
 
 /// How fast the rows usually change around each of them.
-std::vector<double> usual_steps(ConstMatrixView x, double rate) {
+std::vector<double> usual_steps(ConstMatrixView x, double rate, const Progress& progress) {
     Matrix steps(x.rows, 1);
-    for (std::int64_t i = 1; i < x.rows; ++i)
+    PacedPoll poll(progress, Stage::features, 1);
+    for (std::int64_t i = 1; i < x.rows; ++i) {
         steps(i, 0) = std::sqrt(squared_distance(x.row(i), x.row(i - 1), x.cols));
+        poll.did(x.cols);
+    }
     const std::vector<double> speed(steps.data(), steps.data() + x.rows);
     std::vector<double> usual = usual_speeds(speed, rate, neighborhood_s);
     const double least = least_usual * typical(speed);
@@ -147,10 +150,11 @@ std::vector<double> usual_steps(ConstMatrixView x, double rate) {
 }
 
 Matrix projected(ConstMatrixView x, const Matrix& directions, const Progress& progress) {
-    const std::vector<double> mean = column_means(x);
+    PacedPoll poll(progress, Stage::features, 1);
+    const std::vector<double> mean = column_means(x, progress);
     Matrix result(x.rows, directions.cols());
     for (std::int64_t i = 0; i < x.rows; ++i) {
-        progress.report(Stage::features, 1);
+        poll.did(x.cols * directions.cols());
         for (std::int64_t c = 0; c < x.cols; ++c)
             axpy(x(i, c) - mean[static_cast<std::size_t>(c)], directions.row(c), result.row(i),
                  directions.cols());
@@ -158,10 +162,13 @@ Matrix projected(ConstMatrixView x, const Matrix& directions, const Progress& pr
     return result;
 }
 
-Matrix every(ConstMatrixView samples, std::int64_t step) {
+Matrix every(ConstMatrixView samples, std::int64_t step, const Progress& progress) {
     Matrix rows = Matrix::unset((samples.rows + step - 1) / step, samples.cols);
-    for (std::int64_t i = 0; i < rows.rows(); ++i)
+    PacedPoll poll(progress, Stage::features, 1);
+    for (std::int64_t i = 0; i < rows.rows(); ++i) {
         std::copy_n(samples.row(i * step), samples.cols, rows.row(i));
+        poll.did(samples.cols);
+    }
     return rows;
 }
 
@@ -173,9 +180,10 @@ Signal make_signal(ConstMatrixView samples, double fps, double smoothed_s, doubl
     signal.step = std::max<std::int64_t>(
         1, std::llround(std::min(fps / rows_per_second, static_cast<double>(samples.rows))));
     signal.rate = fps / static_cast<double>(signal.step);
-    const Matrix thinned = signal.step > 1 ? every(samples, signal.step) : Matrix();
+    const Matrix thinned = signal.step > 1 ? every(samples, signal.step, progress) : Matrix();
     const ConstMatrixView rows = signal.step > 1 ? thinned.view() : samples;
-    signal.directions = leading_directions(rows, usual_steps(rows, signal.rate), progress);
+    signal.directions =
+        leading_directions(rows, usual_steps(rows, signal.rate, progress), progress);
     const Matrix poses = projected(rows, signal.directions, progress);
     const double rough = least_roughness(poses), sigma = velocity_smoothing_s * signal.rate;
     double noise = 0, all = 0;

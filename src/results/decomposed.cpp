@@ -313,7 +313,7 @@ Decomposed decompose(const clip::Clip& clip, const clip::PrepareOptions& prepare
     made.units = units_of(found, frames);
     set_parts(found, frames, made);
     set_travels(clip, made);
-    for (const std::int64_t row : telling_postures(prepared.samples.view()))
+    for (const std::int64_t row : telling_postures(prepared.samples.view(), progress))
         made.postures.push_back(made.source.samples.first + row * made.source.samples.step);
     made.source.period.period = period_of_longest(made.segments);
     made.summaries = summaries_of(made.segments, made.cycle_parts, made.repetitions);

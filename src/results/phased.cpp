@@ -60,8 +60,9 @@ void set_reach(const Phased& phased, PhasedMotion& motion, const std::function<v
         const phase::Range most = unbroken(phased, run);
         const phase::Range within{std::max(most.begin, run.begin - reach),
                                   std::min(most.end, run.end() + reach)};
-        motion.reach.push_back(motion.phases.linear ? phase::continued(run, mean.period, within)
-                                                    : phase::grown(both.view(), mean, run, within));
+        motion.reach.push_back(motion.phases.linear
+                                   ? phase::continued(run, mean.period, within)
+                                   : phase::grown(both.view(), mean, run, within, poll));
     }
 }
 
@@ -105,7 +106,7 @@ std::vector<phase::Range> moving_rows(const Decomposed& decomposed, const Phased
     return ranges;
 }
 
-void set_frames(const Decomposed& decomposed, Phased& phased) {
+void set_frames(const Decomposed& decomposed, const std::function<void()>& poll, Phased& phased) {
     const auto frames = static_cast<std::size_t>(phased.clip.frames);
     phased.phase.assign(frames, none);
     phased.residual.assign(frames, none);
@@ -114,9 +115,9 @@ void set_frames(const Decomposed& decomposed, Phased& phased) {
         if (!motion.phases.cyclic)
             continue;
         const Matrix both = phase::pose_and_velocity(phased.rows.view(), phased.clip.fps,
-                                                     motion.phases.mean.period);
+                                                     motion.phases.mean.period, poll);
         for (const phase::Run& run : motion.phases.runs) {
-            const auto distances = phase::residuals(both.view(), motion.phases.mean, run);
+            const auto distances = phase::residuals(both.view(), motion.phases.mean, run, poll);
             for (std::int64_t i = 0; i < run.rows(); ++i) {
                 const auto frame = static_cast<std::size_t>(phased.clip.first + run.begin + i);
                 const double phase = run.phase[static_cast<std::size_t>(i)];
@@ -277,7 +278,7 @@ Phased find_phase(const clip::Clip& clip, const Decomposed& decomposed,
         warn_if_linear(motion, phased);
     }
     phased.moving = moving_rows(decomposed, phased);
-    set_frames(decomposed, phased);
+    set_frames(decomposed, poll, phased);
     return phased;
 }
 

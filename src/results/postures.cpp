@@ -20,13 +20,16 @@ constexpr double weight_of_time = 0.7;
 
 class Choice {
   public:
-    explicit Choice(ConstMatrixView samples)
-        : samples_(samples), stride_((samples.rows + most_tried - 1) / most_tried),
+    Choice(ConstMatrixView samples, const Progress& progress)
+        : samples_(samples), poll_(progress, Stage::units, 1),
+          stride_((samples.rows + most_tried - 1) / most_tried),
           nearest_(static_cast<std::size_t>((samples.rows + stride_ - 1) / stride_)) {
         std::vector<double> mean(static_cast<std::size_t>(samples.cols), 0);
         const double share = 1 / static_cast<double>(nearest_.size());
-        for (std::int64_t row = 0; row < samples.rows; row += stride_)
+        for (std::int64_t row = 0; row < samples.rows; row += stride_) {
             axpy(share, samples.row(row), mean.data(), samples.cols);
+            poll_.did(samples.cols);
+        }
         double squares = 0;
         for (std::size_t i = 0; i < nearest_.size(); ++i) {
             nearest_[i] = distance(mean.data(), row_of(i));
@@ -54,11 +57,12 @@ class Choice {
         return static_cast<std::int64_t>(tried) * stride_;
     }
 
-    double distance(const double* pose, std::int64_t row) const {
+    double distance(const double* pose, std::int64_t row) {
+        poll_.did(samples_.cols);
         return std::sqrt(squared_distance(pose, samples_.row(row), samples_.cols));
     }
 
-    double difference_of(std::int64_t a, std::int64_t b) const {
+    double difference_of(std::int64_t a, std::int64_t b) {
         const double share =
             std::abs(static_cast<double>(a - b)) / static_cast<double>(samples_.rows);
         const double in_time = std::min(1.0, share / apart);
@@ -66,6 +70,7 @@ class Choice {
     }
 
     ConstMatrixView samples_;
+    PacedPoll poll_;
     std::int64_t stride_;
     std::vector<double> nearest_; ///< of each row tried: difference from the nearest one taken
     double mean_difference_ = 0;  ///< of two rows, root mean square
@@ -73,9 +78,9 @@ class Choice {
 
 } // namespace
 
-std::vector<std::int64_t> telling_postures(ConstMatrixView samples) {
+std::vector<std::int64_t> telling_postures(ConstMatrixView samples, const Progress& progress) {
     std::vector<std::int64_t> rows;
-    Choice choice(samples);
+    Choice choice(samples, progress);
     while (rows.size() < most_postures && choice.take(rows)) {
     }
     return rows;

@@ -15,6 +15,7 @@
 namespace {
 
 using stltsa::parallel_blocks;
+using stltsa::poll_within_block;
 using stltsa::SharedThreads;
 
 std::atomic<int> threads_seen;
@@ -120,6 +121,38 @@ void poll_is_called(void**) {
     }
 }
 
+/// Two long blocks, of which only the caller's polls: both end.
+void a_poll_within_a_block_stops_the_others(void**) {
+    std::atomic<int> here{0}, ended{0};
+    int polls = 0;
+    const auto endless = [&](std::int64_t) {
+        ++here;
+        while (here < 2)
+            std::this_thread::yield();
+        struct Count {
+            std::atomic<int>& ended;
+            ~Count() { ++ended; }
+        } count{ended};
+        for (;;)
+            poll_within_block();
+    };
+    const auto poll = [&](std::int64_t done) {
+        assert_int_equal(done, 0);
+        if (++polls == 100)
+            throw std::runtime_error("stopped");
+    };
+    const SharedThreads threads;
+    assert_string_equal(failure_of([&] { parallel_blocks(2, 2, endless, poll); }).c_str(),
+                        "stopped");
+    assert_int_equal(polls, 100);
+    assert_int_equal(ended, 2);
+    check_loop(10, 2);
+    // Without a poll, and outside a loop, nothing happens.
+    parallel_blocks(3, 1, [](std::int64_t) { poll_within_block(); });
+    poll_within_block();
+    assert_int_equal(polls, 100);
+}
+
 void loops_within_loops(void**) {
     assert_null(SharedThreads::available_pool());
     const SharedThreads threads;
@@ -146,6 +179,7 @@ int main() {
         cmocka_unit_test(each_loop_starts_its_own_threads),
         cmocka_unit_test(the_lowest_failure_is_thrown),
         cmocka_unit_test(poll_is_called),
+        cmocka_unit_test(a_poll_within_a_block_stops_the_others),
         cmocka_unit_test(loops_within_loops),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);

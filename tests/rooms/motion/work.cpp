@@ -64,6 +64,25 @@ void a_requested_dimension_is_the_only_one(void**) {
     check_once(work_of(Exercise{}.samples(30), options), 2);
 }
 
+/// Work within a later stage shows that stage alone, and the callback never runs within ARPACK.
+void work_within_a_stage_shows_only_that_stage(void**) {
+    std::vector<std::pair<std::int32_t, double>> calls;
+    const auto record = [](void* user, std::int32_t stage, double fraction) {
+        static_cast<decltype(calls)*>(user)->emplace_back(stage, fraction);
+        return std::int32_t{0};
+    };
+    const Progress progress(record, &calls);
+    decompose(Exercise{}.samples(30).view(), 30, {}, progress.part(1, 2).within(Stage::units, 0.5));
+    assert_true(calls.size() > 5);
+    for (const auto& [stage, fraction] : calls) {
+        assert_int_equal(stage, Stage::units);
+        ASSERT_NEAR(fraction, 0.75, 0);
+    }
+    calls.clear();
+    progress.within(Stage::units, 0.5).report(Stage::spectrum, 0);
+    assert_true(calls.empty());
+}
+
 /// This includes a single channel, which has no second dimension.
 void without_a_choice_there_is_one_embedding(void**) {
     const Matrix line = sampled(
@@ -109,6 +128,7 @@ int main() {
         cmocka_unit_test(cycles_need_three_embeddings_of_one_graph),
         cmocka_unit_test(a_requested_dimension_is_the_only_one),
         cmocka_unit_test(without_a_choice_there_is_one_embedding),
+        cmocka_unit_test(work_within_a_stage_shows_only_that_stage),
         cmocka_unit_test(the_intrinsic_dimension_needs_no_graph_and_no_embedding),
         cmocka_unit_test(samples_without_an_embedding_have_no_dimension),
     };

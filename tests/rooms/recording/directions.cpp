@@ -68,7 +68,7 @@ void it_can_be_cancelled(void**) {
     const auto cancel = [](void* user, std::int32_t, double) -> std::int32_t {
         return ++*static_cast<int*>(user) == 5 ? 1 : 0;
     };
-    for (const std::int64_t cols : {200, 2000}) {
+    for (const std::int64_t cols : {1000, 200'000}) {
         calls = 0;
         assert_true(testing::is_cancelled(
             [&] { directions(motions(100, cols), Progress(cancel, &calls)); }));

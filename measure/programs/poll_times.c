@@ -1,0 +1,99 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/*
+ * The longest time between two calls of the progress callback: a call can be cancelled no sooner.
+ * Prints one line for each function: name, its seconds, the longest time between two calls in
+ * seconds, and the stage and fraction of the later call (-1: the function's return).
+ *
+ *     poll_times FRAMES COLUMNS FPS
+ */
+#define _POSIX_C_SOURCE 200809L
+#include "motion.h"
+#include "timing.h"
+
+struct gap {
+    double last, longest, fraction;
+    int32_t stage;
+};
+
+static void note(struct gap* gap, int32_t stage, double fraction) {
+    const double now = seconds_of(CLOCK_MONOTONIC);
+    if (now - gap->last > gap->longest) {
+        gap->longest = now - gap->last;
+        gap->stage = stage;
+        gap->fraction = fraction;
+    }
+    gap->last = now;
+}
+
+static int32_t called(void* user, int32_t stage, double fraction) {
+    note(user, stage, fraction);
+    return 0;
+}
+
+static struct gap gap;
+
+static double start(void) {
+    gap.longest = 0;
+    return gap.last = seconds_of(CLOCK_MONOTONIC);
+}
+
+static void finish(const char* name, double begin, stltsa_status status) {
+    note(&gap, -1, 1);
+    if (status != STLTSA_OK)
+        fprintf(stderr, "%s: %s\n", name, stltsa_last_error());
+    printf("%-18s %7.2f %6.3f %2d %.2f\n", name, gap.last - begin, gap.longest, (int)gap.stage,
+           gap.fraction);
+    fflush(stdout);
+}
+
+/* Columns that swing four times, or every two seconds, each with its own phase, and a little noise.
+ */
+static double* swinging(int64_t frames, int64_t columns, double fps) {
+    const double cycle = (double)frames / fps > 8 ? 2 * fps : (double)frames / 4;
+    double* x = allocate((size_t)frames * (size_t)columns * sizeof *x);
+    uint64_t state = 1;
+    for (int64_t i = 0; i < frames; ++i) {
+        const double phase = 6.283185307179586 * (double)i / cycle;
+        const double c = cos(phase), s = sin(phase), c2 = cos(2 * phase);
+        for (int64_t j = 0; j < columns; ++j)
+            x[i * columns + j] = c * (double)(j % 7 + 1) + s * (double)(j % 5 + 1) +
+                                 c2 * (double)(j % 3) + 0.01 * next_random(&state);
+    }
+    return x;
+}
+
+int main(int argc, char** argv) {
+    stltsa_clip* clip = NULL;
+    stltsa_options* options = NULL;
+    stltsa_decomposition* made = NULL;
+    stltsa_phase* phase = NULL;
+    stltsa_model* model = NULL;
+    if (argc != 4) {
+        fprintf(stderr, "usage: poll_times FRAMES COLUMNS FPS\n");
+        return 2;
+    }
+    const int64_t frames = atoll(argv[1]), columns = atoll(argv[2]);
+    double* x = swinging(frames, columns, atof(argv[3]));
+    const stltsa_in in = {x, frames, columns, 0, 0, STLTSA_F64, 0};
+    check(stltsa_clip_from_matrix(&in, atof(argv[3]), &clip));
+    free(x);
+    check(stltsa_options_new(&options));
+    check(stltsa_options_set_progress(options, called, &gap));
+
+    double begin = start();
+    const stltsa_status decomposed = stltsa_decompose(clip, options, &made);
+    finish("stltsa_decompose", begin, decomposed);
+    if (decomposed == STLTSA_OK) {
+        begin = start();
+        finish("stltsa_phase_find", begin, stltsa_phase_find(clip, made, options, &phase));
+    }
+    begin = start();
+    finish("stltsa_fit_clip", begin, stltsa_fit_clip(clip, options, &model));
+
+    stltsa_model_free(model);
+    stltsa_phase_free(phase);
+    stltsa_decomposition_free(made);
+    stltsa_options_free(options);
+    stltsa_clip_free(clip);
+    return 0;
+}

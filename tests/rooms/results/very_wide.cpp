@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Clips with very many columns: no pass over the samples is too long to be cancelled.
+#include <cmath>
+#include <numbers>
+
+#include "../assertions.hpp"
+#include "linalg/gaussian.hpp"
+#include "linalg/principal.hpp"
+#include "ltsa/neighbors/neighbors.hpp"
+#include "ltsa/parameters.hpp"
+#include "motion/cycles.hpp"
+#include "motion/period.hpp"
+#include "phase/registration.hpp"
+#include "results/postures.hpp"
+
+namespace {
+
+using namespace stltsa;
+
+constexpr std::int64_t rows = 64, cols = 1 << 17;
+constexpr double period = 10;
+/// Numbers between two polls, see PacedPoll.
+constexpr std::int64_t between_polls = 1 << 22;
+
+const Matrix& wide() {
+    static const Matrix samples = [] {
+        Matrix x(rows, cols);
+        for (std::int64_t i = 0; i < rows; ++i)
+            for (std::int64_t c = 0; c < cols; ++c)
+                x(i, c) = std::sin(2 * std::numbers::pi * static_cast<double>(i) / period +
+                                   static_cast<double>(c % 7));
+        return x;
+    }();
+    return samples;
+}
+
+/// Polls of work(progress, poll), which must be as many as passes over the samples require.
+template <class Work>
+void check_polls(double passes, const Work& work) {
+    int polls = 0;
+    const auto count = [](void* user, std::int32_t, double) {
+        ++*static_cast<int*>(user);
+        return std::int32_t{0};
+    };
+    const Progress progress(count, &polls);
+    work(progress, [&] { ++polls; });
+    assert_in_range(polls, static_cast<int>(passes * (rows * cols / between_polls)), 1000000);
+}
+
+void in_the_search_for_a_period(void**) {
+    const std::vector<double> level(rows, 1);
+    check_polls(2, [&](const Progress& progress, auto) {
+        motion::LagSamples(wide().view(), level, 30, progress);
+    });
+    const motion::LagSamples samples(wide().view(), level, 30);
+    // One lag reports once by itself.
+    check_polls(1.5, [&](const Progress& progress, auto) {
+        motion::lag_curve(samples, 1, 1, progress);
+        motion::lag_curve(samples, 2, 2, progress);
+    });
+    check_polls(4, [&](const Progress& progress, auto) {
+        motion::refine_period(wide().view(), level, period, 30, progress);
+    });
+}
+
+void in_what_is_chosen(void**) {
+    check_polls(3, [&](const Progress& progress, auto) {
+        motion::most_typical({{0, 10}, {10, 20}, {20, 30}}, wide().view(), progress);
+    });
+    check_polls(20, [&](const Progress& progress, auto) {
+        results::telling_postures(wide().view(), progress);
+    });
+    check_polls(1, [&](const Progress& progress, auto) { column_means(wide().view(), progress); });
+}
+
+/// All frames are one block of the loop.
+void among_neighbors(void**) {
+    ltsa::Parameters parameters;
+    parameters.neighbors = parameters.window = 5;
+    parameters.threads = 2;
+    const std::int64_t length = rows;
+    check_polls(5, [&](const Progress& progress, auto) {
+        ltsa::temporal_neighbors(wide().view(), {&length, 1}, parameters, progress);
+    });
+}
+
+void in_the_phase(void**) {
+    phase::Run run{0, {}};
+    for (std::int64_t i = 0; i < rows; ++i)
+        run.phase.push_back(static_cast<double>(i) / period);
+    check_polls(3, [&](auto, const auto& poll) {
+        phase::pose_and_velocity(wide().view(), 30, period, poll);
+    });
+    check_polls(6, [&](auto, const auto& poll) {
+        phase::fit_loop(wide().view(), {&run, 1}, 3, poll);
+    });
+    phase::MeanCycle mean;
+    check_polls(4 * 2 * 6, [&](auto, const auto& poll) {
+        mean = phase::register_runs(wide().view(), {run}, period, poll).mean;
+    });
+    check_polls(6,
+                [&](auto, const auto& poll) { phase::residuals(wide().view(), mean, run, poll); });
+    const phase::Run middle{10, {run.phase.begin() + 10, run.phase.begin() + 30}};
+    check_polls(6, [&](auto, const auto& poll) {
+        phase::grown(wide().view(), mean, middle, {0, rows}, poll);
+    });
+}
+
+} // namespace
+
+int main() {
+    const CMUnitTest tests[] = {
+        cmocka_unit_test(in_the_search_for_a_period),
+        cmocka_unit_test(in_what_is_chosen),
+        cmocka_unit_test(among_neighbors),
+        cmocka_unit_test(in_the_phase),
+    };
+    return cmocka_run_group_tests(tests, nullptr, nullptr);
+}
