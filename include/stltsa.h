@@ -1144,8 +1144,8 @@ typedef struct stltsa_cycles stltsa_cycles;
  * If a label has no cycles, each repetition counts as a cycle. A turn of the phase belongs to the
  * cycle whose beginning is nearest to that of the turn, at most half a cycle away. Samples are NaN
  * if the clip does not reach them, or if they lie more than a quarter of a cycle outside the
- * cycles. But a single cycle, with no other next to it, whose first or last sample would be NaN is
- * closed: samples beyond one end are taken from its other end. Repetitions are not closed.
+ * cycles. A cycle without a neighbor is closed if its first or last sample would be NaN: samples
+ * beyond one end are taken from its other end. Repetitions are not closed.
  * E_ARGUMENT: the label has neither cycles nor repetitions. E_SHAPE. */
 STLTSA_API stltsa_status stltsa_cycles_resample(const stltsa_phase *phase, int32_t label,
                                                 const stltsa_in *signals, int64_t samples,

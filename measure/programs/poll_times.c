@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /*
- * The longest time between two calls of the progress callback: a call can be cancelled no sooner.
+ * The longest time between two calls of the progress callback, the longest delay of cancelling.
  * Prints one line for each function: name, its seconds, the longest time between two calls in
  * seconds, and the stage and fraction of the later call (-1: the function's return).
  *
@@ -46,8 +46,8 @@ static void finish(const char* name, double begin, stltsa_status status) {
     fflush(stdout);
 }
 
-/* Columns that swing four times, or every two seconds, each with its own phase, and a little noise.
- */
+/* Columns that swing every two seconds or, in clips of up to eight seconds, four times; each has
+ * its own phase and a little noise. */
 static double* swinging(int64_t frames, int64_t columns, double fps) {
     const double cycle = (double)frames / fps > 8 ? 2 * fps : (double)frames / 4;
     double* x = allocate((size_t)frames * (size_t)columns * sizeof *x);

@@ -52,7 +52,8 @@ class BlockQueue {
         stopped_.store(true);
     }
 
-    /// Of the caller's thread. If it throws, the loop stops, and with it each block that polls.
+    /// Called on the caller's thread. If it throws, the loop stops, and so does each block that
+    /// polls.
     void poll() {
         if (!poll_ || polled_out())
             return;

@@ -22,7 +22,7 @@ void parallel_blocks(std::int64_t blocks, int threads,
                      const std::function<void(std::int64_t block)>& body,
                      const std::function<void(std::int64_t done)>& poll = {});
 
-/// For blocks that take long: polls if this thread called parallel_blocks(). If a poll has stopped
+/// For long blocks: polls if this thread called parallel_blocks(). If a poll has stopped
 /// the loop, ends the block by an exception, which must reach parallel_blocks(). Outside a loop it
 /// has no effect.
 void poll_within_block();

@@ -40,9 +40,9 @@ class Progress {
         return part;
     }
 
-    /// Progress of work that is a small step of a later stage: reports only that stage. In the
-    /// stage spectrum it reports nothing, since the callback may do in other stages what it must
-    /// not do in this one.
+    /// Progress of work that is a small step of a later stage: reports only that stage. It does not
+    /// report the stage spectrum, during which the callback must not fit: it may in the stage
+    /// shown.
     Progress within(Stage stage, double fraction) const {
         Progress part = *this;
         if (!outer_)
@@ -70,10 +70,10 @@ class Progress {
     void* user_ = nullptr;
     double begin_ = 0; ///< first fraction of the part
     double share_ = 1;
-    std::optional<Reached> outer_; ///< shown instead
+    std::optional<Reached> outer_; ///< reported instead of the given stage and fraction
 };
 
-/// Polls each time enough work is done, in loops whose steps take no time or long, depending on the
+/// Polls after each fixed amount of work. For loops whose steps are short or long, depending on the
 /// clip.
 class PacedPoll {
   public:

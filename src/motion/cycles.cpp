@@ -42,7 +42,7 @@ std::int64_t most_typical(const std::vector<Cycle>& cycles, ConstMatrixView samp
         return -1;
     const auto count = static_cast<std::int64_t>(cycles.size());
     PacedPoll poll(progress, Stage::units);
-    // Of one cycle at a time, since those of all may need more memory than the clip.
+    // Keeps the poses of one cycle at a time: those of all may need more memory than the clip.
     std::vector<double> poses(checked_size(phases, samples.cols)), mean(poses.size());
     const std::int64_t size = phases * samples.cols;
     for (const Cycle& cycle : cycles) {

@@ -75,7 +75,7 @@ struct Decomposition {
     Matrix loop;               ///< samples x 2, the two coordinates that form a loop (Fig. 1)
     std::vector<double> curve; ///< smoothed coordinate from which the units follow
     std::vector<double> eigenvalues;
-    double residual = 0, error_estimate = 0; ///< the largest of ltsa::Component
+    double residual = 0, error_estimate = 0; ///< largest values of all components
     Warnings warnings;
 };
 

@@ -18,7 +18,7 @@ constexpr double ridge = 1e-3;
 constexpr std::int64_t least_harmonics = 3;
 constexpr std::int64_t most_harmonics = 12;
 
-/// Of which the coefficients are solved.
+/// Their coefficients are solved at once: to solve those of all would need a copy of all.
 constexpr std::int64_t columns_at_once = 4096;
 
 /// 1, cos(2 pi h phase), sin(2 pi h phase).

@@ -35,7 +35,7 @@ struct Between {
     double part = 0;
 };
 
-/// Nothing if the place is unknown, or beyond rows that are not repeated.
+/// Nothing if the place is unknown, or if it is beyond the last row and no rows are repeated.
 std::optional<Between> between(double place, std::int64_t rows, const Range& repeated) {
     if (std::isnan(place))
         return std::nullopt;

@@ -23,7 +23,7 @@ struct Turns {
     std::vector<Range> repeated;
 };
 
-/// The first turn that begins within the run; where the run ends, it continues at the beginning.
+/// The first turn that begins within the run. At its end the run continues at its beginning.
 Turns closed_turn(const Run& run, double zero, std::int64_t samples);
 
 /// The same as times_of() without registration: linear in time between the borders.

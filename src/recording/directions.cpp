@@ -46,7 +46,7 @@ class Scatter {
     ConstMatrixView x_;
     std::vector<double> mean_;
     const std::vector<double>& usual_;
-    std::int64_t work_of_row_; ///< with what is made of it
+    std::int64_t work_of_row_; ///< including its products
     PacedPoll poll_;
 };
 

@@ -21,7 +21,7 @@ struct Part {
 /// The parts of a clip.
 std::vector<Part> parts_of(const clip::Clip& clip);
 
-/// Numbers of a posture: coordinates of joints or points, or columns.
+/// How many numbers a posture has: coordinates of joints or points, or columns.
 std::int64_t places_width(const clip::Clip& clip);
 
 /// What moves, and where it is in every step-th frame: as many frames as the text has room for.

@@ -72,8 +72,8 @@ std::vector<Column> columns_of(const clip::Clip& clip, clip::Features kind,
     return columns;
 }
 
-/// Sets to NaN what the features predict in long gaps, and columns that are left out: curves show
-/// what was recorded.
+/// Sets values that are predicted in long gaps, and columns that are left out, to NaN, because
+/// curves show only recorded values.
 void leave_out_gaps(const clip::Clip& clip, std::int64_t width, Matrix& rows) {
     Matrix filled = copied(clip.values.view());
     const clip::Gaps gaps =

@@ -64,8 +64,9 @@ Json source_json(const Reported& reported) {
     return JsonObject("name", reported.name, "pieces", pieces, "flags", flags);
 }
 
-/// A page has at most 2 MB (10^6 bytes each); for more numbers than 5000 frames of 31 joints have,
-/// in proportion more, up to 10 MB. Postures get what the rest leaves, but at least 0.5 MB.
+/// The limit of a page is 2 MB (1 MB is 10^6 bytes) for up to 5000 frames of 31 joints, and grows
+/// in proportion up to 10 MB. Postures get the remaining bytes, but at least 0.5 MB, even if the
+/// page then exceeds its limit.
 std::int64_t room_for_body(std::int64_t values, std::size_t used) {
     constexpr std::int64_t short_page = 1'980'000, longest_page = 9'900'000;
     constexpr std::int64_t least = 500'000, usual_values = std::int64_t{5000} * 31 * 3;

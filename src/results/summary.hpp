@@ -25,8 +25,8 @@ std::vector<stltsa_summary> summaries_of(std::span<const stltsa_segment> segment
 stltsa_statistics statistics_of(std::span<const stltsa_segment> segments, const Parts& all,
                                 std::int32_t label, std::int32_t side, std::int32_t quantity);
 
-/// Half the width of the 95 % confidence interval of the trend of the lengths of the parts of one
-/// label; NaN for fewer than three parts.
+/// For the parts of one label: half the width of the 95 % confidence interval of the trend of their
+/// lengths; NaN for fewer than three parts.
 double trend_margin(std::span<const stltsa_segment> segments, std::span<const stltsa_part> parts,
                     std::int32_t label);
 

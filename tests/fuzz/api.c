@@ -66,7 +66,7 @@ static void compare(const stltsa_clip* clip, const stltsa_phase* phase, const st
     MAKES(stltsa_compare_left_right(clip, phase, -1, 7, options, &of_sides), of_sides);
     if (with_itself != NULL)
         promise(stltsa_comparison_report_save(with_itself, "", "/dev/null") == STLTSA_OK,
-                "a report of each comparison");
+                "each comparison has a report");
     stltsa_comparison_free(of_sides);
     stltsa_comparison_free(with_itself);
     stltsa_sides_free(sides);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests memory exhaustion at every point: makes each allocation of a complete task fail in turn.
-// Each time the call must return STLTSA_E_NO_MEMORY with a text and no handle, must leak nothing
-// (the count of live allocations returns to its value), must leave the settings of OpenBLAS and
-// OpenMP as they were. A call that succeeds although an allocation failed must give the result of
-// the complete run; so must the task after all failures.
+// A call that fails must return STLTSA_E_NO_MEMORY with a text and no handle. Every call must leak
+// nothing (the count of live allocations returns to its value) and leave the settings of OpenBLAS
+// and OpenMP as they were. A call that succeeds despite a failed allocation, and the task after all
+// failures, must give the result of the complete run.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -423,7 +423,7 @@ bool survives(const Work& work, const std::string& input, std::int64_t step) {
     }
     const Run again = run_with_failure(work, input, never);
     if (again.status != STLTSA_OK || again.result != complete.result) {
-        std::printf("%s fails after the failures, or gives another result: %s\n", work.name,
+        std::printf("after the failures, %s fails or gives another result: %s\n", work.name,
                     stltsa_last_error());
         return false;
     }

@@ -9,7 +9,7 @@
 
 #include "stltsa.h"
 
-/// A hash (FNV-1a with offset basis 0) of what the works computed, which must not depend on failed
+/// A hash (FNV-1a with offset basis 0) of the results of the tasks. It must not depend on failed
 /// allocations.
 inline std::uint64_t noted = 0;
 

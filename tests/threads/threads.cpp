@@ -219,7 +219,7 @@ std::vector<double> decomposed(const Shared& shared) {
     return borders;
 }
 
-/// A number for the text of a result, which is freed.
+/// A hash of the text of a result. Frees the text.
 double hash_of(stltsa_status status, char* text, const char* what) {
     expect(status == STLTSA_OK, what);
     const std::string copy = text == nullptr ? "" : text;

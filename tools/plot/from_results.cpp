@@ -219,7 +219,7 @@ std::string decomposition_figure(const Session& session,
     figure.segments = decomposition.segments();
     figure.units = decomposition.units();
     figure.cycles = decomposition.cycles();
-    if (figure.cycles.size() > 2) // of one or two, none stands for all
+    if (figure.cycles.size() > 2) // of fewer, none is typical
         figure.representative = info.integer(STLTSA_INFO_REPRESENTATIVE);
     figure.postures = info.integers(STLTSA_INFO_POSTURES);
     figure.cycle_times = cycle_times_of(decomposition);

@@ -222,7 +222,7 @@ function makeNumbers() {
   const rows = sided() ? [["Cycles compared", String(first.cycles)], ["Cycles a minute", number(first.cycles_per_min)], ["Cycle time, s", withSd(time.first, time.first_sd)]]
     : [["Cycles compared", String(first.cycles), String(second.cycles), ""], ["Cycles a minute", number(first.cycles_per_min), number(second.cycles_per_min), signed(number(second.cycles_per_min - first.cycles_per_min))],
       ["Cycle time, s", withSd(time.first, time.first_sd), withSd(time.second, time.second_sd), `${signed(number(time.difference))}${star(time)}`], ["", "", "", isKnown(time.low) ? `95 %: ${between(time.low, time.high, value => signed(number(value)))}` : ""]];
-  byId("numbers").append(element("p", { class: "hint" }, `Mean ± standard deviation over the complete cycles, from phase 0 to the next phase 0; the report of a single clip measures all its cycles between their borders.${sided() ? "" : " *: the 95 % interval does not include 0."}`), scrolled(table("", sided() ? ["", "both"] : ["", "first", "second", "difference"], rows), "Numbers"));
+  byId("numbers").append(element("p", { class: "hint" }, `Mean ± standard deviation over the complete cycles, from phase 0 to the next phase 0. The report of a single clip measures all cycles, from border to border.${sided() ? "" : " *: the 95 % interval does not include 0."}`), scrolled(table("", sided() ? ["", "both"] : ["", "first", "second", "difference"], rows), "Numbers"));
 }
 function makeWarnings() {
   const list = [...found.warnings];

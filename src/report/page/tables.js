@@ -41,7 +41,7 @@ function makeSummary() {
     ["Steps per minute", s => number(s.steps_per_min)], ["Speed, units / s", s => of(s.speed)], ["Stride length, units", s => of(s.stride)], ["Path length per cycle, units", s => of(s.way)], ["Turn per cycle, °", s => of(s.turn_deg, degrees)],
     ["Largest left–right difference", s => { const m = motionOf(s.label), pairs = m && m.sides ? m.sides.pairs : []; const p = [...pairs].filter(x => x.rms !== null).sort((a, b) => b.rms - a.rms)[0]; return p ? `${number(p.rms, 2)}${p.chance === null ? "" : ` (by chance: ${number(p.chance, 2)})`}` : "–"; }]]
     .map(([head, value]) => [head, ...found.summary.map(value)]).filter(row => row.slice(1).some(cell => cell !== "–"));
-  place.append(element("p", { class: "hint" }, "Lengths are in the unit of the file. SD: standard deviation; CV: SD / mean; the change is followed by its 95 % interval."), table("", ["", ...found.summary.map(s => named(s.label))], rows));
+  place.append(element("p", { class: "hint" }, "Lengths are in the unit of the file. SD: standard deviation; CV: SD / mean; after ± of a change: half the width of its 95 % interval."), table("", ["", ...found.summary.map(s => named(s.label))], rows));
 }
 
 function makeSides() {
@@ -99,7 +99,7 @@ const argumentWord = text => shellWord(text.startsWith("-") ? "./" + text : text
 const { name: clipName, pieces, flags } = data.source; // the clip may be a stretch of its file, or several
 const cut = pieces.length > 0;
 const clipWord = () => argumentWord(clipName || "CLIP");
-// The command has no readers of its own for some files.
+// Only Python reads these formats; the command of the Python package uses its readers.
 const foreign = /\.(c3d|trc|mot|sto|npz)$/i.test(clip.path || "");
 // Frames of the clip as stretches of its file.
 function stretchWords(begin, end) {
@@ -123,7 +123,7 @@ function makeDetails() {
     ["Intrinsic dimension", intrinsic ? `${intrinsic.local_pca || "cannot tell"} by local PCA, ${intrinsic.eigengap || "cannot tell"} by the eigengap` : "not asked for (--dimension-estimate)"],
     ["Library", "libstltsa " + found.library], ["File", clip.path || "none (from memory)"], ["Checksum of the data", "CRC-32 " + data.checksum]];
   byId("details").append(element("dl", {}, ...list.flatMap(([term, value]) => [element("dt", {}, term), element("dd", {}, String(value))])),
-    element("p", { class: "facts" }, "To make this report again:"), foreign ? element("p", { class: "facts" }, "The command reads this file only if pip installed the command: pip install stltsa.") : "", commandBox(data.command || `stltsa decompose ${clipWord()}${flagWords("decompose")} --report ${shellWord(stem() + ".html")}`));
+    element("p", { class: "facts" }, "To make this report again:"), foreign ? element("p", { class: "facts" }, "The command reads this file format only if it was installed by: pip install stltsa") : "", commandBox(data.command || `stltsa decompose ${clipWord()}${flagWords("decompose")} --report ${shellWord(stem() + ".html")}`));
   if (values.length < 2) return;
   new Panel("spectrum", {
     title: "Spectrum", height: () => 190, label: "Eigenvalues of the alignment matrix: " + values.map(v => number(v)).join(", "),

@@ -121,7 +121,7 @@ void poll_is_called(void**) {
     }
 }
 
-/// Two long blocks, of which only the caller's polls: both end.
+/// Of two endless blocks, only the caller's runs the poll, but both end.
 void a_poll_within_a_block_stops_the_others(void**) {
     std::atomic<int> here{0}, ended{0};
     int polls = 0;

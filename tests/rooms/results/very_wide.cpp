@@ -34,7 +34,7 @@ const Matrix& wide() {
     return samples;
 }
 
-/// Polls of work(progress, poll), which must be as many as passes over the samples require.
+/// Checks that work(progress, poll) polls at least as often as its passes over the samples require.
 template <class Work>
 void check_polls(double passes, const Work& work) {
     int polls = 0;
@@ -47,13 +47,13 @@ void check_polls(double passes, const Work& work) {
     assert_in_range(polls, static_cast<int>(passes * (rows * cols / between_polls)), 1000000);
 }
 
-void in_the_search_for_a_period(void**) {
+void the_search_for_a_period_polls(void**) {
     const std::vector<double> level(rows, 1);
     check_polls(2, [&](const Progress& progress, auto) {
         motion::LagSamples(wide().view(), level, 30, progress);
     });
     const motion::LagSamples samples(wide().view(), level, 30);
-    // One lag reports once by itself.
+    // lag_curve() reports once per lag in any case.
     check_polls(1.5, [&](const Progress& progress, auto) {
         motion::lag_curve(samples, 1, 1, progress);
         motion::lag_curve(samples, 2, 2, progress);
@@ -63,7 +63,7 @@ void in_the_search_for_a_period(void**) {
     });
 }
 
-void in_what_is_chosen(void**) {
+void choices_poll(void**) {
     check_polls(3, [&](const Progress& progress, auto) {
         motion::most_typical({{0, 10}, {10, 20}, {20, 30}}, wide().view(), progress);
     });
@@ -74,7 +74,7 @@ void in_what_is_chosen(void**) {
 }
 
 /// All frames are one block of the loop.
-void among_neighbors(void**) {
+void the_search_for_neighbors_polls(void**) {
     ltsa::Parameters parameters;
     parameters.neighbors = parameters.window = 5;
     parameters.threads = 2;
@@ -84,7 +84,7 @@ void among_neighbors(void**) {
     });
 }
 
-void in_the_phase(void**) {
+void the_phase_polls(void**) {
     phase::Run run{0, {}};
     for (std::int64_t i = 0; i < rows; ++i)
         run.phase.push_back(static_cast<double>(i) / period);
@@ -110,10 +110,10 @@ void in_the_phase(void**) {
 
 int main() {
     const CMUnitTest tests[] = {
-        cmocka_unit_test(in_the_search_for_a_period),
-        cmocka_unit_test(in_what_is_chosen),
-        cmocka_unit_test(among_neighbors),
-        cmocka_unit_test(in_the_phase),
+        cmocka_unit_test(the_search_for_a_period_polls),
+        cmocka_unit_test(choices_poll),
+        cmocka_unit_test(the_search_for_neighbors_polls),
+        cmocka_unit_test(the_phase_polls),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

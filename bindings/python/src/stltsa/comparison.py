@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 _NULL = ffi.NULL
 _NAN = float("nan")
 _UNKNOWN_RATE = (
-    "a frame rate is unknown, so times are NaN, and those of the JSON count 30 frames as a second; "
+    "a frame rate is unknown: times are NaN, and times in the JSON assume 30 frames per second; "
     "give fps="
 )
 
@@ -158,7 +158,7 @@ class Comparison:
             self._forget_seconds()
 
     def _forget_seconds(self) -> None:
-        """Set what depends on an unknown frame rate to NaN."""
+        """Set values that depend on the unknown frame rate to NaN."""
         self.cycle_time = Difference._make([*8 * [_NAN], False])
         self.per_minute = (_NAN, _NAN)
         self.parts = tuple(part._replace(lag_s=3 * (_NAN,)) for part in self.parts)

@@ -505,8 +505,8 @@ class Phase:
         Returns
         -------
         Cycles
-            Samples that the clip does not reach, at the first and the last cycle, are NaN. A single
-            cycle with no other next to it is closed: they are taken from its other end.
+            Samples that the clip does not reach, at the first and the last cycle, are NaN. A cycle
+            without a neighbor is closed: samples beyond one end are taken from its other end.
 
         Raises
         ------

@@ -142,9 +142,9 @@ def _filled(points: FloatArray, apart: float) -> FloatArray:
 def loop(result: Decomposition, *, ax: Axes | None = None, numbers: int = 24) -> Axes:
     """Draw the two coordinates of the loop, with frame numbers (the paper's Fig. 1).
 
-    A square marks the start, arrowheads the direction, a wide line the representative cycle. The
-    curve drifts slowly, so even equal cycles lie side by side: the width of the loop shows drift as
-    well as difference.
+    A square marks the start, arrowheads the direction; with three or more cycles, a wide line is
+    the representative one. The curve drifts slowly, so even equal cycles lie side by side: the
+    width of the loop shows drift as well as difference.
 
     Parameters
     ----------

@@ -119,7 +119,7 @@ def drawn_values(result: Decomposition) -> tuple[FloatArray, FloatArray]:
 
 
 def singled_out(result: Decomposition) -> Interval | None:
-    """Return the representative cycle; of one or two cycles, none stands for all."""
+    """Return the representative cycle, or None if there are fewer than three cycles."""
     return result.representative_cycle if len(result.cycle_list) > 2 else None
 
 
