@@ -139,16 +139,24 @@ double spread_of(ConstMatrixView x) {
 
 } // namespace
 
-void scale_tiny(DistinctFrames& frames) {
-    const double spread = spread_of(frames.x);
-    if (spread > tiny_spread)
-        return;
-    const int power = -std::ilogb(spread);
-    Matrix scaled = Matrix::unset(frames.x.rows, frames.x.cols);
-    for (std::int64_t i = 0; i < frames.x.rows; ++i)
-        std::transform(frames.x.row(i), frames.x.row(i) + frames.x.cols, scaled.row(i),
+int power_if_tiny(ConstMatrixView x) {
+    const double spread = spread_of(x);
+    return spread > 0 && spread <= tiny_spread ? -std::ilogb(spread) : 0;
+}
+
+Matrix scaled(ConstMatrixView x, int power) {
+    Matrix result = Matrix::unset(x.rows, x.cols);
+    for (std::int64_t i = 0; i < x.rows; ++i)
+        std::transform(x.row(i), x.row(i) + x.cols, result.row(i),
                        [power](double value) { return std::scalbn(value, power); });
-    frames.storage = std::move(scaled);
+    return result;
+}
+
+void scale_tiny(DistinctFrames& frames) {
+    const int power = power_if_tiny(frames.x);
+    if (power == 0)
+        return;
+    frames.storage = scaled(frames.x, power);
     frames.x = frames.storage.view();
 }
 

@@ -35,8 +35,14 @@ DistinctFrames collapse_repeats(ConstMatrixView frames, std::span<const std::int
 /// caller's array, which is read in place.
 [[noreturn]] void fail_changed(std::int64_t frame);
 
-/// If squared distances would underflow, scales the frames by a power of two, which is exact; the
-/// embedding does not depend on the scale. check_parameters() has ensured that the frames vary.
+/// If squared distances would underflow, the power of two that makes the spread of the frames about
+/// 1; else 0, also for equal frames. To scale by a power of two is exact.
+int power_if_tiny(ConstMatrixView x);
+
+/// x times 2^power.
+Matrix scaled(ConstMatrixView x, int power);
+
+/// Scales frames that are tiny; the embedding does not depend on the scale.
 void scale_tiny(DistinctFrames& frames);
 
 /// Throws if parameters contradict each other or do not fit the distinct frames.

@@ -227,6 +227,11 @@ std::vector<Rows> rows_of(const std::vector<Hole>& holes, const Signal& signal) 
 Recording analyze(ConstMatrixView samples, double fps, const Options& options,
                   const Progress& progress) {
     ltsa::check_frames(samples, {&samples.rows, 1});
+    if (const int power = ltsa::power_if_tiny(samples); power != 0) {
+        Options of_scaled = options;
+        of_scaled.size = std::scalbn(options.size, power);
+        return analyze(ltsa::scaled(samples, power).view(), fps, of_scaled, progress);
+    }
     const double seconds = static_cast<double>(samples.rows) / fps;
     const bool whole = wants_one_embedding(options.single);
     const bool is_short = seconds <= longest_single_s;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "linalg/band.hpp"
 #include "linalg/eigen.hpp"
@@ -83,6 +84,8 @@ std::vector<Frames> find_holes(const std::vector<std::vector<Gap>>& gaps,
 /// Mean and regularized covariance of rows.
 struct Moments {
     std::vector<double> mean;
+    /// Of the rows divided by a power of two near their largest deviation from the mean, so that no
+    /// square overflows or vanishes; the predictions do not depend on it.
     Matrix covariance;
 
     explicit Moments(const Matrix& rows) : covariance(rows.cols(), rows.cols()) {
@@ -93,10 +96,18 @@ struct Moments {
         for (std::int64_t i = 0; i < rows.rows(); i += step)
             for (std::size_t c = 0; c < mean.size(); ++c)
                 mean[c] += rows(i, static_cast<std::int64_t>(c)) / count;
+        double largest = 0;
+        for (std::int64_t i = 0; i < rows.rows(); i += step)
+            for (std::size_t c = 0; c < mean.size(); ++c)
+                largest =
+                    std::max(largest, std::abs(rows(i, static_cast<std::int64_t>(c)) - mean[c]));
+        if (!(largest > 0 && largest < std::numeric_limits<double>::infinity()))
+            return; // nothing varies, or by too much: zeros predict nothing
+        const int exponent = -std::ilogb(largest);
         std::vector<double> row(mean.size());
         for (std::int64_t i = 0; i < rows.rows(); i += step) {
             for (std::size_t c = 0; c < mean.size(); ++c)
-                row[c] = rows(i, static_cast<std::int64_t>(c)) - mean[c];
+                row[c] = std::scalbn(rows(i, static_cast<std::int64_t>(c)) - mean[c], exponent);
             for (std::size_t a = 0; a < mean.size(); ++a)
                 for (std::size_t b = 0; b < mean.size(); ++b)
                     covariance(static_cast<std::int64_t>(a), static_cast<std::int64_t>(b)) +=

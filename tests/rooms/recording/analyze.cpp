@@ -286,6 +286,22 @@ void numbers_too_large_are_refused(void**) {
     }
 }
 
+/// At 2^-520, squares vanish.
+void tiny_numbers_are_as_good_as_others(void**) {
+    const Matrix samples = Recorder().cycles(20, 1, 0).rest(5).cycles(20, 0.7, 1).samples();
+    Matrix tiny = samples;
+    for (std::int64_t i = 0; i < tiny.rows(); ++i)
+        for (std::int64_t c = 0; c < tiny.cols(); ++c)
+            tiny(i, c) = std::ldexp(tiny(i, c), -520);
+    const Recording want = analyze(samples.view(), fps, {}, Progress());
+    const Recording got = analyze(tiny.view(), fps, {}, Progress());
+    assert_true(want.cycles.size() > 3);
+    assert_int_equal(got.cycles.size(), want.cycles.size());
+    for (std::size_t i = 0; i < got.cycles.size(); ++i)
+        ASSERT_NEAR(got.cycles[i].begin, want.cycles[i].begin, 1e-9);
+    assert_int_equal(got.segments.size(), want.segments.size());
+}
+
 void it_can_be_cancelled(void**) {
     const Matrix samples = Recorder().cycles(200, 1, 0).samples();
     int calls = 0;
@@ -322,6 +338,7 @@ int main() {
         cmocka_unit_test(no_cycle_is_lost_at_the_ends),
         cmocka_unit_test(a_hole_takes_no_cycle_beside_it),
         cmocka_unit_test(numbers_too_large_are_refused),
+        cmocka_unit_test(tiny_numbers_are_as_good_as_others),
         cmocka_unit_test(it_can_be_cancelled),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
