@@ -5,14 +5,12 @@
 #include <cmath>
 #include <limits>
 
+#include "base/numbers.hpp"
 #include "linalg/machine.hpp"
 
 namespace stltsa::ltsa {
 
 namespace {
-
-/// Sums of squares of larger numbers may overflow.
-constexpr double largest_number = 1e100;
 
 /// No branch for each number, because nearly all rows pass.
 bool usable(const double* row, std::int64_t count) {

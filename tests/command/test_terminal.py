@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Terminal output: progress, colors, Ctrl-C."""
 
+import json
 import math
 import os
 import pty
@@ -153,6 +154,15 @@ class HostileNames(CommandTest):
         ):
             with self.subTest(arguments[0]):
                 self.assert_clean(self.done(*arguments))
+
+    def test_of_json(self):
+        clip = self.folder / "walk.bvh"
+        clip.write_bytes(walk().read_bytes().replace(b"Hips", self.NAME))
+        for command in ("info", "fit", "decompose", "compare"):
+            with self.subTest(command):
+                self.assert_no_controls(self.done(command, clip, "--json"))
+        names = json.loads(self.done("info", clip, "--json"))["channels"]["names"]
+        self.assertEqual(names[0], self.NAME.decode(errors="replace") + ".tx")
 
     def test_of_joints_and_events(self):
         """Checks everything printed; not every command prints the name."""

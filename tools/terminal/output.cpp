@@ -89,7 +89,7 @@ void OutputFiles::add(const std::string& path, std::string content) {
     }
     writing(path, [&] {
         TemporaryFile file(place);
-        write_directly(file.name(), [&](const auto& sink) { sink(content); });
+        file.write([&](const auto& sink) { sink(content); });
         staged_.push_back({path, std::move(file), {}});
     });
 }

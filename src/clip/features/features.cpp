@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/numbers.hpp"
 #include "clip/body/heading.hpp"
 #include "clip/body/kinematics.hpp"
 #include "clip/body/skeleton.hpp"
@@ -30,13 +31,19 @@ void need_points(const Clip& clip) {
              clip.values.cols());
 }
 
-/// Values near the largest double can overflow in the forward kinematics.
-void check_finite(const Matrix& matrix) {
-    for (std::int64_t i = 0; i < matrix.rows(); ++i)
-        if (!std::all_of(matrix.row(i), matrix.row(i) + matrix.cols(),
-                         [](double value) { return std::isfinite(value); }))
+/// Before smoothing, in which larger numbers become NaN.
+void check_size(const Matrix& matrix) {
+    for (std::int64_t i = 0; i < matrix.rows(); ++i) {
+        const double* row = matrix.row(i);
+        const double* found = std::find_if_not(row, row + matrix.cols(), [](double value) {
+            return std::abs(value) <= largest_number;
+        });
+        if (found != row + matrix.cols())
             fail(Status::not_finite,
-                 "the values in frame {} are too large: the features are not finite", i);
+                 "the features of frame {} are too large: column {} is {}; beyond {} distances are "
+                 "infinite; use another unit",
+                 i, found - row, *found, largest_number);
+    }
 }
 
 /// The values of a bare matrix, with its gaps filled.
@@ -63,7 +70,7 @@ Matrix positions(const Clip& clip) {
         for (const Vec3& p : pose.position)
             out = std::copy(p.begin(), p.end(), out);
     }
-    check_finite(result);
+    check_size(result);
     return result;
 }
 
@@ -131,7 +138,7 @@ FeatureRows feature_rows(const Clip& clip, std::optional<Features> requested,
                         ? clip.values
                         : body_features(clip, kind, Heading(clip, body_root(clip), made.up));
     }
-    check_finite(made.rows);
+    check_size(made.rows);
     return made;
 }
 

@@ -162,11 +162,19 @@ void write_all(int descriptor, std::string_view bytes) {
     }
 }
 
-void write_directly(const std::string& path, const std::function<void(const Sink&)>& content) {
+namespace {
+
+void write_to(const std::string& path, int flags, const std::function<void(const Sink&)>& content) {
     const WithoutSigpipe no_signal;
-    Descriptor file(path, O_WRONLY);
+    Descriptor file(path, O_WRONLY | flags);
     content([&](std::string_view bytes) { write_all(file.number(), bytes); });
     file.close();
+}
+
+} // namespace
+
+void write_directly(const std::string& path, const std::function<void(const Sink&)>& content) {
+    write_to(path, 0, content);
 }
 
 TemporaryFile::TemporaryFile(std::string place, const std::string& suffix)
@@ -193,8 +201,12 @@ TemporaryFile::~TemporaryFile() {
 TemporaryFile::TemporaryFile(TemporaryFile&& other) noexcept
     : place_(std::move(other.place_)), name_(std::exchange(other.name_, {})) {}
 
+void TemporaryFile::write(const std::function<void(const Sink&)>& content) const {
+    write_to(name_, O_NOFOLLOW, content);
+}
+
 void TemporaryFile::move_to_place() {
-    Descriptor file(name_, O_RDONLY);
+    Descriptor file(name_, O_RDONLY | O_NOFOLLOW);
     struct stat existing {};
     if (::stat(place_.c_str(), &existing) == 0)
         require(::fchmod(file.number(), existing.st_mode & 07777) == 0);

@@ -34,6 +34,8 @@ class TemporaryFile {
     TemporaryFile& operator=(TemporaryFile&&) = delete;
 
     const std::string& name() const { return name_; }
+    /// Fails if the name was replaced by a link.
+    void write(const std::function<void(const Sink&)>& content) const;
     /// Replaces the file at `place`, with its permissions, after all bytes are on the disk. When it
     /// returns, the new name is on the disk, too.
     void move_to_place();

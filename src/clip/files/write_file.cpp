@@ -20,7 +20,7 @@ void write_file(const std::string& path, const std::function<void(const Sink&)>&
         if (!regular_or_new(path))
             return write_directly(path, content);
         TemporaryFile file(followed(path));
-        write_directly(file.name(), content);
+        file.write(content);
         file.move_to_place();
     } catch (const std::system_error& error) {
         if (error.code() == std::errc::not_enough_memory)

@@ -43,7 +43,7 @@ function drawSeries(pen, series, column, scale, begin, end, x, y, look) {
     else if (per === 1) points.push(at, y(low));
     else points.push(at, y(low), at, y(high));
   }
-  pen.line(points, look);
+  pen.line(points, per > 4 ? { ...look, alpha: 0.5 } : look); // where periods are narrower than pixels
 }
 function rangeOf(series, column) {
   let low = Infinity, high = -Infinity;
@@ -63,13 +63,12 @@ function makeBand() {
   const residualTop = found.cycles.length ? Math.max(0.2, Math.min(rangeOf(data.phase.values, 1)[1], 1.5)) : 1;
   const row = name => bandRows.find(r => r.name === name);
   const panel = new Panel("band", {
-    title: "The recording", height: () => bandHeight, label: "The recording over time",
+    title: "The recording", zooms: true, height: () => bandHeight, label: "The recording over time",
     base(pen, w) {
       const [a, b] = state.view, x = frame => bandX(frame, w), left = bandLeft(w), right = w - bandRight;
       const axis = timeTicks(a / fps, b / fps, (right - left) / 90);
       for (const s of axis.list) { pen.line([x(s * fps), 22, x(s * fps), lastRow.y - 6], { stroke: colors.grid }); pen.text(x(s * fps), 11, axis.text(s), { color: colors.soft, align: "center", size: 11 }); }
       if (left > 40) for (const r of bandRows) pen.text(left - 10, r.y + r.h / 2, r.name, { color: colors.soft, align: "right" });
-      else for (const r of bandRows) if (r.h > 34) pen.text(left + 2, r.y + 7, r.name, { color: colors.soft, size: 11 });
       const boxes = (list, y, h, look) => pen.clip(left, y - 2, right - left, h + 4, () => {
         let merged = -1;
         list.forEach((item, i) => {
@@ -98,6 +97,10 @@ function makeBand() {
         const r = row("Distance"), y = v => r.y + r.h - Math.min(1, v / residualTop) * (r.h - 4);
         pen.line([left, r.y + r.h, right, r.y + r.h], { stroke: colors.line });
         pen.clip(left, r.y, right - left, r.h, () => drawSeries(pen, data.phase.values, 1, { first: 0, step: data.phase.step }, a, b, x, y, { stroke: colors.soft, width: 1.2 }));
+      }
+      if (left <= 40) for (const r of bandRows.slice(2)) if (r.name) { // no room beside them
+        pen.rect(left, r.y, pen.measure(r.name, 11) + 6, 15, { fill: colors.paper, alpha: 0.8, radius: 3 });
+        pen.text(left + 3, r.y + 8, r.name, { color: colors.soft, size: 11 });
       }
       for (const s of found.segments) pen.rect(wholeX(first(s), w), lastRow.y, Math.max(0.7, wholeX(last(s), w) - wholeX(first(s), w) - 0.6), lastRow.h, { fill: hueOf(s), alpha: s.kind === "rest" ? 0.2 : 0.5, radius: 3 });
       pen.rect(wholeX(a, w), lastRow.y - 2, Math.max(6, wholeX(b, w) - wholeX(a, w)), lastRow.h + 4, { stroke: colors.ink, width: 1.8, radius: 5 });
@@ -177,8 +180,8 @@ function controlBand(panel, lastRow) {
     if (event.ctrlKey) zoomBy(Math.exp(event.deltaY / 200), bandFrame(x, w)); else zoomTo(a + event.deltaX / w * (b - a), b + event.deltaX / w * (b - a));
   }, { passive: false });
   canvas.onkeydown = event => {
-    const far = event.shiftKey ? fps : 1;
-    const act = { ArrowLeft: () => seek(Math.round(state.frame) - far), ArrowRight: () => seek(Math.round(state.frame) + far), Home: () => seek(0), End: () => seek(frames - 1), "+": () => zoomBy(0.5), "=": () => zoomBy(0.5), "-": () => zoomBy(2), "0": () => zoomTo(0, frames) }[event.key];
+    seekByKey(event);
+    const act = { "+": () => zoomBy(0.5), "=": () => zoomBy(0.5), "-": () => zoomBy(2), "0": () => zoomTo(0, frames) }[event.key];
     if (act) { event.preventDefault(); act(); }
   };
 }

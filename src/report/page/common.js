@@ -11,8 +11,14 @@ const usesSpace = of => of.matches('button, summary, a, select, textarea, input:
 
 const letters = n => n < 0 ? "" : letters(Math.floor(n / 26) - 1) + String.fromCharCode(65 + n % 26);
 const number = (value, digits = 3) => value === null || value === undefined || Number.isNaN(value) ? "–"
-  : value !== 0 && (Math.abs(value) < 1e-3 || Math.abs(value) >= 1e5) ? value.toExponential(1) : String(+value.toPrecision(digits)).replace("-", "−");
+  : (value !== 0 && (Math.abs(value) < 1e-3 || Math.abs(value) >= 1e5) ? value.toExponential(1) : String(+value.toPrecision(digits))).replaceAll("-", "−");
 const fixed = (value, digits) => value.toFixed(digits).replace(/^-(?=[0.]*$)/, "").replace("-", "−");
+// A mean with its standard deviation, of two digits, and as many decimals of both.
+const withSd = (mean, sd) => {
+  if (!(sd > 0) || sd < 1e-6 || Math.abs(mean) >= 1e5) return number(mean) + (sd > 0 ? " ± " + number(sd, 2) : "");
+  const decimals = Math.max(0, Math.min(6, 1 - Math.floor(Math.log10(sd))));
+  return `${fixed(mean, decimals)} ± ${fixed(sd, decimals)}`;
+};
 const percent = (value, digits = 1) => value === null || value === undefined || Number.isNaN(value) ? "–" : fixed(100 * value, digits) + " %";
 const signed = text => /^[1-9]|^0\.0*[1-9]/.test(text) ? "+" + text : text;
 const plural = (count, word) => count + " " + word + (count === 1 ? "" : "s");
@@ -27,9 +33,9 @@ async function inflate(base64) {
 
 // Every panel draws anew when show() was called.
 const listeners = [];
-let changed = 0; // 1: the cursor moved; 2: something else, so that all is drawn anew
+let changed = 0; // 1: the cursor moved; 2: the stretch shown changed, too; 3: something else, so that all is drawn anew
 
-function show(level = 2) {
+function show(level = 3) {
   if (changed === 0) requestAnimationFrame(() => { const now = changed; changed = 0; for (const listener of listeners) listener(now); });
   changed = Math.max(changed, level);
 }
@@ -43,8 +49,9 @@ function save(name, content, type) {
 }
 
 const fileStem = (path, other) => (path || other).split("/").pop().replace(/[^\w.-]+/g, "_") || other;
-// Cells that a spreadsheet would take for a formula are quoted and begin with a quote.
-const csvCell = cell => typeof cell !== "string" ? String(cell) : /[",\n\r]|^[=+@-]/.test(cell) ? '"' + (/^[=+@-]/.test(cell) ? "'" : "") + cell.replace(/"/g, '""') + '"' : cell;
+// Cells that a spreadsheet would take for a formula are quoted and begin with an apostrophe, as in the library's files.
+const isFormula = cell => /^'*[=+@\t\r-]/.test(cell);
+const csvCell = cell => typeof cell !== "string" ? String(cell) : /[",\n\r]/.test(cell) || isFormula(cell) ? '"' + (isFormula(cell) ? "'" : "") + cell.replace(/"/g, '""') + '"' : cell;
 const csvText = rows => rows.map(row => row.map(csvCell).join(",") + "\n").join("");
 
 function table(caption, heads, rows, textColumns = 1) {

@@ -107,8 +107,10 @@ function makeViewer() {
 function drawBody(pen, w, project, width) {
   const flat = posture(w, state.phase).map(p => Number.isNaN(p[0] + p[1] + p[2]) ? null : project(p)), origin = project([0, 0, 0]);
   const look = { stroke: colorOf(w), width, dash: w ? [1.6 * width, 1.5 * width] : [] };
+  const head = data.skeleton ? found.parts.findIndex(part => /head/i.test(part.first)) : -1;
   flat.forEach((p, i) => {
     if (!p) return;
+    if (i === head) pen.circle(p[0], p[1], 2.4 * width, { fill: w ? colors.sheet : colorOf(w), stroke: colorOf(w), width: 2 });
     shownFlat.push([i, p]);
     const parent = data.parents[i] >= 0 ? flat[data.parents[i]] : data.skeleton ? origin : null;
     if (parent) pen.line([parent[0], parent[1], p[0], p[1]], look);
@@ -153,7 +155,7 @@ function makeIntervals() {
       measures.forEach((measure, m) => {
         const x = label + m * (width + 18), reach = reachOf(measure, rows), px = v => x + (v / reach + 1) / 2 * width;
         pen.text(x + width / 2, 16, width < 140 ? measure.short : measure.title, { color: colors.soft, align: "center" });
-        for (const t of ticks(-reach, reach, width < 140 ? 4 : 6)) { pen.line([px(t), top, px(t), h - 30], { stroke: t ? colors.grid : colors.soft }); pen.text(px(t), h - 17, signed(number(100 * t)), { size: 11, color: colors.soft, align: "center" }); }
+        for (const t of ticks(-reach, reach, Math.max(2, Math.min(6, Math.floor(width / 44))))) { pen.line([px(t), top, px(t), h - 30], { stroke: t ? colors.grid : colors.soft }); pen.text(px(t), h - 17, signed(number(100 * t)), { size: 11, color: colors.soft, align: "center" }); }
         pen.clip(x, 0, width, h, () => rows.forEach((row, r) => {
           const of = measure.of(found.parts[row]), y = top + (r + 0.5) * space(), value = measure.value(of);
           if (!isKnown(value)) return pen.text(x + width / 2 + 6, y, measure.unknown, { size: 11, color: colors.soft });
@@ -212,13 +214,13 @@ function makeCurves() {
     const box = boxes.find(b => x >= b.x && x <= b.x + b.w && y >= b.y && y <= b.y + b.h);
     if (box) seek((x - box.x) / box.w);
   };
-  listeners.push(level => { if (level > 1) panel.title(partName(found.parts[state.part]), "0 to 100 % of the cycle"); });
+  listeners.push(level => { if (level > 2) panel.title(partName(found.parts[state.part]), "0 to 100 % of the cycle"); });
   const unit = { positions: "Positions are relative to the body, in the unit of the file, with the heading removed. ", points: "Positions are relative to the body, in the unit of the file. ", euler: "Angles in radians. " }[found.features] || "";
   byId("curves-hint").textContent = `Thick: mean cycles; shaded: one standard deviation. Below: the difference, with its 95 % interval at each single phase: of 100 phases without a difference, five lie outside it by chance. ${unit}${data.parents ? "Click a curve to see its posture." : "Click a curve to go to this phase."}`;
 }
 
 function makeNumbers() {
-  const { first, second, cycle_time_s: time } = found, withSd = (mean, sd) => isKnown(sd) ? `${number(mean)} ± ${number(sd, 2)}` : number(mean);
+  const { first, second, cycle_time_s: time } = found;
   const rows = sided() ? [["Cycles compared", String(first.cycles)], ["Cycles a minute", number(first.cycles_per_min)], ["Cycle time, s", withSd(time.first, time.first_sd)]]
     : [["Cycles compared", String(first.cycles), String(second.cycles), ""], ["Cycles a minute", number(first.cycles_per_min), number(second.cycles_per_min), signed(number(second.cycles_per_min - first.cycles_per_min))],
       ["Cycle time, s", withSd(time.first, time.first_sd), withSd(time.second, time.second_sd), `${signed(number(time.difference))}${star(time)}`], ["", "", "", isKnown(time.low) ? `95 %: ${between(time.low, time.high, value => signed(number(value)))}` : ""]];
@@ -299,7 +301,7 @@ function control() {
   listeners.push(level => {
     byId("scrub").value = String(100 * state.phase);
     byId("clock").textContent = `${Math.round(100 * state.phase)} % of the cycle`;
-    if (level > 1) options(byId("part"), order.map(index => [index, partName(found.parts[index])]), state.part);
+    if (level > 2) options(byId("part"), order.map(index => [index, partName(found.parts[index])]), state.part);
   });
 }
 

@@ -34,6 +34,13 @@ function makeLoop() {
   const row = frame => (frame - from) / step;
   // The cycle that shows the direction: the representative one, or else the first.
   const shownTurn = s => [found.representative_cycle, ...found.cycles].find(cycle => cycle && cycle.begin >= s.begin && cycle.end <= s.end && !Number.isNaN(series.between(row((cycle.begin + cycle.end) / 2), 1)));
+  // Of many cycles, some, evenly spaced: all would be a solid ring. None: all are drawn.
+  const most = 40;
+  const turnsDrawn = s => {
+    if (s.count <= most) return [];
+    const all = found.cycles.filter(cycle => cycle.begin >= s.begin && cycle.end <= s.end);
+    return all.length <= most ? [] : Array.from({ length: most }, (_, i) => all[Math.floor(i * all.length / most)]);
+  };
   let drawn = null, project = null;
   if (!looped().length) { document.querySelector(".view .two").style.gridTemplateColumns = "minmax(0, 1fr)"; byId("loop").remove(); return; }
   const panel = new Panel("loop", {
@@ -50,10 +57,10 @@ function makeLoop() {
       }
       const pad = 28, scale = [0, 1].map(c => ([w, h - 24][c] - 2 * pad) / (high[c] - low[c] || 1));
       project = r => [w / 2 + (series.between(r, 1) - (low[0] + high[0]) / 2) * scale[0], (h - 24) / 2 - (series.between(r, 2) - (low[1] + high[1]) / 2) * scale[1]];
-      const turns = Math.max(1, s.count), points = [];
-      const thin = Math.max(1, Math.floor(rows.length / 20000));
-      for (let i = 0; i < rows.length; i += thin) points.push(...project(rows[i]));
-      pen.line(smooth(points, rows.length < 4000 ? 5 : 1), { stroke: hueOf(s), width: 1.6, alpha: Math.max(0.12, Math.min(0.75, 4 / turns)) });
+      const cycles = turnsDrawn(s), turns = cycles.length || Math.max(1, s.count), look = { stroke: hueOf(s), width: 1.6, alpha: Math.max(0.12, Math.min(0.75, 4 / turns)) };
+      const drawRows = (begin, end, parts) => { const points = []; for (let r = begin; r <= end; ++r) points.push(...project(r)); pen.line(smooth(points, parts), look); };
+      for (const cycle of cycles) drawRows(Math.max(rows[0], Math.floor(row(first(cycle)))), Math.min(rows[rows.length - 1], Math.ceil(row(last(cycle)))), 3);
+      if (!cycles.length) drawRows(rows[0], rows[rows.length - 1], rows.length < 4000 ? 5 : 1);
       // Start and direction.
       if (rows.length > 4) {
         const a = project(starts), turn = shownTurn(s), from = turn ? row(first(turn)) : rows[0], to = turn ? row(last(turn)) : rows[rows.length - 1];
@@ -66,11 +73,11 @@ function makeLoop() {
         drawArrow(pen, [72, h - 14], [73, h - 14]);
         pen.text(82, h - 14, "direction", { color: colors.soft });
       }
-      pen.text(w - 14, h - 14, `${s.label} from ${time(s.begin)} · ${plural(s.count, "turn")}`, { color: colors.soft, align: "right" });
+      pen.text(w - 14, h - 14, `${s.label} from ${time(s.begin)} · ${cycles.length ? `${cycles.length} of ` : ""}${plural(s.count, "turn")}`, { color: colors.soft, align: "right" });
     },
     over(pen, w, h) {
       const s = loopSegment();
-      if (s !== drawn) { panel.stale = 2; setTimeout(() => panel.draw(2)); return; }
+      if (s !== drawn) { panel.stale = 3; setTimeout(() => panel.draw(3)); return; }
       if (!project || state.frame < s.begin || state.frame >= s.end) return;
       const cycle = found.cycles[containing(found.cycles, state.frame)];
       if (cycle) { const points = []; for (let r = Math.max(0, Math.ceil(row(first(cycle)))); r <= Math.min(series.rows - 1, row(last(cycle))); ++r) points.push(...project(r)); pen.line(smooth(points, 5), { stroke: colors.ink, width: 2.4 }); }
@@ -78,6 +85,7 @@ function makeLoop() {
       pen.circle(p[0], p[1], 6.5, { fill: colors.cursor, stroke: colors.paper, width: 2 });
     },
   });
+  panel.canvas.onkeydown = seekByKey;
   panel.canvas.onclick = event => {
     const box = panel.canvas.getBoundingClientRect(), s = drawn;
     let best = NaN, least = 40;
@@ -146,7 +154,7 @@ function layOut(w) {
   const rows = plotsShown(), columns = Math.max(1, ...rows.map(row => row.length)), together = rows.some(row => row.length === 2 && sidesCurves(row[0]));
   const shown = columns + (together ? 1 : 0), narrow = w < 600 && shown > 2;
   const across = narrow ? 2 : Math.max(shown, rows.length > 1 && shown === 1 && w > 600 ? Math.min(3, rows.length) : 1);
-  const left = 58, gap = shown === 1 ? 64 : 22, width = (w - left - 16 - gap * (across - 1)) / across, height = printing ? 76 : Math.max(86, Math.min(160, width * 0.52));
+  const left = 58, gap = shown === 1 || together && !narrow ? 64 : 22, width = (w - left - 16 - gap * (across - 1)) / across, height = printing ? 76 : Math.max(86, Math.min(160, width * 0.52));
   return { rows, columns, together, shown, across, left, gap, width, height, space: printing ? 38 : 46, lines: shown === 1 ? Math.ceil(rows.length / across) : rows.length * (narrow ? 2 : 1), narrow };
 }
 function makeCycles() {
@@ -174,7 +182,7 @@ function makeCycles() {
           const curves = [both.left, both.right].map(of => rotated(of.column(both.index), phase)), values = curves.flat().filter(v => !Number.isNaN(v));
           const low = Math.min(...values), high = Math.max(...values), pad = (high - low) * 0.06 || 1, span = range[1] - range[0], centre = (low + high) / 2;
           const own = high - low + 2 * pad > span ? [low - pad, high + pad] : [centre - span / 2, centre + span / 2];
-          drawPlot(pen, box, [{ mean: curves[0], color: colors.left }, { mean: curves[1], color: colors.right, dash: [7, 4] }], own, { title: "left and right, mirrored", axis: l.narrow, bottom: true });
+          drawPlot(pen, box, [{ mean: curves[0], color: colors.left }, { mean: curves[1], color: colors.right, dash: [7, 4] }], own, { title: "left and right, mirrored", axis: true, bottom: true });
           plotBoxes.push(box);
         }
       });
@@ -185,12 +193,13 @@ function makeCycles() {
       if (!Number.isNaN(phase)) for (const box of plotBoxes) pen.line([box.x + phase * box.w, box.y, box.x + phase * box.w, box.y + box.h], { stroke: colors.cursor, width: 1.6 });
     },
   });
+  panel.canvas.onkeydown = seekByKey;
   panel.canvas.onclick = event => {
     const frame = canvasBox(panel.canvas, event), box = plotBoxes.find(b => frame[0] >= b.x && frame[0] <= b.x + b.w && frame[1] >= b.y && frame[1] <= b.y + b.h);
     if (box) goToPhase(((frame[0] - box.x) / box.w + shift()) % 1);
   };
   listeners.push(level => {
-    if (level < 2) return;
+    if (level < 3) return;
     const set = setShown(), motion = motionShown(), count = motion ? partsOf(motion).length : 0, word = motion && motion.cyclic ? "cycle" : "repetition";
     panel.title(`${plural(count, word)} of ${motion ? letters(motion.label) : ""}`, set ? "0 to 100 % of a " + word : "");
     byId("cycles-hint").textContent = !set ? "" : (count === 1 ? `The only ${word}. ` : `Thick: mean of ${plural(count, word)}; shaded: one standard deviation; thin: ${set.shown.length < count ? set.shown.length + " of them" : "each"}. `) +
@@ -231,6 +240,7 @@ function makeGroup() {
       });
     },
   });
-  listeners.push(level => { if (level > 1) panel.title("Side by side", motionShown() ? `${plural(chosen().length, motionShown().cyclic ? "cycle" : "repetition")} of ${letters(motionShown().label)}` : ""); });
+  listeners.push(level => { if (level > 2) panel.title("Side by side", motionShown() ? `${plural(chosen().length, motionShown().cyclic ? "cycle" : "repetition")} of ${letters(motionShown().label)}` : ""); });
+  panel.canvas.onkeydown = seekByKey;
   panel.canvas.onclick = event => { const [x, y] = canvasBox(panel.canvas, event), box = groupBoxes.find(b => x >= b.x && x < b.x + b.w && y >= b.y && y < b.y + b.h); if (box && !Number.isNaN(box.frame)) seek(box.frame); };
 }

@@ -5,7 +5,7 @@ function findMark(mark) {
   mark.found = [{ frame: mark.frame, marked: true }];
   mark.reason = "";
   const [list] = lists.find(([parts]) => containing(parts, mark.frame) >= 0) || [];
-  if (!list || Number.isNaN(phase)) { mark.reason = "This posture is outside all cycles and repetitions, so it has no phase by which to find it elsewhere."; return mark; }
+  if (!list || Number.isNaN(phase)) { mark.reason = "This posture is outside all cycles and repetitions, so the page has no phase by which to find it elsewhere; the command below may find it."; return mark; }
   const part = list[containing(list, mark.frame)], motion = motionOf(labelOf(part.segment));
   mark.label = labelOf(part.segment);
   partsOf(motion).forEach((other, index) => {

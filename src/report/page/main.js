@@ -78,7 +78,8 @@ function control() {
     byId("scrub").value = String(state.frame);
     byId("scrub").setAttribute("aria-valuetext", time(state.frame));
     byId("clock").textContent = `${time(state.frame)} · frame ${Math.round(state.frame)}`;
-    if (level > 1) { choices(); showExport(); }
+    if (level > 1) showExport();
+    if (level > 2) choices();
   });
 }
 

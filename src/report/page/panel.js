@@ -2,7 +2,7 @@
 const panels = [];
 
 class Panel {
-  // of: { title, more, label, height(width), base(pen, w, h), over(pen, w, h), tools: [elements] }
+  // of: { title, more, label, height(width), base(pen, w, h), over(pen, w, h), tools: [elements], zooms: whether the base shows the stretch }
   constructor(id, of) {
     this.of = of;
     this.id = id;
@@ -17,7 +17,7 @@ class Panel {
     byId(id).append(this.figure);
     panels.push(this);
     new IntersectionObserver(() => { if (this.stale) this.draw(this.stale); }, { rootMargin: "100px" }).observe(this.figure);
-    new ResizeObserver(() => { if (this.figure.clientWidth !== this.width) this.draw(2); }).observe(this.figure);
+    new ResizeObserver(() => { if (this.figure.clientWidth !== this.width) this.draw(3); }).observe(this.figure);
   }
   title(text, more = "") { this.caption.replaceChildren(element("b", {}, text), more ? " · " + more : ""); }
   size() { return [Math.max(200, this.figure.clientWidth), Math.round(this.of.height(Math.max(200, this.figure.clientWidth)))]; }
@@ -34,7 +34,7 @@ class Panel {
     const [w, h] = this.size();
     this.under.style.height = this.canvas.style.height = h + "px";
     if (!this.visible()) return;
-    if (this.stale > 1 || w !== this.width || h !== this.height) { this.width = w; this.height = h; this.of.base && this.of.base(this.pen(this.under, w, h, density), w, h); if (!this.of.base) this.pen(this.under, w, h, density); }
+    if (this.stale > (this.of.zooms ? 1 : 2) || w !== this.width || h !== this.height) { this.width = w; this.height = h; this.of.base && this.of.base(this.pen(this.under, w, h, density), w, h); if (!this.of.base) this.pen(this.under, w, h, density); }
     this.of.over && this.of.over(this.pen(this.canvas, w, h, density), w, h);
     if (!this.of.over) this.pen(this.canvas, w, h, density);
     this.stale = 0;

@@ -4,7 +4,7 @@ const named = label => element("span", {}, swatch(labelHue(numberOf(label))), la
 
 function leadText() {
   const texts = found.summary.map(s => {
-    const cyclic = found.segments.some(x => x.label === s.label && x.kind === "cyclic");
+    const cyclic = isCyclic(s);
     return `${s.label}: ${plural(s.count, cyclic ? "cycle" : "repetition")} of ${number(s.cycle_time_s.mean)} s${cyclic ? ` (${number(s.cycles_per_min)} per minute)` : ""}`;
   });
   const moving = found.segments.filter(s => s.kind !== "rest");
@@ -30,16 +30,17 @@ function trendText(s) {
   return `${signed(percent(s.cycle_time_s.trend * minutes))}${margin} in ${number(60 * minutes)} s`;
 }
 
+const isCyclic = s => found.segments.some(segment => segment.label === s.label && segment.kind === "cyclic");
 function makeSummary() {
   const place = byId("summary");
   if (!found.summary.length) { byId("s-summary").hidden = true; return; }
   place.setAttribute("tabindex", "0"); place.setAttribute("role", "region"); place.setAttribute("aria-label", "Numbers of each motion");
-  const of = (value, text = number) => !value ? "–" : value.sd > 0 ? `${text(value.mean)} ± ${text(value.sd, 2)}` : text(value.mean);
+  const of = value => !value ? "–" : withSd(value.mean, value.sd);
   const least = 5; // a trend over fewer says nothing
-  const rows = [["Number", s => String(s.count)], ["Cycles per minute", s => number(s.cycles_per_min)], ["Cycle time, s (mean ± SD)", s => of(s.cycle_time_s)],
+  const rows = [["Number", s => String(s.count)], ["Cycles per minute", s => isCyclic(s) ? number(s.cycles_per_min) : "–"], [found.summary.every(isCyclic) ? "Cycle time, s (mean ± SD)" : "Cycle time or duration, s (mean ± SD)", s => of(s.cycle_time_s)],
     ["Variation (CV)", s => s.count > 1 ? percent(s.cycle_time_s.cv) : "–"], ["Change of cycle time, first to last", s => s.count >= least ? trendText(s) : "–"],
-    ["Steps per minute", s => number(s.steps_per_min)], ["Speed, units / s", s => of(s.speed)], ["Stride length, units", s => of(s.stride)], ["Path length per cycle, units", s => of(s.way)], ["Turn per cycle, °", s => of(s.turn_deg, degrees)],
-    ["Largest left–right difference", s => { const m = motionOf(s.label), pairs = m && m.sides ? m.sides.pairs : []; const p = [...pairs].filter(x => x.rms !== null).sort((a, b) => b.rms - a.rms)[0]; return p ? `${number(p.rms, 2)}${p.chance === null ? "" : ` (by chance: ${number(p.chance, 2)})`}` : "–"; }]]
+    ["Steps per minute", s => number(s.steps_per_min)], ["Step time of side 0, of side 1, s", s => s.step_time_s && s.step_time_s.side_means ? s.step_time_s.side_means.map(value => number(value)).join(", ") : "–"], ["Speed, units / s", s => of(s.speed)], ["Stride length, units", s => isCyclic(s) ? of(s.stride) : "–"], ["Path length per cycle, units", s => of(s.way)], ["Turn per cycle, °", s => of(s.turn_deg)],
+    ["Largest left–right difference", s => { const m = motionOf(s.label), pairs = m && m.sides ? m.sides.pairs : []; const p = [...pairs].filter(x => x.rms !== null).sort((a, b) => b.rms - a.rms)[0]; return p ? `${p.left} – ${p.right}: ${number(p.rms, 2)}${p.chance === null ? "" : ` (by chance: ${number(p.chance, 2)})`}` : "–"; }]]
     .map(([head, value]) => [head, ...found.summary.map(value)]).filter(row => row.slice(1).some(cell => cell !== "–"));
   place.append(element("p", { class: "hint" }, "Lengths are in the unit of the file. SD: standard deviation; CV: SD / mean; after ± of a change: half the width of its 95 % interval."), table("", ["", ...found.summary.map(s => named(s.label))], rows));
 }
@@ -48,13 +49,14 @@ function makeSides() {
   const section = byId("s-sides"), place = byId("sides");
   if (!motions.some(motion => motion.sides)) { section.hidden = true; return; }
   listeners.push(level => {
-    if (level < 2) return;
+    if (level < 3) return;
     const sides = motionShown().sides;
     section.hidden = !sides;
     if (!sides) return;
     if (!sides.pairs.length) return place.replaceChildren(element("p", { class: "facts" }, "Not compared: " + sides.reason));
     const rows = [...sides.pairs].sort((a, b) => (b.rms || 0) - (a.rms || 0)).slice(0, 8);
-    place.replaceChildren(scrolled(table(`Motion ${letters(motionShown().label)}: the largest of ${sides.pairs.length} differences between the left side and the mirrored right side half a cycle later. A difference is real if it is well above the value expected by chance.`, ["Left – right", "", "Difference (rms)", "By chance", "Mean left − right", "Range left", "Range right", "Delay of the right"],
+    const hint = element("p", { class: "hint" }, `Motion ${letters(motionShown().label)}: the largest of ${sides.pairs.length} differences between the left side and the mirrored right side half a cycle later. A difference is real if it is well above the value expected by chance.`);
+    place.replaceChildren(hint, scrolled(table("", ["Left – right", "", "Difference (rms)", "By chance", "Mean left − right", "Range left", "Range right", "Delay of the right"],
       rows.map(p => [`${p.left} – ${p.right}`, p.axis ? axisText(p.axis, body.up) : "", number(p.rms), number(p.chance), signed(number(p.mean)), number(p.left_range), number(p.right_range), signed(percent(p.shift))]), 2), "Left against right"));
   });
 }
@@ -116,10 +118,11 @@ const flagWords = command => flags[command] + (["csv", "npy"].includes(clip.form
 function makeDetails() {
   const p = found.parameters, samples = found.samples, e = found.embedding || {}, intrinsic = found.intrinsic_dimension;
   const values = (e.eigenvalues || []).filter(v => v !== null), isFitted = values.length > 0;
+  const noFit = "none: no single fit covers the recording";
   const list = [["Features", `${clip.features}, ${plural(samples.feature_count, "column")}`], ["Samples", `${samples.count} at ${number(samples.fps, 4)} per second, smoothed over ${number(samples.smoothing_s)} s`],
     ["Neighbors", `${p.neighbors}, ${p.mode}, window ${p.window}`], ["Dimension of the tangents", p.dimension], ["Range of the period search", `${number(p.period_min_s)} to ${number(p.period_max_s)} s`],
-    ["Period", found.period_s ? number(found.period_s) + " s" : "none"], ["Residual of the eigenvectors", isFitted ? number(data.accuracy.residual) + " (largest ‖Bu − λu‖ / k)" : "–"],
-    ["Estimated error of the subspace", !isFitted ? "–" : data.accuracy.error_estimate === null ? "unknown" : number(data.accuracy.error_estimate) + " rad (largest angle)"], ["Regularity of the curve", e.cyclicity ? number(e.cyclicity) + " (1: perfect)" : "–"], ["Up axis", samples.up_axis || "–"],
+    ["Period", found.period_s ? number(found.period_s) + " s" : "none"], ["Residual of the eigenvectors", isFitted ? number(data.accuracy.residual) + " (largest ‖Bu − λu‖ / k)" : noFit],
+    ["Estimated error of the subspace", !isFitted ? noFit : data.accuracy.error_estimate === null ? "unknown" : number(data.accuracy.error_estimate) + " rad (largest angle)"], ["Regularity of the curve", e.cyclicity ? number(e.cyclicity) + " (1: perfect)" : "–"], ["Up axis", samples.up_axis || "–"],
     ["Intrinsic dimension", intrinsic ? `${intrinsic.local_pca || "cannot tell"} by local PCA, ${intrinsic.eigengap || "cannot tell"} by the eigengap` : "not asked for (--dimension-estimate)"],
     ["Library", "libstltsa " + found.library], ["File", clip.path || "none (from memory)"], ["Checksum of the data", "CRC-32 " + data.checksum]];
   byId("details").append(element("dl", {}, ...list.flatMap(([term, value]) => [element("dt", {}, term), element("dd", {}, String(value))])),

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <random>
 #include <string>
+#include <system_error>
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -15,6 +16,7 @@
 #include <unistd.h>
 
 #include "clip/files/read_file.hpp"
+#include "clip/files/replace_file.hpp"
 #include "clip/files/write_file.hpp"
 
 namespace {
@@ -143,6 +145,27 @@ void a_dangling_link_is_followed(void**) {
     ASSERT_FAILS(Status::io, "cannot write", write_file(folder.path("loop"), "new"));
 }
 
+/// Another user of the folder may put a link in the place of the temporary file.
+void a_link_instead_of_the_temporary_file_is_not_followed(void**) {
+    const TemporaryFolder folder;
+    write_file(folder.path("victim"), "precious");
+    TemporaryFile file(folder.path("new"));
+    fs::remove(file.name());
+    fs::create_symlink(folder.path("victim"), file.name());
+    const auto fails = [](const auto& work) {
+        try {
+            work();
+            return false;
+        } catch (const std::system_error&) {
+            return true;
+        }
+    };
+    assert_true(fails([&] { file.write([](const auto& sink) { sink("new"); }); }));
+    assert_true(fails([&] { file.move_to_place(); }));
+    assert_true(content_of(folder.path("victim")) == "precious");
+    assert_false(fs::exists(folder.path("new")));
+}
+
 } // namespace
 
 int main() {
@@ -152,6 +175,7 @@ int main() {
         cmocka_unit_test(a_pipe_whose_reader_left_is_an_error),
         cmocka_unit_test(the_bytes_are_on_the_disk_before_the_name),
         cmocka_unit_test(a_dangling_link_is_followed),
+        cmocka_unit_test(a_link_instead_of_the_temporary_file_is_not_followed),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }
