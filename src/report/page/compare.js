@@ -107,16 +107,19 @@ function makeViewer() {
 function drawBody(pen, w, project, width) {
   const flat = posture(w, state.phase).map(p => Number.isNaN(p[0] + p[1] + p[2]) ? null : project(p)), origin = project([0, 0, 0]);
   const look = { stroke: colorOf(w), width, dash: w ? [1.6 * width, 1.5 * width] : [] };
-  const head = data.skeleton ? found.parts.findIndex(part => /head/i.test(part.first)) : -1;
   flat.forEach((p, i) => {
     if (!p) return;
-    if (i === head) pen.circle(p[0], p[1], 2.4 * width, { fill: w ? colors.sheet : colorOf(w), stroke: colorOf(w), width: 2 });
     shownFlat.push([i, p]);
     const parent = data.parents[i] >= 0 ? flat[data.parents[i]] : data.skeleton ? origin : null;
     if (parent) pen.line([parent[0], parent[1], p[0], p[1]], look);
     if (!data.skeleton) pen.circle(p[0], p[1], width * 1.1, { fill: w ? colors.sheet : colorOf(w), stroke: colorOf(w), width: 1.5 });
     if (i === state.part) pen.circle(p[0], p[1], width * 2 + 2, { stroke: colors.cursor, width: 2 });
   });
+  // The head: a disk from its joint to the end of its bone.
+  const head = data.skeleton ? found.parts.findIndex(part => /head/i.test(part.first)) : -1, end = head < 0 ? -1 : data.parents.indexOf(head);
+  if (end < 0 || !flat[head] || !flat[end]) return;
+  const [a, b] = [flat[head], flat[end]];
+  pen.circle((a[0] + b[0]) / 2, (a[1] + b[1]) / 2, Math.max(2 * width, Math.hypot(a[0] - b[0], a[1] - b[1]) / 2), { fill: w ? colors.sheet : colorOf(w), stroke: colorOf(w), width: 2 });
 }
 function drawKey(pen, width, h) {
   let x = 14;
