@@ -116,10 +116,11 @@ class Colors(CommandTest):
 
 class HostileNames(CommandTest):
     """Names of files, joints and events must not control the terminal: no control characters of one or
-    two bytes, and no bytes that are not UTF-8. Letters of any script stay."""
+    two bytes, none that turn the direction of the text, and no bytes that are not UTF-8. Letters of any
+    script stay."""
 
-    NAME = b"a\x1b]0;title\x07\x7f\xc2\x9b31m\xff\xc3\xa4"
-    SHOWN = "a?]0;title???31m?\u00e4"
+    NAME = b"a\x1b]0;title\x07\x7f\xc2\x9b31m\xff\xc3\xa4\xe2\x80\xae"
+    SHOWN = "a?]0;title???31m?\u00e4?"
 
     def setUp(self):
         super().setUp()

@@ -25,11 +25,16 @@ std::string_view code_of(char mark) {
     return mark == bold_mark ? "\x1b[1m" : mark == dim_mark ? "\x1b[2m" : "\x1b[0m";
 }
 
-/// Control characters of ASCII and of Latin-1 (U+0080 to U+009F).
+/// Control characters of ASCII and of Latin-1 (U+0080 to U+009F), and those that turn the direction
+/// of the text after them (U+202A to U+202E, U+2066 to U+2069).
 bool is_control(std::string_view character) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(character[i]); };
-    return character.size() == 1 ? byte(0) < 0x20 || byte(0) == 0x7F
-                                 : byte(0) == 0xC2 && byte(1) < 0xA0;
+    if (character.size() == 1)
+        return byte(0) < 0x20 || byte(0) == 0x7F;
+    if (character.size() == 3 && byte(0) == 0xE2)
+        return (byte(1) == 0x80 && byte(2) >= 0xAA && byte(2) <= 0xAE) ||
+               (byte(1) == 0x81 && byte(2) >= 0xA6 && byte(2) <= 0xA9);
+    return byte(0) == 0xC2 && byte(1) < 0xA0;
 }
 
 } // namespace
