@@ -84,23 +84,31 @@ class BlockQueue {
     std::exception_ptr error_;
 };
 
-struct Loop {
-    BlockQueue* queue = nullptr;
-    bool leads = false; ///< this thread called parallel_blocks()
-};
+/// The innermost loop of this thread.
+class CurrentLoop;
+thread_local const CurrentLoop* current_loop = nullptr;
 
-thread_local Loop current_loop;
-
-/// Sets the innermost loop of this thread during its lifetime.
+/// Sets it during its lifetime.
 class CurrentLoop {
   public:
-    explicit CurrentLoop(Loop loop) : outer_(std::exchange(current_loop, loop)) {}
+    /// `leads`: this thread called parallel_blocks().
+    CurrentLoop(BlockQueue& queue, bool leads)
+        : queue_(queue), leads_(leads), outer_(std::exchange(current_loop, this)) {}
     ~CurrentLoop() { current_loop = outer_; }
     CurrentLoop(const CurrentLoop&) = delete;
     CurrentLoop& operator=(const CurrentLoop&) = delete;
 
+    void poll() const {
+        if (leads_)
+            queue_.poll();
+        if (queue_.polled_out())
+            throw LoopStopped();
+    }
+
   private:
-    Loop outer_;
+    BlockQueue& queue_;
+    bool leads_;
+    const CurrentLoop* outer_;
 };
 
 } // namespace
@@ -121,12 +129,12 @@ void parallel_blocks(std::int64_t blocks, int threads,
                      const std::function<void(std::int64_t)>& poll) {
     BlockQueue queue(blocks, body, poll);
     const auto help = [&queue] {
-        const CurrentLoop current({&queue, false});
+        const CurrentLoop current(queue, false);
         while (queue.run_one()) {
         }
     };
     const auto lead = [&queue] {
-        const CurrentLoop current({&queue, true});
+        const CurrentLoop current(queue, true);
         bool polled = false;
         while (queue.run_one()) {
             queue.poll();
@@ -146,13 +154,8 @@ void parallel_blocks(std::int64_t blocks, int threads,
 }
 
 void poll_within_block() {
-    const auto [queue, leads] = current_loop;
-    if (queue == nullptr)
-        return;
-    if (leads)
-        queue->poll();
-    if (queue->polled_out())
-        throw LoopStopped();
+    if (current_loop != nullptr)
+        current_loop->poll();
 }
 
 namespace {
