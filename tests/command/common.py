@@ -190,6 +190,6 @@ def cut():
 
 @functools.cache
 def long_clip():
-    """Long enough that a spatial fit takes seconds."""
+    """Long enough that a fit with hundreds of neighbors takes seconds."""
     noise = random.Random(2)
     return write_csv("long.csv", [[noise.gauss(0, 1) for _ in range(8)] for _ in range(20000)])

@@ -221,10 +221,10 @@ class Interrupt(CommandTest):
     def test_while_it_works(self):
         files = [self.folder / name for name in ("y.npy", "y.svg")]
         terminal = Terminal(
-            *("fit", long_clip(), "--mode", "spatial", "--neighbors", "12", "--json"),
+            *("fit", long_clip(), "--neighbors", "600", "--sample-rate", "0", "--json"),
             *("--coords", files[0], "--plot", files[1]),
         )
-        self.assertTrue(terminal.wait_for(b"neighbors"), terminal.seen)
+        self.assertTrue(terminal.wait_for(b" %"), terminal.seen)
         start = time.monotonic()
         terminal.process.send_signal(signal.SIGINT)
         status, seen, _ = terminal.finish()
