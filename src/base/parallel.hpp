@@ -22,9 +22,9 @@ void parallel_blocks(std::int64_t blocks, int threads,
                      const std::function<void(std::int64_t block)>& body,
                      const std::function<void(std::int64_t done)>& poll = {});
 
-/// For long blocks: polls if this thread called parallel_blocks(). If a poll has stopped
-/// the loop, ends the block by an exception, which must reach parallel_blocks(). Outside a loop it
-/// has no effect.
+/// For long blocks: polls if this thread called parallel_blocks(). If a poll has stopped the loop,
+/// ends the block by an exception, which must reach parallel_blocks(). Outside a loop it has no
+/// effect.
 void poll_within_block();
 
 /// During its lifetime the parallel loops of the thread that made it share their threads, which

@@ -40,9 +40,9 @@ class Progress {
         return part;
     }
 
-    /// Progress of work that is a small step of a later stage: reports only that stage. It does not
-    /// report the stage spectrum, during which the callback must not fit: it may in the stage
-    /// shown.
+    /// Progress of work that is a small step of a later stage: reports that stage instead of its
+    /// own. The stage spectrum is not reported, because the callback must not fit during it, but
+    /// may during the stage that is reported.
     Progress within(Stage stage, double fraction) const {
         Progress part = *this;
         if (!outer_)

@@ -3,17 +3,18 @@
 
 #include <algorithm>
 
+#include "base/progress.hpp"
 #include "linalg/eigen.hpp"
 #include "linalg/simd.hpp"
 
 namespace stltsa {
 
-std::vector<double> column_means(ConstMatrixView rows, const Progress& progress) {
+std::vector<double> column_means(ConstMatrixView rows, const std::function<void()>& poll) {
     std::vector<double> means(static_cast<std::size_t>(rows.cols));
-    PacedPoll poll(progress, Stage::features, 1);
+    PacedPoll polls(poll);
     for (std::int64_t i = 0; i < rows.rows; ++i) {
         axpy(1 / static_cast<double>(rows.rows), rows.row(i), means.data(), rows.cols);
-        poll.did(rows.cols);
+        polls.did(rows.cols);
     }
     return means;
 }

@@ -3,14 +3,14 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
-#include "base/progress.hpp"
 #include "linalg/matrix.hpp"
 
 namespace stltsa {
 
-std::vector<double> column_means(ConstMatrixView rows, const Progress& progress = {});
+std::vector<double> column_means(ConstMatrixView rows, const std::function<void()>& poll = {});
 
 /// Of centered rows: the lower triangle by columns.
 void set_covariance(ConstMatrixView centered, double* matrix);

@@ -18,7 +18,7 @@ constexpr double ridge = 1e-3;
 constexpr std::int64_t least_harmonics = 3;
 constexpr std::int64_t most_harmonics = 12;
 
-/// Their coefficients are solved at once: to solve those of all would need a copy of all.
+/// So many columns are solved at once, because to solve all would need a copy of all coefficients.
 constexpr std::int64_t columns_at_once = 4096;
 
 /// 1, cos(2 pi h phase), sin(2 pi h phase).

@@ -24,11 +24,12 @@ constexpr std::int64_t most_rows = most_columns / 2;
 class Scatter {
   public:
     Scatter(ConstMatrixView x, const std::vector<double>& usual, const Progress& progress)
-        : x_(x), mean_(column_means(x, progress)), usual_(usual),
-          work_of_row_(x.cols <= most_columns ? x.cols * x.cols / 2 : x.cols),
+        : x_(x), mean_(column_means(x, [&] { progress.report(Stage::features, 1); })),
+          usual_(usual), work_of_row_(x.cols <= most_columns ? x.cols * x.cols / 2 : x.cols),
           poll_(progress, Stage::features, 1) {}
 
     ConstMatrixView rows() const { return x_; }
+    PacedPoll& poll() { return poll_; }
     /// A pose, relative to the mean.
     void put_pose(std::int64_t i, double* row) {
         poll_.did(work_of_row_);
@@ -46,7 +47,7 @@ class Scatter {
     ConstMatrixView x_;
     std::vector<double> mean_;
     const std::vector<double>& usual_;
-    std::int64_t work_of_row_; ///< including its products
+    std::int64_t work_of_row_; ///< including its products with itself
     PacedPoll poll_;
 };
 
@@ -119,7 +120,7 @@ void normalize(MatrixView rows, PacedPoll& poll) {
 }
 
 /// Poses, then velocities; the two scatters have equal weight.
-Matrix spread_rows(Scatter& scatter, PacedPoll& poll) {
+Matrix spread_rows(Scatter& scatter) {
     const ConstMatrixView x = scatter.rows();
     const std::int64_t count = std::min(x.rows, most_rows);
     const auto place = [&](std::int64_t i, std::int64_t rows) {
@@ -131,20 +132,19 @@ Matrix spread_rows(Scatter& scatter, PacedPoll& poll) {
         if (x.rows > 1)
             scatter.put_velocity(place(i, x.rows - 1), a.row(count + i));
     }
-    normalize(a.view().block(0, count), poll);
-    normalize(a.view().block(count, count), poll);
+    normalize(a.view().block(0, count), scatter.poll());
+    normalize(a.view().block(count, count), scatter.poll());
     return a;
 }
 
 /// A^T u / |A^T u| for the leading eigenvectors u of A A^T.
-Matrix of_rows(Scatter& scatter, const Progress& progress) {
-    PacedPoll poll(progress, Stage::features, 1);
-    const Matrix a = spread_rows(scatter, poll);
+Matrix of_rows(Scatter& scatter) {
+    const Matrix a = spread_rows(scatter);
     Matrix products(a.rows(), a.rows());
     for (std::int64_t r = 0; r < a.rows(); ++r)
         for (std::int64_t c = 0; c <= r; ++c) {
             products(r, c) = dot(a.row(r), a.row(c), a.cols());
-            poll.did(a.cols());
+            scatter.poll().did(a.cols());
         }
     const Leading leading(products);
     Matrix directions(a.cols(), leading.count);
@@ -156,7 +156,7 @@ Matrix of_rows(Scatter& scatter, const Progress& progress) {
         }
         for (std::int64_t c = 0; c < a.cols(); ++c)
             axpy(a(r, c), parts.data(), directions.row(c), leading.count);
-        poll.did(a.cols() * leading.count);
+        scatter.poll().did(a.cols() * leading.count);
     }
     return directions;
 }
@@ -166,7 +166,7 @@ Matrix of_rows(Scatter& scatter, const Progress& progress) {
 Matrix leading_directions(ConstMatrixView x, const std::vector<double>& usual,
                           const Progress& progress) {
     Scatter scatter(x, usual, progress);
-    return x.cols <= most_columns ? of_columns(scatter) : of_rows(scatter, progress);
+    return x.cols <= most_columns ? of_columns(scatter) : of_rows(scatter);
 }
 
 } // namespace stltsa::recording

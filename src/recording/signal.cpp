@@ -151,7 +151,7 @@ std::vector<double> usual_steps(ConstMatrixView x, double rate, const Progress& 
 
 Matrix projected(ConstMatrixView x, const Matrix& directions, const Progress& progress) {
     PacedPoll poll(progress, Stage::features, 1);
-    const std::vector<double> mean = column_means(x, progress);
+    const std::vector<double> mean = column_means(x, [&] { progress.report(Stage::features, 1); });
     Matrix result(x.rows, directions.cols());
     for (std::int64_t i = 0; i < x.rows; ++i) {
         poll.did(x.cols * directions.cols());

@@ -13,13 +13,10 @@ namespace {
 
 constexpr std::string_view replacement = "\xEF\xBF\xBD"; // U+FFFD in UTF-8
 
-/// Control characters of ASCII and Latin-1, which are invisible and mostly forbidden in XML 1.0,
-/// and U+FFFE and U+FFFF, which it forbids as well.
-bool is_control(std::string_view character) {
-    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(character[i]); };
-    if (character.size() == 1)
-        return byte(0) < 0x20 || byte(0) == 0x7F;
-    return (byte(0) == 0xC2 && byte(1) < 0xA0) || character == "\xEF\xBF\xBE" ||
+/// Control characters are invisible and mostly forbidden in XML 1.0, which forbids U+FFFE and
+/// U+FFFF as well.
+bool is_forbidden(std::string_view character) {
+    return stltsa::is_control(character) || character == "\xEF\xBF\xBE" ||
            character == "\xEF\xBF\xBF";
 }
 
@@ -36,7 +33,7 @@ std::string_view escape_of(std::string_view character) {
     case '\'':
         return "&#39;";
     default:
-        return is_control(character) ? replacement : "";
+        return is_forbidden(character) ? replacement : "";
     }
 }
 

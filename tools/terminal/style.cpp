@@ -25,16 +25,16 @@ std::string_view code_of(char mark) {
     return mark == bold_mark ? "\x1b[1m" : mark == dim_mark ? "\x1b[2m" : "\x1b[0m";
 }
 
-/// Control characters of ASCII and of Latin-1 (U+0080 to U+009F), and those that turn the direction
-/// of the text after them (U+202A to U+202E, U+2066 to U+2069).
-bool is_control(std::string_view character) {
-    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(character[i]); };
-    if (character.size() == 1)
-        return byte(0) < 0x20 || byte(0) == 0x7F;
-    if (character.size() == 3 && byte(0) == 0xE2)
-        return (byte(1) == 0x80 && byte(2) >= 0xAA && byte(2) <= 0xAE) ||
-               (byte(1) == 0x81 && byte(2) >= 0xA6 && byte(2) <= 0xA9);
-    return byte(0) == 0xC2 && byte(1) < 0xA0;
+/// Whether a character turns the direction of the text after it (U+202A to U+202E, U+2066 to
+/// U+2069).
+bool turns_direction(std::string_view character) {
+    return (character >= "\xE2\x80\xAA" && character <= "\xE2\x80\xAE") ||
+           (character >= "\xE2\x81\xA6" && character <= "\xE2\x81\xA9");
+}
+
+/// Whether a character may control the terminal.
+bool is_dangerous(std::string_view character) {
+    return (stltsa::is_control(character) && character != "\n") || turns_direction(character);
 }
 
 } // namespace
@@ -68,7 +68,7 @@ std::string shown(std::string_view text, bool colors) {
         const char first = character[0];
         if (first == bold_mark || first == dim_mark || first == end_mark)
             result += colors ? code_of(first) : "";
-        else if (length == 0 || (is_control(character) && first != '\n'))
+        else if (length == 0 || is_dangerous(character))
             result += '?';
         else
             result += character;

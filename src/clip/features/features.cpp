@@ -31,8 +31,8 @@ void need_points(const Clip& clip) {
              clip.values.cols());
 }
 
-/// Before smoothing, in which larger numbers become NaN.
-void check_size(const Matrix& matrix) {
+/// Called before smoothing, which turns larger numbers into NaN.
+void check_magnitude(const Matrix& matrix) {
     for (std::int64_t i = 0; i < matrix.rows(); ++i) {
         const double* row = matrix.row(i);
         const double* found = std::find_if_not(row, row + matrix.cols(), [](double value) {
@@ -70,7 +70,7 @@ Matrix positions(const Clip& clip) {
         for (const Vec3& p : pose.position)
             out = std::copy(p.begin(), p.end(), out);
     }
-    check_size(result);
+    check_magnitude(result);
     return result;
 }
 
@@ -138,7 +138,7 @@ FeatureRows feature_rows(const Clip& clip, std::optional<Features> requested,
                         ? clip.values
                         : body_features(clip, kind, Heading(clip, body_root(clip), made.up));
     }
-    check_size(made.rows);
+    check_magnitude(made.rows);
     return made;
 }
 

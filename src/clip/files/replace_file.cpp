@@ -85,6 +85,13 @@ class WithoutSigpipe {
     bool was_pending_ = false;
 };
 
+void write_to(const std::string& path, int flags, const std::function<void(const Sink&)>& content) {
+    const WithoutSigpipe no_signal;
+    Descriptor file(path, O_WRONLY | flags);
+    content([&](std::string_view bytes) { write_all(file.number(), bytes); });
+    file.close();
+}
+
 constexpr std::string_view temporary_start = ".stltsa-";
 constexpr std::string_view temporary_end = ".tmp";
 
@@ -161,17 +168,6 @@ void write_all(int descriptor, std::string_view bytes) {
             bytes.remove_prefix(static_cast<std::size_t>(written));
     }
 }
-
-namespace {
-
-void write_to(const std::string& path, int flags, const std::function<void(const Sink&)>& content) {
-    const WithoutSigpipe no_signal;
-    Descriptor file(path, O_WRONLY | flags);
-    content([&](std::string_view bytes) { write_all(file.number(), bytes); });
-    file.close();
-}
-
-} // namespace
 
 void write_directly(const std::string& path, const std::function<void(const Sink&)>& content) {
     write_to(path, 0, content);

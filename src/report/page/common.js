@@ -13,7 +13,7 @@ const letters = n => n < 0 ? "" : letters(Math.floor(n / 26) - 1) + String.fromC
 const number = (value, digits = 3) => value === null || value === undefined || Number.isNaN(value) ? "–"
   : (value !== 0 && (Math.abs(value) < 1e-3 || Math.abs(value) >= 1e5) ? value.toExponential(1) : String(+value.toPrecision(digits))).replaceAll("-", "−");
 const fixed = (value, digits) => value.toFixed(digits).replace(/^-(?=[0.]*$)/, "").replace("-", "−");
-// A mean with its standard deviation, of two digits, and as many decimals of both.
+// A mean and its standard deviation: two digits of the deviation, and as many decimals of the mean.
 const withSd = (mean, sd) => {
   if (!(sd > 0) || sd < 1e-6 || Math.abs(mean) >= 1e5) return number(mean) + (sd > 0 ? " ± " + number(sd, 2) : "");
   const decimals = Math.max(0, Math.min(6, 1 - Math.floor(Math.log10(sd))));
@@ -33,7 +33,7 @@ async function inflate(base64) {
 
 // Every panel draws anew when show() was called.
 const listeners = [];
-let changed = 0; // 1: the cursor moved; 2: the stretch shown changed, too; 3: something else, so that all is drawn anew
+let changed = 0; // 1: the cursor moved; 2: the time range shown changed; 3: something else, so that all is drawn anew
 
 function show(level = 3) {
   if (changed === 0) requestAnimationFrame(() => { const now = changed; changed = 0; for (const listener of listeners) listener(now); });

@@ -34,7 +34,7 @@ function makeLoop() {
   const row = frame => (frame - from) / step;
   // The cycle that shows the direction: the representative one, or else the first.
   const shownTurn = s => [found.representative_cycle, ...found.cycles].find(cycle => cycle && cycle.begin >= s.begin && cycle.end <= s.end && !Number.isNaN(series.between(row((cycle.begin + cycle.end) / 2), 1)));
-  // Of many cycles, some, evenly spaced: all would be a solid ring. None: all are drawn.
+  // At most so many turns are drawn, evenly spaced, because all would be a solid ring. An empty list means all.
   const most = 40;
   const turnsDrawn = s => {
     if (s.count <= most) return [];

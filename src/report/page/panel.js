@@ -2,7 +2,7 @@
 const panels = [];
 
 class Panel {
-  // of: { title, more, label, height(width), base(pen, w, h), over(pen, w, h), tools: [elements], zooms: whether the base shows the stretch }
+  // of: { title, more, label, height(width), base(pen, w, h), over(pen, w, h), tools: [elements], zooms: the base shows the time range }
   constructor(id, of) {
     this.of = of;
     this.id = id;

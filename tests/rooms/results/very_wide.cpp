@@ -4,7 +4,6 @@
 #include <numbers>
 
 #include "../assertions.hpp"
-#include "linalg/gaussian.hpp"
 #include "linalg/principal.hpp"
 #include "ltsa/neighbors/neighbors.hpp"
 #include "ltsa/parameters.hpp"
@@ -70,7 +69,7 @@ void choices_poll(void**) {
     check_polls(20, [&](const Progress& progress, auto) {
         results::telling_postures(wide().view(), progress);
     });
-    check_polls(1, [&](const Progress& progress, auto) { column_means(wide().view(), progress); });
+    check_polls(1, [&](auto, const auto& poll) { column_means(wide().view(), poll); });
 }
 
 /// All frames are one block of the loop.
