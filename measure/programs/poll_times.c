@@ -2,9 +2,12 @@
 /*
  * The longest time between two calls of the progress callback, the longest delay of cancelling.
  * Prints one line for each function: name, its seconds, the longest time between two calls in
- * seconds, and the stage and fraction of the later call (-1: the function's return).
+ * seconds, and the stage and fraction of the later call (-1: the function's return). Functions
+ * without a progress callback have stage -2.
  *
- *     poll_times FRAMES COLUMNS FPS
+ *     poll_times FRAMES COLUMNS FPS [FILE.csv]
+ *
+ * Writes and reads FILE.csv, and removes it.
  */
 #define _POSIX_C_SOURCE 200809L
 #include "motion.h"
@@ -37,8 +40,10 @@ static double start(void) {
     return gap.last = seconds_of(CLOCK_MONOTONIC);
 }
 
-static void finish(const char* name, double begin, stltsa_status status) {
-    note(&gap, -1, 1);
+/* end: the stage of the function's return. */
+enum { returned = -1, has_no_callback = -2 };
+static void finish(const char* name, double begin, int32_t end, stltsa_status status) {
+    note(&gap, end, 1);
     if (status != STLTSA_OK)
         fprintf(stderr, "%s: %s\n", name, stltsa_last_error());
     printf("%-18s %7.2f %6.3f %2d %.2f\n", name, gap.last - begin, gap.longest, (int)gap.stage,
@@ -62,14 +67,27 @@ static double* swinging(int64_t frames, int64_t columns, double fps) {
     return x;
 }
 
+static void write_and_read(const stltsa_clip* clip, const char* path,
+                           const stltsa_options* options) {
+    stltsa_clip* again = NULL;
+    double begin = start();
+    finish("stltsa_clip_save", begin, has_no_callback, stltsa_clip_save(clip, path));
+    begin = start();
+    finish("stltsa_clip_open", begin, returned, stltsa_clip_open(path, options, &again));
+    stltsa_clip_free(again);
+    remove(path);
+}
+
 int main(int argc, char** argv) {
     stltsa_clip* clip = NULL;
     stltsa_options* options = NULL;
     stltsa_decomposition* made = NULL;
     stltsa_phase* phase = NULL;
+    stltsa_comparison* comparison = NULL;
+    stltsa_events* events = NULL;
     stltsa_model* model = NULL;
-    if (argc != 4) {
-        fprintf(stderr, "usage: poll_times FRAMES COLUMNS FPS\n");
+    if (argc != 4 && argc != 5) {
+        fprintf(stderr, "usage: poll_times FRAMES COLUMNS FPS [FILE.csv]\n");
         return 2;
     }
     const int64_t frames = atoll(argv[1]), columns = atoll(argv[2]);
@@ -82,14 +100,29 @@ int main(int argc, char** argv) {
 
     double begin = start();
     const stltsa_status decomposed = stltsa_decompose(clip, options, &made);
-    finish("stltsa_decompose", begin, decomposed);
+    finish("stltsa_decompose", begin, returned, decomposed);
     if (decomposed == STLTSA_OK) {
         begin = start();
-        finish("stltsa_phase_find", begin, stltsa_phase_find(clip, made, options, &phase));
+        finish("stltsa_phase_find", begin, returned,
+               stltsa_phase_find(clip, made, options, &phase));
+    }
+    if (phase != NULL) {
+        begin = start();
+        finish("stltsa_compare", begin, has_no_callback,
+               stltsa_compare(phase, 0, phase, 0, 101, &comparison));
+        const double mark = (double)frames / 2;
+        const stltsa_in marks = {&mark, 1, 1, 0, 0, STLTSA_F64, 0};
+        begin = start();
+        finish("stltsa_events_find", begin, has_no_callback,
+               stltsa_events_find(phase, &marks, NULL, &events));
     }
     begin = start();
-    finish("stltsa_fit_clip", begin, stltsa_fit_clip(clip, options, &model));
+    finish("stltsa_fit_clip", begin, returned, stltsa_fit_clip(clip, options, &model));
+    if (argc == 5)
+        write_and_read(clip, argv[4], options);
 
+    stltsa_events_free(events);
+    stltsa_comparison_free(comparison);
     stltsa_model_free(model);
     stltsa_phase_free(phase);
     stltsa_decomposition_free(made);

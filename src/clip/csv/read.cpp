@@ -163,7 +163,7 @@ class CsvReader {
 } // namespace
 
 Clip parse_csv(std::string_view bytes, const std::string& name, const ReadOptions& options) {
-    TextCursor in(bytes, name);
+    TextCursor in(bytes, name, options.progress);
     Clip clip;
     CsvReader reader(in, clip);
     reader.read();

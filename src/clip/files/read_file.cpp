@@ -59,13 +59,13 @@ std::string read_file(const std::string& path, const Progress& progress) {
         content.append(chunk.data(), count);
         if (content.size() > most)
             fail(Status::unsupported, "{}: the file is larger than {} bytes", path, most);
-        if (count == chunk.size())
-            continue;
-        if (std::ferror(file.get()) == 0)
-            return content;
-        if (errno != EINTR)
-            cannot("read", path, errno);
-        std::clearerr(file.get());
+        if (count < chunk.size()) {
+            if (std::ferror(file.get()) == 0)
+                return content;
+            if (errno != EINTR)
+                cannot("read", path, errno);
+            std::clearerr(file.get());
+        }
         progress.report(Stage::read, 0);
     }
 }

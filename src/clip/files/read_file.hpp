@@ -7,8 +7,8 @@
 
 namespace stltsa::clip {
 
-/// Reads the whole file; throws Status::io with the system's reason if it cannot be read. After a
-/// signal, `progress` decides whether to continue.
+/// Reads the whole file; throws Status::io with the system's reason if it cannot be read.
+/// `progress` is called after each chunk, and after a signal.
 std::string read_file(const std::string& path, const Progress& progress);
 
 } // namespace stltsa::clip

@@ -85,12 +85,20 @@ std::string in_quotes(std::string_view text) {
     return "'" + result + "'";
 }
 
-TextCursor::TextCursor(std::string_view text, std::string name)
-    : text_(text), name_(std::move(name)) {
+TextCursor::TextCursor(std::string_view text, std::string name, const Progress& progress)
+    : text_(text), name_(std::move(name)), progress_(progress) {
     if (text_.starts_with("\xEF\xBB\xBF"))
         position_ = 3;
     else if (is_utf16(text_))
         fail(Status::format, "the text is UTF-16; save it as UTF-8 or ASCII");
+}
+
+/// Reports no fraction: copies of a cursor look ahead, and the fraction must not decrease.
+void TextCursor::poll() {
+    if (position_ < next_poll_)
+        return;
+    next_poll_ = position_ + bytes_between_polls;
+    progress_.report(Stage::read, 0);
 }
 
 void TextCursor::skip_blanks() {
@@ -103,6 +111,7 @@ void TextCursor::skip_blanks() {
 }
 
 std::string_view TextCursor::word() {
+    poll();
     skip_blanks();
     returned_line_ = line_;
     const std::size_t begin = position_;
@@ -124,6 +133,7 @@ std::string_view TextCursor::rest_of_line(char stop) {
 }
 
 std::string_view TextCursor::line() {
+    poll();
     while (position_ < text_.size()) {
         returned_line_ = line_;
         const std::size_t begin = position_;

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/progress.hpp"
 
 namespace stltsa::clip {
 
@@ -30,7 +31,8 @@ std::string in_quotes(std::string_view text);
 /// a UTF-8 byte order mark is skipped. Text in UTF-16 is an error.
 class TextCursor {
   public:
-    TextCursor(std::string_view text, std::string name);
+    /// `progress` is called once per mebibyte; what it throws ends the reading.
+    TextCursor(std::string_view text, std::string name, const Progress& progress = {});
 
     /// The next word on this or a later line; a brace is a word of its own. "" at the end.
     std::string_view word();
@@ -66,11 +68,16 @@ class TextCursor {
     }
 
   private:
+    static constexpr std::size_t bytes_between_polls = 1 << 20; // some milliseconds
+
     void skip_blanks();
+    void poll();
 
     std::string_view text_;
     std::string name_;
+    Progress progress_;
     std::size_t position_ = 0;
+    std::size_t next_poll_ = bytes_between_polls;
     std::int64_t line_ = 1;
     std::int64_t returned_line_ = 1;
 };

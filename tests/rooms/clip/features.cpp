@@ -296,6 +296,15 @@ void numbers_too_large_for_a_pose(void**) {
     ASSERT_FAILS(Status::not_finite, "frame", features(clip, Features::positions, Axis::y));
 }
 
+void numbers_too_large_for_distances(void**) {
+    const auto largest_of = [](const char* number) {
+        return parse(std::string("1,2\n3,") + number + "\n", Format::csv);
+    };
+    assert_true(features(largest_of("-1e100"), {}, {})(1, 1) == -1e100);
+    ASSERT_FAILS(Status::not_finite, "frame 1 are too large: column 1 is -1.1e+100",
+                 features(largest_of("-1.1e100"), {}, {}));
+}
+
 void clips_without_rotations(void**) {
     const Clip clip = parse("HIERARCHY\nROOT a\n{\nOFFSET 0 0 0\nCHANNELS 1 Xposition\n}\nMOTION\n"
                             "Frames: 2\nFrame Time: 1\n1\n2\n",
@@ -403,6 +412,7 @@ int main() {
         cmocka_unit_test(up_is_the_largest_extent_without_names),
         cmocka_unit_test(up_follows_the_motion_not_the_rest_pose),
         cmocka_unit_test(numbers_too_large_for_a_pose),
+        cmocka_unit_test(numbers_too_large_for_distances),
         cmocka_unit_test(clips_without_rotations),
         cmocka_unit_test(features_are_counted_without_being_computed),
     };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Files that arrive slowly while signals interrupt.
+// Files that arrive slowly while signals interrupt, and large ones.
 #include <chrono>
 #include <csignal>
 #include <thread>
@@ -79,12 +79,66 @@ void a_signal_lets_the_caller_stop(void**) {
     ASSERT_FAILS(Status::cancelled, "cancelled", stltsa::clip::read(pipe, options));
 }
 
+/// Calls of the progress callback, the last of which cancels.
+struct Limited {
+    int calls;
+    stltsa::clip::ReadOptions options() {
+        stltsa::clip::ReadOptions made;
+        made.progress = stltsa::Progress(
+            [](void* user, std::int32_t, double) {
+                return --static_cast<Limited*>(user)->calls == 0 ? 1 : 0;
+            },
+            this);
+        return made;
+    }
+};
+
+std::string repeated(std::string_view row, std::size_t bytes) {
+    std::string text;
+    while (text.size() < bytes)
+        text += row;
+    return text;
+}
+
+/// Each has 3 MB. They would fail at the end of the text: cancelling comes first.
+void reading_a_large_text_can_be_cancelled(void**) {
+    constexpr std::size_t size = 3 << 20;
+    const TemporaryFolder folder;
+    const std::string asf = folder.write("small.asf", small_asf);
+    const std::string large_asf = folder.write("large.asf", repeated("# comment\n", size));
+    const std::string amc = ":DEGREES\n" + repeated("# comment\n", size);
+    const std::string bvh = small_bvh + repeated("0 0 0 0 0 0 0 0 0 0\n", size);
+    struct Case {
+        Format format;
+        std::string text, skeleton;
+    } const cases[] = {{Format::csv, repeated("1,2,3\n", size) + "x\n", ""},
+                       {Format::bvh, bvh, ""},
+                       {Format::amc, amc, asf},
+                       {Format::amc, amc, large_asf}};
+    for (const Case& one : cases) {
+        Limited limited{2};
+        auto options = limited.options();
+        options.skeleton = one.skeleton;
+        ASSERT_FAILS(Status::cancelled, "cancelled",
+                     stltsa::clip::parse(one.text, one.format, "large", options));
+    }
+}
+
+void reading_a_large_file_can_be_cancelled(void**) {
+    const TemporaryFolder folder;
+    const std::string path = folder.write("large.csv", repeated("1,2,3\n", 1 << 20));
+    Limited limited{10}; // parsing calls it once
+    ASSERT_FAILS(Status::cancelled, "cancelled", stltsa::clip::read(path, limited.options()));
+}
+
 } // namespace
 
 int main() {
     const CMUnitTest tests[] = {
         cmocka_unit_test(signals_do_not_end_reading),
         cmocka_unit_test(a_signal_lets_the_caller_stop),
+        cmocka_unit_test(reading_a_large_text_can_be_cancelled),
+        cmocka_unit_test(reading_a_large_file_can_be_cancelled),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }
