@@ -211,6 +211,16 @@ class HostileNames(CommandTest):
                 self.assertNotEqual(result.returncode, 0)
                 self.assert_clean(result.stderr)
 
+    def test_of_clips_on_a_terminal(self):
+        """Shown there, names are harmless; in a pipe they are as in a file."""
+        clip = self.folder / "walk.bvh"
+        clip.write_bytes(walk().read_bytes().replace(b"Hips", self.NAME))
+        arguments = ("synthesize", f"{clip}:cycle2*2", "-o", "-")
+        status, seen, _ = Terminal(*arguments, on=("stdout",)).finish()
+        self.assertEqual(status, 0)
+        self.assertIn("ROOT a_]0;title_??31m?\u00e4?\r\n{\r\n\tOFFSET ", seen.decode())
+        self.assertIn(b"\xc2\x9b31m", self.done(*arguments))
+
     def test_colors_stay(self):
         output = Terminal("info", self.clip).finish()[1]
         self.assertRegex(output, COLOR)

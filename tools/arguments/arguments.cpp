@@ -204,38 +204,34 @@ class Parser {
         } catch (const CLI::ParseError& error) {
             const CLI::App* chosen =
                 app_.get_subcommands().empty() ? nullptr : app_.get_subcommands()[0];
-            const bool too_many =
-                chosen != nullptr && dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr;
             throw Failure(Exit::usage,
                           fmt::format("{}\nTry 'stltsa {}--help'.",
-                                      too_many                              ? unexpected(*chosen)
-                                      : chosen != nullptr && third(*chosen) ? third_clip
-                                                                            : error.what(),
+                                      chosen == nullptr ? error.what() : explained(*chosen, error),
                                       chosen == nullptr ? "" : chosen->get_name() + " "));
         }
     }
 
   private:
-    static constexpr const char* third_clip = "compare takes one or two clips: compare more "
-                                              "of them in pairs";
-
-    static bool third(const CLI::App& command) {
-        const CLI::Option* second = command.get_option_no_throw("second");
-        return second != nullptr && second->count() > 1;
-    }
-    /// The message for the first option that the command does not have, or else for the first extra
-    /// argument.
-    static std::string unexpected(const CLI::App& command) {
+    /// The first option that the command does not have is named first: its value may be taken for
+    /// a clip.
+    static std::string explained(const CLI::App& command, const CLI::ParseError& error) {
         const std::vector<std::string> words = command.remaining();
         const auto option =
             std::ranges::find_if(words, [](const std::string& w) { return w.starts_with('-'); });
-        if (option == words.end())
+        if (option != words.end())
+            return unknown_option(command, option->substr(0, option->find('=')));
+        if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr)
             return fmt::format("{} takes no further argument '{}'", command.get_name(),
                                without_shield(words.front()));
+        const CLI::Option* second = command.get_option_no_throw("second");
+        if (second != nullptr && second->count() > 1)
+            return "compare takes one or two clips: compare more of them in pairs";
+        return error.what();
+    }
+    static std::string unknown_option(const CLI::App& command, const std::string& name) {
         std::vector<std::string> flags;
         for (const CLI::Option* each : command.get_options())
             std::ranges::copy(dashed_names(*each), std::back_inserter(flags));
-        const std::string name = option->substr(0, option->find('='));
         return fmt::format("{} has no option '{}'{}", command.get_name(), name, hint(name, flags));
     }
 

@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include "exit_status.hpp"
+#include "terminal/style.hpp"
 
 namespace tool {
 namespace {
@@ -101,7 +102,10 @@ void OutputFiles::add_written(const std::string& path, const std::string& suffix
             return TemporaryFile((fs::temp_directory_path() / "stdout").string(), suffix);
         });
         write_named(write, file.name(), stdout_name);
-        return add_to_stdout(content_of(file.name()));
+        std::string content = content_of(file.name());
+        // A terminal would obey codes in the names of a clip.
+        return add_to_stdout(::isatty(STDOUT_FILENO) != 0 ? shown(content, false)
+                                                          : std::move(content));
     }
     const std::string place = followed(path);
     if (!regular_or_new(place)) {

@@ -34,7 +34,8 @@ bool turns_direction(std::string_view character) {
 
 /// Whether a character may control the terminal.
 bool is_dangerous(std::string_view character) {
-    return (stltsa::is_control(character) && character != "\n") || turns_direction(character);
+    const bool is_blank = character == "\n" || character == "\t";
+    return (stltsa::is_control(character) && !is_blank) || turns_direction(character);
 }
 
 } // namespace

@@ -20,7 +20,7 @@ std::string bold(std::string_view text);
 std::string dim(std::string_view text);
 
 /// Replaces marks by terminal codes, or removes them. Other control characters, which a file name
-/// may contain, and bytes that are not UTF-8 become '?'; line ends stay.
+/// may contain, and bytes that are not UTF-8 become '?'; line ends and tabs stay.
 std::string shown(std::string_view text, bool colors);
 
 enum class Tone { error, warning };
