@@ -3,14 +3,15 @@
 # Runs inside OSS-Fuzz's builder, which sets CC, CXX, CFLAGS, CXXFLAGS and LIB_FUZZING_ENGINE.
 set -euo pipefail
 meson setup build -Dfuzz=true -Dfuzz_engine="$LIB_FUZZING_ENGINE" -Dtools=false -Dsparse=ldl \
-    -Ddefault_library=static -Db_lundef=false -Dbuildtype=plain
+    -Db_lundef=false -Dbuildtype=plain
 for target in acclaim api bvh csv model npy; do
     ninja -C build "tests/fuzz/fuzz_$target"
     cp "build/tests/fuzz/fuzz_$target" "$OUT/"
     zip --quiet --junk-paths "$OUT/fuzz_${target}_seed_corpus.zip" "tests/fuzz/corpus/$target/"*
-    # Fuzzers run in another image, with the libraries beside them.
-    ldd "$OUT/fuzz_$target" | awk '/blas|lapack|arpack|ldl|amd|suitesparse|gfortran|quadmath|libz/ {print $3}' |
+    # Fuzzers run in another image, with the libraries beside them. Only an RPATH, not a RUNPATH, counts for the
+    # libraries of libraries, too.
+    ldd "$OUT/fuzz_$target" | awk '/blas|lapack|tmglib|arpack|ldl|amd|suitesparse|gfortran|quadmath|libz/ {print $3}' |
         xargs -I{} cp -n {} "$OUT/"
     # shellcheck disable=SC2016 # for the loader
-    patchelf --set-rpath '$ORIGIN' "$OUT/fuzz_$target"
+    patchelf --force-rpath --set-rpath '$ORIGIN' "$OUT/fuzz_$target"
 done

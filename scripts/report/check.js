@@ -84,7 +84,9 @@ async function checkRest(page, told, ids, format) {
     check(fs.statSync(file).size > 50, `${download.suggestedFilename()} is saved`);
     if (id === "save-json") check(JSON.parse(fs.readFileSync(file, "utf8")).format.startsWith(format), `it is ${format}`);
   }
-  for (const [kind, magic] of [["SVG", "<svg"], ["PNG", "\x89PNG"]])
+  for (const [kind, magic] of [["SVG", "<svg"], ["PNG", "\x89PNG"]]) {
+    await page.reload(); // Chromium refuses the eleventh file of a page
+    await page.waitForSelector("html[data-ready]");
     for (const button of await page.locator("figcaption button", { hasText: kind }).all()) {
       if (!await button.isVisible()) continue;
       const [download] = await Promise.all([page.waitForEvent("download"), button.click()]);
@@ -92,6 +94,7 @@ async function checkRest(page, told, ids, format) {
       await download.saveAs(file);
       check(fs.readFileSync(file, "latin1").startsWith(magic), `${download.suggestedFilename()} is a ${kind}`);
     }
+  }
   for (const details of await page.locator("details > summary").all()) await details.click();
   await page.evaluate(axe);
   for (const theme of ["light", "dark"]) {
@@ -126,6 +129,7 @@ async function checkReport(page) {
   check(zooming < 300, `zooming takes ${zooming.toFixed(0)} ms per step`);
   await page.keyboard.press("0");
   await page.mouse.move(0, 0);
+  await page.locator("#band canvas").last().scrollIntoViewIfNeeded();
   const box = await page.locator("#band canvas").last().boundingBox();
   await page.mouse.click(box.x + box.width * 0.5, box.y + 75);
   check(await comes(page, async () => !/frame 1$/.test(await clock())), "a click on the recording goes there");
