@@ -31,12 +31,13 @@ void need_points(const Clip& clip) {
              clip.values.cols());
 }
 
-/// Called before smoothing, which turns larger numbers into NaN.
-void check_magnitude(const Matrix& matrix) {
+/// Called before gaps are predicted and before smoothing, which turn larger numbers into NaN.
+/// `gaps`: NaN is a missing value.
+void check_magnitude(const Matrix& matrix, bool gaps = false) {
     for (std::int64_t i = 0; i < matrix.rows(); ++i) {
         const double* row = matrix.row(i);
-        const double* found = std::find_if_not(row, row + matrix.cols(), [](double value) {
-            return std::abs(value) <= largest_number;
+        const double* found = std::find_if_not(row, row + matrix.cols(), [gaps](double value) {
+            return std::abs(value) <= largest_number || (gaps && std::isnan(value));
         });
         if (found != row + matrix.cols())
             fail(Status::not_finite,
@@ -127,6 +128,8 @@ FeatureRows feature_rows(const Clip& clip, std::optional<Features> requested,
                          std::optional<Axis> up, GapRule rule) {
     feature_count(clip, requested); // fails if there are none
     const Features kind = feature_kind(clip, requested);
+    if (!clip.skeleton)
+        check_magnitude(clip.values, true);
     FeatureRows made;
     if (kind == Features::points) {
         made = points(clip, up, rule);
