@@ -7,7 +7,8 @@
  *
  *     poll_times FRAMES COLUMNS FPS [FILE.csv]
  *
- * Writes and reads FILE.csv, and removes it.
+ * With FILE.csv, which is written, read and removed, also functions without a callback: a million
+ * columns would need more memory for these than most machines have.
  */
 #define _POSIX_C_SOURCE 200809L
 #include "motion.h"
@@ -78,13 +79,25 @@ static void write_and_read(const stltsa_clip* clip, const char* path,
     remove(path);
 }
 
+static void compare_and_find_events(const stltsa_phase* phase, double mark) {
+    stltsa_comparison* comparison = NULL;
+    stltsa_events* events = NULL;
+    const stltsa_in marks = {&mark, 1, 1, 0, 0, STLTSA_F64, 0};
+    double begin = start();
+    finish("stltsa_compare", begin, has_no_callback,
+           stltsa_compare(phase, 0, phase, 0, 101, &comparison));
+    begin = start();
+    finish("stltsa_events_find", begin, has_no_callback,
+           stltsa_events_find(phase, &marks, NULL, &events));
+    stltsa_events_free(events);
+    stltsa_comparison_free(comparison);
+}
+
 int main(int argc, char** argv) {
     stltsa_clip* clip = NULL;
     stltsa_options* options = NULL;
     stltsa_decomposition* made = NULL;
     stltsa_phase* phase = NULL;
-    stltsa_comparison* comparison = NULL;
-    stltsa_events* events = NULL;
     stltsa_model* model = NULL;
     if (argc != 4 && argc != 5) {
         fprintf(stderr, "usage: poll_times FRAMES COLUMNS FPS [FILE.csv]\n");
@@ -106,23 +119,13 @@ int main(int argc, char** argv) {
         finish("stltsa_phase_find", begin, returned,
                stltsa_phase_find(clip, made, options, &phase));
     }
-    if (phase != NULL) {
-        begin = start();
-        finish("stltsa_compare", begin, has_no_callback,
-               stltsa_compare(phase, 0, phase, 0, 101, &comparison));
-        const double mark = (double)frames / 2;
-        const stltsa_in marks = {&mark, 1, 1, 0, 0, STLTSA_F64, 0};
-        begin = start();
-        finish("stltsa_events_find", begin, has_no_callback,
-               stltsa_events_find(phase, &marks, NULL, &events));
-    }
     begin = start();
     finish("stltsa_fit_clip", begin, returned, stltsa_fit_clip(clip, options, &model));
-    if (argc == 5)
+    if (argc == 5) {
+        compare_and_find_events(phase, (double)frames / 2);
         write_and_read(clip, argv[4], options);
+    }
 
-    stltsa_events_free(events);
-    stltsa_comparison_free(comparison);
     stltsa_model_free(model);
     stltsa_phase_free(phase);
     stltsa_decomposition_free(made);

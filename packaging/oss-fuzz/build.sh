@@ -8,8 +8,8 @@ for target in acclaim api bvh csv model npy; do
     ninja -C build "tests/fuzz/fuzz_$target"
     cp "build/tests/fuzz/fuzz_$target" "$OUT/"
     zip --quiet --junk-paths "$OUT/fuzz_${target}_seed_corpus.zip" "tests/fuzz/corpus/$target/"*
-    # Fuzzers run in another image, with the libraries beside them. Only an RPATH, not a RUNPATH, counts for the
-    # libraries of libraries, too.
+    # Fuzzers run in another image, with the libraries beside them. An RPATH also applies to the libraries that these
+    # libraries need; a RUNPATH does not.
     ldd "$OUT/fuzz_$target" | awk '/blas|lapack|tmglib|arpack|ldl|amd|suitesparse|gfortran|quadmath|libz/ {print $3}' |
         xargs -I{} cp -n {} "$OUT/"
     # shellcheck disable=SC2016 # for the loader

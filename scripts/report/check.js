@@ -85,7 +85,7 @@ async function checkRest(page, told, ids, format) {
     if (id === "save-json") check(JSON.parse(fs.readFileSync(file, "utf8")).format.startsWith(format), `it is ${format}`);
   }
   for (const [kind, magic] of [["SVG", "<svg"], ["PNG", "\x89PNG"]]) {
-    await page.reload(); // Chromium refuses the eleventh file of a page
+    await page.reload(); // Chromium blocks the eleventh download of a page
     await page.waitForSelector("html[data-ready]");
     for (const button of await page.locator("figcaption button", { hasText: kind }).all()) {
       if (!await button.isVisible()) continue;

@@ -95,6 +95,7 @@ class Compare(CommandTest):
         self.fails(4, "compare", still(), "--fps", "30")
         self.assertIn(f"frame rate of {circle()} is unknown", self.fails(2, "compare", walk(), circle()))
         self.assertIn("takes one or two clips", self.fails(2, "compare", walk(), walk(), walk()))
+        self.assertIn("no option '--plot'", self.fails(2, "compare", walk(), walk(), "--plot", "x.svg"))
         self.fails(2, "compare")
         self.fails(2, "compare", walk(), walk(), "-o", self.folder / "parts.png")
 

@@ -212,8 +212,7 @@ class Parser {
     }
 
   private:
-    /// The first option that the command does not have is named first: its value may be taken for
-    /// a clip.
+    /// Unknown options come first, because the value of one may have been taken for a clip.
     static std::string explained(const CLI::App& command, const CLI::ParseError& error) {
         const std::vector<std::string> words = command.remaining();
         const auto option =

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "linalg/band.hpp"
 #include "linalg/eigen.hpp"
@@ -84,8 +83,8 @@ std::vector<Frames> find_holes(const std::vector<std::vector<Gap>>& gaps,
 /// Mean and regularized covariance of rows.
 struct Moments {
     std::vector<double> mean;
-    /// Of the rows divided by a power of two near their largest deviation from the mean, so that no
-    /// square overflows or vanishes; the predictions do not depend on it.
+    /// Of the rows divided by a power of two near their largest deviation from the mean, so that
+    /// squares of tiny numbers do not vanish; the predictions do not depend on it.
     Matrix covariance;
 
     explicit Moments(const Matrix& rows) : covariance(rows.cols(), rows.cols()) {
@@ -101,8 +100,8 @@ struct Moments {
             for (std::size_t c = 0; c < mean.size(); ++c)
                 largest =
                     std::max(largest, std::abs(rows(i, static_cast<std::int64_t>(c)) - mean[c]));
-        if (!(largest > 0 && largest < std::numeric_limits<double>::infinity()))
-            return; // nothing varies, or by too much: zeros predict nothing
+        if (largest == 0)
+            return; // nothing varies, so there is nothing to predict
         const int exponent = -std::ilogb(largest);
         std::vector<double> row(mean.size());
         for (std::int64_t i = 0; i < rows.rows(); i += step) {

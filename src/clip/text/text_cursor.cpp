@@ -93,7 +93,7 @@ TextCursor::TextCursor(std::string_view text, std::string name, const Progress& 
         fail(Status::format, "the text is UTF-16; save it as UTF-8 or ASCII");
 }
 
-/// Reports no fraction: copies of a cursor look ahead, and the fraction must not decrease.
+/// Reports no fraction: that of a skeleton, or of a copy that looks ahead, is not that of the clip.
 void TextCursor::poll() {
     if (position_ < next_poll_)
         return;

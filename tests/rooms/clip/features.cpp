@@ -305,6 +305,16 @@ void numbers_too_large_for_distances(void**) {
                  features(largest_of("-1.1e100"), {}, {}));
 }
 
+/// Where nothing moves, a long gap is not predicted but filled.
+void a_gap_in_columns_that_stay(void**) {
+    std::string text;
+    for (int i = 0; i < 512; ++i) // a power of two: the mean is exact
+        text += i < 100 || i >= 250 ? "1,2,3\n" : "1,,3\n";
+    const Matrix made = features(parse(text, Format::csv), {}, {});
+    for (std::int64_t i = 0; i < made.rows(); ++i)
+        assert_true(made(i, 0) == 1 && made(i, 1) == 2 && made(i, 2) == 3);
+}
+
 void clips_without_rotations(void**) {
     const Clip clip = parse("HIERARCHY\nROOT a\n{\nOFFSET 0 0 0\nCHANNELS 1 Xposition\n}\nMOTION\n"
                             "Frames: 2\nFrame Time: 1\n1\n2\n",
@@ -413,6 +423,7 @@ int main() {
         cmocka_unit_test(up_follows_the_motion_not_the_rest_pose),
         cmocka_unit_test(numbers_too_large_for_a_pose),
         cmocka_unit_test(numbers_too_large_for_distances),
+        cmocka_unit_test(a_gap_in_columns_that_stay),
         cmocka_unit_test(clips_without_rotations),
         cmocka_unit_test(features_are_counted_without_being_computed),
     };
