@@ -330,7 +330,8 @@ enum {
     STLTSA_STAGE_UNITS = 6,     /* units and cycles */
     STLTSA_STAGE_MAP = 7,       /* mapping, in either direction */
     STLTSA_STAGE_DENOISE = 8,   /* denoising */
-    STLTSA_STAGE_SYNTHESIS = 9  /* new motion */
+    STLTSA_STAGE_SYNTHESIS = 9, /* new motion */
+    STLTSA_STAGE_WRITE = 10     /* writing a clip */
 };
 
 /* `fraction` is the completed part of the stage, 0 to 1. Within a call neither the stage nor its
@@ -712,6 +713,10 @@ STLTSA_API stltsa_status stltsa_clip_json(const stltsa_clip *clip, char **json) 
  * file). */
 STLTSA_API stltsa_status stltsa_clip_save(const stltsa_clip *clip,
                                           const char *path) STLTSA_NOEXCEPT;
+
+/* The same with options. Used: progress, which can cancel until the file is complete. */
+STLTSA_API stltsa_status stltsa_clip_save_with(const stltsa_clip *clip, const char *path,
+                                               const stltsa_options *options) STLTSA_NOEXCEPT;
 
 /* ---- The manifold curve: STLTSA --------------------------------------------------------- */
 
@@ -1312,6 +1317,12 @@ typedef struct stltsa_event {
 STLTSA_API stltsa_status stltsa_events_find(const stltsa_phase *from, const stltsa_in *marks,
                                             const stltsa_phase *in,
                                             stltsa_events **events) STLTSA_NOEXCEPT;
+
+/* The same with options. Used: progress. */
+STLTSA_API stltsa_status stltsa_events_find_with(const stltsa_phase *from, const stltsa_in *marks,
+                                                 const stltsa_phase *in,
+                                                 const stltsa_options *options,
+                                                 stltsa_events **events) STLTSA_NOEXCEPT;
 STLTSA_API void stltsa_events_free(stltsa_events *events) STLTSA_NOEXCEPT;
 STLTSA_API int64_t stltsa_events_count(const stltsa_events *events) STLTSA_NOEXCEPT;
 STLTSA_API stltsa_status stltsa_events_event(const stltsa_events *events, int64_t index,
@@ -1414,6 +1425,12 @@ STLTSA_API stltsa_status stltsa_compare(const stltsa_phase *first, int32_t first
                                         const stltsa_phase *second, int32_t second_label,
                                         int64_t samples,
                                         stltsa_comparison **comparison) STLTSA_NOEXCEPT;
+
+/* The same with options. Used: progress. */
+STLTSA_API stltsa_status stltsa_compare_with(const stltsa_phase *first, int32_t first_label,
+                                             const stltsa_phase *second, int32_t second_label,
+                                             int64_t samples, const stltsa_options *options,
+                                             stltsa_comparison **comparison) STLTSA_NOEXCEPT;
 
 /* Compares the left side of a body with its right side: the first motion is the left side, the
  * second the mirror image of the right side half a cycle later (see stltsa_sides_find). Differences

@@ -474,8 +474,8 @@ class Clip {
     }
     Info info() const noexcept { return Info(stltsa_clip_info(get())); }
     std::string json() const { return detail::json(stltsa_clip_json, get()); }
-    void save(const std::string& path) const {
-        detail::check(stltsa_clip_save(get(), path.c_str()));
+    void save(const std::string& path, const Options& options = {}) const {
+        detail::check(stltsa_clip_save_with(get(), path.c_str(), options.get()));
     }
 
     /// Frames [begin, end) of this clip, for synthesize(); the clip must outlive that call.
@@ -1104,10 +1104,11 @@ class Phase {
     /// The event at marked frames, in every cycle of the clip.
     Events events(const std::vector<double>& marks) const { return events(marks, *this); }
     /// The same in another clip.
-    Events events(const std::vector<double>& marks, const Phase& in) const {
+    Events events(const std::vector<double>& marks, const Phase& in,
+                  const Options& options = {}) const {
         const MatrixView at(marks, 1);
         stltsa_events* events = nullptr;
-        detail::check(stltsa_events_find(get(), at.get(), in.get(), &events));
+        detail::check(stltsa_events_find_with(get(), at.get(), in.get(), options.get(), &events));
         return Events(events);
     }
     /// `label`: of the segments, 0 for A.
@@ -1128,10 +1129,10 @@ class Phase {
     /// Compares a cyclic motion of this clip with one of another. Labels: of the segments, 0 for A;
     /// -1: the longest such motion here, and there the one most like it.
     Comparison compare(const Phase& second, std::int32_t label = -1, std::int32_t second_label = -1,
-                       std::int64_t samples = 101) const {
+                       std::int64_t samples = 101, const Options& options = {}) const {
         stltsa_comparison* comparison = nullptr;
-        detail::check(
-            stltsa_compare(get(), label, second.get(), second_label, samples, &comparison));
+        detail::check(stltsa_compare_with(get(), label, second.get(), second_label, samples,
+                                          options.get(), &comparison));
         return Comparison(comparison);
     }
     /// Compares left with right. `clip`: the clip that the phase was found in.

@@ -2,13 +2,12 @@
 /*
  * The longest time between two calls of the progress callback, the longest delay of cancelling.
  * Prints one line for each function: name, its seconds, the longest time between two calls in
- * seconds, and the stage and fraction of the later call (-1: the function's return). Functions
- * without a progress callback have stage -2.
+ * seconds, and the stage and fraction of the later call (-1: the function's return).
  *
  *     poll_times FRAMES COLUMNS FPS [FILE.csv]
  *
- * With FILE.csv, which is written, read and removed, also functions without a callback: a million
- * columns would need more memory for these than most machines have.
+ * With FILE.csv, which is written, read and removed, also functions that would need more memory for
+ * a million columns than most machines have.
  */
 #define _POSIX_C_SOURCE 200809L
 #include "motion.h"
@@ -41,10 +40,8 @@ static double start(void) {
     return gap.last = seconds_of(CLOCK_MONOTONIC);
 }
 
-/* end: the stage of the function's return. */
-enum { returned = -1, has_no_callback = -2 };
-static void finish(const char* name, double begin, int32_t end, stltsa_status status) {
-    note(&gap, end, 1);
+static void finish(const char* name, double begin, stltsa_status status) {
+    note(&gap, -1, 1);
     if (status != STLTSA_OK)
         fprintf(stderr, "%s: %s\n", name, stltsa_last_error());
     printf("%-18s %7.2f %6.3f %2d %.2f\n", name, gap.last - begin, gap.longest, (int)gap.stage,
@@ -72,23 +69,24 @@ static void write_and_read(const stltsa_clip* clip, const char* path,
                            const stltsa_options* options) {
     stltsa_clip* again = NULL;
     double begin = start();
-    finish("stltsa_clip_save", begin, has_no_callback, stltsa_clip_save(clip, path));
+    finish("stltsa_clip_save", begin, stltsa_clip_save_with(clip, path, options));
     begin = start();
-    finish("stltsa_clip_open", begin, returned, stltsa_clip_open(path, options, &again));
+    finish("stltsa_clip_open", begin, stltsa_clip_open(path, options, &again));
     stltsa_clip_free(again);
     remove(path);
 }
 
-static void compare_and_find_events(const stltsa_phase* phase, double mark) {
+static void compare_and_find_events(const stltsa_phase* phase, double mark,
+                                    const stltsa_options* options) {
     stltsa_comparison* comparison = NULL;
     stltsa_events* events = NULL;
     const stltsa_in marks = {&mark, 1, 1, 0, 0, STLTSA_F64, 0};
     double begin = start();
-    finish("stltsa_compare", begin, has_no_callback,
-           stltsa_compare(phase, 0, phase, 0, 101, &comparison));
+    finish("stltsa_compare", begin,
+           stltsa_compare_with(phase, 0, phase, 0, 101, options, &comparison));
     begin = start();
-    finish("stltsa_events_find", begin, has_no_callback,
-           stltsa_events_find(phase, &marks, NULL, &events));
+    finish("stltsa_events_find", begin,
+           stltsa_events_find_with(phase, &marks, NULL, options, &events));
     stltsa_events_free(events);
     stltsa_comparison_free(comparison);
 }
@@ -113,16 +111,15 @@ int main(int argc, char** argv) {
 
     double begin = start();
     const stltsa_status decomposed = stltsa_decompose(clip, options, &made);
-    finish("stltsa_decompose", begin, returned, decomposed);
+    finish("stltsa_decompose", begin, decomposed);
     if (decomposed == STLTSA_OK) {
         begin = start();
-        finish("stltsa_phase_find", begin, returned,
-               stltsa_phase_find(clip, made, options, &phase));
+        finish("stltsa_phase_find", begin, stltsa_phase_find(clip, made, options, &phase));
     }
     begin = start();
-    finish("stltsa_fit_clip", begin, returned, stltsa_fit_clip(clip, options, &model));
+    finish("stltsa_fit_clip", begin, stltsa_fit_clip(clip, options, &model));
     if (argc == 5) {
-        compare_and_find_events(phase, (double)frames / 2);
+        compare_and_find_events(phase, (double)frames / 2, options);
         write_and_read(clip, argv[4], options);
     }
 

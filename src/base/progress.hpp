@@ -23,6 +23,7 @@ enum class Stage : std::int32_t {
     map = 7,
     denoise = 8,
     synthesis = 9,
+    write = 10,
 };
 
 class Progress {

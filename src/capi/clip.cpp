@@ -291,5 +291,13 @@ stltsa_status stltsa_clip_json(const stltsa_clip* clip, char** json) noexcept {
 }
 
 stltsa_status stltsa_clip_save(const stltsa_clip* clip, const char* path) noexcept {
-    return guard([&] { clip::write(required(clip, "clip").clip, &required(path, "path")); });
+    return stltsa_clip_save_with(clip, path, nullptr);
+}
+
+stltsa_status stltsa_clip_save_with(const stltsa_clip* clip, const char* path,
+                                    const stltsa_options* options) noexcept {
+    return guard([&] {
+        const capi::OptionsReader reader(options);
+        clip::write(required(clip, "clip").clip, &required(path, "path"), reader.progress());
+    });
 }

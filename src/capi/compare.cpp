@@ -100,13 +100,22 @@ void write_all(std::initializer_list<Wanted> all) {
 stltsa_status stltsa_compare(const stltsa_phase* first, int32_t first_label,
                              const stltsa_phase* second, int32_t second_label, int64_t samples,
                              stltsa_comparison** comparison) noexcept {
+    return stltsa_compare_with(first, first_label, second, second_label, samples, nullptr,
+                               comparison);
+}
+
+stltsa_status stltsa_compare_with(const stltsa_phase* first, int32_t first_label,
+                                  const stltsa_phase* second, int32_t second_label, int64_t samples,
+                                  const stltsa_options* options,
+                                  stltsa_comparison** comparison) noexcept {
     return compute([&] {
         required(comparison, "comparison") = nullptr;
         const results::Phased& one = required(first, "first");
         const results::Phased& other = required(second, "second");
         capi::check_samples(samples, least_samples, most_samples);
-        *comparison = new stltsa_comparison(
-            results::compare(one, wanted(first_label), other, wanted(second_label), samples));
+        const capi::OptionsReader reader(options);
+        *comparison = new stltsa_comparison(results::compare(
+            one, wanted(first_label), other, wanted(second_label), samples, reader.progress()));
     });
 }
 

@@ -6,6 +6,7 @@
 #include "capi/boundary/guard.hpp"
 #include "capi/boundary/structs.hpp"
 #include "capi/handles.hpp"
+#include "capi/options/reader.hpp"
 
 using namespace stltsa;
 using capi::compute;
@@ -35,11 +36,19 @@ std::vector<double> marks_of(const stltsa_in* marks, const results::Phased& from
 
 stltsa_status stltsa_events_find(const stltsa_phase* from, const stltsa_in* marks,
                                  const stltsa_phase* in, stltsa_events** events) noexcept {
+    return stltsa_events_find_with(from, marks, in, nullptr, events);
+}
+
+stltsa_status stltsa_events_find_with(const stltsa_phase* from, const stltsa_in* marks,
+                                      const stltsa_phase* in, const stltsa_options* options,
+                                      stltsa_events** events) noexcept {
     return compute([&] {
         required(events, "events") = nullptr;
         const results::Phased& source = required(from, "from");
         const results::Phased& target = in == nullptr ? source : *in;
-        *events = new stltsa_events(results::find_events(source, marks_of(marks, source), target));
+        const capi::OptionsReader reader(options);
+        *events = new stltsa_events(
+            results::find_events(source, marks_of(marks, source), target, reader.progress()));
     });
 }
 

@@ -77,7 +77,7 @@ struct ReadOptions {
     std::optional<double> fps;   ///< overrides the file's rate
     double least_confidence = 0; ///< points that are seen with less are missing
     std::string skeleton;        ///< ASF path for AMC; empty: searched for in the file's folder
-    Progress progress;           ///< called after a signal while a file is read
+    Progress progress;           ///< called periodically, and after a signal
 };
 
 /// Reads a file; its suffix determines the format, or its content if the suffix is unknown. Throws

@@ -2,8 +2,10 @@
 #include "clip/write.hpp"
 
 #include <filesystem>
+#include <functional>
 #include <system_error>
 
+#include "base/sink.hpp"
 #include "clip/files/read_file.hpp"
 #include "clip/files/replace_file.hpp"
 #include "clip/files/write_file.hpp"
@@ -15,17 +17,31 @@ namespace {
 
 namespace fs = std::filesystem;
 
+using Content = std::function<void(const Sink&)>;
+
+/// The bytes in pieces, with a poll before each.
+Content pieces_of(std::string_view bytes, const Progress& progress) {
+    return [=](const Sink& sink) {
+        constexpr std::size_t most = 1 << 20;
+        for (std::size_t at = 0; at < bytes.size(); at += most) {
+            progress.report(Stage::write,
+                            static_cast<double>(at) / static_cast<double>(bytes.size()));
+            sink(bytes.substr(at, most));
+        }
+    };
+}
+
 /// Writes an AMC file and its skeleton beside it, under the same name: both or neither. Another
 /// skeleton of that name belongs to somebody's clips, and stays.
-void write_with_skeleton(const std::string& amc, std::string_view bytes, const std::string& asf) {
+void write_with_skeleton(const std::string& amc, const Content& content, const std::string& asf) {
     if (!regular_or_new(amc))
-        return write_file(amc, bytes); // a pipe or device has no place beside it
+        return write_file(amc, content); // a pipe or device has no place beside it
     const std::string path = fs::path(amc).replace_extension(".asf").string();
     std::error_code ignored;
     if (!fs::exists(path, ignored)) {
         write_file(path, asf);
         try {
-            return write_file(amc, bytes);
+            return write_file(amc, content);
         } catch (...) {
             fs::remove(path, ignored);
             throw;
@@ -36,12 +52,12 @@ void write_with_skeleton(const std::string& amc, std::string_view bytes, const s
              "{}: exists and is another skeleton, but that of {} would be written there: choose "
              "another name for the clip",
              path, amc);
-    write_file(amc, bytes);
+    write_file(amc, content);
 }
 
 } // namespace
 
-void write(const Clip& clip, const std::string& path) {
+void write(const Clip& clip, const std::string& path, const Progress& progress) {
     if (path.empty())
         fail(Status::argument, "the path is empty: give the name of a file");
     const std::string suffix = fs::path(path).extension().string();
@@ -50,9 +66,11 @@ void write(const Clip& clip, const std::string& path) {
         if (row.write == nullptr)
             continue;
         if (equals_ignoring_case(suffix, row.suffixes[0])) {
-            const std::string bytes = row.write(clip);
-            return row.needs_skeleton ? write_with_skeleton(path, bytes, clip.skeleton->asf)
-                                      : write_file(path, bytes);
+            progress.report(Stage::write, 0);
+            const std::string bytes = row.write(clip, progress);
+            const Content content = pieces_of(bytes, progress);
+            return row.needs_skeleton ? write_with_skeleton(path, content, clip.skeleton->asf)
+                                      : write_file(path, content);
         }
         known += format_text("{}{}", known.empty() ? "" : ", ", row.suffixes[0]);
     }

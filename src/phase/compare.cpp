@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "base/numbers.hpp"
+#include "base/progress.hpp"
+#include "linalg/simd.hpp"
 #include "phase/lag.hpp"
 
 namespace stltsa::phase {
@@ -14,31 +16,42 @@ constexpr Estimate unknown{none, none, none, none, none, none, none, none, false
 
 using Columns = std::vector<std::int64_t>;
 
-Matrix chosen(const Matrix& from, const Columns& columns) {
-    Matrix result = Matrix::unset(from.rows() - 1, static_cast<std::int64_t>(columns.size()));
-    for (std::int64_t s = 0; s < result.rows(); ++s)
-        for (std::int64_t c = 0; c < result.cols(); ++c)
-            result(s, c) = from(s, columns[static_cast<std::size_t>(c)]);
+Matrix chosen(ConstMatrixView from, const Columns& columns, PacedPoll& polls) {
+    Matrix result = Matrix::unset(from.rows, std::ssize(columns));
+    for (std::int64_t s = 0; s < from.rows; ++s) {
+        for (std::size_t c = 0; c < columns.size(); ++c)
+            result(s, static_cast<std::int64_t>(c)) = from(s, columns[c]);
+        polls.did(2 * std::ssize(columns));
+    }
     return result;
 }
 
 /// Mean curve of some columns, and the curve of each cycle.
 struct Curves {
-    Matrix mean;
-    std::vector<Matrix> each;
+    ConstMatrixView mean;
+    std::vector<ConstMatrixView> each;
+    std::vector<Matrix> chosen; ///< what the views refer to, unless all columns were chosen
 };
 
-Curves curves_of(const Resampled& from, const Columns& columns) {
-    Curves curves{chosen(from.mean, columns), {}};
+Curves curves_of(const Resampled& from, const Columns& columns, PacedPoll& polls) {
+    Curves curves;
+    const auto view_of = [&](const Matrix& samples) -> ConstMatrixView {
+        if (std::ssize(columns) == samples.cols())
+            return once_around(samples);
+        return curves.chosen.emplace_back(chosen(once_around(samples), columns, polls)).view();
+    };
+    curves.mean = view_of(from.mean);
     for (const Matrix& cycle : from.each)
-        curves.each.push_back(chosen(cycle, columns));
+        curves.each.push_back(view_of(cycle));
     return curves;
 }
 
-double inner(const Matrix& a, const Matrix& b) {
+double inner(ConstMatrixView a, ConstMatrixView b, PacedPoll& polls) {
     double sum = 0;
-    for (std::int64_t i = 0; i < a.rows() * a.cols(); ++i)
-        sum += a.data()[i] * b.data()[i];
+    for (std::int64_t s = 0; s < a.rows; ++s) {
+        sum += dot(a.row(s), b.row(s), a.cols);
+        polls.did(2 * a.cols);
+    }
     return sum;
 }
 
@@ -51,23 +64,26 @@ struct Timing {
 /// The lag is where <A(s), B(s + lag)> is greatest, so <A'(s), B(s + lag)> = 0 there: a cycle that
 /// deviates from B by b moves it by -<A', b> / <A', B'>, one that deviates from A by a by
 /// <a, B'> / <A', B'>.
-Timing timing_of(const Curves& first, const Curves& second, std::int64_t most, double least) {
+Timing timing_of(const Curves& first, const Curves& second, std::int64_t most, double least,
+                 PacedPoll& polls) {
     Timing timing;
-    timing.lag = lag_between(first.mean, second.mean, most);
+    timing.lag = lag_between(first.mean, second.mean, most, polls);
     if (!(timing.lag.correlation >= least))
         timing.lag.samples = none;
     if (std::isnan(timing.lag.samples))
         return timing;
-    const double lag = timing.lag.samples, count = static_cast<double>(first.mean.rows());
-    const Matrix rise = slope(first.mean), other_rise = slope(later(second.mean, lag));
-    const Matrix rise_there = later(rise, -lag);
-    const double bend = -inner(rise, other_rise) * count;
-    const double level = inner(first.mean, other_rise);
-    for (const Matrix& cycle : first.each)
-        timing.first.deviations.push_back((inner(cycle, other_rise) - level) / bend);
-    const double other_level = inner(second.mean, rise_there);
-    for (const Matrix& cycle : second.each)
-        timing.second.deviations.push_back((inner(cycle, rise_there) - other_level) / bend);
+    const double lag = timing.lag.samples, count = static_cast<double>(first.mean.rows);
+    const Matrix rise = slope(first.mean, polls),
+                 other_rise = slope(later(second.mean, lag, polls).view(), polls);
+    const Matrix rise_there = later(rise.view(), -lag, polls);
+    const double bend = -inner(rise.view(), other_rise.view(), polls) * count;
+    const double level = inner(first.mean, other_rise.view(), polls);
+    for (const ConstMatrixView& cycle : first.each)
+        timing.first.deviations.push_back((inner(cycle, other_rise.view(), polls) - level) / bend);
+    const double other_level = inner(second.mean, rise_there.view(), polls);
+    for (const ConstMatrixView& cycle : second.each)
+        timing.second.deviations.push_back((inner(cycle, rise_there.view(), polls) - other_level) /
+                                           bend);
     timing.second.value = lag / count;
     return timing;
 }
@@ -79,29 +95,31 @@ void subtract(const Quantity& whole, Quantity& part) {
         part.deviations[k] -= whole.deviations[k];
 }
 
-double squared_distance_between(const Matrix& curve, std::int64_t a, std::int64_t b) {
+double squared_distance_between(ConstMatrixView curve, std::int64_t a, std::int64_t b) {
     double sum = 0;
-    for (std::int64_t c = 0; c < curve.cols(); ++c)
+    for (std::int64_t c = 0; c < curve.cols; ++c)
         sum += (curve(a, c) - curve(b, c)) * (curve(a, c) - curve(b, c));
     return sum;
 }
 
 /// The distance between the two points of the mean curve that are farthest apart; for a cycle, the
 /// distance between the same two points in that direction.
-Quantity amplitude_of(const Curves& curves) {
+Quantity amplitude_of(const Curves& curves, PacedPoll& polls) {
     std::int64_t from = 0, to = 0;
     double most = 0;
-    for (std::int64_t a = 0; a < curves.mean.rows(); ++a)
-        for (std::int64_t b = 0; b < a; ++b)
+    for (std::int64_t a = 0; a < curves.mean.rows; ++a)
+        for (std::int64_t b = 0; b < a; ++b) {
             if (const double found = squared_distance_between(curves.mean, a, b); found > most) {
                 most = found;
                 from = a;
                 to = b;
             }
+            polls.did(curves.mean.cols);
+        }
     Quantity amplitude{std::sqrt(most), {}};
-    for (const Matrix& cycle : curves.each) {
+    for (const ConstMatrixView& cycle : curves.each) {
         double along = 0;
-        for (std::int64_t c = 0; c < cycle.cols() && most > 0; ++c)
+        for (std::int64_t c = 0; c < cycle.cols && most > 0; ++c)
             along += (curves.mean(from, c) - curves.mean(to, c)) / amplitude.value *
                      (cycle(from, c) - cycle(to, c));
         amplitude.deviations.push_back(along - amplitude.value);
@@ -127,16 +145,16 @@ Estimate ratio_of(const Quantity& first, const Quantity& second, const Dependenc
     return ratio;
 }
 
-double mean_of(const Matrix& values) {
+double mean_of(ConstMatrixView column) {
     double sum = 0;
-    for (std::int64_t i = 0; i < values.rows() * values.cols(); ++i)
-        sum += values.data()[i];
-    return sum / static_cast<double>(values.rows() * values.cols());
+    for (std::int64_t s = 0; s < column.rows; ++s)
+        sum += column(s, 0);
+    return sum / static_cast<double>(column.rows);
 }
 
 Quantity level_of(const Curves& curves) {
     Quantity level{mean_of(curves.mean), {}};
-    for (const Matrix& cycle : curves.each)
+    for (const ConstMatrixView& cycle : curves.each)
         level.deviations.push_back(mean_of(cycle) - level.value);
     return level;
 }
@@ -159,29 +177,27 @@ Quantity sample_of(const Resampled& cycles, std::int64_t index) {
     return sample;
 }
 
-void set_pointwise(const Resampled& first, const Resampled& second, bool paired,
+void set_pointwise(const Resampled& first, const Resampled& second, bool paired, PacedPoll& polls,
                    Differences& result) {
     const std::int64_t rows = first.mean.rows(), cols = first.mean.cols();
-    std::vector<Quantity> one, other;
-    std::vector<const Quantity*> all, all_other;
-    for (std::int64_t i = 0; i < rows * cols; ++i) {
-        one.push_back(sample_of(first, i));
-        other.push_back(sample_of(second, i));
-    }
-    for (std::size_t i = 0; i < one.size(); ++i) {
-        all.push_back(&one[i]);
-        all_other.push_back(&other[i]);
-    }
-    const Dependence dependence = dependence_of(all, all_other, paired);
+    const auto for_each = [&](auto use) {
+        for (std::int64_t i = 0; i < rows * cols; ++i) {
+            use(i, sample_of(first, i), sample_of(second, i));
+            polls.did(4 * (std::ssize(first.each) + std::ssize(second.each)));
+        }
+    };
+    Dependences all(paired);
+    for_each(
+        [&](std::int64_t, const Quantity& one, const Quantity& other) { all.add(one, other); });
+    const Dependence dependence = all.value();
     for (Matrix* matrix : {&result.difference, &result.error, &result.margin})
         *matrix = Matrix::unset(rows, cols);
-    for (std::int64_t i = 0; i < rows * cols; ++i) {
-        const auto at = static_cast<std::size_t>(i);
-        const Estimate found = estimate(one[at], other[at], dependence);
+    for_each([&](std::int64_t i, const Quantity& one, const Quantity& other) {
+        const Estimate found = estimate(one, other, dependence);
         result.difference.data()[i] = found.difference;
         result.error.data()[i] = found.error;
         result.margin.data()[i] = found.high - found.difference;
-    }
+    });
 }
 
 /// What is measured of some columns.
@@ -193,16 +209,16 @@ struct Measured {
 
 /// `whole`: the timing of all columns, which is subtracted; null: nothing is.
 Measured measured(const Resampled& first, const Resampled& second, const Columns& columns,
-                  const Timing* whole) {
-    const Curves one = curves_of(first, columns), other = curves_of(second, columns);
+                  const Timing* whole, PacedPoll& polls) {
+    const Curves one = curves_of(first, columns, polls), other = curves_of(second, columns, polls);
     Measured made;
-    made.timing = timing_of(one, other, one.mean.rows() / 4, least_correlation);
+    made.timing = timing_of(one, other, one.mean.rows / 4, least_correlation, polls);
     if (whole != nullptr && !std::isnan(made.timing.lag.samples)) {
         subtract(whole->first, made.timing.first);
         subtract(whole->second, made.timing.second);
     }
-    made.amplitude = amplitude_of(one);
-    made.other_amplitude = amplitude_of(other);
+    made.amplitude = amplitude_of(one, polls);
+    made.other_amplitude = amplitude_of(other, polls);
     if (columns.size() == 1) {
         made.level = level_of(one);
         made.other_level = level_of(other);
@@ -214,12 +230,10 @@ Measured measured(const Resampled& first, const Resampled& second, const Columns
 template <class First, class Second>
 Dependence dependence_in(const std::vector<Measured>& all, bool paired, First first,
                          Second second) {
-    std::vector<const Quantity*> one, other;
-    for (const Measured& each : all) {
-        one.push_back(&first(each));
-        other.push_back(&second(each));
-    }
-    return dependence_of(one, other, paired);
+    Dependences of(paired);
+    for (const Measured& each : all)
+        of.add(first(each), second(each));
+    return of.value();
 }
 
 std::vector<PartDifference> differences_of(const std::vector<Measured>& all,
@@ -258,16 +272,16 @@ std::vector<PartDifference> differences_of(const std::vector<Measured>& all,
 
 } // namespace
 
-Matrix once_around(const Matrix& samples) {
-    Matrix result = Matrix::unset(samples.rows() - 1, samples.cols());
-    std::copy_n(samples.data(), result.rows() * result.cols(), result.data());
-    return result;
+ConstMatrixView once_around(const Matrix& samples) {
+    return samples.view().block(0, samples.rows() - 1);
 }
 
 Differences compare(const Resampled& first, const Resampled& second,
-                    std::span<const std::int64_t> groups, bool paired) {
+                    std::span<const std::int64_t> groups, bool paired,
+                    const std::function<void()>& poll) {
+    PacedPoll polls(poll);
     Differences result;
-    set_pointwise(first, second, paired, result);
+    set_pointwise(first, second, paired, polls, result);
     Columns all;
     std::vector<Columns> parts(static_cast<std::size_t>(std::ranges::max(groups) + 1)), single;
     for (std::size_t c = 0; c < groups.size(); ++c) {
@@ -275,20 +289,20 @@ Differences compare(const Resampled& first, const Resampled& second,
         single.push_back({all.back()});
         parts[static_cast<std::size_t>(groups[c])].push_back(all.back());
     }
-    const Curves body = curves_of(first, all), other = curves_of(second, all);
-    const Timing whole = timing_of(body, other, body.mean.rows() / 2, -1);
+    const Curves body = curves_of(first, all, polls), other = curves_of(second, all, polls);
+    const Timing whole = timing_of(body, other, body.mean.rows / 2, -1, polls);
     result.likeness = whole.lag.correlation;
     result.runner_up = whole.lag.runner_up;
     const bool aligned = !paired && !std::isnan(whole.lag.samples);
     result.whole = unknown;
     if (aligned)
-        result.whole = estimate(whole.first, whole.second,
-                                dependence_of({&whole.first}, {&whole.second}, false));
+        result.whole =
+            estimate(whole.first, whole.second, dependence_of(whole.first, whole.second, false));
     result.shift = aligned ? whole.second.value : 0;
     const auto of = [&](const std::vector<Columns>& chosen) {
         std::vector<Measured> made;
         for (const Columns& columns : chosen)
-            made.push_back(measured(first, second, columns, aligned ? &whole : nullptr));
+            made.push_back(measured(first, second, columns, aligned ? &whole : nullptr, polls));
         return differences_of(made, chosen, result, paired);
     };
     result.parts = of(parts);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -38,11 +39,12 @@ struct Differences {
 
 /// No sample may be missing. `groups`: the index of the group of each column. `paired`: cycle k is
 /// the same cycle in both; otherwise lags are relative to that of all columns together, whose
-/// deviations are subtracted from theirs.
+/// deviations are subtracted from theirs. `poll`: called periodically, may throw.
 Differences compare(const Resampled& first, const Resampled& second,
-                    std::span<const std::int64_t> groups, bool paired);
+                    std::span<const std::int64_t> groups, bool paired,
+                    const std::function<void()>& poll = {});
 
 /// Samples of a cycle without the last one, which repeats the first.
-Matrix once_around(const Matrix& samples);
+ConstMatrixView once_around(const Matrix& samples);
 
 } // namespace stltsa::phase

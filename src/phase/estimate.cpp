@@ -112,46 +112,51 @@ double deviation_of(const std::vector<double>& deviations) {
     return std::sqrt(squares / (count_of(deviations) - 1));
 }
 
+void Persistence::add(std::vector<double> deviations) {
+    cycles_ = deviations.size();
+    if (cycles_ < least_cycles)
+        return;
+    const std::vector<double> values = centered(std::move(deviations));
+    double squares = 0, products = 0;
+    for (std::size_t k = 0; k < cycles_; ++k) {
+        squares += square(values[k]);
+        for (std::size_t h = 1; h <= reach_of(cycles_) && k + h < cycles_; ++h)
+            products += values[k] * values[k + h];
+    }
+    if (squares > 0) {
+        sum_ += products / squares;
+        ++counted_;
+    }
+}
+
 // With autocovariances c_h of the deviations from the mean of n values that are correlated up to
 // lag L, the variance of the mean is (c_0 + 2 sum c_h) / (n - 1 - 2 sum (1 - h / n)): subtracting
 // the sample mean lowers each c_h by the variance of the mean, which the denominator corrects.
-double persistence(const std::vector<std::vector<double>>& deviations) {
-    if (deviations.empty() || deviations.front().size() < least_cycles)
+double Persistence::value() const {
+    if (counted_ == 0)
         return 1;
-    const std::size_t cycles = deviations.front().size(), reach = reach_of(cycles);
-    const auto n = static_cast<double>(cycles);
-    double sum = 0, counted = 0;
-    for (const std::vector<double>& each : deviations) {
-        const std::vector<double> values = centered(each);
-        double squares = 0, products = 0;
-        for (std::size_t k = 0; k < cycles; ++k) {
-            squares += square(values[k]);
-            for (std::size_t h = 1; h <= reach && k + h < cycles; ++h)
-                products += values[k] * values[k + h];
-        }
-        if (squares > 0) {
-            sum += products / squares;
-            ++counted;
-        }
-    }
-    if (counted == 0)
-        return 1;
+    const auto n = static_cast<double>(cycles_);
     double lost = 1;
-    for (std::size_t h = 1; h <= reach; ++h)
+    for (std::size_t h = 1; h <= reach_of(cycles_); ++h)
         lost += 2 * (1 - static_cast<double>(h) / n);
-    return std::max(1.0, (n - 1) * (1 + 2 * sum / counted) / (n - lost));
+    return std::max(1.0, (n - 1) * (1 + 2 * sum_ / counted_) / (n - lost));
 }
 
-Dependence dependence_of(const std::vector<const Quantity*>& first,
-                         const std::vector<const Quantity*>& second, bool paired) {
-    std::vector<std::vector<double>> one, other;
-    for (std::size_t i = 0; i < first.size(); ++i) {
-        if (first[i]->deviations.empty())
-            continue;
-        one.push_back(paired ? differences_of(*first[i], *second[i]) : first[i]->deviations);
-        other.push_back(second[i]->deviations);
-    }
-    return {persistence(one), paired ? 1 : persistence(other), paired};
+void Dependences::add(const Quantity& first, const Quantity& second) {
+    if (first.deviations.empty())
+        return;
+    first_.add(paired_ ? differences_of(first, second) : first.deviations);
+    second_.add(second.deviations);
+}
+
+Dependence Dependences::value() const {
+    return {first_.value(), paired_ ? 1 : second_.value(), paired_};
+}
+
+Dependence dependence_of(const Quantity& first, const Quantity& second, bool paired) {
+    Dependences of(paired);
+    of.add(first, second);
+    return of.value();
 }
 
 Uncertainty uncertainty(const Spread& first, const Spread& second) {

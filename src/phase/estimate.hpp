@@ -2,6 +2,7 @@
 // A quantity of two motions, and how precisely their difference is known.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 namespace stltsa::phase {
@@ -27,20 +28,40 @@ struct Estimate {
 double t_quantile(double freedom);
 
 /// By what factor the variance of a mean is larger than for independent values, because cycles
-/// resemble those before them; at least 1. The deviations are those of several quantities over the
-/// same cycles.
-double persistence(const std::vector<std::vector<double>>& deviations);
+/// resemble those before them; at least 1.
+class Persistence {
+  public:
+    /// Adds the deviations of one of several quantities over the same cycles.
+    void add(std::vector<double> deviations);
+    double value() const;
+
+  private:
+    std::size_t cycles_ = 0;
+    double sum_ = 0, counted_ = 0; ///< of the correlations between cycles
+};
 
 /// Persistence of the cycles of both motions. `paired`: cycle k is the same cycle in both, and
 /// `first` is the persistence of the differences; `second` is not used.
 struct Dependence {
-    double first = 1, second = 1; ///< see persistence()
+    double first = 1, second = 1; ///< see Persistence
     bool paired = false;
 };
 
 /// The dependence of several quantities of one kind.
-Dependence dependence_of(const std::vector<const Quantity*>& first,
-                         const std::vector<const Quantity*>& second, bool paired);
+class Dependences {
+  public:
+    explicit Dependences(bool paired) : paired_(paired) {}
+    /// Adds a quantity of both motions.
+    void add(const Quantity& first, const Quantity& second);
+    Dependence value() const;
+
+  private:
+    Persistence first_, second_;
+    bool paired_;
+};
+
+/// The dependence of a single quantity.
+Dependence dependence_of(const Quantity& first, const Quantity& second, bool paired);
 
 Estimate estimate(const Quantity& first, const Quantity& second, const Dependence& dependence);
 

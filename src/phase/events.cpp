@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "base/numbers.hpp"
+#include "base/progress.hpp"
 #include "linalg/simd.hpp"
 #include "motion/curve/statistics.hpp"
 
@@ -75,7 +76,9 @@ struct Template {
     Rows weights; ///< of the columns
 };
 
-Matrix typical(const std::vector<Matrix>& windows) {
+Matrix typical(const std::vector<Matrix>& windows, const std::function<void()>& poll) {
+    constexpr std::int64_t work_of_median = 8; // compared with adding
+    PacedPoll polls(poll);
     Matrix values(windows.front().rows(), windows.front().cols());
     Rows of_all(windows.size());
     for (std::int64_t i = 0; i < values.rows() * values.cols(); ++i) {
@@ -84,19 +87,24 @@ Matrix typical(const std::vector<Matrix>& windows) {
             sum += of_all[w] = windows[w].data()[i];
         values.data()[i] = windows.size() < many ? sum / static_cast<double>(windows.size())
                                                  : motion::median(of_all);
+        polls.did(work_of_median * std::ssize(windows));
     }
     return values;
 }
 
 /// Columns count by how little they vary about the template.
-Rows weights_of(const std::vector<Matrix>& windows, const Matrix& about) {
+Rows weights_of(const std::vector<Matrix>& windows, const Matrix& about,
+                const std::function<void()>& poll) {
+    PacedPoll polls(poll);
     Rows variance(static_cast<std::size_t>(about.cols()));
     for (const Matrix& each : windows)
-        for (std::int64_t r = 0; r < about.rows(); ++r)
+        for (std::int64_t r = 0; r < about.rows(); ++r) {
             for (std::int64_t c = 0; c < about.cols(); ++c) {
                 const double off = each(r, c) - about(r, c);
                 variance[static_cast<std::size_t>(c)] += off * off;
             }
+            polls.did(2 * about.cols());
+        }
     double mean = 0;
     for (const double v : variance)
         mean += v / static_cast<double>(variance.size());
@@ -136,9 +144,14 @@ double refined(const Searched& in, double row, const Template& like, const Rows&
     const double end = std::min(center + far, last - offsets.back());
     if ((end - begin) * places < 2)
         return none;
+    if (in.poll)
+        in.poll();
+    PacedPoll polls(in.poll);
     Rows costs;
-    for (double at = begin; at <= end + 0.5 / places; at += 1 / places)
+    for (double at = begin; at <= end + 0.5 / places; at += 1 / places) {
         costs.push_back(cost_of(window(in.fine, at, offsets), like));
+        polls.did(4 * std::ssize(offsets) * in.fine.cols());
+    }
     return begin + lowest(costs) / places;
 }
 
@@ -221,10 +234,13 @@ void shift(Rows& places, double by) {
 std::vector<Matrix> taught(const Searched& in, const std::vector<Candidate>& candidates,
                            const Rows& places, const Rows& offsets) {
     const auto teachers = std::ranges::count_if(candidates, &Candidate::teaches);
+    PacedPoll polls(in.poll);
     std::vector<Matrix> windows;
     for (std::size_t i = 0; i < candidates.size(); ++i)
-        if (candidates[i].teaches || teachers < 2)
+        if (candidates[i].teaches || teachers < 2) {
             windows.push_back(window(in.fine, places[i], offsets));
+            polls.did(4 * std::ssize(offsets) * in.fine.cols());
+        }
     return windows;
 }
 
@@ -236,8 +252,8 @@ Rows group_places(const Searched& in, const std::vector<Candidate>& candidates,
     Rows places = start;
     for (int round = 0; round < rounds; ++round) {
         const auto windows = taught(in, candidates, places, offsets);
-        Template like{typical(windows), {}};
-        like.weights = weights_of(windows, like.values);
+        Template like{typical(windows, in.poll), {}};
+        like.weights = weights_of(windows, like.values, in.poll);
         Rows moved;
         for (std::size_t i = 0; i < start.size(); ++i) {
             const double at = refined(in, start[i], like, offsets);
@@ -261,7 +277,7 @@ Rows direct_places(const Searched& in, const std::vector<Candidate>& candidates,
     for (const Matrix& each : marked)
         axpy(1 / static_cast<double>(marked.size()), each.data(), mean.data(),
              mean.rows() * mean.cols());
-    const Template like{std::move(mean), weights_of(windows, typical(windows))};
+    const Template like{std::move(mean), weights_of(windows, typical(windows, in.poll), in.poll)};
     Rows places;
     for (const Candidate& candidate : candidates) {
         const double at = refined(in, candidate.row, like, offsets);
@@ -324,7 +340,7 @@ double mapped_phase(const MeanCycle& from, const MeanCycle& to, const Offset& of
 Matrix group_window(const Searched& in, const std::vector<Candidate>& candidates, Rows places,
                     double by, const Rows& offsets) {
     shift(places, by);
-    return typical(taught(in, candidates, places, offsets));
+    return typical(taught(in, candidates, places, offsets), in.poll);
 }
 
 } // namespace
@@ -371,8 +387,8 @@ std::vector<Event> find_events(const Searched& from, const Place& marks, const S
     Rows marked = group_places(from, sources, offsets);
     shift(marked, offset_from(from, marked, marks));
     const auto windows = taught(from, sources, marked, offsets);
-    Template like{typical(windows), {}};
-    like.weights = weights_of(windows, like.values);
+    Template like{typical(windows, in.poll), {}};
+    like.weights = weights_of(windows, like.values, in.poll);
     // The same share of a cycle.
     Rows scaled = offsets;
     for (double& each : scaled)

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/progress.hpp"
 #include "linalg/gaussian.hpp"
 #include "linalg/simd.hpp"
 #include "phase/pose_and_velocity.hpp"
@@ -17,43 +18,52 @@ constexpr double places_per_second = 100;
 constexpr double acceleration_weight = 0.5;
 
 /// Second derivatives of the natural cubic spline through each column, row by row.
-Matrix spline_bends(const Matrix& values) {
+Matrix spline_bends(const Matrix& values, PacedPoll& polls) {
     const std::int64_t n = values.rows(), p = values.cols();
-    Matrix bends(n, p);
+    Matrix bends = Matrix::unset(n, p);
+    std::fill_n(bends.row(0), p, 0.0);
+    std::fill_n(bends.row(n - 1), p, 0.0);
     std::vector<double> pivot(static_cast<std::size_t>(n));
     // Row i: bend[i-1] + 4 bend[i] + bend[i+1] = 6 (second difference), eliminated downwards.
     for (std::int64_t i = 1; i + 1 < n; ++i) {
         const double before = i > 1 ? 1 / pivot[static_cast<std::size_t>(i - 1)] : 0;
         pivot[static_cast<std::size_t>(i)] = 4 - before;
+        std::fill_n(bends.row(i), p, 0.0);
         axpy(6, values.row(i - 1), bends.row(i), p);
         axpy(-12, values.row(i), bends.row(i), p);
         axpy(6, values.row(i + 1), bends.row(i), p);
         axpy(-before, bends.row(i - 1), bends.row(i), p);
+        polls.did(4 * p);
     }
     for (std::int64_t i = n - 2; i > 0; --i) {
         axpy(-1, bends.row(i + 1), bends.row(i), p);
         for (std::int64_t c = 0; c < p; ++c)
             bends(i, c) /= pivot[static_cast<std::size_t>(i)];
+        polls.did(2 * p);
     }
     return bends;
 }
 
 } // namespace
 
-FineRows::FineRows(ConstMatrixView rows, double rate, double period)
+FineRows::FineRows(ConstMatrixView rows, double rate, double period,
+                   const std::function<void()>& poll)
     : places_(std::max<std::int64_t>(
           1, static_cast<std::int64_t>(std::ceil(places_per_second / rate - 1e-9)))) {
     const double scale = period / (2 * std::numbers::pi);
-    const Matrix smooth = gaussian_smoothed(rows, smoothing_s * rate, Beyond::reflection);
-    const Matrix velocity = differences(smooth.view());
-    const Matrix acceleration = differences(velocity.view());
-    values_ = Matrix(rows.rows, 2 * rows.cols);
+    const Matrix smooth = gaussian_smoothed(rows, smoothing_s * rate, Beyond::reflection, 1, poll);
+    const Matrix velocity = differences(smooth.view(), poll);
+    const Matrix acceleration = differences(velocity.view(), poll);
+    PacedPoll polls(poll);
+    values_ = Matrix::unset(rows.rows, 2 * rows.cols);
     for (std::int64_t i = 0; i < rows.rows; ++i) {
+        std::fill_n(values_.row(i), values_.cols(), 0.0);
         axpy(scale, velocity.row(i), values_.row(i), rows.cols);
         axpy(acceleration_weight * scale * scale, acceleration.row(i), values_.row(i) + rows.cols,
              rows.cols);
+        polls.did(2 * rows.cols);
     }
-    bends_ = spline_bends(values_);
+    bends_ = spline_bends(values_, polls);
 }
 
 void FineRows::at(double row, double* values) const {

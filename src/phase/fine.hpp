@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "linalg/matrix.hpp"
@@ -14,8 +15,9 @@ namespace stltsa::phase {
 /// found to a fraction of a frame.
 class FineRows {
   public:
-    /// `rate`: rows per second; `period`: rows.
-    FineRows(ConstMatrixView rows, double rate, double period);
+    /// `rate`: rows per second; `period`: rows; `poll`: called periodically, may throw.
+    FineRows(ConstMatrixView rows, double rate, double period,
+             const std::function<void()>& poll = {});
 
     std::int64_t rows() const { return values_.rows(); }
     std::int64_t cols() const { return values_.cols(); }

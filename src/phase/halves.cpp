@@ -17,7 +17,7 @@ Matrix column_of(const std::vector<double>& curve) {
 }
 
 std::vector<double> half_later(const std::vector<double>& curve) {
-    const Matrix shifted = later(column_of(curve), static_cast<double>(curve.size()) / 2);
+    const Matrix shifted = later(column_of(curve).view(), static_cast<double>(curve.size()) / 2);
     return {shifted.data(), shifted.data() + shifted.rows()};
 }
 
@@ -62,7 +62,7 @@ CurveDifference difference(const CycleCurve& left, const CycleCurve& right, std:
     if (std::isnan(squares))
         return {none, none, none, none, none, none, none};
     const auto count = static_cast<double>(left.mean.size());
-    const Lag lag = lag_between(column_of(left.mean), column_of(right.mean),
+    const Lag lag = lag_between(column_of(left.mean).view(), column_of(right.mean).view(),
                                 static_cast<std::int64_t>(left.mean.size()) / 4);
     return {std::sqrt(squares / count),
             chance_of(left, right, cycles),

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "base/progress.hpp"
 #include "linalg/matrix.hpp"
 
 namespace stltsa::phase {
@@ -23,12 +24,25 @@ struct Lag {
 
 /// The lag, at most `most` samples, at which the curves match best once their means are subtracted:
 /// the peak of the parabola through the highest correlation and its two neighbors.
-Lag lag_between(const Matrix& first, const Matrix& second, std::int64_t most);
-
+Lag lag_between(ConstMatrixView first, ConstMatrixView second, std::int64_t most, PacedPoll& polls);
 /// Each sample has the value from `shift` samples later; linear between samples, cyclic.
-Matrix later(const Matrix& curves, double shift);
+Matrix later(ConstMatrixView curves, double shift, PacedPoll& polls);
 
 /// Change per sample: central differences, cyclic.
-Matrix slope(const Matrix& curves);
+Matrix slope(ConstMatrixView curves, PacedPoll& polls);
+
+// The same for short curves.
+inline Lag lag_between(ConstMatrixView first, ConstMatrixView second, std::int64_t most) {
+    PacedPoll never({});
+    return lag_between(first, second, most, never);
+}
+inline Matrix later(ConstMatrixView curves, double shift) {
+    PacedPoll never({});
+    return later(curves, shift, never);
+}
+inline Matrix slope(ConstMatrixView curves) {
+    PacedPoll never({});
+    return slope(curves, never);
+}
 
 } // namespace stltsa::phase

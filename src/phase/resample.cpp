@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "base/numbers.hpp"
+#include "base/progress.hpp"
 
 namespace stltsa::phase {
 namespace {
@@ -54,9 +55,10 @@ std::optional<Between> between(double place, std::int64_t rows, const Range& rep
 }
 
 Matrix linear_rows(ConstMatrixView signals, const double* places, std::int64_t count,
-                   const Range& repeated) {
-    Matrix result(count, signals.cols);
+                   const Range& repeated, PacedPoll& polls) {
+    Matrix result = Matrix::unset(count, signals.cols);
     for (std::int64_t s = 0; s < count; ++s) {
+        polls.did(2 * signals.cols);
         const std::optional<Between> place = between(places[s], signals.rows, repeated);
         if (!place) {
             std::fill_n(result.row(s), signals.cols, none);
@@ -71,10 +73,10 @@ Matrix linear_rows(ConstMatrixView signals, const double* places, std::int64_t c
 }
 
 /// Mean and standard deviation over the cycles, of the values that are known.
-void set_spread(Resampled& made) {
+void set_spread(Resampled& made, PacedPoll& polls) {
     const std::int64_t rows = made.each.front().rows(), cols = made.each.front().cols();
-    made.mean = Matrix(rows, cols);
-    made.deviation = Matrix(rows, cols);
+    made.mean = Matrix::unset(rows, cols);
+    made.deviation = Matrix::unset(rows, cols);
     for (std::int64_t i = 0; i < rows * cols; ++i) {
         double count = 0, sum = 0, squares = 0;
         for (const Matrix& cycle : made.each)
@@ -88,6 +90,7 @@ void set_spread(Resampled& made) {
                 squares += (value - mean) * (value - mean);
         made.mean.data()[i] = mean;
         made.deviation.data()[i] = count > 1 ? std::sqrt(squares / (count - 1)) : none;
+        polls.did(2 * std::ssize(made.each));
     }
 }
 
@@ -104,7 +107,7 @@ double mean_square(std::int64_t samples, const Value& value_at) {
 }
 
 /// Sum over the columns of the variance along the mean cycle.
-double variance_of(const Matrix& mean) {
+double variance_of(const Matrix& mean, PacedPoll& polls) {
     double sum = 0;
     for (std::int64_t c = 0; c < mean.cols(); ++c) {
         double level = 0, count = 0;
@@ -116,12 +119,13 @@ double variance_of(const Matrix& mean) {
         const double square =
             mean_square(mean.rows(), [&](std::int64_t s) { return mean(s, c) - level / count; });
         sum += std::isnan(square) ? 0 : square;
+        polls.did(4 * mean.rows());
     }
     return sum;
 }
 
-void set_distances(Resampled& made) {
-    const double variance = variance_of(made.mean);
+void set_distances(Resampled& made, PacedPoll& polls) {
+    const double variance = variance_of(made.mean, polls);
     made.distance = Matrix(static_cast<std::int64_t>(made.each.size()), made.mean.cols());
     for (std::size_t k = 0; k < made.each.size(); ++k) {
         double squares = 0;
@@ -131,6 +135,7 @@ void set_distances(Resampled& made) {
             });
             made.distance(static_cast<std::int64_t>(k), c) = std::sqrt(square);
             squares += std::isnan(square) ? 0 : square;
+            polls.did(4 * made.mean.rows());
         }
         made.total.push_back(variance > 0 ? std::sqrt(squares / variance) : none);
     }
@@ -183,7 +188,8 @@ Matrix times_between(const Borders& borders, std::int64_t samples) {
     return rows;
 }
 
-Resampled resample(ConstMatrixView signals, Turns turns) {
+Resampled resample(ConstMatrixView signals, Turns turns, const std::function<void()>& poll) {
+    PacedPoll polls(poll);
     Resampled made;
     Matrix& rows = turns.rows;
     made.warp = Matrix(rows.rows(), rows.cols());
@@ -194,10 +200,10 @@ Resampled resample(ConstMatrixView signals, Turns turns) {
             made.warp(k, s) = (rows(k, s) - begin) / length - share_of(s, last + 1);
         const Range repeated =
             turns.repeated.empty() ? Range{} : turns.repeated[static_cast<std::size_t>(k)];
-        made.each.push_back(linear_rows(signals, rows.row(k), rows.cols(), repeated));
+        made.each.push_back(linear_rows(signals, rows.row(k), rows.cols(), repeated, polls));
     }
-    set_spread(made);
-    set_distances(made);
+    set_spread(made, polls);
+    set_distances(made, polls);
     made.rows = std::move(rows);
     return made;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -45,7 +46,7 @@ struct Resampled {
 Matrix group_distance(const Resampled& of, std::span<const std::int64_t> groups);
 
 /// `signals`: a row each; NaN is a missing value and is left out of means. Linear between rows. A
-/// row that is NaN, or beyond the last one, has no values.
-Resampled resample(ConstMatrixView signals, Turns turns);
+/// row that is NaN, or beyond the last one, has no values. `poll`: called periodically, may throw.
+Resampled resample(ConstMatrixView signals, Turns turns, const std::function<void()>& poll = {});
 
 } // namespace stltsa::phase

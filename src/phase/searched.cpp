@@ -49,21 +49,29 @@ void check_spread(const Place& place) {
 
 } // namespace
 
-Searched searched(ConstMatrixView rows, double rate, const Phases& phases, std::vector<Run> runs) {
+Searched searched(ConstMatrixView rows, double rate, const Phases& phases, std::vector<Run> runs,
+                  const std::function<void()>& poll) {
     const double period = phases.mean.period;
-    const Matrix both = pose_and_velocity(rows, rate, period);
-    Searched made{
-        phases.mean, std::move(runs), {}, {}, 0, rate, phases.cyclic, FineRows(rows, rate, period)};
+    const Matrix both = pose_and_velocity(rows, rate, period, poll);
+    Searched made{phases.mean,
+                  std::move(runs),
+                  {},
+                  {},
+                  0,
+                  rate,
+                  phases.cyclic,
+                  FineRows(rows, rate, period, poll),
+                  poll};
     std::vector<double> within;
     for (const Run& run : phases.runs) {
         made.known.push_back({run.begin, run.end()});
-        std::ranges::copy(residuals(both.view(), made.mean, run), std::back_inserter(within));
+        std::ranges::copy(residuals(both.view(), made.mean, run, poll), std::back_inserter(within));
     }
     made.usual_distance = motion::median(within);
     for (const Run& run : made.runs) {
-        std::vector<double> distance = residuals(both.view(), made.mean, run);
-        const Matrix smooth =
-            gaussian_smoothed({distance.data(), run.rows(), 1, 1}, period / 20, Beyond::nothing);
+        std::vector<double> distance = residuals(both.view(), made.mean, run, poll);
+        const Matrix smooth = gaussian_smoothed({distance.data(), run.rows(), 1, 1}, period / 20,
+                                                Beyond::nothing, 1, poll);
         made.distance.emplace_back(smooth.data(), smooth.data() + run.rows());
     }
     return made;

@@ -2,6 +2,7 @@
 // A motion in which events are looked for, and where marks lie in it.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -24,10 +25,13 @@ struct Searched {
     double rate = 0;                           ///< rows per second
     bool cyclic = true;                        ///< see Phases
     FineRows fine;
+    std::function<void()> poll; ///< called periodically while events are found; may throw
 };
 
 /// `runs`: those of the phases, one for one, continued beyond the cycles where the motion goes on.
-Searched searched(ConstMatrixView rows, double rate, const Phases& phases, std::vector<Run> runs);
+/// `poll`: called periodically now and later, may throw.
+Searched searched(ConstMatrixView rows, double rate, const Phases& phases, std::vector<Run> runs,
+                  const std::function<void()>& poll = {});
 
 /// A value at a place between indices, which is clamped to them.
 double interpolated(const std::vector<double>& values, double place);

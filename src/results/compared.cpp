@@ -73,8 +73,15 @@ std::vector<bool> complete(const phase::Turns& turns) {
     return result;
 }
 
+using Poll = std::function<void()>;
+
+Poll poll_of(const Progress& progress) {
+    return [progress] { progress.report(Stage::units, 0); };
+}
+
 phase::Resampled resampled(const Matrix& signals, const phase::Turns& turns,
-                           const std::vector<bool>& wanted, const std::string& name) {
+                           const std::vector<bool>& wanted, const std::string& name,
+                           const Poll& poll) {
     const std::int64_t samples = turns.rows.cols();
     phase::Turns kept{Matrix(std::ranges::count(wanted, true), samples), {}};
     double* to = kept.rows.data();
@@ -86,7 +93,7 @@ phase::Resampled resampled(const Matrix& signals, const phase::Turns& turns,
     if (kept.rows.rows() == 0)
         fail(Status::too_few_frames,
              "{} has no complete cycle from 0 to 100 %: a longer clip is needed", name);
-    return phase::resample(signals.view(), std::move(kept));
+    return phase::resample(signals.view(), std::move(kept), poll);
 }
 
 /// Signals and motion of one clip.
@@ -95,10 +102,11 @@ struct Side {
     const PhasedMotion& motion;
     Matrix signals; ///< common columns, by row
     const char* which;
+    Poll poll;
 
     phase::Resampled cycles(std::int64_t samples, double zero) const {
         const phase::Turns turns = turns_of(motion, samples, zero);
-        return resampled(signals, turns, complete(turns), name_of(phased, which));
+        return resampled(signals, turns, complete(turns), name_of(phased, which), poll);
     }
 };
 
@@ -128,9 +136,10 @@ bool headings_differ(const Phased& first, const Phased& second) {
            !clip::same_hierarchy(first.body.skeleton, second.body.skeleton);
 }
 
-phase::Lag lag_of(const phase::Resampled& first, const phase::Resampled& second) {
+phase::Lag lag_of(const phase::Resampled& first, const phase::Resampled& second, const Poll& poll) {
+    PacedPoll polls(poll);
     return phase::lag_between(phase::once_around(first.mean), phase::once_around(second.mean),
-                              (first.mean.rows() - 1) / 2);
+                              (first.mean.rows() - 1) / 2, polls);
 }
 
 /// Turns the second body about `axis`, the up axis of the first, to face as the first does.
@@ -138,18 +147,20 @@ double turn_second(const phase::Resampled& first, clip::Axis axis, Side& second)
     const phase::Resampled other = second.cycles(first.mean.rows(), 0);
     const auto up = static_cast<std::int64_t>(axis);
     const Level level{up % 3, (up + 1) % 3, 3};
-    const Matrix to = phase::once_around(first.mean), mean = phase::once_around(other.mean);
+    const ConstMatrixView to = phase::once_around(first.mean),
+                          mean = phase::once_around(other.mean);
     // Lag and turn depend on each other.
     double best = 0, most = likeness_if_turned(to, mean, level);
-    for (std::int64_t lag = 1; lag < mean.rows(); ++lag) {
+    for (std::int64_t lag = 1; lag < mean.rows; ++lag) {
+        second.poll();
         const auto shift = static_cast<double>(lag);
-        if (const double like = likeness_if_turned(to, phase::later(mean, shift), level);
+        if (const double like = likeness_if_turned(to, phase::later(mean, shift).view(), level);
             like > most) {
             most = like;
             best = shift;
         }
     }
-    return turn_to(to, phase::later(mean, best), level, second.signals);
+    return turn_to(to, phase::later(mean, best).view(), level, second.signals);
 }
 
 /// Root mean square distance of the parts from their center, over the mean cycle.
@@ -248,7 +259,7 @@ Comparison compared(const Side& first, const Side& second, phase::Resampled one,
     result.sides = sides;
     result.samples = one.mean.rows();
     result.features = first.phased.samples.features;
-    result.differences = phase::compare(one, other, columns.part, sides);
+    result.differences = phase::compare(one, other, columns.part, sides, first.poll);
     result.likeness = result.differences.likeness;
     result.runner_up = result.differences.runner_up;
     result.size_ratio = in_space(first.phased) && columns.names.size() > 1
@@ -257,7 +268,7 @@ Comparison compared(const Side& first, const Side& second, phase::Resampled one,
     const phase::Quantity time = cycle_times(one, first.phased.clip.fps);
     const phase::Quantity other_time = cycle_times(other, second.phased.clip.fps);
     result.cycle_time =
-        phase::estimate(time, other_time, phase::dependence_of({&time}, {&other_time}, sides));
+        phase::estimate(time, other_time, phase::dependence_of(time, other_time, sides));
     result.motions = {motion_facts(first, one), motion_facts(second, other)};
     result.placement = placement(first.phased, columns);
     result.columns = std::move(columns);
@@ -272,10 +283,10 @@ Comparison compared(const Side& first, const Side& second, phase::Resampled one,
 }
 
 Comparison compared_with(const Phased& first, const PhasedMotion& motion, const Phased& second,
-                         const PhasedMotion& other, std::int64_t samples) {
+                         const PhasedMotion& other, std::int64_t samples, const Poll& poll) {
     CommonColumns columns = common_columns(first, second);
-    Side one{first, motion, chosen(first.rows, columns.first), "first"};
-    Side two{second, other, chosen(second.rows, columns.second), "second"};
+    Side one{first, motion, chosen(first.rows, columns.first), "first", poll};
+    Side two{second, other, chosen(second.rows, columns.second), "second", poll};
     if (first.samples.features == clip::Features::points && in_space(first) &&
         columns.left_out.size() + columns.other_left_out.size() > 0) {
         center(first, one.signals);
@@ -284,7 +295,7 @@ Comparison compared_with(const Phased& first, const PhasedMotion& motion, const 
     phase::Resampled of_one = one.cycles(samples, 0);
     const double turn =
         headings_differ(first, second) ? turn_second(of_one, first.samples.up, two) : 0;
-    const phase::Lag lag = lag_of(of_one, two.cycles(samples, 0));
+    const phase::Lag lag = lag_of(of_one, two.cycles(samples, 0), poll);
     const double zero =
         std::isnan(lag.samples) ? 0 : lag.samples / static_cast<double>(samples - 1);
     Comparison result =
@@ -310,11 +321,14 @@ double expected_by_chance(const Comparison& of) {
 }
 
 Comparison compare(const Phased& first, std::optional<std::int32_t> label, const Phased& second,
-                   std::optional<std::int32_t> other_label, std::int64_t samples) {
+                   std::optional<std::int32_t> other_label, std::int64_t samples,
+                   const Progress& progress) {
+    const Poll poll = poll_of(progress);
     const PhasedMotion& motion = longest(candidates(first, label, "first"));
     std::optional<Comparison> best;
     for (const PhasedMotion* other : candidates(second, other_label, "second")) {
-        Comparison found = compared_with(first, motion, second, *other, samples);
+        poll();
+        Comparison found = compared_with(first, motion, second, *other, samples, poll);
         if (!best || found.likeness > best->likeness)
             best = std::move(found);
     }
@@ -335,8 +349,9 @@ Comparison compare_left_right(const clip::Clip& clip, const Phased& phased,
     const Matrix image = mirror_image(clip, phased, motion.label, samples, prepare, progress);
     Matrix rows = Matrix::unset(phased.rows.rows(), image.cols());
     std::copy_n(image.row(phased.clip.first), rows.rows() * rows.cols(), rows.data());
-    const Side left{phased, motion, chosen(phased.rows, columns.first), "first"};
-    const Side right{phased, motion, chosen(rows, columns.second), "first"};
+    const Poll poll = poll_of(progress);
+    const Side left{phased, motion, chosen(phased.rows, columns.first), "first", poll};
+    const Side right{phased, motion, chosen(rows, columns.second), "first", poll};
     const phase::Turns turns = turns_of(motion, samples);
     const phase::Turns later = turns_of(motion, samples, 0.5);
     std::vector<bool> both = complete(turns);
@@ -345,8 +360,8 @@ Comparison compare_left_right(const clip::Clip& clip, const Phased& phased,
         both[k] = both[k] && of_right[k];
     const std::string name = name_of(phased, "first");
     Comparison result =
-        compared(left, right, resampled(left.signals, turns, both, name),
-                 resampled(right.signals, later, both, name), std::move(columns), true);
+        compared(left, right, resampled(left.signals, turns, both, name, poll),
+                 resampled(right.signals, later, both, name, poll), std::move(columns), true);
     result.shift = {none, none, none, none, 0.5, none, none, none, false};
     return result;
 }

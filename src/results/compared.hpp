@@ -59,7 +59,8 @@ double expected_by_chance(const Comparison& of);
 /// Status::argument for a label without cycles, Status::shape if the clips have nothing in common,
 /// and Status::too_few_frames if a clip has no complete cycle.
 Comparison compare(const Phased& first, std::optional<std::int32_t> label, const Phased& second,
-                   std::optional<std::int32_t> other_label, std::int64_t samples);
+                   std::optional<std::int32_t> other_label, std::int64_t samples,
+                   const Progress& progress);
 
 /// The left side against the right one, mirrored and half a cycle later. Throws Status::unsupported
 /// if the sides cannot be compared.

@@ -39,16 +39,21 @@ phase::Range room_of(const Phased& phased, const PhasedMotion& motion, const pha
     return {std::max(room.begin, run.begin - beyond), std::min(room.end, run.end() + beyond)};
 }
 
-phase::Searched searched(const Phased& phased, const PhasedMotion& motion) {
+phase::Searched searched(const Phased& phased, const PhasedMotion& motion,
+                         const Progress& progress) {
+    const auto poll = [progress] { progress.report(Stage::units, 0); };
+    poll();
     const phase::MeanCycle& mean = motion.phases.mean;
-    const Matrix both = phase::pose_and_velocity(phased.rows.view(), phased.clip.fps, mean.period);
+    const Matrix both =
+        phase::pose_and_velocity(phased.rows.view(), phased.clip.fps, mean.period, poll);
     std::vector<phase::Run> runs;
     for (const phase::Run& run : motion.phases.runs) {
         const phase::Range room = room_of(phased, motion, run);
         runs.push_back(motion.phases.linear ? phase::continued(run, mean.period, room)
-                                            : phase::grown(both.view(), mean, run, room));
+                                            : phase::grown(both.view(), mean, run, room, poll));
     }
-    return phase::searched(phased.rows.view(), phased.clip.fps, motion.phases, std::move(runs));
+    return phase::searched(phased.rows.view(), phased.clip.fps, motion.phases, std::move(runs),
+                           poll);
 }
 
 /// The marks of a motion.
@@ -70,10 +75,11 @@ void add_mark(double frame, double row, std::vector<Marked>& motions) {
          frame);
 }
 
-std::vector<Marked> marked_motions(const Phased& from, std::span<const double> marks) {
+std::vector<Marked> marked_motions(const Phased& from, std::span<const double> marks,
+                                   const Progress& progress) {
     std::vector<Marked> all;
     for (const PhasedMotion& motion : from.motions)
-        all.push_back({searched(from, motion), {}});
+        all.push_back({searched(from, motion, progress), {}});
     for (const double mark : marks)
         add_mark(mark, mark - static_cast<double>(from.clip.first), all);
     std::erase_if(all, [](const Marked& each) { return each.marks.empty(); });
@@ -138,11 +144,11 @@ void warn_of_repetitions(const phase::Searched& in, std::size_t events, FoundEve
 }
 
 void append_other(const phase::Searched& from, const std::vector<phase::Place>& places,
-                  const Phased& in, FoundEvents& found) {
+                  const Phased& in, const Progress& progress, FoundEvents& found) {
     for (const PhasedMotion& motion : in.motions) {
         if (motion.phases.cyclic != from.cyclic)
             continue;
-        const phase::Searched target = searched(in, motion);
+        const phase::Searched target = searched(in, motion, progress);
         const double alike = phase::likeness(from, target);
         found.likeness = std::max(found.likeness, alike);
         if (alike < least_likeness)
@@ -175,7 +181,8 @@ void warn_of_places(std::size_t places, bool cyclic, FoundEvents& found) {
 
 } // namespace
 
-FoundEvents find_events(const Phased& from, std::span<const double> marks, const Phased& in) {
+FoundEvents find_events(const Phased& from, std::span<const double> marks, const Phased& in,
+                        const Progress& progress) {
     check_features(from, in);
     const bool same = &from == &in;
     FoundEvents found;
@@ -184,13 +191,13 @@ FoundEvents find_events(const Phased& from, std::span<const double> marks, const
     found.warnings = in.warnings;
     if (!same)
         std::ranges::copy(from.warnings, std::back_inserter(found.warnings));
-    for (const Marked& marked : marked_motions(from, marks)) {
+    for (const Marked& marked : marked_motions(from, marks, progress)) {
         const auto places = phase::places_of(marked.motion, marked.marks);
         warn_of_places(places.size(), marked.motion.cyclic, found);
         if (same)
             append_same(marked.motion, places, in, found);
         else
-            append_other(marked.motion, places, in, found);
+            append_other(marked.motion, places, in, progress, found);
     }
     std::ranges::sort(found.events, {}, &FoundEvent::frame);
     return found;

@@ -28,6 +28,7 @@ struct FoundEvents {
 /// which may be the same; at each place, if the marks are at several places of the cycle. Throws
 /// Status::argument for a mark in no motion that repeats and for marks all over the cycle, and
 /// Status::shape if the features of the clips differ.
-FoundEvents find_events(const Phased& from, std::span<const double> marks, const Phased& in);
+FoundEvents find_events(const Phased& from, std::span<const double> marks, const Phased& in,
+                        const Progress& progress);
 
 } // namespace stltsa::results

@@ -61,9 +61,9 @@ Level level_of(const clip::Clip& clip, const Phased& phased, bool turned) {
 /// points of a symmetric walk seem 8 mm apart (headings that differ by 1 degree).
 void turn_to_sides(const phase::Resampled& own, const phase::Resampled& image, const Level& level,
                    Matrix& signals) {
-    const Matrix mean = phase::once_around(image.mean);
-    turn_to(phase::once_around(own.mean), phase::later(mean, static_cast<double>(mean.rows()) / 2),
-            level, signals);
+    const ConstMatrixView mean = phase::once_around(image.mean);
+    const Matrix later = phase::later(mean, static_cast<double>(mean.rows) / 2);
+    turn_to(phase::once_around(own.mean), later.view(), level, signals);
 }
 
 } // namespace

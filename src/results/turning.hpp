@@ -15,11 +15,11 @@ struct Level {
 
 /// How well `mean`, turned about the up axis by the best angle, matches `to`: the sum of their
 /// products.
-double likeness_if_turned(const Matrix& to, const Matrix& mean, const Level& level);
+double likeness_if_turned(ConstMatrixView to, ConstMatrixView mean, const Level& level);
 
 /// Turns the signals about the up axis by the angle that brings `mean`, their mean curves, closest
 /// to `to`, the curves of the other body at the same phases. Returns the angle in degrees. NaN
 /// values are left out.
-double turn_to(const Matrix& to, const Matrix& mean, const Level& level, Matrix& signals);
+double turn_to(ConstMatrixView to, ConstMatrixView mean, const Level& level, Matrix& signals);
 
 } // namespace stltsa::results

@@ -75,6 +75,28 @@ static void what_is_saved_reads_back(void** state) {
     stltsa_clip_free(clip);
 }
 
+/* Cancelled before the text is made, and after: no file is written. */
+static void saving_can_be_cancelled(void** state) {
+    (void)state;
+    stltsa_clip* clip = parsed(pendulum);
+    const char* path = in_folder("a.bvh");
+    stltsa_options* options = NULL;
+    must(stltsa_options_new(&options));
+    int32_t cancelled = 0;
+    for (;; ++cancelled) {
+        int32_t left = cancelled;
+        must(stltsa_options_set_progress(options, cancel_after, &left));
+        const stltsa_status status = stltsa_clip_save_with(clip, path, options);
+        assert_int_equal(unlink(path), status == STLTSA_OK ? 0 : -1);
+        if (status == STLTSA_OK)
+            break;
+        assert_int_equal(status, STLTSA_E_CANCELLED);
+    }
+    assert_int_equal(cancelled, 2);
+    stltsa_options_free(options);
+    stltsa_clip_free(clip);
+}
+
 static void clips_of_the_wrong_kind_are_refused(void** state) {
     (void)state;
     stltsa_clip* clip = parsed(pendulum);
@@ -128,6 +150,7 @@ static void a_folder_without_permission_is_said(void** state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(what_is_saved_reads_back),
+        cmocka_unit_test(saving_can_be_cancelled),
         cmocka_unit_test(clips_of_the_wrong_kind_are_refused),
         cmocka_unit_test(places_that_cannot_be_written_are_said),
         cmocka_unit_test(a_folder_without_permission_is_said),

@@ -82,6 +82,25 @@ static stltsa_comparison* compared(struct motion first, struct motion second) {
     return comparison;
 }
 
+static void comparing_can_be_cancelled(void** state) {
+    (void)state;
+    stltsa_phase* phase = phase_of_motion(usual);
+    stltsa_options* options = NULL;
+    stltsa_comparison* comparison = NULL;
+    int32_t left = 0;
+    must(stltsa_options_new(&options));
+    must(stltsa_options_set_progress(options, cancel_after, &left));
+    assert_int_equal(stltsa_compare_with(phase, -1, phase, -1, samples, options, &comparison),
+                     STLTSA_E_CANCELLED);
+    assert_null(comparison);
+    left = 1000;
+    must(stltsa_compare_with(phase, -1, phase, -1, samples, options, &comparison));
+    assert_in_range(left, 0, 999);
+    stltsa_comparison_free(comparison);
+    stltsa_options_free(options);
+    stltsa_phase_free(phase);
+}
+
 static stltsa_compared_cycles cycles_of(const stltsa_comparison* comparison) {
     stltsa_compared_cycles cycles = {.size = sizeof cycles};
     must(stltsa_comparison_cycles(comparison, &cycles));
@@ -371,6 +390,7 @@ int main(int argc, char** argv) {
         cmocka_unit_test(a_doubtful_shift_is_said),
         cmocka_unit_test(common_points_are_compared),
         cmocka_unit_test(left_and_right_are_compared),
+        cmocka_unit_test(comparing_can_be_cancelled),
         cmocka_unit_test(errors_say_what_is_wrong),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -33,6 +33,36 @@ static stltsa_event event_of(const stltsa_events* events, int64_t index) {
     return event;
 }
 
+/* Cancelled at the first call of the progress callback, the second, ... until events are found. */
+static void finding_can_be_cancelled(void** state) {
+    (void)state;
+    stltsa_phase* phase = phase_of("");
+    const double mark = 250;
+    const stltsa_in marks = packed_in(&mark, 1, 1);
+    stltsa_options* options = NULL;
+    must(stltsa_options_new(&options));
+    int32_t cancelled = 0;
+    for (;; ++cancelled) {
+        int32_t left = cancelled;
+        must(stltsa_options_set_progress(options, cancel_after, &left));
+        stltsa_events* events = NULL;
+        const stltsa_status status = stltsa_events_find_with(phase, &marks, NULL, options, &events);
+        if (status == STLTSA_OK) {
+            stltsa_events* expected = found_in(phase, mark, NULL);
+            assert_int_equal(stltsa_events_count(events), stltsa_events_count(expected));
+            stltsa_events_free(expected);
+            stltsa_events_free(events);
+            break;
+        }
+        assert_int_equal(status, STLTSA_E_CANCELLED);
+        assert_null(events);
+        assert_true(cancelled < 1000);
+    }
+    assert_true(cancelled > 3); /* at the start, and for each cycle */
+    stltsa_options_free(options);
+    stltsa_phase_free(phase);
+}
+
 /* The walker repeats every 132 frames: the event does so, too, to a fraction of a frame. */
 static void a_mark_is_found_in_every_cycle(void** state) {
     (void)state;
@@ -190,6 +220,7 @@ int main(int argc, char** argv) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_mark_is_found_in_every_cycle),
         cmocka_unit_test(a_mark_is_found_in_another_clip),
+        cmocka_unit_test(finding_can_be_cancelled),
         cmocka_unit_test(marks_at_two_places_are_two_events),
         cmocka_unit_test(wrong_arguments_are_named),
         cmocka_unit_test(other_features_are_refused),

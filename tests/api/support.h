@@ -31,6 +31,14 @@ static inline double* copy_of(const double* values, int64_t count) {
     return copy;
 }
 
+/* A progress callback that cancels after *(int32_t*)user more calls. */
+static inline int32_t cancel_after(void* user, int32_t stage, double fraction) {
+    (void)stage;
+    (void)fraction;
+    int32_t* left = user;
+    return (*left)-- == 0;
+}
+
 /* Uniform in [0, 1); splitmix64. */
 static inline double uniform(uint64_t* state) {
     uint64_t z = (*state += UINT64_C(0x9e3779b97f4a7c15));

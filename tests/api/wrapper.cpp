@@ -166,7 +166,7 @@ void progress_is_told_and_cancels(void**) {
     int calls = 0;
     Options options = narrow();
     options.set_progress([&](std::int32_t stage, double fraction) {
-        assert_in_range(stage, STLTSA_STAGE_READ, STLTSA_STAGE_SYNTHESIS);
+        assert_in_range(stage, STLTSA_STAGE_READ, STLTSA_STAGE_WRITE);
         assert_true(fraction >= 0 && fraction <= 1);
         ++calls;
         return false;

@@ -64,7 +64,7 @@ stltsa_status save(const std::string&) {
     ::mkdir(folder.c_str(), 0777);
     for (const std::string& path : paths) {
         if (status == STLTSA_OK)
-            status = stltsa_clip_save(clip, path.c_str());
+            status = stltsa_clip_save_with(clip, path.c_str(), nullptr);
         ::unlink(path.c_str());
     }
     stltsa_clip_free(clip);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <iterator>
+#include <utility>
 
 namespace {
 
@@ -260,6 +261,9 @@ stltsa_status phases(const std::string&) {
     calls.make([&] { return stltsa_cycles_resample(phase, 0, &signals, 20, &cycles); }, cycles);
     calls.make([&] { return stltsa_cycles_between(&borders, &signals, 20, &between); }, between);
     calls.make([&] { return stltsa_events_find(phase, &marks, phase, &events); }, events);
+    stltsa_events_free(std::exchange(events, nullptr));
+    calls.make([&] { return stltsa_events_find_with(phase, &marks, phase, nullptr, &events); },
+               events);
     if (calls.good()) {
         const stltsa_out values = out(frames, 1), mean = out(20, 8), sd = out(20, 8, more_room);
         const std::int64_t count = stltsa_cycles_count(between);
@@ -327,6 +331,9 @@ stltsa_status comparisons(const std::string&) {
     stltsa_comparison *of_motions = nullptr, *of_sides = nullptr;
     const stltsa_phase* phase = kept().phase;
     calls.make([&] { return stltsa_compare(phase, 0, phase, -1, 20, &of_motions); }, of_motions);
+    stltsa_comparison_free(std::exchange(of_motions, nullptr));
+    calls.make([&] { return stltsa_compare_with(phase, 0, phase, -1, 20, nullptr, &of_motions); },
+               of_motions);
     // A matrix without names of sides: the reason takes memory, too.
     const stltsa_status sides =
         stltsa_compare_left_right(kept().matrix, phase, 0, 20, nullptr, &of_sides);

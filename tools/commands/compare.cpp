@@ -10,6 +10,8 @@
 namespace tool {
 namespace {
 
+constexpr std::int64_t samples = 101; // of each cycle
+
 /// The phase of a clip with cycles.
 stltsa::Phase phase_of(const Session& session, const std::string& path, const stltsa::Clip& clip) {
     const stltsa::Decomposition found = stltsa::decompose(clip, session.options());
@@ -45,7 +47,8 @@ Exit run_compare(const Arguments& arguments) {
                 [&] { return phase.compare_left_right(clip, -1, session.options()); });
         const stltsa::Clip second = session.open_clip(other);
         const stltsa::Phase of_second = phase_of(session, other, second);
-        return if_comparable([&] { return phase.compare(of_second); });
+        return if_comparable(
+            [&] { return phase.compare(of_second, -1, -1, samples, session.options()); });
     };
     const stltsa::Comparison comparison = compared();
     if (!arguments.report.empty())

@@ -80,7 +80,7 @@ void append_other_side(const Session& session, const Analyzed& from, const Analy
     for (const auto& [name, frames] : marks) {
         if (marks.contains(other_side(name)))
             continue; // both sides are marked
-        const stltsa::Events found = from.phase.events(frames, mirrored.phase);
+        const stltsa::Events found = from.phase.events(frames, mirrored.phase, session.options());
         table.searches.push_back({in.path, other_side(name), found.count(), found.likeness()});
         warn(found, in.path, other_side(name), table);
         for (stltsa::Event event : found.all()) {
@@ -90,9 +90,10 @@ void append_other_side(const Session& session, const Analyzed& from, const Analy
     }
 }
 
-void append(const Analyzed& from, const Analyzed& in, const Marks& marks, EventTable& table) {
+void append(const Session& session, const Analyzed& from, const Analyzed& in, const Marks& marks,
+            EventTable& table) {
     for (const auto& [name, frames] : marks) {
-        const stltsa::Events found = from.phase.events(frames, in.phase);
+        const stltsa::Events found = from.phase.events(frames, in.phase, session.options());
         table.searches.push_back({in.path, name, found.count(), found.likeness()});
         for (const stltsa::Event& event : found.all())
             table.events.push_back({in.path, name, event});
@@ -102,11 +103,11 @@ void append(const Analyzed& from, const Analyzed& in, const Marks& marks, EventT
 
 /// Adds the labels of a file that can be searched for, as Python's events_like() chooses them:
 /// labels in motions that repeat, with names whose labels are not spread over the whole cycle.
-void add_useful(const Analyzed& from, const std::string& file, const Marks& labels, Marks& marks,
-                EventTable& table) {
+void add_useful(const Session& session, const Analyzed& from, const std::string& file,
+                const Marks& labels, Marks& marks, EventTable& table) {
     const auto refusal = [&](const std::vector<double>& frames) -> std::string {
         try {
-            from.phase.events(frames);
+            from.phase.events(frames, from.phase, session.options());
             return "";
         } catch (const stltsa::Error& error) {
             if (error.status() != STLTSA_E_ARGUMENT)
@@ -180,9 +181,9 @@ Exit run_events(const Arguments& arguments) {
     const Analyzed from = analyzed(session, arguments.input, clip);
     EventTable table;
     for (const auto& [file, of_file] : labels)
-        add_useful(from, file, of_file, marks, table);
+        add_useful(session, from, file, of_file, marks, table);
     const auto find_in = [&](const Analyzed& in, const stltsa::Clip& of) {
-        append(from, in, marks, table);
+        append(session, from, in, marks, table);
         if (arguments.both_sides)
             append_other_side(session, from, in, of, marks, table);
     };

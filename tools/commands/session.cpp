@@ -42,11 +42,11 @@ std::string read_stdin() {
     }
 }
 
-/// Saves; an error of writing does not count as an unreadable input.
-template <class Product>
-void save(const Product& product, const std::string& path) {
+/// Calls `write`; an error of writing does not count as an unreadable input.
+template <class Write>
+void writing(Write write) {
     try {
-        product.save(path);
+        write();
     } catch (const stltsa::Error& error) {
         throw error.status() == STLTSA_E_IO ? Failure(Exit::failed, error.what()) : Failure(error);
     }
@@ -213,7 +213,7 @@ void Session::add_clip(const std::string& path, const stltsa::Clip& clip) {
     const std::string suffix =
         path == standard_output ? ".bvh" : std::filesystem::path(path).extension().string();
     files_.add_written(path, suffix, [this, path, &clip](const std::string& name) {
-        save(clip, name);
+        writing([&] { clip.save(name, options_); });
         if (ends_in(path, ".amc") && name != path)
             add_skeleton(name, path);
     });
@@ -235,17 +235,13 @@ void Session::add_skeleton(const std::string& temporary, const std::string& amc)
 }
 
 void Session::add_model(const std::string& path, const stltsa::Model& model) {
-    files_.add_written(path, ".stltsa", [&model](const std::string& name) { save(model, name); });
+    files_.add_written(path, ".stltsa",
+                       [&model](const std::string& name) { writing([&] { model.save(name); }); });
 }
 
 void Session::add_report(const std::string& path, std::function<void(const std::string&)> save) {
     files_.add_written(path, ".html", [save = std::move(save)](const std::string& name) {
-        try {
-            save(name);
-        } catch (const stltsa::Error& error) {
-            throw error.status() == STLTSA_E_IO ? Failure(Exit::failed, error.what())
-                                                : Failure(error);
-        }
+        writing([&] { save(name); });
     });
 }
 

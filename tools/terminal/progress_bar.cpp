@@ -33,6 +33,8 @@ const char* stage_name(std::int32_t stage) {
         return "denoising";
     case STLTSA_STAGE_SYNTHESIS:
         return "synthesis";
+    case STLTSA_STAGE_WRITE:
+        return "writing";
     default:
         return "working";
     }

@@ -40,6 +40,24 @@ def test_exception_in_the_callback_comes_out(circle):
     assert stltsa.fit(circle, neighbors=100).coords.shape == (300, 2)
 
 
+def test_finding_comparing_and_saving_can_be_stopped(walker, tmp_path):
+    def stop(stage, fraction):
+        raise LookupError(f"enough of {stage}")
+
+    clip = stltsa.read_clip(walker)
+    phase = stltsa.decompose(clip).phase()
+    with pytest.raises(LookupError, match="enough of units"):
+        phase.events(250, progress=stop)
+    with pytest.raises(LookupError, match="enough of units"):
+        phase.compare(phase, progress=stop)
+    with pytest.raises(LookupError, match="enough of write"):
+        clip.save(tmp_path / "clip.csv", progress=stop)
+    assert not list(tmp_path.iterdir())
+    stages = []
+    clip.save(tmp_path / "clip.csv", progress=lambda *report: stages.append(report))
+    assert stages == [("write", 0), ("write", 0)]
+
+
 def test_what_the_callback_returns_is_no_matter(circle):
     expected = stltsa.fit(circle, neighbors=100).coords
     for answer in (True, 1, "stop", 2**80, NotImplemented):

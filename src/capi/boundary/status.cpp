@@ -39,7 +39,8 @@ static_assert(same(Stage::read, STLTSA_STAGE_READ) &&
               same(Stage::spectrum, STLTSA_STAGE_SPECTRUM) &&
               same(Stage::units, STLTSA_STAGE_UNITS) && same(Stage::map, STLTSA_STAGE_MAP) &&
               same(Stage::denoise, STLTSA_STAGE_DENOISE) &&
-              same(Stage::synthesis, STLTSA_STAGE_SYNTHESIS));
+              same(Stage::synthesis, STLTSA_STAGE_SYNTHESIS) &&
+              same(Stage::write, STLTSA_STAGE_WRITE));
 
 constexpr std::array<const char*, 16> status_names = {"STLTSA_OK",
                                                       "STLTSA_E_ARGUMENT",

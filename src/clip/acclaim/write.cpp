@@ -21,7 +21,7 @@ void append_frame(std::string& text, const Skeleton& skeleton, const double* row
 
 } // namespace
 
-std::string format_amc(const Clip& clip) {
+std::string format_amc(const Clip& clip, const Progress& progress) {
     if (!clip.skeleton || clip.format != Format::amc)
         fail(Status::unsupported, "only a clip read from AMC can be written as AMC, because its "
                                   "skeleton is a separate ASF file: write .bvh or .csv");
@@ -32,9 +32,11 @@ std::string format_amc(const Clip& clip) {
         text += '\n';
     }
     text += ":DEGREES\n";
+    PacedPoll polls(progress, Stage::write);
     for (std::int64_t i = 0; i < clip.frames(); ++i) {
         text += format_text("{}\n", i + 1);
         append_frame(text, *clip.skeleton, clip.values.row(i));
+        polls.did(work_of_number * clip.values.cols());
     }
     return text;
 }

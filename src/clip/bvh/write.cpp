@@ -82,20 +82,23 @@ class HierarchyWriter {
     std::vector<int> open_;
 };
 
-void append_motion(std::string& text, const Clip& clip) {
+void append_motion(std::string& text, const Clip& clip, const Progress& progress) {
+    PacedPoll polls(progress, Stage::write);
     text += format_text("MOTION\nFrames: {}\nFrame Time: ", clip.frames());
     append_number(text, clip.frame_time > 0 ? clip.frame_time : 1 / clip.fps);
     text += '\n';
-    for (std::int64_t i = 0; i < clip.frames(); ++i)
+    for (std::int64_t i = 0; i < clip.frames(); ++i) {
         for (std::int64_t c = 0; c < clip.values.cols(); ++c) {
             append_number(text, clip.values(i, c));
             text += c + 1 < clip.values.cols() ? ' ' : '\n';
         }
+        polls.did(work_of_number * clip.values.cols());
+    }
 }
 
 } // namespace
 
-std::string format_bvh(const Clip& clip) {
+std::string format_bvh(const Clip& clip, const Progress& progress) {
     if (!clip.skeleton)
         fail(Status::unsupported,
              "a BVH file needs a skeleton, but this clip is a bare matrix: write .csv or .npy");
@@ -105,7 +108,7 @@ std::string format_bvh(const Clip& clip) {
     const Clip bvh = in_bvh_form(clip);
     std::string text;
     HierarchyWriter(*bvh.skeleton, text).write();
-    append_motion(text, bvh);
+    append_motion(text, bvh, progress);
     return text;
 }
 

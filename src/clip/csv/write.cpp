@@ -67,10 +67,11 @@ std::string header(const Clip& clip, bool with_time) {
 
 } // namespace
 
-std::string format_csv(const Clip& clip) {
+std::string format_csv(const Clip& clip, const Progress& progress) {
     // The reader gets the frame rate from the steps of time, so a single row cannot give it.
     const bool with_time = clip.fps > 0 && clip.frames() > 1;
     std::string text = header(clip, with_time);
+    PacedPoll polls(progress, Stage::write);
     for (std::int64_t i = 0; i < clip.frames(); ++i) {
         if (with_time) {
             append_number(text, static_cast<double>(i) / clip.fps);
@@ -82,6 +83,7 @@ std::string format_csv(const Clip& clip) {
                 append_number(text, clip.values(i, c));
         }
         text += '\n';
+        polls.did(work_of_number * clip.values.cols());
     }
     return text;
 }

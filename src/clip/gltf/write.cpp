@@ -229,7 +229,7 @@ class GltfWriter {
 
 } // namespace
 
-std::string format_glb(const Clip& clip) {
+std::string format_glb(const Clip& clip, const Progress&) {
     if (!clip.skeleton && clip.space == 0)
         fail(Status::unsupported,
              "a GLB file needs a skeleton or points, but this clip is a bare matrix: name its "

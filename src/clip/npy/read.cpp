@@ -80,39 +80,44 @@ double item(const NpyHeader& header, const char* data, std::int64_t index) {
     return header.item_size == 4 ? load<float>(from, swap) : load<double>(from, swap);
 }
 
-Matrix converted(const NpyHeader& header, const char* data, Shape shape) {
+Matrix converted(const NpyHeader& header, const char* data, Shape shape, PacedPoll& polls) {
     Matrix values = Matrix::unset(shape.rows, shape.cols);
     const std::int64_t width = std::max(1, shape.space);
     // In Fortran order the point's coordinate changes slowest.
     const auto fortran = [&](std::int64_t i, std::int64_t c) {
         return ((c % width) * (shape.cols / width) + c / width) * shape.rows + i;
     };
-    for (std::int64_t i = 0; i < shape.rows; ++i)
+    for (std::int64_t i = 0; i < shape.rows; ++i) {
         for (std::int64_t c = 0; c < shape.cols; ++c)
             values(i, c) =
                 item(header, data, header.fortran_order ? fortran(i, c) : i * shape.cols + c);
+        polls.did(2 * shape.cols);
+    }
     return values;
 }
 
 /// NaN is a missing value.
-void check_finite(const Matrix& values, const std::string& name) {
-    for (std::int64_t i = 0; i < values.rows(); ++i)
+void check_finite(const Matrix& values, const std::string& name, PacedPoll& polls) {
+    for (std::int64_t i = 0; i < values.rows(); ++i) {
         for (std::int64_t c = 0; c < values.cols(); ++c)
             if (std::isinf(values(i, c)))
                 fail(Status::not_finite, "{}: frame {}, column {} is {}", name, i, c + 1,
                      values(i, c));
+        polls.did(values.cols());
+    }
 }
 
 } // namespace
 
-Clip parse_npy(std::string_view bytes, const std::string& name, const ReadOptions&) {
+Clip parse_npy(std::string_view bytes, const std::string& name, const ReadOptions& options) {
     const NpyHeader header = read_npy_header(bytes, name);
     const std::string_view data = bytes.substr(header.data_begin);
     const Shape shape = checked_shape(header, data.size(), name);
+    PacedPoll polls(options.progress, Stage::read);
     Clip clip;
-    clip.values = converted(header, data.data(), shape);
+    clip.values = converted(header, data.data(), shape, polls);
     clip.space = shape.space;
-    check_finite(clip.values, name);
+    check_finite(clip.values, name, polls);
     return clip;
 }
 

@@ -4,7 +4,7 @@
 
 namespace stltsa::clip {
 
-std::string format_npy(const Clip& clip) {
+std::string format_npy(const Clip& clip, const Progress&) {
     return npy_bytes(clip.values.data(), clip.values.rows(), clip.values.cols(), clip.space);
 }
 

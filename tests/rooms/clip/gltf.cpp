@@ -288,7 +288,7 @@ void points_move_in_the_frames_in_which_they_are_seen(void**) {
 }
 
 void what_the_format_cannot_hold_is_refused(void**) {
-    const auto written = [](const Clip& clip) { find_format(Format::glb)->write(clip); };
+    const auto written = [](const Clip& clip) { find_format(Format::glb)->write(clip, {}); };
     const Clip raw = parse("a,b\n1,2\n3,4\n5,6\n", Format::csv);
     ASSERT_FAILS(Status::unsupported, "name its columns as coordinates of points", written(raw));
     Clip clip = parse(small_bvh, Format::bvh);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Files that arrive slowly while signals interrupt, and large ones.
+// Files that arrive slowly while signals interrupt.
 #include <chrono>
 #include <csignal>
 #include <thread>
@@ -79,67 +79,12 @@ void a_signal_lets_the_caller_stop(void**) {
     ASSERT_FAILS(Status::cancelled, "cancelled", stltsa::clip::read(pipe, options));
 }
 
-/// A progress callback that cancels at its n-th call.
-struct Canceller {
-    int calls; ///< left
-    stltsa::clip::ReadOptions options() {
-        stltsa::clip::ReadOptions made;
-        made.progress = stltsa::Progress(
-            [](void* user, std::int32_t, double) {
-                return --static_cast<Canceller*>(user)->calls == 0 ? 1 : 0;
-            },
-            this);
-        return made;
-    }
-};
-
-std::string repeated(std::string_view row, std::size_t bytes) {
-    std::string text;
-    while (text.size() < bytes)
-        text += row;
-    return text;
-}
-
-/// Each text has 3 MB, and an error that is found at its end, unless the reading is cancelled.
-void reading_a_large_text_can_be_cancelled(void**) {
-    constexpr std::size_t size = 3 << 20;
-    const TemporaryFolder folder;
-    const std::string asf = folder.write("small.asf", small_asf);
-    const std::string large_asf = folder.write("large.asf", repeated("# comment\n", size));
-    const std::string amc = ":DEGREES\n" + repeated("# comment\n", size);
-    const std::string bvh = small_bvh + repeated("0 0 0 0 0 0 0 0 0 0\n", size);
-    struct Case {
-        Format format;
-        std::string text, skeleton;
-        int calls;
-    } const cases[] = {{Format::csv, repeated("1,2,3\n", size) + "x\n", "", 2},
-                       {Format::bvh, bvh, "", 2},
-                       {Format::amc, amc, asf, 2},
-                       {Format::amc, amc, large_asf, 50}}; // 48 while the skeleton's file is read
-    for (const Case& one : cases) {
-        Canceller canceller{one.calls};
-        auto options = canceller.options();
-        options.skeleton = one.skeleton;
-        ASSERT_FAILS(Status::cancelled, "cancelled",
-                     stltsa::clip::parse(one.text, one.format, "large", options));
-    }
-}
-
-void reading_a_large_file_can_be_cancelled(void**) {
-    const TemporaryFolder folder;
-    const std::string path = folder.write("large.csv", repeated("1,2,3\n", 1 << 20));
-    Canceller canceller{10}; // parsing calls it once
-    ASSERT_FAILS(Status::cancelled, "cancelled", stltsa::clip::read(path, canceller.options()));
-}
-
 } // namespace
 
 int main() {
     const CMUnitTest tests[] = {
         cmocka_unit_test(signals_do_not_end_reading),
         cmocka_unit_test(a_signal_lets_the_caller_stop),
-        cmocka_unit_test(reading_a_large_text_can_be_cancelled),
-        cmocka_unit_test(reading_a_large_file_can_be_cancelled),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

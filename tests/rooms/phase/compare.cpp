@@ -32,14 +32,15 @@ void quantiles_are_those_of_tables(void**) {
 
 void a_lag_is_found_to_a_part_of_a_sample(void**) {
     for (const double late : {0.0, 0.013, -0.11, 0.2437}) {
-        const Lag lag = lag_between(curves(100, 0), curves(100, late), 25);
+        const Lag lag = lag_between(curves(100, 0).view(), curves(100, late).view(), 25);
         ASSERT_NEAR(lag.samples, 100 * late, 0.02);
         ASSERT_NEAR(lag.correlation, 1, 1e-4);
     }
-    assert_true(std::isnan(lag_between(curves(100, 0), curves(100, 0.3), 25).samples));
-    const Lag far = lag_between(curves(100, 0), curves(100, 0.3), 50);
+    assert_true(
+        std::isnan(lag_between(curves(100, 0).view(), curves(100, 0.3).view(), 25).samples));
+    const Lag far = lag_between(curves(100, 0).view(), curves(100, 0.3).view(), 50);
     ASSERT_NEAR(far.samples, 30, 0.02);
-    const Lag still = lag_between(curves(100, 0), Matrix(100, 2), 25);
+    const Lag still = lag_between(curves(100, 0).view(), Matrix(100, 2).view(), 25);
     assert_true(std::isnan(still.samples) && std::isnan(still.correlation));
 }
 
@@ -49,18 +50,18 @@ void the_next_best_lag_is_found(void**) {
         const double at = turn * static_cast<double>(s) / 100;
         twice(s, 0) = std::sin(2 * at) + 0.1 * std::sin(at);
     }
-    const Lag lag = lag_between(twice, twice, 50);
+    const Lag lag = lag_between(twice.view(), twice.view(), 50);
     ASSERT_NEAR(lag.samples, 0, 1e-9);
     ASSERT_NEAR(lag.runner_up, (1 - 0.01) / (1 + 0.01), 1e-3);
     const Matrix once = curves(100, 0, 0);
-    assert_true(std::isnan(lag_between(once, once, 50).runner_up));
+    assert_true(std::isnan(lag_between(once.view(), once.view(), 50).runner_up));
 }
 
 void later_and_slope_are_cyclic(void**) {
-    const Matrix at = curves(100, 0), moved = later(at, 12.5), there = curves(100, -0.125);
+    const Matrix at = curves(100, 0), moved = later(at.view(), 12.5), there = curves(100, -0.125);
     for (std::int64_t s = 0; s < 100; ++s)
         ASSERT_NEAR(moved(s, 0), there(s, 0), 5e-3);
-    const Matrix rise = slope(at);
+    const Matrix rise = slope(at.view());
     ASSERT_NEAR(rise(0, 0), turn / 100, 1e-4);
     ASSERT_NEAR(rise(50, 0), -turn / 100, 1e-4);
 }
@@ -89,17 +90,14 @@ double coverage(double memory, bool paired) {
     int inside = 0;
     constexpr int tries = 400, like = 12;
     for (int i = 0; i < tries; ++i) {
-        std::vector<Quantity> first, second;
+        Quantity first, second;
+        Dependences all(paired);
         for (int q = 0; q < like; ++q) {
-            first.push_back(quantity(remembering(12, memory, random), 1));
-            second.push_back(quantity(remembering(paired ? 12 : 9, memory, random), 3));
+            first = quantity(remembering(12, memory, random), 1);
+            second = quantity(remembering(paired ? 12 : 9, memory, random), 3);
+            all.add(first, second);
         }
-        std::vector<const Quantity*> all, others;
-        for (int q = 0; q < like; ++q) {
-            all.push_back(&first[static_cast<std::size_t>(q)]);
-            others.push_back(&second[static_cast<std::size_t>(q)]);
-        }
-        const Estimate found = estimate(first[0], second[0], dependence_of(all, others, paired));
+        const Estimate found = estimate(first, second, all.value());
         inside += found.low <= 2 && 2 <= found.high ? 1 : 0;
     }
     return static_cast<double>(inside) / tries;

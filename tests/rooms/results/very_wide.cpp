@@ -2,6 +2,7 @@
 // Clips with very many columns: no pass over the samples is too long to be cancelled.
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "../assertions.hpp"
 #include "linalg/principal.hpp"
@@ -9,7 +10,12 @@
 #include "ltsa/parameters.hpp"
 #include "motion/cycles.hpp"
 #include "motion/period.hpp"
+#include "phase/compare.hpp"
+#include "phase/events.hpp"
+#include "phase/fine.hpp"
+#include "phase/phases.hpp"
 #include "phase/registration.hpp"
+#include "phase/resample.hpp"
 #include "results/postures.hpp"
 
 namespace {
@@ -43,6 +49,7 @@ void check_polls(double passes, const Work& work) {
     };
     const Progress progress(count, &polls);
     work(progress, [&] { ++polls; });
+    fprintf(stderr, "passes %g of %g\n", polls / double(rows * cols / between_polls), passes);
     assert_in_range(polls, static_cast<int>(passes * (rows * cols / between_polls)), 1000000);
 }
 
@@ -105,6 +112,37 @@ void the_phase_polls(void**) {
     });
 }
 
+void events_poll(void**) {
+    check_polls(22,
+                [&](auto, const auto& poll) { phase::FineRows(wide().view(), 60, period, poll); });
+    const phase::Borders borders = {2, 12, 22, 32, 42};
+    const phase::Phases phases = phase::find_phases(wide().view(), 30, {&borders, 1}, {});
+    std::optional<phase::Searched> in;
+    check_polls(43, [&](auto, const auto& poll) {
+        in = phase::searched(wide().view(), 30, phases, phases.runs, poll);
+    });
+    const auto places = phase::places_of(*in, {phase::mark_at(*in, 17).value()});
+    check_polls(140, [&](auto, const auto& poll) {
+        in->poll = poll;
+        phase::find_events(*in, places[0]);
+    });
+    check_polls(510, [&](auto, const auto& poll) {
+        in->poll = poll;
+        phase::find_events(*in, places[0], *in);
+    });
+}
+
+void comparisons_poll(void**) {
+    phase::Resampled cycles;
+    check_polls(27, [&](auto, const auto& poll) {
+        cycles =
+            phase::resample(wide().view(), {phase::times_between({2, 12, 22, 32}, rows), {}}, poll);
+    });
+    const std::vector<std::int64_t> groups(cols, 0);
+    check_polls(
+        370, [&](auto, const auto& poll) { phase::compare(cycles, cycles, groups, false, poll); });
+}
+
 } // namespace
 
 int main() {
@@ -113,6 +151,8 @@ int main() {
         cmocka_unit_test(choices_poll),
         cmocka_unit_test(the_search_for_neighbors_polls),
         cmocka_unit_test(the_phase_polls),
+        cmocka_unit_test(events_poll),
+        cmocka_unit_test(comparisons_poll),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

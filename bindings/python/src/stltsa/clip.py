@@ -30,6 +30,7 @@ if TYPE_CHECKING:
 
     from ._keywords import Auto, Features, UpAxis
     from ._options import Options
+    from ._progress import Progress
     from .events import Event
 
 _FORMATS = names("STLTSA_FORMAT_")
@@ -370,12 +371,19 @@ class Clip(Described):
             call.check(lib.stltsa_clip_features(self._handle, call.options, write_to(result)))
         return result
 
-    def save(self, path: str | os.PathLike[str]) -> None:
+    def save(self, path: str | os.PathLike[str], *, progress: Progress = False) -> None:
         """Write the clip, completely or not at all; the suffix determines the format.
 
         ``.bvh``: any skeleton; ``.amc``: clips read from AMC, with their ASF file beside it;
         ``.csv`` and ``.npy``: the numbers of any clip. Numbers read back to the same bits.
         ``.glb``: glTF binary, skeleton and animation or moving points, for other programs.
+
+        Parameters
+        ----------
+        path : path-like
+            Of the file, which is replaced if it exists.
+        progress : bool or callable
+            As for :func:`stltsa.decompose`.
 
         Raises
         ------
@@ -386,7 +394,8 @@ class Clip(Described):
         stltsa.FileError
             The file cannot be written.
         """
-        check(lib.stltsa_clip_save(self._handle, c_path(path)))
+        with Call({"progress": progress}) as call:
+            call.check(lib.stltsa_clip_save_with(self._handle, c_path(path), call.options))
 
     def __repr__(self) -> str:
         seconds = f", {self.duration:.2f} s at {self.fps:g} fps" if self.fps else ""

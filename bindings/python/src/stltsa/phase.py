@@ -18,7 +18,7 @@ from ._arrays import (
     write_list,
     write_to,
 )
-from ._call import check, owned, rebuilt, texts
+from ._call import Call, check, owned, rebuilt, texts
 from ._given import wrong
 from ._native import ffi, lib
 from ._rows import number_of
@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
     from ._given import Matrix
+    from ._progress import Progress
 
 _NULL = ffi.NULL
 
@@ -313,6 +314,7 @@ class Phase:
         second_label: str | None = None,
         *,
         samples: int = 101,
+        progress: Progress = False,
     ) -> Comparison:
         """Align the cycles of another motion with those of this one by phase, and compare them.
 
@@ -326,6 +328,8 @@ class Phase:
             with the most frames in cycles, and the motion of the second that is most like it.
         samples : int
             Samples per cycle, 5 to 1001; 101 gives one for each percent.
+        progress : bool or callable
+            As for :func:`stltsa.decompose`.
 
         Returns
         -------
@@ -347,15 +351,18 @@ class Phase:
         labels = (-1 if each is None else number_of(each) for each in (label, second_label))
         first_number, second_number = labels
         out = ffi.new("stltsa_comparison **")
-        check(
-            lib.stltsa_compare(
-                self._handle, first_number, second._handle, second_number, samples, out
-            )
-        )
+        motions = (self._handle, first_number, second._handle, second_number)
+        with Call({"progress": progress}) as call:
+            call.check(lib.stltsa_compare_with(*motions, samples, call.options, out))
         return Comparison(owned("comparison", out), timed=bool(self._fps and second._fps))
 
     def events(
-        self, marks: float | Sequence[float], other: Phase | None = None, *, name: str = ""
+        self,
+        marks: float | Sequence[float],
+        other: Phase | None = None,
+        *,
+        name: str = "",
+        progress: Progress = False,
     ) -> FoundEvents:
         """Find the event at one or more marked frames wherever it comes again.
 
@@ -369,6 +376,8 @@ class Phase:
         name : str
             Name of the event. If it states a side, as ``"left heel strike"`` does, the found events
             have this side.
+        progress : bool or callable
+            As for :func:`stltsa.decompose`.
 
         Returns
         -------
@@ -396,7 +405,9 @@ class Phase:
             raise wrong("other", other, "a Phase, the result of Decomposition.phase")
         out = ffi.new("stltsa_events **")
         target = _NULL if other is None else other._handle
-        check(lib.stltsa_events_find(self._handle, read_from(at), target, out))
+        marked = (self._handle, read_from(at), target)
+        with Call({"progress": progress}) as call:
+            call.check(lib.stltsa_events_find_with(*marked, call.options, out))
         return FoundEvents(owned("events", out), (other or self)._fps > 0, side)
 
     def events_like(

@@ -564,6 +564,7 @@ pub const STLTSA_STAGE_UNITS: i32 = 6;
 pub const STLTSA_STAGE_MAP: i32 = 7;
 pub const STLTSA_STAGE_DENOISE: i32 = 8;
 pub const STLTSA_STAGE_SYNTHESIS: i32 = 9;
+pub const STLTSA_STAGE_WRITE: i32 = 10;
 pub type stltsa_progress_fn = ::std::option::Option<
     unsafe extern "C" fn(user: *mut ::std::os::raw::c_void, stage: i32, fraction: f64) -> i32,
 >;
@@ -1209,6 +1210,13 @@ extern "C" {
     pub fn stltsa_clip_save(
         clip: *const stltsa_clip,
         path: *const ::std::os::raw::c_char,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_clip_save_with(
+        clip: *const stltsa_clip,
+        path: *const ::std::os::raw::c_char,
+        options: *const stltsa_options,
     ) -> stltsa_status;
 }
 #[repr(C)]
@@ -2772,6 +2780,15 @@ extern "C" {
     ) -> stltsa_status;
 }
 extern "C" {
+    pub fn stltsa_events_find_with(
+        from: *const stltsa_phase,
+        marks: *const stltsa_in,
+        in_: *const stltsa_phase,
+        options: *const stltsa_options,
+        events: *mut *mut stltsa_events,
+    ) -> stltsa_status;
+}
+extern "C" {
     pub fn stltsa_events_free(events: *mut stltsa_events);
 }
 extern "C" {
@@ -3594,6 +3611,17 @@ extern "C" {
         second: *const stltsa_phase,
         second_label: i32,
         samples: i64,
+        comparison: *mut *mut stltsa_comparison,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_compare_with(
+        first: *const stltsa_phase,
+        first_label: i32,
+        second: *const stltsa_phase,
+        second_label: i32,
+        samples: i64,
+        options: *const stltsa_options,
         comparison: *mut *mut stltsa_comparison,
     ) -> stltsa_status;
 }

@@ -419,9 +419,19 @@ impl Clip {
     /// [`Unsupported`](crate::ErrorKind::Unsupported) (no skeleton, an unsuitable one, or no frame
     /// rate although the format needs one), [`Io`](crate::ErrorKind::Io).
     pub fn save(&self, path: impl AsRef<Path>) -> Result<()> {
+        self.save_with(path, &Options::new())
+    }
+
+    /// The same with options. Used: progress, which can cancel until the file is complete.
+    ///
+    /// # Errors
+    /// As [`save`](Self::save), and [`Cancelled`](crate::ErrorKind::Cancelled).
+    pub fn save_with(&self, path: impl AsRef<Path>, options: &Options) -> Result<()> {
         let path = c_path(path.as_ref())?;
-        // SAFETY: a live handle, and a string that lives through the call.
-        check(unsafe { sys::stltsa_clip_save(self.raw(), path.as_ptr()) })
+        options.call(|options| {
+            // SAFETY: a live handle, and a string that lives through the call.
+            check(unsafe { sys::stltsa_clip_save_with(self.raw(), path.as_ptr(), options) })
+        })
     }
 
     /// Cuts the clip into motion units and cycles (section 3.1 of the paper).

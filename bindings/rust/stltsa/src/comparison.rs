@@ -155,11 +155,28 @@ impl Phase {
         second_label: Option<usize>,
         samples: usize,
     ) -> Result<Comparison> {
-        let (label, second_label) = (number(label)?, number(second_label)?);
+        self.compare_with(second, label, second_label, samples, &Options::new())
+    }
+
+    /// The same with options. Used: progress.
+    ///
+    /// # Errors
+    /// As [`compare`](Self::compare), and [`Cancelled`](crate::ErrorKind::Cancelled).
+    pub fn compare_with(
+        &self,
+        second: &Phase,
+        label: Option<usize>,
+        second_label: Option<usize>,
+        samples: usize,
+        options: &Options,
+    ) -> Result<Comparison> {
+        let (one, other) = ((self.raw(), number(label)?), (second.raw(), number(second_label)?));
         let wanted = c_count(samples)?;
-        // SAFETY: live handles.
-        let found = Owned::make(|out| unsafe {
-            sys::stltsa_compare(self.raw(), label, second.raw(), second_label, wanted, out)
+        let found = options.call(|options| {
+            // SAFETY: live handles.
+            Owned::make(|out| unsafe {
+                sys::stltsa_compare_with(one.0, one.1, other.0, other.1, wanted, options, out)
+            })
         })?;
         Comparison::read(found)
     }

@@ -6,6 +6,7 @@ use stltsa_sys as sys;
 use crate::array::View;
 use crate::error::{check, count, texts, Result};
 use crate::handle::Owned;
+use crate::options::Options;
 use crate::phase::Phase;
 
 /// A moment that was found, or a mark of the caller.
@@ -58,11 +59,27 @@ impl Phase {
     /// [`Argument`](crate::ErrorKind::Argument) if a mark lies in no motion that repeats,
     /// [`Shape`](crate::ErrorKind::Shape) if the features of the clips differ.
     pub fn events(&self, marks: &[f64], other: Option<&Phase>) -> Result<Events> {
+        self.events_with(marks, other, &Options::new())
+    }
+
+    /// The same with options. Used: progress.
+    ///
+    /// # Errors
+    /// As [`events`](Self::events), and [`Cancelled`](crate::ErrorKind::Cancelled).
+    pub fn events_with(
+        &self,
+        marks: &[f64],
+        other: Option<&Phase>,
+        options: &Options,
+    ) -> Result<Events> {
         let marks = View::new(marks, marks.len(), 1)?.raw()?;
         let other = other.map_or(std::ptr::null(), Phase::raw);
-        // SAFETY: live handles, an array of the size it says.
-        let found: Owned<sys::stltsa_events> =
-            Owned::make(|out| unsafe { sys::stltsa_events_find(self.raw(), &marks, other, out) })?;
+        let found: Owned<sys::stltsa_events> = options.call(|options| {
+            // SAFETY: live handles, an array of the size it says.
+            Owned::make(|out| unsafe {
+                sys::stltsa_events_find_with(self.raw(), &marks, other, options, out)
+            })
+        })?;
         // SAFETY: a live handle.
         let events = unsafe { sys::stltsa_events_count(found.raw()) };
         Ok(Events {

@@ -9,7 +9,7 @@ use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 use std::sync::{Arc, Mutex};
 
 use common::{circle, circle_options, same_bits};
-use stltsa::{ErrorKind, Model, Options, Stage};
+use stltsa::{ErrorKind, Model, Options, Phase, Stage};
 
 type Reports = Arc<Mutex<Vec<(Stage, f64)>>>;
 
@@ -63,6 +63,25 @@ fn it_cancels_at_every_report() {
     }
     let again = Model::fit(&circle(), &circle_options()).unwrap();
     assert!(same_bits(&again.coords().unwrap(), &whole.coords().unwrap()));
+}
+
+#[test]
+#[ignore = "needs STLTSA_TEST_CLIP"]
+fn it_cancels_events_comparisons_and_files() {
+    let clip = common::walker();
+    let found = clip.decompose(&Options::new()).unwrap();
+    let phase = Phase::find(&clip, &found, &Options::new()).unwrap();
+    let options = Options::new().progress(|_, _| Break(()));
+    let path = std::env::temp_dir().join(format!("stltsa-{}.csv", std::process::id()));
+    let errors = [
+        phase.events_with(&[250.0], None, &options).err(),
+        phase.compare_with(&phase, None, None, 101, &options).err(),
+        clip.save_with(&path, &options).err(),
+    ];
+    for error in errors {
+        assert_eq!(error.unwrap().kind(), ErrorKind::Cancelled);
+    }
+    assert!(!path.exists());
 }
 
 #[test]

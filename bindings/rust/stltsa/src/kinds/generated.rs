@@ -182,6 +182,8 @@ kinds! {
         Denoise = STLTSA_STAGE_DENOISE,
         /// New motion.
         Synthesis = STLTSA_STAGE_SYNTHESIS,
+        /// Writing a clip.
+        Write = STLTSA_STAGE_WRITE,
     }
     /// Kinds of segments. `Display` gives the library's names.
     SegmentKind {

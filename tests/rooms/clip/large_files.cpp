@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Large files: reading and writing them can be cancelled.
+#include "clip/testing.hpp"
+
+#include <filesystem>
+
+#include "clip/formats.hpp"
+#include "clip/write.hpp"
+
+namespace {
+
+using namespace clip_testing;
+using namespace stltsa::clip;
+
+/// A progress callback that cancels at its n-th call.
+struct Canceller {
+    int calls; ///< left
+    stltsa::Progress progress() {
+        return {[](void* user, std::int32_t, double) {
+                    return --static_cast<Canceller*>(user)->calls == 0 ? 1 : 0;
+                },
+                this};
+    }
+    ReadOptions options() {
+        ReadOptions made;
+        made.progress = progress();
+        return made;
+    }
+};
+
+std::string repeated(std::string_view row, std::size_t bytes) {
+    std::string text;
+    while (text.size() < bytes)
+        text += row;
+    return text;
+}
+
+/// Each text has 3 MB, and an error that is found at its end, unless the reading is cancelled.
+void reading_a_large_text_can_be_cancelled(void**) {
+    constexpr std::size_t size = 3 << 20;
+    const TemporaryFolder folder;
+    const std::string asf = folder.write("small.asf", small_asf);
+    const std::string large_asf = folder.write("large.asf", repeated("# comment\n", size));
+    const std::string amc = ":DEGREES\n" + repeated("# comment\n", size);
+    const std::string bvh = small_bvh + repeated("0 0 0 0 0 0 0 0 0 0\n", size);
+    struct Case {
+        Format format;
+        std::string text, skeleton;
+        int calls;
+    } const cases[] = {{Format::csv, repeated("1,2,3\n", size) + "x\n", "", 2},
+                       {Format::bvh, bvh, "", 2},
+                       {Format::amc, amc, asf, 2},
+                       {Format::amc, amc, large_asf, 50}}; // 48 while the skeleton's file is read
+    for (const Case& one : cases) {
+        Canceller canceller{one.calls};
+        auto options = canceller.options();
+        options.skeleton = one.skeleton;
+        ASSERT_FAILS(Status::cancelled, "cancelled", parse(one.text, one.format, "large", options));
+    }
+}
+
+void reading_a_large_file_can_be_cancelled(void**) {
+    const TemporaryFolder folder;
+    const std::string path = folder.write("large.csv", repeated("1,2,3\n", 1 << 20));
+    Canceller canceller{10}; // parsing calls it once
+    ASSERT_FAILS(Status::cancelled, "cancelled", read(path, canceller.options()));
+}
+
+void reading_a_large_array_can_be_cancelled(void**) {
+    Clip clip;
+    clip.values = stltsa::Matrix(1 << 21, 2);
+    const std::string bytes = find_format(Format::npy)->write(clip, {});
+    Canceller canceller{3}; // twice while numbers are converted, once while they are checked
+    ASSERT_FAILS(Status::cancelled, "cancelled",
+                 parse(bytes, Format::npy, "large", canceller.options()));
+}
+
+/// The clips have as many numbers as give at least ten polls.
+void making_a_large_text_can_be_cancelled(void**) {
+    const TemporaryFolder folder;
+    ReadOptions options;
+    options.skeleton = folder.write("a.asf", small_asf);
+    for (Clip clip : {parse(small_bvh, Format::bvh), parse(small_amc, Format::amc, options)}) {
+        clip.values = stltsa::Matrix(200000, clip.values.cols());
+        for (const Format format : {clip.format, Format::csv}) {
+            Canceller canceller{10};
+            ASSERT_FAILS(Status::cancelled, "cancelled",
+                         find_format(format)->write(clip, canceller.progress()));
+        }
+    }
+}
+
+void writing_a_large_file_can_be_cancelled(void**) {
+    const TemporaryFolder folder;
+    Clip clip;
+    clip.fps = 100;
+    clip.values = stltsa::Matrix(1 << 19, 1); // 4 MiB
+    Canceller canceller{4};
+    ASSERT_FAILS(Status::cancelled, "cancelled",
+                 write(clip, folder.path("a.npy"), canceller.progress()));
+    assert_true(std::filesystem::is_empty(folder.path("")));
+}
+
+} // namespace
+
+int main() {
+    const CMUnitTest tests[] = {
+        cmocka_unit_test(reading_a_large_text_can_be_cancelled),
+        cmocka_unit_test(reading_a_large_file_can_be_cancelled),
+        cmocka_unit_test(reading_a_large_array_can_be_cancelled),
+        cmocka_unit_test(making_a_large_text_can_be_cancelled),
+        cmocka_unit_test(writing_a_large_file_can_be_cancelled),
+    };
+    return cmocka_run_group_tests(tests, nullptr, nullptr);
+}
