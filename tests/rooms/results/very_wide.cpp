@@ -49,7 +49,6 @@ void check_polls(double passes, const Work& work) {
     };
     const Progress progress(count, &polls);
     work(progress, [&] { ++polls; });
-    fprintf(stderr, "passes %g of %g\n", polls / double(rows * cols / between_polls), passes);
     assert_in_range(polls, static_cast<int>(passes * (rows * cols / between_polls)), 1000000);
 }
 
