@@ -6,6 +6,8 @@
 
 #include "target.h"
 
+int accepted_inputs;
+
 int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     const uint8_t* zero = size == 0 ? NULL : memchr(data, 0, size);
     const size_t asf = zero == NULL ? size : (size_t)(zero - data);
@@ -21,8 +23,10 @@ int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
         stltsa_options_set_text(options, STLTSA_OPT_SKELETON, path);
         MAKES(stltsa_clip_parse(data + amc, size - amc, STLTSA_FORMAT_AMC, NULL, options, &clip),
               clip);
-        if (clip != NULL)
+        if (clip != NULL) {
+            ++accepted_inputs;
             use_clip(clip);
+        }
     }
     stltsa_clip_free(clip);
     stltsa_options_free(options);

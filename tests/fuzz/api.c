@@ -2,6 +2,8 @@
 /* Random options and small random matrices in the functions that compute. */
 #include "target.h"
 
+int accepted_inputs;
+
 enum { most_rows = 64, most_columns = 5 };
 
 typedef struct bytes {
@@ -169,6 +171,7 @@ int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     stltsa_denoising* denoising = NULL;
     if (stltsa_options_new(&options) != STLTSA_OK)
         return 0;
+    ++accepted_inputs;
     for (unsigned i = 0; i < settings; ++i)
         set_option(options, &from);
     stltsa_options_set_int(options, STLTSA_OPT_THREADS, 1);

@@ -96,8 +96,8 @@ ASF = """:version 1.10
 """
 
 
-def amc(frames=40):
-    text = ":FULLY-SPECIFIED\n:DEGREES\n"
+def amc(frames=60):
+    text = ":FULLY-SPECIFIED\n:DEGREES\n:SAMPLES-PER-SECOND 30\n"
     for i, row in enumerate(angles(frames, 10), 1):
         text += f"{i}\nroot {' '.join(map(str, row[:6]))}\n"
         text += f"lfemur {' '.join(map(str, row[6:9]))}\nrfemur {row[9]}\n"
@@ -129,12 +129,13 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         clip = pathlib.Path(folder) / "walk.bvh"
         clip.write_text(bvh(90))
-        for name, more in (("plain", ["--features", "euler"]), ("positions", [])):
+        for name, more in (("plain", ["--features", "euler"]), ("positions", []),
+                           ("live", ["--mark", "37=heel"])):
             model = pathlib.Path(folder) / f"{name}.stltsa"
             subprocess.run([sys.argv[1], "fit", clip, "-o", model, "-q", *more], check=True)
             put("model", name, model.read_bytes())
     numbers = random.Random(4)
-    for what in range(4):
+    for what in range(8):
         cycles = [int(124 + 60 * math.sin(2 * math.pi * i / 20)) for i in range(300)]
         put("api", f"call{what}", bytes([what, 0, 59, 3, *cycles]))
         put("api", f"random{what}", bytes([what, 3, *numbers.randbytes(400)]))

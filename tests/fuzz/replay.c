@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Plays files to a fuzz target, for compilers without libFuzzer. Usage: fuzz_bvh FILE... */
+/* Plays files to a fuzz target, for compilers without libFuzzer; fails if a file is refused, unless
+ * its name begins with "refused". Usage: fuzz_bvh FILE... */
 #include "target.h"
 
 static int play(const char* path) {
@@ -10,11 +11,18 @@ static int play(const char* path) {
         rewind(file);
         data = malloc((size_t)size + 1);
     }
-    const int read = data != NULL && fread(data, 1, (size_t)size, file) == (size_t)size;
+    const int before = accepted_inputs;
+    int read = data != NULL && fread(data, 1, (size_t)size, file) == (size_t)size;
     if (read)
         LLVMFuzzerTestOneInput(data, (size_t)size);
     else
         fprintf(stderr, "%s: cannot be read\n", path);
+    const char* slash = strrchr(path, '/');
+    const char* name = slash == NULL ? path : slash + 1;
+    if (read && accepted_inputs == before && strncmp(name, "refused", 7) != 0) {
+        fprintf(stderr, "%s: refused: %s\n", path, stltsa_last_error());
+        read = 0;
+    }
     free(data);
     if (file != NULL)
         fclose(file);

@@ -13,6 +13,8 @@
 #include <stltsa.h>
 
 int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size);
+/* Inputs that were not refused; each target defines it. */
+extern int accepted_inputs;
 
 /* Ends the process: a broken promise of the interface is a finding, as a crash is. */
 static inline void promise(int kept, const char* text) {
@@ -87,8 +89,10 @@ static inline void read_as(int32_t format, const uint8_t* data, size_t size) {
         return;
     stltsa_options_set_real(options, STLTSA_OPT_FPS, 30);
     MAKES(stltsa_clip_parse(data, size, format, NULL, options, &clip), clip);
-    if (clip != NULL)
+    if (clip != NULL) {
+        ++accepted_inputs;
         use_clip(clip);
+    }
     stltsa_clip_free(clip);
     stltsa_options_free(options);
 }

@@ -6,6 +6,7 @@ import re
 import shutil
 import subprocess
 import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -49,6 +50,16 @@ def test_the_commands_files(clips, tmp_path, command):
     assert all(again["kept"])
     assert list(again["period_s"]) == list(rows["period_s"])
     assert not any(stltsa.batch(clips, tmp_path / "python", fps=30)["kept"])
+
+
+def test_names_that_a_spreadsheet_would_evaluate(walker, tmp_path, command, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    Path("=1+1.bvh").symlink_to(walker)
+    stltsa.batch("=1+1.bvh", "python")
+    subprocess.run([command, "batch", "=1+1.bvh", "--out", "command"], check=True,
+                   capture_output=True)  # fmt: skip
+    assert files(tmp_path / "python") == files(tmp_path / "command")
+    assert "\n'=1+1.bvh,done," in (tmp_path / "python" / "summary.csv").read_text()
 
 
 def test_the_commands_files_of_formats_that_only_python_reads(tmp_path, command):

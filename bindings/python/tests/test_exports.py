@@ -77,6 +77,13 @@ def test_boris(result, tmp_path):
     assert kinds == ["START", "STOP"] * len(result.cycle_list)
 
 
+def test_names_that_a_spreadsheet_would_evaluate(walker, tmp_path):
+    clip = tmp_path / "=1+1.bvh"
+    clip.symlink_to(walker)
+    stltsa.decompose(clip).save_events(tmp_path / "walk.csv")
+    assert "\n'=1+1,'=1+1.bvh,120.0," in (tmp_path / "walk.csv").read_text()
+
+
 def test_events_in_c3d(tmp_path):
     source = write_c3d(tmp_path / "walk.c3d", walk(), first=200, events=[(0, 2.5, "Left", "Own")])
     result = stltsa.decompose(stltsa.read_clip(source))

@@ -3,9 +3,7 @@
 
 from __future__ import annotations
 
-import csv
 import errno
-import io
 import json
 import math
 import operator
@@ -21,7 +19,7 @@ from ._native import lib
 from ._options import option_named
 from ._progress import reporter
 from ._tables import table
-from ._text import string
+from ._text import csv_text, string
 from .decomposition import decompose
 from .errors import StltsaError
 from .readers import READERS, extra
@@ -316,17 +314,18 @@ def _failed(path: str, status: str, error: object) -> BatchRow:
     return BatchRow(path, status, str(error), 0, 0, 0, 0, nan, nan, nan, nan, "", kept=False)
 
 
-def _cells(row: BatchRow) -> list[str]:
+def _cells(row: BatchRow) -> list[Any]:
     """Return the row as the command writes it: without `kept`, and without unknown numbers."""
     if row.error:
         return [row.path, row.status, row.error, *[""] * (len(row) - 4)]
-    unknown = [isinstance(value, float) and math.isnan(value) for value in row]
-    return ["" if nan else _typed(value) for nan, value in zip(unknown, row[:-1], strict=False)]
+
+    def cell(value: Any) -> Any:
+        if not isinstance(value, float):
+            return value
+        return "" if math.isnan(value) else _typed(value)
+
+    return [cell(value) for value in row[:-1]]
 
 
 def _summary(rows: list[BatchRow]) -> str:
-    out = io.StringIO()
-    writer = csv.writer(out, lineterminator="\n")
-    writer.writerow(BatchRow._fields[:-1])
-    writer.writerows(map(_cells, rows))
-    return out.getvalue()
+    return csv_text(BatchRow._fields[:-1], map(_cells, rows))

@@ -3,9 +3,7 @@
 
 from __future__ import annotations
 
-import csv
 import errno
-import io
 import json
 import tempfile
 from pathlib import Path
@@ -15,6 +13,7 @@ import numpy as np
 
 from . import readers
 from ._tables import frame
+from ._text import csv_text
 from .readers import c3d as readers_c3d
 
 if TYPE_CHECKING:
@@ -185,11 +184,7 @@ def _boris(rows: list[Row], moments: list[Moment], result: Decomposition) -> str
         line = (Path(name).stem, name, result.clip.fps, "No focal subject", kind, "event",
                 "POINT", e.seconds, round(e.frame), e.side)  # fmt: skip
         events.append((e.seconds, True, line))
-    out = io.StringIO()
-    writer = csv.writer(out, lineterminator="\n")
-    writer.writerow(head)
-    writer.writerows(line for *_, line in sorted(events, key=lambda e: e[:2]))
-    return out.getvalue()
+    return csv_text(head, (line for *_, line in sorted(events, key=lambda e: e[:2])))
 
 
 def _c3d_events(rows: list[Row]) -> list[tuple[float, str]]:

@@ -1,13 +1,18 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Texts from the library, and paths for it."""
+"""Texts from the library, paths for it, and tables."""
 
 from __future__ import annotations
 
+import csv
+import io
 import os
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from ._given import wrong
 from ._native import ffi, lib
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
 
 
 def string(text: Any) -> str:
@@ -18,6 +23,20 @@ def string(text: Any) -> str:
 def names(prefix: str) -> dict[int, str]:
     """Return the names of the header's constants with a prefix, by value: ``{1: "bvh", ...}``."""
     return {getattr(lib, n): n[len(prefix) :].lower() for n in dir(lib) if n.startswith(prefix)}
+
+
+def csv_text(head: Iterable[str], lines: Iterable[Iterable[Any]]) -> str:
+    """Return a CSV table; a text that a spreadsheet would evaluate gets an apostrophe before it."""
+
+    def cell(value: Any) -> Any:
+        formula = isinstance(value, str) and value.lstrip("'").startswith(tuple("=+-@\t\r"))
+        return f"'{value}" if formula else value
+
+    out = io.StringIO()
+    writer = csv.writer(out, lineterminator="\n")
+    writer.writerow(head)
+    writer.writerows(map(cell, line) for line in lines)
+    return out.getvalue()
 
 
 def c_text(text: Any, what: str) -> Any:
