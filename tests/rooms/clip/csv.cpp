@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
+#include <limits>
 
 #include "base/formula.hpp"
 #include "clip/formats.hpp"
@@ -185,6 +187,29 @@ void frame_numbers_are_not_a_channel(void**) {
     assert_int_equal(silent.notes.size(), 1);
 }
 
+/// Processor seconds, the least of several tries, to read a row of columns that count frames.
+double time_of_columns(int count) {
+    std::string text, row;
+    for (int i = 0; i < count; ++i) {
+        text += "frame,";
+        row += "1,";
+    }
+    text += "x\n" + row + "7\n" + row + "8\n";
+    double least = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < 5; ++i) {
+        const std::clock_t begin = std::clock();
+        csv(text);
+        least = std::min(least, static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
+    }
+    return least;
+}
+
+/// Removing columns one by one takes 16 times as long for four times the columns.
+void many_columns_of_time_take_linear_time(void**) {
+    const double few = time_of_columns(20000);
+    assert_true(time_of_columns(80000) < 10 * few);
+}
+
 void cells_without_a_value_are_gaps(void**) {
     for (const char* gap : {"NaN", "NA", "-", "null", " ", ""}) {
         const Clip clip = csv(stltsa::format_text("a,b,c\n1,2,3\n4,{},6\n", gap));
@@ -307,6 +332,7 @@ int main() {
         cmocka_unit_test(time_at_an_implausible_rate_is_a_channel),
         cmocka_unit_test(time_gives_the_rate_and_is_not_a_channel),
         cmocka_unit_test(uneven_times_are_resampled),
+        cmocka_unit_test(many_columns_of_time_take_linear_time),
         cmocka_unit_test(cells_without_a_value_are_gaps),
         cmocka_unit_test(headers_of_two_levels),
         cmocka_unit_test(key_points_with_likelihoods),
