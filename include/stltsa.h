@@ -379,6 +379,8 @@ enum {
                                                   first_frame + i * frame_step */
     STLTSA_INFO_FRAME_STEP = 14,        /* int[]  see first_frame; 1 for matrices */
     STLTSA_INFO_FPS = 15,               /* real   rows a second; 0: unknown */
+    STLTSA_INFO_BODY_ROOT = 16,         /* int    Clips: joint that turns the body. Those before
+                                                  it, its ancestors, are not part of the body */
     /* The fit. A denoising of given coordinates has none of these seven. */
     STLTSA_INFO_MODE = 20,              /* int    STLTSA_MODE_* */
     STLTSA_INFO_NEIGHBORS = 21,         /* int    k used, in rows */

@@ -4,10 +4,10 @@
  * Prints one line for each function: name, its seconds, the longest time between two calls in
  * seconds, and the stage and fraction of the later call (-1: the function's return).
  *
- *     poll_times FRAMES COLUMNS FPS [FILE.csv]
+ *     poll_times FRAMES COLUMNS FPS [FILE.csv [all]]
  *
  * With FILE.csv, which is written, read and removed, also functions that would need more memory for
- * a million columns than most machines have.
+ * a million columns than most machines have; with "all", also those that take longest.
  */
 #define _POSIX_C_SOURCE 200809L
 #include "motion.h"
@@ -44,7 +44,7 @@ static void finish(const char* name, double begin, stltsa_status status) {
     note(&gap, -1, 1);
     if (status != STLTSA_OK)
         fprintf(stderr, "%s: %s\n", name, stltsa_last_error());
-    printf("%-18s %7.2f %6.3f %2d %.2f\n", name, gap.last - begin, gap.longest, (int)gap.stage,
+    printf("%-26s %7.2f %6.3f %2d %.2f\n", name, gap.last - begin, gap.longest, (int)gap.stage,
            gap.fraction);
     fflush(stdout);
 }
@@ -91,21 +91,53 @@ static void compare_and_find_events(const stltsa_phase* phase, double mark,
     stltsa_comparison_free(comparison);
 }
 
+static void map_and_clean(const stltsa_model* model, const stltsa_in* in,
+                          const stltsa_options* options) {
+    int64_t dimension = 0;
+    check(stltsa_info_int(stltsa_model_info(model), STLTSA_INFO_DIMENSION, 0, &dimension));
+    double* at = allocate((size_t)(in->rows * dimension) * sizeof *at);
+    double* back = allocate((size_t)(in->rows * in->cols) * sizeof *back);
+    const stltsa_out coords = {at, in->rows, dimension, 0, 0, STLTSA_F64, 0};
+    const stltsa_in points = {at, in->rows, dimension, 0, 0, STLTSA_F64, 0};
+    const stltsa_out frames = {back, in->rows, in->cols, 0, 0, STLTSA_F64, 0};
+    stltsa_denoising* denoising = NULL;
+    stltsa_dimension* estimated = NULL;
+    double begin = start();
+    finish("stltsa_map", begin, stltsa_map(model, in, NULL, options, &coords, NULL, NULL));
+    begin = start();
+    finish("stltsa_unmap", begin, stltsa_unmap(model, &points, NULL, options, &frames, NULL, NULL));
+    begin = start();
+    finish("stltsa_denoise", begin, stltsa_denoise(in, NULL, options, &denoising));
+    begin = start();
+    finish("stltsa_estimate_dimension", begin,
+           stltsa_estimate_dimension(in, NULL, options, &estimated));
+    stltsa_dimension_free(estimated);
+    stltsa_denoising_free(denoising);
+    free(back);
+    free(at);
+}
+
+static void report(const stltsa_clip* clip, const stltsa_decomposition* made, const char* path,
+                   const stltsa_options* options) {
+    const double begin = start();
+    finish("stltsa_report_save", begin, stltsa_report_save(clip, made, options, NULL, path));
+    remove(path);
+}
+
 int main(int argc, char** argv) {
     stltsa_clip* clip = NULL;
     stltsa_options* options = NULL;
     stltsa_decomposition* made = NULL;
     stltsa_phase* phase = NULL;
     stltsa_model* model = NULL;
-    if (argc != 4 && argc != 5) {
-        fprintf(stderr, "usage: poll_times FRAMES COLUMNS FPS [FILE.csv]\n");
+    if (argc < 4 || argc > 6) {
+        fprintf(stderr, "usage: poll_times FRAMES COLUMNS FPS [FILE.csv [all]]\n");
         return 2;
     }
     const int64_t frames = atoll(argv[1]), columns = atoll(argv[2]);
     double* x = swinging(frames, columns, atof(argv[3]));
     const stltsa_in in = {x, frames, columns, 0, 0, STLTSA_F64, 0};
     check(stltsa_clip_from_matrix(&in, atof(argv[3]), &clip));
-    free(x);
     check(stltsa_options_new(&options));
     check(stltsa_options_set_progress(options, called, &gap));
 
@@ -118,10 +150,15 @@ int main(int argc, char** argv) {
     }
     begin = start();
     finish("stltsa_fit_clip", begin, stltsa_fit_clip(clip, options, &model));
-    if (argc == 5) {
+    if (argc > 4) {
         compare_and_find_events(phase, (double)frames / 2, options);
         write_and_read(clip, argv[4], options);
     }
+    if (argc > 5) {
+        report(clip, made, argv[4], options);
+        map_and_clean(model, &in, options);
+    }
+    free(x);
 
     stltsa_model_free(model);
     stltsa_phase_free(phase);

@@ -170,6 +170,7 @@ constexpr InfoRow clip_rows[] = {
     one<Clip>(STLTSA_INFO_FEATURES, [](const Clip& c) { return default_features(c.clip); }),
     one<Clip>(STLTSA_INFO_UP_AXIS, [](const Clip& c) { return default_up(c.clip); }),
     one<Clip>(STLTSA_INFO_FIRST_FRAME, [](const Clip& c) { return default_first_frame(c.clip); }),
+    one<Clip>(STLTSA_INFO_BODY_ROOT, [](const Clip& c) { return default_root(c.clip); }),
 };
 
 // ---- Models ----

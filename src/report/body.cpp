@@ -6,6 +6,7 @@
 #include <map>
 
 #include "base/side_name.hpp"
+#include "clip/body/heading.hpp"
 #include "clip/body/kinematics.hpp"
 #include "clip/features/column_owners.hpp"
 #include "report/packed.hpp"
@@ -34,9 +35,10 @@ std::vector<std::string> names_of(const clip::Clip& clip) {
     return names;
 }
 
-/// Positions in every step-th frame; NaN where they are missing.
+/// Positions in every step-th frame; NaN where they are missing, and of joints above the body.
 Matrix places(const clip::Clip& clip, std::int64_t step) {
     Matrix rows((clip.frames() + step - 1) / step, places_width(clip));
+    const std::size_t above = clip.skeleton ? 3 * clip::body_root(clip) : 0;
     clip::Pose pose;
     for (std::int64_t r = 0; r < rows.rows(); ++r) {
         double* const row = rows.row(r);
@@ -45,6 +47,7 @@ Matrix places(const clip::Clip& clip, std::int64_t step) {
             pose.place(*clip.skeleton, values);
             for (std::size_t j = 0; j < pose.position.size(); ++j)
                 std::ranges::copy(pose.position[j], row + 3 * j);
+            std::fill_n(row, above, std::numeric_limits<double>::quiet_NaN());
             continue;
         }
         std::copy_n(values, rows.cols(), row);

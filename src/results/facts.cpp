@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "results/facts.hpp"
 
+#include "clip/body/heading.hpp"
 #include "clip/features/points.hpp"
 #include "clip/features/tpose.hpp"
 
@@ -32,6 +33,10 @@ std::int64_t default_first_frame(const clip::Clip& clip) {
     if (!clip.skeleton)
         return 0;
     return clip::tpose_frames(clip::features(clip, {}, default_up(clip)).view());
+}
+
+std::int64_t default_root(const clip::Clip& clip) {
+    return clip.skeleton ? static_cast<std::int64_t>(clip::body_root(clip)) : 0;
 }
 
 } // namespace stltsa::results

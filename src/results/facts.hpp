@@ -60,9 +60,11 @@ struct Source {
 ClipFacts clip_facts(const clip::Clip& clip);
 
 /// How a clip is read without options: features, the axis that points up (none: bare
-/// numbers), and the first frame after a T-pose.
+/// numbers), the first frame after a T-pose, and the joint that turns the body (0 without a
+/// skeleton).
 clip::Features default_features(const clip::Clip& clip);
 clip::Axis default_up(const clip::Clip& clip);
 std::int64_t default_first_frame(const clip::Clip& clip);
+std::int64_t default_root(const clip::Clip& clip);
 
 } // namespace stltsa::results

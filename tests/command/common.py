@@ -95,6 +95,18 @@ def walk(fps=120):
     return path
 
 
+@functools.cache
+def walk_below_a_joint():
+    """The same body; its root hangs from a joint that does not move, as some exporters write it."""
+    hierarchy, motion = walk().read_text().split("MOTION\n")
+    body = hierarchy.removeprefix("HIERARCHY\nROOT")
+    head, times, *rows = motion.splitlines()
+    path = walk().with_name("below.bvh")
+    path.write_text("HIERARCHY\nROOT world\n{\nOFFSET 0 0 0\nCHANNELS 3 Xposition Yposition Zposition\nJOINT"
+                    + body + "}\nMOTION\n" + "\n".join([head, times, *("0 0 0 " + row for row in rows)]) + "\n")
+    return path
+
+
 def write_csv(name, rows, heading=""):
     path = CLIPS / name
     lines = [",".join(f"{value:.6g}" for value in row) for row in rows]

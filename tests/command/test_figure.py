@@ -11,7 +11,7 @@ import tempfile
 import unittest
 import xml.etree.ElementTree as ET
 
-from common import WALKER, CommandTest, bursts, circle, crowd, drift, run, walk, write_csv
+from common import WALKER, CommandTest, bursts, circle, crowd, drift, run, walk, walk_below_a_joint, write_csv
 
 SVG = "{http://www.w3.org/2000/svg}"
 
@@ -107,6 +107,12 @@ class Figure(CommandTest):
         self.assertEqual(frames, sorted(set(frames)))
         for frame in frames:
             self.assertIn(str(frame), self.texts(root))
+
+    def test_joints_above_the_body_are_left_out(self):
+        drawn = [[ET.tostring(posture) for posture in self.of_class(self.figure("decompose", clip), "posture")]
+                 for clip in (walk(), walk_below_a_joint())]
+        self.assertGreater(len(drawn[0]), 4)
+        self.assertEqual(*drawn)
 
     def test_postures_differ(self):
         """A body that stands for most of the time is shown while it moves."""

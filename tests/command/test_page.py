@@ -11,7 +11,7 @@ import subprocess
 import unittest
 import zlib
 
-from common import WALKER, CommandTest, circle, walk
+from common import WALKER, CommandTest, circle, walk, walk_below_a_joint
 
 HOSTILE = "</script><!--<script>\u2028'\"&\\"
 
@@ -91,6 +91,13 @@ class Page(Pages):
                 for c, value in enumerate(mean[2 * r]):
                     self.assertAlmostEqual(single[r][c], value, delta=0.05 * spread + 1e-6)
         self.assertGreater(len(motion["sides"]["pairs"]), 0)
+
+    def test_joints_above_the_body_have_no_places(self):
+        here, below = (self.data(self.page(clip))["body"] for clip in (walk(), walk_below_a_joint()))
+        self.assertEqual([part["name"] for part in below["parts"][1:]], [part["name"] for part in here["parts"]])
+        for row, moved in zip(unpacked(here["places"])[::50], unpacked(below["places"])[::50], strict=True):
+            self.assertTrue(all(map(math.isnan, moved[:3])))
+            self.assertLess(math.dist(row, moved[3:]), 0.1)
 
     def test_sides_residuals_and_chosen_cycles_are_those_of_the_json(self):
         clip = self.folder / "long.bvh"

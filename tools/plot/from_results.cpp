@@ -18,14 +18,25 @@ namespace tool {
 namespace {
 
 /// The body of a clip with a skeleton; `up`: 1, 2, 3 for x, y, z, 0 for unknown.
+stltsa::Matrix from_column(const stltsa::Matrix& all, std::int64_t first) {
+    stltsa::Matrix rest(all.rows, all.cols - first);
+    for (std::int64_t i = 0; i < rest.rows; ++i)
+        for (std::int64_t c = 0; c < rest.cols; ++c)
+            rest(i, c) = all(i, first + c);
+    return rest;
+}
+
+/// Without the joints above the body.
 std::optional<plot::SideView> bodies_of(const stltsa::Clip& clip, std::int64_t up) {
     if (clip.joint_count() == 0)
         return std::nullopt;
+    const std::int64_t root = clip.info().integer(STLTSA_INFO_BODY_ROOT);
     plot::Bodies bodies;
     for (const stltsa::Joint& joint : clip.joints())
-        bodies.joints.push_back({joint.name, joint.parent});
-    bodies.positions = clip.positions();
-    bodies.rotations = clip.rotations();
+        bodies.joints.push_back({joint.name, joint.parent - static_cast<int>(root)});
+    bodies.joints.erase(bodies.joints.begin(), bodies.joints.begin() + root);
+    bodies.positions = from_column(clip.positions(), 3 * root);
+    bodies.rotations = from_column(clip.rotations(), 4 * root);
     bodies.up = up > 0 ? static_cast<int>(up) - 1 : 1;
     return plot::SideView(std::move(bodies));
 }

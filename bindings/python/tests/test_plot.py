@@ -265,6 +265,24 @@ def test_given_axes_are_used(result):
     assert figure.axes == [one, two]
 
 
+def test_joints_above_the_body_are_left_out(walker, tmp_path):
+    hierarchy, motion = walker.read_text().split("MOTION\n")
+    head, times, *rows = motion.splitlines()
+    below = tmp_path / "below.bvh"
+    below.write_text(
+        "HIERARCHY\nROOT world\n{\nOFFSET 0 0 0\nCHANNELS 3 Xposition Yposition Zposition\nJOINT"
+        + hierarchy.removeprefix("HIERARCHY\nROOT") + "}\nMOTION\n"
+        + "\n".join([head, times, *("0 0 0 " + row for row in rows)]) + "\n"
+    )  # fmt: skip
+    here, there = stltsa.read_clip(walker), stltsa.read_clip(below)
+    assert (here.facts["body_root"], there.facts["body_root"]) == (0, 1)
+    views = SideView(here), SideView(there)
+    assert views[0].bones == views[1].bones
+    assert views[0].depth == views[1].depth
+    np.testing.assert_allclose(views[0].posture(300), views[1].posture(300), atol=1e-9)
+    assert views[0].head == views[1].head
+
+
 def test_bare_numbers_have_no_postures(clip):
     result = stltsa.decompose(clip.features(), fps=clip.fps)
     axes = stltsa.plot.units(result)

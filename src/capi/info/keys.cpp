@@ -39,6 +39,8 @@ constexpr stltsa_info_key rows[] = {
           "Row i of a clip is its source frame first_frame + i * frame_step."),
     whole(STLTSA_INFO_FRAME_STEP, "frame_step", "See first_frame; 1 for matrices."),
     real(STLTSA_INFO_FPS, "fps", "Rows a second; 0: unknown."),
+    whole(STLTSA_INFO_BODY_ROOT, "body_root",
+          "Joint that turns the body. Those before it, its ancestors, are not part of the body."),
     whole(STLTSA_INFO_MODE, "mode", "STLTSA_MODE_*.", "temporal=1 spatial=2 recurrent=3"),
     whole(STLTSA_INFO_NEIGHBORS, "neighbors", "k used, in rows."),
     whole(STLTSA_INFO_WINDOW, "window", "w used, in rows to each side."),

@@ -40,7 +40,7 @@ function makeHead() {
   byId("title").textContent = title;
   document.title = title + " – comparison";
   byId("lead").textContent = leadText();
-  byId("facts").textContent = `${found.significant} of ${found.judged} differences in timing and amplitude are significant; about ${number(found.expected_by_chance, 2)} would be so by chance alone.`;
+  byId("facts").textContent = !found.judged ? "With one complete cycle on a side, no difference can be called significant." : `${found.significant} of ${found.judged} differences in timing and amplitude are significant; about ${number(found.expected_by_chance, 2)} would be so by chance alone.`;
 }
 
 // Where a curve is at a phase in [0, 1).
@@ -142,6 +142,13 @@ function reachOf(measure, rows) {
   const ends = all.flatMap(e => [measure.low(e), measure.high(e)]).filter(isKnown).map(Math.abs).sort((a, b) => a - b);
   return 1.15 * Math.max(0.005, ...values, ends.length ? ends[Math.floor(0.8 * (ends.length - 1))] : 0);
 }
+// Ticks of which at least one is on each side of zero.
+function symmetricTicks(reach, count) {
+  const list = ticks(-reach, reach, count), power = 10 ** Math.floor(Math.log10(reach));
+  if (list.length > 2) return list;
+  const most = [5, 2, 1].map(k => k * power).find(size => size <= reach);
+  return [-most, 0, most];
+}
 function makeIntervals() {
   const most = 16, top = 34, space = () => printing ? 15 : 23;
   const rowsShown = () => order.slice(0, most).concat(order.indexOf(state.part) >= most ? [state.part] : []);
@@ -149,19 +156,21 @@ function makeIntervals() {
     title: "Largest differences", height: () => top + rowsShown().length * space() + 32,
     label: "Timing and amplitude of the second motion against the first, with 95 percent intervals, for the parts with the largest differences. Click a row to see its curves.",
     base(pen, w, h) {
-      const rows = rowsShown(), label = Math.min(240, 0.37 * w), width = (w - label - 40) / 2;
+      const rows = rowsShown(), label = Math.min(240, 0.37 * w), gap = 36, width = (w - label - 22 - gap) / 2;
       rows.forEach((row, r) => {
         const y = top + (r + 0.5) * space();
         if (row === state.part) pen.rect(4, y - space() / 2, w - 8, space(), { fill: colors.cursor, alpha: 0.1, radius: 6 });
         pen.text(14, y, fitted(pen, partName(found.parts[row]), label - 18), { size: 12, bold: row === state.part });
       });
       measures.forEach((measure, m) => {
-        const x = label + m * (width + 18), reach = reachOf(measure, rows), px = v => x + (v / reach + 1) / 2 * width;
+        const x = label + m * (width + gap), reach = reachOf(measure, rows), px = v => x + (v / reach + 1) / 2 * width;
         pen.text(x + width / 2, 16, width < 140 ? measure.short : measure.title, { color: colors.soft, align: "center" });
-        for (const t of ticks(-reach, reach, Math.max(2, Math.min(6, Math.floor(width / 44))))) { pen.line([px(t), top, px(t), h - 30], { stroke: t ? colors.grid : colors.soft }); pen.text(px(t), h - 17, signed(number(100 * t)), { size: 11, color: colors.soft, align: "center" }); }
+        for (const border of [x, x + width]) pen.line([border, top, border, h - 30], { stroke: colors.grid });
+        for (const t of symmetricTicks(reach, Math.max(2, Math.min(6, Math.floor(width / 44))))) { pen.line([px(t), top, px(t), h - 30], { stroke: t ? colors.grid : colors.soft }); pen.text(px(t), h - 17, signed(number(100 * t)), { size: 11, color: colors.soft, align: "center" }); }
+        rows.forEach((row, r) => { if (!isKnown(measure.value(measure.of(found.parts[row])))) pen.text(x + width / 2 + 6, top + (r + 0.5) * space(), measure.unknown, { size: 11, color: colors.soft }); });
         pen.clip(x, 0, width, h, () => rows.forEach((row, r) => {
           const of = measure.of(found.parts[row]), y = top + (r + 0.5) * space(), value = measure.value(of);
-          if (!isKnown(value)) return pen.text(x + width / 2 + 6, y, measure.unknown, { size: 11, color: colors.soft });
+          if (!isKnown(value)) return;
           if (isKnown(measure.low(of))) pen.line([px(Math.max(-2 * reach, measure.low(of))), y, px(Math.min(2 * reach, measure.high(of))), y], { stroke: colors.accent, width: 2 });
           pen.circle(px(value), y, 4.5, { fill: of.significant ? colors.accent : colors.sheet, stroke: colors.accent, width: 2 });
         }));
@@ -175,7 +184,7 @@ function makeIntervals() {
     event.preventDefault();
     choose(order[Math.max(0, Math.min(order.length - 1, order.indexOf(state.part) + step))]);
   };
-  panel.title("Largest differences", "filled: significant; lines: 95 %");
+  panel.title("Largest differences", found.judged ? "filled: significant; lines: 95 %" : "");
 }
 
 let boxes = [];
@@ -232,7 +241,7 @@ function makeNumbers() {
 function makeWarnings() {
   const list = [...found.warnings];
   which.forEach((w, i) => { const names = found[w].left_out; if (names.length && !sided()) list.push(`Only the ${w} clip has ${names.slice(0, 8).join(", ")}${names.length > 8 ? ` and ${names.length - 8} more` : ""}: not compared.`); });
-  list.push(`Each of the ${found.judged} differences is judged by itself. Without any difference, about ${number(found.expected_by_chance, 2)} of ${found.judged} would be marked as significant.`);
+  if (found.judged) list.push(`Each of the ${found.judged} differences is judged by itself. Without any difference, about ${number(found.expected_by_chance, 2)} of ${found.judged} would be marked as significant.`);
   byId("warnings").append(...list.map(text => element("li", {}, text)));
 }
 function makeParts() {
@@ -250,7 +259,7 @@ function makeParts() {
 function makeDetails() {
   const { alignment: a } = found, list = [["Compared", { positions: "positions of joints", rotations6d: "rotations (6 numbers each)", euler: "joint angles", raw: "columns of the file", points: "positions of markers" }[found.features]], ["Curves", `${found.samples} samples a cycle`]];
   if (sided()) list.push(["Alignment", "the right side mirrored, half a cycle later"]);
-  else list.push(["Alignment", `second shifted by ${share(a.shift)} of the cycle${isKnown(a.low) ? ` (95 %: ${between(a.low, a.high, share)})` : ""}`], ["Correlation", `${number(a.likeness)}${isKnown(a.runner_up) ? `; at the next best shift ${number(a.runner_up)}` : ""}`], ["Turned by", number(a.turn_deg) + "°"]);
+  else list.push(["Alignment", `second shifted by ${share(a.shift)} of the cycle${isKnown(a.low) ? ` (95 %: ${between(a.low, a.high, share)})` : ""}`], ["Correlation", `${number(a.likeness)}${isKnown(a.runner_up) ? `; at the next best shift ${number(a.runner_up)}` : ""}`], ["Turned by", fixed(a.turn_deg, 1) + "°"]);
   if (isKnown(found.size_ratio) && !sided()) list.push(["Size of the second body", `${number(found.size_ratio)} of the first`]);
   list.push(...(sided() ? ["first"] : which).map(w => [sided() ? "File" : w === "first" ? "First file" : "Second file", `${found[w].path || "none (from memory)"} (${plural(found[w].frames, "frame")}, ${number(found[w].fps, 5)} per second)`]), ["Library", "libstltsa " + found.library]);
   byId("details").append(element("dl", {}, ...list.flatMap(([term, value]) => [element("dt", {}, term), element("dd", {}, String(value))])));

@@ -44,7 +44,7 @@ function makeLoop() {
   let drawn = null, project = null;
   if (!looped().length) { document.querySelector(".view .two").style.gridTemplateColumns = "minmax(0, 1fr)"; byId("loop").remove(); return; }
   const panel = new Panel("loop", {
-    title: "Loop", more: found.cycles.length > 1 ? "its width includes drift" : "", height: w => printing ? 315 : Math.min(470, innerWidth < 760 ? w * 0.7 : Math.max(w, byId("viewer").firstChild.clientHeight - 37)), label: "The motion as a loop: each turn is one cycle. Click it to go to that time.",
+    title: "Loop", more: found.cycles.length > 1 ? "a turn is a cycle; its width includes drift" : "", height: w => printing ? 315 : Math.min(470, innerWidth < 760 ? w * 0.7 : Math.max(w, byId("viewer").firstChild.clientHeight - 37)), label: "The motion as a loop: each turn is one cycle. Click it to go to that time.",
     base(pen, w, h) {
       const s = loopSegment();
       drawn = s;

@@ -8,7 +8,7 @@ function leadText() {
     return `${s.label}: ${plural(s.count, cyclic ? "cycle" : "repetition")} of ${number(s.cycle_time_s.mean)} s${cyclic ? ` (${number(s.cycles_per_min)} per minute)` : ""}`;
   });
   const moving = found.segments.filter(s => s.kind !== "rest");
-  if (!texts.length) return moving.length ? `Nothing in this recording repeats: ${found.reason || "it is one action"}.` : "The body rests throughout the recording.";
+  if (!texts.length) return moving.length ? "Nothing in this recording repeats." : "The body rests throughout the recording.";
   return (moving.length > 1 ? `${plural(moving.length, "segment")} of motion. ` : "") + texts.slice(0, 5).join("; ") + (texts.length > 5 ? `; and ${texts.length - 5} more` : "") + ".";
 }
 
@@ -30,6 +30,12 @@ function trendText(s) {
   return `${signed(percent(s.cycle_time_s.trend * minutes))}${margin} in ${number(60 * minutes)} s`;
 }
 
+// Of the segments of a motion, from the least to the most certain.
+function confidenceText(s) {
+  const all = found.segments.filter(segment => segment.label === s.label && repeats(segment)).map(segment => segment.confidence).sort((a, b) => a - b);
+  return !all.length ? "–" : all.length === 1 ? percent(all[0], 0) : `${percent(all[0], 0)} to ${percent(all[all.length - 1], 0)}`;
+}
+const repeats = segment => segment.kind === "cyclic" || segment.kind === "repetitions";
 const isCyclic = s => found.segments.some(segment => segment.label === s.label && segment.kind === "cyclic");
 function makeSummary() {
   const place = byId("summary");
@@ -38,8 +44,8 @@ function makeSummary() {
   const of = value => !value ? "–" : withSd(value.mean, value.sd);
   const least = 5; // a trend over fewer says nothing
   const rows = [["Number", s => String(s.count)], ["Cycles per minute", s => isCyclic(s) ? number(s.cycles_per_min) : "–"], [found.summary.every(isCyclic) ? "Cycle time, s (mean ± SD)" : "Cycle time or duration, s (mean ± SD)", s => of(s.cycle_time_s)],
-    ["Variation (CV)", s => s.count > 1 ? percent(s.cycle_time_s.cv) : "–"], ["Change of cycle time, first to last", s => s.count >= least ? trendText(s) : "–"],
-    ["Steps per minute", s => number(s.steps_per_min)], ["Step time of side 0, of side 1, s", s => s.step_time_s && s.step_time_s.side_means ? s.step_time_s.side_means.map(value => number(value)).join(", ") : "–"], ["Speed, units / s", s => of(s.speed)], ["Stride length, units", s => isCyclic(s) ? of(s.stride) : "–"], ["Path length per cycle, units", s => of(s.way)], ["Turn per cycle, °", s => of(s.turn_deg)],
+    ["Confidence", s => confidenceText(s)], ["Variation (CV)", s => s.count > 1 ? percent(s.cycle_time_s.cv) : "–"], ["Change of cycle time, first to last", s => s.count >= least ? trendText(s) : "–"],
+    ["Steps per minute", s => number(s.steps_per_min)], ["Step time of one side, of the other, s", s => s.step_time_s && s.step_time_s.side_means ? s.step_time_s.side_means.map(value => number(value)).join(", ") : "–"], ["Speed, units / s", s => of(s.speed)], ["Stride length, units", s => isCyclic(s) ? of(s.stride) : "–"], ["Path length per cycle, units", s => of(s.way)], ["Turn per cycle, °", s => !s.turn_deg ? "–" : s.count > 1 ? of(s.turn_deg) : degrees(s.turn_deg.mean)],
     ["Largest left–right difference", s => { const m = motionOf(s.label), pairs = m && m.sides ? m.sides.pairs : []; const p = [...pairs].filter(x => x.rms !== null).sort((a, b) => b.rms - a.rms)[0]; return p ? `${p.left} – ${p.right}: ${number(p.rms, 2)}${p.chance === null ? "" : ` (by chance: ${number(p.chance, 2)})`}` : "–"; }]]
     .map(([head, value]) => [head, ...found.summary.map(value)]).filter(row => row.slice(1).some(cell => cell !== "–"));
   place.append(element("p", { class: "hint" }, "Lengths are in the unit of the file. SD: standard deviation; CV: SD / mean; after ± of a change: half the width of its 95 % interval."), table("", ["", ...found.summary.map(s => named(s.label))], rows));
@@ -70,6 +76,7 @@ function makeWarnings() {
     for (const set of motion.sets) if (set.columns.length < set.columns_of_all) texts.push(`Curves are shown for the ${set.columns.length} of ${set.columns_of_all} columns that move most.`);
   }
   if (found.reason) texts.push("Nothing repeats: " + found.reason);
+  for (const s of found.segments) if (repeats(s) && s.confidence < 0.5) texts.push(`${s.label} at ${time(s.begin)}: it is doubtful that this repeats (confidence ${percent(s.confidence, 0)})`);
   for (const s of found.segments) if (s.reason && s.kind === "action" && found.summary.length) texts.push(`${s.label} at ${time(s.begin)}: ${s.reason}`);
   const list = [...new Set(texts)].map(text => text[0].toUpperCase() + text.slice(1)), printed = 6;
   if (list.length > printed) byId("warnings").dataset.more = `and ${list.length - printed} more in the file`;

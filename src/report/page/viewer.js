@@ -70,7 +70,7 @@ function drawBody(pen, points, project, width, chosen) {
     const [neck, crown] = head.map(i => points[i]), radius = body.tall / 16, length = Math.hypot(...crown.map((v, a) => v - neck[a]));
     const share = length > 0 ? Math.max(0.5, radius / length) : 0, middle = neck.map((v, a) => v + share * (crown[a] - v)), at = project(middle);
     const edge = project([middle[0] + radius * Math.cos(camera.yaw), middle[1], middle[2] + radius * Math.sin(camera.yaw)]);
-    shapes.push([at[2], () => pen.circle(at[0], at[1], Math.hypot(edge[0] - at[0], edge[1] - at[1]), { fill: partColor(head[1]) })]);
+    shapes.push([at[2], () => pen.circle(at[0], at[1], Math.hypot(edge[0] - at[0], edge[1] - at[1]), { fill: partColor(head[0]) })]);
   }
   shapes.sort((a, b) => a[0] - b[0]).forEach(shape => shape[1]());
   if (chosen >= 0 && flat[chosen]) pen.circle(flat[chosen][0], flat[chosen][1], width * 2 + 2, { stroke: colors.cursor, width: 2 });

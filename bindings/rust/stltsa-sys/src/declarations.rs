@@ -595,6 +595,7 @@ pub const STLTSA_INFO_LENGTH: i32 = 12;
 pub const STLTSA_INFO_FIRST_FRAME: i32 = 13;
 pub const STLTSA_INFO_FRAME_STEP: i32 = 14;
 pub const STLTSA_INFO_FPS: i32 = 15;
+pub const STLTSA_INFO_BODY_ROOT: i32 = 16;
 pub const STLTSA_INFO_MODE: i32 = 20;
 pub const STLTSA_INFO_NEIGHBORS: i32 = 21;
 pub const STLTSA_INFO_WINDOW: i32 = 22;

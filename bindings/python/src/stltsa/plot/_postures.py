@@ -35,13 +35,15 @@ class SideView:
     def __init__(self, clip: Clip) -> None:
         up = "xyz".index(json.loads(clip.to_json())["up_axis"])
         first, second = (up + 1) % 3, (up + 2) % 3
-        places, rotations = clip.positions, clip.rotations[:, 0]
+        start = clip.facts["body_root"]  # joints above the body are left out
+        places, rotations = clip.positions[:, start:], clip.rotations[:, start]
         yaw = 2 * np.arctan2(rotations[:, 1 + up], rotations[:, 0])
         self._turn = np.stack([np.cos(yaw), np.sin(yaw)], axis=1)
         root = places[:, 0, [first, second]]
         u, v = self._unturned(places[:, :, first] - root[:, :1], places[:, :, second] - root[:, 1:])
         height = places[:, :, up]
-        self.bones = [(int(p), j) for j, p in enumerate(clip.parents) if p >= 0]
+        parents = [int(p) - start for p in clip.parents[start:]]
+        self.bones = [(p, j) for j, p in enumerate(parents) if p >= 0]
         forward = self._travel(root, float(np.ptp(height.mean(axis=0))))
         if forward is None:
             forward = self._toes(u.mean(axis=0), v.mean(axis=0), height.mean(axis=0))
@@ -52,7 +54,7 @@ class SideView:
             NEAR if sides[j] > 0.1 else FAR if sides[j] < -0.1 else 0 for _, j in self.bones
         ]
         self._points = np.stack([along, height - self._ground(height)[:, None]], axis=2)
-        self.head = self._head(clip)
+        self.head = self._head([name.lower() for name in clip.joints[start:]])
         self.radius = float(np.ptp(height.mean(axis=0))) / 16 if self.head else 0.0
         self.tallest = float(self._points[:, :, 1].max()) + self.radius
 
@@ -92,8 +94,7 @@ class SideView:
         level = high - low < 0.5 * tallest
         return np.full_like(lowest, middle) if level else lowest
 
-    def _head(self, clip: Clip) -> tuple[int, int] | None:
-        names = [name.lower() for name in clip.joints]
+    def _head(self, names: list[str]) -> tuple[int, int] | None:
         for parent, joint in self.bones:
             head = parent if "head" in names[parent] else joint
             if "head" in names[head]:

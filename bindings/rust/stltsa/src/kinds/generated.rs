@@ -247,6 +247,9 @@ kinds! {
         FrameStep = STLTSA_INFO_FRAME_STEP,
         /// `real`: rows a second; 0: unknown.
         Fps = STLTSA_INFO_FPS,
+        /// `int`: Clips: joint that turns the body. Those before it, its ancestors, are not part of
+        /// the body.
+        BodyRoot = STLTSA_INFO_BODY_ROOT,
         /// `int`: STLTSA_MODE_*.
         Mode = STLTSA_INFO_MODE,
         /// `int`: k used, in rows.
