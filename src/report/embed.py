@@ -12,12 +12,16 @@ import re
 import sys
 from pathlib import Path
 
-PIECE = 8000  # characters of a string literal; compilers must accept 65536 bytes
+PIECE = 32000  # characters of a string literal, about; compilers must accept 65536 bytes
 
 
 def literals(text):
-    """Return C++ string literals, each followed by a comma, that together are the text."""
-    pieces = [text[i : i + PIECE] for i in range(0, len(text), PIECE)] or [""]
+    """Return C++ string literals of whole lines, each followed by a comma, that together are the text."""
+    pieces = [""]
+    for line in text.splitlines(keepends=True):
+        if len(pieces[-1]) + len(line) > PIECE:
+            pieces.append("")
+        pieces[-1] += line
     return "\n".join(f'    R"stltsa({piece})stltsa",' for piece in pieces)
 
 
