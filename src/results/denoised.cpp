@@ -11,13 +11,14 @@ namespace {
 
 /// The source's period; if it was not searched for, the period of the longest clip's coordinates.
 PeriodFacts period_of(ConstMatrixView coords, const std::vector<std::int64_t>& lengths,
-                      const PeriodSearch& search, const Source& source) {
+                      const PeriodSearch& search, const Source& source, const Progress& progress) {
     const auto longest = std::max_element(lengths.begin(), lengths.end());
     const std::int64_t first = std::accumulate(lengths.begin(), longest, std::int64_t{0});
     const double fps = source.samples.fps;
     if (source.period.longest > 0)
         return source.period;
-    return look_for_period(coords.block(first, *longest), fps, range_of(search, fps, *longest));
+    return look_for_period(coords.block(first, *longest), fps, range_of(search, fps, *longest),
+                           progress.within(Stage::denoise, 0));
 }
 
 } // namespace
@@ -31,7 +32,7 @@ Denoised denoise(ConstMatrixView coords, std::vector<std::int64_t> lengths,
     if (options.knot_spacing) {
         denoised.options.knot_step = *options.knot_spacing * (fps > 0 ? fps : 1);
     } else {
-        denoised.period = period_of(coords, lengths, options.search, source);
+        denoised.period = period_of(coords, lengths, options.search, source, progress);
         denoised.options.knot_step = motion::knot_step_for(
             {rows_of_period(denoised.period, source.samples), denoised.period.lag_quality});
     }

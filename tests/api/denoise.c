@@ -212,6 +212,25 @@ static int32_t cancel(void* user, int32_t stage, double fraction) {
     return stage == STLTSA_STAGE_DENOISE && fraction > 0;
 }
 
+static int32_t count_starts(void* user, int32_t stage, double fraction) {
+    *(int*)user += stage == STLTSA_STAGE_DENOISE && fraction == 0;
+    return 0;
+}
+
+/* Once for each lag, and once for the first coordinate. */
+static void the_search_for_the_period_calls_back(void** state) {
+    (void)state;
+    double* y = new_noisy();
+    int starts = 0;
+    stltsa_options* options = NULL;
+    must(stltsa_options_new(&options));
+    must(stltsa_options_set_progress(options, count_starts, &starts));
+    stltsa_denoising_free(denoised(y, options));
+    assert_in_range(starts, 10, 100000);
+    stltsa_options_free(options);
+    free(y);
+}
+
 static void refuses(stltsa_status status, const stltsa_in* in, const stltsa_in* lengths,
                     const stltsa_options* options) {
     stltsa_denoising* d = (stltsa_denoising*)in; /* anything but NULL */
@@ -270,6 +289,7 @@ int main(void) {
         cmocka_unit_test(spikes_are_refused_by_default),
         cmocka_unit_test(clips_are_apart),
         cmocka_unit_test(models_are_cleaned_piece_by_piece),
+        cmocka_unit_test(the_search_for_the_period_calls_back),
         cmocka_unit_test(errors),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -48,9 +48,10 @@ std::string shortened(std::string_view text, double font_size, double width) {
 }
 
 bool LabelSpace::free(const Rect& box) const {
+    constexpr double air = 4; // else two numbers side by side look like one
     return std::ranges::none_of(taken_, [&](const Rect& other) {
-        return box.x < other.right() && other.x < box.right() && box.y < other.bottom() &&
-               other.y < box.bottom();
+        return box.x < other.right() + air && other.x < box.right() + air &&
+               box.y < other.bottom() && other.y < box.bottom();
     });
 }
 
