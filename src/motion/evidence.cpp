@@ -78,8 +78,8 @@ std::string doubt(const Evidence& evidence, double fps) {
     const double period_s = evidence.period.samples / fps;
     if (evidence.margins < margins_of_a_cycle)
         return format_text("less than one cycle: the motion repeats best after {:.2f} s (quality "
-                           "{:.2f}), but the curve has only {} of the {} margins of a cycle",
-                           period_s, evidence.period.quality, evidence.margins, margins_of_a_cycle);
+                           "{:.2f}), but the clip contains no whole cycle of that length",
+                           period_s, evidence.period.quality);
     const double quality_needed =
         evidence.margins > margins_of_a_cycle ? least_quality : least_quality_of_one;
     if (evidence.period.quality < quality_needed)

@@ -193,7 +193,7 @@ std::string doubt_about(const CyclicStretch& cut, const StillRows& still, double
                            seconds, cut.stretch.quality, needed);
     if (cut.cycles.empty())
         return format_text("less than one cycle: the motion repeats after {:.2f} s (quality "
-                           "{:.2f}), but the curve has no three margins one period apart",
+                           "{:.2f}), but it contains no whole cycle of that length",
                            seconds, cut.stretch.quality);
     const bool rested = std::ranges::any_of(
         cut.cycles, [&](const Interval& cycle) { return holds_rest(cycle, still.rests); });

@@ -18,10 +18,12 @@ const between = (low, high, text) => isKnown(low) && isKnown(high) ? `${text(low
 const share = value => signed(percent(value));
 const star = estimate => estimate.significant ? " *" : "";
 
+// Whether the end of a joint is at the joint itself.
+const isOwnEnd = end => end.first.endsWith(" end") && found.parts.some(part => part.first + " end" === end.first && part.differences.rms_difference === end.differences.rms_difference && part.differences.amplitude.first === end.differences.amplitude.first);
 // Parts that move, those with the largest differences first.
 let order = [];
 function sortParts() {
-  order = found.parts.map((part, index) => index).filter(index => partMoves(found.parts[index]));
+  order = found.parts.map((part, index) => index).filter(index => partMoves(found.parts[index]) && !isOwnEnd(found.parts[index]));
   order.sort((a, b) => (found.parts[b].differences.rms_difference || 0) - (found.parts[a].differences.rms_difference || 0) || a - b);
   if (!order.length) order = found.parts.map((part, index) => index);
   state.part = order[0];
@@ -253,7 +255,7 @@ function makeParts() {
   });
   byId("parts").append(element("p", { class: "hint" }, `Those with the largest differences first. Later: how much later in its cycle ${sided() ? "the right side" : "the second motion"} does this, relative to the whole body. Amplitude: the largest distance between two places of the mean curve. rms: over the cycle, of the difference; by chance: what the spread between cycles alone would make. *: the 95 % interval does not include 0.`), scrolled(table("",
     ["", "Later", "95 %", "Later, s", ...(sided() ? ["Amplitude, left", "right"] : ["Amplitude, first", "second"]), "Change", "95 %", "rms", "By chance", "Correlation"], rows), "All differences"));
-  const still = found.parts.length - order.length;
+  const still = found.parts.filter(part => !partMoves(part)).length;
   if (still > 0) byId("parts").append(element("p", { class: "facts" }, `${plural(still, "other")} ${still === 1 ? "does" : "do"} not move.`));
 }
 function makeDetails() {
