@@ -76,8 +76,8 @@ static void write_and_read(const stltsa_clip* clip, const char* path,
     remove(path);
 }
 
-static void compare_and_find_events(const stltsa_phase* phase, double mark,
-                                    const stltsa_options* options) {
+static void compare_and_find_events(const stltsa_phase* phase, const stltsa_phase* again,
+                                    double mark, const stltsa_options* options) {
     stltsa_comparison* comparison = NULL;
     stltsa_events* events = NULL;
     const stltsa_in marks = {&mark, 1, 1, 0, 0, STLTSA_F64, 0};
@@ -87,6 +87,11 @@ static void compare_and_find_events(const stltsa_phase* phase, double mark,
     begin = start();
     finish("stltsa_events_find", begin,
            stltsa_events_find_with(phase, &marks, NULL, options, &events));
+    stltsa_events_free(events);
+    events = NULL;
+    begin = start();
+    finish("stltsa_events_find,other", begin,
+           stltsa_events_find_with(phase, &marks, again, options, &events));
     stltsa_events_free(events);
     stltsa_comparison_free(comparison);
 }
@@ -151,7 +156,10 @@ int main(int argc, char** argv) {
     begin = start();
     finish("stltsa_fit_clip", begin, stltsa_fit_clip(clip, options, &model));
     if (argc > 4) {
-        compare_and_find_events(phase, (double)frames / 2, options);
+        stltsa_phase* again = NULL;
+        check(stltsa_phase_find(clip, made, NULL, &again));
+        compare_and_find_events(phase, again, (double)frames / 2, options);
+        stltsa_phase_free(again);
         write_and_read(clip, argv[4], options);
     }
     if (argc > 5) {

@@ -36,7 +36,8 @@ Content pieces_of(std::string_view bytes, const Progress& progress) {
 void write_with_skeleton(const std::string& amc, const Content& content, const std::string& asf) {
     if (!regular_or_new(amc))
         return write_file(amc, content); // a pipe or device has no place beside it
-    const std::string path = fs::path(amc).replace_extension(".asf").string();
+    // Of a dangling link the place that it names, so that the link stays if the file is removed.
+    const std::string path = followed(fs::path(amc).replace_extension(".asf").string());
     std::error_code ignored;
     if (!fs::exists(path, ignored)) {
         write_file(path, asf);

@@ -146,7 +146,8 @@ void Dependences::add(const Quantity& first, const Quantity& second) {
     if (first.deviations.empty())
         return;
     first_.add(paired_ ? differences_of(first, second) : first.deviations);
-    second_.add(second.deviations);
+    if (!paired_)
+        second_.add(second.deviations);
 }
 
 Dependence Dependences::value() const {

@@ -308,25 +308,27 @@ double milliseconds(const Searched& in, double rows) {
 }
 
 /// The phase of `to` that looks like a phase of `from`.
-double mapped_phase(const MeanCycle& from, const MeanCycle& to, const Offset& offset,
-                    double phase) {
+double mapped_phase(const MeanCycle& from, const MeanCycle& to, const Offset& offset, double phase,
+                    const std::function<void()>& poll) {
+    PacedPoll polls(poll);
     constexpr std::int64_t places = 100, turns = 3;
     Loop centered = from.loop;
     std::fill_n(centered.coefficients.row(0), centered.cols(), 0.0);
     Loop other = to.loop;
     std::fill_n(other.coefficients.row(0), other.cols(), 0.0);
     const double scale = std::clamp(std::sqrt(centered.variance() / other.variance()), 0.5, 2.0);
-    Matrix cycle(places * turns, other.cols());
+    Matrix cycle = Matrix::unset(places * turns, other.cols());
     Run run{0, {}};
     for (std::int64_t i = 0; i < cycle.rows(); ++i) {
         run.phase.push_back(static_cast<double>(i) / places);
         other.at(run.phase.back() + offset.shift, cycle.row(i));
         for (std::int64_t c = 0; c < cycle.cols(); ++c)
             cycle(i, c) *= scale;
+        polls.did(2 * other.harmonics() * other.cols());
     }
     const MeanCycle mean{std::move(centered), places, from.variance};
     const std::vector<double> start = run.phase;
-    const Run found = register_with(cycle.view(), mean, std::move(run), 0.2, map_share);
+    const Run found = register_with(cycle.view(), mean, std::move(run), 0.2, map_share, poll);
     const double wanted = 1 + phase - std::floor(phase);
     const auto after = std::clamp<std::ptrdiff_t>(
         std::ranges::lower_bound(found.phase, wanted) - found.phase.begin(), 1,
@@ -393,7 +395,7 @@ std::vector<Event> find_events(const Searched& from, const Place& marks, const S
     Rows scaled = offsets;
     for (double& each : scaled)
         each *= in.mean.period / from.mean.period;
-    double mapped = mapped_phase(from.mean, in.mean, offset, phase);
+    double mapped = mapped_phase(from.mean, in.mean, offset, phase, in.poll);
     if (!in.cyclic) // a repetition has its events in its own turn
         mapped -= std::round(mapped - phase);
     const auto candidates = candidates_at(in, mapped, offsets_of(in));

@@ -332,8 +332,8 @@ Registration register_runs(ConstMatrixView rows, std::vector<Run> runs, double p
 }
 
 Run register_with(ConstMatrixView rows, const MeanCycle& mean, Run run, double slowest,
-                  double smooth) {
-    return registered(rows, mean, std::move(run), slowest, smooth, {}, {});
+                  double smooth, const std::function<void()>& poll) {
+    return registered(rows, mean, std::move(run), slowest, smooth, {}, poll);
 }
 
 Run continued(const Run& run, double period, Range within) {

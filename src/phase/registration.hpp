@@ -39,7 +39,7 @@ Registration register_runs(ConstMatrixView rows, std::vector<Run> runs, double p
 /// Registers one run with a known mean cycle. Steps of the phase are at least `slowest` of the
 /// mean.
 Run register_with(ConstMatrixView rows, const MeanCycle& mean, Run run, double slowest,
-                  double smooth = smooth_share);
+                  double smooth = smooth_share, const std::function<void()>& poll = {});
 
 /// The run, continued to rows [within.begin, within.end) a quarter of a cycle at a time. Steps are
 /// slower and faster there than within cycles, and columns that are far from the mean cycle have

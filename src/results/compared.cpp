@@ -342,7 +342,9 @@ Comparison compare_left_right(const clip::Clip& clip, const Phased& phased,
     const PhasedMotion& motion = longest(candidates(phased, label, "first"));
     check_same_clip(clip, phased);
     const Matrix own = rows_by_frame(phased);
-    if (const std::string reason = resample(phased, motion.label, own.view(), samples).no_halves;
+    const auto start = [progress] { progress.report(Stage::features, 0); };
+    if (const std::string reason =
+            resample(phased, motion.label, own.view(), samples, start).no_halves;
         !reason.empty())
         fail(Status::unsupported, "left and right cannot be compared: {}", reason);
     CommonColumns columns = side_columns_of(phased);

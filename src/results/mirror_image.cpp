@@ -60,9 +60,9 @@ Level level_of(const clip::Clip& clip, const Phased& phased, bool turned) {
 /// roughly in it. Therefore the mirror image is turned so that the sides differ least. Otherwise,
 /// points of a symmetric walk seem 8 mm apart (headings that differ by 1 degree).
 void turn_to_sides(const phase::Resampled& own, const phase::Resampled& image, const Level& level,
-                   Matrix& signals) {
+                   PacedPoll& polls, Matrix& signals) {
     const ConstMatrixView mean = phase::once_around(image.mean);
-    const Matrix later = phase::later(mean, static_cast<double>(mean.rows) / 2);
+    const Matrix later = phase::later(mean, static_cast<double>(mean.rows) / 2, polls);
     turn_to(phase::once_around(own.mean), later.view(), level, signals);
 }
 
@@ -90,9 +90,12 @@ Matrix mirror_image(const clip::Clip& clip, const Phased& phased, std::int32_t l
                     std::int64_t samples, const clip::PrepareOptions& prepare,
                     const Progress& progress) {
     auto [image, turned] = image_of(clip, phased, prepare, progress);
-    if (const Level level = level_of(clip, phased, turned); level.width > 0)
-        turn_to_sides(resample(phased, label, rows_by_frame(phased).view(), samples),
-                      resample(phased, label, image.view(), samples), level, image);
+    if (const Level level = level_of(clip, phased, turned); level.width > 0) {
+        const auto poll = [progress] { progress.report(Stage::features, 1); };
+        PacedPoll polls(poll);
+        turn_to_sides(resample(phased, label, rows_by_frame(phased).view(), samples, poll),
+                      resample(phased, label, image.view(), samples, poll), level, polls, image);
+    }
     return std::move(image);
 }
 

@@ -207,7 +207,7 @@ phase::Turns turns_of(const PhasedMotion& motion, std::int64_t samples, double z
 }
 
 phase::Resampled resample(const Phased& phased, std::int32_t label, ConstMatrixView signals,
-                          std::int64_t samples) {
+                          std::int64_t samples, const std::function<void()>& poll) {
     const PhasedMotion& motion = motion_of(phased, label);
     if (signals.rows != phased.clip.frames)
         fail(Status::shape, "signals has {} rows; the clip has {} frames", signals.rows,
@@ -217,7 +217,7 @@ phase::Resampled resample(const Phased& phased, std::int32_t label, ConstMatrixV
         turns.rows.data()[i] += static_cast<double>(phased.clip.first);
     for (phase::Range& rows : turns.repeated)
         rows = {rows.begin + phased.clip.first, rows.end + phased.clip.first};
-    phase::Resampled made = phase::resample(signals, std::move(turns));
+    phase::Resampled made = phase::resample(signals, std::move(turns), poll);
     if (!motion.phases.cyclic)
         made.no_halves = format_text("motion {} has repetitions but no cycles", label_text(label));
     else if (!motion.like_halves)

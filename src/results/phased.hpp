@@ -58,9 +58,10 @@ phase::Turns turns_of(const PhasedMotion& motion, std::int64_t samples, double z
 std::string label_text(std::int32_t label);
 
 /// Signals on 0 to 100 % of the cycles or repetitions of a motion, a row for each frame of the
-/// file. What the clip does not reach is NaN. Throws Status::argument for a label without them.
+/// file. What the clip does not reach is NaN. `poll`: called periodically, may throw. Throws
+/// Status::argument for a label without them.
 phase::Resampled resample(const Phased& phased, std::int32_t label, ConstMatrixView signals,
-                          std::int64_t samples);
+                          std::int64_t samples, const std::function<void()>& poll = {});
 
 /// `prepare`: as for the decomposition. Throws Status::argument if the decomposition is not of the
 /// clip.

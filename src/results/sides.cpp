@@ -85,12 +85,15 @@ ComparedSides compare_sides(const clip::Clip& clip, const Phased& phased, std::i
                             const Progress& progress) {
     check_same_clip(clip, phased);
     const Matrix rows = rows_by_frame(phased);
-    const phase::Resampled own = resample(phased, label, rows.view(), samples);
+    const auto start = [progress] { progress.report(Stage::features, 0); };
+    const phase::Resampled own = resample(phased, label, rows.view(), samples, start);
     if (!own.no_halves.empty())
         return compared(own, own, phased.owners, true);
     try {
         const Matrix image = mirror_image(clip, phased, label, samples, prepare, progress);
-        return compared(own, resample(phased, label, image.view(), samples), phased.owners, true);
+        const auto end = [progress] { progress.report(Stage::features, 1); };
+        return compared(own, resample(phased, label, image.view(), samples, end), phased.owners,
+                        true);
     } catch (const Error& error) {
         if (error.status() != Status::unsupported)
             throw;

@@ -36,12 +36,15 @@ void put_pose(const Skeleton& skeleton, const Pose& pose, double* row) {
     }
 }
 
-void convert_rotations(Clip& clip) {
+void convert_rotations(Clip& clip, const Progress& progress) {
     const Skeleton from = *clip.skeleton;
     clip.skeleton = bvh_skeleton(from);
     Matrix values(clip.frames(), channel_count(*clip.skeleton));
     Pose pose;
+    constexpr std::int64_t work_of_angle = 100; // compared with adding
+    PacedPoll polls(progress, Stage::write);
     for (std::int64_t i = 0; i < clip.frames(); ++i) {
+        polls.did(work_of_angle * values.cols());
         pose.place(from, clip.values.row(i));
         if (i > 0)
             std::copy_n(values.row(i - 1), values.cols(), values.row(i));
@@ -146,11 +149,11 @@ bool positions_add_to_offsets(const Clip& clip) {
     return votes > 0;
 }
 
-Clip in_bvh_form(const Clip& clip) {
+Clip in_bvh_form(const Clip& clip, const Progress& progress) {
     Clip result = clip;
     reorder(result);
     if (clip.skeleton->fixed_axes)
-        convert_rotations(result);
+        convert_rotations(result, progress);
     if (result.skeleton->translations_add)
         convert_positions(result);
     // If most joints would be misread one way, most are read correctly the other way.

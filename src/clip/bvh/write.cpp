@@ -105,7 +105,7 @@ std::string format_bvh(const Clip& clip, const Progress& progress) {
     if (!(clip.fps > 0))
         fail(Status::unsupported, "a BVH file needs a frame rate, but that of this clip is "
                                   "unknown: open it with option fps");
-    const Clip bvh = in_bvh_form(clip);
+    const Clip bvh = in_bvh_form(clip, progress);
     std::string text;
     HierarchyWriter(*bvh.skeleton, text).write();
     append_motion(text, bvh, progress);

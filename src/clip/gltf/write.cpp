@@ -27,7 +27,8 @@ std::vector<double> as_list(const Vec3& v) {
 /// The file while it grows. Every list becomes a member of the same name.
 class GltfWriter {
   public:
-    explicit GltfWriter(const Clip& clip) : clip_(clip) {}
+    GltfWriter(const Clip& clip, const Progress& progress)
+        : clip_(clip), polls_(progress, Stage::write) {}
 
     std::string write() {
         if (clip_.skeleton)
@@ -171,6 +172,8 @@ class GltfWriter {
     }
 
     void animate(std::size_t node, const char* path, int times, int values) {
+        constexpr std::int64_t work_of_place = 100; // compared with adding
+        polls_.did(work_of_place * clip_.frames());
         const JsonObject target("node", static_cast<std::int64_t>(node), "path", path);
         channels_.push_back(
             JsonObject("sampler", static_cast<std::int64_t>(samplers_.size()), "target", target));
@@ -222,6 +225,7 @@ class GltfWriter {
     }
 
     const Clip& clip_;
+    PacedPoll polls_;
     GltfBuffer buffer_;
     std::vector<Json> nodes_, samplers_, channels_, skins_;
     std::vector<int> top_; ///< nodes without a parent
@@ -229,7 +233,7 @@ class GltfWriter {
 
 } // namespace
 
-std::string format_glb(const Clip& clip, const Progress&) {
+std::string format_glb(const Clip& clip, const Progress& progress) {
     if (!clip.skeleton && clip.space == 0)
         fail(Status::unsupported,
              "a GLB file needs a skeleton or points, but this clip is a bare matrix: name its "
@@ -237,7 +241,7 @@ std::string format_glb(const Clip& clip, const Progress&) {
     if (!(clip.fps > 0))
         fail(Status::unsupported, "a GLB file needs a frame rate, but that of this clip is "
                                   "unknown: open it with option fps");
-    return GltfWriter(clip).write();
+    return GltfWriter(clip, progress).write();
 }
 
 } // namespace stltsa::clip

@@ -75,15 +75,15 @@ void reading_a_large_array_can_be_cancelled(void**) {
                  parse(bytes, Format::npy, "large", canceller.options()));
 }
 
-/// The clips have as many numbers as give at least ten polls.
+/// The clips have as many numbers as give that many polls.
 void making_a_large_text_can_be_cancelled(void**) {
     const TemporaryFolder folder;
     ReadOptions options;
     options.skeleton = folder.write("a.asf", small_asf);
     for (Clip clip : {parse(small_bvh, Format::bvh), parse(small_amc, Format::amc, options)}) {
         clip.values = stltsa::Matrix(200000, clip.values.cols());
-        for (const Format format : {clip.format, Format::csv}) {
-            Canceller canceller{10};
+        for (const Format format : {clip.format, Format::csv, Format::bvh, Format::glb}) {
+            Canceller canceller{format == Format::glb ? 3 : 10}; // GLB polls once for each joint
             ASSERT_FAILS(Status::cancelled, "cancelled",
                          find_format(format)->write(clip, canceller.progress()));
         }
@@ -101,6 +101,21 @@ void writing_a_large_file_can_be_cancelled(void**) {
     assert_true(std::filesystem::is_empty(folder.path("")));
 }
 
+/// Cancelled after the skeleton was written through a link to a file that did not exist.
+void cancelling_removes_what_was_written_and_keeps_the_link(void**) {
+    const TemporaryFolder folder;
+    ReadOptions options;
+    options.skeleton = folder.write("small.asf", small_asf);
+    const Clip clip = parse(small_amc, Format::amc, options);
+    std::filesystem::create_symlink("target", folder.path("a.asf"));
+    Canceller canceller{2};
+    ASSERT_FAILS(Status::cancelled, "cancelled",
+                 write(clip, folder.path("a.amc"), canceller.progress()));
+    assert_true(std::filesystem::is_symlink(folder.path("a.asf")));
+    assert_false(std::filesystem::exists(folder.path("target")));
+    assert_false(std::filesystem::exists(folder.path("a.amc")));
+}
+
 } // namespace
 
 int main() {
@@ -110,6 +125,7 @@ int main() {
         cmocka_unit_test(reading_a_large_array_can_be_cancelled),
         cmocka_unit_test(making_a_large_text_can_be_cancelled),
         cmocka_unit_test(writing_a_large_file_can_be_cancelled),
+        cmocka_unit_test(cancelling_removes_what_was_written_and_keeps_the_link),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }
