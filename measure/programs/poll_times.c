@@ -122,6 +122,15 @@ static void map_and_clean(const stltsa_model* model, const stltsa_in* in,
     free(at);
 }
 
+static void fit_mode(const stltsa_clip* clip, const char* name, int32_t mode,
+                     stltsa_options* options) {
+    stltsa_model* model = NULL;
+    check(stltsa_options_set_int(options, STLTSA_OPT_MODE, mode));
+    const double begin = start();
+    finish(name, begin, stltsa_fit_clip(clip, options, &model));
+    stltsa_model_free(model);
+}
+
 static void report(const stltsa_clip* clip, const stltsa_decomposition* made, const char* path,
                    const stltsa_options* options) {
     const double begin = start();
@@ -165,6 +174,8 @@ int main(int argc, char** argv) {
     if (argc > 5) {
         report(clip, made, argv[4], options);
         map_and_clean(model, &in, options);
+        fit_mode(clip, "stltsa_fit_clip,spatial", STLTSA_MODE_SPATIAL, options);
+        fit_mode(clip, "stltsa_fit_clip,recurrent", STLTSA_MODE_RECURRENT, options);
     }
     free(x);
 

@@ -100,10 +100,11 @@ Component embed_component(const Graph& graph, std::int64_t index, int dimension,
              "the frames vary in fewer than {} directions everywhere; use a "
              "lower dimension",
              dimension);
-    progress.report(Stage::alignment, 0.0);
+    const auto poll = [&] { progress.report(Stage::alignment, 0.0); };
+    poll();
     const bool banded = graph.parameters.mode == Mode::temporal;
-    const auto alignment =
-        banded ? difference_alignment(patches, machine) : grounded_alignment(patches, machine);
+    const auto alignment = banded ? difference_alignment(patches, machine, poll)
+                                  : grounded_alignment(patches, machine, poll);
     progress.report(Stage::alignment, 1.0);
     const Spectrum spectrum = smallest_eigenpairs(
         *alignment, std::min<std::int64_t>(eigenvalues - 1, patches.frames() - 1), dimension,

@@ -93,16 +93,22 @@ std::vector<Part> parts_of(const clip::Clip& clip) {
 }
 
 Json body_json(const clip::Clip& clip, const std::vector<Part>& parts, clip::Axis up,
-               std::int64_t longest_text) {
+               std::int64_t longest_text, const std::function<void()>& poll) {
     const int space = clip.skeleton ? 3 : clip.space;
     const char* const kind = clip.skeleton ? "skeleton" : space > 0 ? "points" : "columns";
     const std::int64_t ranges = std::max<std::int64_t>(space > 0 ? space : places_width(clip), 1);
     const std::int64_t values = clip.frames() * places_width(clip);
     std::int64_t step = std::max<std::int64_t>(1, (values + most_values - 1) / most_values);
-    Json kept = packed(places(clip, step).view(), ranges);
+    const auto pack = [&] {
+        poll();
+        const Matrix chosen = places(clip, step);
+        poll();
+        return packed(chosen.view(), ranges);
+    };
+    Json kept = pack();
     while (std::ssize(kept.text()) > longest_text && step < clip.frames()) {
         step = step * std::ssize(kept.text()) / longest_text + 1;
-        kept = packed(places(clip, step).view(), ranges);
+        kept = pack();
     }
     return JsonObject("kind", kind, "space", space, "up", static_cast<int>(up) - 1, "parts",
                       parts_json(clip, parts), "step", step, "places", kept);

@@ -86,6 +86,7 @@ std::string page(const Reported& reported, const Progress& progress) {
     const clip::Clip& clip = reported.clip;
     const results::Phased phased =
         results::find_phase(clip, reported.decomposed, reported.prepare, progress);
+    const auto poll = [&] { progress.report(Stage::write, 0); };
     const std::vector<Part> parts = parts_of(clip);
     JsonObject data("format", "stltsa-report/1", "command", reported.command, "checksum",
                     checksum(bytes_of(clip.values)), "source", source_json(reported));
@@ -96,7 +97,9 @@ std::string page(const Reported& reported, const Progress& progress) {
     data.set("body",
              body_json(clip, parts, phased.samples.up,
                        room_for_body(clip.frames() * places_width(clip),
-                                     around.size() + data.text().size() + reported.json.size())));
+                                     around.size() + data.text().size() + reported.json.size()),
+                       poll));
+    poll();
     std::string json = data.text();
     json.insert(1, "\"decomposition\":" + reported.json + ',');
     return filled(around, json);

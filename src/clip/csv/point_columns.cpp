@@ -88,18 +88,22 @@ void note_left_out(const Columns& found, Clip& clip) {
                         in_quotes(found.others.front())));
 }
 
-Matrix columns_of(const Matrix& values, const std::vector<std::int64_t>& columns) {
+Matrix columns_of(const Matrix& values, const std::vector<std::int64_t>& columns,
+                  const Progress& progress) {
     Matrix result = Matrix::unset(values.rows(), std::ssize(columns));
-    for (std::int64_t i = 0; i < values.rows(); ++i)
+    PacedPoll polls(progress, Stage::read, 1);
+    for (std::int64_t i = 0; i < values.rows(); ++i) {
         std::transform(columns.begin(), columns.end(), result.row(i),
                        [row = values.row(i)](std::int64_t column) { return row[column]; });
+        polls.did(result.cols());
+    }
     return result;
 }
 
 } // namespace
 
-void keep_columns(Clip& clip, const std::vector<std::int64_t>& columns) {
-    clip.values = columns_of(clip.values, columns);
+void keep_columns(Clip& clip, const std::vector<std::int64_t>& columns, const Progress& progress) {
+    clip.values = columns_of(clip.values, columns, progress);
     std::vector<std::string> names;
     for (const std::int64_t column : columns)
         names.push_back(clip.channel_names[static_cast<std::size_t>(column)]);
@@ -122,9 +126,9 @@ void take_points(Clip& clip, const ReadOptions& options) {
         return;
     }
     clip.channel_names = std::move(names);
-    const Matrix confidence = columns_of(clip.values, found.confidence);
+    const Matrix confidence = columns_of(clip.values, found.confidence, options.progress);
     if (std::ssize(found.coordinates) < clip.values.cols())
-        keep_columns(clip, found.coordinates);
+        keep_columns(clip, found.coordinates, options.progress);
     clip.space = found.space;
     note_left_out(found, clip);
     if (found.confidence.empty())

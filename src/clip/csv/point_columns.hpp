@@ -13,6 +13,6 @@ namespace stltsa::clip {
 void take_points(Clip& clip, const ReadOptions& options);
 
 /// Keeps these columns only.
-void keep_columns(Clip& clip, const std::vector<std::int64_t>& columns);
+void keep_columns(Clip& clip, const std::vector<std::int64_t>& columns, const Progress& progress);
 
 } // namespace stltsa::clip

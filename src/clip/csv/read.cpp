@@ -50,7 +50,8 @@ std::string_view next_row(TextCursor& in) {
 
 class CsvReader {
   public:
-    CsvReader(TextCursor& in, Clip& clip) : in_(in), clip_(clip) {}
+    CsvReader(TextCursor& in, Clip& clip, const Progress& progress)
+        : in_(in), clip_(clip), polls_(progress, Stage::read, 1) {}
 
     void read() {
         if (auto head = read_head(in_)) {
@@ -66,7 +67,10 @@ class CsvReader {
         if (rows_ == 0)
             in_.fail(Status::format, "the file has no rows of numbers");
         Matrix values = Matrix::unset(rows_, static_cast<std::int64_t>(columns_));
-        std::copy(values_.begin(), values_.end(), values.data());
+        for (std::int64_t i = 0; i < rows_; ++i) {
+            std::copy_n(values_.data() + i * values.cols(), values.cols(), values.row(i));
+            polls_.did(values.cols());
+        }
         clip_.values = std::move(values);
     }
 
@@ -154,6 +158,7 @@ class CsvReader {
 
     TextCursor& in_;
     Clip& clip_;
+    PacedPoll polls_;
     char separator_ = ',';
     std::size_t columns_ = 0;
     std::int64_t rows_ = 0;
@@ -165,7 +170,7 @@ class CsvReader {
 Clip parse_csv(std::string_view bytes, const std::string& name, const ReadOptions& options) {
     TextCursor in(bytes, name, options.progress);
     Clip clip;
-    CsvReader reader(in, clip);
+    CsvReader reader(in, clip, options.progress);
     reader.read();
     extract_time(clip, name, options);
     take_points(clip, options);

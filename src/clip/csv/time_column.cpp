@@ -149,7 +149,7 @@ void extract_time(Clip& clip, const std::string& name, const ReadOptions& option
     if (kept.empty())
         fail(Status::format, "{}: there is no channel besides time and frame numbers", name);
     if (std::ssize(kept) < clip.values.cols())
-        keep_columns(clip, kept);
+        keep_columns(clip, kept, options.progress);
     if (times.empty())
         return;
     if (options.fps) {

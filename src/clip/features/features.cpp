@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/numbers.hpp"
+#include "base/progress.hpp"
 #include "clip/body/heading.hpp"
 #include "clip/body/kinematics.hpp"
 #include "clip/body/skeleton.hpp"
@@ -33,8 +34,9 @@ void need_points(const Clip& clip) {
 
 /// Called before gaps are predicted and before smoothing, which turn larger numbers into NaN.
 /// `gaps`: NaN is a missing value.
-void check_magnitude(const Matrix& matrix, bool gaps = false) {
+void check_magnitude(const Matrix& matrix, bool gaps = false, PacedPoll polls = PacedPoll({})) {
     for (std::int64_t i = 0; i < matrix.rows(); ++i) {
+        polls.did(matrix.cols());
         const double* row = matrix.row(i);
         const double* found = std::find_if_not(row, row + matrix.cols(), [gaps](double value) {
             return std::abs(value) <= largest_number || (gaps && std::isnan(value));
@@ -48,8 +50,13 @@ void check_magnitude(const Matrix& matrix, bool gaps = false) {
 }
 
 /// The values of a bare matrix, with its gaps filled.
-FeatureRows raw_rows(const Clip& clip, GapRule rule) {
-    FeatureRows made{copied(clip.values.view()), Axis::none, false, {}, {}};
+FeatureRows raw_rows(const Clip& clip, GapRule rule, PacedPoll polls) {
+    FeatureRows made;
+    made.rows = Matrix::unset(clip.frames(), clip.values.cols());
+    for (std::int64_t i = 0; i < clip.frames(); ++i) {
+        std::copy_n(clip.values.row(i), clip.values.cols(), made.rows.row(i));
+        polls.did(clip.values.cols());
+    }
     const Gaps gaps = fill_gaps(made.rows, 1, rule, clip.fps);
     if (gaps.filled.empty() && gaps.dropped.empty())
         return made;
@@ -114,34 +121,39 @@ std::int64_t feature_count(const Clip& clip, std::optional<Features> requested) 
     return PoseFeatures(*clip.skeleton, kind, Heading(body_root(clip))).count();
 }
 
-Matrix body_features(const Clip& clip, Features kind, Heading heading) {
+Matrix body_features(const Clip& clip, Features kind, Heading heading,
+                     const std::function<void()>& poll) {
     if (kind == Features::raw)
         return clip.values;
     PoseFeatures features(*clip.skeleton, kind, heading);
     Matrix rows = Matrix::unset(clip.frames(), features.count());
-    for (std::int64_t frame = 0; frame < clip.frames(); ++frame)
+    constexpr std::int64_t work_of_angle = 100; // compared with adding
+    PacedPoll polls(poll);
+    for (std::int64_t frame = 0; frame < clip.frames(); ++frame) {
         features.next(clip.values.row(frame), rows.row(frame));
+        polls.did(work_of_angle * clip.values.cols());
+    }
     return rows;
 }
 
 FeatureRows feature_rows(const Clip& clip, std::optional<Features> requested,
-                         std::optional<Axis> up, GapRule rule) {
+                         std::optional<Axis> up, GapRule rule, const std::function<void()>& poll) {
     feature_count(clip, requested); // fails if there are none
     const Features kind = feature_kind(clip, requested);
     if (!clip.skeleton)
-        check_magnitude(clip.values, true);
+        check_magnitude(clip.values, true, PacedPoll(poll));
     FeatureRows made;
     if (kind == Features::points) {
         made = points(clip, up, rule);
     } else if (!clip.skeleton) {
-        made = raw_rows(clip, rule);
+        made = raw_rows(clip, rule, PacedPoll(poll));
     } else {
         made.up = up_axis(clip, up);
         made.rows = kind == Features::raw
                         ? clip.values
-                        : body_features(clip, kind, Heading(clip, body_root(clip), made.up));
+                        : body_features(clip, kind, Heading(clip, body_root(clip), made.up), poll);
     }
-    check_magnitude(made.rows);
+    check_magnitude(made.rows, false, PacedPoll(poll));
     return made;
 }
 

@@ -50,7 +50,8 @@ Prepared prepare(const Clip& clip, const PrepareOptions& options) {
         fail(Status::too_few_frames, "the clip has no frames");
     Prepared prepared;
     prepared.features = feature_kind(clip, options.features);
-    FeatureRows made = feature_rows(clip, prepared.features, options.up, options.gaps);
+    FeatureRows made =
+        feature_rows(clip, prepared.features, options.up, options.gaps, options.poll);
     prepared.up = made.up;
     prepared.turned = made.turned;
     prepared.notes = std::move(made.notes);

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 
 #include "linalg/machine.hpp"
@@ -48,10 +49,14 @@ class Alignment {
 };
 
 /// For temporal neighborhoods: B' in differences z_c = x_{c+1} - x_c, banded, factored by LAPACK.
-std::unique_ptr<Alignment> difference_alignment(const Patches& patches, const Machine& machine);
+/// `poll`: called periodically while the matrix is assembled, not during its factorization; may
+/// throw.
+std::unique_ptr<Alignment> difference_alignment(const Patches& patches, const Machine& machine,
+                                                const std::function<void()>& poll = {});
 
 /// For any neighborhoods: B without its last row and column (the frame is grounded), sparse,
-/// factored by SuiteSparse.
-std::unique_ptr<Alignment> grounded_alignment(const Patches& patches, const Machine& machine);
+/// factored by SuiteSparse. `poll`: as above.
+std::unique_ptr<Alignment> grounded_alignment(const Patches& patches, const Machine& machine,
+                                              const std::function<void()>& poll = {});
 
 } // namespace stltsa::ltsa

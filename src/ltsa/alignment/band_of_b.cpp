@@ -146,7 +146,8 @@ std::int64_t bandwidth_of(const Patches& patches) {
     return longest;
 }
 
-void assemble_b(const Patches& patches, int threads, BandMatrix& b) {
+void assemble_b(const Patches& patches, int threads, BandMatrix& b,
+                const std::function<void()>& poll) {
     for_column_blocks(
         patches, b.order(), column_block, threads,
         [&](std::int64_t begin, std::int64_t end, PatchRange range) {
@@ -156,7 +157,8 @@ void assemble_b(const Patches& patches, int threads, BandMatrix& b) {
             for (std::int64_t p = range.begin / patches_per_product * patches_per_product;
                  p < range.end; p += patches_per_product)
                 columns.subtract_directions(p, std::min(p + patches_per_product, patches.count()));
-        });
+        },
+        poll);
 }
 
 } // namespace stltsa::ltsa

@@ -73,12 +73,13 @@ void shift_diagonal(BandMatrix& b, double share) {
 
 class DifferenceAlignment final : public PatchwiseAlignment<RunningSums> {
   public:
-    DifferenceAlignment(const Patches& patches, const Machine& machine)
+    DifferenceAlignment(const Patches& patches, const Machine& machine,
+                        const std::function<void()>& poll)
         : PatchwiseAlignment(patches, machine), b_(patches.frames() - 1, bandwidth_of(patches)) {
-        assemble_b(patches, machine.threads, b_);
+        assemble_b(patches, machine.threads, b_, poll);
         if (b_.factor(smallest_pivot))
             return;
-        assemble_b(patches, machine.threads, b_);
+        assemble_b(patches, machine.threads, b_, poll);
         shift_diagonal(b_, flat_shift);
         if (!b_.factor(0))
             fail(Status::degenerate, "the frames vary in fewer than {} directions",
@@ -114,8 +115,9 @@ class DifferenceAlignment final : public PatchwiseAlignment<RunningSums> {
 
 } // namespace
 
-std::unique_ptr<Alignment> difference_alignment(const Patches& patches, const Machine& machine) {
-    return std::make_unique<DifferenceAlignment>(patches, machine);
+std::unique_ptr<Alignment> difference_alignment(const Patches& patches, const Machine& machine,
+                                                const std::function<void()>& poll) {
+    return std::make_unique<DifferenceAlignment>(patches, machine, poll);
 }
 
 } // namespace stltsa::ltsa

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "base/progress.hpp"
 #include "linalg/simd.hpp"
 #include "linalg/sparse_cholesky.hpp"
 #include "ltsa/alignment/patch_passes.hpp"
@@ -21,6 +22,10 @@ struct PatchesByFrame {
     };
     std::vector<std::int64_t> begin;
     std::vector<Occurrence> occurrences;
+
+    std::int64_t count(std::int64_t frame) const {
+        return begin[static_cast<std::size_t>(frame) + 1] - begin[static_cast<std::size_t>(frame)];
+    }
 };
 
 PatchesByFrame patches_by_frame(const Patches& patches) {
@@ -96,11 +101,12 @@ class ColumnOfB {
 };
 
 /// Table 1, step 4: B without the last row and column, which belong to the grounded frame.
-SparseColumns assemble_b(const Patches& patches) {
+SparseColumns assemble_b(const Patches& patches, const std::function<void()>& poll) {
     const PatchesByFrame by_frame = patches_by_frame(patches);
     ColumnOfB entries(patches, by_frame);
     const std::int64_t order = patches.frames() - 1;
     SparseColumns b{order, {0}, {}, {}};
+    PacedPoll polls(poll);
     for (std::int64_t column = 0; column < order; ++column) {
         entries.compute(column);
         for (const std::int32_t row : entries.rows)
@@ -109,6 +115,7 @@ SparseColumns assemble_b(const Patches& patches) {
                 b.values.push_back(entries.value(row));
             }
         b.begin.push_back(static_cast<std::int64_t>(b.rows.size()));
+        polls.did(by_frame.count(column) * patches.size());
     }
     return b;
 }
@@ -133,8 +140,9 @@ struct GroundedValues {
 
 class GroundedAlignment final : public PatchwiseAlignment<GroundedValues> {
   public:
-    GroundedAlignment(const Patches& patches, const Machine& machine)
-        : PatchwiseAlignment(patches, machine), factor_(assemble_b(patches)) {}
+    GroundedAlignment(const Patches& patches, const Machine& machine,
+                      const std::function<void()>& poll)
+        : PatchwiseAlignment(patches, machine), factor_(assemble_b(patches, poll)) {}
 
     void restrict_to(ConstMatrixView x, MatrixView unknowns) const override {
         std::copy_n(x.data, unknowns.rows * unknowns.cols, unknowns.data);
@@ -162,8 +170,9 @@ class GroundedAlignment final : public PatchwiseAlignment<GroundedValues> {
 
 } // namespace
 
-std::unique_ptr<Alignment> grounded_alignment(const Patches& patches, const Machine& machine) {
-    return std::make_unique<GroundedAlignment>(patches, machine);
+std::unique_ptr<Alignment> grounded_alignment(const Patches& patches, const Machine& machine,
+                                              const std::function<void()>& poll) {
+    return std::make_unique<GroundedAlignment>(patches, machine, poll);
 }
 
 } // namespace stltsa::ltsa

@@ -59,6 +59,24 @@ void reading_a_large_text_can_be_cancelled(void**) {
     }
 }
 
+/// Of the polls, twice two are made while the numbers are copied, after all of the text was read.
+void reading_wide_rows_polls_to_the_end(void**) {
+    std::string text = "time";
+    for (int c = 0; c < 10000; ++c)
+        text += ",c" + std::to_string(c);
+    for (int row = 0; row < 900; ++row)
+        text += "\n" + std::to_string(row) + repeated(",1", 20000);
+    int polls = 0;
+    ReadOptions options;
+    options.progress = {[](void* user, std::int32_t, double) {
+                            ++*static_cast<int*>(user);
+                            return std::int32_t{0};
+                        },
+                        &polls};
+    assert_int_equal(parse(text, Format::csv, "wide", options).values.cols(), 10000);
+    assert_in_range(polls, (text.size() >> 20) + 4, 1000);
+}
+
 void reading_a_large_file_can_be_cancelled(void**) {
     const TemporaryFolder folder;
     const std::string path = folder.write("large.csv", repeated("1,2,3\n", 1 << 20));
@@ -121,6 +139,7 @@ void cancelling_removes_what_was_written_and_keeps_the_link(void**) {
 int main() {
     const CMUnitTest tests[] = {
         cmocka_unit_test(reading_a_large_text_can_be_cancelled),
+        cmocka_unit_test(reading_wide_rows_polls_to_the_end),
         cmocka_unit_test(reading_a_large_file_can_be_cancelled),
         cmocka_unit_test(reading_a_large_array_can_be_cancelled),
         cmocka_unit_test(making_a_large_text_can_be_cancelled),

@@ -108,9 +108,12 @@ void check_alignment(const Alignment& alignment, std::int64_t k, int d) {
     check_near(out, in, 1e-6, k, d); // B is ill-conditioned
 }
 
-using MakeAlignment = std::unique_ptr<Alignment> (*)(const Patches&, const Machine&);
+using MakeAlignment = std::unique_ptr<Alignment> (*)(const Patches&, const Machine&,
+                                                     const std::function<void()>&);
 
-void check_alignment_of(MakeAlignment make, const Matrix& x, const Neighborhoods& found, int d) {
+/// `polls`: at least so many while the matrix is assembled.
+void check_alignment_of(MakeAlignment make, const Matrix& x, const Neighborhoods& found, int d,
+                        int polls = 0) {
     stltsa::ltsa::Parameters parameters;
     parameters.neighbors = parameters.window = found.size;
     parameters.dimension = d;
@@ -118,8 +121,11 @@ void check_alignment_of(MakeAlignment make, const Matrix& x, const Neighborhoods
     const auto components = connected_components(found, {});
     assert_int_equal(components.count, 1);
     const Patches patches(found, tangents, components, 0, d, {stltsa::widest_simd(), 3});
-    for (const Simd simd : instruction_sets())
-        check_alignment(*make(patches, {simd, 1}), found.size, d);
+    for (const Simd simd : instruction_sets()) {
+        int polled = 0;
+        check_alignment(*make(patches, {simd, 1}, [&] { ++polled; }), found.size, d);
+        assert_in_range(polled, polls, 1000);
+    }
 }
 
 /// Even and odd sizes, narrow and wide bands, and more directions than are summed at a time.
@@ -145,7 +151,7 @@ void differences_of_many_frames(void**) {
             for (std::int64_t j = 1; j < k; ++j) // every second one, all, or none
                 of_frame[j] = of_frame[j - 1] + 1 + (random.symmetric() > 0.3 ? 1 : 0);
         }
-        check_alignment_of(stltsa::ltsa::difference_alignment, x, found, 2);
+        check_alignment_of(stltsa::ltsa::difference_alignment, x, found, 2, 3);
     }
 }
 
@@ -184,6 +190,9 @@ void residuals_are_orthogonal_to_directions(void**) {
 
 void all_but_the_grounded_frame(void**) {
     check_alignments(stltsa::ltsa::grounded_alignment, true);
+    constexpr std::int64_t k = 71;
+    const Matrix x = noise(1000, 12);
+    check_alignment_of(stltsa::ltsa::grounded_alignment, x, neighborhoods(x.rows(), k, true), 2, 1);
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "../assertions.hpp"
+#include "clip/features/features.hpp"
 #include "linalg/principal.hpp"
 #include "ltsa/neighbors/neighbors.hpp"
 #include "ltsa/parameters.hpp"
@@ -65,6 +66,14 @@ void the_search_for_a_period_polls(void**) {
     });
     check_polls(4, [&](const Progress& progress, auto) {
         motion::refine_period(wide().view(), level, period, 30, progress);
+    });
+}
+
+void features_poll(void**) {
+    clip::Clip clip;
+    clip.values = copied(wide().view());
+    check_polls(3, [&](auto, const auto& poll) {
+        clip::feature_rows(clip, {}, {}, clip::GapRule::fill, poll);
     });
 }
 
@@ -147,6 +156,7 @@ void comparisons_poll(void**) {
 int main() {
     const CMUnitTest tests[] = {
         cmocka_unit_test(the_search_for_a_period_polls),
+        cmocka_unit_test(features_poll),
         cmocka_unit_test(choices_poll),
         cmocka_unit_test(the_search_for_neighbors_polls),
         cmocka_unit_test(the_phase_polls),
