@@ -43,11 +43,14 @@ stltsa_status stltsa_report_save(const stltsa_clip* clip, const stltsa_decomposi
         const stltsa_clip& of = required(clip, "clip");
         const results::Decomposed& decomposed = required(decomposition, "decomposition");
         const capi::OptionsReader reader(options);
+        const Progress progress = reader.progress();
         const std::string page = report::page(
             {of.clip, decomposed, reader.prepare_options(), capi::decomposition_json(decomposed),
              command == nullptr ? "" : command, name_of(of), of.pieces, flags_by_command(options)},
-            reader.progress());
-        clip::write_file(place, page);
+            progress);
+        clip::write_file(
+            place, [&](const Sink& sink) { sink(page); },
+            [&] { progress.report(Stage::write, 1); });
     });
 }
 

@@ -33,9 +33,10 @@ Content pieces_of(std::string_view bytes, const Progress& progress) {
 
 /// Writes an AMC file and its skeleton beside it, under the same name: both or neither. Another
 /// skeleton of that name belongs to somebody's clips, and stays.
-void write_with_skeleton(const std::string& amc, const Content& content, const std::string& asf) {
+void write_with_skeleton(const std::string& amc, const Content& content, const std::string& asf,
+                         const OnSignal& on_signal) {
     if (!regular_or_new(amc))
-        return write_file(amc, content); // a pipe or device has no place beside it
+        return write_file(amc, content, on_signal); // a pipe or device has no place beside it
     // Of a dangling link the place that it names, so that the link stays if the file is removed.
     const std::string path = followed(fs::path(amc).replace_extension(".asf").string());
     std::error_code ignored;
@@ -70,8 +71,10 @@ void write(const Clip& clip, const std::string& path, const Progress& progress) 
             progress.report(Stage::write, 0);
             const std::string bytes = row.write(clip, progress);
             const Content content = pieces_of(bytes, progress);
-            return row.needs_skeleton ? write_with_skeleton(path, content, clip.skeleton->asf)
-                                      : write_file(path, content);
+            const auto on_signal = [progress] { progress.report(Stage::write, 0); };
+            return row.needs_skeleton
+                       ? write_with_skeleton(path, content, clip.skeleton->asf, on_signal)
+                       : write_file(path, content, on_signal);
         }
         known += format_text("{}{}", known.empty() ? "" : ", ", row.suffixes[0]);
     }

@@ -271,6 +271,35 @@ class Interrupt(CommandTest):
             self.assertEqual(process.wait(60), 130)
             self.assertEqual(process.stderr.read(), b"stltsa: cancelled\n")
 
+    def assert_stops(self, *arguments, stdout=subprocess.DEVNULL):
+        with subprocess.Popen(
+            [STLTSA, *arguments],
+            stdout=stdout,
+            stderr=subprocess.PIPE,
+            preexec_fn=default_signals,
+        ) as process:
+            time.sleep(1)
+            process.send_signal(signal.SIGINT)
+            self.assertEqual(process.wait(60), 130)
+            self.assertEqual(process.stderr.read(), b"stltsa: cancelled\n")
+
+    def test_while_nobody_reads(self):
+        pipe = self.folder / "pipe.bvh"
+        os.mkfifo(pipe)
+        clip = f"{walk()}:cycle2*100"  # more than a pipe holds
+        with self.subTest("a pipe that nobody opened"):
+            self.assert_stops("synthesize", clip, "-o", pipe)
+            self.assert_stops("decompose", walk(), "-o", pipe)
+        with self.subTest("a pipe that nobody empties"):
+            reader = os.open(pipe, os.O_RDONLY | os.O_NONBLOCK)
+            self.assert_stops("synthesize", clip, "-o", pipe)
+            os.close(reader)
+        with self.subTest("standard output"):
+            reader, writer = os.pipe()
+            self.assert_stops("synthesize", clip, "-o", "-", stdout=writer)
+            os.close(reader)
+            os.close(writer)
+
     def test_ignored_where_the_caller_ignores_it(self):
         with subprocess.Popen(
             [STLTSA, "info", "-"],

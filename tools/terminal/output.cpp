@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include "exit_status.hpp"
+#include "terminal/interrupt.hpp"
 #include "terminal/style.hpp"
 
 namespace tool {
@@ -70,12 +71,13 @@ bool same_place(const std::string& path, const std::string& other) {
 } // namespace
 
 void write_stdout(std::string_view text) {
-    writing(stdout_name, [&] { write_all(STDOUT_FILENO, text); });
+    writing(stdout_name, [&] { write_all(STDOUT_FILENO, text, stop_if_interrupted); });
 }
 
 void OutputFiles::add_to_stdout(std::string content) {
-    staged_.push_back(
-        {stdout_name, {}, [text = std::move(content)] { write_all(STDOUT_FILENO, text); }});
+    staged_.push_back({stdout_name, {}, [text = std::move(content)] {
+                           write_all(STDOUT_FILENO, text, stop_if_interrupted);
+                       }});
 }
 
 void OutputFiles::add(const std::string& path, std::string content) {
@@ -84,7 +86,9 @@ void OutputFiles::add(const std::string& path, std::string content) {
     const std::string place = followed(path);
     if (!regular_or_new(place)) {
         staged_.push_back({path, {}, [place, text = std::move(content)] {
-                               write_directly(place, [&](const auto& sink) { sink(text); });
+                               write_directly(
+                                   place, [&](const auto& sink) { sink(text); },
+                                   stop_if_interrupted);
                            }});
         return;
     }

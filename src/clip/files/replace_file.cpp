@@ -28,9 +28,12 @@ void require(bool done) {
 
 class Descriptor {
   public:
-    Descriptor(const std::string& path, int flags, mode_t mode = 0)
-        : number_(::open(path.c_str(), flags | O_CLOEXEC, mode)) {
-        require(number_ >= 0);
+    Descriptor(const std::string& path, int flags, mode_t mode = 0,
+               const OnSignal& on_signal = {}) {
+        while ((number_ = ::open(path.c_str(), flags | O_CLOEXEC, mode)) < 0) {
+            require(on_signal && errno == EINTR);
+            on_signal();
+        }
     }
     ~Descriptor() {
         if (number_ >= 0)
@@ -44,7 +47,7 @@ class Descriptor {
     void close() { require(::close(std::exchange(number_, -1)) == 0); }
 
   private:
-    int number_;
+    int number_ = -1;
 };
 
 /// Creates the file; false if the name is in use, perhaps left by a killed process.
@@ -85,10 +88,11 @@ class WithoutSigpipe {
     bool was_pending_ = false;
 };
 
-void write_to(const std::string& path, int flags, const std::function<void(const Sink&)>& content) {
+void write_to(const std::string& path, int flags, const std::function<void(const Sink&)>& content,
+              const OnSignal& on_signal) {
     const WithoutSigpipe no_signal;
-    Descriptor file(path, O_WRONLY | flags);
-    content([&](std::string_view bytes) { write_all(file.number(), bytes); });
+    Descriptor file(path, O_WRONLY | flags, 0, on_signal);
+    content([&](std::string_view bytes) { write_all(file.number(), bytes, on_signal); });
     file.close();
 }
 
@@ -160,17 +164,20 @@ bool regular_or_new(const std::string& path) {
     return !fs::exists(status) || fs::is_regular_file(status);
 }
 
-void write_all(int descriptor, std::string_view bytes) {
+void write_all(int descriptor, std::string_view bytes, const OnSignal& on_signal) {
     while (!bytes.empty()) {
         const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
         require(written >= 0 || errno == EINTR);
         if (written > 0)
             bytes.remove_prefix(static_cast<std::size_t>(written));
+        if (!bytes.empty() && on_signal) // a signal ends a write, perhaps after some of the bytes
+            on_signal();
     }
 }
 
-void write_directly(const std::string& path, const std::function<void(const Sink&)>& content) {
-    write_to(path, 0, content);
+void write_directly(const std::string& path, const std::function<void(const Sink&)>& content,
+                    const OnSignal& on_signal) {
+    write_to(path, 0, content, on_signal);
 }
 
 TemporaryFile::TemporaryFile(std::string place, const std::string& suffix)
@@ -198,7 +205,7 @@ TemporaryFile::TemporaryFile(TemporaryFile&& other) noexcept
     : place_(std::move(other.place_)), name_(std::exchange(other.name_, {})) {}
 
 void TemporaryFile::write(const std::function<void(const Sink&)>& content) const {
-    write_to(name_, O_NOFOLLOW, content);
+    write_to(name_, O_NOFOLLOW, content, {});
 }
 
 void TemporaryFile::move_to_place() {

@@ -17,12 +17,17 @@ std::string followed(const std::string& path);
 /// Whether the path is a regular file or does not exist; devices and pipes are written to directly.
 bool regular_or_new(const std::string& path);
 
-/// Writes all bytes to an open file.
-void write_all(int descriptor, std::string_view bytes);
+/// Called when a signal ends a wait for the reader of a pipe. May throw to give up.
+using OnSignal = std::function<void()>;
 
-/// Writes into an existing file, device or pipe. A pipe without a reader is an error; no signal
-/// ends the process.
-void write_directly(const std::string& path, const std::function<void(const Sink&)>& content);
+/// Writes all bytes to an open file.
+void write_all(int descriptor, std::string_view bytes, const OnSignal& on_signal = {});
+
+/// Writes into an existing file, device or pipe. Opening a pipe waits for its reader; if the reader
+/// leaves, or a signal ends the wait and `on_signal` is empty, the function fails. No signal ends
+/// the process.
+void write_directly(const std::string& path, const std::function<void(const Sink&)>& content,
+                    const OnSignal& on_signal = {});
 
 /// A new file in the folder of `place` with an unused name; deleted with the object unless moved.
 /// Temporary files that killed processes left more than an hour ago are deleted, too.

@@ -13,12 +13,13 @@ void write_file(const std::string& path, std::string_view bytes) {
     write_file(path, [bytes](const Sink& sink) { sink(bytes); });
 }
 
-void write_file(const std::string& path, const std::function<void(const Sink&)>& content) {
+void write_file(const std::string& path, const std::function<void(const Sink&)>& content,
+                const std::function<void()>& on_signal) {
     if (path.empty())
         fail(Status::io, "the path is empty: give the name of a file");
     try {
         if (!regular_or_new(path))
-            return write_directly(path, content);
+            return write_directly(path, content, on_signal);
         TemporaryFile file(followed(path));
         file.write(content);
         file.move_to_place();
