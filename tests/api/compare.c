@@ -101,6 +101,34 @@ static void comparing_can_be_cancelled(void** state) {
     stltsa_phase_free(phase);
 }
 
+/* Cancelled at the first call of the progress callback, the second, ... until it ends. */
+static void comparing_left_and_right_can_be_cancelled(void** state) {
+    (void)state;
+    stltsa_clip* clip = NULL;
+    must(stltsa_clip_open(walker_path, NULL, &clip));
+    stltsa_phase* phase = phase_of(clip, NULL);
+    stltsa_options* options = NULL;
+    must(stltsa_options_new(&options));
+    stltsa_comparison* comparison = NULL;
+    int32_t cancelled = 0;
+    for (;; ++cancelled) {
+        int32_t left = cancelled;
+        must(stltsa_options_set_progress(options, cancel_after, &left));
+        const stltsa_status status =
+            stltsa_compare_left_right(clip, phase, -1, samples, options, &comparison);
+        if (status == STLTSA_OK)
+            break;
+        assert_int_equal(status, STLTSA_E_CANCELLED);
+        assert_null(comparison);
+        assert_true(cancelled < 1000);
+    }
+    assert_true(cancelled > 2);
+    stltsa_comparison_free(comparison);
+    stltsa_options_free(options);
+    stltsa_phase_free(phase);
+    stltsa_clip_free(clip);
+}
+
 static stltsa_compared_cycles cycles_of(const stltsa_comparison* comparison) {
     stltsa_compared_cycles cycles = {.size = sizeof cycles};
     must(stltsa_comparison_cycles(comparison, &cycles));
@@ -391,6 +419,7 @@ int main(int argc, char** argv) {
         cmocka_unit_test(common_points_are_compared),
         cmocka_unit_test(left_and_right_are_compared),
         cmocka_unit_test(comparing_can_be_cancelled),
+        cmocka_unit_test(comparing_left_and_right_can_be_cancelled),
         cmocka_unit_test(errors_say_what_is_wrong),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

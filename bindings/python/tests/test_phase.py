@@ -119,9 +119,9 @@ def test_labels_of_a_file_are_marks(result, phase):
 def test_labels_of_one_name_are_searched_once(result, phase, monkeypatch):
     calls, events = [], type(phase).events
 
-    def counted(self, marks, other=None, *, name=""):
+    def counted(self, marks, other=None, **options):
         calls.append(marks)
-        return events(self, marks, other, name=name)
+        return events(self, marks, other, **options)
 
     monkeypatch.setattr(type(phase), "events", counted)
     labels = [stltsa.Event("Foot Strike", "Left", at / 120) for at in (250, 382)]

@@ -49,7 +49,14 @@ def test_finding_comparing_and_saving_can_be_stopped(walker, tmp_path):
     with pytest.raises(LookupError, match="enough of units"):
         phase.events(250, progress=stop)
     with pytest.raises(LookupError, match="enough of units"):
+        phase.events_like([stltsa.Event("Foot Strike", "Left", 2.5)], progress=stop)
+    with pytest.raises(LookupError, match="enough of units"):
         phase.compare(phase, progress=stop)
+    reported = []
+    watched = stltsa.decompose(clip, progress=lambda stage, _: reported.append(stage))
+    reported.clear()
+    watched.compare(watched)
+    assert reported[-1] == "units"
     with pytest.raises(LookupError, match="enough of write"):
         clip.save(tmp_path / "clip.csv", progress=stop)
     assert not list(tmp_path.iterdir())

@@ -460,7 +460,10 @@ class Decomposition(Described):
         """
         phase = self.phase()
         if second is not None:
-            return phase.compare(second.phase(), label, second_label, samples=samples)
+            progress = self._options.get("progress")
+            return phase.compare(
+                second.phase(), label, second_label, samples=samples, progress=progress
+            )
         out = ffi.new("stltsa_comparison **")
         with Call(self._options, working_rate(self.clip.fps, self._options)) as call:
             number = -1 if label is None else number_of(label)

@@ -411,7 +411,11 @@ class Phase:
         return FoundEvents(owned("events", out), (other or self)._fps > 0, side)
 
     def events_like(
-        self, labels: Iterable[Event], other: Phase | None = None
+        self,
+        labels: Iterable[Event],
+        other: Phase | None = None,
+        *,
+        progress: Progress = False,
     ) -> dict[str, FoundEvents]:
         """Find events that a file labels, such as foot strikes of a C3D file, in every cycle.
 
@@ -422,6 +426,8 @@ class Phase:
             and so is a name whose labels are spread all over the cycle.
         other : Phase, optional
             Of another clip with the same features, in which to look.
+        progress : bool or callable
+            As for :func:`stltsa.decompose`; it starts again with each name.
 
         Returns
         -------
@@ -456,17 +462,17 @@ class Phase:
             )
         found = {}
         for name, frames in marks.items():
-            events = self._events_like(name, frames, other)
+            events = self._events_like(name, frames, other, progress)
             if events is not None:
                 found[name] = events
         return found
 
     def _events_like(
-        self, name: str, frames: list[float], other: Phase | None
+        self, name: str, frames: list[float], other: Phase | None, progress: Progress
     ) -> FoundEvents | None:
         """Find the events at those of the frames that lie in motions that repeat."""
         try:
-            return self.events(frames, other, name=name)
+            return self.events(frames, other, name=name, progress=progress)
         except ArgumentError:
             inside = self._repeating(frames)
         found, left_out = None, ""
@@ -474,7 +480,7 @@ class Phase:
             left_out = f"{name} is left out: none of its labels is in a motion that repeats"
         else:
             try:
-                found = self.events(inside, other, name=name)
+                found = self.events(inside, other, name=name, progress=progress)
             except ArgumentError as error:
                 left_out = f"{name} is left out: {error}"
             else:
