@@ -186,6 +186,18 @@ def bursts():
 
 
 @functools.cache
+def two_motions():
+    """Twelve seconds of one cyclic motion, then twelve of another."""
+    rows = []
+    for i in range(720):
+        period, sizes = ((36, (3, 1, 2, 0.2, 0.1, 0.3)), (57, (0.2, 0.3, 0.1, 3, 2, 1)))[i >= 360]
+        turn = 2 * math.pi * i / period
+        rows.append([size * (math.sin(turn + c) + 0.3 * math.cos(2 * turn + 2 * c))
+                     for c, size in enumerate(sizes)])
+    return write_csv("two motions.csv", rows)
+
+
+@functools.cache
 def still():
     """Nothing moves."""
     return write_csv("still.csv", [[1.0, 2.0, 3.0]] * 100)

@@ -11,7 +11,8 @@ import tempfile
 import unittest
 import xml.etree.ElementTree as ET
 
-from common import WALKER, CommandTest, bursts, circle, crowd, drift, run, walk, walk_below_a_joint, write_csv
+from common import (WALKER, CommandTest, bursts, circle, crowd, drift, run, two_motions, walk,
+                    walk_below_a_joint, write_csv)
 
 SVG = "{http://www.w3.org/2000/svg}"
 
@@ -327,6 +328,24 @@ class Figure(CommandTest):
         self.assertEqual(len([m for m in marks if m.get("fill") != "#ffffff"]), 1)
         two = synthetic("--cycles", "2")
         self.assertEqual(self.of_class(self.figure("decompose", two), "cycle-time"), [])
+
+    def test_each_cyclic_segment_has_its_own_loop(self):
+        found = self.json("decompose", two_motions(), "--fps", "30")
+        first, second = found["segments"]
+        self.assertEqual((first["kind"], second["kind"]), ("cyclic", "cyclic"))
+        chosen = found["cycles"][found["representative_cycle"]["index"]]
+        kept = found["segments"][chosen["segment"]]
+        root = self.figure("decompose", two_motions(), "--fps", "30")
+        numbers = [int(number.text) for number in self.of_class(root, "number")]
+        self.assertGreater(len(numbers), 3)
+        self.assertTrue(all(kept["begin"] <= number < kept["end"] for number in numbers), numbers)
+        begin, end = kept["begin_s"], kept["end_s"]
+        told = f"The loop of {kept['label']}, {begin:.1f} to {end:.1f} s; every cyclic segment"
+        self.assertIn(told, " ".join(text for text in self.texts(root) if text))
+        colors = [mark.get("stroke") for mark in self.of_class(root, "cycle-time")]
+        self.assertEqual(len(set(colors)), 2)
+        for color, cycle in zip(colors, found["cycles"]):
+            self.assertEqual(color == colors[0], cycle["segment"] == 0)
 
     def test_neither_of_two_cycles_is_the_best(self):
         self.assertNotIn("best", self.done("decompose", synthetic("--cycles", "2")).decode())

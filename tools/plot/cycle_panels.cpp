@@ -144,11 +144,17 @@ void draw_cycle_times(Svg& svg, const Figure& figure, const Rect& area) {
     svg.text({area.right(), area.y - 5}, Anchor::end, figure.cycle_times,
              {{"font-size", small_font}, {"fill", faint_ink}});
     const double radius = count > 100 ? 0.6 * mark_radius : mark_radius;
-    svg.open("g", {{"stroke", cycle_color}, {"stroke-width", thin_line}});
+    svg.open("g", {{"stroke-width", thin_line}});
     for (std::size_t i = 0; i < figure.cycles.size(); ++i) {
+        const stltsa::Interval& cycle = figure.cycles[i];
         const bool chosen = static_cast<std::int64_t>(i) == figure.representative;
-        svg.circle({x(static_cast<double>(i + 1)), y(length_of(figure, figure.cycles[i]))}, radius,
-                   {{"class", "cycle-time"}, {"fill", chosen ? cycle_color : "#ffffff"}});
+        const char* color =
+            figure.several()
+                ? label_colors(figure.segments[static_cast<std::size_t>(cycle.segment)].label).line
+                : cycle_color;
+        svg.circle(
+            {x(static_cast<double>(i + 1)), y(length_of(figure, cycle))}, radius,
+            {{"class", "cycle-time"}, {"stroke", color}, {"fill", chosen ? color : "#ffffff"}});
     }
     svg.close("g");
     draw_frame(svg, area);

@@ -27,7 +27,8 @@ struct Figure {
     std::vector<double> curve;        ///< one value per sample; NaN: there is no curve
     std::vector<std::int64_t> pieces; ///< per sample: pieces are not connected; empty: one piece
     std::vector<std::string> loop_names;
-    stltsa::Matrix loop; ///< samples x 2, NaN as in the curve; empty: no second panel
+    stltsa::Matrix loop;   ///< samples x 2, NaN where not drawn; empty: no second panel
+    std::string loop_note; ///< below the loop; empty: none
     std::vector<stltsa::Segment> segments;
     std::vector<stltsa::Interval> units;
     std::vector<stltsa::Interval> cycles;

@@ -85,6 +85,31 @@ void leave_out_unfitted(plot::Figure& figure) {
         figure.loop = {};
 }
 
+/// Each cyclic segment has coordinates of its own. Keeps the loop of the representative cycle's
+/// segment or else of the longest.
+void keep_one_loop(plot::Figure& figure) {
+    std::vector<stltsa::Segment> cyclic = figure.segments;
+    std::erase_if(cyclic, [](const stltsa::Segment& segment) {
+        return segment.kind != STLTSA_SEGMENT_CYCLIC;
+    });
+    if (figure.loop.rows == 0 || cyclic.size() < 2)
+        return;
+    stltsa::Segment kept = *std::ranges::max_element(
+        cyclic, {}, [](const stltsa::Segment& segment) { return segment.end - segment.begin; });
+    if (figure.representative >= 0) {
+        const auto& cycle = figure.cycles[static_cast<std::size_t>(figure.representative)];
+        kept = figure.segments[static_cast<std::size_t>(cycle.segment)];
+    }
+    for (std::int64_t i = 0; i < figure.loop.rows; ++i)
+        if (figure.frame_of(i) < kept.begin || figure.frame_of(i) >= kept.end)
+            figure.loop(i, 0) = figure.loop(i, 1) = NAN;
+    const std::string place = figure.fps > 0
+                                  ? fmt::format("{:.1f} to {:.1f} s", kept.begin_s, kept.end_s)
+                                  : fmt::format("frames {} to {}", kept.begin, kept.end);
+    figure.loop_note = fmt::format("The loop of {}, {}; every cyclic segment has its own.",
+                                   label_text(kept.label), place);
+}
+
 bool has_curve(const plot::Figure& figure, const stltsa::Interval& cycle) {
     const std::int64_t middle = ((cycle.begin + cycle.end) / 2 - figure.first) / figure.step;
     return middle >= 0 && middle < std::ssize(figure.curve) &&
@@ -232,6 +257,7 @@ std::string decomposition_figure(const Session& session,
     figure.cycles = decomposition.cycles();
     if (figure.cycles.size() > 2) // of fewer, none is typical
         figure.representative = info.integer(STLTSA_INFO_REPRESENTATIVE);
+    keep_one_loop(figure);
     figure.postures = info.integers(STLTSA_INFO_POSTURES);
     figure.cycle_times = cycle_times_of(decomposition);
     if (figure.dense()) {

@@ -44,9 +44,10 @@ void draw_lines(Svg& svg, const Figure& figure, const std::vector<Point>& points
                    {"stroke-width", figure.dense() ? many_line : 0.8 * curve_line},
                    {"stroke-opacity", figure.dense() ? 0.25 : 1.0}});
     for (const Stretch& stretch : stretches(figure)) {
-        const auto begin = points.begin() + stretch.begin;
         const auto end = points.begin() + stretch.end;
-        svg.curve({begin, end}, {{"class", "loop"}, {"stroke", unit_colors(stretch.kind).line}});
+        const auto first = std::find_if(points.begin() + stretch.begin, end, exists);
+        const auto last = std::find_if_not(first, end, exists);
+        svg.curve({first, last}, {{"class", "loop"}, {"stroke", unit_colors(stretch.kind).line}});
     }
     svg.close("g");
 }
@@ -74,7 +75,9 @@ std::vector<Point> first_part(const Figure& figure, const std::vector<Point>& po
     for (const Stretch& stretch : all)
         if (stretch.begin < end)
             end = stretch.end;
-    return {points.begin() + all.front().begin, points.begin() + end};
+    const auto last = points.begin() + end;
+    const auto first = std::find_if(points.begin() + all.front().begin, last, exists);
+    return {first, std::find_if_not(first, last, exists)};
 }
 
 void draw_representative(Svg& svg, const std::vector<Point>& part) {
@@ -123,7 +126,8 @@ struct Numbered {
 /// Round frame numbers and their points on the loop, interpolated between samples.
 std::vector<Numbered> numbered_points(const Figure& figure, const std::vector<Point>& points) {
     const auto last = static_cast<std::int64_t>(points.size()) - 1;
-    const double span = static_cast<double>(std::max<std::int64_t>(1, last * figure.step));
+    const std::int64_t drawn = std::ranges::count_if(points, exists) - 1;
+    const double span = static_cast<double>(std::max<std::int64_t>(1, drawn * figure.step));
     const auto every = static_cast<std::int64_t>(std::max(1.0, nice_step(span, most_numbers)));
     std::vector<Numbered> numbered;
     for (std::int64_t frame = (figure.first + every - 1) / every * every;
@@ -279,11 +283,13 @@ double draw_loop_panel(Svg& svg, const Figure& figure, const Rect& area) {
              figure.loop_names.at(0), {{"class", "axis-title"}});
     draw_upward(svg, {area.x - 8, area.y + 0.5 * area.height}, figure.loop_names.at(1));
     double y = area.bottom() + 18;
+    std::string note = figure.loop_note;
     if (figure.cycles.size() > 1)
-        for (const std::string& line : lines_of(
-                 "The curve drifts slowly, so even equal cycles lie side by side: the width of "
-                 "the loop shows drift as well as difference.",
-                 font, area.width))
+        note += std::string(note.empty() ? "" : " ") +
+                "The curve drifts slowly, so even equal cycles lie side by side: the width of the "
+                "loop shows drift as well as difference.";
+    if (!note.empty())
+        for (const std::string& line : lines_of(note, font, area.width))
             svg.text({area.x, y += 12}, Anchor::start, line,
                      {{"class", "caption"}, {"font-size", font}, {"fill", faint_ink}});
     return y;

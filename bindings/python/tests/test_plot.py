@@ -84,6 +84,24 @@ def test_loop(result):
     assert axes.get_xlabel() == "first coordinate of the loop"
 
 
+def test_each_cyclic_segment_has_its_own_loop():
+    rows = []
+    for i in range(720):
+        period, sizes = ((36, (3, 1, 2, 0.2, 0.1, 0.3)), (57, (0.2, 0.3, 0.1, 3, 2, 1)))[i >= 360]
+        angles = 2 * np.pi * i / period + np.arange(6)
+        rows.append(sizes * (np.sin(angles) + 0.3 * np.cos(2 * angles)))
+    found = stltsa.decompose(np.array(rows), fps=30)
+    assert [segment.kind for segment in found.segment_list] == ["cyclic", "cyclic"]
+    begin = found.representative_cycle.begin
+    (kept,) = (s for s in found.segment_list if s.begin <= begin < s.end)
+    axes = stltsa.plot.loop(found)
+    assert axes.get_xlabel() == f"first coordinate of the loop of {kept.label}"
+    drawn = {tuple(p) for path in smooth_paths(axes) for p in path.vertices}
+    inside = (found.frames >= kept.begin) & (found.frames < kept.end)
+    assert {tuple(p) for p in found.loop[inside] if p.any()} <= drawn
+    assert not {tuple(p) for p in found.loop[~inside] if p.any()} & drawn
+
+
 def test_no_loop_is_named_where_there_is_none(no_cycle):
     assert not no_cycle.cycle_list
     axes = stltsa.plot.loop(no_cycle)

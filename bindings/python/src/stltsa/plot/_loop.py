@@ -22,6 +22,7 @@ from ._style import (
     is_dense,
     label_kinds,
     legend_above,
+    looped_segment,
     singled_out,
     smooth_path,
     unit_slices,
@@ -144,7 +145,8 @@ def loop(result: Decomposition, *, ax: Axes | None = None, numbers: int = 24) ->
 
     A square marks the start, arrowheads the direction; with three or more cycles, a wide line is
     the representative one. The curve drifts slowly, so even equal cycles lie side by side: the
-    width of the loop shows drift as well as difference.
+    width of the loop shows drift as well as difference. Each cyclic segment has a loop of its own;
+    of several, the one with the representative cycle is drawn, or else the longest.
 
     Parameters
     ----------
@@ -165,6 +167,9 @@ def loop(result: Decomposition, *, ax: Axes | None = None, numbers: int = 24) ->
     result = expect(result, Decomposition, "stltsa.plot.loop", "stltsa.decompose")
     _, coords = drawn_values(result)
     frames, chosen = result.frames, singled_out(result)
+    segment = looped_segment(result)
+    if segment is not None:
+        coords[(frames < segment.begin) | (frames >= segment.end)] = np.nan
     dense = is_dense(result)
 
     def draw(axes: Any, path: FloatArray, **style: Any) -> None:
@@ -190,6 +195,8 @@ def loop(result: Decomposition, *, ax: Axes | None = None, numbers: int = 24) ->
         axes.margins(0.09)
         axes.autoscale_view()
         what = "loop" if result.cycle_list else "curve"
+        if segment is not None:
+            what += f" of {segment.label}"
         axes.set_xlabel(f"first coordinate of the {what}")
         axes.set_ylabel(f"second coordinate of the {what}")
         if len(known):

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from .._arrays import FloatArray, IntArray
-    from .._rows import Interval
+    from .._rows import Interval, Segment
     from ..decomposition import Decomposition
 
 COLUMN = 88 / 25.4  # inches: the width of a column of most journals
@@ -116,6 +116,20 @@ def drawn_values(result: Decomposition) -> tuple[FloatArray, FloatArray]:
     nothing = (curve == 0) & (loop == 0).all(axis=1)
     curve[nothing], loop[nothing] = np.nan, np.nan
     return curve, loop
+
+
+def looped_segment(result: Decomposition) -> Segment | None:
+    """Return the segment of the representative cycle or else the longest with cycles.
+
+    Each such segment has coordinates of its own. None: there are fewer than two of them.
+    """
+    cyclic = [segment for segment in result.segment_list if segment.kind == "cyclic"]
+    if len(cyclic) < 2:
+        return None
+    chosen = singled_out(result)
+    if chosen is not None:
+        return next(segment for segment in cyclic if segment.begin <= chosen.begin < segment.end)
+    return max(cyclic, key=lambda segment: segment.end - segment.begin)
 
 
 def singled_out(result: Decomposition) -> Interval | None:
