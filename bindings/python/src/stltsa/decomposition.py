@@ -592,7 +592,10 @@ class Decomposition(Described):
 
     @property
     def loop(self) -> FloatArray:
-        """The two coordinates of the loop, the paper's Fig. 1; shape (samples, 2)."""
+        """The two coordinates of the loop, the paper's Fig. 1; shape (samples, 2).
+
+        Each cyclic segment has coordinates of its own: those of two segments cannot share axes.
+        """
         return self._columns(lib.stltsa_decomposition_loop, 2)
 
     @property
