@@ -1012,7 +1012,7 @@ STLTSA_API stltsa_status stltsa_decomposition_curve(const stltsa_decomposition *
 STLTSA_API stltsa_status stltsa_decomposition_coords(const stltsa_decomposition *decomposition,
                                                      const stltsa_out *coords) STLTSA_NOEXCEPT;
 /* The two coordinates of the loop (Fig. 1): samples x 2. Each cyclic segment has coordinates of its
- * own: those of two segments cannot share axes. */
+ * own, so the loops of two segments cannot share axes. */
 STLTSA_API stltsa_status stltsa_decomposition_loop(const stltsa_decomposition *decomposition,
                                                    const stltsa_out *loop) STLTSA_NOEXCEPT;
 /* Why nothing repeats, with the numbers; "" if anything does. */

@@ -122,6 +122,56 @@ static void map_and_clean(const stltsa_model* model, const stltsa_in* in,
     free(at);
 }
 
+/* Pairs of points, left and right of a body that swings them in turn. */
+static stltsa_clip* two_sides(int64_t frames, int64_t pairs, double fps) {
+    const double cycle = (double)frames / 4;
+    const size_t count = 2 * (size_t)pairs;
+    double* x = allocate((size_t)frames * 3 * count * sizeof *x);
+    char(*texts)[32] = allocate(count * sizeof *texts);
+    const char** names = allocate(count * sizeof *names);
+    for (size_t p = 0; p < count; ++p) {
+        snprintf(texts[p], sizeof *texts, "%s%zu", p % 2 == 0 ? "Left" : "Right", p / 2);
+        names[p] = texts[p];
+    }
+    for (int64_t i = 0; i < frames; ++i)
+        for (size_t p = 0; p < count; ++p) {
+            double* at = x + 3 * ((size_t)i * count + p);
+            const double side = p % 2 == 0 ? 1 : -1, place = (double)(p / 2) / (double)pairs;
+            const double turn = 6.283185307179586 * (double)i / cycle;
+            at[0] = side * (10 + place);
+            at[1] = side * (20 + 10 * place) * sin(turn + place);
+            at[2] = 100 + 50 * place + 5 * cos(turn + (side < 0 ? 3.141592653589793 : 0));
+        }
+    stltsa_clip* clip = NULL;
+    const stltsa_points points = {.size = sizeof points,
+                                  .space = 3,
+                                  .positions = {x, frames, 3 * (int64_t)count, 0, 0, STLTSA_F64, 0},
+                                  .names = names,
+                                  .fps = fps};
+    check(stltsa_clip_from_points(&points, NULL, &clip));
+    free(names);
+    free(texts);
+    free(x);
+    return clip;
+}
+
+static void compare_sides(int64_t frames, int64_t pairs, double fps,
+                          const stltsa_options* options) {
+    stltsa_clip* clip = two_sides(frames, pairs, fps);
+    stltsa_decomposition* made = NULL;
+    stltsa_phase* phase = NULL;
+    stltsa_comparison* comparison = NULL;
+    check(stltsa_decompose(clip, NULL, &made));
+    check(stltsa_phase_find(clip, made, NULL, &phase));
+    const double begin = start();
+    finish("stltsa_compare_left_right", begin,
+           stltsa_compare_left_right(clip, phase, -1, 101, options, &comparison));
+    stltsa_comparison_free(comparison);
+    stltsa_phase_free(phase);
+    stltsa_decomposition_free(made);
+    stltsa_clip_free(clip);
+}
+
 static void fit_mode(const stltsa_clip* clip, const char* name, int32_t mode,
                      stltsa_options* options) {
     stltsa_model* model = NULL;
@@ -170,6 +220,7 @@ int main(int argc, char** argv) {
         compare_and_find_events(phase, again, (double)frames / 2, options);
         stltsa_phase_free(again);
         write_and_read(clip, argv[4], options);
+        compare_sides(frames > 1000 ? 1000 : frames, columns / 18, atof(argv[3]), options);
     }
     if (argc > 5) {
         report(clip, made, argv[4], options);

@@ -37,7 +37,7 @@ void write_with_skeleton(const std::string& amc, const Content& content, const s
                          const OnSignal& on_signal) {
     if (!regular_or_new(amc))
         return write_file(amc, content, on_signal); // a pipe or device has no place beside it
-    // Of a dangling link the place that it names, so that the link stays if the file is removed.
+    // Follows a dangling link, so that removing the file leaves the link.
     const std::string path = followed(fs::path(amc).replace_extension(".asf").string());
     std::error_code ignored;
     if (!fs::exists(path, ignored)) {

@@ -68,6 +68,39 @@ static void no_text_ends_the_data(void** state) {
     stltsa_clip_free(clip);
 }
 
+static int32_t count_writing(void* user, int32_t stage, double fraction) {
+    (void)fraction;
+    *(int*)user += stage == STLTSA_STAGE_WRITE;
+    return 0;
+}
+
+/* Cancelled at each call of the progress callback: no file is left. */
+static void saving_can_be_cancelled(void** state) {
+    (void)state;
+    stltsa_clip* clip = opened();
+    stltsa_decomposition* found = NULL;
+    stltsa_options* options = NULL;
+    int32_t cancelled = 0, left = 0;
+    int writing = 0;
+    must(stltsa_decompose(clip, NULL, &found));
+    must(stltsa_options_new(&options));
+    must(stltsa_options_set_progress(options, cancel_after, &left));
+    while (stltsa_report_save(clip, found, options, NULL, path) == STLTSA_E_CANCELLED) {
+        assert_int_equal(access(path, F_OK), -1);
+        left = ++cancelled;
+        assert_true(cancelled < 1000);
+    }
+    free(file_text());
+    must(stltsa_options_set_progress(options, count_writing, &writing));
+    must(stltsa_report_save(clip, found, options, NULL, path));
+    free(file_text());
+    assert_int_equal(writing,
+                     3); /* before the frames are chosen and packed, and the page is filled */
+    stltsa_options_free(options);
+    stltsa_decomposition_free(found);
+    stltsa_clip_free(clip);
+}
+
 static void what_is_wrong_is_said(void** state) {
     (void)state;
     stltsa_clip* clip = opened();
@@ -130,9 +163,8 @@ int main(int argc, char** argv) {
         return 2;
     walker_path = argv[1];
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_page_repeats_to_the_byte),
-        cmocka_unit_test(no_text_ends_the_data),
-        cmocka_unit_test(what_is_wrong_is_said),
+        cmocka_unit_test(a_page_repeats_to_the_byte), cmocka_unit_test(no_text_ends_the_data),
+        cmocka_unit_test(saving_can_be_cancelled),    cmocka_unit_test(what_is_wrong_is_said),
         cmocka_unit_test(a_comparison_is_a_page),
     };
     return cmocka_run_group_tests(tests, make_folder, remove_folder);

@@ -85,8 +85,8 @@ void leave_out_unfitted(plot::Figure& figure) {
         figure.loop = {};
 }
 
-/// Each cyclic segment has coordinates of its own. Keeps the loop of the representative cycle's
-/// segment or else of the longest.
+/// Each cyclic segment has coordinates of its own. Keeps the loop of the segment with the
+/// representative cycle or, if there is none, of the longest segment.
 void keep_one_loop(plot::Figure& figure) {
     std::vector<stltsa::Segment> cyclic = figure.segments;
     std::erase_if(cyclic, [](const stltsa::Segment& segment) {

@@ -68,16 +68,16 @@ std::vector<Point> representative_part(const Figure& figure, const std::vector<P
 
 /// The points up to the first gap.
 std::vector<Point> first_part(const Figure& figure, const std::vector<Point>& points) {
-    const std::vector<Stretch> all = stretches(figure);
-    if (all.empty())
-        return {};
-    std::int64_t end = all.front().end;
-    for (const Stretch& stretch : all)
-        if (stretch.begin < end)
-            end = stretch.end;
-    const auto last = points.begin() + end;
-    const auto first = std::find_if(points.begin() + all.front().begin, last, exists);
-    return {first, std::find_if_not(first, last, exists)};
+    const auto first = std::ranges::find_if(points, exists);
+    const auto piece_of = [&](auto point) {
+        return figure.pieces.empty()
+                   ? 0
+                   : figure.pieces[static_cast<std::size_t>(point - points.begin())];
+    };
+    auto last = first;
+    while (last != points.end() && exists(*last) && piece_of(last) == piece_of(first))
+        ++last;
+    return {first, last};
 }
 
 void draw_representative(Svg& svg, const std::vector<Point>& part) {

@@ -2,6 +2,7 @@
 // Forward kinematics: from a row of channel values to rotations and positions.
 #pragma once
 
+#include <cstdint>
 #include <numbers>
 #include <vector>
 
@@ -18,6 +19,10 @@ Quaternion joint_rotation(const Joint& joint, bool fixed_axes, const double* val
 
 /// Position of the joint in its parent's axes.
 Vec3 joint_translation(const Joint& joint, bool translations_add, const double* values);
+
+/// The work of placing a skeleton in a frame, for each of its channels, compared with adding; for
+/// PacedPoll.
+inline constexpr std::int64_t work_of_channel = 100;
 
 /// One frame of a skeleton; each vector has one entry per joint.
 struct Pose {

@@ -41,10 +41,9 @@ void convert_rotations(Clip& clip, const Progress& progress) {
     clip.skeleton = bvh_skeleton(from);
     Matrix values(clip.frames(), channel_count(*clip.skeleton));
     Pose pose;
-    constexpr std::int64_t work_of_angle = 100; // compared with adding
     PacedPoll polls(progress, Stage::write);
     for (std::int64_t i = 0; i < clip.frames(); ++i) {
-        polls.did(work_of_angle * values.cols());
+        polls.did(work_of_channel * values.cols());
         pose.place(from, clip.values.row(i));
         if (i > 0)
             std::copy_n(values.row(i - 1), values.cols(), values.row(i));

@@ -34,7 +34,9 @@ void need_points(const Clip& clip) {
 
 /// Called before gaps are predicted and before smoothing, which turn larger numbers into NaN.
 /// `gaps`: NaN is a missing value.
-void check_magnitude(const Matrix& matrix, bool gaps = false, PacedPoll polls = PacedPoll({})) {
+void check_magnitude(const Matrix& matrix, bool gaps = false,
+                     const std::function<void()>& poll = {}) {
+    PacedPoll polls(poll);
     for (std::int64_t i = 0; i < matrix.rows(); ++i) {
         polls.did(matrix.cols());
         const double* row = matrix.row(i);
@@ -50,7 +52,8 @@ void check_magnitude(const Matrix& matrix, bool gaps = false, PacedPoll polls = 
 }
 
 /// The values of a bare matrix, with its gaps filled.
-FeatureRows raw_rows(const Clip& clip, GapRule rule, PacedPoll polls) {
+FeatureRows raw_rows(const Clip& clip, GapRule rule, const std::function<void()>& poll) {
+    PacedPoll polls(poll);
     FeatureRows made;
     made.rows = Matrix::unset(clip.frames(), clip.values.cols());
     for (std::int64_t i = 0; i < clip.frames(); ++i) {
@@ -61,7 +64,7 @@ FeatureRows raw_rows(const Clip& clip, GapRule rule, PacedPoll polls) {
     if (gaps.filled.empty() && gaps.dropped.empty())
         return made;
     note_gaps(clip, 1, rule, gaps, made.notes);
-    predict_gaps(made.rows, 1, gaps);
+    predict_gaps(made.rows, 1, gaps, poll);
     made.holes = gaps.holes;
     return made;
 }
@@ -127,11 +130,10 @@ Matrix body_features(const Clip& clip, Features kind, Heading heading,
         return clip.values;
     PoseFeatures features(*clip.skeleton, kind, heading);
     Matrix rows = Matrix::unset(clip.frames(), features.count());
-    constexpr std::int64_t work_of_angle = 100; // compared with adding
     PacedPoll polls(poll);
     for (std::int64_t frame = 0; frame < clip.frames(); ++frame) {
         features.next(clip.values.row(frame), rows.row(frame));
-        polls.did(work_of_angle * clip.values.cols());
+        polls.did(work_of_channel * clip.values.cols());
     }
     return rows;
 }
@@ -141,19 +143,19 @@ FeatureRows feature_rows(const Clip& clip, std::optional<Features> requested,
     feature_count(clip, requested); // fails if there are none
     const Features kind = feature_kind(clip, requested);
     if (!clip.skeleton)
-        check_magnitude(clip.values, true, PacedPoll(poll));
+        check_magnitude(clip.values, true, poll);
     FeatureRows made;
     if (kind == Features::points) {
-        made = points(clip, up, rule);
+        made = points(clip, up, rule, poll);
     } else if (!clip.skeleton) {
-        made = raw_rows(clip, rule, PacedPoll(poll));
+        made = raw_rows(clip, rule, poll);
     } else {
         made.up = up_axis(clip, up);
         made.rows = kind == Features::raw
                         ? clip.values
                         : body_features(clip, kind, Heading(clip, body_root(clip), made.up), poll);
     }
-    check_magnitude(made.rows, false, PacedPoll(poll));
+    check_magnitude(made.rows, false, poll);
     return made;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/progress.hpp"
 #include "linalg/band.hpp"
 #include "linalg/eigen.hpp"
 
@@ -229,7 +230,8 @@ Gaps fill_gaps(Matrix& rows, int width, GapRule rule, double fps) {
     return gaps;
 }
 
-void predict_gaps(Matrix& rows, int width, const Gaps& gaps) {
+void predict_gaps(Matrix& rows, int width, const Gaps& gaps, const std::function<void()>& poll) {
+    PacedPoll polls(poll);
     std::vector<Pattern> patterns = patterns_of(gaps.predicted);
     // Where most is missing, nothing implies the rest.
     std::erase_if(patterns, [&](const Pattern& pattern) {
@@ -238,8 +240,10 @@ void predict_gaps(Matrix& rows, int width, const Gaps& gaps) {
     for (int round = 0; round < rounds && !patterns.empty(); ++round) {
         const Moments moments(rows);
         const Matrix precision = moments.precision();
-        for (const Pattern& pattern : patterns)
+        for (const Pattern& pattern : patterns) {
             predict(rows, width, pattern, moments, precision);
+            polls.did(pattern.frames.count() * width * std::ssize(pattern.groups) * rows.cols());
+        }
     }
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "clip/clip.hpp"
@@ -57,7 +58,9 @@ Gaps fill_gaps(Matrix& rows, int width, GapRule rule, double fps);
 /// (Dempster, Laird and Rubin, "Maximum likelihood from incomplete data via the EM algorithm",
 /// 1977; for markers, Gloersen and Federolf, "Predicting missing marker trajectories in human
 /// motion data using marker intercorrelations", PLOS ONE, 2016). So a distance between two frames
-/// is that of what both have. The rows must be relative to the body.
-void predict_gaps(Matrix& rows, int width, const Gaps& gaps);
+/// is that of what both have. The rows must be relative to the body. `poll`: called periodically,
+/// may throw.
+void predict_gaps(Matrix& rows, int width, const Gaps& gaps,
+                  const std::function<void()>& poll = {});
 
 } // namespace stltsa::clip

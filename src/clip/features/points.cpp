@@ -143,14 +143,16 @@ bool remove_heading_in_plane(Matrix& points, double fps) {
 
 /// Removes path and heading from points in space without gaps, and says so.
 void remove_way(const Clip& clip, const Chosen& seen, bool in_plane, std::optional<Axis> up,
-                FeatureRows& made) {
+                PacedPoll& polls, FeatureRows& made) {
     if (std::ssize(seen) < least_points) {
         made.notes.push_back(format_text("path and heading of the points are kept: {} points have "
                                          "no shape, at least {} are needed",
                                          seen.size(), least_points));
         return;
     }
+    const std::int64_t values = made.rows.rows() * made.rows.cols();
     Matrix path = means(made.rows, seen);
+    polls.did(values);
     made.up = in_plane ? Axis::z : up ? *up : guessed_up(made.rows, seen, path);
     if (!up && !in_plane)
         made.notes.push_back(
@@ -163,6 +165,7 @@ void remove_way(const Clip& clip, const Chosen& seen, bool in_plane, std::option
     if (!in_plane)
         keep_slow_height(path, made.up, fps);
     subtract(made.rows, seen, path);
+    polls.did(values);
     made.turned = in_plane ? remove_heading_in_plane(made.rows, fps)
                            : remove_heading(made.rows, made.up, fps);
     made.notes.push_back(
@@ -187,18 +190,25 @@ Axis points_up(const Clip& clip) {
     return guessed_up(filled, gaps.seen, means(filled, gaps.seen));
 }
 
-FeatureRows points(const Clip& clip, std::optional<Axis> up, GapRule rule) {
+FeatureRows points(const Clip& clip, std::optional<Axis> up, GapRule rule,
+                   const std::function<void()>& poll) {
+    PacedPoll polls(poll);
+    const std::int64_t values = clip.frames() * clip.values.cols();
     const int width = point_columns(clip);
     FeatureRows made{copied(clip.values.view()), Axis::none, false, {}, {}};
+    polls.did(values);
     const Gaps gaps = fill_gaps(made.rows, width, rule, clip.fps);
+    polls.did(values);
     note_gaps(clip, width, rule, gaps, made.notes);
     made.holes = gaps.holes;
     if (width == 2)
         made.rows = with_columns(made.rows, 2, 3);
-    remove_way(clip, gaps.seen, width == 2, up, made);
+    remove_way(clip, gaps.seen, width == 2, up, polls, made);
+    polls.did(values);
     for (int round = 0; round < path_rounds && !gaps.predicted.empty(); ++round) {
-        predict_gaps(made.rows, 3, gaps);
+        predict_gaps(made.rows, 3, gaps, poll);
         center(made.rows, gaps.seen, made.up);
+        polls.did(values);
     }
     if (width == 2)
         made.rows = with_columns(made.rows, 3, 2);

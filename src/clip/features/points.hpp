@@ -11,8 +11,9 @@ namespace stltsa::clip {
 /// The points relative to the body: gaps filled; their mean removed in the horizontal plane, the
 /// slow part of its height removed; one heading; columns as in the clip. Of points in a plane, the
 /// mean is removed, and the heading if it turns. `up` empty: guessed. Fewer than three points, or a
-/// clip without a frame rate, keep what these need.
-FeatureRows points(const Clip& clip, std::optional<Axis> up, GapRule rule);
+/// clip without a frame rate, keep what these need. `poll`: called periodically, may throw.
+FeatureRows points(const Clip& clip, std::optional<Axis> up, GapRule rule,
+                   const std::function<void()>& poll = {});
 
 /// The up axis that points() guesses; none for fewer than three points; z for points in a plane.
 Axis points_up(const Clip& clip);

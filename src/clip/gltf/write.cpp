@@ -172,8 +172,7 @@ class GltfWriter {
     }
 
     void animate(std::size_t node, const char* path, int times, int values) {
-        constexpr std::int64_t work_of_place = 100; // compared with adding
-        polls_.did(work_of_place * clip_.frames());
+        polls_.did(work_of_channel * clip_.frames());
         const JsonObject target("node", static_cast<std::int64_t>(node), "path", path);
         channels_.push_back(
             JsonObject("sampler", static_cast<std::int64_t>(samplers_.size()), "target", target));

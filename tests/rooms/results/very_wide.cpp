@@ -134,7 +134,7 @@ void events_poll(void**) {
         in->poll = poll;
         phase::find_events(*in, places[0]);
     });
-    check_polls(560, [&](auto, const auto& poll) {
+    check_polls(860, [&](auto, const auto& poll) {
         in->poll = poll;
         phase::find_events(*in, places[0], *in);
     });

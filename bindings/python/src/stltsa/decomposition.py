@@ -594,7 +594,8 @@ class Decomposition(Described):
     def loop(self) -> FloatArray:
         """The two coordinates of the loop, the paper's Fig. 1; shape (samples, 2).
 
-        Each cyclic segment has coordinates of its own: those of two segments cannot share axes.
+        Each cyclic segment has coordinates of its own, so the loops of two segments cannot share
+        axes.
         """
         return self._columns(lib.stltsa_decomposition_loop, 2)
 

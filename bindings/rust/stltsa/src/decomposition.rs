@@ -312,7 +312,7 @@ impl Decomposition {
     }
 
     /// The two coordinates of the loop (Fig. 1 of the paper): samples x 2. Each cyclic segment has
-    /// coordinates of its own: those of two segments cannot share axes.
+    /// coordinates of its own, so the loops of two segments cannot share axes.
     ///
     /// # Errors
     /// [`NoMemory`](crate::ErrorKind::NoMemory).

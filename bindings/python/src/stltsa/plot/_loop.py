@@ -145,8 +145,9 @@ def loop(result: Decomposition, *, ax: Axes | None = None, numbers: int = 24) ->
 
     A square marks the start, arrowheads the direction; with three or more cycles, a wide line is
     the representative one. The curve drifts slowly, so even equal cycles lie side by side: the
-    width of the loop shows drift as well as difference. Each cyclic segment has a loop of its own;
-    of several, the one with the representative cycle is drawn, or else the longest.
+    width of the loop shows drift as well as difference. If there
+    are several cyclic segments, each has a loop of its own, and one is drawn: that of the segment
+    with the representative cycle or, if there is none, of the longest segment.
 
     Parameters
     ----------

@@ -119,9 +119,10 @@ def drawn_values(result: Decomposition) -> tuple[FloatArray, FloatArray]:
 
 
 def looped_segment(result: Decomposition) -> Segment | None:
-    """Return the segment of the representative cycle or else the longest with cycles.
+    """Return the segment whose loop is drawn, or None if there are fewer than two with cycles.
 
-    Each such segment has coordinates of its own. None: there are fewer than two of them.
+    Each such segment has coordinates of its own. The one with the representative cycle is drawn
+    or, if there is none, the longest.
     """
     cyclic = [segment for segment in result.segment_list if segment.kind == "cyclic"]
     if len(cyclic) < 2:
