@@ -238,7 +238,8 @@ Dependence dependence_in(const std::vector<Measured>& all, bool paired, First fi
 
 std::vector<PartDifference> differences_of(const std::vector<Measured>& all,
                                            const std::vector<Columns>& columns,
-                                           const Differences& pointwise, bool paired) {
+                                           const Differences& pointwise, bool paired,
+                                           PacedPoll& polls) {
     const auto first_timing = [](const Measured& of) -> auto& {
         return of.timing.first;
     };
@@ -266,6 +267,7 @@ std::vector<PartDifference> differences_of(const std::vector<Measured>& all,
         part.ratio = ratio_of(of.amplitude, of.other_amplitude, size);
         part.mean =
             of.level.deviations.empty() ? unknown : estimate(of.level, of.other_level, level);
+        polls.did(8 * pointwise.difference.rows() * std::ssize(columns[p]));
     }
     return parts;
 }
@@ -303,10 +305,10 @@ Differences compare(const Resampled& first, const Resampled& second,
         std::vector<Measured> made;
         for (const Columns& columns : chosen)
             made.push_back(measured(first, second, columns, aligned ? &whole : nullptr, polls));
-        return differences_of(made, chosen, result, paired);
+        return differences_of(made, chosen, result, paired, polls);
     };
     result.parts = of(parts);
-    result.columns = of(single);
+    result.columns = parts == single ? result.parts : of(single);
     return result;
 }
 

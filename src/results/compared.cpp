@@ -260,6 +260,7 @@ Comparison compared(const Side& first, const Side& second, phase::Resampled one,
     result.samples = one.mean.rows();
     result.features = first.phased.samples.features;
     result.differences = phase::compare(one, other, columns.part, sides, first.poll);
+    first.poll();
     result.likeness = result.differences.likeness;
     result.runner_up = result.differences.runner_up;
     result.size_ratio = in_space(first.phased) && columns.names.size() > 1
@@ -279,12 +280,14 @@ Comparison compared(const Side& first, const Side& second, phase::Resampled one,
     warn(first, result.motions[0], result);
     if (!sides)
         warn(second, result.motions[1], result);
+    first.poll(); // freeing the cycles of many columns takes long, too
     return result;
 }
 
 Comparison compared_with(const Phased& first, const PhasedMotion& motion, const Phased& second,
                          const PhasedMotion& other, std::int64_t samples, const Poll& poll) {
     CommonColumns columns = common_columns(first, second);
+    poll();
     Side one{first, motion, chosen(first.rows, columns.first), "first", poll};
     Side two{second, other, chosen(second.rows, columns.second), "second", poll};
     if (first.samples.features == clip::Features::points && in_space(first) &&
