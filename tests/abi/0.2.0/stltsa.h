@@ -1,0 +1,1723 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/*
+ * libstltsa: motion clips as low-dimensional curves, motion units and cycles.
+ *
+ * The method is spatio-temporal local tangent space alignment (STLTSA): Li, Niu, Zhang, Hu,
+ * "Spatio-temporal LTSA and Its Application to Motion Decomposition", ICONIP 2012; LTSA itself:
+ * Zhang, Zha, "Principal Manifolds and Nonlinear Dimension Reduction via Local Tangent Space
+ * Alignment", SIAM J. Sci. Comput. 26, 2004. "Section" and "equation" below refer to the first.
+ *
+ * The shortest use takes three calls:
+ *
+ *     stltsa_clip *clip = NULL;
+ *     stltsa_decomposition *units = NULL;
+ *     if (stltsa_clip_open("walk.bvh", NULL, &clip) == STLTSA_OK &&
+ *         stltsa_decompose(clip, NULL, &units) == STLTSA_OK)
+ *         for (int64_t i = 0; i < stltsa_decomposition_unit_count(units); ++i) {
+ *             stltsa_interval u;
+ *             stltsa_decomposition_unit(units, i, &u);
+ *             printf("%s %.2f s .. %.2f s\n", stltsa_unit_name(u.kind), u.begin_s, u.end_s);
+ *         }
+ *     else
+ *         fprintf(stderr, "%s\n", stltsa_last_error());
+ *     stltsa_decomposition_free(units);
+ *     stltsa_clip_free(clip);
+ *
+ * The library supports Linux, with GCC or Clang.
+ *
+ * These rules apply to every function:
+ *
+ * Errors.      A function that can fail returns stltsa_status: STLTSA_OK (0) or a negative
+ *              STLTSA_E_*. stltsa_last_error() then says what was wrong, where, and what to do.
+ *              After a failure a handle output is NULL, arrays are unchanged, and the handles
+ *              passed in remain usable. The library does not print, install signal handlers, read
+ *              the environment, change the floating-point mode, or end the process.
+ * Ownership.   The caller owns every handle that a function creates, and frees it with the
+ *              matching _free, which accepts NULL. The caller also owns texts and bytes returned
+ *              through a char ** or unsigned char **, and frees them with stltsa_free. Inputs are
+ *              read during the call only; if another thread changes them meanwhile, the call may
+ *              fail (E_NOT_FINITE), and its results are meaningless otherwise. A returned
+ *              const char * belongs to the handle it came from and is valid as long as that handle.
+ * Threads.     Any number of threads may use const handles at once, and different calls may run at
+ *              once. ARPACK is not reentrant: the library solves one eigenproblem at a time, but
+ *              cannot know of other users of the same libarpack in the process. Only one thread at
+ *              a time may use a handle that is not const in the signature. Progress callbacks run
+ *              on the thread that made the call. The threads that a call starts end with it, so a
+ *              process may fork between calls; a child forked during a call, by another thread or
+ *              in a progress callback, must exec or _exit. During a fit, OpenBLAS is set to one
+ *              thread for the whole process, and then restored.
+ * Determinism. The same input, options and build give the same bits on every run, for any number
+ *              of threads. The sign of each coordinate is chosen so that its entry of largest
+ *              magnitude is positive.
+ * Units.       Frames count from 0 in the source file. Intervals are half-open, [begin, end).
+ *              Rotations are quaternions w x y z. Lengths are in the unit of the file. Seconds are
+ *              frame / fps.
+ * Options.     A NULL options pointer means the defaults. An option that is not set has its default
+ *              or, if its text says "auto", a value that the library chooses by the rule given
+ *              there. No number means "auto": stltsa_options_unset restores it.
+ */
+#ifndef STLTSA_H
+#define STLTSA_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#define STLTSA_VERSION_MAJOR 0
+#define STLTSA_VERSION_MINOR 2
+#define STLTSA_VERSION_PATCH 0
+#define STLTSA_VERSION_NUMBER                                                                      \
+    (STLTSA_VERSION_MAJOR * 10000 + STLTSA_VERSION_MINOR * 100 + STLTSA_VERSION_PATCH)
+
+#if !defined(__linux__)
+#error "libstltsa runs on Linux only"
+#endif
+#define STLTSA_API __attribute__((visibility("default")))
+
+#ifdef __cplusplus
+#define STLTSA_NOEXCEPT noexcept
+extern "C" {
+#else
+#define STLTSA_NOEXCEPT
+#endif
+
+/* ---- Status ----------------------------------------------------------------------------- */
+
+typedef int32_t stltsa_status;
+
+/* Values are never reused; new ones may be added: treat an unknown negative value as failure. */
+enum {
+    STLTSA_OK = 0,
+    STLTSA_E_ARGUMENT = -1,      /* NULL where not allowed, unknown key, value out of range */
+    STLTSA_E_SHAPE = -2,         /* rows, columns or strides do not match */
+    STLTSA_E_NOT_FINITE = -3,    /* a NaN, an infinity, or a number beyond 1e100, for which
+                                    distances would overflow */
+    STLTSA_E_TOO_FEW_FRAMES = -4, /* fewer (distinct) frames than k requires */
+    STLTSA_E_NO_MEMORY = -5,     /* no memory, or rows * cols overflows */
+    STLTSA_E_IO = -6,            /* a file cannot be opened, read or written */
+    STLTSA_E_FORMAT = -7,        /* a file violates its format; the text names the line */
+    STLTSA_E_DISCONNECTED = -8,  /* a connected neighborhood graph was needed */
+    STLTSA_E_DEGENERATE = -9,    /* the frames do not vary, or not in enough directions */
+    STLTSA_E_NOT_CONVERGED = -10, /* the eigensolver did not converge */
+    STLTSA_E_CANCELLED = -11,    /* the progress callback asked to stop */
+    STLTSA_E_UNSUPPORTED = -12,  /* not supported for this clip, model or format */
+    STLTSA_E_INTERNAL = -13,     /* a bug in the library; the text says where to report it */
+    STLTSA_E_NO_COMMON_POSTURE = -14, /* two pieces have no common posture at which to join */
+    STLTSA_E_NO_SUCH_PART = -15   /* a clip lacks the stretch that was asked for */
+};
+
+/* "STLTSA_E_SHAPE" and so on; "STLTSA_E_UNKNOWN" for values that this version does not know. */
+STLTSA_API const char *stltsa_status_name(stltsa_status status) STLTSA_NOEXCEPT;
+
+/* The text of the last failure on this thread, "" before any; never NULL. Valid until the next
+ * failing call of this thread. */
+STLTSA_API const char *stltsa_last_error(void) STLTSA_NOEXCEPT;
+
+/* The version of the library at run time, such as "0.1.0"; the header's may differ. */
+STLTSA_API const char *stltsa_version(void) STLTSA_NOEXCEPT;
+
+/* The same as a number: STLTSA_VERSION_NUMBER of the library's build. */
+STLTSA_API int32_t stltsa_version_number(void) STLTSA_NOEXCEPT;
+
+/* Optional parts of a build. */
+enum {
+    STLTSA_HAS_CHOLMOD = 1, /* modes spatial and recurrent use CHOLMOD; otherwise LDL, slower */
+    STLTSA_HAS_OPENBLAS = 2 /* BLAS is OpenBLAS, which a fit sets to one thread and restores */
+};
+/* 1: this build has the part; 0: it does not, or the part is unknown. */
+STLTSA_API int32_t stltsa_has(int32_t part) STLTSA_NOEXCEPT;
+
+/* Frees a text or bytes that a function returned through a char ** or unsigned char **, such as
+ * JSON; accepts NULL. Handles have their own _free. */
+STLTSA_API void stltsa_free(void *memory) STLTSA_NOEXCEPT;
+
+/* ---- Arrays ----------------------------------------------------------------------------- */
+
+/* dtype: IEEE float32, IEEE float64 or 64-bit integers, in native byte order. Real numbers may be
+ * F32 or F64; rows, counts and labels are I64. E_ARGUMENT: another dtype. */
+enum { STLTSA_F32 = 1, STLTSA_F64 = 2, STLTSA_I64 = 3 };
+
+/* The caller's array, rows x cols. Frames are rows; a list is rows x 1. Strides are in bytes, may
+ * be negative, and need not be multiples of the entry size; both 0 means packed rows. The entries
+ * of an output must not overlap. Set reserved to 0. These two structs are frozen. */
+typedef struct stltsa_in {
+    const void *data;
+    int64_t rows, cols;
+    int64_t row_stride, col_stride;
+    int32_t dtype, reserved;
+} stltsa_in;
+
+typedef struct stltsa_out {
+    void *data;
+    int64_t rows, cols;
+    int64_t row_stride, col_stride;
+    int32_t dtype, reserved;
+} stltsa_out;
+
+/* ---- Options ---------------------------------------------------------------------------- */
+
+typedef struct stltsa_options stltsa_options;
+
+/* Keys. stltsa_option_describe() gives name, type, range, default and text of each at run time;
+ * the command's flags and the bindings' keywords are generated from that table. */
+enum {
+    STLTSA_OPT_NEIGHBORS = 1,    /* int   k; auto: 1.2 periods if a period is found, otherwise
+                                      1.2 s, or 12 rows if the frame rate is unknown */
+    STLTSA_OPT_WINDOW = 2,       /* int   w, frames to each side; auto: as neighbors */
+    STLTSA_OPT_DIMENSION = 3,    /* int   d; auto: fit 2, decompose the best of 1 to 3 */
+    STLTSA_OPT_MODE = 4,         /* int   STLTSA_MODE_* */
+    STLTSA_OPT_INCLUDE_SELF = 5, /* int   1: a frame is among its own k neighbors (Zhang and Zha);
+                                      0: it is not (as scikit-learn has it) */
+    STLTSA_OPT_LINKS = 6,        /* int   recurrent: neighbors from outside the exclusion zone */
+    STLTSA_OPT_EXCLUSION = 7,    /* int   recurrent: half width of that zone in frames; auto:
+                                      window */
+    STLTSA_OPT_THREADS = 8,      /* int   auto: every core */
+    STLTSA_OPT_FEATURES = 9,     /* int   STLTSA_FEATURES_*; auto: positions if there is a skeleton,
+                                      points if the columns are named so, otherwise raw */
+    STLTSA_OPT_UP_AXIS = 10,     /* int   1, 2, 3: x, y, z; auto: found from the skeleton, guessed
+                                      from points (a note says so) */
+    STLTSA_OPT_KEEP_START = 11,  /* int   1: do not drop a T-pose at the start */
+    STLTSA_OPT_FPS = 12,         /* real  frames a second, instead of the file's rate; auto: the
+                                      file's. unmap_clip: points a second; auto: the
+                                      model's rows */
+    STLTSA_OPT_SAMPLE_RATE = 13, /* real  clips: keep one frame in fps / sample_rate, rounded; 0:
+                                      all */
+    STLTSA_OPT_SMOOTHING = 14,   /* real  sigma in seconds of the Gaussian on the features;
+                                      0: none */
+    STLTSA_OPT_PERIOD_MIN = 15,  /* real  shortest period looked for, seconds; rows if the rate is
+                                      unknown, 4 unless it is set */
+    STLTSA_OPT_PERIOD_MAX = 16,  /* real  longest period looked for, seconds; rows if the rate is
+                                      unknown, half of all and at most 1000 unless it is set.
+                                      If only one of the two is set, the other end yields to it */
+    STLTSA_OPT_EIGENGAP = 17,    /* real  tau of section 2.3 as a fraction of k */
+    STLTSA_OPT_VARIANCE = 18,    /* real  share of local variance that local PCA must explain */
+    STLTSA_OPT_SKELETON = 19,    /* text  path of the ASF file of an AMC clip; auto: found beside
+                                      the clip */
+    STLTSA_OPT_KEEP_FRAMES = 20, /* int   1: a model keeps its fitted frames, so it can map and
+                                      unmap; 0: it keeps only the coordinates */
+    STLTSA_OPT_MAP_NEIGHBORS = 21, /* int rows for each local map; auto: max(d + 5, 10) */
+    STLTSA_OPT_MAP_BLEND = 22,   /* int   segments of the curve whose maps are blended */
+    STLTSA_OPT_HINT_WINDOW = 23, /* int   rows to each side of a hint; auto: a fifth of k */
+    STLTSA_OPT_COMPONENT = 24,   /* int   unmap: component that the coordinates are of, 0-based;
+                                      auto: the only one there is */
+    STLTSA_OPT_GAMMA = 25,       /* real  gamma of section 3.2, in units of the coordinate; auto:
+                                      one robust standard deviation of the residuals */
+    STLTSA_OPT_KNOT_SPACING = 26, /* real denoise: seconds (rows if the rate is unknown) between
+                                      knots; auto: a tenth of the period, otherwise 2 rows */
+    STLTSA_OPT_ROBUST = 27,      /* int   denoise: 1: reduce the influence of spikes */
+    STLTSA_OPT_CROSSFADE = 28,   /* real  synthesize: seconds to each side of a seam; auto: a tenth
+                                      of the cycle that is repeated, 0.15 s if clips are joined */
+    STLTSA_OPT_CUT_RANGE = 29,   /* real  synthesize: seconds by which a cut may move to find a
+                                      common posture; auto: a tenth of the repeated cycle,
+                                      half a cycle and at least 0.5 s if clips are joined */
+    STLTSA_OPT_POSTURE_LIMIT = 30, /* real synthesize: largest distance of the postures at a seam,
+                                      divided by the usual distance between repetitions of a
+                                      motion; 0: none */
+    STLTSA_OPT_DIMENSION_ESTIMATE = 31, /* int decompose: 1: also estimate the intrinsic dimension
+                                      of what is embedded (STLTSA_INFO_LOCAL_PCA, _EIGENGAP) */
+    STLTSA_OPT_SEGMENTS = 32,    /* int   decompose: number of segments in motion; rests are not
+                                      counted; auto: as many as the behavior changes */
+    STLTSA_OPT_GAPS = 33,        /* int   STLTSA_GAPS_* */
+    STLTSA_OPT_LEAST_CONFIDENCE = 34, /* real  points seen with less are missing */
+    STLTSA_OPT_LOOP = 35,        /* int   synthesize: 1: the last frame meets the first across a
+                                      seam, the last of the synthesis */
+    STLTSA_OPT_IN_PLACE = 36     /* int   synthesize: 1: of a loop, the root's horizontal travel and
+                                      its turn are removed, evenly over the frames, so that the
+                                      loop ends where it starts; heights are kept */
+};
+
+/* What is done about missing values, of points or of the columns of a matrix. A point or column
+ * that is missing in more than half of the frames is left out (its features are 0). While more than
+ * half of the points, or columns, are missing for longer than 0.25 s, nothing is known: no segment,
+ * unit, cycle or repetition continues over these frames. Notes say what was done. */
+enum {
+    STLTSA_GAPS_FILL = 1,   /* gaps up to 0.25 s between two frames of the clip: linearly over time;
+                               others: as skip */
+    STLTSA_GAPS_REFUSE = 2, /* E_NOT_FINITE */
+    STLTSA_GAPS_SKIP = 3    /* what the points that are there imply (conditional mean), so that
+                               distances are those of what both frames have */
+};
+
+enum {
+    STLTSA_MODE_TEMPORAL = 1, /* the frames of the same clip within the window */
+    STLTSA_MODE_SPATIAL = 2,  /* all frames */
+    STLTSA_MODE_RECURRENT = 3 /* those of the window and, as links, the frames outside the
+                                 exclusion zone */
+};
+
+enum {
+    STLTSA_FEATURES_POSITIONS = 1,   /* joints and end sites, root position and yaw removed */
+    STLTSA_FEATURES_ROTATIONS6D = 2, /* two columns of each rotation matrix, root yaw removed */
+    STLTSA_FEATURES_EULER = 3,       /* angles below the root in radians, unwrapped (the paper) */
+    STLTSA_FEATURES_RAW = 4,         /* the file's numbers */
+    STLTSA_FEATURES_POINTS = 5       /* points, such as markers, of a clip without a skeleton; auto
+                                        if the clip is made of at least three
+                                        (stltsa_clip_from_points; NPY frames x points x 3; CSV
+                                        columns named heel_x, heel_y, heel_z, or heelX, heel.x,
+                                        heel:x, "heel x"). A point at exactly 0, or without a
+                                        value, is missing: option gaps. Removed: the path of the
+                                        mean along the ground, slow changes of its height, the
+                                        heading; in a plane, the path of the mean, and the heading
+                                        if it turns by a right angle. Notes say what was done */
+};
+
+enum { STLTSA_TYPE_INT = 1, STLTSA_TYPE_REAL = 2, STLTSA_TYPE_TEXT = 3 };
+
+/* Bits of stltsa_option_info.calls: the functions that read an option. */
+enum {
+    STLTSA_CALL_OPEN = 1,         /* stltsa_clip_open, _parse */
+    STLTSA_CALL_FEATURES = 2,     /* stltsa_clip_features, _feature_count */
+    STLTSA_CALL_FIT = 4,          /* stltsa_fit, _fit_clip, _fit_clips */
+    STLTSA_CALL_DIMENSION = 8,    /* stltsa_estimate_dimension, _clip, _clips */
+    STLTSA_CALL_MAP = 16,         /* stltsa_map, _map_clip */
+    STLTSA_CALL_UNMAP = 32,       /* stltsa_unmap, _unmap_clip */
+    STLTSA_CALL_DECOMPOSE = 64,   /* stltsa_decompose */
+    STLTSA_CALL_DENOISE = 128,    /* stltsa_denoise, _denoise_model */
+    STLTSA_CALL_SYNTHESIZE = 256  /* stltsa_synthesize, _loop */
+};
+
+/* One row of the options table. Texts are static. `choices` is NULL, or "temporal=1 spatial=2"
+ * for keys with named values. Append-only: set size to sizeof(stltsa_option_info). */
+typedef struct stltsa_option_info {
+    size_t size;
+    int32_t key, type;
+    const char *name;    /* "neighbors": the command's --neighbors */
+    const char *text;    /* one sentence */
+    const char *choices;
+    double minimum, maximum; /* of ints and reals */
+    double standard;     /* the default; NaN if automatic */
+    int32_t automatic;   /* 1: no default; if not set, the library chooses by the rule that the text
+                            gives after "auto"; 0: the default is `standard` */
+    int32_t calls;       /* STLTSA_CALL_*: the functions that read the option */
+} stltsa_option_info;
+
+STLTSA_API int64_t stltsa_option_count(void) STLTSA_NOEXCEPT;
+STLTSA_API stltsa_status stltsa_option_describe(int64_t index,
+                                                stltsa_option_info *info) STLTSA_NOEXCEPT;
+
+STLTSA_API stltsa_status stltsa_options_new(stltsa_options **options) STLTSA_NOEXCEPT;
+STLTSA_API void stltsa_options_free(stltsa_options *options) STLTSA_NOEXCEPT;
+
+/* Set one option. E_ARGUMENT: unknown key, key of another type, empty text, or value outside the
+ * range, which the error text gives. A text is copied. */
+STLTSA_API stltsa_status stltsa_options_set_int(stltsa_options *options, int32_t key,
+                                                int64_t value) STLTSA_NOEXCEPT;
+STLTSA_API stltsa_status stltsa_options_set_real(stltsa_options *options, int32_t key,
+                                                 double value) STLTSA_NOEXCEPT;
+STLTSA_API stltsa_status stltsa_options_set_text(stltsa_options *options, int32_t key,
+                                                 const char *value) STLTSA_NOEXCEPT;
+/* Restores the default or the automatic choice. E_ARGUMENT: unknown key. */
+STLTSA_API stltsa_status stltsa_options_unset(stltsa_options *options, int32_t key) STLTSA_NOEXCEPT;
+/* 1: the option is set; 0: it is not, or options is NULL, or the key is unknown. */
+STLTSA_API int32_t stltsa_options_is_set(const stltsa_options *options,
+                                         int32_t key) STLTSA_NOEXCEPT;
+/* Read an option, or its default if it is not set or options is NULL. E_ARGUMENT: unknown key, key
+ * of another type, or an automatic option that is not set. */
+STLTSA_API stltsa_status stltsa_options_get_int(const stltsa_options *options, int32_t key,
+                                                int64_t *value) STLTSA_NOEXCEPT;
+STLTSA_API stltsa_status stltsa_options_get_real(const stltsa_options *options, int32_t key,
+                                                 double *value) STLTSA_NOEXCEPT;
+STLTSA_API stltsa_status stltsa_options_get_text(const stltsa_options *options, int32_t key,
+                                                 const char **value) STLTSA_NOEXCEPT;
+
+/* Stages that a progress callback receives. A call passes through some of them, in this order. */
+enum {
+    STLTSA_STAGE_READ = 0,      /* reading a clip */
+    STLTSA_STAGE_FEATURES = 1,  /* features of its poses */
+    STLTSA_STAGE_NEIGHBORS = 2, /* choice of k, neighbors; temporal ones are found with tangents */
+    STLTSA_STAGE_TANGENTS = 3,  /* local tangents */
+    STLTSA_STAGE_ALIGNMENT = 4, /* the alignment matrix */
+    STLTSA_STAGE_SPECTRUM = 5,  /* its smallest eigenvectors */
+    STLTSA_STAGE_UNITS = 6,     /* units and cycles */
+    STLTSA_STAGE_MAP = 7,       /* mapping, in either direction */
+    STLTSA_STAGE_DENOISE = 8,   /* denoising */
+    STLTSA_STAGE_SYNTHESIS = 9, /* new motion */
+    STLTSA_STAGE_WRITE = 10     /* writing a clip */
+};
+
+/* `fraction` is the completed part of the stage, 0 to 1. Within a call neither the stage nor its
+ * fraction decreases, but both may repeat, for example during the next fit of a decomposition. The
+ * rate of callbacks is not limited: a fit of 300 frames makes about 20, one of 300 000 about 300.
+ * A nonzero return cancels: the call returns E_CANCELLED. The callback runs on the caller's thread,
+ * and must not throw or long-jump through the library. In the stage SPECTRUM it must not fit,
+ * decompose or estimate a dimension, which returns E_ARGUMENT, nor wait for a thread that does,
+ * which deadlocks: ARPACK solves one problem at a time. */
+typedef int32_t (*stltsa_progress_fn)(void *user, int32_t stage, double fraction);
+
+STLTSA_API stltsa_status stltsa_options_set_progress(stltsa_options *options,
+                                                     stltsa_progress_fn progress,
+                                                     void *user) STLTSA_NOEXCEPT;
+
+/* ---- Facts ------------------------------------------------------------------------------ */
+
+/* The facts of a clip or a result, by key: every fact of its JSON except the arrays, intervals and
+ * seams, which have their own functions. An info belongs to the handle it came from and is valid as
+ * long as that handle; NULL for a NULL handle. */
+typedef struct stltsa_info stltsa_info;
+
+/* Keys. stltsa_info_describe() gives name, type and text of each at run time. A key with [] has any
+ * number of values; any other has one, or none if the handle lacks that fact. */
+enum {
+    /* Where the frames come from. Of these four a result of a matrix has none. */
+    STLTSA_INFO_PATH = 1,               /* text[] path of the clip as given; empty: from memory */
+    STLTSA_INFO_FORMAT = 2,             /* int[]  STLTSA_FORMAT_* of the clip */
+    STLTSA_INFO_CLIP_FRAMES = 3,        /* int[]  frames of the clip */
+    STLTSA_INFO_CLIP_FPS = 4,           /* real[] frames a second of the clip; 0: unknown */
+    STLTSA_INFO_NOTE = 5,               /* text[] what was assumed of the clip, and removed from
+                                                  it */
+    STLTSA_INFO_CHANNEL = 6,            /* text[] names of the clip's channels; none if the
+                                                  file has no names */
+    STLTSA_INFO_FEATURES = 7,           /* int    STLTSA_FEATURES_* used */
+    STLTSA_INFO_FEATURE_COUNT = 8,      /* int    columns of the features */
+    STLTSA_INFO_UP_AXIS = 9,            /* int    axis that points up: 1, 2, 3 for x, y, z; 0:
+                                                  none was needed */
+    STLTSA_INFO_SMOOTHING = 10,         /* real   sigma in seconds of the Gaussian on the
+                                                  features; 0: none */
+    STLTSA_INFO_ROWS = 11,              /* int    rows that the method worked on */
+    STLTSA_INFO_LENGTH = 12,            /* int[]  rows of each clip; of a denoising, of each
+                                                  spline */
+    STLTSA_INFO_FIRST_FRAME = 13,       /* int[]  row i of a clip is its source frame
+                                                  first_frame + i * frame_step */
+    STLTSA_INFO_FRAME_STEP = 14,        /* int[]  see first_frame; 1 for matrices */
+    STLTSA_INFO_FPS = 15,               /* real   rows a second; 0: unknown */
+    STLTSA_INFO_BODY_ROOT = 16,         /* int    Clips: joint that turns the body. Those before
+                                                  it, its ancestors, are not part of the body */
+    /* The fit. A denoising of given coordinates has none of these seven. */
+    STLTSA_INFO_MODE = 20,              /* int    STLTSA_MODE_* */
+    STLTSA_INFO_NEIGHBORS = 21,         /* int    k used, in rows */
+    STLTSA_INFO_WINDOW = 22,            /* int    w used, in rows to each side */
+    STLTSA_INFO_DIMENSION = 23,         /* int    tangent dimension d */
+    STLTSA_INFO_INCLUDE_SELF = 24,      /* int    1: a row is among its own neighbors */
+    STLTSA_INFO_LINKS = 25,             /* int    Recurrent: neighbors from outside the
+                                                  exclusion zone */
+    STLTSA_INFO_EXCLUSION = 26,         /* int    Recurrent: half width of that zone in rows */
+    /* The period, if one was looked for. */
+    STLTSA_INFO_PERIOD = 30,            /* real   period in seconds; 0: none, or the rate is
+                                                  unknown: see PERIOD_ROWS */
+    STLTSA_INFO_LAG_QUALITY = 31,       /* real   1 - D(T) of the period; 1: perfect, 0: no
+                                                  period */
+    STLTSA_INFO_PERIOD_MIN = 32,        /* real   shortest period looked for, in seconds; 0: no
+                                                  search was made */
+    STLTSA_INFO_PERIOD_MAX = 33,        /* real   longest period looked for, in seconds; 0: no
+                                                  search was made */
+    STLTSA_INFO_PERIOD_ROWS = 34,       /* real   period in rows; 0: none */
+    /* Models. */
+    STLTSA_INFO_REPEATED = 40,          /* int    rows collapsed because they repeat the one
+                                                  before */
+    STLTSA_INFO_TIME_CORRELATION = 41,  /* real   absolute rank correlation of coordinate 1
+                                                  with time, over at most 2^14 frames of the
+                                                  largest component; 1: it only follows time */
+    STLTSA_INFO_REACH = 42,             /* real   distance from the fitted frames, in units of
+                                                  the features, up to which a new frame is like
+                                                  them; 0: the model cannot map */
+    STLTSA_INFO_COMPONENT_ROWS = 43,    /* int[]  distinct rows of each component of the
+                                                  neighborhood graph */
+    STLTSA_INFO_RANK_DEFICIENT = 44,    /* int[]  windows of fewer than d directions in each
+                                                  component */
+    STLTSA_INFO_SOLVES = 45,            /* int[]  applications of the inverse operator by
+                                                  ARPACK, for each component */
+    STLTSA_INFO_RESIDUAL = 46,          /* real[] largest ||B u - lambda u|| / k of each
+                                                  component */
+    STLTSA_INFO_ERROR_ESTIMATE = 47,    /* real[] estimate of the largest principal angle to
+                                                  the exact embedding, in radians, for each
+                                                  component */
+    STLTSA_INFO_GAP = 48,               /* real[] lambda_{d+2} / lambda_{d+1} of each
+                                                  component; near 1: the curve is ill-defined */
+    STLTSA_INFO_COMPONENTS = 49,        /* int    components of the neighborhood graph */
+    /* Decompositions; EIGENVALUE, LOCAL_PCA and EIGENGAP are facts of a dimension, too. */
+    STLTSA_INFO_COORDINATE = 60,        /* int    1-based column that was cut; 0: none */
+    STLTSA_INFO_CYCLICITY = 61,         /* real   how well that coordinate repeats once a
+                                                  period; 1: perfect */
+    STLTSA_INFO_REPRESENTATIVE = 62,    /* int    index of the paper's cycle (first to third
+                                                  candidate); -1: none */
+    STLTSA_INFO_BEST = 63,              /* int    index of the cycle most like the others; -1:
+                                                  none */
+    STLTSA_INFO_REASON = 64,            /* text   why nothing repeats; empty if anything does */
+    STLTSA_INFO_EIGENVALUE = 65,        /* real[] eigenvalues, ascending, the zero one first:
+                                                  of B, and of B / k in a dimension */
+    STLTSA_INFO_LOCAL_PCA = 66,         /* int    intrinsic dimension by local PCA; 0: cannot
+                                                  tell */
+    STLTSA_INFO_EIGENGAP = 67,          /* int    intrinsic dimension by the eigengap; 0:
+                                                  cannot tell */
+    STLTSA_INFO_POSTURES = 68,          /* int[]  frames of up to 24 distinct postures, for
+                                                  pictures; to draw n, take the first n */
+    /* Dimensions. */
+    STLTSA_INFO_LOCAL_PCA_REASON = 70,  /* text   why local PCA cannot tell; empty if it can */
+    STLTSA_INFO_EIGENGAP_REASON = 71,   /* text   why the eigengap cannot tell; empty if it can */
+    STLTSA_INFO_VARIANCE = 72,          /* real   share of local variance that local PCA must
+                                                  explain */
+    STLTSA_INFO_EIGENGAP_THRESHOLD = 73, /* real   tau of section 2.3 as a fraction of k */
+    STLTSA_INFO_LOCAL_VARIANCE = 74,    /* real[] mean share of a neighborhood's variance along
+                                                  each of its principal directions */
+    /* Denoisings; the next five have a value for each column. */
+    STLTSA_INFO_GAMMA = 80,             /* real[] threshold used in each column */
+    STLTSA_INFO_SHIFT = 81,             /* real[] d_t: mean distance of the points beyond gamma
+                                                  in each column */
+    STLTSA_INFO_NOISE = 82,             /* real[] robust standard deviation of the residuals of
+                                                  each column */
+    STLTSA_INFO_DEGREES_OF_FREEDOM = 83, /* real[] effective degrees of freedom of the curve of
+                                                   each column */
+    STLTSA_INFO_MOVED = 84,             /* int[]  points that were moved in each column */
+    STLTSA_INFO_GAMMA_OPTION = 85,      /* real   option gamma; none: chosen for each column */
+    STLTSA_INFO_KNOT_ROWS = 86,         /* real   rows between the knots of the curve */
+    STLTSA_INFO_ROBUST = 87,            /* int    1: the influence of spikes is reduced */
+    STLTSA_INFO_FIT_PERIOD_MIN = 88,    /* real   period_min of the model whose coordinates
+                                                  these are; 0: none */
+    STLTSA_INFO_FIT_PERIOD_MAX = 89,    /* real   period_max of that model; 0: none */
+    STLTSA_INFO_COLUMNS = 90,           /* int    columns of the coordinates */
+    STLTSA_INFO_NOISE_SHARE = 91,       /* real[] noise of each column as a share of its curve's
+                                                  range */
+    STLTSA_INFO_NOTHING_TO_CLEAN = 92,  /* int    1: the noise of every column is below 0.5 % of
+                                                  its range, which cannot be seen in a figure */
+    /* Syntheses. */
+    STLTSA_INFO_CROSSFADE = 100,        /* real   option crossfade; none: chosen for each seam */
+    STLTSA_INFO_CUT_RANGE = 101,        /* real   option cut_range; none: chosen for each seam */
+    STLTSA_INFO_POSTURE_LIMIT = 102,    /* real   option posture_limit; 0: none */
+    STLTSA_INFO_PIECE_PATH = 103,       /* text[] path of the clip of each piece; empty: from
+                                                  memory */
+    STLTSA_INFO_PIECE_BEGIN = 104,      /* int[]  first frame of each piece */
+    STLTSA_INFO_PIECE_END = 105,        /* int[]  frame after the last of each piece */
+    STLTSA_INFO_PIECE_REPEAT = 106,     /* int[]  how often each piece is played */
+    STLTSA_INFO_LOOP = 107,             /* int    1: a loop; only loops have the next six facts */
+    STLTSA_INFO_IN_PLACE = 108,         /* int    option in_place */
+    STLTSA_INFO_TRAVEL = 109,           /* real[] x, y, z of the body's travel per loop along the
+                                                  ground, in the clip's unit; in place: what was
+                                                  removed */
+    STLTSA_INFO_TURN = 110,             /* real   degrees by which the body turns per loop, from
+                                                  above positive to its left; in place: what was
+                                                  removed */
+    STLTSA_INFO_COVERAGE = 111,         /* real   share of the clip's cycles that are in the loop
+                                                  (stltsa_synthesize_loop), otherwise of the
+                                                  pieces' frames */
+    STLTSA_INFO_LOOP_CYCLES = 112,      /* int    cycles in the loop, if chosen among the clip's */
+    STLTSA_INFO_SOURCE_CYCLES = 113,    /* int    cycles of the clip, if chosen among them */
+    /* Everything but clips. */
+    STLTSA_INFO_WARNING = 120,          /* text[] what a user should know about the result */
+    STLTSA_INFO_WARNING_CODE = 121,     /* int[]  STLTSA_WARNING_* of each warning */
+    STLTSA_INFO_WARNING_BEGIN = 122,    /* real[] seconds in the clip at which each warning
+                                                  applies; NaN: it has no time */
+    STLTSA_INFO_WARNING_END = 123       /* real[] end of that time; the begin for a moment */
+};
+
+/* Kinds of warnings; new ones may be added. Those of a synthesis have the time of their seam. */
+enum {
+    STLTSA_WARNING_FOLLOWS_TIME = 1,    /* coordinate 1 only follows time */
+    STLTSA_WARNING_RANK_DEFICIENT = 2,  /* windows vary in fewer than d directions */
+    STLTSA_WARNING_SMALL_GAP = 3,       /* another dimension is better defined */
+    STLTSA_WARNING_UNSCALED = 4,        /* rounding may rotate a direction: scale the features */
+    STLTSA_WARNING_INACCURATE = 5,      /* eigenvalues at the limit of double precision */
+    STLTSA_WARNING_DISCONNECTED = 6,    /* the neighborhood graph has several components */
+    STLTSA_WARNING_JUMP = 7,            /* the pose jumps */
+    STLTSA_WARNING_SEPARATE_MOTION = 8, /* a motion that was not searched for cycles */
+    STLTSA_WARNING_OFFSETS_DIFFER = 9,  /* clips joined have slightly different skeletons */
+    STLTSA_WARNING_RESAMPLED = 10,      /* a clip was resampled to the first one's frame rate */
+    STLTSA_WARNING_SEAM_POSTURE = 11,   /* postures at a seam are far apart */
+    STLTSA_WARNING_SEAM_SPEED = 12,     /* unusually fast near a seam */
+    STLTSA_WARNING_SEAM_ACCELERATION = 13, /* unusual acceleration near a seam */
+    STLTSA_WARNING_NOT_BLENDED = 14,    /* no frames beyond the cuts of a seam to blend */
+    STLTSA_WARNING_NO_ORDER = 15,       /* consecutive rows are no closer than random ones */
+    STLTSA_WARNING_LINEAR_PHASE = 16    /* the mean cycle that a model keeps has phases that are
+                                           linear in time, so streams are followed less surely */
+};
+
+/* Number of values of a key; 0: none, or an unknown key. */
+STLTSA_API int64_t stltsa_info_count(const stltsa_info *info, int32_t key) STLTSA_NOEXCEPT;
+
+/* One value; index 0 if the key has a single value. A text is valid as long as the handle.
+ * E_ARGUMENT: the handle lacks that fact or value, or the key is of another type. */
+STLTSA_API stltsa_status stltsa_info_int(const stltsa_info *info, int32_t key, int64_t index,
+                                         int64_t *value) STLTSA_NOEXCEPT;
+STLTSA_API stltsa_status stltsa_info_real(const stltsa_info *info, int32_t key, int64_t index,
+                                          double *value) STLTSA_NOEXCEPT;
+STLTSA_API stltsa_status stltsa_info_text(const stltsa_info *info, int32_t key, int64_t index,
+                                          const char **value) STLTSA_NOEXCEPT;
+
+/* Bits of stltsa_info_key.handles. */
+enum {
+    STLTSA_HANDLE_CLIP = 1,
+    STLTSA_HANDLE_MODEL = 2,
+    STLTSA_HANDLE_DIMENSION = 4,
+    STLTSA_HANDLE_DECOMPOSITION = 8,
+    STLTSA_HANDLE_DENOISING = 16,
+    STLTSA_HANDLE_SYNTHESIS = 32
+};
+
+/* One row of the table of facts. Texts are static. `choices` is NULL, or "temporal=1 spatial=2"
+ * for keys with named values. Append-only: set size to sizeof(stltsa_info_key). */
+typedef struct stltsa_info_key {
+    size_t size;
+    int32_t key, type;   /* STLTSA_INFO_*, STLTSA_TYPE_* */
+    const char *name;    /* "neighbors" */
+    const char *text;    /* one sentence */
+    const char *choices;
+    int32_t is_list;     /* 1: any number of values */
+    int32_t handles;     /* handles that can have the fact: sum of STLTSA_HANDLE_* */
+} stltsa_info_key;
+
+STLTSA_API int64_t stltsa_info_key_count(void) STLTSA_NOEXCEPT;
+STLTSA_API stltsa_status stltsa_info_describe(int64_t index, stltsa_info_key *key) STLTSA_NOEXCEPT;
+
+/* ---- Clips ------------------------------------------------------------------------------ */
+
+typedef struct stltsa_clip stltsa_clip;
+
+enum {
+    STLTSA_FORMAT_BVH = 1, /* BVH */
+    STLTSA_FORMAT_AMC = 2, /* AMC; needs its ASF: option skeleton, or found by subject number */
+    STLTSA_FORMAT_CSV = 3, /* numbers split by , ; tab or blanks; header lines are optional.
+                              Columns named x, y, z of each point make a clip of points; an empty
+                              cell is a missing value */
+    STLTSA_FORMAT_NPY = 4, /* NumPy 1.0 to 3.0, float32, float64 or integers, C or Fortran order:
+                              frames, frames x columns, or frames x points x 2 or 3 */
+    STLTSA_FORMAT_MATRIX = 5, /* no file: stltsa_clip_from_matrix */
+    STLTSA_FORMAT_POINTS = 6, /* no file: stltsa_clip_from_points */
+    STLTSA_FORMAT_SKELETON = 7, /* no file: stltsa_clip_from_skeleton */
+    STLTSA_FORMAT_GLB = 8 /* glTF 2.0, binary: only written */
+};
+
+/* Reads a clip, or a stretch of it, whose name follows the path: "walk.bvh:2.5s-9s", see
+ * stltsa_clip_stretch; a file of exactly this name comes first, and the options of
+ * stltsa_decompose count for the names that need it. The suffix decides the format, or the content
+ * if the suffix is unknown. Options:
+ * fps, skeleton, least_confidence, progress. E_IO, E_FORMAT (the text has path, line and remedy),
+ * E_NOT_FINITE. */
+STLTSA_API stltsa_status stltsa_clip_open(const char *path, const stltsa_options *options,
+                                          stltsa_clip **clip) STLTSA_NOEXCEPT;
+
+/* The same from memory; if format is 0, the content decides. name: for messages and as the path of
+ * the clip; a stretch may follow if that file exists, as above; NULL: it has none. */
+STLTSA_API stltsa_status stltsa_clip_parse(const void *bytes, size_t size, int32_t format,
+                                           const char *name, const stltsa_options *options,
+                                           stltsa_clip **clip) STLTSA_NOEXCEPT;
+
+/* A clip without a skeleton from a matrix, rows = frames, which is copied. fps > 0. */
+STLTSA_API stltsa_status stltsa_clip_from_matrix(const stltsa_in *frames, double fps,
+                                                 stltsa_clip **clip) STLTSA_NOEXCEPT;
+
+/* Points in space or in a plane, such as markers or key points. Set size to
+ * sizeof(stltsa_points), and all else to 0 or NULL that is not used. */
+typedef struct stltsa_points {
+    size_t size;
+    int32_t space, reserved;     /* coordinates of a point: 2 or 3 */
+    stltsa_in positions;         /* frames x (space * points): x y z of point 0, point 1, ...; NaN,
+                                    and 0 for all of them, is a missing point */
+    const char *const *names;    /* one per point; NULL: they have none */
+    stltsa_in confidence;        /* frames x points, 0: missing; data NULL: all are seen */
+    stltsa_in times;             /* frames x 1, seconds, increasing; data NULL: even, by fps */
+    double fps;                  /* 0: given by the times; otherwise both must agree within
+                                    1 % */
+} stltsa_points;
+
+/* A clip of points, which are copied. Frames at uneven times are resampled to the rate of the
+ * usual step, and a note says so; frames that are missing there are gaps. Option: least_confidence.
+ * E_SHAPE, E_ARGUMENT (times that do not increase, no rate, a rate that differs from fps), E_FORMAT
+ * (more frames are missing than there are), E_NOT_FINITE (infinities). */
+STLTSA_API stltsa_status stltsa_clip_from_points(const stltsa_points *points,
+                                                 const stltsa_options *options,
+                                                 stltsa_clip **clip) STLTSA_NOEXCEPT;
+
+/* A joint of a skeleton. Append-only: set size to sizeof(stltsa_joint). */
+typedef struct stltsa_joint {
+    size_t size;
+    const char *name;      /* UTF-8, not empty */
+    int64_t parent;        /* index of an earlier joint; -1: the root, which is joint 0 */
+    double offset[3];      /* from the parent, in the parent's axes; unit of the clip */
+    /* Its values in each frame, in order: tx ty tz positions, which replace the offset (+tx +ty +tz
+     * add to it), rx ry rz angles in degrees about moving axes, so that the first is the leftmost
+     * matrix; "tx ty tz rz rx ry" is usual for a root. "": none. NULL, as input: rz rx ry, before
+     * them tx ty tz for the root, and none for end sites; as output: they are those of an ASF file,
+     * which this cannot describe. */
+    const char *channels;
+    int32_t is_end_site;   /* 1: the end of a chain, without rotation */
+    int32_t reserved;
+} stltsa_joint;
+
+/* Forms of rotations. */
+enum {
+    STLTSA_ROTATIONS_QUATERNION = 1, /* 4 columns a joint: w x y z, local, as of
+                                        stltsa_clip_rotations; lengths within 0.05 of 1 */
+    STLTSA_ROTATIONS_MATRIX = 2,     /* 9 columns a joint: the rows of its local rotation matrix */
+    STLTSA_ROTATIONS_CHANNELS = 3    /* a column for each channel of each joint */
+};
+
+/* A clip of a skeleton: joints, their local rotations (child axes to parent axes; frames x 4, 9, or
+ * channels of all joints) and the positions of the root (frames x 3; NULL: it stays at its offset,
+ * or the channels say where it is). Quaternions and matrices become the angles of the channels, each
+ * chosen nearest to those of the frame before; channels keep their bits. All is copied. fps > 0.
+ * E_SHAPE, E_ARGUMENT (a parent after its child, unknown channels, no rotation), E_NOT_FINITE. */
+STLTSA_API stltsa_status stltsa_clip_from_skeleton(const stltsa_joint *joints, int64_t count,
+                                                   int32_t form, const stltsa_in *rotations,
+                                                   const stltsa_in *root_positions, double fps,
+                                                   stltsa_clip **clip) STLTSA_NOEXCEPT;
+
+/* Sets the path that messages and results give for a clip made from arrays. The path is copied;
+ * NULL clears it. No other call may use the clip at the same time, and a path that stltsa_info_text
+ * gave before is no longer valid. */
+STLTSA_API stltsa_status stltsa_clip_set_path(stltsa_clip *clip, const char *path) STLTSA_NOEXCEPT;
+
+/* A stretch of a clip, as a clip: its frames count from 0 again, which a note says. `what` is
+ *   300-900, 2.5s-9s   frames [300, 900), seconds; one end may be left out
+ *   cyclic, action ... the longest unit of this kind (stltsa_unit_name)
+ *   cycle3, segment2, repetition1   counted from 1
+ *   best, representative            a cycle
+ *   A                  all segments of this label, in order; no motion continues from one to the
+ *                      next
+ * All but the first need a decomposition: options as stltsa_decompose. E_ARGUMENT (another text),
+ * E_NO_SUCH_PART. */
+STLTSA_API stltsa_status stltsa_clip_stretch(const stltsa_clip *clip, const char *what,
+                                             const stltsa_options *options,
+                                             stltsa_clip **stretch) STLTSA_NOEXCEPT;
+/* The mirror image of a clip: what the left side did, the right one does. Joints or points whose names
+ * differ in the side only (LeftFoot and RightFoot, L_toe and R_toe, lfemur and rfemur) change places.
+ * Events that are marked on one side are found on the other in the phase of the mirror image. Option:
+ * up axis. E_UNSUPPORTED: no two such names, a skeleton whose sides differ, or a matrix. */
+STLTSA_API stltsa_status stltsa_clip_mirror(const stltsa_clip *clip, const stltsa_options *options,
+                                            stltsa_clip **mirrored) STLTSA_NOEXCEPT;
+STLTSA_API void stltsa_clip_free(stltsa_clip *clip) STLTSA_NOEXCEPT;
+/* Path, format, frames, notes, ...: see STLTSA_INFO_*. */
+STLTSA_API const stltsa_info *stltsa_clip_info(const stltsa_clip *clip) STLTSA_NOEXCEPT;
+
+STLTSA_API int64_t stltsa_clip_frames(const stltsa_clip *clip) STLTSA_NOEXCEPT;
+STLTSA_API double stltsa_clip_fps(const stltsa_clip *clip) STLTSA_NOEXCEPT; /* 0: unknown */
+STLTSA_API int32_t stltsa_clip_format(const stltsa_clip *clip) STLTSA_NOEXCEPT;
+STLTSA_API int64_t stltsa_clip_channels(const stltsa_clip *clip) STLTSA_NOEXCEPT;
+/* Joints and end sites in file order, parents first; 0 without a skeleton. */
+STLTSA_API int64_t stltsa_clip_joints(const stltsa_clip *clip) STLTSA_NOEXCEPT;
+/* Fills a joint, whose size the caller sets. Its texts are valid as long as the clip. */
+STLTSA_API stltsa_status stltsa_clip_joint(const stltsa_clip *clip, int64_t index,
+                                           stltsa_joint *joint) STLTSA_NOEXCEPT;
+
+/* World positions by forward kinematics: frames x (3 * joints), x y z of joint 0, joint 1, ...
+ * E_UNSUPPORTED without a skeleton. */
+STLTSA_API stltsa_status stltsa_clip_positions(const stltsa_clip *clip,
+                                               const stltsa_out *positions) STLTSA_NOEXCEPT;
+/* Local rotations: frames x (4 * joints), w x y z, with signs continuous over time. */
+STLTSA_API stltsa_status stltsa_clip_rotations(const stltsa_clip *clip,
+                                               const stltsa_out *rotations) STLTSA_NOEXCEPT;
+
+/* Features of every source frame, not smoothed: frames x count. Options: features, up axis. */
+STLTSA_API stltsa_status stltsa_clip_feature_count(const stltsa_clip *clip,
+                                                   const stltsa_options *options,
+                                                   int64_t *count) STLTSA_NOEXCEPT;
+STLTSA_API stltsa_status stltsa_clip_features(const stltsa_clip *clip,
+                                              const stltsa_options *options,
+                                              const stltsa_out *features) STLTSA_NOEXCEPT;
+
+/* All of the above as one JSON object (schema: stltsa-clip/1); free it with stltsa_free. */
+STLTSA_API stltsa_status stltsa_clip_json(const stltsa_clip *clip, char **json) STLTSA_NOEXCEPT;
+
+/* Writes a clip, completely or not at all. The suffix decides the format: .bvh (any skeleton, with
+ * its hierarchy, channel order, units and frame time), .amc (only clips read from AMC; their ASF
+ * file is written beside it, under the same name), .csv, .npy (the numbers of any clip; CSV begins
+ * with a column of time if the frame rate is known). Numbers read back to the same bits.
+ * .glb (skeleton and animation, or moving points, for other programs) has 32-bit numbers.
+ * E_ARGUMENT (another suffix), E_UNSUPPORTED (the clip lacks a skeleton, the kind of skeleton or
+ * the frame rate that the format needs), E_IO (also if another skeleton has the place of the ASF
+ * file). */
+STLTSA_API stltsa_status stltsa_clip_save(const stltsa_clip *clip,
+                                          const char *path) STLTSA_NOEXCEPT;
+
+/* The same with options. Used: progress, which can cancel until the file is complete. */
+STLTSA_API stltsa_status stltsa_clip_save_with(const stltsa_clip *clip, const char *path,
+                                               const stltsa_options *options) STLTSA_NOEXCEPT;
+
+/* ---- The manifold curve: STLTSA --------------------------------------------------------- */
+
+typedef struct stltsa_model stltsa_model;
+
+/* Fits a model to frames x features (finite, at most 1e100 but arbitrarily small; at least k + 1
+ * distinct frames in a row). Section 2.2. Several clips follow one another in `frames`; `lengths`,
+ * clips x 1, I64, gives the frames of each, which sum to rows; NULL: one clip. Temporal neighbors
+ * never cross clips. Each connected component of the neighborhood graph is embedded separately
+ * (columns centered, of unit norm); check STLTSA_INFO_COMPONENTS before you compare coordinates
+ * across clips or cuts. Repeated frames are collapsed first and get the coordinates of the frame
+ * they repeat.
+ * Options: neighbors, window, dimension, mode, include_self, links, exclusion, threads, fps (for
+ * the automatic k), period_min, period_max, keep_frames, progress.
+ * Memory: packed rows of float64 are read in place, so a mapped file works; others are copied. In
+ * addition temporal neighbors take about 4k + 8kd + 250 bytes a frame, and 8 for each column of the
+ * band (between w and 2w); each thread takes up to 100 w^2 + 9000 w bytes for distances, at most
+ * 55 MB. If option keep_frames is 0, the model makes no copy of the frames.
+ * E_SHAPE, E_NOT_FINITE, E_TOO_FEW_FRAMES, E_ARGUMENT (d + 2 <= k <= w + 1 is required),
+ * E_DEGENERATE, E_NOT_CONVERGED, E_CANCELLED, E_NO_MEMORY. */
+STLTSA_API stltsa_status stltsa_fit(const stltsa_in *frames, const stltsa_in *lengths,
+                                    const stltsa_options *options,
+                                    stltsa_model **model) STLTSA_NOEXCEPT;
+
+/* The same from the features of a clip, without a T-pose at its start, smoothed and (option
+ * sample_rate) decimated. Row i of the model is source frame
+ * STLTSA_INFO_FIRST_FRAME + i * STLTSA_INFO_FRAME_STEP. Temporal neighbors do not cross a break
+ * (stretches that were joined, as in "walk.bvh:A") nor the middle of a gap that is too long to
+ * fill; a note says where. E_TOO_FEW_FRAMES: too few frames between two of them. */
+STLTSA_API stltsa_status stltsa_fit_clip(const stltsa_clip *clip, const stltsa_options *options,
+                                         stltsa_model **model) STLTSA_NOEXCEPT;
+
+/* The same from several clips, each prepared separately. STLTSA_INFO_LENGTH, _FIRST_FRAME,
+ * _FRAME_STEP, _PATH and so on then have a value for each clip. The up axis, and the skeleton of
+ * stltsa_unmap_clip, are those of the first clip. E_SHAPE: a clip differs from the first in joints,
+ * channels, features, or rate after decimation. */
+STLTSA_API stltsa_status stltsa_fit_clips(const stltsa_clip *const *clips, int64_t count,
+                                          const stltsa_options *options,
+                                          stltsa_model **model) STLTSA_NOEXCEPT;
+STLTSA_API void stltsa_model_free(stltsa_model *model) STLTSA_NOEXCEPT;
+STLTSA_API const stltsa_info *stltsa_model_info(const stltsa_model *model) STLTSA_NOEXCEPT;
+
+/* rows x d. */
+STLTSA_API stltsa_status stltsa_model_coords(const stltsa_model *model,
+                                             const stltsa_out *coords) STLTSA_NOEXCEPT;
+/* components x (d + 2): lambda_1 = 0, lambda_2, ... lambda_{d+2} of each, ascending; NaN if a
+ * component is too small to have that many. */
+STLTSA_API stltsa_status stltsa_model_eigenvalues(const stltsa_model *model,
+                                                  const stltsa_out *values) STLTSA_NOEXCEPT;
+/* rows x 1, I64: component of each row, numbered from 0 in the order of their first rows. */
+STLTSA_API stltsa_status stltsa_model_components(const stltsa_model *model,
+                                                 const stltsa_out *labels) STLTSA_NOEXCEPT;
+/* Warnings: a coordinate that only follows time, a disconnected graph, rank-deficient windows, a
+ * small gap, features of very different scales. */
+STLTSA_API int64_t stltsa_model_warning_count(const stltsa_model *model) STLTSA_NOEXCEPT;
+STLTSA_API const char *stltsa_model_warning(const stltsa_model *model,
+                                            int64_t index) STLTSA_NOEXCEPT; /* "" past the end */
+STLTSA_API stltsa_status stltsa_model_json(const stltsa_model *model, char **json) STLTSA_NOEXCEPT;
+
+/* ---- Intrinsic dimension (section 2.3) --------------------------------------------------- */
+
+typedef struct stltsa_dimension stltsa_dimension;
+
+/* Two estimates of the dimension of the manifold: the paper's first eigengap above tau, and the
+ * median number of local principal directions that explain the share `variance` of a
+ * neighborhood. B is built with tangent dimension `dimension` (auto: 2). The eigengap counts
+ * lambda_1 = 0, and one eigenvalue more than that dimension is small by construction, so the
+ * estimate depends on the dimension given: compare it with local PCA. Inputs and errors as
+ * stltsa_fit; for a disconnected or degenerate graph the answer is "cannot tell", which is not
+ * an error. */
+STLTSA_API stltsa_status stltsa_estimate_dimension(const stltsa_in *frames,
+                                                   const stltsa_in *lengths,
+                                                   const stltsa_options *options,
+                                                   stltsa_dimension **dimension) STLTSA_NOEXCEPT;
+STLTSA_API stltsa_status
+stltsa_estimate_dimension_clip(const stltsa_clip *clip, const stltsa_options *options,
+                               stltsa_dimension **dimension) STLTSA_NOEXCEPT;
+/* Clips as in stltsa_fit_clips. */
+STLTSA_API stltsa_status
+stltsa_estimate_dimension_clips(const stltsa_clip *const *clips, int64_t count,
+                                const stltsa_options *options,
+                                stltsa_dimension **dimension) STLTSA_NOEXCEPT;
+STLTSA_API void stltsa_dimension_free(stltsa_dimension *dimension) STLTSA_NOEXCEPT;
+STLTSA_API const stltsa_info *
+stltsa_dimension_info(const stltsa_dimension *dimension) STLTSA_NOEXCEPT;
+
+/* 0: cannot tell, and `reason` says why ("" otherwise). */
+STLTSA_API int64_t stltsa_dimension_eigengap(const stltsa_dimension *dimension,
+                                             const char **reason) STLTSA_NOEXCEPT;
+STLTSA_API int64_t stltsa_dimension_local_pca(const stltsa_dimension *dimension,
+                                              const char **reason) STLTSA_NOEXCEPT;
+/* Eigenvalues of B / k, ascending, the zero one first: n x 1, n = stltsa_info_count() of
+ * STLTSA_INFO_EIGENVALUE. */
+STLTSA_API stltsa_status stltsa_dimension_eigenvalues(const stltsa_dimension *dimension,
+                                                      const stltsa_out *values) STLTSA_NOEXCEPT;
+/* Mean share of a neighborhood's variance along principal direction 1, 2, ...: n x 1,
+ * n = stltsa_info_count() of STLTSA_INFO_LOCAL_VARIANCE. */
+STLTSA_API stltsa_status
+stltsa_dimension_local_variances(const stltsa_dimension *dimension,
+                                 const stltsa_out *shares) STLTSA_NOEXCEPT;
+STLTSA_API stltsa_status stltsa_dimension_json(const stltsa_dimension *dimension,
+                                               char **json) STLTSA_NOEXCEPT;
+
+/* ---- Motion units and cycles (section 3.1) ----------------------------------------------- */
+
+typedef struct stltsa_decomposition stltsa_decomposition;
+
+enum {
+    STLTSA_UNIT_PREPARING = 1, /* standing before a motion */
+    STLTSA_UNIT_INITIAL = 2,   /* from the first movement to the first cycle */
+    STLTSA_UNIT_CYCLIC = 3,    /* the cycles */
+    STLTSA_UNIT_FINAL = 4,     /* from the last cycle to standing */
+    STLTSA_UNIT_WIND_UP = 5,   /* standing after a motion */
+    STLTSA_UNIT_ACTION = 6,    /* motion for which no cycles are reported */
+    STLTSA_UNIT_CYCLE = 7,     /* one cycle of the cyclic unit */
+    STLTSA_UNIT_HOLD = 8       /* keeping another posture than the one at rest */
+};
+/* "preparing", "initial", "cyclic", "final", "wind-up", "action", "cycle", "hold"; "unknown"
+ * otherwise. */
+STLTSA_API const char *stltsa_unit_name(int32_t kind) STLTSA_NOEXCEPT;
+
+/* [begin, end) in source frames, rounded, and in seconds, with fractions of a frame. Frozen. */
+typedef struct stltsa_interval {
+    int64_t begin, end;
+    double begin_s, end_s;
+    int32_t kind, segment; /* STLTSA_UNIT_*, index of the segment; 0 where there are none */
+} stltsa_interval;
+
+/* The frames of a stretch, named as for stltsa_clip_stretch: `count` is set to the number of
+ * intervals (1, except for labels), of which the first `capacity` are written; their kind and
+ * segment are 0. */
+STLTSA_API stltsa_status stltsa_clip_find(const stltsa_clip *clip, const char *what,
+                                          const stltsa_options *options, int64_t capacity,
+                                          stltsa_interval *intervals,
+                                          int64_t *count) STLTSA_NOEXCEPT;
+
+enum {
+    STLTSA_SEGMENT_CYCLIC = 1,      /* cycles back to back */
+    STLTSA_SEGMENT_REPETITIONS = 2, /* the same action again and again, with pauses */
+    STLTSA_SEGMENT_ACTION = 3,      /* a motion that is seen once */
+    STLTSA_SEGMENT_REST = 4
+};
+/* "cyclic", "repetitions", "action", "rest"; "unknown" otherwise. */
+STLTSA_API const char *stltsa_segment_name(int32_t kind) STLTSA_NOEXCEPT;
+
+/* A stretch of one behavior, [begin, end) as in stltsa_interval. Frozen. */
+typedef struct stltsa_segment {
+    int64_t begin, end;
+    double begin_s, end_s;
+    int64_t count;             /* cycles or repetitions; 1 for an action, 0 for a rest */
+    double likeness;           /* mean likeness to the others of its label, 0 to 1; NaN: none */
+    double period_s;           /* median length of the cycles; 0: not cyclic */
+    double candidate_period_s; /* a period that was seen but is not claimed; 0: none */
+    double confidence;         /* share of such answers that are right, 0 to 1 */
+    double begin_confidence;   /* the same of the border at its begin; NaN for the first */
+    int32_t kind, label;       /* STLTSA_SEGMENT_*; 0, 1, ... in order of appearance, -1: a rest */
+    int32_t open_begin, open_end; /* 1: the clip begins, ends within this motion */
+} stltsa_segment;
+
+/* A cycle, a step or a repetition, [begin, end) as in stltsa_interval. Frozen. */
+typedef struct stltsa_part {
+    int64_t begin, end;
+    double begin_s, end_s;
+    int64_t segment, parent; /* index of its segment; of a step also of its cycle, else -1 */
+    double likeness;         /* of a cycle to the mean cycle of its segment, of a repetition to
+                                the others, 0 to 1; NaN: unknown */
+    double confidence;       /* share of such answers that are right, 0 to 1 */
+    int32_t side, reserved;  /* which side of the body leads: 0 or 1, the same in all clips of a
+                                skeleton; -1: unknown */
+} stltsa_part;
+
+enum {
+    STLTSA_PART_CYCLE = 1,
+    STLTSA_PART_STEP = 2,      /* half of a cycle; none unless both sides alternate */
+    STLTSA_PART_REPETITION = 3 /* one action of a segment of repetitions */
+};
+
+/* How the body travels over the ground during one part: the body root of a skeleton, or the mean of
+ * points. Lengths in the unit of the file. NaN: unknown, as in a matrix of bare numbers. Frozen. */
+typedef struct stltsa_travel {
+    double way;        /* length of the path */
+    double stride;     /* distance between the ends of the path */
+    double speed;      /* way / second */
+    double turn;       /* degrees, counterclockwise as seen from above; points: unknown if fewer than
+                          three are seen at both ends */
+} stltsa_travel;
+
+enum {
+    STLTSA_QUANTITY_TIME = 1,   /* length in seconds */
+    STLTSA_QUANTITY_WAY = 2,    /* these four: see stltsa_travel */
+    STLTSA_QUANTITY_STRIDE = 3,
+    STLTSA_QUANTITY_SPEED = 4,
+    STLTSA_QUANTITY_TURN = 5
+};
+
+/* Of one quantity of several parts; all are NaN if count is 0. Frozen. */
+typedef struct stltsa_statistics {
+    int64_t count;
+    double mean, sd, cv; /* cv = sd / mean; sd and cv are 0 for one part */
+    double trend;      /* relative change per minute; NaN, as cv is, of turns */
+} stltsa_statistics;
+
+/* Of the cycles or repetitions of one label. Frozen. */
+typedef struct stltsa_summary {
+    int64_t count;
+    double per_minute; /* within the time from the first to the last of each segment */
+    double mean_s, sd_s, cv; /* of their lengths in seconds; cv = sd / mean; sd is 0 for one */
+    double trend;      /* relative change of the length per minute */
+    int32_t label, reserved;
+} stltsa_summary;
+
+/* Says what is done when in a recording of any length, and what of it repeats. It finds where the
+ * body rests and where its behavior changes, follows the period over time, and cuts each segment
+ * that repeats into cycles: at the steepest points, between peaks and valleys (zeros of the second
+ * derivative), of a coordinate that oscillates once per cycle (section 3.1). Actions between
+ * rests that are one motion are repetitions. Segments of one motion share a label. A clip of one
+ * motion is a single segment between rests. Segments without cycles have a reason; this is not an
+ * error.
+ * If one of the options neighbors, window, dimension or mode is set, the clip is taken as one
+ * motion and embedded with it.
+ * Options: features, up axis, keep_start, sample_rate, smoothing, period_*, neighbors, window,
+ * dimension, mode, dimension_estimate (with eigengap and variance), threads, progress.
+ * E_ARGUMENT: the clip's fps is unknown (set option fps when you open it). Other errors as
+ * stltsa_fit. */
+STLTSA_API stltsa_status stltsa_decompose(const stltsa_clip *clip, const stltsa_options *options,
+                                          stltsa_decomposition **decomposition) STLTSA_NOEXCEPT;
+STLTSA_API void stltsa_decomposition_free(stltsa_decomposition *decomposition) STLTSA_NOEXCEPT;
+STLTSA_API const stltsa_info *
+stltsa_decomposition_info(const stltsa_decomposition *decomposition) STLTSA_NOEXCEPT;
+
+/* Segments in temporal order; they cover [0, frames of the clip) without gap or overlap. */
+STLTSA_API int64_t
+stltsa_decomposition_segment_count(const stltsa_decomposition *decomposition) STLTSA_NOEXCEPT;
+STLTSA_API stltsa_status stltsa_decomposition_segment(const stltsa_decomposition *decomposition,
+                                                      int64_t index,
+                                                      stltsa_segment *segment) STLTSA_NOEXCEPT;
+/* Why a segment has no cycles, with the numbers; "" if it has, and for an index out of range. */
+STLTSA_API const char *
+stltsa_decomposition_segment_reason(const stltsa_decomposition *decomposition,
+                                    int64_t index) STLTSA_NOEXCEPT;
+/* Names of the joints, markers or columns that carry half of the motion of a segment, those that
+ * move most first; "" for an index out of range. */
+STLTSA_API int64_t
+stltsa_decomposition_carrier_count(const stltsa_decomposition *decomposition,
+                                   int64_t segment) STLTSA_NOEXCEPT;
+STLTSA_API const char *
+stltsa_decomposition_carrier(const stltsa_decomposition *decomposition, int64_t segment,
+                             int64_t index) STLTSA_NOEXCEPT;
+/* Parts of one kind (STLTSA_PART_*) in temporal order; there are none of an unknown kind. */
+STLTSA_API int64_t stltsa_decomposition_part_count(const stltsa_decomposition *decomposition,
+                                                   int32_t kind) STLTSA_NOEXCEPT;
+STLTSA_API stltsa_status stltsa_decomposition_part(const stltsa_decomposition *decomposition,
+                                                   int32_t kind, int64_t index,
+                                                   stltsa_part *part) STLTSA_NOEXCEPT;
+STLTSA_API stltsa_status stltsa_decomposition_travel(const stltsa_decomposition *decomposition,
+                                                     int32_t kind, int64_t index,
+                                                     stltsa_travel *travel) STLTSA_NOEXCEPT;
+/* Of a quantity (STLTSA_QUANTITY_*) of the parts of one kind, label and side (-1: of both). Parts
+ * whose quantity is unknown are left out. */
+STLTSA_API stltsa_status
+stltsa_decomposition_statistics(const stltsa_decomposition *decomposition, int32_t kind,
+                                int32_t label, int32_t side, int32_t quantity,
+                                stltsa_statistics *statistics) STLTSA_NOEXCEPT;
+/* How often and how fast, for each label of which there are cycles or repetitions. */
+STLTSA_API int64_t
+stltsa_decomposition_summary_count(const stltsa_decomposition *decomposition) STLTSA_NOEXCEPT;
+STLTSA_API stltsa_status stltsa_decomposition_summary(const stltsa_decomposition *decomposition,
+                                                      int64_t index,
+                                                      stltsa_summary *summary) STLTSA_NOEXCEPT;
+/* Units in temporal order; they cover [0, frames of the clip) without gap or overlap. */
+STLTSA_API int64_t
+stltsa_decomposition_unit_count(const stltsa_decomposition *decomposition) STLTSA_NOEXCEPT;
+STLTSA_API stltsa_status stltsa_decomposition_unit(const stltsa_decomposition *decomposition,
+                                                   int64_t index,
+                                                   stltsa_interval *unit) STLTSA_NOEXCEPT;
+/* Cycles in temporal order, each from margin i to margin i + 2: the parts STLTSA_PART_CYCLE. */
+STLTSA_API int64_t
+stltsa_decomposition_cycle_count(const stltsa_decomposition *decomposition) STLTSA_NOEXCEPT;
+STLTSA_API stltsa_status stltsa_decomposition_cycle(const stltsa_decomposition *decomposition,
+                                                    int64_t index,
+                                                    stltsa_interval *cycle) STLTSA_NOEXCEPT;
+
+/* The smoothed coordinate that was cut: samples x 1. In a recording of several segments it is 0
+ * outside those that are cyclic. */
+STLTSA_API stltsa_status stltsa_decomposition_curve(const stltsa_decomposition *decomposition,
+                                                    const stltsa_out *curve) STLTSA_NOEXCEPT;
+/* All coordinates of the fit that was cut, not smoothed: samples x STLTSA_INFO_DIMENSION; zeros if
+ * there was nothing to fit (STLTSA_INFO_COORDINATE 0). Samples outside the moving part of a clip of
+ * one motion have the coordinates of its nearest end; in a recording of several segments, those
+ * outside the cyclic ones are zero. */
+STLTSA_API stltsa_status stltsa_decomposition_coords(const stltsa_decomposition *decomposition,
+                                                     const stltsa_out *coords) STLTSA_NOEXCEPT;
+/* The two coordinates of the loop (Fig. 1): samples x 2. Each cyclic segment has coordinates of its
+ * own, so the loops of two segments cannot share axes. */
+STLTSA_API stltsa_status stltsa_decomposition_loop(const stltsa_decomposition *decomposition,
+                                                   const stltsa_out *loop) STLTSA_NOEXCEPT;
+/* Why nothing repeats, with the numbers; "" if anything does. */
+STLTSA_API const char *
+stltsa_decomposition_reason(const stltsa_decomposition *decomposition) STLTSA_NOEXCEPT;
+STLTSA_API int64_t
+stltsa_decomposition_warning_count(const stltsa_decomposition *decomposition) STLTSA_NOEXCEPT;
+STLTSA_API const char *
+stltsa_decomposition_warning(const stltsa_decomposition *decomposition,
+                             int64_t index) STLTSA_NOEXCEPT;
+/* The object of schema stltsa-decomposition/2; free it with stltsa_free. */
+STLTSA_API stltsa_status stltsa_decomposition_json(const stltsa_decomposition *decomposition,
+                                                   char **json) STLTSA_NOEXCEPT;
+
+/* ---- Mapping in both directions (section 2.4) ----------------------------------------- */
+
+/* Maps new frames onto the curve. Near each frame of the model the map is linear, as LTSA assumes,
+ * and is fitted to STLTSA_OPT_MAP_NEIGHBORS frames of the whole model. Between consecutive frames
+ * the maps of both are blended, and then those of the STLTSA_OPT_MAP_BLEND nearest such segments of
+ * the curve (the nearest frames, for spatial neighborhoods). A fitted frame gets its own
+ * coordinates, to the bit. If equal frames recur after others, a hint selects one of them; without
+ * a hint the first is used.
+ *
+ * frames    rows x features of the model, finite
+ * hints     NULL, or rows x 1, I64: the model row near which each row is searched (within
+ *           STLTSA_OPT_HINT_WINDOW rows of the same clip); -1: everywhere. For a stream, give the
+ *           nearest row of the previous frame and a small STLTSA_OPT_HINT_WINDOW, so that time
+ *           does not jump back.
+ * coords    rows x d
+ * distance  NULL, or rows x 1: distance from the fitted frames divided by STLTSA_INFO_REACH. Beyond
+ *           1 the frame is unlike the fitted ones, and its coordinates mean little.
+ * nearest   NULL, or rows x 1, I64: the nearest model row of each row; the coordinates belong to
+ *           the component of that row (stltsa_model_components)
+ * Options: map_neighbors, map_blend, hint_window, threads, progress. E_SHAPE, E_NOT_FINITE,
+ * E_ARGUMENT, E_UNSUPPORTED (the model kept no frames), E_CANCELLED. */
+STLTSA_API stltsa_status stltsa_map(const stltsa_model *model, const stltsa_in *frames,
+                                    const stltsa_in *hints, const stltsa_options *options,
+                                    const stltsa_out *coords, const stltsa_out *distance,
+                                    const stltsa_out *nearest) STLTSA_NOEXCEPT;
+
+/* The same for every source frame of a clip: rows = stltsa_clip_frames(clip). Features, up axis
+ * and smoothing are those of the model, so a fitted clip gets its own coordinates at its model
+ * rows. The model must be fitted to a clip. E_SHAPE: the features of the two differ. */
+STLTSA_API stltsa_status stltsa_map_clip(const stltsa_model *model, const stltsa_clip *clip,
+                                         const stltsa_options *options, const stltsa_out *coords,
+                                         const stltsa_out *distance,
+                                         const stltsa_out *nearest) STLTSA_NOEXCEPT;
+
+/* The inverse: frames (rows x features) from points of the manifold (rows x d). Distance is from
+ * the point to the rows of the model, divided by the usual distance of neighboring rows; beyond
+ * 1 the frame is a guess. Nearest is the nearer end of the segment of the curve that contains
+ * the point: if the curve comes close to itself, a row of another segment may be nearer. A
+ * single coordinate cannot distinguish the two directions of a swing: give hints, or fit more
+ * coordinates. For a model of a clip with a skeleton the frames are the features of the poses of
+ * stltsa_unmap_clip, so bones keep their lengths. Options: as stltsa_map, and component.
+ * E_DISCONNECTED: the model has several components, and option component is not set. */
+STLTSA_API stltsa_status stltsa_unmap(const stltsa_model *model, const stltsa_in *coords,
+                                      const stltsa_in *hints, const stltsa_options *options,
+                                      const stltsa_out *frames, const stltsa_out *distance,
+                                      const stltsa_out *nearest) STLTSA_NOEXCEPT;
+
+/* Poses from points of the manifold, as a clip with the fitted skeleton: rotations of all joints,
+ * height and tilt; the body stays above the origin and keeps one heading. Each point becomes a
+ * frame, so the clip's rate is that of the points: option fps (for the coordinates of
+ * stltsa_map_clip, the rate of that clip); auto: STLTSA_INFO_FPS, the rate of the rows. Other
+ * options: as stltsa_unmap. E_UNSUPPORTED: the model is of a matrix. E_SHAPE: no points. */
+STLTSA_API stltsa_status stltsa_unmap_clip(const stltsa_model *model, const stltsa_in *coords,
+                                           const stltsa_in *hints, const stltsa_options *options,
+                                           const stltsa_out *distance, const stltsa_out *nearest,
+                                           stltsa_clip **poses) STLTSA_NOEXCEPT;
+
+/* ---- Model files ------------------------------------------------------------------------- */
+
+/* A model as bytes: versioned, little-endian, checksummed, the same on every machine; a parsed
+ * model has the same bits. Parsing is safe for untrusted bytes: E_FORMAT says what is wrong.
+ * Free the bytes with stltsa_free. */
+STLTSA_API stltsa_status stltsa_model_serialize(const stltsa_model *model, unsigned char **bytes,
+                                                size_t *size) STLTSA_NOEXCEPT;
+STLTSA_API stltsa_status stltsa_model_parse(const void *bytes, size_t size,
+                                            stltsa_model **model) STLTSA_NOEXCEPT;
+
+/* The same to and from a file, which is written completely or not at all. E_IO, E_FORMAT. */
+STLTSA_API stltsa_status stltsa_model_save(const stltsa_model *model,
+                                           const char *path) STLTSA_NOEXCEPT;
+STLTSA_API stltsa_status stltsa_model_load(const char *path, stltsa_model **model) STLTSA_NOEXCEPT;
+
+/* ---- Phase and mean cycles --------------------------------------------------------------- */
+
+/* A phase for every frame of the cycles of a clip: where it lies on the mean cycle of its motion,
+ * in turns. It rises strictly and is continuous across the borders of cycles; 0 is the same
+ * posture in every cycle, clip and person with the same features, wherever the cycles begin: where
+ * the legs pass each other, if the two sides of the body are known and swing. The frames of all
+ * segments of a label are registered to one mean cycle, by pose and velocity; afterwards the mean
+ * share of time at each phase is uniform. */
+typedef struct stltsa_phase stltsa_phase;
+
+/* Finds the phase of a clip that was decomposed. Every frame counts, whatever option sample_rate
+ * says, without further smoothing. If a mean cycle explains less than 0.6 of the variance of the
+ * features, the phase of its motion is linear in time, and a warning says so. Options: as
+ * stltsa_decompose, with the values it had. E_ARGUMENT: the decomposition is of another clip. */
+STLTSA_API stltsa_status stltsa_phase_find(const stltsa_clip *clip,
+                                           const stltsa_decomposition *decomposition,
+                                           const stltsa_options *options,
+                                           stltsa_phase **phase) STLTSA_NOEXCEPT;
+STLTSA_API void stltsa_phase_free(stltsa_phase *phase) STLTSA_NOEXCEPT;
+
+/* Of each frame of the file; each array may be NULL.
+ * phase     frames x 1, in [0, 1); NaN outside cycles
+ * residual  frames x 1: distance from the mean cycle in pose and velocity, as a share of the root
+ *           mean square deviation of the motion; NaN outside cycles
+ * cycle     frames x 1, I64: index of the cycle among STLTSA_PART_CYCLE; -1 outside cycles */
+STLTSA_API stltsa_status stltsa_phase_values(const stltsa_phase *phase, const stltsa_out *values,
+                                             const stltsa_out *residual,
+                                             const stltsa_out *cycle) STLTSA_NOEXCEPT;
+STLTSA_API int64_t stltsa_phase_warning_count(const stltsa_phase *phase) STLTSA_NOEXCEPT;
+STLTSA_API const char *stltsa_phase_warning(const stltsa_phase *phase,
+                                            int64_t index) STLTSA_NOEXCEPT;
+
+/* The joint, or the point or column of the file, that each column of the features belongs to: makes
+ * the groups of stltsa_cycles_group_distance. "" beyond the last one; valid until the phase is
+ * freed. */
+STLTSA_API int64_t stltsa_phase_column_count(const stltsa_phase *phase) STLTSA_NOEXCEPT;
+STLTSA_API const char *stltsa_phase_column_owner(const stltsa_phase *phase,
+                                                 int64_t index) STLTSA_NOEXCEPT;
+
+/* Signals on 0 to 100 % of each cycle. */
+typedef struct stltsa_cycles stltsa_cycles;
+
+/* Resamples any signals of the clip's frames, such as features, joint angles, forces or EMG, by the
+ * phase of one motion. Sample s of a cycle is at phase s / (samples - 1), so that the last one is
+ * phase 0 of the next cycle. Linear between frames.
+ *
+ * label     of the segments, 0 for A
+ * signals   frames of the file x columns; NaN is a missing value, which means leave out
+ * samples   of each cycle, at least 2; 101 for percent
+ *
+ * If a label has no cycles, each repetition counts as a cycle. A turn of the phase belongs to the
+ * cycle whose beginning is nearest to that of the turn, at most half a cycle away. Samples are NaN
+ * if the clip does not reach them, or if they lie more than a quarter of a cycle outside the
+ * cycles. A cycle without a neighbor is closed if its first or last sample would be NaN: samples
+ * beyond one end are taken from its other end. Repetitions are not closed.
+ * E_ARGUMENT: the label has neither cycles nor repetitions. E_SHAPE. */
+STLTSA_API stltsa_status stltsa_cycles_resample(const stltsa_phase *phase, int32_t label,
+                                                const stltsa_in *signals, int64_t samples,
+                                                stltsa_cycles **cycles) STLTSA_NOEXCEPT;
+
+/* The same without registration: linear in time between borders, such as heel strikes.
+ * borders   count x 1, at least 2 frames in ascending order, not rounded, from 0 to the number of
+ *           frames, which is the end of the last one: samples after the beginning of the last frame
+ *           are NaN */
+STLTSA_API stltsa_status stltsa_cycles_between(const stltsa_in *borders, const stltsa_in *signals,
+                                               int64_t samples,
+                                               stltsa_cycles **cycles) STLTSA_NOEXCEPT;
+STLTSA_API void stltsa_cycles_free(stltsa_cycles *cycles) STLTSA_NOEXCEPT;
+STLTSA_API int64_t stltsa_cycles_count(const stltsa_cycles *cycles) STLTSA_NOEXCEPT;
+
+/* Mean and standard deviation over the cycles, samples x columns; each may be NULL. The deviation
+ * of a single cycle is NaN. */
+STLTSA_API stltsa_status stltsa_cycles_mean(const stltsa_cycles *cycles, const stltsa_out *mean,
+                                            const stltsa_out *deviation) STLTSA_NOEXCEPT;
+/* One cycle: samples x columns. E_ARGUMENT: there is no such cycle. */
+STLTSA_API stltsa_status stltsa_cycles_cycle(const stltsa_cycles *cycles, int64_t index,
+                                             const stltsa_out *values) STLTSA_NOEXCEPT;
+/* When it happens, apart from what happens; each may be NULL.
+ * frames    cycles x samples: the frame of each sample, not rounded; in a closed cycle, counted on
+ *           beyond its end
+ * warp      cycles x samples: how much later than in linear time, as a share of the cycle */
+STLTSA_API stltsa_status stltsa_cycles_times(const stltsa_cycles *cycles, const stltsa_out *frames,
+                                             const stltsa_out *warp) STLTSA_NOEXCEPT;
+/* How far each cycle is from the mean; each may be NULL.
+ * total     cycles x 1: root mean square over samples and columns, as a share of the root of the
+ *           variance along the mean cycle
+ * columns   cycles x columns: root mean square over the samples, in the unit of the signal */
+STLTSA_API stltsa_status stltsa_cycles_distance(const stltsa_cycles *cycles,
+                                                const stltsa_out *total,
+                                                const stltsa_out *columns) STLTSA_NOEXCEPT;
+
+/* The same for groups of columns, such as the three coordinates of each joint.
+ * groups    columns x 1, I64: the group of each column, from 0; -1: none
+ * distance  cycles x number of groups: root of the sum of squares over the columns of the group
+ * E_ARGUMENT, E_SHAPE. */
+STLTSA_API stltsa_status stltsa_cycles_group_distance(const stltsa_cycles *cycles,
+                                                      const stltsa_in *groups,
+                                                      const stltsa_out *distance) STLTSA_NOEXCEPT;
+
+/* ---- Left against right -------------------------------------------------------------------- */
+
+enum {
+    STLTSA_SIDE_NONE = -1,
+    STLTSA_SIDE_LEFT = 0,
+    STLTSA_SIDE_RIGHT = 1
+};
+
+/* The side of the body that the name of an event, a joint or a signal states, STLTSA_SIDE_*: left
+ * for "left heel strike", "LHS", "LeftFoot" and "toe_l"; none if the name is NULL or states neither
+ * side or both. */
+STLTSA_API int32_t stltsa_side_of_name(const char *name) STLTSA_NOEXCEPT;
+
+/* A comparison of the left side of the body with the right side half a cycle later. It requires
+ * that the two halves of a cycle are the same motion of opposite sides, as in walking. */
+typedef struct stltsa_sides stltsa_sides;
+
+/* Append-only: set size to sizeof(stltsa_side_pair). All fields but left and right are NaN if the
+ * mean cycle lacks a sample. rms, chance, mean and the ranges are in the unit of the signals. */
+typedef struct stltsa_side_pair {
+    size_t size;
+    int64_t left, right;             /* columns of the signals */
+    double rms;                      /* root mean square of left minus right over the cycle */
+    double chance;                   /* rms expected from the spread between cycles alone, if both
+                                        sides were the same; NaN for a single cycle */
+    double mean;                     /* mean of left minus mean of right */
+    double left_range, right_range;  /* highest minus lowest value */
+    double shift;                    /* delay of right beyond half a cycle after left, as a share of
+                                        the cycle, -0.25 to 0.25; NaN if the curves are not alike
+                                        (correlation below 0.7), or if one does not move */
+    double correlation;              /* of the curves after the shift is removed, -1 to 1; NaN if
+                                        one does not move */
+} stltsa_side_pair;
+
+/* Compares the features of one motion, such as positions of joints or points, in the unit of the
+ * file and relative to the body. The left side is compared with the mirror image of the right side
+ * (stltsa_clip_mirror), so every coordinate of a symmetric walk differs by 0.
+ *
+ * clip      the clip that the phase was found in
+ * label     label of the segments, 0 for A
+ * samples   samples per cycle, 2 to 1000000; 101 gives one per percent
+ * options   the options that were given to stltsa_phase_find
+ * sides     to be freed with stltsa_sides_free; NULL on failure
+ *
+ * If the sides cannot be compared, the call succeeds without pairs: see stltsa_sides_reason.
+ * E_ARGUMENT: the label has neither cycles nor repetitions, samples is out of range, or the phase
+ * belongs to another clip. */
+STLTSA_API stltsa_status stltsa_sides_find(const stltsa_clip *clip, const stltsa_phase *phase,
+                                           int32_t label, int64_t samples,
+                                           const stltsa_options *options,
+                                           stltsa_sides **sides) STLTSA_NOEXCEPT;
+
+/* Compares any signals, such as joint angles, EMG or forces, over cycles that were found, or that
+ * begin with an event of the left side (stltsa_cycles_between).
+ *
+ * names     one name for each column; knee_l and knee_r are a pair, as are LeftKnee and RightKnee.
+ *           Both signals of a pair must have the same sign convention, as flexion has.
+ * sides     to be freed with stltsa_sides_free; NULL on failure
+ *
+ * E_ARGUMENT: a name is NULL. */
+STLTSA_API stltsa_status stltsa_sides_compare(const stltsa_cycles *cycles, const char *const *names,
+                                              stltsa_sides **sides) STLTSA_NOEXCEPT;
+STLTSA_API void stltsa_sides_free(stltsa_sides *sides) STLTSA_NOEXCEPT;
+
+/* Number of pairs of a left and a right column, and each pair, in the order of the left columns.
+ * E_ARGUMENT: index is out of range. */
+STLTSA_API int64_t stltsa_sides_count(const stltsa_sides *sides) STLTSA_NOEXCEPT;
+STLTSA_API stltsa_status stltsa_sides_pair(const stltsa_sides *sides, int64_t index,
+                                           stltsa_side_pair *pair) STLTSA_NOEXCEPT;
+/* Names of the joint, point or signal on the left and on the right. "" beyond the last pair. Valid
+ * until the sides are freed. */
+STLTSA_API const char *stltsa_sides_left_name(const stltsa_sides *sides,
+                                              int64_t index) STLTSA_NOEXCEPT;
+STLTSA_API const char *stltsa_sides_right_name(const stltsa_sides *sides,
+                                               int64_t index) STLTSA_NOEXCEPT;
+/* Mean curves, samples x pairs; each argument may be NULL. The right curve is shifted by half a
+ * cycle, so that the same row of both is the same phase of the motion; from stltsa_sides_find it is
+ * also mirrored. The difference is left minus right. E_SHAPE. */
+STLTSA_API stltsa_status stltsa_sides_curves(const stltsa_sides *sides, const stltsa_out *left,
+                                             const stltsa_out *right,
+                                             const stltsa_out *difference) STLTSA_NOEXCEPT;
+/* The reason if there are no pairs: the halves of the cycles are not known to be the same motion of
+ * opposite sides, or no two names differ only in the side. "" if there are pairs. Valid until the
+ * sides are freed. */
+STLTSA_API const char *stltsa_sides_reason(const stltsa_sides *sides) STLTSA_NOEXCEPT;
+
+/* ---- Events ------------------------------------------------------------------------------- */
+
+/* A moment, such as a heel strike, that was marked in one cycle and is found in all others. */
+typedef struct stltsa_events stltsa_events;
+
+/* Append-only: set size to sizeof(stltsa_event). */
+typedef struct stltsa_event {
+    size_t size;
+    int64_t cycle;     /* index among STLTSA_PART_CYCLE of the clip; -1: outside cycles */
+    double frame;      /* of the file, not rounded */
+    double seconds;
+    double confidence; /* 0 to 1: ranks the events by the size of their likely errors. In other
+                          clips, 98 of 100 events above 0.6 were within 50 ms of the truth, and 7 of
+                          10 below 0.4 (measure/events) */
+    int32_t marked;    /* 1: a mark of the caller, as it was given */
+    int32_t reserved;  /* 0 */
+} stltsa_event;
+
+/* Finds the event at one or more marked frames in every cycle or repetition of that motion, also a
+ * little before the first and after the last cycle if the motion goes on there. Each is the mean of
+ * three places: where the phase comes round, where velocity and acceleration are like those at the
+ * marks, and where they are like those of the other cycles.
+ *
+ * from    a clip's phase
+ * marks   count x 1: frames of that clip, not rounded
+ * in      where the events are found: NULL or `from` for the same clip, or another clip with the
+ *         same features, such as another person's
+ *
+ * If marks lie farther than a tenth of a cycle apart, they mark several places in the cycle: each
+ * place has its events, and a warning says so. Events are in order of time; there are none if the
+ * other clip has no such motion (see stltsa_events_likeness). E_ARGUMENT: a mark lies in no motion
+ * that repeats, or the marks are spread all over the cycle. E_SHAPE: the features of the clips
+ * differ. */
+STLTSA_API stltsa_status stltsa_events_find(const stltsa_phase *from, const stltsa_in *marks,
+                                            const stltsa_phase *in,
+                                            stltsa_events **events) STLTSA_NOEXCEPT;
+
+/* The same with options. Used: progress. */
+STLTSA_API stltsa_status stltsa_events_find_with(const stltsa_phase *from, const stltsa_in *marks,
+                                                 const stltsa_phase *in,
+                                                 const stltsa_options *options,
+                                                 stltsa_events **events) STLTSA_NOEXCEPT;
+STLTSA_API void stltsa_events_free(stltsa_events *events) STLTSA_NOEXCEPT;
+STLTSA_API int64_t stltsa_events_count(const stltsa_events *events) STLTSA_NOEXCEPT;
+STLTSA_API stltsa_status stltsa_events_event(const stltsa_events *events, int64_t index,
+                                             stltsa_event *event) STLTSA_NOEXCEPT;
+/* Correlation of the mean cycles of the two clips; 1 within a clip. Events of another person are to
+ * be trusted less below 0.95; below 0.6 it is another motion, and there are none. */
+STLTSA_API double stltsa_events_likeness(const stltsa_events *events) STLTSA_NOEXCEPT;
+/* Warnings about marks at several places in the cycle, repetitions without the event, and phases
+ * that are linear in time. Valid until the events are freed; "" beyond the last one. */
+STLTSA_API int64_t stltsa_events_warning_count(const stltsa_events *events) STLTSA_NOEXCEPT;
+STLTSA_API const char *stltsa_events_warning(const stltsa_events *events,
+                                             int64_t index) STLTSA_NOEXCEPT;
+
+/* ---- Comparison of two motions -------------------------------------------------------------- */
+
+/* The cycles of two motions, such as those of a patient before and after treatment, aligned by
+ * phase: the differences in timing and amplitude, and how precisely they are known. */
+typedef struct stltsa_comparison stltsa_comparison;
+
+/* A quantity of both mean cycles and its difference. The interval is a 95 % confidence interval from
+ * the spread between cycles, by Student's t distribution with Welch's degrees of freedom. From four
+ * cycles on, it is wider if successive cycles resemble each other. Of 20 differences that are really
+ * zero, about one is significant by chance. The interval says how well the mean of these cycles is
+ * known, not how the same person moves on another day (docs/answers.md has measurements). Unknown
+ * values are NaN; with only one cycle, these are all that depend on the spread. Frozen. */
+typedef struct stltsa_estimate {
+    double first, first_sd;   /* value, standard deviation between cycles */
+    double second, second_sd;
+    double difference;        /* second minus first */
+    double standard_error;    /* of the difference */
+    double low, high;         /* its confidence interval */
+    int32_t significant;      /* 1: the interval excludes 0, by more than rounding */
+    int32_t reserved;
+} stltsa_estimate;
+
+/* Which cycles were compared, and how the second motion was aligned: its phase is shifted so that
+ * all joints, points or columns together match best. Append-only: set size to
+ * sizeof(stltsa_compared_cycles). */
+typedef struct stltsa_compared_cycles {
+    size_t size;
+    int64_t first_count, second_count; /* cycles that are complete from 0 to 100 % */
+    int32_t first_label, second_label; /* of the segments, 0 for A */
+    int64_t samples;                   /* of each cycle */
+    stltsa_estimate cycle_time;        /* seconds */
+    double first_per_minute, second_per_minute; /* cycles per minute: 60 / mean cycle time */
+    double shift;         /* phase of the second motion at phase 0 of the first, -0.5 to 0.5 */
+    double shift_error;   /* its standard error; NaN: it is half a cycle by definition */
+    double shift_low, shift_high; /* its 95 % confidence interval */
+    double likeness;      /* correlation of the two mean cycles; below 0.6, a warning says that the
+                             motions seem to be different */
+    double runner_up;     /* the same at the next best shift; NaN: there is none. If it is within
+                             0.1 of likeness, a warning says that the shift is uncertain */
+    double turn;          /* degrees by which the second body was turned about the up axis to face
+                             as the first does: points, and skeletons with different joints; else 0 */
+    double size_ratio;    /* size of the second body divided by that of the first, from the parts
+                             that were compared; NaN: no positions in space, or only one part */
+    int64_t judged;       /* number of lags and amplitudes of parts that have an interval */
+    int64_t significant;  /* how many of them are significant; by chance, 0.05 * judged would be */
+    int32_t sides;        /* 1: from stltsa_compare_left_right */
+    int32_t reserved;
+} stltsa_compared_cycles;
+
+/* A joint, a point or a column of the file (part), or one of its coordinates (channel). Lengths and
+ * angles are in the unit of the features. Append-only: set size to sizeof(stltsa_compared_part). */
+typedef struct stltsa_compared_part {
+    size_t size;
+    int64_t part;          /* index of the part; of a channel, of the part it belongs to */
+    double rms;            /* root mean square, over the cycle, of second minus first */
+    double chance;         /* rms expected from the spread between cycles alone */
+    double correlation;    /* of the two mean curves after the lag is removed */
+    stltsa_estimate lag;   /* how much later in its cycle the second motion does the same, relative
+                              to the whole body (left and right: to half a cycle), as a share of the
+                              cycle; first is 0, and the standard deviations are those of the timing
+                              of single cycles. NaN if the curves are not alike (correlation below
+                              0.7) */
+    stltsa_estimate amplitude; /* of the mean curve: largest distance between two of its points; of
+                              one channel, the range (maximum minus minimum) */
+    double ratio;          /* amplitude of the second motion divided by that of the first */
+    double ratio_low, ratio_high; /* its interval */
+    double lag_s, lag_low_s, lag_high_s; /* lag in seconds, for the mean of both cycle times */
+    stltsa_estimate mean;  /* mean over the cycle; NaN for a part with several channels */
+} stltsa_compared_part;
+
+/* Compares the features of two cyclic motions.
+ *
+ * first, second  phases of two clips, or of the same clip. Frame rates and lengths may differ. What
+ *                has the same name in both is compared: joints, points or columns. If the clips have
+ *                different up axes, the axes of the first are used. If some points are left out, the
+ *                others are relative to their own mean
+ * labels         of the segments, 0 for A; -1: in the first clip the motion with the most frames in
+ *                cycles, in the second the motion that is most like it
+ * samples        of each cycle, 5 to 1001; 101 for percent
+ * comparison     to be freed with stltsa_comparison_free; NULL on failure
+ *
+ * Only cycles that the clip has completely, from 0 to 100 %, are compared (see
+ * stltsa_cycles_resample). E_NO_SUCH_PART: a clip has no cycles. E_ARGUMENT: a label has no cycles,
+ * or samples is out of range. E_SHAPE: the clips have different kinds of features, or no name in
+ * common. E_TOO_FEW_FRAMES: a clip has no complete cycle. */
+STLTSA_API stltsa_status stltsa_compare(const stltsa_phase *first, int32_t first_label,
+                                        const stltsa_phase *second, int32_t second_label,
+                                        int64_t samples,
+                                        stltsa_comparison **comparison) STLTSA_NOEXCEPT;
+
+/* The same with options. Used: progress. */
+STLTSA_API stltsa_status stltsa_compare_with(const stltsa_phase *first, int32_t first_label,
+                                             const stltsa_phase *second, int32_t second_label,
+                                             int64_t samples, const stltsa_options *options,
+                                             stltsa_comparison **comparison) STLTSA_NOEXCEPT;
+
+/* Compares the left side of a body with its right side: the first motion is the left side, the
+ * second the mirror image of the right side half a cycle later (see stltsa_sides_find). Differences
+ * are taken within each cycle, so a change of both sides alike does not widen the intervals. Lags
+ * are relative to exactly half a cycle. clip, options: those of stltsa_phase_find. Errors as for
+ * stltsa_compare, and E_ARGUMENT: the phase is of another clip. E_UNSUPPORTED: the two halves of a
+ * cycle are not known to be the same motion of opposite sides, no two names differ only in the side,
+ * or the clip cannot be mirrored. */
+STLTSA_API stltsa_status stltsa_compare_left_right(const stltsa_clip *clip,
+                                                   const stltsa_phase *phase, int32_t label,
+                                                   int64_t samples,
+                                                   const stltsa_options *options,
+                                                   stltsa_comparison **comparison) STLTSA_NOEXCEPT;
+STLTSA_API void stltsa_comparison_free(stltsa_comparison *comparison) STLTSA_NOEXCEPT;
+
+STLTSA_API stltsa_status stltsa_comparison_cycles(const stltsa_comparison *comparison,
+                                                  stltsa_compared_cycles *cycles) STLTSA_NOEXCEPT;
+
+/* Joints, points or columns, in the order of the first clip. E_ARGUMENT: index is out of range. */
+STLTSA_API int64_t
+stltsa_comparison_part_count(const stltsa_comparison *comparison) STLTSA_NOEXCEPT;
+STLTSA_API stltsa_status stltsa_comparison_part(const stltsa_comparison *comparison, int64_t index,
+                                                stltsa_compared_part *part) STLTSA_NOEXCEPT;
+/* Name of a part in the first (0) or the second (1) motion; the two differ for left and right. ""
+ * beyond the last. Valid, like all texts here, until the comparison is freed. */
+STLTSA_API const char *stltsa_comparison_part_name(const stltsa_comparison *comparison,
+                                                   int32_t which, int64_t index) STLTSA_NOEXCEPT;
+/* The coordinates of the parts, part by part. */
+STLTSA_API int64_t
+stltsa_comparison_channel_count(const stltsa_comparison *comparison) STLTSA_NOEXCEPT;
+STLTSA_API stltsa_status stltsa_comparison_channel(const stltsa_comparison *comparison,
+                                                   int64_t index,
+                                                   stltsa_compared_part *channel) STLTSA_NOEXCEPT;
+/* "x", "y" or "z" of a position; such as "rz" of an angle; "1" to "6" of a rotation matrix; "" for
+ * the only channel of a part, and beyond the last. */
+STLTSA_API const char *stltsa_comparison_channel_axis(const stltsa_comparison *comparison,
+                                                      int64_t index) STLTSA_NOEXCEPT;
+
+/* Mean and standard deviation between cycles of the first (0) or the second (1) motion, samples x
+ * channels; each may be NULL. Sample s of both is at phase s / (samples - 1) of the first motion. */
+STLTSA_API stltsa_status stltsa_comparison_curves(const stltsa_comparison *comparison,
+                                                  int32_t which, const stltsa_out *mean,
+                                                  const stltsa_out *deviation) STLTSA_NOEXCEPT;
+/* Second minus first at each sample, its standard error, and half the width of its interval: samples
+ * x channels; each may be NULL. Each interval holds for one sample: of 100 samples without a
+ * difference, about five intervals exclude 0 by chance. */
+STLTSA_API stltsa_status stltsa_comparison_difference(const stltsa_comparison *comparison,
+                                                      const stltsa_out *difference,
+                                                      const stltsa_out *standard_error,
+                                                      const stltsa_out *margin) STLTSA_NOEXCEPT;
+
+/* Names in the first (0) or the second (1) clip that the other one lacks. */
+STLTSA_API int64_t stltsa_comparison_left_out_count(const stltsa_comparison *comparison,
+                                                    int32_t which) STLTSA_NOEXCEPT;
+STLTSA_API const char *stltsa_comparison_left_out(const stltsa_comparison *comparison,
+                                                  int32_t which, int64_t index) STLTSA_NOEXCEPT;
+/* Warnings: few cycles, motions that are not alike, an uncertain shift, bodies of different size or
+ * unit, and those of both phases (see stltsa_phase_warning). */
+STLTSA_API int64_t
+stltsa_comparison_warning_count(const stltsa_comparison *comparison) STLTSA_NOEXCEPT;
+STLTSA_API const char *stltsa_comparison_warning(const stltsa_comparison *comparison,
+                                                 int64_t index) STLTSA_NOEXCEPT;
+/* The object of schema stltsa-comparison/1; free it with stltsa_free. */
+STLTSA_API stltsa_status stltsa_comparison_json(const stltsa_comparison *comparison,
+                                                char **json) STLTSA_NOEXCEPT;
+
+/* ---- Live phase ----------------------------------------------------------------------------- */
+
+/* Keeps in a model what a stream is compared with: the mean cycle of the clip's motion that has the
+ * most frames in cycles. Model files keep it. Marks that were kept before are forgotten.
+ * E_ARGUMENT: no cycles, or they are too short for the filter to settle. E_SHAPE: the features are
+ * not those of the model. E_DEGENERATE: nothing is left to compare a stream with, because all
+ * columns only drift. */
+STLTSA_API stltsa_status stltsa_model_keep_cycle(stltsa_model *model,
+                                                 const stltsa_phase *phase) STLTSA_NOEXCEPT;
+/* Names the phase of a frame (not rounded) in those cycles, which a stream reports as it passes. At
+ * most 62. E_ARGUMENT: the frame lies in no cycle of that motion; no name. */
+STLTSA_API stltsa_status stltsa_model_keep_mark(stltsa_model *model, const stltsa_phase *phase,
+                                                double frame, const char *name) STLTSA_NOEXCEPT;
+/* 1 if the model keeps a mean cycle. */
+STLTSA_API int32_t stltsa_model_has_cycle(const stltsa_model *model) STLTSA_NOEXCEPT;
+
+/* Follows one stream: push one frame after another, each in the form in which it comes. The model
+ * may be freed before it. Only stltsa_live_new allocates memory. No answer depends on later frames,
+ * and there is no delay. */
+typedef struct stltsa_live stltsa_live;
+
+/* Append-only: set size to sizeof(stltsa_live_frame). */
+typedef struct stltsa_live_frame {
+    size_t size;
+    int64_t passed;    /* bit i: mark i (stltsa_live_mark_name) was passed since the frame before */
+    double phase;      /* of the clip that was kept, in [0, 1) */
+    double rate_hz;    /* turns a second */
+    double cycles;     /* turns since the first frame, not rounded */
+    double distance;   /* from the mean cycle; above 1 it is another motion; NaN: missing frame */
+    double confidence; /* 0 to 1: how sharply the phase is known; falls while frames are missing */
+    int32_t known;     /* 0: another motion, for 0.1 s at least, or a frame that is missing */
+    int32_t kind;      /* STLTSA_SEGMENT_CYCLIC, _ACTION (not known) or _REST (the body is still) */
+} stltsa_live_frame;
+
+/* E_UNSUPPORTED: the model keeps no mean cycle. */
+STLTSA_API stltsa_status stltsa_live_new(const stltsa_model *model,
+                                         stltsa_live **live) STLTSA_NOEXCEPT;
+STLTSA_API void stltsa_live_free(stltsa_live *live) STLTSA_NOEXCEPT;
+/* Marks of the model, in the order in which they were kept. */
+STLTSA_API int64_t stltsa_live_mark_count(const stltsa_live *live) STLTSA_NOEXCEPT;
+STLTSA_API const char *stltsa_live_mark_name(const stltsa_live *live,
+                                             int64_t index) STLTSA_NOEXCEPT;
+
+/* Each of these functions takes the next frame.
+ * seconds   time of the frame; rises from call to call. Frames may be dropped, since only their
+ *           times count. If a frame has the time of the one before, or one up to 0.25 s earlier (a
+ *           coarse clock, a late packet), it is left out, and the answer is that of the frame
+ *           before. If time falls by more, or after more than a second without frames, the filter
+ *           starts anew and settles within 0.15 s.
+ * frame     the answer
+ * If too little is known of a frame, or if it is too far away for any body, it is missing: the
+ * phase goes on as before, less and less surely, and `known` is 0.
+ * E_SHAPE, E_ARGUMENT; E_UNSUPPORTED: the model's frames have another form. */
+
+/* points      points x 2 or 3, in the order and the unit of the model's clip; a point is lost if it
+ *             is NaN, or if all of its coordinates are 0. Where the body is and which way it faces
+ *             does not count: the mean of the points is removed, and the points are turned about
+ *             the up axis to be closest to the mean shape of the clip. A lost point gets the place
+ *             that the others imply. If more than half are lost, the frame is missing.
+ * confidence  points x 1, 0: lost; NULL: all are seen */
+STLTSA_API stltsa_status stltsa_live_push_points(stltsa_live *live, double seconds,
+                                                 const stltsa_in *points,
+                                                 const stltsa_in *confidence,
+                                                 stltsa_live_frame *frame) STLTSA_NOEXCEPT;
+/* form        STLTSA_ROTATIONS_*
+ * rotations   local rotations, joints x 4 or x 9, or 1 x channels, in the order of the skeleton of
+ *             the model's clip, which has the lengths of the bones; see stltsa_clip_from_skeleton.
+ *             If a number is not finite, the frame is missing. E_ARGUMENT: the numbers are no
+ *             rotation
+ * root        1 x 3, position of the root; NULL: it stays at its offset, or the channels say where
+ *             it is. It counts only if a joint above the body's root moves. */
+STLTSA_API stltsa_status stltsa_live_push_pose(stltsa_live *live, double seconds, int32_t form,
+                                               const stltsa_in *rotations, const stltsa_in *root,
+                                               stltsa_live_frame *frame) STLTSA_NOEXCEPT;
+/* index       frame of a clip with the joints or columns of the model's clip; its bones may have
+ *             other lengths. To replay a clip: its other frames are not looked at */
+STLTSA_API stltsa_status stltsa_live_push_frame(stltsa_live *live, double seconds,
+                                                const stltsa_clip *clip, int64_t index,
+                                                stltsa_live_frame *frame) STLTSA_NOEXCEPT;
+/* features    1 x features of the model. With a skeleton: a row of stltsa_clip_features; otherwise
+ *             the numbers of the columns of the file, NaN if one is lost */
+STLTSA_API stltsa_status stltsa_live_push(stltsa_live *live, double seconds,
+                                          const stltsa_in *features,
+                                          stltsa_live_frame *frame) STLTSA_NOEXCEPT;
+
+/* ---- Reports -------------------------------------------------------------------------------- */
+
+/* Writes a report of a clip that was decomposed: one HTML page that a browser shows without a
+ * network. The file is written completely or not at all. The page has the moving skeleton or points;
+ * segments, units, cycles and repetitions over time; the curve and the loop; mean cycles with
+ * standard deviation, left beside right; tables and warnings. For a long clip it keeps only every
+ * second, third, ... posture, so that an hour takes at most 10 MB, and says so.
+ *
+ * options   those with which the clip was decomposed
+ * command   the command or call that makes the report again, for the page to show; NULL: unknown
+ *
+ * The same input gives the same bytes; there is no date in them. E_ARGUMENT: the decomposition is
+ * of another clip. E_IO. */
+STLTSA_API stltsa_status stltsa_report_save(const stltsa_clip *clip,
+                                            const stltsa_decomposition *decomposition,
+                                            const stltsa_options *options, const char *command,
+                                            const char *path) STLTSA_NOEXCEPT;
+/* Writes a report of a comparison in the same way: one HTML page with both mean cycles as moving
+ * bodies, the largest differences in timing and amplitude with their confidence intervals, the
+ * curves of each part with standard deviation, tables and warnings. command: as above. E_IO. */
+STLTSA_API stltsa_status stltsa_comparison_report_save(const stltsa_comparison *comparison,
+                                                       const char *command,
+                                                       const char *path) STLTSA_NOEXCEPT;
+
+/* ---- Denoising (section 3.2) ------------------------------------------------------------- */
+
+typedef struct stltsa_denoising stltsa_denoising;
+
+/* Denoises coordinates, rows x columns, each column separately. The curve is a penalized
+ * least-squares cubic spline over time; generalized cross-validation chooses its smoothing. Points
+ * farther than gamma from it are moved towards it by their mean distance, as in equation (1), but
+ * never across it. Several clips: as in stltsa_fit; each has its own spline. Locate extrema and
+ * margins on the curve, not on the moved points. Options: gamma, knot_spacing, robust, fps,
+ * period_min, period_max, progress. E_SHAPE, E_NOT_FINITE, E_TOO_FEW_FRAMES (fewer than 8 rows in a
+ * clip). */
+STLTSA_API stltsa_status stltsa_denoise(const stltsa_in *coords, const stltsa_in *lengths,
+                                        const stltsa_options *options,
+                                        stltsa_denoising **denoising) STLTSA_NOEXCEPT;
+/* The coordinates of a model, component by component; rate and period are those of the model. */
+STLTSA_API stltsa_status stltsa_denoise_model(const stltsa_model *model,
+                                              const stltsa_options *options,
+                                              stltsa_denoising **denoising) STLTSA_NOEXCEPT;
+STLTSA_API void stltsa_denoising_free(stltsa_denoising *denoising) STLTSA_NOEXCEPT;
+STLTSA_API const stltsa_info *
+stltsa_denoising_info(const stltsa_denoising *denoising) STLTSA_NOEXCEPT;
+
+/* rows x columns: the fitted curve f_c; the points after equation (1); the displacement of each
+ * point (0: not moved). */
+STLTSA_API stltsa_status stltsa_denoising_curve(const stltsa_denoising *denoising,
+                                                const stltsa_out *curve) STLTSA_NOEXCEPT;
+STLTSA_API stltsa_status stltsa_denoising_cleaned(const stltsa_denoising *denoising,
+                                                  const stltsa_out *cleaned) STLTSA_NOEXCEPT;
+STLTSA_API stltsa_status stltsa_denoising_moves(const stltsa_denoising *denoising,
+                                                const stltsa_out *moves) STLTSA_NOEXCEPT;
+/* The object of schema stltsa-denoising/1. */
+STLTSA_API stltsa_status stltsa_denoising_json(const stltsa_denoising *denoising,
+                                               char **json) STLTSA_NOEXCEPT;
+
+/* ---- New motion from units (section 4) ---------------------------------------------------- */
+
+/* Frames [begin, end) of a clip, `repeat` times (1: once). Set reserved to 0. Frozen. */
+typedef struct stltsa_piece {
+    const stltsa_clip *clip;
+    int64_t begin, end;
+    int64_t repeat, reserved;
+} stltsa_piece;
+
+typedef struct stltsa_synthesis stltsa_synthesis;
+
+/* Joins pieces, in order, into one clip. If a piece does not continue the one before, the cuts move
+ * (option cut_range) to the pair of frames with the most similar postures and velocities, and the
+ * two are crossfaded. The body continues from its position and heading; repetitions do not
+ * accumulate the swing of the heading, only real turns of the body. Pieces that follow each other
+ * in their clip are joined unchanged, so the units of a clip give the clip back; of the frames left
+ * out between pieces of one clip, or played twice, at least half remain so. All clips need the same
+ * hierarchy. The first clip determines hierarchy, channels, units and frame rate; the others are
+ * resampled. With option loop the last piece continues as the first: the wrap is the last seam, its
+ * `frame` the number of frames, and playing the clip endlessly shows no other seam than those. Only
+ * the path goes on (STLTSA_INFO_TRAVEL), unless it is removed by option in_place. Options:
+ * crossfade, cut_range, posture_limit, loop, in_place, up axis, progress. E_ARGUMENT,
+ * E_UNSUPPORTED (no skeleton, different hierarchies, no frame rate), E_NO_COMMON_POSTURE (beyond
+ * posture_limit; the text says at which seam and by how much). */
+STLTSA_API stltsa_status stltsa_synthesize(const stltsa_piece *pieces, int64_t count,
+                                           const stltsa_options *options,
+                                           stltsa_synthesis **synthesis) STLTSA_NOEXCEPT;
+/* The loop of a clip, as with option loop: of the ranges of consecutive cycles in `decomposition`,
+ * which is of this clip, the longest with a good seam. A seam is good if the largest step near it,
+ * in positions of the joints, is at most 1.2 times the 95th percentile: relative to the root, of the
+ * clip's steps, and in the world, of those of the loop in place; and if there is no warning about
+ * it. If none is good, the range with the smallest seam; without cycles, the whole clip. Of
+ * more than 66 cycles not every length is tried. STLTSA_INFO_NOTE says which range it is, and the
+ * piece is among the facts. Options and errors as in stltsa_synthesize; E_ARGUMENT: a cycle exceeds
+ * the clip. */
+STLTSA_API stltsa_status stltsa_synthesize_loop(const stltsa_clip *clip,
+                                                const stltsa_decomposition *decomposition,
+                                                const stltsa_options *options,
+                                                stltsa_synthesis **synthesis) STLTSA_NOEXCEPT;
+STLTSA_API void stltsa_synthesis_free(stltsa_synthesis *synthesis) STLTSA_NOEXCEPT;
+STLTSA_API const stltsa_info *
+stltsa_synthesis_info(const stltsa_synthesis *synthesis) STLTSA_NOEXCEPT;
+/* The new clip; it belongs to the synthesis. */
+STLTSA_API const stltsa_clip *
+stltsa_synthesis_clip(const stltsa_synthesis *synthesis) STLTSA_NOEXCEPT;
+
+/* The place at which one piece is followed by another, or by its own repetition. Append-only: set
+ * size to sizeof(stltsa_seam). */
+typedef struct stltsa_seam {
+    size_t size;
+    int64_t frame;           /* first frame of the new clip that belongs to the later piece; of a
+                                loop's wrap, the number of frames */
+    int64_t piece, next;     /* indices of the pieces that meet */
+    int64_t cut_end, cut_begin; /* the cuts, in frames of their clips (after any resampling): the
+                                   earlier piece ends before cut_end, the later starts at
+                                   cut_begin */
+    int64_t crossfade;       /* frames to each side that are blended; 0: none */
+    double posture;          /* distance of postures and velocities at the cuts, divided by the
+                                usual distance between repetitions of the same motion */
+    double step, acceleration; /* largest pose step, and second difference, near the seam, divided
+                                by the 95th percentile in the pieces; invisible up to 1 */
+} stltsa_seam;
+STLTSA_API int64_t stltsa_synthesis_seam_count(const stltsa_synthesis *synthesis) STLTSA_NOEXCEPT;
+STLTSA_API stltsa_status stltsa_synthesis_seam(const stltsa_synthesis *synthesis, int64_t index,
+                                               stltsa_seam *seam) STLTSA_NOEXCEPT;
+STLTSA_API int64_t
+stltsa_synthesis_warning_count(const stltsa_synthesis *synthesis) STLTSA_NOEXCEPT;
+STLTSA_API const char *stltsa_synthesis_warning(const stltsa_synthesis *synthesis,
+                                                int64_t index) STLTSA_NOEXCEPT;
+/* The object of schema stltsa-synthesis/1. */
+STLTSA_API stltsa_status stltsa_synthesis_json(const stltsa_synthesis *synthesis,
+                                               char **json) STLTSA_NOEXCEPT;
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif /* STLTSA_H */
