@@ -589,7 +589,7 @@ STLTSA_API stltsa_status stltsa_clip_parse(const void *bytes, size_t size, int32
                                            const char *name, const stltsa_options *options,
                                            stltsa_clip **clip) STLTSA_NOEXCEPT;
 
-/* A clip without a skeleton from a matrix, rows = frames, which is copied. fps > 0. */
+/* A clip without a skeleton from a matrix, rows = frames, which is copied. fps: 1e-9 to 1e6. */
 STLTSA_API stltsa_status stltsa_clip_from_matrix(const stltsa_in *frames, double fps,
                                                  stltsa_clip **clip) STLTSA_NOEXCEPT;
 
@@ -642,8 +642,9 @@ enum {
 /* A clip of a skeleton: joints, their local rotations (child axes to parent axes; frames x 4, 9, or
  * channels of all joints) and the positions of the root (frames x 3; NULL: it stays at its offset,
  * or the channels say where it is). Quaternions and matrices become the angles of the channels, each
- * chosen nearest to those of the frame before; channels keep their bits. All is copied. fps > 0.
- * E_SHAPE, E_ARGUMENT (a parent after its child, unknown channels, no rotation), E_NOT_FINITE. */
+ * chosen nearest to those of the frame before; channels keep their bits. All is copied.
+ * fps: 1e-9 to 1e6. E_SHAPE, E_ARGUMENT (a parent after its child, unknown channels, no rotation),
+ * E_NOT_FINITE. */
 STLTSA_API stltsa_status stltsa_clip_from_skeleton(const stltsa_joint *joints, int64_t count,
                                                    int32_t form, const stltsa_in *rotations,
                                                    const stltsa_in *root_positions, double fps,

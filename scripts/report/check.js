@@ -221,7 +221,7 @@ async function checkPrint(browser, report, name) {
 }
 
 async function shoot(browser, report, name) {
-  for (const width of [1240, 390])
+  for (const width of [1240, 1024, 768, 390])
     for (const colorScheme of ["light", "dark"]) {
       const { page, told } = await opened(browser, report, { width, colorScheme });
       const high = await page.evaluate(() => document.documentElement.scrollHeight);

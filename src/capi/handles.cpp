@@ -16,8 +16,9 @@ char* caller_string(const std::string& text) {
 }
 
 void check_rate(double fps) {
-    if (!(fps > 0 && fps <= 1e6))
-        fail(Status::argument, "fps is {}; it must be above 0 and at most 1000000", fps);
+    if (!(fps >= clip::lowest_fps && fps <= clip::highest_fps))
+        fail(Status::argument, "fps is {}; it must be from {:g} to {:g}", fps, clip::lowest_fps,
+             clip::highest_fps);
 }
 
 std::vector<const clip::Clip*> clips_of(const stltsa_clip* const* clips, std::int64_t count) {

@@ -34,7 +34,7 @@ const ltsa::Mapping* mapping_of(const stltsa_model& model);
 /// The clips that a caller passes. Throws Status::argument for none, and for NULL.
 std::vector<const clip::Clip*> clips_of(const stltsa_clip* const* clips, std::int64_t count);
 
-/// Throws Status::argument for a rate that is not above 0 and at most 1e6.
+/// Throws Status::argument for a rate that no clip may have.
 void check_rate(double fps);
 
 /// "tx ty tz rz rx ry" for each joint; none if the skeleton is of an ASF file.

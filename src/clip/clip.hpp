@@ -56,6 +56,9 @@ struct Skeleton {
     std::string asf; ///< text of the ASF file from which it was read; empty if from elsewhere
 };
 
+/// Rates that a clip may have, in frames a second: their reciprocals are still precise.
+constexpr double lowest_fps = 1e-9, highest_fps = 1e6;
+
 struct Clip {
     std::string path; ///< as given, empty for memory
     Format format = Format::matrix;

@@ -49,6 +49,11 @@ void write_with_skeleton(const std::string& amc, const Content& content, const s
             throw;
         }
     }
+    if (!fs::is_regular_file(path, ignored)) // reading a pipe would wait
+        fail(Status::io,
+             "{}: is not a regular file, but the skeleton of {} would be written there: choose "
+             "another name for the clip",
+             path, amc);
     if (read_file(path, {}) != asf)
         fail(Status::io,
              "{}: exists and is another skeleton, but that of {} would be written there: choose "

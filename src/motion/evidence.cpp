@@ -77,14 +77,14 @@ Evidence weigh(const std::vector<double>& margins, ConstMatrixView samples,
 std::string doubt(const Evidence& evidence, double fps) {
     const double period_s = evidence.period.samples / fps;
     if (evidence.margins < margins_of_a_cycle)
-        return format_text("less than one cycle: the motion repeats best after {:.2f} s (quality "
-                           "{:.2f}), but the clip contains no whole cycle of that length",
+        return format_text("less than one cycle: the clip resembles itself most after {:.2f} s "
+                           "(quality {:.2f}; 1: it repeats), but its curve completes no cycle",
                            period_s, evidence.period.quality);
     const double quality_needed =
         evidence.margins > margins_of_a_cycle ? least_quality : least_quality_of_one;
     if (evidence.period.quality < quality_needed)
-        return format_text("low quality: the motion repeats best after {:.2f} s, but with a "
-                           "quality of only {:.3f}, below {:.2f}",
+        return format_text("low quality: the clip resembles itself most after {:.2f} s, but with "
+                           "a quality of only {:.3f}, below {:.2f} (1: it repeats)",
                            period_s, evidence.period.quality, quality_needed);
     if (evidence.cyclicity < least_cyclicity)
         return format_text("low cyclicity: the motion repeats after {:.2f} s (quality {:.2f}), but "

@@ -16,6 +16,24 @@ Matrix column_of(const std::vector<double>& curve) {
     return column;
 }
 
+/// The curve at no more than 1000 phases: a lag needs no more, and its cost grows with their
+/// square.
+Matrix thinned(const std::vector<double>& curve) {
+    constexpr std::int64_t most = 1000;
+    const std::int64_t count = std::ssize(curve);
+    Matrix column = Matrix::unset(std::min(count, most), 1);
+    for (std::int64_t s = 0; s < column.rows(); ++s) {
+        const std::int64_t from = s * count / column.rows(), rest = s * count % column.rows();
+        const double here = curve[static_cast<std::size_t>(from)];
+        const double next = curve[static_cast<std::size_t>((from + 1) % count)];
+        column(s, 0) =
+            rest == 0 ? here
+                      : std::lerp(here, next,
+                                  static_cast<double>(rest) / static_cast<double>(column.rows()));
+    }
+    return column;
+}
+
 std::vector<double> half_later(const std::vector<double>& curve) {
     const Matrix shifted = later(column_of(curve).view(), static_cast<double>(curve.size()) / 2);
     return {shifted.data(), shifted.data() + shifted.rows()};
@@ -55,21 +73,23 @@ CycleCurve half_a_cycle_later(const CycleCurve& curve) {
     return {half_later(curve.mean), half_later(curve.deviation)};
 }
 
-CurveDifference difference(const CycleCurve& left, const CycleCurve& right, std::int64_t cycles) {
+CurveDifference difference(const CycleCurve& left, const CycleCurve& right, std::int64_t cycles,
+                           PacedPoll& polls) {
     double squares = 0;
     for (std::size_t s = 0; s < left.mean.size(); ++s)
         squares += (left.mean[s] - right.mean[s]) * (left.mean[s] - right.mean[s]);
     if (std::isnan(squares))
         return {none, none, none, none, none, none, none};
     const auto count = static_cast<double>(left.mean.size());
-    const Lag lag = lag_between(column_of(left.mean).view(), column_of(right.mean).view(),
-                                static_cast<std::int64_t>(left.mean.size()) / 4);
+    const Matrix one = thinned(left.mean), other = thinned(right.mean);
+    const Lag lag = lag_between(one.view(), other.view(), one.rows() / 4, polls);
     return {std::sqrt(squares / count),
             chance_of(left, right, cycles),
             mean_of(left.mean) - mean_of(right.mean),
             range_of(left.mean),
             range_of(right.mean),
-            lag.correlation >= least_correlation ? lag.samples / count : none,
+            lag.correlation >= least_correlation ? lag.samples / static_cast<double>(one.rows())
+                                                 : none,
             lag.correlation};
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/progress.hpp"
 #include "linalg/matrix.hpp"
 
 namespace stltsa::phase {
@@ -32,6 +33,7 @@ struct CurveDifference {
     double shift = 0, correlation = 0;
 };
 
-CurveDifference difference(const CycleCurve& left, const CycleCurve& right, std::int64_t cycles);
+CurveDifference difference(const CycleCurve& left, const CycleCurve& right, std::int64_t cycles,
+                           PacedPoll& polls);
 
 } // namespace stltsa::phase

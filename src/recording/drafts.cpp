@@ -135,7 +135,8 @@ void set_reason(const Signal& signal, const std::vector<Part>& parts, Draft& dra
         if (part.best_match >= least_match) {
             draft.candidate_period = part.best_lag_s * signal.rate;
             draft.reason = format_text(
-                "does not repeat back to back: the best lag is {:.2f} s, with a match of {:.2f}",
+                "does not repeat back to back: it resembles itself most after {:.2f} s, with a "
+                "quality of {:.2f} (1: it repeats)",
                 part.best_lag_s, part.best_match);
         }
     }

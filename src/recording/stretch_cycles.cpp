@@ -188,12 +188,12 @@ std::string doubt_about(const CyclicStretch& cut, const StillRows& still, double
     const bool few = cut.cycles.size() <= few_cycles;
     const double needed = few ? least_quality_of_few : least_quality;
     if (cut.stretch.quality < needed)
-        return format_text("low quality: the motion repeats best after {:.2f} s, but with a "
-                           "quality of only {:.3f}, below {:.2f}",
+        return format_text("low quality: it resembles itself most after {:.2f} s, but with a "
+                           "quality of only {:.3f}, below {:.2f} (1: it repeats)",
                            seconds, cut.stretch.quality, needed);
     if (cut.cycles.empty())
-        return format_text("less than one cycle: the motion repeats after {:.2f} s (quality "
-                           "{:.2f}), but it contains no whole cycle of that length",
+        return format_text("less than one cycle: it resembles itself most after {:.2f} s "
+                           "(quality {:.2f}; 1: it repeats), but completes no cycle",
                            seconds, cut.stretch.quality);
     const bool rested = std::ranges::any_of(
         cut.cycles, [&](const Interval& cycle) { return holds_rest(cycle, still.rests); });

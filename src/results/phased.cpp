@@ -222,9 +222,8 @@ phase::Resampled resample(const Phased& phased, std::int32_t label, ConstMatrixV
         made.no_halves = format_text("motion {} has repetitions but no cycles", label_text(label));
     else if (!motion.like_halves)
         made.no_halves = format_text(
-            "it is not known whether the two halves of the cycles of motion {} are the same motion "
-            "of opposite sides: only the legs of a skeleton, or leg points whose names state a "
-            "side, show this",
+            "the second half of a cycle of motion {} may not mirror the first: only the legs of a "
+            "skeleton, or leg points whose names state a side, can show that it does",
             label_text(label));
     return made;
 }

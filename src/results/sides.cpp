@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 
 #include "base/side_name.hpp"
@@ -29,7 +30,8 @@ void drop_if_unknown(ComparedSides& result) {
 
 /// `right`: signals that hold the right side in the columns with the left names.
 ComparedSides compared(const phase::Resampled& left, const phase::Resampled& right,
-                       std::span<const std::string> names, bool mirrored) {
+                       std::span<const std::string> names, bool mirrored,
+                       const std::function<void()>& poll) {
     ComparedSides result;
     result.samples = left.mean.rows();
     result.reason = left.no_halves;
@@ -39,6 +41,7 @@ ComparedSides compared(const phase::Resampled& left, const phase::Resampled& rig
                         "and R_toe do";
     if (!result.reason.empty())
         return result;
+    PacedPoll polls(poll);
     for (const SideColumns& pair : pairs) {
         const auto column = static_cast<std::int64_t>(pair.left);
         const auto of_right = mirrored ? column : static_cast<std::int64_t>(pair.right);
@@ -48,7 +51,8 @@ ComparedSides compared(const phase::Resampled& left, const phase::Resampled& rig
         result.pairs.push_back(
             {column, static_cast<std::int64_t>(pair.right), names[pair.left], names[pair.right],
              closed(a.mean), closed(b.mean),
-             phase::difference(a, b, static_cast<std::int64_t>(left.each.size()))});
+             phase::difference(a, b, static_cast<std::int64_t>(left.each.size()), polls)});
+        polls.did(8 * result.samples);
     }
     drop_if_unknown(result);
     return result;
@@ -77,7 +81,7 @@ std::vector<SideColumns> side_columns(std::span<const std::string> names) {
 }
 
 ComparedSides compare_sides(const phase::Resampled& cycles, std::span<const std::string> names) {
-    return compared(cycles, cycles, names, false);
+    return compared(cycles, cycles, names, false, {});
 }
 
 ComparedSides compare_sides(const clip::Clip& clip, const Phased& phased, std::int32_t label,
@@ -88,12 +92,12 @@ ComparedSides compare_sides(const clip::Clip& clip, const Phased& phased, std::i
     const auto start = [progress] { progress.report(Stage::features, 0); };
     const phase::Resampled own = resample(phased, label, rows.view(), samples, start);
     if (!own.no_halves.empty())
-        return compared(own, own, phased.owners, true);
+        return compared(own, own, phased.owners, true, start);
     try {
         const Matrix image = mirror_image(clip, phased, label, samples, prepare, progress);
         const auto end = [progress] { progress.report(Stage::features, 1); };
         return compared(own, resample(phased, label, image.view(), samples, end), phased.owners,
-                        true);
+                        true, end);
     } catch (const Error& error) {
         if (error.status() != Status::unsupported)
             throw;

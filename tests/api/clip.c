@@ -126,6 +126,7 @@ static void a_matrix_becomes_a_clip_of_its_own(void** state) {
     assert_int_equal(stltsa_clip_from_matrix(&in, 0, &clip), STLTSA_E_ARGUMENT);
     assert_null(clip);
     assert_int_equal(stltsa_clip_from_matrix(&in, NAN, &clip), STLTSA_E_ARGUMENT);
+    assert_int_equal(stltsa_clip_from_matrix(&in, 5e-324, &clip), STLTSA_E_ARGUMENT);
     x[2] = NAN;
     assert_int_equal(stltsa_clip_from_matrix(&in, 50, &clip), STLTSA_E_NOT_FINITE);
     assert_int_equal(stltsa_clip_from_matrix(NULL, 50, &clip), STLTSA_E_ARGUMENT);

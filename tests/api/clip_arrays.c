@@ -285,6 +285,10 @@ static void points_have_names_confidence_and_gaps(void** state) {
     points.times = packed_in(times, 3, 1);
     times[2] = 0.1;
     refuses_points(&points, STLTSA_E_ARGUMENT, "times do not increase from frame 1");
+    times[1] = 1e150;
+    times[2] = 2e150;
+    refuses_points(&points, STLTSA_E_ARGUMENT, "the times are 1e-150 frames a second");
+    times[1] = 0.1;
     times[2] = 0.2;
     xy[0] = INFINITY;
     refuses_points(&points, STLTSA_E_NOT_FINITE, "a missing point is NaN");

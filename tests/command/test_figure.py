@@ -149,7 +149,7 @@ class Figure(CommandTest):
         lengths = [segment["end"] - segment["begin"] for segment in found]
         for width, length in zip(widths, lengths):
             self.assertAlmostEqual(width / sum(widths), length / sum(lengths), delta=0.01)
-        self.assertIn("A 4 times", self.texts(root))
+        self.assertIn("A · 4 repetitions", self.texts(root))
         self.assertEqual(self.of_class(self.figure("decompose", walk()), "segment"), [])
 
     def test_no_cycle_tells_why(self):

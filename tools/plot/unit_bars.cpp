@@ -60,12 +60,14 @@ void draw_cycle_bars(Svg& svg, const Figure& figure, const Rect& row) {
     }
 }
 
-/// "A 12 times", or "A" where this does not fit.
+/// "A · 12 cycles", or "A" where this does not fit.
 void segment_text(Svg& svg, const Rect& bar, const stltsa::Segment& segment, const char* color) {
     const std::string label = label_text(segment.label);
-    const bool repeats =
-        segment.kind == STLTSA_SEGMENT_CYCLIC || segment.kind == STLTSA_SEGMENT_REPETITIONS;
-    const std::string repeated = repeats ? label + " " + counted(segment.count, "time") : label;
+    const char* const what = segment.kind == STLTSA_SEGMENT_CYCLIC        ? "cycle"
+                             : segment.kind == STLTSA_SEGMENT_REPETITIONS ? "repetition"
+                                                                          : nullptr;
+    const std::string repeated =
+        what != nullptr ? label + " · " + counted(segment.count, what) : label;
     bar_text(svg, bar, text_width(repeated, font) + 2 <= bar.width ? repeated : label, color);
 }
 

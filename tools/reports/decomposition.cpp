@@ -3,6 +3,7 @@
 #include <cmath>
 #include <iterator>
 #include <optional>
+#include <set>
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -230,6 +231,13 @@ std::string decomposition_summary(const stltsa::Decomposition& result) {
     const std::int64_t repetitions = result.part_count(STLTSA_PART_REPETITION);
     std::string repeated =
         repetitions > 0 ? counted(repetitions, "repetition") + " with pauses" : "";
+    std::set<std::int32_t> cyclic;
+    for (const stltsa::Segment& segment : result.segments())
+        if (segment.kind == STLTSA_SEGMENT_CYCLIC)
+            cyclic.insert(segment.label);
+    if (cyclic.size() > 1) // each has a period of its own
+        return fmt::format("{} of {} motions{}", counted(result.cycle_count(), "cycle"),
+                           cyclic.size(), repeated.empty() ? "" : "; " + repeated);
     if (result.cycle_count() > 0)
         return fmt::format("{}, period {:.2f} s{}", counted(result.cycle_count(), "cycle"),
                            result.info().real(STLTSA_INFO_PERIOD),

@@ -12,9 +12,6 @@
 namespace stltsa::clip {
 namespace {
 
-/// The highest rate that the options and the other formats allow, in frames per second.
-constexpr double most_rate = 1e6;
-
 /// A joint's first column, and the last frame in which it was read.
 struct Slot {
     const Joint* joint;
@@ -70,9 +67,9 @@ class AmcReader {
 
     double rate(std::string_view word) {
         const auto value = parse_number(word);
-        if (!value || !(*value > 0 && *value <= most_rate))
-            in_.fail(Status::format, "{} is not a frame rate above 0 and up to {:g}",
-                     in_quotes(word), most_rate);
+        if (!value || !(*value >= lowest_fps && *value <= highest_fps))
+            in_.fail(Status::format, "{} is not a frame rate from {:g} to {:g}", in_quotes(word),
+                     lowest_fps, highest_fps);
         return *value;
     }
 

@@ -6,6 +6,9 @@
 
 namespace stltsa::clip {
 
+/// Seconds that a frame may take.
+constexpr double shortest_frame_s = 1e-6, longest_frame_s = 3600;
+
 /// Whether position channels of a BVH clip add to OFFSET, which only their values can tell.
 bool positions_add_to_offsets(const Clip& clip);
 

@@ -10,9 +10,6 @@
 namespace stltsa::clip {
 namespace {
 
-constexpr double shortest_frame_s = 1e-6;
-constexpr double longest_frame_s = 3600;
-
 /// The text after "Frames:" or "Frame Time:" on the next line; blanks are optional.
 std::string_view header_value(TextCursor& in, std::string_view first, std::string_view second) {
     const std::string_view line = trim(in.line());

@@ -105,6 +105,11 @@ std::string format_bvh(const Clip& clip, const Progress& progress) {
     if (!(clip.fps > 0))
         fail(Status::unsupported, "a BVH file needs a frame rate, but that of this clip is "
                                   "unknown: open it with option fps");
+    if (1 / clip.fps > longest_frame_s)
+        fail(Status::unsupported,
+             "a frame of a BVH file takes at most {:g} s, but one of this clip takes {:g} s: open "
+             "it with option fps",
+             longest_frame_s, 1 / clip.fps);
     const Clip bvh = in_bvh_form(clip, progress);
     std::string text;
     HierarchyWriter(*bvh.skeleton, text).write();

@@ -4,7 +4,7 @@ const rowsOf = () => {
   const rows = [{ name: "Behavior", y: 26, h: 34 }, { name: "Units", y: 64, h: 20 }];
   let y = 88;
   if (found.cycles.length || found.repetitions.length) { rows.push({ name: found.cycles.length ? found.repetitions.length ? "Cycles, reps" : "Cycles" : "Repetitions", y, h: 20 }); y += 26; }
-  rows.push({ name: "Events", y, h: 16 }); y += 22;
+  if (motions.length) { rows.push({ name: "Events", y, h: 16 }); y += 22; } // else no posture can be marked
   if (curved.length) { rows.push({ name: "Curve", y, h: 74 }); y += 80; }
   if (found.cycles.length) { rows.push({ name: "Distance", y, h: 38 }); y += 44; }
   rows.push({ name: "", y: y + 4, h: 26 });
@@ -57,6 +57,8 @@ function makeBand() {
   curved = moving.filter(s => s.kind === "cyclic" && hasCurve(s));
   if (moving.length === 1 && hasCurve({ begin: 0, end: frames })) curved = [{ begin: 0, end: frames }];
   bandRows = rowsOf();
+  byId("band-hint").textContent = "Drag or click to move in time. Double-click a part to zoom to it. To zoom, pinch or press + and −; drag the strip at the bottom to move the time range." +
+    (curved.length ? " Curve: the motion in one number" + (found.cycles.length ? ", from which units and cycles were cut." : ".") : "") + (found.cycles.length ? " Distance: how far each frame is from the mean cycle." : "");
   const lastRow = bandRows[bandRows.length - 1];
   bandHeight = lastRow.y + lastRow.h + 10;
   const curveRange = curved.length ? rangeOf(curve, 0) : null;

@@ -98,14 +98,15 @@ function frameAt(motion, index, phase) {
 }
 
 // Whether a segment has a curve: where nothing was fitted, the values are constant.
+const curvedSegments = new Map(); // kept here, because the results are saved as they are
 function hasCurve(segment) {
-  if (segment.curved === undefined) {
+  if (!curvedSegments.has(segment)) {
     const { values, first: from, step } = data.curve, begin = Math.max(0, Math.ceil((segment.begin - from) / step)), end = Math.min(values.rows, Math.ceil((segment.end - from) / step));
     let low = Infinity, high = -Infinity;
     for (let r = begin; r < end; ++r) { const v = values.at(r, 0); if (v < low) low = v; if (v > high) high = v; }
-    segment.curved = high - low > 20 * values.unit[0];
+    curvedSegments.set(segment, high - low > 20 * values.unit[0]);
   }
-  return segment.curved;
+  return curvedSegments.get(segment);
 }
 
 const time = frame => { const s = frame / fps, m = Math.floor(s / 60); return frames / fps < 60 ? s.toFixed(2) + " s" : m + ":" + (s - 60 * m).toFixed(2).padStart(5, "0"); };

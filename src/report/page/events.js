@@ -25,7 +25,7 @@ function addMark() {
 }
 function showMarks() {
   const place = byId("events");
-  const intro = element("p", { class: "hint" }, "Move to a posture, such as a heel strike, and press “Mark this posture” (or M, or double-click the body). The page finds the same phase in every other cycle. For the exact answer, with confidence, run the command that appears below.");
+  const intro = element("p", { class: "hint" }, `Move to a moment${body.kind === "columns" ? "" : ", such as a heel strike"}, and press “Mark this posture” (or M${body.kind === "columns" ? "" : ", or double-click the body"}). The page finds the same phase in every other cycle. For the exact answer, with confidence, run the command that appears below.`);
   const boxes = state.marks.map((mark, i) => element("div", { class: "event" },
     element("div", { class: "row" }, element("label", {}, "Name", element("input", { type: "text", value: mark.name, oninput: event => { mark.name = event.target.value || "event"; showCommand(); choices(); } })),
       element("button", { type: "button", onclick: () => seek(mark.frame) }, `Go to ${time(mark.frame)}`),

@@ -99,7 +99,7 @@ function ticks(low, high, count) {
 function tickTexts(list) {
   const step = list.length > 1 ? list[1] - list[0] : Math.abs(list[0]) || 1, most = Math.max(...list.map(Math.abs));
   const digits = Math.max(1, Math.ceil(Math.log10(most / step + 1)) + 1);
-  if (most < 1e7 && step >= 1) return list.map(v => String(v).replace("-", "−"));
+  if (most < 1e6 && step >= 1) return list.map(v => String(v).replace("-", "−"));
   if (digits <= 5) return list.map(v => number(v, digits));
   return list.map((v, i) => i ? "+" + number(v - list[0], 3) : number(v, 4));
 }

@@ -43,12 +43,13 @@ function makeSummary() {
   place.setAttribute("tabindex", "0"); place.setAttribute("role", "region"); place.setAttribute("aria-label", "Numbers of each motion");
   const of = value => !value ? "–" : withSd(value.mean, value.sd);
   const least = 5; // a trend over fewer says nothing
-  const rows = [["Number", s => String(s.count)], ["Cycles per minute", s => isCyclic(s) ? number(s.cycles_per_min) : "–"], [found.summary.every(isCyclic) ? "Cycle time, s (mean ± SD)" : "Cycle time or duration, s (mean ± SD)", s => of(s.cycle_time_s)],
-    ["Confidence", s => confidenceText(s)], ["Variation (CV)", s => s.count > 1 ? percent(s.cycle_time_s.cv) : "–"], ["Change of cycle time, first to last", s => s.count >= least ? trendText(s) : "–"],
-    ["Steps per minute", s => number(s.steps_per_min)], ["Step time of one side, of the other, s", s => s.step_time_s && s.step_time_s.side_means ? s.step_time_s.side_means.map(value => number(value)).join(", ") : "–"], ["Speed, units / s", s => of(s.speed)], ["Stride length, units", s => isCyclic(s) ? of(s.stride) : "–"], ["Path length per cycle, units", s => of(s.way)], ["Turn per cycle, °", s => !s.turn_deg ? "–" : s.count > 1 ? of(s.turn_deg) : degrees(s.turn_deg.mean)],
+  const all = found.summary.every(isCyclic), none = !found.summary.some(isCyclic), each = all ? "cycle" : none ? "repetition" : "cycle or repetition";
+  const rows = [["Number", s => String(s.count)], ["Cycles per minute", s => isCyclic(s) ? number(s.cycles_per_min) : "–"], [`${all ? "Cycle time" : none ? "Duration" : "Cycle time or duration"}, s (mean ± SD)`, s => of(s.cycle_time_s)],
+    ["Confidence", s => confidenceText(s)], ["Variation (CV)", s => s.count > 1 ? percent(s.cycle_time_s.cv) : "–"], [`Change of the ${none ? "duration" : "cycle time"}, first to last`, s => s.count >= least ? trendText(s) : "–"],
+    ["Steps per minute", s => number(s.steps_per_min)], ["Step time of one side, of the other, s", s => s.step_time_s && s.step_time_s.side_means ? s.step_time_s.side_means.map(value => number(value)).join(", ") : "–"], ["Speed, units / s", s => of(s.speed)], ["Stride length, units", s => s.steps_per_min === null ? "–" : of(s.stride)], [`Path length per ${each}, units`, s => of(s.way)], [`Turn per ${each}, °`, s => !s.turn_deg ? "–" : s.count > 1 ? of(s.turn_deg) : degrees(s.turn_deg.mean)],
     ["Largest left–right difference", s => { const m = motionOf(s.label), pairs = m && m.sides ? m.sides.pairs : []; const p = [...pairs].filter(x => x.rms !== null).sort((a, b) => b.rms - a.rms)[0]; return p ? `${p.left} – ${p.right}: ${number(p.rms, 2)}${p.chance === null ? "" : ` (by chance: ${number(p.chance, 2)})`}` : "–"; }]]
     .map(([head, value]) => [head, ...found.summary.map(value)]).filter(row => row.slice(1).some(cell => cell !== "–"));
-  place.append(element("p", { class: "hint" }, "Lengths are in the unit of the file. SD: standard deviation; CV: SD / mean; after ± of a change: half the width of its 95 % interval."), table("", ["", ...found.summary.map(s => named(s.label))], rows));
+  place.append(element("p", { class: "hint" }, (found.summary.some(s => s.speed) ? "Speed and path are those of the body in the space of the file, so on a treadmill they are small. " : "") + (body.kind === "columns" ? "" : "Lengths are in the unit of the file. ") + "SD: standard deviation; CV: SD / mean; after ± of a change: half the width of its 95 % interval. Confidence: that this repeats."), table("", ["", ...found.summary.map(s => named(s.label))], rows));
 }
 
 function makeSides() {
@@ -57,8 +58,8 @@ function makeSides() {
   listeners.push(level => {
     if (level < 3) return;
     const sides = motionShown().sides;
-    section.hidden = !sides;
-    if (!sides) return;
+    section.hidden = !sides || !sides.pairs.length && body.kind === "columns";
+    if (section.hidden) return;
     if (!sides.pairs.length) return place.replaceChildren(element("p", { class: "facts" }, "Not compared: " + sides.reason));
     const rows = [...sides.pairs].sort((a, b) => (b.rms || 0) - (a.rms || 0)).slice(0, 8);
     const hint = element("p", { class: "hint" }, `Motion ${letters(motionShown().label)}: the largest of ${sides.pairs.length} differences between the left side and the mirrored right side half a cycle later. A difference is real if it is well above the value expected by chance.`);
@@ -70,6 +71,7 @@ function makeSides() {
 function makeWarnings() {
   const texts = found.warnings.map(w => w.text + (w.begin_s === null ? "" : ` (at ${number(w.begin_s, 4)} s)`));
   texts.push(...data.phase.warnings, ...(clip.notes || []));
+  if (clip.dropped_start_frames > 0) texts.push(`The first ${plural(clip.dropped_start_frames, "frame")} of the file ${clip.dropped_start_frames === 1 ? "shows" : "show"} a T-pose, and the results leave ${clip.dropped_start_frames === 1 ? "it" : "them"} out.`);
   if (body.step > 1) texts.push(`To keep the file small, this page has only every ${body.step}${body.step === 2 ? "nd" : body.step === 3 ? "rd" : "th"} posture (${number(fps / body.step)} per second) and interpolates between them. The results are from all frames.`);
   for (const motion of motions) {
     if (motion.reason) texts.push(`No curves for ${letters(motion.label)}: ${motion.reason}`);
@@ -132,11 +134,12 @@ function makeDetails() {
     ["Estimated error of the subspace", !isFitted ? noFit : data.accuracy.error_estimate === null ? "unknown" : number(data.accuracy.error_estimate) + " rad (largest angle)"], ["Regularity of the curve", e.cyclicity ? number(e.cyclicity) + " (1: perfect)" : "–"], ["Up axis", samples.up_axis || "–"],
     ["Intrinsic dimension", intrinsic ? `${intrinsic.local_pca || "cannot tell"} by local PCA, ${intrinsic.eigengap || "cannot tell"} by the eigengap` : "not asked for (--dimension-estimate)"],
     ["Library", "libstltsa " + found.library], ["File", clip.path || "none (from memory)"], ["Checksum of the data", "CRC-32 " + data.checksum]];
+  const again = data.command || (clip.path ? `stltsa decompose ${clipWord()}${flagWords("decompose")} --report ${shellWord(stem() + ".html")}` : "");
   byId("details").append(element("dl", {}, ...list.flatMap(([term, value]) => [element("dt", {}, term), element("dd", {}, String(value))])),
-    element("p", { class: "facts" }, "To make this report again:"), foreign ? element("p", { class: "facts" }, "The command reads this file format only if it was installed by: pip install stltsa") : "", commandBox(data.command || `stltsa decompose ${clipWord()}${flagWords("decompose")} --report ${shellWord(stem() + ".html")}`));
+    element("p", { class: "facts" }, again ? "To make this report again:" : "The clip came from memory, so no command makes this report again."), foreign ? element("p", { class: "facts" }, "The command reads this file format only if it was installed by: pip install stltsa") : "", again ? commandBox(again) : "");
   if (values.length < 2) return;
   new Panel("spectrum", {
-    title: "Spectrum", height: () => 190, label: "Eigenvalues of the alignment matrix: " + values.map(v => number(v)).join(", "),
+    title: "Spectrum of the alignment matrix", height: () => 190, label: "Eigenvalues of the alignment matrix: " + values.map(v => number(v)).join(", "),
     base(pen, w, h) {
       const high = Math.max(...values) || 1, x = i => 58 + (i + 0.5) * (w - 76) / values.length, y = v => h - 30 - v / high * (h - 50);
       for (const v of ticks(0, high, 3)) { pen.line([52, y(v), w - 14, y(v)], { stroke: colors.grid }); pen.text(48, y(v), number(v), { size: 11, color: colors.soft, align: "right" }); }

@@ -84,13 +84,22 @@ static void read_comparison(const stltsa_comparison* same) {
     for (int64_t p = 0; p < stltsa_comparison_part_count(same); ++p) {
         MUST(stltsa_comparison_part(same, p, &part));
         CHECK(part.part == p && part.rms == 0 && part.amplitude.difference == 0);
+        CHECK(!(fabs(part.ratio - 1) > 1e-9) && !(part.ratio_low > part.ratio_high));
         CHECK(strcmp(stltsa_comparison_part_name(same, 0, p),
                      stltsa_comparison_part_name(same, 1, p)) == 0);
     }
     MUST(stltsa_comparison_difference(same, &out, NULL, NULL));
     for (int64_t i = 0; i < channels * SAMPLES; ++i)
         CHECK(difference[i] == 0);
+    MUST(stltsa_comparison_curves(same, 0, &out, NULL));
+    for (int64_t i = 0; i < channels * SAMPLES; ++i)
+        CHECK(isfinite(difference[i]));
+    MUST(stltsa_comparison_channel(same, 1, &part));
+    CHECK(part.part == 0 && strcmp(stltsa_comparison_channel_axis(same, 1), "y") == 0);
     CHECK(stltsa_comparison_left_out_count(same, 0) == 0);
+    CHECK(strcmp(stltsa_comparison_left_out(same, 1, 0), "") == 0);
+    for (int64_t i = 0; i < stltsa_comparison_warning_count(same); ++i)
+        CHECK(strlen(stltsa_comparison_warning(same, i)) > 0);
     MUST(stltsa_comparison_json(same, &json));
     MUST(stltsa_comparison_report_save(same, NULL, "built-for-0.2.0.html"));
     CHECK(remove("built-for-0.2.0.html") == 0);
@@ -107,6 +116,7 @@ static void compare(const char* path) {
     stltsa_phase* phase = NULL;
     stltsa_comparison* comparison = NULL;
     stltsa_events* events = NULL;
+    stltsa_compared_cycles cycles = {0};
     double mark = 0;
 
     MUST(stltsa_options_new(&options));
@@ -116,6 +126,11 @@ static void compare(const char* path) {
     MUST(stltsa_phase_find(clip, decomposition, options, &phase));
     MUST(stltsa_compare_with(phase, -1, phase, -1, SAMPLES, options, &comparison));
     read_comparison(comparison);
+    stltsa_comparison_free(comparison);
+    MUST(stltsa_compare_left_right(clip, phase, -1, SAMPLES, options, &comparison));
+    cycles.size = sizeof cycles;
+    MUST(stltsa_comparison_cycles(comparison, &cycles));
+    CHECK(cycles.sides == 1 && cycles.shift == 0.5);
     stltsa_comparison_free(comparison);
     CHECK(stltsa_compare(phase, -1, phase, -1, 4, &comparison) == STLTSA_E_ARGUMENT);
     CHECK(comparison == NULL);

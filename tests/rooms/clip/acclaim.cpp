@@ -170,9 +170,9 @@ void assumes_a_frame_rate_and_says_so(void**) {
     const Clip said = acclaim(":SAMPLES-PER-SECOND 30\n" + small_amc, small_asf);
     assert_true(said.fps == 30);
     assert_int_equal(said.notes.size(), 1);
-    for (const char* rate : {"0", "-1", "1e7", "inf", "nan", "x"})
+    for (const char* rate : {"0", "-1", "5e-324", "1e7", "inf", "nan", "x"})
         ASSERT_FAILS(
-            Status::format, "is not a frame rate above 0 and up to 1e+06",
+            Status::format, "is not a frame rate from 1e-09 to 1e+06",
             acclaim(":SAMPLES-PER-SECOND " + std::string(rate) + "\n" + small_amc, small_asf));
 }
 

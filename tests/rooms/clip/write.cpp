@@ -327,6 +327,11 @@ void skeletons_of_others_stay(void**) {
     fs::create_symlink("no folder/y.amc", folder.path("y.amc"));
     ASSERT_FAILS(Status::io, "y.amc: cannot write", write(small.clip, folder.path("y.amc")));
     assert_false(fs::exists(folder.path("y.asf")));
+    assert_int_equal(::mkfifo(folder.path("p.asf").c_str(), 0600), 0);
+    ::alarm(20); // opening the pipe to compare its content would wait forever
+    ASSERT_FAILS(Status::io, "p.asf: is not a regular file",
+                 write(small.clip, folder.path("p.amc")));
+    ::alarm(0);
     fs::create_symlink("/dev/null", folder.path("z.amc"));
     write(small.clip, folder.path("z.amc"));
     assert_false(fs::exists(folder.path("z.asf")));
@@ -405,8 +410,11 @@ void clips_that_a_format_cannot_hold_are_refused(void**) {
     ASSERT_FAILS(Status::unsupported, "needs a skeleton",
                  write(numbers_only, folder.path("a.bvh")));
     ASSERT_FAILS(Status::unsupported, "read from AMC", write(numbers_only, folder.path("a.amc")));
-    const Clip timeless = parse(replaced(small_bvh, "0.0083333", "0"), Format::bvh);
+    Clip timeless = parse(replaced(small_bvh, "0.0083333", "0"), Format::bvh);
     ASSERT_FAILS(Status::unsupported, "option fps", write(timeless, folder.path("a.bvh")));
+    timeless.fps = 1e-9;
+    ASSERT_FAILS(Status::unsupported, "takes at most 3600 s",
+                 write(timeless, folder.path("a.bvh")));
     assert_true(fs::is_empty(folder.path("")));
 }
 
