@@ -81,15 +81,17 @@ void check_clip(const ClipFacts& clip, std::int64_t rows) {
            "samples");
 }
 
-void check_source(const Source& source, const std::vector<std::int64_t>& lengths,
-                  std::int64_t rows) {
+void check_source(const Source& source, const ltsa::Model& model,
+                  const std::vector<std::int64_t>& lengths) {
+    const std::int64_t rows = model.coords.rows();
     const SampleFacts& samples = source.samples;
     expect(source.clips.empty() || source.clips.size() == lengths.size(), "clips");
     for (std::size_t c = 0; c < source.clips.size(); ++c)
         check_clip(source.clips[c], lengths[c]);
     const ClipFacts first = source.clips.empty() ? ClipFacts() : source.clips.front();
-    expect(samples.count == rows && samples.first == first.first && samples.step == first.step &&
-               amount(samples.fps) && amount(samples.smoothing) &&
+    expect(samples.count == rows && samples.feature_count == model.features &&
+               samples.first == first.first && samples.step == first.step && amount(samples.fps) &&
+               amount(samples.smoothing) &&
                in_range(samples.features, clip::Features::positions, clip::Features::points) &&
                in_range(samples.up, clip::Axis::none, clip::Axis::z),
            "samples");
@@ -214,7 +216,7 @@ void check_live(const Live& live, std::int64_t features) {
 void check_model_fields(const Fitted& model) {
     check_embedding(model.model);
     expect(sums_to(model.lengths, model.model.coords.rows()), "lengths");
-    check_source(model.source, model.lengths, model.model.coords.rows());
+    check_source(model.source, model.model, model.lengths);
     check_kept(model);
     check_live(model.live, model.model.features);
 }

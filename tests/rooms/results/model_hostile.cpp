@@ -191,6 +191,7 @@ void contradictions(void**) {
         {"eigenvalues", [](auto& m) { m.model.components[0].eigenvalues.resize(3); }},
         {"coordinates", [](auto& m) { m.model.coords(3, 1) = NAN; }},
         {"rows of the clip", [](auto& m) { m.source.samples.count = rows - 1; }},
+        {"columns", [](auto& m) { m.source.samples.feature_count = -huge; }},
         {"first frame", [](auto& m) { m.source.samples.first = 1; }},
         {"far first frame", [](auto& m) { m.source.samples.first = huge; }},
         {"step", [](auto& m) { m.source.samples.step = 2; }},
