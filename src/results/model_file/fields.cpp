@@ -193,7 +193,8 @@ void check_live(const Live& live, std::int64_t features) {
     const phase::LiveCycle& c = live.cycle;
     const auto amounts = {c.rate, c.period, c.turns_per_second, c.variance, c.typical};
     expect(std::ranges::all_of(amounts, [](double v) { return amount(v) && v > 0; }) &&
-               amount(c.usual_speed),
+               amount(c.usual_speed) && c.rate >= clip::lowest_fps && c.rate <= clip::highest_fps &&
+               c.turns_per_second <= c.rate, // a cycle takes longer than a frame
            "mean cycle");
     const std::int64_t n = c.directions.rows();
     expect(c.features() == features && std::ssize(c.mean) == 2 * features &&

@@ -247,6 +247,41 @@ void contradictions(void**) {
     }
 }
 
+/// A model whose mean cycle is empty, but right.
+stltsa::results::Fitted with_cycle() {
+    auto model = stltsa::results::restore_model(serialized_model());
+    const std::int64_t n = model.model.features;
+    auto& live = model.live;
+    live.has_cycle = true;
+    live.body.kind = clip::Features::raw;
+    live.body.skeleton = {};
+    live.body.shape.rule = {1, false, false, clip::Axis::none};
+    live.body.shape.used.assign(static_cast<std::size_t>(n), 1);
+    live.body.shape.mean.assign(static_cast<std::size_t>(n), 0);
+    live.body.shape.directions = stltsa::Matrix(0, n);
+    auto& cycle = live.cycle;
+    cycle.rate = 30;
+    cycle.period = cycle.turns_per_second = cycle.variance = cycle.typical = 1;
+    cycle.weights.assign(static_cast<std::size_t>(n), 1);
+    cycle.mean.assign(static_cast<std::size_t>(2 * n), 0);
+    cycle.directions = stltsa::Matrix(1, 2 * n);
+    cycle.places = cycle.rests = stltsa::Matrix(stltsa::phase::place_count, 1);
+    cycle.whitening = stltsa::Matrix(1, 1);
+    return model;
+}
+
+/// Phases that move on by an infinite number of cycles became indices.
+void impossible_rates_of_the_cycle(void**) {
+    assert_true(read(archived(with_cycle())));
+    const std::pair<double, double> rates[] = {{1e300, 1}, {1e-300, 1e-301}, {30, 1e300}, {30, 31}};
+    for (const auto& [rate, turns] : rates) {
+        auto model = with_cycle();
+        model.live.cycle.rate = rate;
+        model.live.cycle.turns_per_second = turns;
+        assert_false(read(archived(model)));
+    }
+}
+
 } // namespace
 
 int main() {
@@ -256,6 +291,7 @@ int main() {
         cmocka_unit_test(cut_bytes),
         cmocka_unit_test(extreme_words),
         cmocka_unit_test(contradictions),
+        cmocka_unit_test(impossible_rates_of_the_cycle),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }
