@@ -82,7 +82,12 @@ async function checkRest(page, told, ids, format) {
     const file = path.join(folder, download.suggestedFilename());
     await download.saveAs(file);
     check(fs.statSync(file).size > 50, `${download.suggestedFilename()} is saved`);
-    if (id === "save-json") check(JSON.parse(fs.readFileSync(file, "utf8")).format.startsWith(format), `it is ${format}`);
+    if (id === "save-json") {
+      const saved = JSON.parse(fs.readFileSync(file, "utf8"));
+      const written = await page.evaluate(() => JSON.parse(document.getElementById("data").textContent).decomposition);
+      check(saved.format.startsWith(format), `it is ${format}`);
+      if (written) check(JSON.stringify(saved) === JSON.stringify(written), "it is what the library wrote");
+    }
   }
   for (const [kind, magic] of [["SVG", "<svg"], ["PNG", "\x89PNG"]]) {
     await page.reload(); // Chromium blocks the eleventh download of a page

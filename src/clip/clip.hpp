@@ -56,7 +56,7 @@ struct Skeleton {
     std::string asf; ///< text of the ASF file from which it was read; empty if from elsewhere
 };
 
-/// Rates that a clip may have, in frames a second: their reciprocals are still precise.
+/// Rates that a clip may have, in frames a second. With lower ones, times overflow.
 constexpr double lowest_fps = 1e-9, highest_fps = 1e6;
 
 struct Clip {

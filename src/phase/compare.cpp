@@ -308,6 +308,7 @@ Differences compare(const Resampled& first, const Resampled& second,
         return differences_of(made, chosen, result, paired, polls);
     };
     result.parts = of(parts);
+    // Columns of plain numbers are parts of their own.
     result.columns = parts == single ? result.parts : of(single);
     return result;
 }

@@ -16,21 +16,14 @@ Matrix column_of(const std::vector<double>& curve) {
     return column;
 }
 
-/// The curve at no more than 1000 phases: a lag needs no more, and its cost grows with their
-/// square.
+/// The curve at no more than 1000 phases, because the cost of a lag grows with their square. The
+/// lags of 30 000 samples differ by less than 0.001 of the cycle (tests/api/sides.c).
 Matrix thinned(const std::vector<double>& curve) {
     constexpr std::int64_t most = 1000;
     const std::int64_t count = std::ssize(curve);
     Matrix column = Matrix::unset(std::min(count, most), 1);
-    for (std::int64_t s = 0; s < column.rows(); ++s) {
-        const std::int64_t from = s * count / column.rows(), rest = s * count % column.rows();
-        const double here = curve[static_cast<std::size_t>(from)];
-        const double next = curve[static_cast<std::size_t>((from + 1) % count)];
-        column(s, 0) =
-            rest == 0 ? here
-                      : std::lerp(here, next,
-                                  static_cast<double>(rest) / static_cast<double>(column.rows()));
-    }
+    for (std::int64_t s = 0; s < column.rows(); ++s)
+        column(s, 0) = curve[static_cast<std::size_t>(s * count / column.rows())];
     return column;
 }
 

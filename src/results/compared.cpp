@@ -260,7 +260,6 @@ Comparison compared(const Side& first, const Side& second, phase::Resampled one,
     result.samples = one.mean.rows();
     result.features = first.phased.samples.features;
     result.differences = phase::compare(one, other, columns.part, sides, first.poll);
-    first.poll();
     result.likeness = result.differences.likeness;
     result.runner_up = result.differences.runner_up;
     result.size_ratio = in_space(first.phased) && columns.names.size() > 1

@@ -339,6 +339,14 @@ static void common_points_are_compared(void** state) {
     for (int p = 0; p < 4; ++p) {
         assert_below(fabs(part_of(of, p).ratio - 3), 0.1, "ratio");
         assert_below(fabs(part_of(of, p).lag.difference), 0.01, "lag");
+        double squares = 0;
+        for (int axis = 0; axis < 3; ++axis) {
+            stltsa_compared_part channel = {.size = sizeof channel};
+            must(stltsa_comparison_channel(of, 3 * p + axis, &channel));
+            assert_int_equal(channel.part, p);
+            squares += channel.rms * channel.rms;
+        }
+        assert_below(fabs(sqrt(squares) / part_of(of, p).rms - 1), 1e-9, "rms of the channels");
     }
     assert_non_null(strstr(stltsa_comparison_warning(of, 0), "times as large"));
     stltsa_comparison_free(of);

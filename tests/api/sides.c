@@ -18,7 +18,7 @@ static stltsa_side_pair pair_of(const stltsa_sides* sides, int64_t index) {
 }
 
 /* A swing of both knees; the right one is scaled, raised, and late by a share of the cycle. */
-static stltsa_cycles* knees(double gain, double raised, double late) {
+static stltsa_cycles* knees(double gain, double raised, double late, int64_t samples) {
     double signals[3 * frames_of_signals], borders[cycles_of_signals + 1];
     for (int i = 0; i < frames_of_signals; ++i) {
         const double at = (double)i / period;
@@ -32,13 +32,13 @@ static stltsa_cycles* knees(double gain, double raised, double late) {
     const stltsa_in in = packed_in(signals, frames_of_signals, 3),
                     at = packed_in(borders, cycles_of_signals + 1, 1);
     stltsa_cycles* cycles = NULL;
-    must(stltsa_cycles_between(&at, &in, 101, &cycles));
+    must(stltsa_cycles_between(&at, &in, samples, &cycles));
     return cycles;
 }
 
-static stltsa_sides* compared_knees(double gain, double raised, double late) {
+static stltsa_sides* compared_knees(double gain, double raised, double late, int64_t samples) {
     const char* const names[] = {"knee_r", "trunk", "knee_l"};
-    stltsa_cycles* cycles = knees(gain, raised, late);
+    stltsa_cycles* cycles = knees(gain, raised, late, samples);
     stltsa_sides* sides = NULL;
     must(stltsa_sides_compare(cycles, names, &sides));
     stltsa_cycles_free(cycles);
@@ -53,7 +53,7 @@ static stltsa_sides* compared_knees(double gain, double raised, double late) {
 
 static void like_sides_differ_by_nothing(void** state) {
     (void)state;
-    stltsa_sides* sides = compared_knees(1, 0, 0);
+    stltsa_sides* sides = compared_knees(1, 0, 0, 101);
     const stltsa_side_pair pair = pair_of(sides, 0);
     assert_int_equal(pair.left, 2);
     assert_int_equal(pair.right, 0);
@@ -68,7 +68,7 @@ static void like_sides_differ_by_nothing(void** state) {
 
 static void known_differences_are_found(void** state) {
     (void)state;
-    stltsa_sides* sides = compared_knees(0.8, 0.1, 0.031);
+    stltsa_sides* sides = compared_knees(0.8, 0.1, 0.031, 101);
     const stltsa_side_pair pair = pair_of(sides, 0);
     assert_below(fabs(pair.mean + 0.1), 1e-9, "mean");
     assert_below(fabs(pair.right_range / pair.left_range - 0.8), 1e-3, "ratio of ranges");
@@ -92,15 +92,27 @@ static void known_differences_are_found(void** state) {
     stltsa_sides_free(sides);
 }
 
+/* The shift is then found from fewer samples. */
+static void a_known_shift_is_found_with_many_samples(void** state) {
+    (void)state;
+    const int64_t samples[] = {1502, 12345};
+    for (int i = 0; i < 2; ++i) {
+        stltsa_sides* sides = compared_knees(0.8, 0.1, 0.031, samples[i]);
+        assert_below(fabs(pair_of(sides, 0).shift - 0.031), 2e-4, "shift");
+        assert_below(1 - pair_of(sides, 0).correlation, 1e-3, "1 - correlation");
+        stltsa_sides_free(sides);
+    }
+}
+
 /* Curves without a common shape, or that do not move, have no shift. */
 static void unlike_curves_have_no_shift(void** state) {
     (void)state;
-    stltsa_sides* sides = compared_knees(0, 1, 0);
+    stltsa_sides* sides = compared_knees(0, 1, 0, 101);
     const stltsa_side_pair pair = pair_of(sides, 0);
     assert_true(isnan(pair.shift) && isnan(pair.correlation));
     assert_true(pair.right_range < 1e-12 && pair.rms > 0.5);
     stltsa_sides_free(sides);
-    sides = compared_knees(-1, 0, 0.03);
+    sides = compared_knees(-1, 0, 0.03, 101);
     assert_true(isnan(pair_of(sides, 0).shift));
     assert_below(pair_of(sides, 0).correlation, 0.7, "correlation");
     stltsa_sides_free(sides);
@@ -108,7 +120,7 @@ static void unlike_curves_have_no_shift(void** state) {
 
 static void names_must_pair(void** state) {
     (void)state;
-    stltsa_cycles* cycles = knees(1, 0, 0);
+    stltsa_cycles* cycles = knees(1, 0, 0, 101);
     const char* const unlike[] = {"knee_l", "lock", "hip_r"};
     stltsa_sides* sides = NULL;
     must(stltsa_sides_compare(cycles, unlike, &sides));
@@ -180,15 +192,21 @@ static void a_symmetric_walk_differs_by_nothing(void** state) {
 }
 
 /* The search for the shift took quadratic time: a minute for these samples. */
-static void many_samples_take_linear_time(void** state) {
+static void many_samples_take_linear_time_and_poll(void** state) {
     (void)state;
     stltsa_clip* clip = NULL;
     must(stltsa_clip_open(walker_path, NULL, &clip));
     walk w = walk_of(clip);
     stltsa_sides *few = sides_of(w), *many = NULL;
+    int32_t left = INT32_MAX;
+    stltsa_options* options = NULL;
+    must(stltsa_options_new(&options));
+    must(stltsa_options_set_progress(options, cancel_after, &left));
     const double begin = (double)clock() / CLOCKS_PER_SEC;
-    must(stltsa_sides_find(w.clip, w.phase, 0, 30001, NULL, &many));
+    must(stltsa_sides_find(w.clip, w.phase, 0, 30001, options, &many));
     assert_below((double)clock() / CLOCKS_PER_SEC - begin, 20, "seconds");
+    assert_true(INT32_MAX - left > 30); /* 33 calls; 29 if the comparison of the pairs has none */
+    stltsa_options_free(options);
     assert_int_equal(stltsa_sides_count(many), stltsa_sides_count(few));
     for (int64_t i = 0; i < stltsa_sides_count(few); ++i) {
         const stltsa_side_pair one = pair_of(few, i), other = pair_of(many, i);
@@ -325,10 +343,11 @@ int main(int argc, char** argv) {
         cmocka_unit_test(names_say_the_side),
         cmocka_unit_test(like_sides_differ_by_nothing),
         cmocka_unit_test(known_differences_are_found),
+        cmocka_unit_test(a_known_shift_is_found_with_many_samples),
         cmocka_unit_test(unlike_curves_have_no_shift),
         cmocka_unit_test(names_must_pair),
         cmocka_unit_test(a_symmetric_walk_differs_by_nothing),
-        cmocka_unit_test(many_samples_take_linear_time),
+        cmocka_unit_test(many_samples_take_linear_time_and_poll),
         cmocka_unit_test(a_raised_side_is_seen_in_points),
         cmocka_unit_test(sides_without_names_are_not_compared),
         cmocka_unit_test(the_phase_of_another_clip_is_refused),

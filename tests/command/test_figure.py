@@ -333,6 +333,8 @@ class Figure(CommandTest):
         found = self.json("decompose", two_motions(), "--fps", "30")
         first, second = found["segments"]
         self.assertEqual((first["kind"], second["kind"]), ("cyclic", "cyclic"))
+        told = self.done("decompose", two_motions(), "--fps", "30").decode()
+        self.assertIn(f"{len(found['cycles'])} cycles of 2 motions\n", told)
         chosen = found["cycles"][found["representative_cycle"]["index"]]
         kept = found["segments"][chosen["segment"]]
         root = self.figure("decompose", two_motions(), "--fps", "30")

@@ -71,8 +71,8 @@ void set_rate(const PointArrays& arrays, Clip& clip) {
              "fps is {:g}, but the times are {:g} a second: give one of them, or correct the other",
              arrays.fps, rate);
     if (rate < lowest_fps || rate > highest_fps)
-        fail(Status::argument, "the times are {:g} frames a second; a clip has {:g} to {:g}", rate,
-             lowest_fps, highest_fps);
+        fail(Status::argument, "the times are {:g} frames a second; this must be from {:g} to {:g}",
+             rate, lowest_fps, highest_fps);
     EvenRows even = even_rows(std::move(clip.values), times, "times");
     clip.values = std::move(even.rows);
     clip.fps = even.fps;

@@ -6,7 +6,7 @@
 
 namespace stltsa::clip {
 
-/// Seconds that a frame may take.
+/// Seconds that a frame of a BVH file may take.
 constexpr double shortest_frame_s = 1e-6, longest_frame_s = 3600;
 
 /// Whether position channels of a BVH clip add to OFFSET, which only their values can tell.

@@ -107,8 +107,8 @@ std::string format_bvh(const Clip& clip, const Progress& progress) {
                                   "unknown: open it with option fps");
     if (1 / clip.fps > longest_frame_s)
         fail(Status::unsupported,
-             "a frame of a BVH file takes at most {:g} s, but one of this clip takes {:g} s: open "
-             "it with option fps",
+             "a frame of a BVH file takes at most {:g} s, but one of this clip takes {:g} s: give "
+             "the clip a higher frame rate",
              longest_frame_s, 1 / clip.fps);
     const Clip bvh = in_bvh_form(clip, progress);
     std::string text;

@@ -57,7 +57,7 @@ function makeBand() {
   curved = moving.filter(s => s.kind === "cyclic" && hasCurve(s));
   if (moving.length === 1 && hasCurve({ begin: 0, end: frames })) curved = [{ begin: 0, end: frames }];
   bandRows = rowsOf();
-  byId("band-hint").textContent = "Drag or click to move in time. Double-click a part to zoom to it. To zoom, pinch or press + and −; drag the strip at the bottom to move the time range." +
+  byId("band-hint").textContent = "Drag or click to move in time. Double-click a bar to zoom to it. To zoom, pinch or press + and −; drag the strip at the bottom to move the time range." +
     (curved.length ? " Curve: the motion in one number" + (found.cycles.length ? ", from which units and cycles were cut." : ".") : "") + (found.cycles.length ? " Distance: how far each frame is from the mean cycle." : "");
   const lastRow = bandRows[bandRows.length - 1];
   bandHeight = lastRow.y + lastRow.h + 10;

@@ -49,7 +49,7 @@ function makeSummary() {
     ["Steps per minute", s => number(s.steps_per_min)], ["Step time of one side, of the other, s", s => s.step_time_s && s.step_time_s.side_means ? s.step_time_s.side_means.map(value => number(value)).join(", ") : "–"], ["Speed, units / s", s => of(s.speed)], ["Stride length, units", s => s.steps_per_min === null ? "–" : of(s.stride)], [`Path length per ${each}, units`, s => of(s.way)], [`Turn per ${each}, °`, s => !s.turn_deg ? "–" : s.count > 1 ? of(s.turn_deg) : degrees(s.turn_deg.mean)],
     ["Largest left–right difference", s => { const m = motionOf(s.label), pairs = m && m.sides ? m.sides.pairs : []; const p = [...pairs].filter(x => x.rms !== null).sort((a, b) => b.rms - a.rms)[0]; return p ? `${p.left} – ${p.right}: ${number(p.rms, 2)}${p.chance === null ? "" : ` (by chance: ${number(p.chance, 2)})`}` : "–"; }]]
     .map(([head, value]) => [head, ...found.summary.map(value)]).filter(row => row.slice(1).some(cell => cell !== "–"));
-  place.append(element("p", { class: "hint" }, (found.summary.some(s => s.speed) ? "Speed and path are those of the body in the space of the file, so on a treadmill they are small. " : "") + (body.kind === "columns" ? "" : "Lengths are in the unit of the file. ") + "SD: standard deviation; CV: SD / mean; after ± of a change: half the width of its 95 % interval. Confidence: that this repeats."), table("", ["", ...found.summary.map(s => named(s.label))], rows));
+  place.append(element("p", { class: "hint" }, (found.summary.some(s => s.speed) ? "Speed and path length describe the body in the space of the file, so they are small on a treadmill. " : "") + (body.kind === "columns" ? "" : "Lengths are in the unit of the file. ") + "SD: standard deviation; CV: SD / mean; after ± of a change: half the width of its 95 % interval. Confidence: how certain it is that the motion repeats."), table("", ["", ...found.summary.map(s => named(s.label))], rows));
 }
 
 function makeSides() {
@@ -71,7 +71,7 @@ function makeSides() {
 function makeWarnings() {
   const texts = found.warnings.map(w => w.text + (w.begin_s === null ? "" : ` (at ${number(w.begin_s, 4)} s)`));
   texts.push(...data.phase.warnings, ...(clip.notes || []));
-  if (clip.dropped_start_frames > 0) texts.push(`The first ${plural(clip.dropped_start_frames, "frame")} of the file ${clip.dropped_start_frames === 1 ? "shows" : "show"} a T-pose, and the results leave ${clip.dropped_start_frames === 1 ? "it" : "them"} out.`);
+  if (clip.dropped_start_frames > 0) texts.push(`The results leave out the T-pose at the beginning: ${plural(clip.dropped_start_frames, "frame")}.`);
   if (body.step > 1) texts.push(`To keep the file small, this page has only every ${body.step}${body.step === 2 ? "nd" : body.step === 3 ? "rd" : "th"} posture (${number(fps / body.step)} per second) and interpolates between them. The results are from all frames.`);
   for (const motion of motions) {
     if (motion.reason) texts.push(`No curves for ${letters(motion.label)}: ${motion.reason}`);

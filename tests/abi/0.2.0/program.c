@@ -12,7 +12,7 @@
 
 #include "stltsa.h"
 
-typedef void (*function)(void);
+#include "../check.h"
 
 /* clang-format off */
 static const function functions[] = {
@@ -40,17 +40,6 @@ static const function functions[] = {
     (function)stltsa_report_save,
 };
 /* clang-format on */
-
-static int failures = 0;
-
-static void check(int true_value, const char* text) {
-    if (!true_value) {
-        fprintf(stderr, "not so: %s (%s)\n", text, stltsa_last_error());
-        ++failures;
-    }
-}
-#define CHECK(what) check(what, #what)
-#define MUST(call) check((call) == STLTSA_OK, #call)
 
 enum { SAMPLES = 101 };
 

@@ -609,8 +609,8 @@ typedef struct stltsa_points {
 
 /* A clip of points, which are copied. Frames at uneven times are resampled to the rate of the
  * usual step, and a note says so; frames that are missing there are gaps. Option: least_confidence.
- * E_SHAPE, E_ARGUMENT (times that do not increase, no rate, a rate that differs from fps), E_FORMAT
- * (more frames are missing than there are), E_NOT_FINITE (infinities). */
+ * E_SHAPE, E_ARGUMENT (times that do not increase, no rate, a rate that differs from fps or is not
+ * from 1e-9 to 1e6), E_FORMAT (more frames are missing than there are), E_NOT_FINITE (infinities). */
 STLTSA_API stltsa_status stltsa_clip_from_points(const stltsa_points *points,
                                                  const stltsa_options *options,
                                                  stltsa_clip **clip) STLTSA_NOEXCEPT;

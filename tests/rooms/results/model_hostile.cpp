@@ -247,7 +247,7 @@ void contradictions(void**) {
     }
 }
 
-/// A model whose mean cycle is empty, but right.
+/// A valid model with a mean cycle of zeros.
 stltsa::results::Fitted with_cycle() {
     auto model = stltsa::results::restore_model(serialized_model());
     const std::int64_t n = model.model.features;
@@ -270,7 +270,7 @@ stltsa::results::Fitted with_cycle() {
     return model;
 }
 
-/// Phases that move on by an infinite number of cycles became indices.
+/// They moved phases by infinitely many cycles, and the result was used as an index.
 void impossible_rates_of_the_cycle(void**) {
     assert_true(read(archived(with_cycle())));
     const std::pair<double, double> rates[] = {{1e300, 1}, {1e-300, 1e-301}, {30, 1e300}, {30, 31}};

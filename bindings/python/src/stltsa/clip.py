@@ -171,7 +171,7 @@ class Clip(Described):
         frames : array-like of shape (frames, channels)
             Finite numbers, one row per frame.
         fps : float
-            Frames per second, above 0.
+            Frames per second, 1e-9 to 1e6.
 
         Raises
         ------

@@ -133,7 +133,7 @@ impl Clip {
         })
     }
 
-    /// A clip of plain features: one row per frame, `fps` (above 0) frames per second; copied.
+    /// A clip of plain features: one row per frame, `fps` (1e-9 to 1e6) frames per second; copied.
     ///
     /// # Errors
     /// [`Shape`](crate::ErrorKind::Shape), [`NotFinite`](crate::ErrorKind::NotFinite),
