@@ -19,24 +19,12 @@ namespace fs = std::filesystem;
 
 using Content = std::function<void(const Sink&)>;
 
-/// The bytes in pieces, with a poll before each.
-Content pieces_of(std::string_view bytes, const Progress& progress) {
-    return [=](const Sink& sink) {
-        constexpr std::size_t most = 1 << 20;
-        for (std::size_t at = 0; at < bytes.size(); at += most) {
-            progress.report(Stage::write,
-                            static_cast<double>(at) / static_cast<double>(bytes.size()));
-            sink(bytes.substr(at, most));
-        }
-    };
-}
-
 /// Writes an AMC file and its skeleton beside it, under the same name: both or neither. Another
 /// skeleton of that name belongs to somebody's clips, and stays.
 void write_with_skeleton(const std::string& amc, const Content& content, const std::string& asf,
-                         const OnSignal& on_signal) {
+                         const OnWait& on_wait) {
     if (!regular_or_new(amc))
-        return write_file(amc, content, on_signal); // a pipe or device has no place beside it
+        return write_file(amc, content, on_wait); // a pipe or device has no place beside it
     // Follows a dangling link, so that removing the file leaves the link.
     const std::string path = followed(fs::path(amc).replace_extension(".asf").string());
     std::error_code ignored;
@@ -75,11 +63,18 @@ void write(const Clip& clip, const std::string& path, const Progress& progress) 
         if (equals_ignoring_case(suffix, row.suffixes[0])) {
             progress.report(Stage::write, 0);
             const std::string bytes = row.write(clip, progress);
-            const Content content = pieces_of(bytes, progress);
-            const auto on_signal = [progress] { progress.report(Stage::write, 0); };
-            return row.needs_skeleton
-                       ? write_with_skeleton(path, content, clip.skeleton->asf, on_signal)
-                       : write_file(path, content, on_signal);
+            double written = 0;
+            const OnWait poll = [&] { progress.report(Stage::write, written); };
+            const Content content = [&](const Sink& sink) {
+                constexpr std::size_t piece = 1 << 20;
+                for (std::size_t at = 0; at < bytes.size(); at += piece) {
+                    written = static_cast<double>(at) / static_cast<double>(bytes.size());
+                    poll();
+                    sink(std::string_view(bytes).substr(at, piece));
+                }
+            };
+            return row.needs_skeleton ? write_with_skeleton(path, content, clip.skeleton->asf, poll)
+                                      : write_file(path, content, poll);
         }
         known += format_text("{}{}", known.empty() ? "" : ", ", row.suffixes[0]);
     }

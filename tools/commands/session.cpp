@@ -2,9 +2,7 @@
 #include "commands/session.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -17,6 +15,7 @@
 #include "arguments/option_flags.hpp"
 #include "arguments/pieces.hpp"
 #include "base/npy_bytes.hpp"
+#include "clip/files/descriptor.hpp"
 #include "commands/coords_file.hpp"
 #include "exit_status.hpp"
 #include "terminal/interrupt.hpp"
@@ -29,16 +28,16 @@ namespace {
 std::string read_stdin() {
     std::string bytes;
     char block[1 << 16];
-    for (;;) {
-        const ssize_t count = ::read(STDIN_FILENO, block, sizeof block);
-        stop_if_interrupted();
-        if (count == 0)
-            return bytes;
-        if (count > 0)
-            bytes.append(block, static_cast<std::size_t>(count));
-        else if (errno != EINTR)
-            throw Failure(Exit::unreadable,
-                          fmt::format("cannot read standard input: {}", std::strerror(errno)));
+    try {
+        while (const auto count =
+                   stltsa::clip::read_some(STDIN_FILENO, block, stop_if_interrupted)) {
+            stop_if_interrupted();
+            bytes.append(block, count);
+        }
+        return bytes;
+    } catch (const std::system_error& error) {
+        throw Failure(Exit::unreadable,
+                      fmt::format("cannot read standard input: {}", error.code().message()));
     }
 }
 

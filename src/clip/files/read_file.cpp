@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cstdio>
-#include <memory>
 #include <system_error>
 
+#include <fcntl.h>
 #include <sys/stat.h>
 
 #include "base/error.hpp"
+#include "clip/files/descriptor.hpp"
 
 namespace stltsa::clip {
 namespace {
@@ -22,25 +22,21 @@ namespace {
          std::generic_category().message(error), hint);
 }
 
-using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
-
-/// Opening a pipe waits for its writer. A signal ends the wait, so that the caller can cancel.
-File open_file(const std::string& path, const Progress& progress) {
-    for (;;) {
-        File file(std::fopen(path.c_str(), "rb"), &std::fclose);
-        if (file)
-            return file;
-        if (errno != EINTR)
-            cannot("open", path, errno);
-        progress.report(Stage::read, 0);
-    }
+/// Size of a regular file in bytes; 0 if unknown.
+std::size_t size_of(const Descriptor& file) {
+    struct stat status {};
+    const bool known = ::fstat(file.number(), &status) == 0 && S_ISREG(status.st_mode);
+    return known ? static_cast<std::size_t>(status.st_size) : 0;
 }
 
-/// Size of a regular file in bytes; 0 if unknown.
-std::size_t size_of(std::FILE* file) {
-    struct stat status {};
-    const bool known = ::fstat(::fileno(file), &status) == 0 && S_ISREG(status.st_mode);
-    return known ? static_cast<std::size_t>(status.st_size) : 0;
+/// Calls `work`; its errors name the file.
+template <class Work>
+auto named(const char* what, const std::string& path, Work work) {
+    try {
+        return work();
+    } catch (const std::system_error& error) {
+        cannot(what, path, error.code().value());
+    }
 }
 
 } // namespace
@@ -50,24 +46,19 @@ std::string read_file(const std::string& path, const Progress& progress) {
         fail(Status::io, "the path is empty: give the name of a file");
     // Far larger than any clip; ends the reading of an endless device.
     constexpr std::size_t most = std::size_t{1} << 34;
-    const File file = open_file(path, progress);
+    const OnWait poll = [&] { progress.report(Stage::read, 0); };
+    const auto file = named("open", path, [&] { return Descriptor(path, O_RDONLY); });
     std::string content;
-    content.reserve(std::min(size_of(file.get()), most));
+    content.reserve(std::min(size_of(file), most));
     std::array<char, 1 << 16> chunk;
-    for (;;) {
-        const std::size_t count = std::fread(chunk.data(), 1, chunk.size(), file.get());
+    while (const auto count =
+               named("read", path, [&] { return read_some(file.number(), chunk, poll); })) {
         content.append(chunk.data(), count);
         if (content.size() > most)
             fail(Status::unsupported, "{}: the file is larger than {} bytes", path, most);
-        if (count < chunk.size()) {
-            if (std::ferror(file.get()) == 0)
-                return content;
-            if (errno != EINTR)
-                cannot("read", path, errno);
-            std::clearerr(file.get());
-        }
-        progress.report(Stage::read, 0);
+        poll();
     }
+    return content;
 }
 
 } // namespace stltsa::clip

@@ -21,35 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void require(bool done) {
-    if (!done)
-        throw std::system_error(errno, std::generic_category());
-}
-
-class Descriptor {
-  public:
-    Descriptor(const std::string& path, int flags, mode_t mode = 0,
-               const OnSignal& on_signal = {}) {
-        while ((number_ = ::open(path.c_str(), flags | O_CLOEXEC, mode)) < 0) {
-            require(on_signal && errno == EINTR);
-            on_signal();
-        }
-    }
-    ~Descriptor() {
-        if (number_ >= 0)
-            ::close(number_);
-    }
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-
-    int number() const { return number_; }
-    /// Some file systems report a full disk only here.
-    void close() { require(::close(std::exchange(number_, -1)) == 0); }
-
-  private:
-    int number_ = -1;
-};
-
 /// Creates the file; false if the name is in use, perhaps left by a killed process.
 bool create(const std::string& name, mode_t mode) {
     try {
@@ -89,10 +60,10 @@ class WithoutSigpipe {
 };
 
 void write_to(const std::string& path, int flags, const std::function<void(const Sink&)>& content,
-              const OnSignal& on_signal) {
+              const OnWait& on_wait) {
     const WithoutSigpipe no_signal;
-    Descriptor file(path, O_WRONLY | flags, 0, on_signal);
-    content([&](std::string_view bytes) { write_all(file.number(), bytes, on_signal); });
+    Descriptor file(path, O_WRONLY | flags, 0, on_wait);
+    content([&](std::string_view bytes) { write_all(file.number(), bytes, on_wait); });
     file.close();
 }
 
@@ -138,7 +109,7 @@ void flush_folder(const fs::path& folder) {
     if (::access(folder.empty() ? "." : folder.c_str(), R_OK) != 0)
         return;
     const Descriptor open(folder.empty() ? "." : folder.string(), O_RDONLY | O_DIRECTORY);
-    require(::fsync(open.number()) == 0 || errno == EINVAL);
+    require_done(::fsync(open.number()) == 0 || errno == EINVAL);
 }
 
 } // namespace
@@ -164,20 +135,9 @@ bool regular_or_new(const std::string& path) {
     return !fs::exists(status) || fs::is_regular_file(status);
 }
 
-void write_all(int descriptor, std::string_view bytes, const OnSignal& on_signal) {
-    while (!bytes.empty()) {
-        const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
-        require(written >= 0 || errno == EINTR);
-        if (written > 0)
-            bytes.remove_prefix(static_cast<std::size_t>(written));
-        if (!bytes.empty() && on_signal) // a signal ends a write, perhaps after some of the bytes
-            on_signal();
-    }
-}
-
 void write_directly(const std::string& path, const std::function<void(const Sink&)>& content,
-                    const OnSignal& on_signal) {
-    write_to(path, 0, content, on_signal);
+                    const OnWait& on_wait) {
+    write_to(path, 0, content, on_wait);
 }
 
 TemporaryFile::TemporaryFile(std::string place, const std::string& suffix)
@@ -212,10 +172,10 @@ void TemporaryFile::move_to_place() {
     Descriptor file(name_, O_RDONLY | O_NOFOLLOW);
     struct stat existing {};
     if (::stat(place_.c_str(), &existing) == 0)
-        require(::fchmod(file.number(), existing.st_mode & 07777) == 0);
-    require(::fsync(file.number()) == 0);
+        require_done(::fchmod(file.number(), existing.st_mode & 07777) == 0);
+    require_done(::fsync(file.number()) == 0);
     file.close();
-    require(std::rename(name_.c_str(), place_.c_str()) == 0);
+    require_done(std::rename(name_.c_str(), place_.c_str()) == 0);
     name_.clear();
     flush_folder(fs::path(place_).parent_path());
 }

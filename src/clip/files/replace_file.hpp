@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "base/sink.hpp"
+#include "clip/files/descriptor.hpp"
 
 namespace stltsa::clip {
 
@@ -17,17 +18,10 @@ std::string followed(const std::string& path);
 /// Whether the path is a regular file or does not exist; devices and pipes are written to directly.
 bool regular_or_new(const std::string& path);
 
-/// Called when a signal ends a wait for the reader of a pipe. May throw to give up.
-using OnSignal = std::function<void()>;
-
-/// Writes all bytes to an open file.
-void write_all(int descriptor, std::string_view bytes, const OnSignal& on_signal = {});
-
 /// Writes into an existing file, device or pipe. Opening a pipe waits for its reader; if the reader
-/// leaves, or a signal ends the wait and `on_signal` is empty, the function fails. No signal ends
-/// the process.
+/// leaves, the function fails, and SIGPIPE does not end the process.
 void write_directly(const std::string& path, const std::function<void(const Sink&)>& content,
-                    const OnSignal& on_signal = {});
+                    const OnWait& on_wait = {});
 
 /// A new file in the folder of `place` with an unused name; deleted with the object unless moved.
 /// Temporary files that killed processes left more than an hour ago are deleted, too.

@@ -14,12 +14,12 @@ void write_file(const std::string& path, std::string_view bytes) {
 }
 
 void write_file(const std::string& path, const std::function<void(const Sink&)>& content,
-                const std::function<void()>& on_signal) {
+                const OnWait& on_wait) {
     if (path.empty())
         fail(Status::io, "the path is empty: give the name of a file");
     try {
         if (!regular_or_new(path))
-            return write_directly(path, content, on_signal);
+            return write_directly(path, content, on_wait);
         TemporaryFile file(followed(path));
         file.write(content);
         file.move_to_place();

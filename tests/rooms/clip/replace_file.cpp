@@ -2,12 +2,14 @@
 // Files whose writers or readers end early.
 #include "clip/testing.hpp"
 
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <random>
 #include <string>
 #include <system_error>
+#include <thread>
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -127,6 +129,51 @@ void a_pipe_whose_reader_left_is_an_error(void**) {
     assert_int_equal(::sigismember(&blocked, SIGPIPE), 0);
 }
 
+/// No signal ends these waits.
+void a_wait_for_a_reader_can_be_cancelled(void**) {
+    const TemporaryFolder folder;
+    const std::string path = folder.path("pipe"), bytes(1 << 20, 'x'); // more than a pipe holds
+    assert_int_equal(::mkfifo(path.c_str(), 0600), 0);
+    ::alarm(20);
+    for (const bool opened : {false, true}) {
+        const int reader = opened ? ::open(path.c_str(), O_RDONLY | O_NONBLOCK) : -1;
+        const int most = opened ? 20 : 3; // calls; the last ones wait
+        int calls = 0;
+        const auto write = [&] {
+            write_file(
+                path, [&](const stltsa::Sink& sink) { sink(bytes); },
+                [&] {
+                    if (++calls == most)
+                        stltsa::fail(Status::cancelled, "enough");
+                });
+        };
+        ASSERT_FAILS(Status::cancelled, "enough", write());
+        ::close(reader);
+    }
+    ::alarm(0);
+}
+
+/// A reader that takes what it gets, however slowly, does not keep the writer from being cancelled.
+void a_slow_reader_gets_all_bytes(void**) {
+    const TemporaryFolder folder;
+    const std::string path = folder.path("pipe");
+    std::string bytes;
+    while (bytes.size() < (1 << 20))
+        bytes += stltsa::format_text("{},", bytes.size());
+    assert_int_equal(::mkfifo(path.c_str(), 0600), 0);
+    std::string received;
+    std::thread reader([&] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(300));
+        received = content_of(path);
+    });
+    int calls = 0;
+    write_file(
+        path, [&](const stltsa::Sink& sink) { sink(bytes); }, [&] { ++calls; });
+    reader.join();
+    assert_true(received == bytes);
+    assert_true(calls >= 256); // before each piece
+}
+
 void the_bytes_are_on_the_disk_before_the_name(void**) {
     const TemporaryFolder folder;
     steps.clear();
@@ -173,6 +220,8 @@ int main() {
         cmocka_unit_test(a_killed_writer_leaves_one_of_the_two),
         cmocka_unit_test(what_killed_writers_left_is_deleted),
         cmocka_unit_test(a_pipe_whose_reader_left_is_an_error),
+        cmocka_unit_test(a_wait_for_a_reader_can_be_cancelled),
+        cmocka_unit_test(a_slow_reader_gets_all_bytes),
         cmocka_unit_test(the_bytes_are_on_the_disk_before_the_name),
         cmocka_unit_test(a_dangling_link_is_followed),
         cmocka_unit_test(a_link_instead_of_the_temporary_file_is_not_followed),
