@@ -104,9 +104,10 @@ Warnings warnings_of(const Graph& graph, const Model& model) {
              model.time_correlation > largest_time_correlation)
         warn(WarningCode::follows_time,
              format_text(
-                 "coordinate 1 only follows time (rank correlation {:.3f}): the motion does "
-                 "not turn back within {} neighbors; if it is cyclic, use as many neighbors as "
-                 "there are frames in 1.2 cycles",
+                 "coordinate 1 only follows time and does not turn back (its rank correlation with "
+                 "time is {:.3f}; 1: it always grows or always shrinks), so the curve shows no "
+                 "cycle; if the motion is cyclic, use as many neighbors as there are frames in 1.2 "
+                 "cycles instead of {}",
                  model.time_correlation, model.parameters.neighbors));
     std::int64_t deficient = 0;
     double gap = INFINITY;
@@ -119,13 +120,16 @@ Warnings warnings_of(const Graph& graph, const Model& model) {
     }
     if (deficient > 0)
         warn(WarningCode::rank_deficient,
-             format_text("{} of {} windows vary in fewer than {} directions", deficient,
-                         graph.frames.x.rows, model.parameters.dimension));
+             format_text("{} of {} windows, each a frame with its neighbors, vary in fewer than {} "
+                         "directions, as at rest or in a straight movement: these constrain the "
+                         "curve less",
+                         deficient, graph.frames.x.rows, model.parameters.dimension));
     if (gap < small_gap)
         warn(WarningCode::small_gap,
              format_text(
-                 "the eigenvalues on both sides of dimension {} differ by only {:.2g} %: another "
-                 "dimension is better defined",
+                 "dimension {} is poorly defined: the next coordinate would fit the neighborhoods "
+                 "nearly as well (the eigenvalues, which measure the misfit, differ by {:.2g} %), "
+                 "so small changes of the data may change the curve; try another dimension",
                  model.parameters.dimension, 100 * (gap - 1)));
     const auto last = static_cast<std::size_t>(model.parameters.dimension - 1);
     if (graph.tangents.rounding[last] > large_rounding)
@@ -137,21 +141,23 @@ Warnings warnings_of(const Graph& graph, const Model& model) {
                 "similar ranges",
                 last + 1, graph.tangents.rounding[last]));
     if (error >= unknown_error)
-        warn(WarningCode::inaccurate,
-             "the error of the embedding is unknown: its eigenvalues are rounding noise; if "
-             "features differ greatly in magnitude, scale them");
+        warn(
+            WarningCode::inaccurate,
+            "the error of the curve is unknown, because its eigenvalues, which measure the misfit, "
+            "are rounding noise; if features differ greatly in magnitude, scale them");
     else if (error > large_error)
         warn(WarningCode::inaccurate,
-             format_text("the embedding may be off by {:.1g} radians: the eigenvalues "
-                         "are at the limit of double precision",
+             format_text("rounding errors may turn the curve by {:.1g} radians: its eigenvalues, "
+                         "which measure the misfit, are hardly larger than rounding noise; if "
+                         "features differ greatly in magnitude, scale them",
                          error));
     return warnings;
 }
 
 Warning parts_warning(const Model& model, const std::string& cut, double cut_s) {
     return {WarningCode::disconnected,
-            format_text("the neighborhood graph splits into {} parts{}; each part has its own "
-                        "coordinates (is there a cut in the clip? try recurrent, or more "
+            format_text("the frames fall into {} parts that share no neighbors{}; each part has "
+                        "its own coordinates (if the clip has no cut, use mode recurrent or more "
                         "neighbors)",
                         model.components.size(), cut.empty() ? "" : ", cut at " + cut),
             cut_s, cut_s};

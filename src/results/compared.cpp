@@ -206,12 +206,15 @@ void warn(const Side& side, const ComparedMotion& motion, Comparison& result) {
     const std::string name = name_of(side.phased, side.which);
     for (const std::string& warning : side.phased.warnings)
         result.warnings.push_back(format_text("{}: {}", name, warning));
-    if (motion.cycles < 3)
-        result.warnings.push_back(
-            motion.cycles == 1
-                ? format_text("{}: only one cycle is complete, so spread and intervals are unknown",
-                              name)
-                : format_text("{}: only two cycles are complete, so intervals are wide", name));
+    if (motion.cycles >= 3)
+        return;
+    const char* const whole =
+        result.sides ? "complete on both sides, half a cycle apart" : "complete";
+    result.warnings.push_back(
+        motion.cycles == 1
+            ? format_text("{}: only one cycle is {}, so spread and intervals are unknown", name,
+                          whole)
+            : format_text("{}: only two cycles are {}, so intervals are wide", name, whole));
 }
 
 void warn_of_likeness(Comparison& result) {
