@@ -2,6 +2,7 @@
 #include "exit_status.hpp"
 
 #include "arguments/option_flags.hpp"
+#include "terminal/text.hpp"
 
 namespace tool {
 namespace {
@@ -34,7 +35,7 @@ bool is_input_to_blame(stltsa_status status) {
 }
 
 std::string text_of(const stltsa::Error& error) {
-    return error.status() == STLTSA_E_CANCELLED ? "cancelled" : with_flags(error.what());
+    return error.status() == STLTSA_E_CANCELLED ? "cancelled" : one_line(with_flags(error.what()));
 }
 
 } // namespace

@@ -287,7 +287,14 @@ class StandardOutput(CommandTest):
     def test_a_folder_for_temporary_files_is_needed_for_clips(self):
         environment = plain_environment(TMPDIR="/nonexistent")
         line = ("synthesize", f"{walk()}:best", "-o", "-")
-        self.assertIn("cannot write standard output: ", self.fails(1, *line, env=environment))
+        self.assertIn("cannot write a temporary file in $TMPDIR or /tmp: ",
+                      self.fails(1, *line, env=environment))
+
+    def test_places_that_cannot_be_written(self):
+        self.assertIn("No such file or directory: create the folder first",
+                      self.fails(1, "decompose", walk(), "-o", self.folder / "missing" / "a.json"))
+        self.assertIn("Is a directory: give a file in this folder",
+                      self.fails(1, "decompose", walk(), "-o", self.folder))
 
     def test_a_closed_pipe_leaves_no_file(self):
         reader, writer = os.pipe()

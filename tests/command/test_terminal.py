@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Terminal output: progress, colors, Ctrl-C."""
 
+import contextlib
 import json
 import math
 import os
@@ -156,6 +157,14 @@ class HostileNames(CommandTest):
             with self.subTest(arguments[0]):
                 self.assert_clean(self.done(*arguments))
 
+    def test_line_breaks(self):
+        broken = self.folder / "a\nb.bvh"
+        broken.write_text("x")
+        said = self.fails(3, "info", broken)
+        self.assertIn("a\ufffdb.bvh:1: a BVH file", said)
+        listed = run("batch", self.folder, "--out", self.folder / "out").stdout.decode()
+        self.assertRegex(listed, "a\ufffdb.bvh  line 1: a BVH file")
+
     def test_of_json(self):
         clip = self.folder / "walk.bvh"
         clip.write_bytes(walk().read_bytes().replace(b"Hips", self.NAME))
@@ -227,6 +236,18 @@ class HostileNames(CommandTest):
         self.assertNotIn(b"\x1b]0;", output)
 
 
+@contextlib.contextmanager
+def started(*arguments, **settings):
+    """A running command; killed if the test does not end it."""
+    with subprocess.Popen(
+        [STLTSA, *arguments], stderr=subprocess.PIPE, preexec_fn=default_signals, **settings
+    ) as process:
+        try:
+            yield process
+        finally:
+            process.kill()
+
+
 class Interrupt(CommandTest):
     def test_while_it_works(self):
         files = [self.folder / name for name in ("y.npy", "y.svg")]
@@ -245,13 +266,7 @@ class Interrupt(CommandTest):
         self.assert_empty(self.folder)
 
     def test_while_it_reads(self):
-        with subprocess.Popen(
-            [STLTSA, "info", "-"],
-            stdin=subprocess.PIPE,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.PIPE,
-            preexec_fn=default_signals,
-        ) as process:
+        with started("info", "-", stdin=subprocess.PIPE, stdout=subprocess.PIPE) as process:
             process.stdin.write(b"1,2,3\n" * 50000)  # more than a pipe holds: it is reading
             process.stdin.flush()
             time.sleep(0.5)  # the command waits for more
@@ -263,21 +278,14 @@ class Interrupt(CommandTest):
     def test_while_it_waits_for_a_pipe(self):
         pipe = self.folder / "clip.csv"
         os.mkfifo(pipe)
-        with subprocess.Popen(
-            [STLTSA, "info", pipe], stderr=subprocess.PIPE, preexec_fn=default_signals
-        ) as process:
+        with started("info", pipe) as process:
             time.sleep(0.5)  # nobody writes
             process.send_signal(signal.SIGINT)
             self.assertEqual(process.wait(60), 130)
             self.assertEqual(process.stderr.read(), b"stltsa: cancelled\n")
 
     def assert_stops(self, *arguments, stdout=subprocess.DEVNULL):
-        with subprocess.Popen(
-            [STLTSA, *arguments],
-            stdout=stdout,
-            stderr=subprocess.PIPE,
-            preexec_fn=default_signals,
-        ) as process:
+        with started(*arguments, stdout=stdout) as process:
             time.sleep(1)
             process.send_signal(signal.SIGINT)
             self.assertEqual(process.wait(60), 130)

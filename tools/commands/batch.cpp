@@ -222,7 +222,8 @@ std::string report(const std::vector<Row>& rows, const std::string& place) {
     std::size_t listed = 0;
     for (std::size_t i = 0; i < rows.size(); ++i)
         if (rows[i].failed() && listed++ < most_rows)
-            facts.add(rows[i].path, without_path(rows[i].error, rows[i].path));
+            facts.add(one_line(rows[i].path),
+                      without_path(one_line(rows[i].error), one_line(rows[i].path)));
     text += facts.text();
     if (failed > most_rows)
         text += fmt::format("  ... and {} more failed\n", failed - most_rows);

@@ -2,7 +2,6 @@
 #include "terminal/output.hpp"
 
 #include <cerrno>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -22,13 +21,14 @@ namespace fs = std::filesystem;
 using stltsa::clip::followed;
 using stltsa::clip::regular_or_new;
 using stltsa::clip::TemporaryFile;
+using stltsa::clip::why_not_written;
 using stltsa::clip::write_all;
 using stltsa::clip::write_directly;
 
 constexpr const char* stdout_name = "standard output";
 
-[[noreturn]] void fail_writing(const std::string& name, const std::string& why) {
-    throw Failure(Exit::failed, fmt::format("cannot write {}: {}", name, why));
+[[noreturn]] void fail_writing(const std::string& name, const std::error_code& error) {
+    throw Failure(Exit::failed, fmt::format("cannot write {}: {}", name, why_not_written(error)));
 }
 
 /// Calls `write`; its errors name the destination as given.
@@ -37,7 +37,7 @@ auto writing(const std::string& name, Write write) {
     try {
         return write();
     } catch (const std::system_error& error) {
-        fail_writing(name, error.code().message());
+        fail_writing(name, error.code());
     }
 }
 
@@ -102,7 +102,7 @@ void OutputFiles::add(const std::string& path, std::string content) {
 void OutputFiles::add_written(const std::string& path, const std::string& suffix,
                               const Write& write) {
     if (path == standard_output) { // `write` needs a name
-        const TemporaryFile file = writing(stdout_name, [&] {
+        const TemporaryFile file = writing("a temporary file in $TMPDIR or /tmp", [&] {
             return TemporaryFile((fs::temp_directory_path() / "stdout").string(), suffix);
         });
         write_named(write, file.name(), stdout_name);
@@ -138,7 +138,7 @@ void check_output_place(const std::string& path, const std::vector<std::string>&
     if (fs::is_directory(status))
         error = std::make_error_code(std::errc::is_a_directory);
     if (!fs::status_known(status) || fs::is_directory(status))
-        fail_writing(path, error.message());
+        fail_writing(path, error);
     for (const std::string& other : taken)
         if (same_place(path, other))
             throw Failure(Exit::usage,
@@ -148,7 +148,7 @@ void check_output_place(const std::string& path, const std::vector<std::string>&
         return;
     const std::string folder = place.has_parent_path() ? place.parent_path().string() : ".";
     if (::access(folder.c_str(), W_OK | X_OK) != 0)
-        fail_writing(path, std::strerror(errno));
+        fail_writing(path, std::error_code(errno, std::generic_category()));
 }
 
 } // namespace tool

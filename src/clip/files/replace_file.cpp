@@ -135,6 +135,14 @@ bool regular_or_new(const std::string& path) {
     return !fs::exists(status) || fs::is_regular_file(status);
 }
 
+std::string why_not_written(const std::error_code& error) {
+    const char* const hint = error == std::errc::no_such_file_or_directory
+                                 ? ": create the folder first, or give another name"
+                             : error == std::errc::is_a_directory ? ": give a file in this folder"
+                                                                  : "";
+    return error.message() + hint;
+}
+
 void write_directly(const std::string& path, const std::function<void(const Sink&)>& content,
                     const OnWait& on_wait) {
     write_to(path, 0, content, on_wait);

@@ -6,6 +6,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 #include "base/sink.hpp"
 #include "clip/files/descriptor.hpp"
@@ -17,6 +18,9 @@ std::string followed(const std::string& path);
 
 /// Whether the path is a regular file or does not exist; devices and pipes are written to directly.
 bool regular_or_new(const std::string& path);
+
+/// The system's reason for which a file could not be written, and what to do.
+std::string why_not_written(const std::error_code& error);
 
 /// Writes into an existing file, device or pipe. Opening a pipe waits for its reader; if the reader
 /// leaves, the function fails, and SIGPIPE does not end the process.

@@ -26,7 +26,7 @@ void write_file(const std::string& path, const std::function<void(const Sink&)>&
     } catch (const std::system_error& error) {
         if (error.code() == std::errc::not_enough_memory)
             throw std::bad_alloc();
-        fail(Status::io, "{}: cannot write: {}", path, error.code().message());
+        fail(Status::io, "{}: cannot write: {}", path, why_not_written(error.code()));
     }
 }
 

@@ -450,8 +450,10 @@ void a_file_that_cannot_be_written_stays(void**) {
     assert_true(content_of(path) == "old");
     assert_int_equal(std::distance(fs::directory_iterator(folder.path("")), {}), 1);
 
-    ASSERT_FAILS(Status::io, "cannot write: No such file", write_file(folder.path("b/c"), ""));
-    ASSERT_FAILS(Status::io, "cannot write: Is a directory", write_file(folder.path(""), ""));
+    ASSERT_FAILS(Status::io, "cannot write: No such file or directory: create the folder first",
+                 write_file(folder.path("b/c"), ""));
+    ASSERT_FAILS(Status::io, "cannot write: Is a directory: give a file in this folder",
+                 write_file(folder.path(""), ""));
     fs::create_symlink("/dev/full", folder.path("full"));
     ASSERT_FAILS(Status::io, "cannot write: No space left", write_file(folder.path("full"), "x"));
     assert_true(fs::is_symlink(folder.path("full")));
