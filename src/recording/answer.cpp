@@ -9,7 +9,9 @@
 #include "linalg/simd.hpp"
 #include "motion/curve/statistics.hpp"
 #include "motion/cycles.hpp"
+#include "recording/cycle_likeness.hpp"
 #include "recording/evidence.hpp"
+#include "recording/margin_alignment.hpp"
 #include "recording/repetitions.hpp"
 #include "recording/sides.hpp"
 #include "recording/traced.hpp"
@@ -17,7 +19,6 @@
 namespace stltsa::recording {
 namespace {
 
-constexpr std::int64_t phases = 24;
 /// A recording that begins or ends faster than this share of the usual speed does so in motion.
 constexpr double moving = 0.4;
 /// Others of a label with which a segment or a repetition is compared.
@@ -50,29 +51,6 @@ std::vector<double> energy_of(const Work& work, const Draft& draft) {
     return energy;
 }
 
-/// Likeness of each cycle to their mean: 1 less the squared deviation in units of twice the swing.
-std::vector<double> likenesses(const Signal& signal, const std::vector<Interval>& cycles) {
-    Matrix mean(phases, signal.cols());
-    const std::int64_t size = phases * signal.cols();
-    for (const Interval& cycle : cycles)
-        axpy(1 / static_cast<double>(cycles.size()),
-             rows_at(signal.poses.view(), cycle.begin, cycle.end, phases).data(), mean.data(),
-             size);
-    double swing = 0;
-    std::vector<double> center(static_cast<std::size_t>(signal.cols()));
-    for (std::int64_t p = 0; p < phases; ++p)
-        axpy(1.0 / phases, mean.row(p), center.data(), signal.cols());
-    for (std::int64_t p = 0; p < phases; ++p)
-        swing += squared_distance(mean.row(p), center.data(), signal.cols());
-    std::vector<double> result;
-    for (const Interval& cycle : cycles) {
-        const Matrix own = rows_at(signal.poses.view(), cycle.begin, cycle.end, phases);
-        const double apart = squared_distance(own.data(), mean.data(), size);
-        result.push_back(swing > 0 ? std::clamp(1 - apart / (2 * swing), 0.0, 1.0) : 0);
-    }
-    return result;
-}
-
 double mean_of(const std::vector<double>& values) {
     return values.empty() ? 0
                           : sum(values.data(), static_cast<std::int64_t>(values.size())) /
@@ -97,6 +75,7 @@ void append_cyclic(Work& work, Draft& draft, Segment& segment) {
     std::vector<double> confidences;
     auto first = static_cast<std::int64_t>(work.result.cycles.size());
     for (CyclicStretch& cut : draft.stretches) {
+        align_margins(work.signal, draft.begin, draft.end, cut);
         const bool steps = !work.side_motion.empty() && sides_alternate(work.side_motion, cut);
         std::vector<int> own;
         if (steps && work.begin_with_side) {
@@ -112,7 +91,7 @@ void append_cyclic(Work& work, Draft& draft, Segment& segment) {
         std::ranges::copy(cycle_confidences(work.signal, cut), std::back_inserter(confidences));
     }
     const std::vector<Interval> cycles = draft.cycles();
-    const std::vector<double> like = likenesses(work.signal, cycles);
+    const std::vector<double> like = cycle_likenesses(work.signal, cycles);
     std::vector<double> lengths;
     for (std::size_t i = 0; i < cycles.size(); ++i) {
         work.result.cycles.push_back({index, work.sample(cycles[i].begin),

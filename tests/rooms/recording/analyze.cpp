@@ -106,6 +106,19 @@ void a_small_motion_beside_a_large_one_is_found(void**) {
 }
 
 /// A clip of one motion keeps the answer of the method for one motion.
+/// The coordinate drifts, and its steepest points with it: without alignment, lengths differ by 3 %
+/// and their mean is 2 % too short; in the clip of few cycles, one is 5 % too short.
+void equal_cycles_are_equally_long(void**) {
+    for (const double period : {0.6, 1.0, 1.7})
+        for (const double count : {3.2, 4.6, 10.0}) {
+            const Matrix samples = Recorder().cycles(count * period, period, 0).samples(0);
+            const Recording found = answer(samples);
+            assert_true(static_cast<double>(found.cycles.size()) >= count - 2);
+            for (const Cycle& cycle : found.cycles)
+                ASSERT_NEAR((cycle.end - cycle.begin) / (period * fps), 1, 3e-4);
+        }
+}
+
 void a_clip_of_one_motion_is_one_segment(void**) {
     const Matrix samples = Recorder().cycles(8, 1.1, 0).samples();
     const Recording found = answer(samples);
@@ -113,7 +126,7 @@ void a_clip_of_one_motion_is_one_segment(void**) {
     assert_int_equal(found.segments.size(), 1);
     assert_int_equal(found.cycles.size(), single.cycles.size());
     for (std::size_t i = 0; i < single.cycles.size(); ++i)
-        ASSERT_NEAR(found.cycles[i].begin, single.cycles[i].begin, 1e-9);
+        ASSERT_NEAR(found.cycles[i].begin, single.cycles[i].begin, 1.5); // then they are aligned
 }
 
 /// One stride that was cut to be played in a loop.
@@ -326,6 +339,7 @@ int main() {
         cmocka_unit_test(the_period_is_followed),
         cmocka_unit_test(noise_and_single_actions_have_no_cycles),
         cmocka_unit_test(a_small_motion_beside_a_large_one_is_found),
+        cmocka_unit_test(equal_cycles_are_equally_long),
         cmocka_unit_test(a_clip_of_one_motion_is_one_segment),
         cmocka_unit_test(a_closed_clip_is_one_cycle),
         cmocka_unit_test(the_number_of_segments_may_be_given),
