@@ -294,9 +294,10 @@ LiveFrame LivePhase::answer(double seconds, double distance) {
     return frame;
 }
 
-/// Marks between the furthest phase so far and this one. After a jump back they count anew.
+/// Marks between the furthest phase so far and this one. After a jump back they count anew. None
+/// counts before the filter has settled, because its first phases jump.
 std::int64_t LivePhase::passed() {
-    if (unwrapped_ < reached_ - jump_back)
+    if (unwrapped_ < reached_ - jump_back || age_s_ <= warm_up_s)
         reached_ = unwrapped_;
     std::int64_t bits = 0;
     if (unwrapped_ <= reached_)

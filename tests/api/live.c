@@ -88,6 +88,29 @@ static void the_stream_has_the_phase_of_the_clip(void** state) {
     closed(w);
 }
 
+/* Its first phases jump. The body stands, and all places of the cycle are alike. */
+static void no_mark_is_passed_before_the_filter_settles(void** state) {
+    (void)state;
+    walk w = opened();
+    must(stltsa_model_keep_cycle(w.model, w.phase));
+    for (int i = 0; i < 12; ++i) {
+        const char name[] = {(char)('a' + i), 0};
+        must(stltsa_model_keep_mark(w.model, w.phase, 230 + 11 * i, name));
+    }
+    stltsa_live* live = NULL;
+    must(stltsa_live_new(w.model, &live));
+    int64_t later = 0;
+    for (int64_t i = 0; i < w.frames; ++i) {
+        const stltsa_live_frame frame = pushed(live, w, i, (double)i / 120);
+        if (i < 18)
+            assert_int_equal(frame.passed, 0);
+        later |= frame.passed;
+    }
+    assert_int_equal(later, (1 << 12) - 1);
+    stltsa_live_free(live);
+    closed(w);
+}
+
 /* Two streams side by side do not disturb each other; a saved model gives the same bits. */
 static void streams_are_independent(void** state) {
     (void)state;
@@ -339,6 +362,7 @@ int main(int argc, char** argv) {
     walker_path = argv[1];
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_stream_has_the_phase_of_the_clip),
+        cmocka_unit_test(no_mark_is_passed_before_the_filter_settles),
         cmocka_unit_test(streams_are_independent),
         cmocka_unit_test(streams_survive),
         cmocka_unit_test(clocks_may_be_coarse),

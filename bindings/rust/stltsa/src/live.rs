@@ -131,7 +131,8 @@ impl Live {
     ///
     /// `seconds` rises from call to call. Frames may be dropped. If a frame has the time of the
     /// one before, or one up to 0.25 s earlier, it is left out. If the time falls by more, or
-    /// after more than a second without frames, the filter starts anew and settles within 0.15 s.
+    /// after more than a second without frames, the filter starts anew and settles within 0.15 s,
+    /// in which no mark is passed.
     /// If too little is known of a frame, it is missing: the phase goes on as before, less and
     /// less surely.
     ///
