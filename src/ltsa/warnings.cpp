@@ -120,10 +120,10 @@ Warnings warnings_of(const Graph& graph, const Model& model) {
     }
     if (deficient > 0)
         warn(WarningCode::rank_deficient,
-             format_text("{} of {} windows, each a frame with its neighbors, vary in fewer than {} "
-                         "directions, as at rest or in a straight movement: these constrain the "
-                         "curve less",
-                         deficient, graph.frames.x.rows, model.parameters.dimension));
+             format_text(
+                 "{} of {} windows, each a frame with its neighbors, vary in fewer directions "
+                 "than the dimension, {}, as at rest: these windows constrain the curve less",
+                 deficient, graph.frames.x.rows, model.parameters.dimension));
     if (gap < small_gap)
         warn(WarningCode::small_gap,
              format_text(

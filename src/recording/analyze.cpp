@@ -246,9 +246,9 @@ Recording analyze(ConstMatrixView samples, double fps, const Options& options,
         const bool one = !options.segments && holes.empty();
         if (whole || (one && explains(single, signal, rests, pauses, fps)) ||
             samples.rows < least_rows)
-            return answer_of(signal, std::move(single), samples, options);
+            return answer_of(signal, std::move(single), samples, options, progress);
         if (one && single.cycles.empty() && is_closed(signal, options.single))
-            return answer_of(signal, one_cycle(std::move(single)), samples, options);
+            return answer_of(signal, one_cycle(std::move(single)), samples, options, progress);
     }
     const KernelFeatures features(signal);
     const auto drafts_at = [&](double price) {
@@ -266,13 +266,13 @@ Recording analyze(ConstMatrixView samples, double fps, const Options& options,
     if (options.segments)
         fit_number(features, *options.segments, drafts_at, drafts);
     else if (is_short && holes.empty() && repeats_in(drafts) < single.cycles.size())
-        return answer_of(signal, std::move(single), samples, options);
+        return answer_of(signal, std::move(single), samples, options, progress);
     set_labels(signal, features, drafts);
     if (!options.segments)
         join_neighbors(drafts);
     divide_at_holes(holes, signal.rate, drafts);
     return answer_of({signal, features, pauses}, std::move(drafts), std::move(single), samples,
-                     options);
+                     options, progress);
 }
 
 } // namespace stltsa::recording

@@ -29,6 +29,7 @@ struct Work {
     const Signal& signal;
     const KernelFeatures* features; ///< null for a clip of one motion
     ConstMatrixView samples;
+    const Progress& progress;
     std::vector<double> side_motion; ///< empty: unknown
     Recording result;
     bool begin_with_side = true; ///< of the options
@@ -74,8 +75,11 @@ void append_cyclic(Work& work, Draft& draft, Segment& segment) {
     std::vector<int> sides;
     std::vector<double> confidences;
     auto first = static_cast<std::int64_t>(work.result.cycles.size());
+    // Not beyond the last sample, which may be the last frame.
+    const double end = std::min(draft.end, static_cast<double>(work.samples.rows - 1) /
+                                               static_cast<double>(work.signal.step));
+    align_margins(work.signal, draft.begin, end, work.progress, draft.stretches);
     for (CyclicStretch& cut : draft.stretches) {
-        align_margins(work.signal, draft.begin, draft.end, cut);
         const bool steps = !work.side_motion.empty() && sides_alternate(work.side_motion, cut);
         std::vector<int> own;
         if (steps && work.begin_with_side) {
@@ -316,8 +320,8 @@ std::vector<Draft> drafts_of(const motion::Decomposition& single, const Signal& 
 } // namespace
 
 Recording answer_of(const Signal& signal, motion::Decomposition single, ConstMatrixView samples,
-                    const Options& options) {
-    Work work{signal, nullptr, samples, {}, {}};
+                    const Options& options, const Progress& progress) {
+    Work work{signal, nullptr, samples, progress, {}, {}};
     if (!options.side.empty())
         work.side_motion = side_motion(signal, options.side);
     work.begin_with_side = options.begin_with_side;
@@ -336,8 +340,8 @@ Recording answer_of(const Signal& signal, motion::Decomposition single, ConstMat
 }
 
 Recording answer_of(const Context& context, std::vector<Draft> drafts, motion::Decomposition single,
-                    ConstMatrixView samples, const Options& options) {
-    Work work{context.signal, &context.features, samples, {}, {}};
+                    ConstMatrixView samples, const Options& options, const Progress& progress) {
+    Work work{context.signal, &context.features, samples, progress, {}, {}};
     if (!options.side.empty())
         work.side_motion = side_motion(context.signal, options.side);
     work.begin_with_side = options.begin_with_side;

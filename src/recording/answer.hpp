@@ -8,7 +8,7 @@ namespace stltsa::recording {
 
 /// Of a clip of one motion.
 Recording answer_of(const Signal& signal, motion::Decomposition single, ConstMatrixView samples,
-                    const Options& options);
+                    const Options& options, const Progress& progress);
 
 struct Context {
     const Signal& signal;
@@ -18,6 +18,6 @@ struct Context {
 
 /// `single`: the whole clip as one motion; empty for a long recording.
 Recording answer_of(const Context& context, std::vector<Draft> drafts, motion::Decomposition single,
-                    ConstMatrixView samples, const Options& options);
+                    ConstMatrixView samples, const Options& options, const Progress& progress);
 
 } // namespace stltsa::recording

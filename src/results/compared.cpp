@@ -209,7 +209,7 @@ void warn(const Side& side, const ComparedMotion& motion, Comparison& result) {
     if (motion.cycles >= 3)
         return;
     const char* const whole =
-        result.sides ? "complete on both sides, half a cycle apart" : "complete";
+        result.sides ? "complete on both sides (the right side is half a cycle later)" : "complete";
     result.warnings.push_back(
         motion.cycles == 1
             ? format_text("{}: only one cycle is {}, so spread and intervals are unknown", name,

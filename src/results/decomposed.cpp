@@ -52,8 +52,11 @@ class SourceFrames {
     }
 
   private:
+    /// Several frames may follow the last sample, or none.
     double frame(double sample) const {
-        return static_cast<double>(samples_.first) + sample * static_cast<double>(samples_.step);
+        return std::min(static_cast<double>(clip_.frames),
+                        static_cast<double>(samples_.first) +
+                            sample * static_cast<double>(samples_.step));
     }
 
     const SampleFacts& samples_;
@@ -81,8 +84,11 @@ std::vector<stltsa_interval> units_of(const Recording& found, const SourceFrames
         next.segment = static_cast<int32_t>(unit.segment);
         next.begin = units.empty() ? 0 : units.back().end;
         next.begin_s = units.empty() ? 0 : units.back().end_s;
-        if (next.end <= next.begin)
+        if (next.end <= next.begin) {
+            if (!units.empty() && units.back().segment == next.segment)
+                units.back().end_s = next.end_s;
             continue;
+        }
         if (!units.empty() && units.back().kind == next.kind &&
             units.back().segment == next.segment) {
             units.back().end = next.end;

@@ -84,8 +84,8 @@ class Compare(CommandTest):
         # The right side is half a cycle later, so the clip does not have its last cycle.
         cycles = len(self.json("decompose", walk())["cycles"])
         self.assertEqual([found[side]["cycles"] for side in ("first", "second")], 2 * [cycles - 1])
-        self.assertEqual(found["warnings"], [f"{walk()}: only two cycles are complete on both sides, "
-                                             "half a cycle apart, so intervals are wide"])
+        self.assertEqual(found["warnings"], [f"{walk()}: only two cycles are complete on both sides "
+                                             "(the right side is half a cycle later), so intervals are wide"])
 
     def test_what_cannot_be_compared(self):
         self.assertIn("no cycles to compare", self.fails(4, "compare", walk(), f"{walk()}:0-100"))

@@ -42,7 +42,7 @@ std::string info_report(const stltsa::Clip& clip, const std::string& title) {
     const stltsa::Info info = clip.info();
     Facts lines;
     if (const std::string path = info.text(STLTSA_INFO_PATH); !path.empty())
-        lines.add("path", path);
+        lines.add("path", one_line(path));
     lines.add("joints", joints_text(clip.joints()));
     lines.add("channels", std::to_string(clip.channels()));
     lines.add("features", fmt::format("{}, {}", named(info, STLTSA_INFO_FEATURES),

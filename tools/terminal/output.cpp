@@ -13,6 +13,7 @@
 #include "exit_status.hpp"
 #include "terminal/interrupt.hpp"
 #include "terminal/style.hpp"
+#include "terminal/text.hpp"
 
 namespace tool {
 namespace {
@@ -28,7 +29,8 @@ using stltsa::clip::write_directly;
 constexpr const char* stdout_name = "standard output";
 
 [[noreturn]] void fail_writing(const std::string& name, const std::error_code& error) {
-    throw Failure(Exit::failed, fmt::format("cannot write {}: {}", name, why_not_written(error)));
+    throw Failure(Exit::failed,
+                  fmt::format("cannot write {}: {}", one_line(name), why_not_written(error)));
 }
 
 /// Calls `write`; its errors name the destination as given.
@@ -56,6 +58,17 @@ void write_named(const OutputFiles::Write& write, const std::string& temporary,
         if (text.starts_with(temporary))
             text.replace(0, temporary.size(), path);
         throw Failure(failure.status(), std::move(text));
+    }
+}
+
+TemporaryFile temporary_for_stdout(const std::string& suffix) {
+    try {
+        return TemporaryFile((fs::temp_directory_path() / "stdout").string(), suffix);
+    } catch (const std::system_error& error) {
+        throw Failure(Exit::failed,
+                      fmt::format("cannot write a temporary file: {}: set TMPDIR to a "
+                                  "folder in which you may write",
+                                  error.code().message()));
     }
 }
 
@@ -102,9 +115,7 @@ void OutputFiles::add(const std::string& path, std::string content) {
 void OutputFiles::add_written(const std::string& path, const std::string& suffix,
                               const Write& write) {
     if (path == standard_output) { // `write` needs a name
-        const TemporaryFile file = writing("a temporary file in $TMPDIR or /tmp", [&] {
-            return TemporaryFile((fs::temp_directory_path() / "stdout").string(), suffix);
-        });
+        const TemporaryFile file = temporary_for_stdout(suffix);
         write_named(write, file.name(), stdout_name);
         std::string content = content_of(file.name());
         // A terminal would obey codes in the names of a clip.

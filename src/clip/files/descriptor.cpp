@@ -43,10 +43,8 @@ void require_done(bool done) {
 Descriptor::Descriptor(const std::string& path, int flags, mode_t mode, const OnWait& on_wait) {
     constexpr int nothing = -1; // poll() only waits
     while ((number_ = ::open(path.c_str(), flags | O_CLOEXEC | O_NONBLOCK, mode)) < 0) {
-        if (errno == EINTR)
-            continue;
         // Nobody reads the pipe yet, or another process holds a lease of the file.
-        require_done((errno == ENXIO && is_pipe(path)) || errno == EAGAIN);
+        require_done((errno == ENXIO && is_pipe(path)) || errno == EAGAIN || errno == EINTR);
         ready(nothing, 0, on_wait);
     }
 }
@@ -68,6 +66,8 @@ std::size_t read_some(int descriptor, std::span<char> bytes, const OnWait& on_wa
         if (count >= 0)
             return static_cast<std::size_t>(count);
         require_done(errno == EINTR || errno == EAGAIN);
+        if (on_wait)
+            on_wait();
     }
 }
 

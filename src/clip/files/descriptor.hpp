@@ -14,9 +14,9 @@
 
 namespace stltsa::clip {
 
-/// Called at least ten times a second while a function waits for the other end of a pipe, and
-/// before each piece that write_all() writes. May throw to give up. If it is empty, waits do not
-/// end, except by a signal, which is an error.
+/// Called about ten times a second while a function waits for the other end of a pipe, and before
+/// each piece that write_all() writes. May throw to give up. If it is empty, a signal that is
+/// handled ends the wait with an error.
 using OnWait = std::function<void()>;
 
 /// Throws errno unless a system call succeeded.
@@ -24,7 +24,7 @@ void require_done(bool done);
 
 class Descriptor {
   public:
-    /// Opening a pipe to write waits for its reader.
+    /// If a pipe is opened for writing, waits for its reader.
     Descriptor(const std::string& path, int flags, mode_t mode = 0, const OnWait& on_wait = {});
     ~Descriptor();
     Descriptor(const Descriptor&) = delete;
@@ -38,7 +38,7 @@ class Descriptor {
     int number_ = -1;
 };
 
-/// Waits for bytes and reads at most `most` of them; 0 at the end of the file.
+/// Waits for bytes and reads at most `bytes.size()` of them; returns 0 at the end.
 std::size_t read_some(int descriptor, std::span<char> bytes, const OnWait& on_wait);
 
 /// Writes all bytes.

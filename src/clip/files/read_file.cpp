@@ -47,7 +47,7 @@ std::string read_file(const std::string& path, const Progress& progress) {
     // Far larger than any clip; ends the reading of an endless device.
     constexpr std::size_t most = std::size_t{1} << 34;
     const OnWait poll = [&] { progress.report(Stage::read, 0); };
-    const auto file = named("open", path, [&] { return Descriptor(path, O_RDONLY); });
+    const auto file = named("open", path, [&] { return Descriptor(path, O_RDONLY, 0, poll); });
     std::string content;
     content.reserve(std::min(size_of(file), most));
     std::array<char, 1 << 16> chunk;

@@ -153,7 +153,7 @@ void a_wait_for_a_reader_can_be_cancelled(void**) {
     ::alarm(0);
 }
 
-/// A reader that takes what it gets, however slowly, does not keep the writer from being cancelled.
+/// The callback is called before each piece.
 void a_slow_reader_gets_all_bytes(void**) {
     const TemporaryFolder folder;
     const std::string path = folder.path("pipe");
@@ -171,7 +171,7 @@ void a_slow_reader_gets_all_bytes(void**) {
         path, [&](const stltsa::Sink& sink) { sink(bytes); }, [&] { ++calls; });
     reader.join();
     assert_true(received == bytes);
-    assert_true(calls >= 256); // before each piece
+    assert_true(calls >= 256);
 }
 
 void the_bytes_are_on_the_disk_before_the_name(void**) {

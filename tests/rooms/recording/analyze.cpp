@@ -105,7 +105,6 @@ void a_small_motion_beside_a_large_one_is_found(void**) {
     assert_true(most >= 4 && most <= 6);
 }
 
-/// A clip of one motion keeps the answer of the method for one motion.
 /// The coordinate drifts, and its steepest points with it: without alignment, lengths differ by 3 %
 /// and their mean is 2 % too short; in the clip of few cycles, one is 5 % too short.
 void equal_cycles_are_equally_long(void**) {
@@ -119,6 +118,7 @@ void equal_cycles_are_equally_long(void**) {
         }
 }
 
+/// A clip of one motion keeps the answer of the method for one motion.
 void a_clip_of_one_motion_is_one_segment(void**) {
     const Matrix samples = Recorder().cycles(8, 1.1, 0).samples();
     const Recording found = answer(samples);
