@@ -50,7 +50,7 @@ void check_cycles(const std::vector<double>& margins, double accuracy) {
 
 void cycles_become_equal(void**) {
     const Signal signal = cycles_of_a_second(10);
-    for (const std::size_t count : {5, 6, 13}) {
+    for (const std::size_t count : {5U, 6U, 13U}) {
         const std::vector<double> before = moved_margins(40, count);
         const std::vector<double> after = aligned(signal, 0, 290, before);
         check_cycles(after, 1e-3);
