@@ -11,8 +11,9 @@ namespace {
 
 // Deviation of the period, mean of 13 noisy synthetic walks and of 8 real walks and runs
 // (measure/clips): 0.50 % and 1.7 % without alignment, 0.20 % and 1.1 % with it; 0.26 % and 1.5 %
-// if velocities are compared a quarter of a cycle before and after. Cycles of exact sines differ by
-// 1 to 3 % without alignment, by at most 0.13 % with it.
+// if velocities are compared a quarter of a cycle before and after; 0.46 % and 1.1 % with
+// velocities from all of the clip. Cycles of exact sines differ by 1 to 3 % without alignment, and
+// by at most 0.13 % with it.
 
 /// Number of places at which velocities are compared.
 constexpr std::int64_t places = 25;
@@ -23,7 +24,8 @@ constexpr double between_places = 2 * around_margin / (places - 1);
 constexpr double beyond = 0.25;
 /// Seconds at the ends of the clip in which smoothing bends the curves of the features.
 constexpr double bent_s = 0.15;
-/// Most that a margin moves, as a share of a cycle.
+/// Most that a margin moves, as a share of a cycle: half of it gives the same figures, and with an
+/// eighth of it margins do not get where they belong.
 constexpr double most_moved = 0.24;
 /// The rounds end if no margin moves by more than this share of a cycle.
 constexpr double settled = 1e-4;
@@ -149,8 +151,8 @@ double move(const Signal& signal, Kind& kind) {
     return largest;
 }
 
-/// Shifts all margins alike if one left the rows from `begin` to `end`. If the rows are too few,
-/// which happens where the clip is as long as its cycles, the outer cycles lose what is missing;
+/// Shifts all margins by the same amount if one left the rows from `begin` to `end`. If the rows
+/// are too few, because the clip is as long as its cycles, the outer cycles lose what is missing;
 /// false if that is too much.
 bool keep_inside(double begin, double end, Kind& kind) {
     const auto [lowest, highest] = std::ranges::minmax(kind.at);
@@ -163,7 +165,7 @@ bool keep_inside(double begin, double end, Kind& kind) {
     return missing <= most_missing * kind.length.front();
 }
 
-/// Whether no two margins came too close or changed places.
+/// Whether all margins keep their order and enough distance.
 bool in_order(const std::vector<double>& margins, const std::vector<double>& before) {
     for (std::size_t i = 1; i < margins.size(); ++i)
         if (margins[i] - margins[i - 1] < least_distance * (before[i] - before[i - 1]))
@@ -171,7 +173,7 @@ bool in_order(const std::vector<double>& margins, const std::vector<double>& bef
     return true;
 }
 
-/// The margins of one sequence, aligned; as they were if they do not fit or not stay in order.
+/// The margins of one sequence, aligned; unchanged if they do not fit or do not stay in order.
 std::vector<double> aligned(const Signal& signal, double begin, double end,
                             const Progress& progress, const std::vector<double>& margins) {
     if (margins.front() <= begin && margins.back() >= end)
@@ -189,7 +191,7 @@ std::vector<double> aligned(const Signal& signal, double begin, double end,
     return in_order(result, margins) ? result : margins;
 }
 
-/// Gives two sequences that met before, or overlap now, one margin between them.
+/// If two sequences met before or overlap now, gives them one margin between them.
 void join(std::vector<double>& margins, std::vector<double>& next, bool met) {
     if (met || next.front() < margins.back())
         margins.back() = next.front() = (margins.back() + next.front()) / 2;

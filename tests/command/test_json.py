@@ -4,6 +4,7 @@
 import copy
 import csv
 import json
+import math
 import os
 import shutil
 import unittest
@@ -11,7 +12,7 @@ import unittest
 import jsonschema
 import numpy
 
-from common import CLIPS, SCHEMAS, CommandTest, circle, cut, drift, markers, run, walk
+from common import CLIPS, SCHEMAS, CommandTest, circle, cut, drift, markers, run, walk, write_csv
 
 KINDS = {"info": "clip", "fit": "model", "dimension": "dimension", "decompose": "decomposition",
          "denoise": "denoising"}
@@ -157,6 +158,22 @@ class Content(CommandTest):
         for unit in units:
             self.assertLess(unit["begin"], unit["end"])
             self.assertAlmostEqual(unit["begin_s"] * 120, unit["begin"], delta=0.51)
+
+    def test_units_lie_in_their_segments(self):
+        """Also where a unit between the last cycle and the end of the segment has no frame."""
+        rows = []
+        for columns, seconds, period in ((0, 8.8, 1.1), (3, 16.8, 1.2)):
+            for i in range(round(30 * seconds)):
+                turn, row = 2 * math.pi * i / 30 / period, [0] * 6
+                row[columns:columns + 3] = [1 - math.cos(turn), math.sin(turn),
+                                            0.3 * math.sin(2 * turn + 1) - 0.25]
+                rows.append(row)
+        found = self.json("decompose", write_csv("after another.csv", rows), "--fps", "30")
+        self.assertEqual(len(found["segments"]), 2)
+        for unit in found["units"]:
+            segment = found["segments"][unit["segment"]]
+            self.assertGreaterEqual(unit["begin_s"], segment["begin_s"])
+            self.assertLessEqual(unit["end_s"], segment["end_s"])
 
     def test_cycles_of_the_walk(self):
         found = self.json("decompose", walk())

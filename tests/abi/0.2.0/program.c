@@ -67,19 +67,19 @@ static void read_comparison(const stltsa_comparison* same) {
     CHECK(cycles.first_count > 2 && cycles.second_count == cycles.first_count);
     CHECK(cycles.cycle_time.first > 0 && cycles.cycle_time.first < 10);
     CHECK(fabs(cycles.first_per_minute * cycles.cycle_time.first - 60) < 1e-9);
-    CHECK(fabs(cycles.shift) < 1e-9 && cycles.likeness > 0.999999 && cycles.significant == 0);
+    CHECK(fabs(cycles.shift) < 1e-12 && cycles.likeness > 0.999999 && cycles.significant == 0);
     CHECK(stltsa_comparison_part_count(same) > 2);
     CHECK(channels >= stltsa_comparison_part_count(same));
     for (int64_t p = 0; p < stltsa_comparison_part_count(same); ++p) {
         MUST(stltsa_comparison_part(same, p, &part));
-        CHECK(part.part == p && part.rms < 1e-9 && fabs(part.amplitude.difference) < 1e-9);
+        CHECK(part.part == p && part.rms < 1e-12 && fabs(part.amplitude.difference) < 1e-12);
         CHECK(!(fabs(part.ratio - 1) > 1e-9) && !(part.ratio_low > part.ratio_high));
         CHECK(strcmp(stltsa_comparison_part_name(same, 0, p),
                      stltsa_comparison_part_name(same, 1, p)) == 0);
     }
     MUST(stltsa_comparison_difference(same, &out, NULL, NULL));
     for (int64_t i = 0; i < channels * SAMPLES; ++i)
-        CHECK(fabs(difference[i]) < 1e-9);
+        CHECK(fabs(difference[i]) < 1e-12);
     MUST(stltsa_comparison_curves(same, 0, &out, NULL));
     for (int64_t i = 0; i < channels * SAMPLES; ++i)
         CHECK(isfinite(difference[i]));

@@ -391,7 +391,7 @@ void drift_is_removed_from_columns_that_only_drift(void**) {
     const std::vector<std::int64_t> expected{0, 1};
     assert_true(remove_drift(samples, fps) == expected);
     for (std::int64_t i = 0; i < rows; ++i) {
-        ASSERT_NEAR(samples(i, 0), 0, 1e-6);
+        assert_true(samples(i, 0) == 0); // no rounding errors, which could look like cycles
         ASSERT_NEAR(samples(i, 1), 0.05 * before(i, 2), 0.03);
         for (std::int64_t c = 2; c < columns; ++c)
             ASSERT_NEAR(samples(i, c), before(i, c), 0);
