@@ -82,6 +82,8 @@ void weigh_columns(const double* row, const std::vector<double>& mean, const Spr
 /// One Gauss-Newton step of each row towards the nearest point of the loop.
 Pull pull_to(ConstMatrixView rows, const Loop& loop, const Run& run, const Spread& spread,
              const std::function<void()>& poll) {
+    if (poll) // many runs are too short to poll after their rows
+        poll();
     PacedPoll polls(poll);
     Pull pull;
     std::vector<double> mean(static_cast<std::size_t>(rows.cols)), slope = mean;

@@ -250,7 +250,10 @@ Recording analyze(ConstMatrixView samples, double fps, const Options& options,
         if (one && single.cycles.empty() && is_closed(signal, options.single))
             return answer_of(signal, one_cycle(std::move(single)), samples, options, progress);
     }
-    const KernelFeatures features(signal);
+    const auto poll_at = [&](double fraction) {
+        return [&progress, fraction] { progress.report(Stage::units, fraction); };
+    };
+    const KernelFeatures features(signal, poll_at(0));
     const auto drafts_at = [&](double price) {
         std::vector<Part> parts =
             divide(signal, {seconds > shortest_divided_s ? &features : nullptr, price, holes},
@@ -260,14 +263,14 @@ Recording analyze(ConstMatrixView samples, double fps, const Options& options,
             // A single part was decided above.
             if (seconds <= long_recording_s && !part.is_hole && !(is_short && parts.size() == 1))
                 decide_as_single(samples, fps, options, signal, pauses, progress, part);
-        return make_drafts(signal, parts, pauses);
+        return make_drafts(signal, parts, pauses, poll_at(1));
     };
     std::vector<Draft> drafts = drafts_at(border_price);
     if (options.segments)
         fit_number(features, *options.segments, drafts_at, drafts);
     else if (is_short && holes.empty() && repeats_in(drafts) < single.cycles.size())
         return answer_of(signal, std::move(single), samples, options, progress);
-    set_labels(signal, features, drafts);
+    set_labels(signal, features, drafts, poll_at(1));
     if (!options.segments)
         join_neighbors(drafts);
     divide_at_holes(holes, signal.rate, drafts);

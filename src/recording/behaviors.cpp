@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/progress.hpp"
 #include "linalg/gaussian.hpp"
 #include "linalg/simd.hpp"
 #include "recording/grouping.hpp"
@@ -44,8 +45,8 @@ struct Stay {
     std::size_t label = 0;
 };
 
-std::vector<Stay> labeled(const KernelFeatures& features,
-                          const std::vector<std::int64_t>& borders) {
+std::vector<Stay> labeled(const KernelFeatures& features, const std::vector<std::int64_t>& borders,
+                          const std::function<void()>& poll) {
     std::vector<Stay> stays;
     std::int64_t at = 0;
     for (const std::int64_t border : borders) {
@@ -53,12 +54,13 @@ std::vector<Stay> labeled(const KernelFeatures& features,
         at = border;
     }
     stays.push_back({{at, features.count()}, 0});
-    const std::vector<int> labels =
-        group(static_cast<std::int64_t>(stays.size()), 1 - same_behavior,
-              [&](std::int64_t i, std::int64_t k) {
-                  return 1 - features.likeness(stays[static_cast<std::size_t>(i)].range,
-                                               stays[static_cast<std::size_t>(k)].range);
-              });
+    const std::vector<int> labels = group(
+        static_cast<std::int64_t>(stays.size()), 1 - same_behavior,
+        [&](std::int64_t i, std::int64_t k) {
+            return 1 - features.likeness(stays[static_cast<std::size_t>(i)].range,
+                                         stays[static_cast<std::size_t>(k)].range);
+        },
+        poll);
     for (std::size_t i = 0; i < stays.size(); ++i)
         stays[i].label = static_cast<std::size_t>(labels[i]);
     return stays;
@@ -81,7 +83,8 @@ Matrix means_of(const KernelFeatures& features, const std::vector<Stay>& stays,
 
 /// The cheapest sequence of labels: each moment costs its squared distance from the mean of its
 /// label, and each change its price.
-std::vector<Stay> assigned(const KernelFeatures& features, const Matrix& means) {
+std::vector<Stay> assigned(const KernelFeatures& features, const Matrix& means,
+                           const std::function<void()>& poll) {
     const auto n = static_cast<std::size_t>(features.count());
     const auto labels = static_cast<std::size_t>(means.rows());
     const auto least =
@@ -102,7 +105,9 @@ std::vector<Stay> assigned(const KernelFeatures& features, const Matrix& means) 
     for (std::int64_t l = 0; l < means.rows(); ++l)
         norms.push_back(dot(means.row(l), means.row(l), means.cols()));
     std::vector<double> feature(static_cast<std::size_t>(features.size()));
+    PacedPoll polls(poll);
     for (std::size_t t = 0; t < n; ++t) {
+        polls.did(means.rows() * means.cols());
         sums[t % least] = running; // before moment t
         std::fill(feature.begin(), feature.end(), 0.0);
         const auto moment = static_cast<std::int64_t>(t);
@@ -194,12 +199,12 @@ double total_variance(const Matrix& x) {
     return total;
 }
 
-Poses make_poses(const Signal& signal) {
+Poses make_poses(const Signal& signal, const std::function<void()>& poll) {
     Poses poses;
     poses.step = std::max<std::int64_t>(1, std::lround(signal.rate / poses_per_second));
     poses.rate = signal.rate / static_cast<double>(poses.step);
     const Matrix smooth = gaussian_smoothed(signal.poses.view(), pose_smoothing_s * signal.rate,
-                                            Beyond::nothing, poses.step);
+                                            Beyond::nothing, poses.step, poll);
     const std::int64_t n = smooth.rows(), p = smooth.cols();
     poses.rows = Matrix(n, 2 * p);
     for (std::int64_t i = 0; i < n; ++i) {
@@ -275,8 +280,9 @@ std::int64_t best_place(const Poses& poses, const Stay& left, const Stay& right,
     return (first + std::llround(sum / count)) * poses.step;
 }
 
-void place(const Signal& signal, std::size_t labels, std::vector<Stay>& stays) {
-    const Poses poses = make_poses(signal);
+void place(const Signal& signal, std::size_t labels, std::vector<Stay>& stays,
+           const std::function<void()>& poll) {
+    const Poses poses = make_poses(signal, poll);
     if (!(poses.variance > 0))
         return;
     const auto examples = examples_of(stays, poses, labels);
@@ -284,6 +290,8 @@ void place(const Signal& signal, std::size_t labels, std::vector<Stay>& stays) {
     for (std::size_t i = 1; i < stays.size(); ++i) {
         if (before[i - 1].label == before[i].label)
             continue;
+        if (poll)
+            poll();
         const std::int64_t at = best_place(poses, before[i - 1], before[i], examples);
         stays[i - 1].range.end = stays[i].range.begin =
             std::clamp(at, stays[i - 1].range.begin + 1, before[i].range.end - 1);
@@ -293,23 +301,23 @@ void place(const Signal& signal, std::size_t labels, std::vector<Stay>& stays) {
 } // namespace
 
 std::vector<std::int64_t> behavior_borders(const Signal& signal, const KernelFeatures& features,
-                                           double price) {
-    const std::vector<std::int64_t> moments = change_points(features, price);
+                                           double price, const std::function<void()>& poll) {
+    const std::vector<std::int64_t> moments = change_points(features, price, poll);
     if (moments.empty())
         return {};
-    std::vector<Stay> stays = labeled(features, moments);
+    std::vector<Stay> stays = labeled(features, moments, poll);
     std::size_t labels = 0;
     for (const Stay& stay : stays)
         labels = std::max(labels, stay.label + 1);
     for (int round = 0;
          round < rounds && labels > 1 && labels <= most_behaviors && price >= border_price; ++round)
-        stays = assigned(features, means_of(features, stays, labels));
+        stays = assigned(features, means_of(features, stays, labels), poll);
     for (Stay& stay : stays) {
         stay.range.begin *= features.step();
         stay.range.end = std::min(stay.range.end * features.step(), signal.rows());
     }
     shift(signal, stays);
-    place(signal, labels, stays);
+    place(signal, labels, stays, poll);
     std::vector<std::int64_t> borders;
     for (std::size_t i = 1; i < stays.size(); ++i)
         borders.push_back(stays[i].range.begin);

@@ -9,8 +9,9 @@
 namespace stltsa::recording {
 
 /// Rows at which the behavior changes, ascending, without the ends. `price`: of a border; below
-/// border_price, moments are not assigned anew, which would lose short behaviors.
+/// border_price, moments are not assigned anew, which would lose short behaviors. `poll` is called
+/// every few milliseconds and may throw.
 std::vector<std::int64_t> behavior_borders(const Signal& signal, const KernelFeatures& features,
-                                           double price);
+                                           double price, const std::function<void()>& poll = {});
 
 } // namespace stltsa::recording

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/progress.hpp"
+
 namespace stltsa::recording {
 namespace {
 
@@ -14,7 +16,8 @@ constexpr double longest_search_s = 120;
 /// Borders that save less than this share of their price are dropped.
 constexpr double pays = 0.97;
 
-std::vector<std::int64_t> search(const KernelFeatures& features, double price) {
+std::vector<std::int64_t> search(const KernelFeatures& features, double price,
+                                 const std::function<void()>& poll) {
     const std::int64_t n = features.count();
     const auto least =
         std::max<std::int64_t>(2, static_cast<std::int64_t>(shortest_behavior_s * features.rate()));
@@ -25,9 +28,11 @@ std::vector<std::int64_t> search(const KernelFeatures& features, double price) {
     best[0] = -price;
     std::vector<std::int64_t> candidates{0}, kept;
     std::vector<double> costs;
+    PacedPoll polls(poll);
     for (std::int64_t t = least; t <= n; ++t) {
         auto& total = best[static_cast<std::size_t>(t)];
         costs.clear();
+        polls.did(static_cast<std::int64_t>(candidates.size()) * features.size());
         for (const std::int64_t begin : candidates) {
             costs.push_back(best[static_cast<std::size_t>(begin)] + features.cost(begin, t));
             if (costs.back() + price < total) {
@@ -77,8 +82,9 @@ void drop_unpaid(const KernelFeatures& features, double price, std::vector<std::
 
 } // namespace
 
-std::vector<std::int64_t> change_points(const KernelFeatures& features, double price) {
-    std::vector<std::int64_t> borders = search(features, price);
+std::vector<std::int64_t> change_points(const KernelFeatures& features, double price,
+                                        const std::function<void()>& poll) {
+    std::vector<std::int64_t> borders = search(features, price, poll);
     drop_unpaid(features, price, borders);
     return borders;
 }

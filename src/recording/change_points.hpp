@@ -4,6 +4,7 @@
 // 107, 2012).
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "recording/kernel_features.hpp"
@@ -14,7 +15,9 @@ namespace stltsa::recording {
 /// behaviors of ten minutes was lost.
 constexpr double border_price = 9;
 
-/// Moments at which the behavior changes, ascending, without the ends.
-std::vector<std::int64_t> change_points(const KernelFeatures& features, double price);
+/// Moments at which the behavior changes, ascending, without the ends. `poll` is called every few
+/// milliseconds and may throw.
+std::vector<std::int64_t> change_points(const KernelFeatures& features, double price,
+                                        const std::function<void()>& poll = {});
 
 } // namespace stltsa::recording

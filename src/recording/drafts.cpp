@@ -266,9 +266,9 @@ std::vector<Rows> split_by_group(const Signal& signal, Rows motion, int own, std
 /// where the behavior changes: no pause may lie between the last repetition of one action and the
 /// first of the next.
 Motions grouped_motions(const Signal& signal, const std::vector<Part>& parts, const Pauses& pauses,
-                        const std::vector<Rows>& ranges) {
+                        const std::vector<Rows>& ranges, const std::function<void()>& poll) {
     Motions whole{find_motions(signal, pauses, ranges), {}, {}};
-    whole.groups = group_motions(signal, whole.rows);
+    whole.groups = group_motions(signal, whole.rows, poll);
     const std::vector<Group> groups = largest_groups(whole);
     std::vector<std::size_t> counts;
     for (const int group : whole.groups) {
@@ -277,6 +277,8 @@ Motions grouped_motions(const Signal& signal, const std::vector<Part>& parts, co
     }
     Motions cut;
     for (std::size_t i = 0; i < whole.rows.size(); ++i) {
+        if (poll)
+            poll();
         const std::size_t like = counts[static_cast<std::size_t>(whole.groups[i])];
         std::vector<Rows> pieces =
             split_by_group(signal, whole.rows[i], whole.groups[i], like, groups);
@@ -288,7 +290,7 @@ Motions grouped_motions(const Signal& signal, const std::vector<Part>& parts, co
                          pieces.size() == 1 && between_pauses(signal, pauses, whole.rows[i]));
     }
     cut.groups =
-        cut.rows.size() == whole.rows.size() ? whole.groups : group_motions(signal, cut.rows);
+        cut.rows.size() == whole.rows.size() ? whole.groups : group_motions(signal, cut.rows, poll);
     return cut;
 }
 
@@ -300,8 +302,9 @@ double gain_at(const std::vector<Part>& parts, std::int64_t row) {
 
 /// Actions and repetitions outside the cyclic segments.
 void append_motions(const Signal& signal, const std::vector<Part>& parts, const Pauses& pauses,
-                    const std::vector<Rows>& ranges, std::vector<Draft>& drafts) {
-    const Motions motions = grouped_motions(signal, parts, pauses, ranges);
+                    const std::vector<Rows>& ranges, const std::function<void()>& poll,
+                    std::vector<Draft>& drafts) {
+    const Motions motions = grouped_motions(signal, parts, pauses, ranges, poll);
     const auto one_range = [&](const Rows& a, const Rows& b) {
         return std::ranges::any_of(ranges, [&](const Rows& range) {
             return range.begin <= a.begin && b.end <= range.end;
@@ -420,12 +423,12 @@ std::vector<Interval> Draft::cycles() const {
 }
 
 std::vector<Draft> make_drafts(const Signal& signal, const std::vector<Part>& parts,
-                               const Pauses& pauses) {
+                               const Pauses& pauses, const std::function<void()>& poll) {
     std::vector<Draft> drafts;
     for (const Part& part : parts)
         append_cyclic(signal, part, pauses.rests, drafts);
     const std::size_t cyclic = drafts.size();
-    append_motions(signal, parts, pauses, outside(drafts, signal.rows()), drafts);
+    append_motions(signal, parts, pauses, outside(drafts, signal.rows()), poll, drafts);
     for (std::size_t i = cyclic; i < drafts.size(); ++i)
         set_reason(signal, parts, drafts[i]);
     std::ranges::stable_sort(drafts, {}, &Draft::begin);

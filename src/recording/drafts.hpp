@@ -3,6 +3,7 @@
 // out of them, repetitions, single actions, and rests between them.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -31,12 +32,13 @@ struct Draft {
     std::vector<Interval> cycles() const;
 };
 
-/// Cover all rows of the signal.
+/// Cover all rows of the signal. `poll` is called every few milliseconds and may throw.
 std::vector<Draft> make_drafts(const Signal& signal, const std::vector<Part>& parts,
-                               const Pauses& pauses);
+                               const Pauses& pauses, const std::function<void()>& poll = {});
 
 /// Sets the labels of all that moves: the same motions share one.
-void set_labels(const Signal& signal, const KernelFeatures& features, std::vector<Draft>& drafts);
+void set_labels(const Signal& signal, const KernelFeatures& features, std::vector<Draft>& drafts,
+                const std::function<void()>& poll = {});
 
 /// Neighbors with one label that touch become one.
 void join_neighbors(std::vector<Draft>& drafts);

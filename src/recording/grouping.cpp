@@ -14,11 +14,15 @@ constexpr std::int64_t most_linked = 2000;
 /// Distances between clusters; merging keeps the mean over all pairs of items.
 class Clusters {
   public:
-    Clusters(std::int64_t count, const std::function<double(std::int64_t, std::int64_t)>& distance)
+    Clusters(std::int64_t count, const std::function<double(std::int64_t, std::int64_t)>& distance,
+             const std::function<void()>& poll)
         : distances_(count, count), sizes_(static_cast<std::size_t>(count), 1) {
-        for (std::int64_t i = 0; i < count; ++i)
+        for (std::int64_t i = 0; i < count; ++i) {
+            if (poll)
+                poll();
             for (std::int64_t k = 0; k < i; ++k)
                 distances_(i, k) = distances_(k, i) = distance(i, k);
+        }
     }
 
     bool alive(std::int64_t i) const { return sizes_[static_cast<std::size_t>(i)] > 0; }
@@ -81,11 +85,14 @@ std::vector<std::int64_t> linked(Clusters& clusters, std::int64_t count, double 
 } // namespace
 
 std::vector<int> group(std::int64_t count, double most,
-                       const std::function<double(std::int64_t, std::int64_t)>& distance) {
+                       const std::function<double(std::int64_t, std::int64_t)>& distance,
+                       const std::function<void()>& poll) {
     const std::int64_t first = std::min(count, most_linked);
-    Clusters clusters(first, distance);
+    Clusters clusters(first, distance, poll);
     std::vector<std::int64_t> parent = linked(clusters, first, most);
     for (std::int64_t i = first; i < count; ++i) {
+        if (poll)
+            poll();
         std::int64_t nearest = 0;
         double least = std::numeric_limits<double>::infinity();
         for (std::int64_t k = 0; k < first; ++k)

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/progress.hpp"
 #include "linalg/eigen.hpp"
 #include "linalg/gaussian.hpp"
 #include "linalg/simd.hpp"
@@ -59,12 +60,12 @@ Matrix scaled_motion(const Signal& signal, std::int64_t step, double rate) {
 }
 
 /// Windowed means and standard deviations of the columns.
-Matrix windowed(const Matrix& x, double sigma) {
+Matrix windowed(const Matrix& x, double sigma, const std::function<void()>& poll) {
     Matrix squares = x;
     for (std::int64_t i = 0; i < x.rows() * x.cols(); ++i)
         squares.data()[i] *= squares.data()[i];
-    const Matrix mean = gaussian_smoothed(x.view(), sigma, Beyond::nothing);
-    const Matrix square = gaussian_smoothed(squares.view(), sigma, Beyond::nothing);
+    const Matrix mean = gaussian_smoothed(x.view(), sigma, Beyond::nothing, 1, poll);
+    const Matrix square = gaussian_smoothed(squares.view(), sigma, Beyond::nothing, 1, poll);
     Matrix result(x.rows(), 2 * x.cols());
     for (std::int64_t i = 0; i < x.rows(); ++i)
         for (std::int64_t c = 0; c < x.cols(); ++c) {
@@ -116,11 +117,11 @@ Matrix nystroem_map(const Matrix& landmarks, double bandwidth) {
 
 } // namespace
 
-KernelFeatures::KernelFeatures(const Signal& signal)
+KernelFeatures::KernelFeatures(const Signal& signal, const std::function<void()>& poll)
     : step_(std::max<std::int64_t>(1, std::lround(signal.rate / moments_per_second))),
       rate_(signal.rate / static_cast<double>(step_)) {
     const Matrix x = scaled_motion(signal, step_, rate_);
-    const Matrix statistics = windowed(x, statistics_window_s * rate_);
+    const Matrix statistics = windowed(x, statistics_window_s * rate_, poll);
     const double bandwidth =
         std::max(median_distance(statistics), least_bandwidth * total_variance(x));
     const Matrix landmarks = spread_rows(statistics, most_landmarks);
@@ -128,7 +129,9 @@ KernelFeatures::KernelFeatures(const Signal& signal)
     sums_ = Matrix(x.rows() + 1, map.cols());
     squares_.assign(static_cast<std::size_t>(x.rows() + 1), 0);
     std::vector<double> feature(static_cast<std::size_t>(map.cols()));
+    PacedPoll polls(poll);
     for (std::int64_t i = 0; i < x.rows(); ++i) {
+        polls.did(landmarks.rows() * (landmarks.cols() + map.cols()));
         std::fill(feature.begin(), feature.end(), 0.0);
         for (std::int64_t l = 0; l < landmarks.rows(); ++l)
             axpy(std::exp(-squared_distance(statistics.row(i), landmarks.row(l), landmarks.cols()) /

@@ -4,6 +4,7 @@
 // velocities. Sums over time are kept, so that a range costs the same whatever its length.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "recording/signal.hpp"
@@ -12,7 +13,8 @@ namespace stltsa::recording {
 
 class KernelFeatures {
   public:
-    explicit KernelFeatures(const Signal& signal);
+    /// `poll` is called every few milliseconds and may throw.
+    explicit KernelFeatures(const Signal& signal, const std::function<void()>& poll = {});
 
     /// Number of moments; moment i is row i * step() of the signal.
     std::int64_t count() const { return sums_.rows() - 1; }

@@ -30,7 +30,8 @@ double distance(const KernelFeatures& features, const Draft& a, const TypicalCyc
 
 } // namespace
 
-void set_labels(const Signal& signal, const KernelFeatures& features, std::vector<Draft>& drafts) {
+void set_labels(const Signal& signal, const KernelFeatures& features, std::vector<Draft>& drafts,
+                const std::function<void()>& poll) {
     std::vector<Draft*> moving;
     for (Draft& draft : drafts)
         if (draft.kind != SegmentKind::rest)
@@ -38,12 +39,13 @@ void set_labels(const Signal& signal, const KernelFeatures& features, std::vecto
     std::vector<TypicalCycle> cycles;
     for (const Draft* draft : moving)
         cycles.push_back(typical_cycle(signal, draft->cycles()));
-    const std::vector<int> labels =
-        group(static_cast<std::int64_t>(moving.size()), 1 - same_behavior,
-              [&](std::int64_t i, std::int64_t k) {
-                  const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(k);
-                  return distance(features, *moving[a], cycles[a], *moving[b], cycles[b]);
-              });
+    const std::vector<int> labels = group(
+        static_cast<std::int64_t>(moving.size()), 1 - same_behavior,
+        [&](std::int64_t i, std::int64_t k) {
+            const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(k);
+            return distance(features, *moving[a], cycles[a], *moving[b], cycles[b]);
+        },
+        poll);
     for (std::size_t i = 0; i < moving.size(); ++i)
         moving[i]->label = labels[i];
 }

@@ -4,6 +4,7 @@
 // little of them.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "recording/signal.hpp"
@@ -21,7 +22,8 @@ struct LagMap {
     }
 };
 
-/// Lags from `shortest` to `longest` rows.
-LagMap make_lag_map(const Signal& signal, Rows range, double shortest, double longest);
+/// Lags from `shortest` to `longest` rows. `poll` is called every few milliseconds and may throw.
+LagMap make_lag_map(const Signal& signal, Rows range, double shortest, double longest,
+                    const std::function<void()>& poll);
 
 } // namespace stltsa::recording

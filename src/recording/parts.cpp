@@ -64,7 +64,8 @@ std::vector<CyclicStretch> cut_with_shorter(const Signal& signal, const CyclicSt
                                             RowProgress& progress) {
     std::vector<CyclicStretch> claimed;
     periods.longest_s = shorter_lags * motion::median(refused.stretch.period) / signal.rate;
-    for (const Stretch& stretch : track_period(signal, refused.stretch.rows, periods).stretches) {
+    const auto tracked = track_period(signal, refused.stretch.rows, periods, progress.poll());
+    for (const Stretch& stretch : tracked.stretches) {
         CyclicStretch cut = cut_stretch(signal, stretch, still, nullptr, progress);
         weigh(signal, cut);
         if (cut.claimed())
@@ -78,7 +79,7 @@ Part decide(const Signal& signal, Rows rows, const StillRows& still, const Perio
     progress.reached(static_cast<double>(rows.begin));
     Part part;
     part.rows = rows;
-    PeriodTrack track = track_period(signal, rows, periods);
+    PeriodTrack track = track_period(signal, rows, periods, progress.poll());
     part.best_match = track.best_match;
     part.best_lag_s = track.best_lag_s;
     for (const Stretch& stretch : track.stretches) {
@@ -275,11 +276,12 @@ class Joiner {
 
 /// The parts without their cycles. The rows between a hole and a border of behaviors next to it are
 /// too few for a behavior of their own.
-std::vector<Part> undecided(const Signal& signal, const Borders& borders) {
+std::vector<Part> undecided(const Signal& signal, const Borders& borders, RowProgress& progress) {
     std::vector<std::int64_t> rows{0};
     if (borders.features != nullptr)
-        std::ranges::copy(behavior_borders(signal, *borders.features, borders.price),
-                          std::back_inserter(rows));
+        std::ranges::copy(
+            behavior_borders(signal, *borders.features, borders.price, progress.poll()),
+            std::back_inserter(rows));
     rows.push_back(signal.rows());
     const auto beside = static_cast<std::int64_t>(beside_hole_s * signal.rate);
     for (const Rows& hole : borders.holes)
@@ -359,7 +361,7 @@ std::vector<Part> divide(const Signal& signal, const Borders& borders, const Sti
                          const PeriodRange& periods, const Progress& progress) {
     RowProgress reported(progress, signal.rows());
     std::vector<Part> parts;
-    for (const Part& part : undecided(signal, borders))
+    for (const Part& part : undecided(signal, borders, reported))
         parts.push_back(part.is_hole ? part : decide(signal, part.rows, still, periods, reported));
     if (borders.features == nullptr)
         return parts;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/progress.hpp"
 #include "linalg/gaussian.hpp"
 #include "motion/curve/statistics.hpp"
 #include "recording/lag_map.hpp"
@@ -51,7 +52,7 @@ class Tracker {
     }
 
     /// For each time the index of the lag from `first` on, or states() for none.
-    std::vector<std::size_t> path();
+    std::vector<std::size_t> path(const std::function<void()>& poll);
     std::size_t states() const { return states_; }
 
   private:
@@ -114,12 +115,15 @@ void Tracker::step(std::int64_t time) {
     total_.swap(next_);
 }
 
-std::vector<std::size_t> Tracker::path() {
+std::vector<std::size_t> Tracker::path(const std::function<void()>& poll) {
     score(0, total_);
     total_.push_back(none_score * dt_);
     next_.resize(total_.size());
-    for (std::int64_t t = 1; t < map_.times; ++t)
+    PacedPoll polls(poll);
+    for (std::int64_t t = 1; t < map_.times; ++t) {
         step(t);
+        polls.did(static_cast<std::int64_t>(states_) * (2 * most_move + 1));
+    }
     std::vector<std::size_t> path(static_cast<std::size_t>(map_.times));
     path.back() =
         static_cast<std::size_t>(std::max_element(total_.begin(), total_.end()) - total_.begin());
@@ -221,7 +225,8 @@ void set_best(const LagMap& map, std::size_t first, double rate, PeriodTrack& tr
 
 } // namespace
 
-PeriodTrack track_period(const Signal& signal, Rows range, const PeriodRange& periods) {
+PeriodTrack track_period(const Signal& signal, Rows range, const PeriodRange& periods,
+                         const std::function<void()>& poll) {
     PeriodTrack track;
     const double rate = signal.rate;
     const double longest =
@@ -230,14 +235,14 @@ PeriodTrack track_period(const Signal& signal, Rows range, const PeriodRange& pe
     if (static_cast<double>(range.count()) < shortest_range_s * rate || longest <= 1.2 * shortest)
         return track;
     const LagMap map =
-        make_lag_map(signal, range, std::max(lags_below * shortest, least_lag_rows), longest);
+        make_lag_map(signal, range, std::max(lags_below * shortest, least_lag_rows), longest, poll);
     const auto first = static_cast<std::size_t>(
         std::lower_bound(map.lags.begin(), map.lags.end(), shortest) - map.lags.begin());
     if (first >= map.lags.size())
         return track;
     set_best(map, first, rate, track);
     Tracker tracker(map, first, static_cast<double>(map.hop) / rate);
-    const auto path = tracker.path();
+    const auto path = tracker.path(poll);
     for (std::int64_t t = 0; t < map.times;) {
         std::int64_t end = t;
         while (end < map.times && path[static_cast<std::size_t>(end)] < tracker.states())

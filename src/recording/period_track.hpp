@@ -2,6 +2,7 @@
 // Where the motion repeats, and its period there, which may change over time.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,8 @@ struct PeriodTrack {
     double best_lag_s = 0;
 };
 
-PeriodTrack track_period(const Signal& signal, Rows range, const PeriodRange& periods);
+/// `poll` is called every few milliseconds and may throw.
+PeriodTrack track_period(const Signal& signal, Rows range, const PeriodRange& periods,
+                         const std::function<void()>& poll = {});
 
 } // namespace stltsa::recording

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 
 #include "base/progress.hpp"
 
@@ -18,6 +19,11 @@ class RowProgress {
     void reached(double row) {
         farthest_ = std::max(farthest_, std::min(row / rows_, 1.0));
         progress_.report(Stage::units, farthest_);
+    }
+
+    /// Reports the farthest row again. Valid as long as this object.
+    std::function<void()> poll() {
+        return [this] { reached(0); };
     }
 
   private:

@@ -39,6 +39,8 @@ constexpr double least_usual = 0.04;
 /// A body that only sways stands: its size per second. A rest is slower than a quarter of that:
 /// joints that are 0.5 m from the hips move at 1.5 cm/s.
 constexpr double least_of_size = 0.12;
+/// Work of sorting a number, for polls.
+constexpr std::int64_t sorting = 32;
 
 Matrix differences(ConstMatrixView x) {
     Matrix d(x.rows, x.cols);
@@ -51,8 +53,8 @@ Matrix differences(ConstMatrixView x) {
     return d;
 }
 
-Matrix velocities(const Matrix& poses, double sigma) {
-    return differences(gaussian_smoothed(poses.view(), sigma, Beyond::nothing).view());
+Matrix velocities(const Matrix& poses, double sigma, const std::function<void()>& poll = {}) {
+    return differences(gaussian_smoothed(poses.view(), sigma, Beyond::nothing, 1, poll).view());
 }
 
 double third_difference(const Matrix& x, std::int64_t i, std::int64_t c) {
@@ -95,11 +97,12 @@ double least_roughness(const Matrix& x) {
     return means.empty() ? 0 : quiet_bias * motion::quantile(means, quiet_share);
 }
 
-std::vector<double> speeds(const Matrix& velocity, double sigma) {
+std::vector<double> speeds(const Matrix& velocity, double sigma,
+                           const std::function<void()>& poll) {
     Matrix speed(velocity.rows(), 1);
     for (std::int64_t i = 0; i < velocity.rows(); ++i)
         speed(i, 0) = std::sqrt(dot(velocity.row(i), velocity.row(i), velocity.cols()));
-    const Matrix smoothed = gaussian_smoothed(speed.view(), sigma, Beyond::nothing);
+    const Matrix smoothed = gaussian_smoothed(speed.view(), sigma, Beyond::nothing, 1, poll);
     return {smoothed.data(), smoothed.data() + smoothed.rows()};
 }
 
@@ -115,15 +118,18 @@ double typical(std::vector<double> speed) {
 }
 
 /// The typical speed around each second, linear between them.
-std::vector<double> usual_speeds(const std::vector<double>& speed, double rate,
-                                 double neighborhood) {
+std::vector<double> usual_speeds(const std::vector<double>& speed, double rate, double neighborhood,
+                                 const std::function<void()>& poll) {
     const auto n = static_cast<std::int64_t>(speed.size());
     const auto hop = std::max<std::int64_t>(1, std::lround(rate));
     const auto reach = static_cast<std::int64_t>(neighborhood * rate);
     std::vector<double> at;
-    for (std::int64_t t = 0; t < n + hop; t += hop)
+    PacedPoll polls(poll);
+    for (std::int64_t t = 0; t < n + hop; t += hop) {
+        polls.did(sorting * 2 * reach);
         at.push_back(typical({speed.begin() + std::clamp<std::int64_t>(t - reach, 0, n - 1),
                               speed.begin() + std::min(n, t + reach)}));
+    }
     std::vector<double> usual(speed.size());
     for (std::int64_t i = 0; i < n; ++i) {
         const auto k = static_cast<std::size_t>(i / hop);
@@ -142,7 +148,8 @@ std::vector<double> usual_steps(ConstMatrixView x, double rate, const Progress& 
         poll.did(x.cols);
     }
     const std::vector<double> speed(steps.data(), steps.data() + x.rows);
-    std::vector<double> usual = usual_speeds(speed, rate, neighborhood_s);
+    std::vector<double> usual =
+        usual_speeds(speed, rate, neighborhood_s, [&] { progress.report(Stage::features, 1); });
     const double least = least_usual * typical(speed);
     for (double& step : usual)
         step = std::max(step, least);
@@ -176,6 +183,7 @@ Matrix every(ConstMatrixView samples, std::int64_t step, const Progress& progres
 
 Signal make_signal(ConstMatrixView samples, double fps, double smoothed_s, double size,
                    const Progress& progress) {
+    const auto poll = [&] { progress.report(Stage::features, 1); };
     Signal signal;
     signal.step = std::max<std::int64_t>(
         1, std::llround(std::min(fps / rows_per_second, static_cast<double>(samples.rows))));
@@ -189,18 +197,20 @@ Signal make_signal(ConstMatrixView samples, double fps, double smoothed_s, doubl
     double noise = 0, all = 0;
     for (const double seconds : pose_smoothing_s) {
         const double more = seconds * signal.rate;
-        signal.poses = more > 0 ? gaussian_smoothed(poses.view(), more, Beyond::reflection) : poses;
-        signal.velocity = velocities(signal.poses, sigma);
-        signal.speed = speeds(signal.velocity, speed_smoothing_s * signal.rate);
+        signal.poses =
+            more > 0 ? gaussian_smoothed(poses.view(), more, Beyond::reflection, 1, poll) : poses;
+        signal.velocity = velocities(signal.poses, sigma, poll);
+        signal.speed = speeds(signal.velocity, speed_smoothing_s * signal.rate, poll);
+        poll();
         noise = std::sqrt(rough * noise_in_velocities(smoothed_s * signal.rate, more, sigma));
         all = typical(signal.speed);
         if (noise <= most_noise * all)
             break;
     }
-    signal.usual = usual_speeds(signal.speed, signal.rate, neighborhood_s);
+    signal.usual = usual_speeds(signal.speed, signal.rate, neighborhood_s, poll);
     for (double& speed : signal.speed)
         speed = std::sqrt(std::max(0.0, speed * speed - noise * noise));
-    signal.near_usual = usual_speeds(signal.speed, signal.rate, near_s);
+    signal.near_usual = usual_speeds(signal.speed, signal.rate, near_s, poll);
     const double least = least_usual * all;
     const double standing = least_of_size * size / signal.rate;
     for (std::size_t i = 0; i < signal.usual.size(); ++i) {

@@ -70,6 +70,7 @@ void refine(const Alignment& alignment, std::int64_t dimension, const Progress& 
     for (int i = 0; i < most_corrections; ++i) {
         progress.report(Stage::spectrum, 0.5);
         correct(alignment, basis);
+        progress.report(Stage::spectrum, 0.5);
         rayleigh_ritz(alignment, basis);
         const double change = last_turn(basis, dimension, alignment.machine());
         if (i == 0)
@@ -90,8 +91,10 @@ Spectrum smallest_eigenpairs(const Alignment& alignment, std::int64_t count, std
     Spectrum spectrum;
     spectrum.solves = found.applications;
     EigenBasis basis = solved(alignment, std::exchange(found, {}).vectors);
+    progress.report(Stage::spectrum, 0.5);
     rayleigh_ritz(alignment, basis);
     refine(alignment, dimension, progress, basis, spectrum);
+    progress.report(Stage::spectrum, 0.5);
     spectrum.residual = largest_residual(alignment, basis, dimension);
     spectrum.values = basis.values;
     spectrum.vectors = rows_of(basis.x.view(), dimension, alignment.machine());

@@ -217,6 +217,20 @@ void a_single_cycle_is_closed(void**) {
     ASSERT_NEAR(later.rows(0, 40), 54, 1e-9);
 }
 
+/// Many short sequences together take long, though each is too short to poll after its rows.
+void each_sequence_polls(void**) {
+    const Matrix samples = motion(1200, 0.05, 1);
+    std::vector<Borders> sequences;
+    for (int i = 0; i < 9; ++i)
+        sequences.push_back(sequence(10 + 130 * i, 1, 0));
+    const auto polls_of = [&](std::size_t count) {
+        int polls = 0;
+        find_phases(samples.view(), rate, {sequences.data(), count}, {}, [&] { ++polls; });
+        return polls;
+    };
+    assert_true(polls_of(9) >= polls_of(2) + 7);
+}
+
 } // namespace
 
 int main() {
@@ -231,6 +245,7 @@ int main() {
         cmocka_unit_test(a_peak_at_the_border_stays_one_peak),
         cmocka_unit_test(what_a_run_does_not_reach_is_unknown),
         cmocka_unit_test(a_single_cycle_is_closed),
+        cmocka_unit_test(each_sequence_polls),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

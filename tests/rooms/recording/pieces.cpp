@@ -4,7 +4,9 @@
 
 #include <algorithm>
 
+#include "recording/behaviors.hpp"
 #include "recording/change_points.hpp"
+#include "recording/drafts.hpp"
 #include "recording/grouping.hpp"
 #include "recording/least_squares.hpp"
 #include "recording/period_track.hpp"
@@ -154,6 +156,60 @@ void cycles_begin_on_one_side(void**) {
     assert_false(sides_alternate(steady, cut));
 }
 
+/// Each step polls while it works on half an hour, in which the motion changes every ten seconds.
+void steps_of_long_recordings_poll(void**) {
+    Recorder recorder;
+    for (int i = 0; i < 180; ++i)
+        recorder.cycles(10, 1 + 0.2 * (i % 3), 3 * (i % 3));
+    const Matrix samples = recorder.samples();
+    int polls = 0;
+    const auto poll = [&] { ++polls; };
+    const auto check_polls = [&](int least, const auto& step) {
+        polls = 0;
+        step();
+        assert_in_range(polls, least, 100000);
+    };
+    const Progress progress(
+        [](void* user, std::int32_t, double) {
+            ++*static_cast<int*>(user);
+            return 0;
+        },
+        &polls);
+    Signal signal;
+    check_polls(12, [&] { signal = make_signal(samples.view(), fps, 0, 0, progress); });
+    const KernelFeatures features(signal);
+    std::vector<std::int64_t> borders;
+    check_polls(30, [&] { KernelFeatures(signal, poll); });
+    check_polls(7, [&] { borders = change_points(features, border_price, poll); });
+    check_polls(300, [&] { behavior_borders(signal, features, border_price, poll); });
+    check_polls(36, [&] { track_period(signal, {0, signal.rows()}, {}, poll); });
+    check_polls(1000, [&] {
+        group(
+            1000, 0.5, [](auto, auto) { return 1.0; }, poll);
+    });
+    assert_int_equal(borders.size(), 179);
+}
+
+/// Each repetition is compared with all before it, which takes long if there are thousands.
+void drafts_poll_between_repetitions(void**) {
+    Recorder recorder;
+    for (int i = 0; i < 40; ++i)
+        recorder.rest(2).action(1.5, 0);
+    const Matrix samples = recorder.rest(2).samples();
+    const Signal signal = make_signal(samples.view(), fps, 0, 0);
+    const KernelFeatures features(signal);
+    const auto rests = find_rests(signal);
+    const Pauses pauses = find_pauses(signal, rests);
+    const auto parts =
+        divide(signal, {&features, border_price, {}}, {rests, pauses.rests}, {}, Progress());
+    int polls = 0;
+    const auto drafts = make_drafts(signal, parts, pauses, [&] { ++polls; });
+    assert_true(std::ranges::any_of(drafts, [](const Draft& draft) {
+        return draft.kind == SegmentKind::repetitions && draft.motions.size() == 40;
+    }));
+    assert_in_range(polls, 80, 1000);
+}
+
 } // namespace
 
 int main() {
@@ -165,6 +221,8 @@ int main() {
         cmocka_unit_test(the_curve_keeps_phase_and_sign),
         cmocka_unit_test(rests_and_motions_between_them),
         cmocka_unit_test(cycles_begin_on_one_side),
+        cmocka_unit_test(steps_of_long_recordings_poll),
+        cmocka_unit_test(drafts_poll_between_repetitions),
     };
     return cmocka_run_group_tests(tests, nullptr, nullptr);
 }
