@@ -7,12 +7,16 @@
 
 #include "linalg/simd.hpp"
 #include "motion/curve/statistics.hpp"
+#include "motion/rests.hpp"
 #include "recording/grouping.hpp"
 
 namespace stltsa::recording {
 namespace {
 
-/// A rest is slower than this share of the usual speed for this long, and once slower than that.
+/// A rest is slower than this share of the usual speed for this long, and once slower than that. It
+/// ends where the speed rises above the latter, or above that of standing: if it lasted until the
+/// former, the first step of a walk would begin 0.3 s late instead of 0.04 s (measure/clips, "two
+/// walks").
 constexpr double slow = 0.25;
 constexpr double still = 0.15;
 constexpr double shortest_rest_s = 0.3;
@@ -157,19 +161,17 @@ bool lengths_differ(Rows a, Rows b) {
 } // namespace
 
 std::vector<Rows> find_rests(const Signal& signal) {
+    std::vector<double> level;
+    for (std::size_t i = 0; i < signal.speed.size(); ++i)
+        level.push_back(signal.near_usual[i] > 0 ? signal.speed[i] / signal.near_usual[i] : 0);
     std::vector<Rows> rests;
-    const auto level = [&](std::int64_t i) {
-        const auto at = static_cast<std::size_t>(i);
-        return signal.near_usual[at] > 0 ? signal.speed[at] / signal.near_usual[at] : 0;
-    };
-    for (std::int64_t i = 0; i < signal.rows();) {
-        std::int64_t end = i;
-        double least = slow;
-        while (end < signal.rows() && level(end) < slow)
-            least = std::min(least, level(end++));
-        if (static_cast<double>(end - i) >= shortest_rest_s * signal.rate && least < still)
-            rests.push_back({i, end});
-        i = end + 1;
+    for (const motion::Rest& rest :
+         motion::find_rests(level, {slow, shortest_rest_s * signal.rate, still})) {
+        const Rows rows{static_cast<std::int64_t>(std::ceil(rest.begin)),
+                        static_cast<std::int64_t>(std::ceil(rest.end))};
+        if (std::any_of(level.begin() + rows.begin, level.begin() + rows.end,
+                        [](double each) { return each < still; }))
+            rests.push_back(rows);
     }
     return rests;
 }

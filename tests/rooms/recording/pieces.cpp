@@ -131,8 +131,8 @@ void rests_and_motions_between_them(void**) {
     assert_true(std::ranges::count(pauses.home, true) == 3);
     const auto motions = find_motions(signal, pauses, {{0, signal.rows()}});
     assert_int_equal(motions.size(), 2);
-    ASSERT_NEAR(static_cast<double>(motions[0].begin), 2 * fps, 6);
-    ASSERT_NEAR(static_cast<double>(motions[0].end), 4 * fps, 6);
+    ASSERT_NEAR(static_cast<double>(motions[0].begin), 2 * fps, 1);
+    ASSERT_NEAR(static_cast<double>(motions[0].end), 4 * fps, 1);
     assert_true(unlikeness(signal, motions[0], motions[0]) < 1e-9);
     assert_true(unlikeness(signal, motions[0], motions[1]) > same_motion);
     assert_true((group_motions(signal, motions) == std::vector<int>{0, 1}));
