@@ -26,6 +26,7 @@ namespace {
 
 std::atomic<std::int64_t> live{0};
 std::atomic<std::int64_t> until_failure{-1}; // negative: never
+std::atomic<bool> no_memory{false};          // every allocation fails
 
 /// Address ranges of libraries that end the process if an allocation fails (docs/robustness.md);
 /// their own allocations always succeed.
@@ -33,6 +34,9 @@ struct Spared {
     const char* name;
     std::uintptr_t begin = 0, end = 0;
     std::atomic<std::int64_t> times{0};
+    std::atomic<std::int64_t> until_failure{-1}; // of its own allocations (endings.cpp)
+
+    bool contains(std::uintptr_t at) const { return at >= begin && at < end; }
 };
 Spared spared[] = {{"libopenblas"}, {"libgomp"}};
 
@@ -50,17 +54,28 @@ Spared spared[] = {{"libopenblas"}, {"libgomp"}};
 }
 
 /// `caller`: the code that allocates.
-bool refused(void* caller) {
-    if (until_failure.load() < 0 || until_failure.fetch_sub(1) != 0)
-        return false;
+bool fails(void* caller) {
     const auto at = reinterpret_cast<std::uintptr_t>(caller);
     for (Spared& s : spared)
-        if (at >= s.begin && at < s.end) {
+        if (s.until_failure.load() >= 0 && s.contains(at) && s.until_failure.fetch_sub(1) == 0)
+            return true;
+    if (no_memory.load())
+        return true;
+    if (until_failure.load() < 0 || until_failure.fetch_sub(1) != 0)
+        return false;
+    for (Spared& s : spared)
+        if (s.contains(at)) {
             ++s.times;
             return false;
         }
-    errno = ENOMEM;
     return true;
+}
+
+bool refused(void* caller) {
+    const bool refuses = fails(caller);
+    if (refuses)
+        errno = ENOMEM;
+    return refuses;
 }
 
 void* counted(void* memory) {
