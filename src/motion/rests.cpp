@@ -9,13 +9,13 @@
 namespace stltsa::motion {
 namespace {
 
-/// Highest speed of a standing body, from the speeds of a rest.
-double standing_speed(std::span<const double> speed, double still) {
+/// Highest speed of a standing body, from the speeds of a rest, which are all below the limit.
+double standing_speed(std::span<const double> speed, const Standing& standing) {
     const double middle = median(speed);
     // The lower quartile is 0.67 standard deviations below the median; the upper one would include
     // the first motion.
     const double two_deviations = 3 * (middle - quantile(speed, 0.25));
-    return std::max(middle + two_deviations, still);
+    return std::min(std::max(middle + two_deviations, standing.still), standing.below);
 }
 
 /// Interpolated position between two samples at which the speed is `limit`.
@@ -26,8 +26,9 @@ double crossing(std::size_t low, std::size_t high, std::span<const double> speed
 }
 
 /// The samples [first, last), which are below the limit, without the motion at both ends.
-Rest trimmed(std::span<const double> speed, std::size_t first, std::size_t last, double still) {
-    const double limit = standing_speed(speed.subspan(first, last - first), still);
+Rest trimmed(std::span<const double> speed, std::size_t first, std::size_t last,
+             const Standing& standing) {
+    const double limit = standing_speed(speed.subspan(first, last - first), standing);
     Rest rest{static_cast<double>(first), static_cast<double>(last)};
     if (first > 0) {
         std::size_t i = first;
@@ -58,7 +59,7 @@ std::vector<Rest> find_rests(std::span<const double> speed, const Standing& stan
         while (last < speed.size() && speed[last] < standing.below)
             ++last;
         if (static_cast<double>(last - first) >= standing.hold) {
-            const Rest rest = trimmed(speed, first, last, standing.still);
+            const Rest rest = trimmed(speed, first, last, standing);
             if (rest.begin < rest.end)
                 rests.push_back(rest);
         }

@@ -89,6 +89,18 @@ void sway_is_standing(void**) {
     ASSERT_NEAR(rests[0].end, 63, 3);
 }
 
+/// If the speeds of a rest scatter so much that motion beside it is no faster than two deviations
+/// above their median.
+void a_rest_ends_before_the_motion(void**) {
+    std::vector<double> speed(60, 0.45);
+    for (std::size_t i = 20; i < 40; ++i)
+        speed[i] = i % 2 == 0 ? 0.0 : 0.39;
+    const auto rests = find_rests(speed, standing);
+    assert_int_equal(rests.size(), 1);
+    assert_true(rests[0].begin >= 19 && rests[0].begin <= 20);
+    assert_true(rests[0].end >= 39 && rests[0].end <= 40);
+}
+
 void short_dips_are_not_rests(void**) {
     std::vector<double> speed(100, 1.0);
     std::fill_n(speed.begin() + 40, 7, 0.0);
@@ -207,6 +219,7 @@ int main() {
         cmocka_unit_test(a_body_that_never_moves_has_no_activity),
         cmocka_unit_test(rests_end_at_the_onset),
         cmocka_unit_test(sway_is_standing),
+        cmocka_unit_test(a_rest_ends_before_the_motion),
         cmocka_unit_test(short_dips_are_not_rests),
         cmocka_unit_test(five_units_or_fewer),
         cmocka_unit_test(other_motion_is_action),
