@@ -15,6 +15,8 @@ DATA = pathlib.Path(os.environ.get("STLTSA_DATA", ROOT / ".." / "shared" / "data
 # Names of both ankles in the measured skeletons, lower case.
 ANKLES = (("leftankle", "rightankle"), ("lankle", "rankle"), ("lfoot", "rfoot"),
           ("leftfoot", "rightfoot"), ("foot_l", "foot_r"))
+WRISTS = (("leftwrist", "rightwrist"), ("lwrist", "rwrist"), ("lefthand", "righthand"),
+          ("lhand", "rhand"))
 TOES = (("toes_l", "toes_r"), ("ltoes", "rtoes"), ("lefttoebase", "righttoebase"),
         ("lefttoe", "righttoe"), ("ltoe", "rtoe"))
 

@@ -49,6 +49,7 @@ static void finish(const char* name, double begin, stltsa_status status) {
     fflush(stdout);
 }
 
+/* How fast columns swing at a time of a clip of more than half an hour, see swinging(). */
 static double pace(double at, double seconds) {
     if (2 * at > seconds)
         return fmod(at, 4) < 2;

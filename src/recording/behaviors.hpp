@@ -12,6 +12,6 @@ namespace stltsa::recording {
 /// border_price, moments are not assigned anew, which would lose short behaviors. `poll` is called
 /// every few milliseconds and may throw.
 std::vector<std::int64_t> behavior_borders(const Signal& signal, const KernelFeatures& features,
-                                           double price, const std::function<void()>& poll = {});
+                                           double price, const std::function<void()>& poll);
 
 } // namespace stltsa::recording

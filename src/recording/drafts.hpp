@@ -34,11 +34,11 @@ struct Draft {
 
 /// Cover all rows of the signal. `poll` is called every few milliseconds and may throw.
 std::vector<Draft> make_drafts(const Signal& signal, const std::vector<Part>& parts,
-                               const Pauses& pauses, const std::function<void()>& poll = {});
+                               const Pauses& pauses, const std::function<void()>& poll);
 
-/// Sets the labels of all that moves: the same motions share one.
+/// Sets the labels of all that moves: the same motions share one. `poll`: of group().
 void set_labels(const Signal& signal, const KernelFeatures& features, std::vector<Draft>& drafts,
-                const std::function<void()>& poll = {});
+                const std::function<void()>& poll);
 
 /// Neighbors with one label that touch become one.
 void join_neighbors(std::vector<Draft>& drafts);

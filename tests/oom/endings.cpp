@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Shows the allocations of other libraries that end the process if they fail (docs/robustness.md).
-// Each of them fails in a process of its own; prints the call, and how the processes ended.
+// Each of them fails in a process of its own; the program prints how these ended.
 #include <cmath>
 #include <csignal>
 #include <cstdio>
@@ -47,10 +47,13 @@ template <class Task>
 std::string ending_of(const Task& task) {
     std::fflush(stdout);
     const pid_t child = ::fork();
+    if (child < 0) {
+        std::perror("fork");
+        std::exit(1);
+    }
     if (child == 0) {
         const int nowhere = ::open("/dev/null", O_WRONLY);
         ::dup2(nowhere, STDERR_FILENO);
-        std::signal(SIGSEGV, SIG_DFL);
         ::_exit(task());
     }
     int status = 0;
