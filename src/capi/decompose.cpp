@@ -22,16 +22,16 @@ struct KindName {
     const char* name;
 };
 constexpr KindName unit_kinds[] = {
-    {static_cast<int32_t>(motion::UnitKind::preparing), "preparing"},
-    {static_cast<int32_t>(motion::UnitKind::initial), "initial"},
-    {static_cast<int32_t>(motion::UnitKind::cyclic), "cyclic"},
-    {static_cast<int32_t>(motion::UnitKind::final), "final"},
-    {static_cast<int32_t>(motion::UnitKind::wind_up), "wind-up"},
-    {static_cast<int32_t>(motion::UnitKind::action), "action"},
+    {static_cast<int32_t>(recording::UnitKind::preparing), "preparing"},
+    {static_cast<int32_t>(recording::UnitKind::initial), "initial"},
+    {static_cast<int32_t>(recording::UnitKind::cyclic), "cyclic"},
+    {static_cast<int32_t>(recording::UnitKind::final), "final"},
+    {static_cast<int32_t>(recording::UnitKind::wind_up), "wind-up"},
+    {static_cast<int32_t>(recording::UnitKind::action), "action"},
     {STLTSA_UNIT_CYCLE, "cycle"},
-    {static_cast<int32_t>(motion::UnitKind::hold), "hold"},
+    {static_cast<int32_t>(recording::UnitKind::hold), "hold"},
 };
-// The values of motion::UnitKind are those of the header.
+// The values of recording::UnitKind are those of the header.
 static_assert(unit_kinds[0].value == STLTSA_UNIT_PREPARING &&
               unit_kinds[1].value == STLTSA_UNIT_INITIAL &&
               unit_kinds[2].value == STLTSA_UNIT_CYCLIC &&
@@ -215,7 +215,7 @@ stltsa_status stltsa_decomposition_cycle(const stltsa_decomposition* decompositi
 stltsa_status stltsa_decomposition_curve(const stltsa_decomposition* decomposition,
                                          const stltsa_out* curve) noexcept {
     return guard([&] {
-        capi::write_column(curve, "curve", required(decomposition, "decomposition").result.curve);
+        capi::write_column(curve, "curve", required(decomposition, "decomposition").curve.curve);
     });
 }
 
@@ -223,7 +223,7 @@ stltsa_status stltsa_decomposition_coords(const stltsa_decomposition* decomposit
                                           const stltsa_out* coords) noexcept {
     return guard([&] {
         capi::write_output(coords, "coords",
-                           required(decomposition, "decomposition").result.coords.view());
+                           required(decomposition, "decomposition").curve.coords.view());
     });
 }
 
@@ -231,24 +231,24 @@ stltsa_status stltsa_decomposition_loop(const stltsa_decomposition* decompositio
                                         const stltsa_out* loop) noexcept {
     return guard([&] {
         capi::write_output(loop, "loop",
-                           required(decomposition, "decomposition").result.loop.view());
+                           required(decomposition, "decomposition").curve.coords.view());
     });
 }
 
 const char* stltsa_decomposition_reason(const stltsa_decomposition* decomposition) noexcept {
-    return decomposition == nullptr ? "" : decomposition->result.reason.c_str();
+    return decomposition == nullptr ? "" : decomposition->reason.c_str();
 }
 
 int64_t stltsa_decomposition_warning_count(const stltsa_decomposition* decomposition) noexcept {
     return decomposition == nullptr ? 0
-                                    : static_cast<int64_t>(decomposition->result.warnings.size());
+                                    : static_cast<int64_t>(decomposition->warnings.size());
 }
 
 const char* stltsa_decomposition_warning(const stltsa_decomposition* decomposition,
                                          int64_t index) noexcept {
     if (index < 0 || index >= stltsa_decomposition_warning_count(decomposition))
         return "";
-    return decomposition->result.warnings[static_cast<std::size_t>(index)].text.c_str();
+    return decomposition->warnings[static_cast<std::size_t>(index)].text.c_str();
 }
 
 stltsa_status stltsa_decomposition_json(const stltsa_decomposition* decomposition,

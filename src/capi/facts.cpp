@@ -102,7 +102,7 @@ const ltsa::Parameters* fit_of(const stltsa_dimension& result) {
     return &result.dimension.parameters;
 }
 const ltsa::Parameters* fit_of(const stltsa_decomposition& decomposition) {
-    return &decomposition.result.parameters;
+    return &decomposition.curve.parameters;
 }
 const ltsa::Parameters* fit_of(const stltsa_denoising& denoising) {
     return denoising.fit ? &*denoising.fit : nullptr;
@@ -129,6 +129,9 @@ constexpr InfoRow fit_rows[] = {
 
 const Warnings& warnings_of(const stltsa_model& model) {
     return model.model.warnings;
+}
+const Warnings& warnings_of(const stltsa_decomposition& decomposition) {
+    return decomposition.warnings;
 }
 const Warnings& warnings_of(const stltsa_denoising& denoising) {
     return denoising.warnings;
@@ -234,31 +237,21 @@ constexpr InfoRow dimension_rows[] = {
 
 using Decomposition = stltsa_decomposition;
 
-const ltsa::Dimension* dimension_of(const Decomposition& d) {
-    return d.result.intrinsic ? &*d.result.intrinsic : nullptr;
-}
-
 constexpr InfoRow decomposition_rows[] = {
     one<Decomposition>(STLTSA_INFO_COORDINATE,
-                       [](const Decomposition& d) { return d.result.coordinate; }),
+                       [](const Decomposition& d) { return d.curve.coordinate; }),
     one<Decomposition>(STLTSA_INFO_CYCLICITY,
-                       [](const Decomposition& d) { return d.result.cyclicity; }),
+                       [](const Decomposition& d) { return d.curve.cyclicity; }),
     one<Decomposition>(STLTSA_INFO_REPRESENTATIVE,
-                       [](const Decomposition& d) { return d.result.representative; }),
-    one<Decomposition>(STLTSA_INFO_BEST, [](const Decomposition& d) { return d.result.best; }),
+                       [](const Decomposition& d) { return d.representative; }),
+    one<Decomposition>(STLTSA_INFO_BEST, [](const Decomposition& d) { return d.best; }),
     one<Decomposition>(
-        STLTSA_INFO_REASON, [](const Decomposition& d) -> const auto& { return d.result.reason; }),
+        STLTSA_INFO_REASON, [](const Decomposition& d) -> const auto& { return d.reason; }),
     list<Decomposition>(
         STLTSA_INFO_POSTURES, [](const Decomposition& d) -> const auto& { return d.postures; }),
     list<Decomposition>(
         STLTSA_INFO_EIGENVALUE,
-        [](const Decomposition& d) -> const auto& { return d.result.eigenvalues; }),
-    maybe<Decomposition>(
-        STLTSA_INFO_LOCAL_PCA, [](const Decomposition& d) { return dimension_of(d); },
-        [](const ltsa::Dimension& found) { return found.local_pca; }),
-    maybe<Decomposition>(
-        STLTSA_INFO_EIGENGAP, [](const Decomposition& d) { return dimension_of(d); },
-        [](const ltsa::Dimension& found) { return found.eigengap; }),
+        [](const Decomposition& d) -> const auto& { return d.curve.eigenvalues; }),
 };
 
 // ---- Denoisings ----

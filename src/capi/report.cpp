@@ -23,13 +23,11 @@ std::string name_of(const stltsa_clip& clip) {
     return clip.stretch.empty() ? "" : path + ':' + clip.stretch;
 }
 
-/// For the commands on the page. `events` does not estimate the dimension.
+/// For the commands on the page.
 std::vector<std::pair<const char*, std::string>> flags_by_command(const stltsa_options* options) {
     constexpr int32_t open = STLTSA_CALL_OPEN;
     return {{"decompose", capi::flags_of(options, open | STLTSA_CALL_DECOMPOSE)},
-            {"events", capi::flags_of(options, open | STLTSA_CALL_DECOMPOSE,
-                                      {STLTSA_OPT_DIMENSION_ESTIMATE, STLTSA_OPT_EIGENGAP,
-                                       STLTSA_OPT_VARIANCE})},
+            {"events", capi::flags_of(options, open | STLTSA_CALL_DECOMPOSE)},
             {"synthesize", capi::flags_of(options, open | STLTSA_CALL_SYNTHESIZE)}};
 }
 

@@ -74,19 +74,4 @@ Activity measure_activity(ConstMatrixView samples, double fps, const std::functi
     return activity;
 }
 
-Span moving_span(const Activity& activity, std::int64_t margin) {
-    const std::int64_t n = activity.samples();
-    std::int64_t first = 0;
-    std::int64_t last = n - 1;
-    while (first < n && !activity.moving(first))
-        ++first;
-    while (last > first && !activity.moving(last))
-        --last;
-    if (first == n)
-        return {0, n};
-    first = std::max<std::int64_t>(0, first - margin);
-    last = std::min(n - 1, last + margin);
-    return {first, last - first + 1};
-}
-
 } // namespace stltsa::motion

@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <span>
 #include <vector>
 
 #include "linalg/matrix.hpp"
@@ -23,10 +22,6 @@ struct Activity {
     bool moving(std::int64_t sample) const {
         return is_moving(level[static_cast<std::size_t>(sample)]);
     }
-    std::span<const double> levels(std::int64_t first, std::int64_t count) const {
-        return std::span(level).subspan(static_cast<std::size_t>(first),
-                                        static_cast<std::size_t>(count));
-    }
 };
 
 /// Change of the pose per sample, after smoothing by `sigma` samples. `poll`: called periodically;
@@ -36,15 +31,5 @@ std::vector<double> pose_speed(ConstMatrixView samples, double sigma,
 
 Activity measure_activity(ConstMatrixView samples, double fps,
                           const std::function<void()>& poll = {});
-
-/// Samples first to first + count - 1.
-struct Span {
-    std::int64_t first = 0;
-    std::int64_t count = 0;
-};
-
-/// From the first moving sample to the last, extended by up to `margin` samples to each side; all
-/// samples if nothing moves.
-Span moving_span(const Activity& activity, std::int64_t margin);
 
 } // namespace stltsa::motion

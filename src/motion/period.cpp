@@ -20,10 +20,6 @@ constexpr double unrelated = 1;
 constexpr double about_as_good = 0.2;
 /// At least this share of a period must move and occur twice: less may repeat by chance.
 constexpr double least_repeated = 0.4;
-/// Largest relative difference between the period of an excerpt and of the whole clip.
-constexpr double refine_reach = 0.15;
-/// An excerpt must contain this share of its period twice.
-constexpr double least_seen = 0.3;
 constexpr double rows_per_second = 30;
 
 /// Sums over the pairs of one lag.
@@ -170,23 +166,6 @@ Period find_period(ConstMatrixView samples, double fps, double shortest_s, doubl
     const auto poll = [&] { progress.report(Stage::features, 1); };
     return find_period(samples, measure_activity(samples, fps, poll), fps, shortest_s, longest_s,
                        progress);
-}
-
-std::optional<Period> refine_period(ConstMatrixView excerpt, std::span<const double> level,
-                                    double period, double fps, const Progress& progress) {
-    const LagSamples decimated(excerpt, level, fps, progress);
-    const double rows = period / static_cast<double>(decimated.step);
-    const auto first =
-        std::max<std::int64_t>(1, static_cast<std::int64_t>(rows * (1 - refine_reach)) - 1);
-    const auto last = static_cast<std::int64_t>(rows * (1 + refine_reach)) + 2;
-    if (static_cast<double>(last) >= static_cast<double>(decimated.x.rows()) - least_seen * rows)
-        return std::nullopt;
-    const std::vector<double> curve = lag_curve(decimated, first, last, progress);
-    const auto i =
-        static_cast<std::size_t>(std::min_element(curve.begin(), curve.end()) - curve.begin());
-    if (i == 0 || i + 1 == curve.size())
-        return std::nullopt;
-    return at_minimum(curve, i, first, decimated.step);
 }
 
 } // namespace stltsa::motion

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -37,9 +36,6 @@ struct LagSamples {
 std::vector<double> lag_curve(const LagSamples& samples, std::int64_t first, std::int64_t last,
                               const Progress& progress = {});
 
-/// The longest lag at which a clip of this length can be compared with itself, up to `longest_s`.
-double longest_lag_s(std::int64_t samples, double fps, double longest_s);
-
 /// The shortest lag from `shortest_s` to `longest_s` seconds that is about as good as the best lag.
 /// Reports progress as the first half of the stage "neighbors".
 Period find_period(ConstMatrixView samples, const Activity& activity, double fps, double shortest_s,
@@ -47,10 +43,5 @@ Period find_period(ConstMatrixView samples, const Activity& activity, double fps
 /// The same, measuring the activity of the samples first.
 Period find_period(ConstMatrixView samples, double fps, double shortest_s, double longest_s,
                    const Progress& progress = {});
-
-/// The period of an excerpt of the samples, searched for near `period`; none if the excerpt is too
-/// short or does not repeat near it. Reports progress as the stage "neighbors".
-std::optional<Period> refine_period(ConstMatrixView excerpt, std::span<const double> level,
-                                    double period, double fps, const Progress& progress = {});
 
 } // namespace stltsa::motion

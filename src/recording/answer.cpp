@@ -8,13 +8,9 @@
 
 #include "linalg/simd.hpp"
 #include "motion/curve/statistics.hpp"
-#include "motion/cycles.hpp"
-#include "recording/cycle_likeness.hpp"
+#include "recording/curve.hpp"
 #include "recording/evidence.hpp"
-#include "recording/margin_alignment.hpp"
-#include "recording/repetitions.hpp"
 #include "recording/sides.hpp"
-#include "recording/traced.hpp"
 
 namespace stltsa::recording {
 namespace {
@@ -27,12 +23,9 @@ constexpr std::size_t most_compared = 24;
 /// Shared while the answer is assembled.
 struct Work {
     const Signal& signal;
-    const KernelFeatures* features; ///< null for a clip of one motion
+    const KernelFeatures& features;
     ConstMatrixView samples;
-    const Progress& progress;
-    std::vector<double> side_motion; ///< empty: unknown
     Recording result;
-    bool begin_with_side = true; ///< of the options
 
     double sample(double row) const {
         return std::min(row * static_cast<double>(signal.step), static_cast<double>(samples.rows));
@@ -52,58 +45,30 @@ std::vector<double> energy_of(const Work& work, const Draft& draft) {
     return energy;
 }
 
-double mean_of(const std::vector<double>& values) {
-    return values.empty() ? 0
-                          : sum(values.data(), static_cast<std::int64_t>(values.size())) /
-                                static_cast<double>(values.size());
-}
-
-void append_steps(Work& work, std::int64_t segment, const CyclicStretch& cut,
-                  std::int64_t first_cycle, const std::vector<int>& sides) {
-    std::size_t cycle = 0;
-    for (const std::vector<double>& margins : cut.margins)
-        for (std::size_t i = 0; i + 2 < margins.size(); i += 2, ++cycle)
-            for (std::size_t half = 0; half < 2; ++half)
-                work.result.steps.push_back(
-                    {segment, first_cycle + static_cast<std::int64_t>(cycle),
-                     work.sample(margins[i + half]), work.sample(margins[i + half + 1]),
-                     half == 0 ? sides[cycle] : 1 - sides[cycle]});
-}
-
-void append_cyclic(Work& work, Draft& draft, Segment& segment) {
+void append_cyclic(Work& work, const Draft& draft, Segment& segment) {
     const auto index = static_cast<std::int64_t>(work.result.segments.size());
-    std::vector<int> sides;
-    std::vector<double> confidences;
-    auto first = static_cast<std::int64_t>(work.result.cycles.size());
-    // Not beyond the last sample, which may be the last frame.
-    const double end = std::min(draft.end, static_cast<double>(work.samples.rows - 1) /
-                                               static_cast<double>(work.signal.step));
-    align_margins(work.signal, draft.begin, end, work.progress, draft.stretches);
-    for (CyclicStretch& cut : draft.stretches) {
-        const bool steps = !work.side_motion.empty() && sides_alternate(work.side_motion, cut);
-        std::vector<int> own;
-        if (steps && work.begin_with_side) {
-            own = turn_to_side(work.side_motion, cut);
-        } else {
-            turn_to_rise(work.signal, cut);
-            own = steps ? sides_of(work.side_motion, cut) : std::vector<int>(cut.cycles.size(), -1);
+    const std::vector<double>& motion = work.signal.side;
+    std::vector<double> confidences, lengths;
+    for (const CyclicStretch& cut : draft.stretches) {
+        const std::vector<Interval> cycles = cut.cycles();
+        const bool steps = !motion.empty() && sides_alternate(motion, cycles);
+        const int side = steps ? leading_side(motion, cut.borders) : -1;
+        for (std::size_t i = 0; i < cycles.size(); ++i) {
+            const Interval& cycle = cycles[i];
+            const double begin = work.sample(cycle.begin), end = work.sample(cycle.end);
+            if (steps) {
+                const double middle = work.sample(middle_of(motion, cycle));
+                const auto number = static_cast<std::int64_t>(work.result.cycles.size());
+                work.result.steps.push_back({index, number, begin, middle, side});
+                work.result.steps.push_back({index, number, middle, end, 1 - side});
+            }
+            work.result.cycles.push_back(
+                {index, begin, end, side, likeness_of(cut, cycle), cut.confidences[i]});
+            lengths.push_back(cycle.length());
         }
-        if (steps)
-            append_steps(work, index, cut, first, own);
-        first += static_cast<std::int64_t>(own.size());
-        sides.insert(sides.end(), own.begin(), own.end());
-        std::ranges::copy(cycle_confidences(work.signal, cut), std::back_inserter(confidences));
+        std::ranges::copy(cut.confidences, std::back_inserter(confidences));
     }
-    const std::vector<Interval> cycles = draft.cycles();
-    const std::vector<double> like = cycle_likenesses(work.signal, cycles);
-    std::vector<double> lengths;
-    for (std::size_t i = 0; i < cycles.size(); ++i) {
-        work.result.cycles.push_back({index, work.sample(cycles[i].begin),
-                                      work.sample(cycles[i].end), sides[i], like[i],
-                                      confidences[i]});
-        lengths.push_back(cycles[i].length());
-    }
-    segment.count = static_cast<std::int64_t>(cycles.size());
+    segment.count = static_cast<std::int64_t>(lengths.size());
     segment.period = motion::median(lengths) * static_cast<double>(work.signal.step);
     segment.confidence = mean_of(confidences);
 }
@@ -184,7 +149,7 @@ void append_segment(Work& work, std::vector<Draft>& drafts, std::size_t i) {
     work.result.segments.push_back(std::move(segment));
 }
 
-void append_unit(Work& work, motion::UnitKind kind, double begin, double end) {
+void append_unit(Work& work, UnitKind kind, double begin, double end) {
     if (end > begin)
         work.result.units.push_back({kind,
                                      static_cast<std::int64_t>(work.result.segments.size()) - 1,
@@ -192,15 +157,15 @@ void append_unit(Work& work, motion::UnitKind kind, double begin, double end) {
 }
 
 /// What a rest is called: before a motion, after the last, or in another posture than home.
-using RestKind = std::function<motion::UnitKind(double begin, double end)>;
+using RestKind = std::function<UnitKind(double begin, double end)>;
 
 void append_units(Work& work, const Draft& draft, const RestKind& rest_kind) {
-    using enum motion::UnitKind;
+    using enum UnitKind;
     if (draft.kind == SegmentKind::rest) {
         append_unit(work, rest_kind(draft.begin, draft.end), draft.begin, draft.end);
     } else if (draft.kind == SegmentKind::cyclic) {
-        const double first = draft.stretches.front().margins.front().front();
-        const double last = draft.stretches.back().margins.back().back();
+        const double first = draft.stretches.front().borders.front();
+        const double last = draft.stretches.back().borders.back();
         append_unit(work, initial, draft.begin, first);
         append_unit(work, cyclic, first, last);
         append_unit(work, final, last, draft.end);
@@ -220,8 +185,6 @@ void append_units(Work& work, const Draft& draft, const RestKind& rest_kind) {
 
 /// The mean likeness of each segment to the others of its label.
 void set_likeness(Work& work, const std::vector<Draft>& drafts) {
-    if (work.features == nullptr)
-        return;
     std::vector<std::vector<std::size_t>> of_label;
     for (std::size_t i = 0; i < drafts.size(); ++i)
         if (drafts[i].label >= 0) {
@@ -236,8 +199,8 @@ void set_likeness(Work& work, const std::vector<Draft>& drafts) {
             for (std::size_t k = 0; k < members.size(); k += stride)
                 if (members[k] != i)
                     like.push_back(
-                        work.features->likeness(work.features->moments(drafts[i].rows()),
-                                                work.features->moments(drafts[members[k]].rows())));
+                        work.features.likeness(work.features.moments(drafts[i].rows()),
+                                                work.features.moments(drafts[members[k]].rows())));
             if (!like.empty())
                 work.result.segments[i].likeness = mean_of(like);
         }
@@ -257,94 +220,28 @@ void append_all(Work& work, std::vector<Draft>& drafts, const RestKind& rest_kin
 
 /// Of the cyclic segment that lasts longest: the first cycle, and the one most like their mean.
 void set_typical(Work& work) {
-    motion::Decomposition& shown = work.result.shown;
-    if (work.result.cycles.size() == shown.cycles.size())
-        return; // those of the whole clip
     const Segment* longest = nullptr;
     for (const Segment& segment : work.result.segments)
         if (segment.kind == SegmentKind::cyclic &&
             (longest == nullptr || segment.end - segment.begin > longest->end - longest->begin))
             longest = &segment;
-    shown.representative = shown.best = -1;
     const auto& cycles = work.result.cycles;
     for (std::size_t i = 0; i < cycles.size(); ++i) {
         if (&work.result.segments[static_cast<std::size_t>(cycles[i].segment)] != longest)
             continue;
         const auto index = static_cast<std::int64_t>(i);
-        if (shown.representative < 0)
-            shown.representative = shown.best = index;
-        else if (cycles[i].likeness > cycles[static_cast<std::size_t>(shown.best)].likeness)
-            shown.best = index;
+        if (work.result.representative < 0)
+            work.result.representative = work.result.best = index;
+        else if (cycles[i].likeness > cycles[static_cast<std::size_t>(work.result.best)].likeness)
+            work.result.best = index;
     }
-}
-
-/// The segments of a clip of one motion, from its units.
-std::vector<Draft> drafts_of(const motion::Decomposition& single, const Signal& signal) {
-    const auto row = [&](double sample) { return sample / static_cast<double>(signal.step); };
-    std::vector<Draft> drafts;
-    int label = 0;
-    for (const motion::Unit& unit : single.units) {
-        using enum motion::UnitKind;
-        const bool rests = unit.kind == preparing || unit.kind == wind_up;
-        const bool beside_cycles =
-            unit.kind == initial || unit.kind == cyclic || unit.kind == final;
-        if (beside_cycles && !drafts.empty() && drafts.back().kind == SegmentKind::cyclic) {
-            drafts.back().end = row(unit.end);
-        } else {
-            Draft draft;
-            draft.kind = rests           ? SegmentKind::rest
-                         : beside_cycles ? SegmentKind::cyclic
-                                         : SegmentKind::action;
-            draft.begin = row(unit.begin);
-            draft.end = row(unit.end);
-            draft.label = rests ? -1 : label++;
-            if (unit.kind == action)
-                draft.reason = single.reason;
-            drafts.push_back(std::move(draft));
-        }
-        if (unit.kind != cyclic)
-            continue;
-        CyclicStretch cut;
-        cut.cyclicity = single.cyclicity;
-        cut.stretch.quality = single.lag_quality;
-        cut.margins = {{}};
-        for (const double margin : single.margins)
-            cut.margins.front().push_back(row(margin));
-        for (const motion::Cycle& cycle : single.cycles)
-            cut.cycles.push_back({row(cycle.begin), row(cycle.end)});
-        drafts.back().stretches = {std::move(cut)};
-    }
-    return drafts;
 }
 
 } // namespace
 
-Recording answer_of(const Signal& signal, motion::Decomposition single, ConstMatrixView samples,
-                    const Options& options, const Progress& progress) {
-    Work work{signal, nullptr, samples, progress, {}, {}};
-    if (!options.side.empty())
-        work.side_motion = side_motion(signal, options.side);
-    work.begin_with_side = options.begin_with_side;
-    std::vector<Draft> drafts = drafts_of(single, signal);
-    const auto kind_of = [&](double begin, double end) {
-        const double middle = work.sample((begin + end) / 2);
-        for (const motion::Unit& unit : single.units)
-            if (middle >= unit.begin && middle < unit.end)
-                return unit.kind;
-        return motion::UnitKind::preparing;
-    };
-    append_all(work, drafts, kind_of);
-    work.result.shown = std::move(single);
-    set_typical(work);
-    return std::move(work.result);
-}
-
-Recording answer_of(const Context& context, std::vector<Draft> drafts, motion::Decomposition single,
-                    ConstMatrixView samples, const Options& options, const Progress& progress) {
-    Work work{context.signal, &context.features, samples, progress, {}, {}};
-    if (!options.side.empty())
-        work.side_motion = side_motion(context.signal, options.side);
-    work.begin_with_side = options.begin_with_side;
+Recording answer_of(const Context& context, std::vector<Draft> drafts, ConstMatrixView samples,
+                    const Options& options) {
+    Work work{context.signal, context.features, samples, {}};
     double last = 0;
     for (const Draft& draft : drafts)
         if (draft.kind != SegmentKind::rest)
@@ -354,11 +251,18 @@ Recording answer_of(const Context& context, std::vector<Draft> drafts, motion::D
         for (std::size_t i = 0; i < pauses.rests.size(); ++i)
             if (static_cast<double>(pauses.rests[i].begin) < end &&
                 static_cast<double>(pauses.rests[i].end) > begin && !pauses.home[i])
-                return motion::UnitKind::hold;
-        return begin >= last && last > 0 ? motion::UnitKind::wind_up : motion::UnitKind::preparing;
+                return UnitKind::hold;
+        return begin >= last && last > 0 ? UnitKind::wind_up : UnitKind::preparing;
     };
     append_all(work, drafts, kind_of);
-    work.result.shown = shown_of(context.signal, drafts, std::move(single), samples.rows);
+    work.result.curve = curve_of(context.signal, drafts, samples.rows);
+    work.result.reason = reason_of(drafts, samples, options);
+    if (!options.jump.empty() && work.result.reason.empty())
+        work.result.warnings.push_back(
+            {WarningCode::jump,
+             format_text("the pose jumps at {}: split the clip there, or repair the frame",
+                         options.jump),
+             options.jump_s, options.jump_s});
     set_typical(work);
     return std::move(work.result);
 }

@@ -43,26 +43,26 @@ bool rest_between(const std::vector<Rows>& rests, double begin, double end) {
 /// little is left before it.
 double begin_of(const CyclicStretch& cut, const std::vector<Rows>& rests, double limit,
                 double rate) {
-    const double first = cut.first_margin();
+    const double first = cut.borders.front();
     const double period = cut.period();
     double begin = limit;
     for (const Rows& rest : rests)
         if (static_cast<double>(rest.end) <= first && static_cast<double>(rest.end) > begin)
             begin = static_cast<double>(rest.end);
     const double reach =
-        std::max(begin, std::min(static_cast<double>(cut.stretch.rows.begin), first - period));
+        std::max(begin, std::min(static_cast<double>(cut.growth.run.begin), first - period));
     return reach - begin < std::max(least_motion_s * rate, period) ? begin : reach;
 }
 
 double end_of(const CyclicStretch& cut, const std::vector<Rows>& rests, double limit, double rate) {
-    const double last = cut.last_margin();
+    const double last = cut.borders.back();
     const double period = cut.period();
     double end = limit;
     for (const Rows& rest : rests)
         if (static_cast<double>(rest.begin) >= last && static_cast<double>(rest.begin) < end)
             end = static_cast<double>(rest.begin);
     const double reach =
-        std::min(end, std::max(static_cast<double>(cut.stretch.rows.end), last + period));
+        std::min(end, std::max(static_cast<double>(cut.growth.run.end()), last + period));
     return end - reach < std::max(least_motion_s * rate, period) ? end : reach;
 }
 
@@ -77,14 +77,14 @@ void append_cyclic(const Signal& signal, const Part& part, const std::vector<Row
     bool first = true;
     for (std::size_t i = 0; i < claimed.size(); ++i) {
         const CyclicStretch& cut = *claimed[i];
-        const double next = i + 1 < claimed.size() ? claimed[i + 1]->first_margin()
+        const double next = i + 1 < claimed.size() ? claimed[i + 1]->borders.front()
                                                    : static_cast<double>(part.rows.end);
         if (!first) {
             Draft& before = drafts.back();
-            const double gap = cut.first_margin() - before.stretches.back().last_margin();
+            const double gap = cut.borders.front() - before.stretches.back().borders.back();
             if (gap < most_gap_periods * cut.period() &&
-                !rest_between(rests, before.stretches.back().last_margin(), cut.first_margin()) &&
-                compare_cycles(signal, before.stretches.back().cycles, cut.cycles) !=
+                !rest_between(rests, before.stretches.back().borders.back(), cut.borders.front()) &&
+                compare_cycles(signal, before.stretches.back().cycles(), cut.cycles()) !=
                     Verdict::different) {
                 before.stretches.push_back(cut);
                 before.end = end_of(cut, rests, next, signal.rate);
@@ -418,7 +418,7 @@ Rows Draft::rows() const {
 std::vector<Interval> Draft::cycles() const {
     std::vector<Interval> all;
     for (const CyclicStretch& cut : stretches)
-        all.insert(all.end(), cut.cycles.begin(), cut.cycles.end());
+        std::ranges::copy(cut.cycles(), std::back_inserter(all));
     return all;
 }
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <span>
 
 #include "linalg/simd.hpp"
@@ -13,12 +12,18 @@
 namespace stltsa::recording {
 namespace {
 
-constexpr std::int64_t phases = 24;
-/// Logistic regression on candidate cycles of mixtures, clips and noise.
-constexpr double base = -6.34;
-constexpr double of_match = 8.01;
-constexpr double of_cyclicity = 5.96;
-constexpr double of_length = -39.7;
+/// Logistic regression on candidate cycles of hands, gait, waves, mixtures and noise.
+constexpr double base = 1.06;
+constexpr double of_deviation = -1.32;
+constexpr double of_turns = 1.21;
+constexpr double of_length = -31.4;
+/// Least deviation that is told from none; turns of a stretch beyond which more add nothing, and
+/// those that add nothing.
+constexpr double min_deviation = 0.01;
+constexpr double max_turns = 9;
+constexpr double no_turns = 0.7;
+/// A length is compared with the median of so many cycles around it: tempo may change.
+constexpr std::ptrdiff_t compared_lengths = 5;
 /// The same for borders beside no, one and two single actions. Most of the last are in noise and
 /// sway, which are divided somewhere.
 struct LogisticOfGain {
@@ -34,11 +39,6 @@ struct ShareOfLength {
 constexpr double any = std::numeric_limits<double>::infinity();
 constexpr ShareOfLength of_action[] = {{1, 0.85}, {4, 0.5}, {any, 0.05}};
 constexpr ShareOfLength of_rest[] = {{1, 0.6}, {2, 0.8}, {any, 0.92}};
-/// Cycles are neighbors if less than this share of their length lies between them.
-constexpr double most_apart = 0.05;
-/// A window beside a cycle may reach beyond the end of the recording by this share.
-constexpr double beyond_end = 0.3;
-
 double share_of(std::span<const ShareOfLength> shares, double seconds) {
     return std::ranges::find_if(
                shares, [&](const ShareOfLength& share) { return seconds <= share.seconds; })
@@ -49,72 +49,71 @@ double logistic(double x) {
     return 1 / (1 + std::exp(-x));
 }
 
-Matrix scaled_velocities(const Signal& signal, const Interval& cycle) {
-    Matrix v = rows_at(signal.velocity.view(), cycle.begin, cycle.end, phases);
-    for (std::int64_t i = 0; i < v.rows() * v.cols(); ++i)
-        v.data()[i] *= cycle.length();
-    return v;
+/// Mean deviation of the rows of the cycle from the mean of the others at the same phase; NaN if
+/// there are no others.
+double deviation_of(const Growth& growth, const Interval& cycle) {
+    const phase::Run& run = growth.run;
+    double sum = 0, count = 0;
+    for (std::int64_t i = 0; i < run.rows(); ++i) {
+        const auto row = static_cast<double>(run.begin + i);
+        const auto at = static_cast<std::size_t>(i);
+        if (row < cycle.begin || row >= cycle.end)
+            continue;
+        const double phase = run.phase[at];
+        const double seen =
+            std::floor(run.phase.back() - phase) + std::floor(phase - run.phase.front()) + 1;
+        if (seen < 2)
+            continue;
+        sum += growth.deviation[at] * seen / (seen - 1);
+        ++count;
+    }
+    return sum / count;
 }
 
-/// 1: the same velocities at each phase.
-double match(const Matrix& a, const Matrix& b) {
-    const std::int64_t n = a.rows() * a.cols();
-    const double energy = dot(a.data(), a.data(), n) + dot(b.data(), b.data(), n);
-    return energy > 0 ? 2 * dot(a.data(), b.data(), n) / energy : 0;
-}
-
-struct Neighbors {
-    std::optional<Interval> before, after;
-};
-
-Neighbors neighbors_of(const std::vector<Interval>& cycles, std::size_t i) {
-    Neighbors beside;
-    const double apart = most_apart * cycles[i].length();
-    if (i > 0 && std::abs(cycles[i - 1].end - cycles[i].begin) < apart)
-        beside.before = cycles[i - 1];
-    if (i + 1 < cycles.size() && std::abs(cycles[i + 1].begin - cycles[i].end) < apart)
-        beside.after = cycles[i + 1];
-    return beside;
-}
-
-/// The better match with the cycle before or after, or with what is there.
-double best_match(const Signal& signal, const Interval& cycle, const Neighbors& beside) {
-    const double length = cycle.length();
-    const auto rows = static_cast<double>(signal.rows());
-    const Matrix own = scaled_velocities(signal, cycle);
-    double best = -0.2;
-    const Interval windows[] = {beside.before.value_or(Interval{cycle.begin - length, cycle.begin}),
-                                beside.after.value_or(Interval{cycle.end, cycle.end + length})};
-    for (const Interval& window : windows)
-        if (window.begin >= -beyond_end * length && window.end <= rows - 1 + beyond_end * length)
-            best = std::max(best, match(own, scaled_velocities(signal, window)));
-    return best;
-}
-
-/// Deviation of the length from those beside, or from the median, on a log scale.
-double length_deviation(const Interval& cycle, const Neighbors& beside, double median) {
-    const double own = std::log(cycle.length());
-    double least = std::abs(own - median);
-    if (beside.before && beside.after)
-        least = std::min(least, std::abs(own - (std::log(beside.before->length()) +
-                                                std::log(beside.after->length())) /
-                                                   2));
-    return least;
+/// On a log scale.
+double length_deviation(const std::vector<Interval>& cycles, std::size_t i) {
+    const auto count = static_cast<std::ptrdiff_t>(cycles.size());
+    const auto at = static_cast<std::ptrdiff_t>(i);
+    const auto first = std::max<std::ptrdiff_t>(
+        0, std::min(at - compared_lengths / 2, count - compared_lengths));
+    std::vector<double> lengths;
+    for (std::ptrdiff_t k = first; k < std::min(count, first + compared_lengths); ++k)
+        lengths.push_back(cycles[static_cast<std::size_t>(k)].length());
+    return std::abs(std::log(cycles[i].length() / motion::median(lengths)));
 }
 
 } // namespace
 
-std::vector<double> cycle_confidences(const Signal& signal, const CyclicStretch& cut) {
-    std::vector<double> lengths, confidences;
-    for (const Interval& cycle : cut.cycles)
-        lengths.push_back(std::log(cycle.length()));
-    const double median = motion::median(lengths);
-    for (std::size_t i = 0; i < cut.cycles.size(); ++i) {
-        const Neighbors beside = neighbors_of(cut.cycles, i);
+double mean_of(std::span<const double> values) {
+    return values.empty() ? 0
+                          : sum(values.data(), static_cast<std::int64_t>(values.size())) /
+                                static_cast<double>(values.size());
+}
+
+double likeness_of(const CyclicStretch& cut, const Interval& cycle) {
+    const phase::Run& run = cut.growth.run;
+    double sum = 0, count = 0;
+    for (std::int64_t i = 0; i < run.rows(); ++i)
+        if (const auto row = static_cast<double>(run.begin + i);
+            row >= cycle.begin && row < cycle.end) {
+            sum += cut.growth.deviation[static_cast<std::size_t>(i)];
+            ++count;
+        }
+    return count > 0 ? std::clamp(1 - sum / (2 * count), 0.0, 1.0) : 0;
+}
+
+std::vector<double> cycle_confidences(const CyclicStretch& cut) {
+    const std::vector<Interval> cycles = cut.cycles();
+    const double turns = std::min(max_turns, std::max(cut.growth.turns(), 1.0));
+    std::vector<double> confidences;
+    for (std::size_t i = 0; i < cycles.size(); ++i) {
+        const double deviation = deviation_of(cut.growth, cycles[i]);
         confidences.push_back(
-            logistic(base + of_match * best_match(signal, cut.cycles[i], beside) +
-                     of_cyclicity * cut.cyclicity +
-                     of_length * length_deviation(cut.cycles[i], beside, median)));
+            std::isnan(deviation)
+                ? 0
+                : logistic(base + of_deviation * std::log(deviation + min_deviation) +
+                           of_turns * std::log(turns - no_turns) +
+                           of_length * length_deviation(cycles, i)));
     }
     return confidences;
 }

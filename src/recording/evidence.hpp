@@ -3,12 +3,22 @@
 // measure/recordings.
 #pragma once
 
+#include <span>
+
 #include "recording/stretch_cycles.hpp"
 
 namespace stltsa::recording {
 
+/// What is less sure is more probably wrong than right.
+inline constexpr double min_confidence = 0.5;
+
 /// Of each cycle of the stretch.
-std::vector<double> cycle_confidences(const Signal& signal, const CyclicStretch& cut);
+std::vector<double> cycle_confidences(const CyclicStretch& cut);
+
+/// Of the cycle to the mean cycle: 1, the same, to 0, unrelated.
+double likeness_of(const CyclicStretch& cut, const Interval& cycle);
+
+double mean_of(std::span<const double> values); ///< 0: there are none
 
 /// Of a border that saves so many times its price, between this number of single actions: in one
 /// free motion behavior changes all the time.

@@ -29,10 +29,10 @@ Draft take_end(Draft& draft, double border) {
     rest.gain = 0;
     const auto is_before = [border](double begin, double end) { return begin + end < 2 * border; };
     std::erase_if(draft.stretches, [&](const CyclicStretch& cut) {
-        return !is_before(cut.first_margin(), cut.last_margin());
+        return !is_before(cut.borders.front(), cut.borders.back());
     });
     std::erase_if(rest.stretches, [&](const CyclicStretch& cut) {
-        return is_before(cut.first_margin(), cut.last_margin());
+        return is_before(cut.borders.front(), cut.borders.back());
     });
     const auto motion_is_before = [&](const Rows& rows) {
         return is_before(static_cast<double>(rows.begin), static_cast<double>(rows.end));

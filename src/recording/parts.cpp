@@ -11,21 +11,16 @@
 
 #include "linalg/simd.hpp"
 #include "motion/curve/statistics.hpp"
-#include "recording/evidence.hpp"
 
 namespace stltsa::recording {
 namespace {
 
 /// Neighbors are joined if their kernel means have this cosine and their cycles do not differ.
 constexpr double like_neighbors = 0.8;
-/// Share of a refused lag up to which shorter ones are tried.
-constexpr double shorter_lags = 0.6;
-/// Recordings longer than this need surer cycles, because noise repeats by chance now and then.
-constexpr double weighed_s = 30;
-constexpr double least_confidence = 0.5;
-constexpr double least_confidence_of_few = 0.8;
-constexpr double least_quality_of_few = 0.75;
-constexpr std::size_t few_cycles = 2;
+/// A stretch of less than so many periods of a longer one beside it, and of a shorter period than
+/// this share of it, is a part of it, such as one of several turns within it.
+constexpr double min_periods_beside = 1.3;
+constexpr double shorter_period = 0.8;
 /// Cycles of two motions: their lengths differ by this ratio, or their mean cycles by so many
 /// deviations and so much of how far they move.
 constexpr double most_length_ratio = 1.2;
@@ -36,44 +31,55 @@ constexpr std::int64_t phases = 16;
 /// on each side. With holes of 1 s in walks (measure/gaps), 0.4 cycles fewer are lost than the hole
 /// touches; without separate parts, 1.0 more.
 constexpr double beside_hole_s = 1;
+/// The same beside a rest.
+constexpr double beside_rest_s = 0.5;
 /// Cycles nearest to a border that are compared over it, and of whole segments.
 constexpr std::size_t cycles_compared = 12;
 /// Time to each side of a border in which a join is judged.
 constexpr double judged_s = 60;
 constexpr std::size_t most_compared = 24;
 
-/// Refuses unsure cycles in a long recording: in noise, something repeats by chance now and then,
-/// most often once or twice.
-void weigh(const Signal& signal, CyclicStretch& cut) {
-    if (!cut.claimed() || static_cast<double>(signal.rows()) <= weighed_s * signal.rate)
-        return;
-    const bool few = cut.cycles.size() <= few_cycles;
-    const double typical = motion::median(cycle_confidences(signal, cut));
-    if (typical < (few ? least_confidence_of_few : least_confidence) ||
-        (few && cut.stretch.quality < least_quality_of_few))
-        cut.doubt = format_text("cycles unlike each other: the motion repeats after {:.2f} s "
-                                "(quality {:.2f}), but the confidence of its {} is only {:.2f}",
-                                cut.period() / signal.rate, cut.stretch.quality,
-                                cut.cycles.size() == 1 ? "cycle" : "cycles", typical);
-}
-
-/// What is claimed with shorter lags where the best one is no period: of a way there and back, seen
-/// twice, the strides.
-std::vector<CyclicStretch> cut_with_shorter(const Signal& signal, const CyclicStretch& refused,
-                                            const StillRows& still, PeriodRange periods,
-                                            RowProgress& progress) {
-    std::vector<CyclicStretch> claimed;
-    periods.longest_s = shorter_lags * motion::median(refused.stretch.period) / signal.rate;
-    const auto tracked = track_period(signal, refused.stretch.rows, periods, progress.poll());
-    for (const Stretch& stretch : tracked.stretches) {
-        CyclicStretch cut = cut_stretch(signal, stretch, still, nullptr, progress);
-        weigh(signal, cut);
-        if (cut.claimed())
-            claimed.push_back(std::move(cut));
+/// Rows around the stretch that no other one has taken; none if one has taken a part of it.
+Rows free_rows(Rows part, const Stretch& stretch, const std::vector<CyclicStretch>& taken) {
+    Rows free = part;
+    for (const CyclicStretch& cut : taken) {
+        const phase::Run& run = cut.growth.run;
+        if (run.begin + run.end() < stretch.rows.begin + stretch.rows.end)
+            free.begin = std::max(free.begin, run.end());
+        else
+            free.end = std::min(free.end, run.begin);
     }
-    return claimed;
+    return free;
 }
 
+/// The rows of the stretch within the range.
+Stretch within(Stretch stretch, Rows range) {
+    const Rows rows{std::max(range.begin, stretch.rows.begin),
+                    std::min(range.end, stretch.rows.end)};
+    if (rows.count() < 1)
+        return {};
+    const auto first = stretch.period.begin() + (rows.begin - stretch.rows.begin);
+    return {rows, {first, first + rows.count()}, stretch.quality};
+}
+
+/// Refuses loops within a longer period beside them.
+void refuse_nested(double rate, std::vector<CyclicStretch>& cuts) {
+    for (CyclicStretch& cut : cuts)
+        for (const CyclicStretch& other : cuts) {
+            const double period = cut.growth.mean.period, longer = other.growth.mean.period;
+            const auto apart = static_cast<double>(
+                std::max(cut.growth.run.begin - other.growth.run.end(),
+                         other.growth.run.begin - cut.growth.run.end()));
+            if (cut.claimed() && other.growth.turns() >= min_periods_beside &&
+                period < shorter_period * longer && apart < longer / 2 &&
+                static_cast<double>(cut.growth.run.rows()) < min_periods_beside * longer)
+                cut.doubt = format_text("part of a longer cycle: {:.2f} s within {:.2f} s",
+                                        period / rate, longer / rate);
+        }
+}
+
+/// The cycles of the part: the longest stretches first, as far as they grow. What is left of a
+/// stretch is one as well.
 Part decide(const Signal& signal, Rows rows, const StillRows& still, const PeriodRange& periods,
             RowProgress& progress) {
     progress.reached(static_cast<double>(rows.begin));
@@ -82,16 +88,32 @@ Part decide(const Signal& signal, Rows rows, const StillRows& still, const Perio
     PeriodTrack track = track_period(signal, rows, periods, progress.poll());
     part.best_match = track.best_match;
     part.best_lag_s = track.best_lag_s;
-    for (const Stretch& stretch : track.stretches) {
-        CyclicStretch cut = cut_stretch(signal, stretch, still, nullptr, progress);
-        weigh(signal, cut);
-        std::vector<CyclicStretch> shorter;
-        if (!cut.claimed())
-            shorter = cut_with_shorter(signal, cut, still, periods, progress);
-        if (shorter.empty())
-            shorter.push_back(std::move(cut));
-        std::ranges::move(shorter, std::back_inserter(part.stretches));
+    const auto weight = [](const Stretch& stretch) {
+        return static_cast<double>(stretch.rows.count()) * stretch.quality;
+    };
+    std::ranges::stable_sort(track.stretches, {}, weight);
+    std::vector<CyclicStretch> small; // they may be parts of others, and take no rows from them
+    while (!track.stretches.empty()) {
+        const Stretch next = std::move(track.stretches.back());
+        track.stretches.pop_back();
+        const Rows free = free_rows(rows, next, part.stretches);
+        const Stretch stretch = within(next, free);
+        if (stretch.rows.count() < 2)
+            continue;
+        CyclicStretch cut = cut_stretch(signal, stretch, free, still, progress);
+        const phase::Run& run = cut.growth.run;
+        for (const Rows left : {Rows{stretch.rows.begin, run.begin}, Rows{run.end(), stretch.rows.end}})
+            if (run.rows() > 1 && left.count() < stretch.rows.count())
+                if (Stretch rest = within(stretch, left);
+                    static_cast<double>(rest.rows.count()) >
+                    min_periods_beside * motion::median(rest.period))
+                    track.stretches.insert(track.stretches.begin(), std::move(rest));
+        (cut.borders.empty() ? small : part.stretches).push_back(std::move(cut));
     }
+    refuse_nested(signal.rate, part.stretches);
+    std::ranges::move(small, std::back_inserter(part.stretches));
+    std::ranges::stable_sort(part.stretches, {},
+                             [](const CyclicStretch& cut) { return cut.stretch.rows.begin; });
     return part;
 }
 
@@ -248,11 +270,11 @@ class Joiner {
         };
         bool across = false, run_on = false;
         for (const CyclicStretch& cut : near.stretches) {
-            if (!cut.claimed() || static_cast<double>(cut.stretch.rows.begin) >= border ||
-                static_cast<double>(cut.stretch.rows.end) <= border)
+            if (!cut.claimed() || static_cast<double>(cut.growth.run.begin) >= border ||
+                static_cast<double>(cut.growth.run.end()) <= border)
                 continue;
             across = true;
-            run_on = run_on || std::ranges::any_of(cut.cycles, [&](const Interval& cycle) {
+            run_on = run_on || std::ranges::any_of(cut.cycles(), [&](const Interval& cycle) {
                          return cycle.begin < border + cycle.length() / 2 &&
                                 cycle.end > border - cycle.length() / 2;
                      });
@@ -274,14 +296,25 @@ class Joiner {
     std::set<std::int64_t> partial_; ///< and of those whose cycles are those of their pieces
 };
 
+/// A border beside a rest lies at the end of the rest: a motion that speeds up or slows down is not
+/// another behavior.
+std::int64_t moved_to_rest(const Signal& signal, const std::vector<Rows>& rests, std::int64_t row) {
+    const auto reach = static_cast<std::int64_t>(beside_rest_s * signal.rate);
+    for (const Rows& rest : rests)
+        if (row >= rest.begin - reach && row <= rest.end + reach)
+            return std::clamp(row, rest.begin, rest.end);
+    return row;
+}
+
 /// The parts without their cycles. The rows between a hole and a border of behaviors next to it are
 /// too few for a behavior of their own.
-std::vector<Part> undecided(const Signal& signal, const Borders& borders, RowProgress& progress) {
+std::vector<Part> undecided(const Signal& signal, const Borders& borders,
+                            const std::vector<Rows>& rests, RowProgress& progress) {
     std::vector<std::int64_t> rows{0};
     if (borders.features != nullptr)
-        std::ranges::copy(
-            behavior_borders(signal, *borders.features, borders.price, progress.poll()),
-            std::back_inserter(rows));
+        for (const std::int64_t row :
+             behavior_borders(signal, *borders.features, borders.price, progress.poll()))
+            rows.push_back(moved_to_rest(signal, rests, row));
     rows.push_back(signal.rows());
     const auto beside = static_cast<std::int64_t>(beside_hole_s * signal.rate);
     for (const Rows& hole : borders.holes)
@@ -318,7 +351,7 @@ std::vector<Interval> Part::cycles() const {
     std::vector<Interval> all;
     for (const CyclicStretch& cut : stretches)
         if (cut.claimed())
-            all.insert(all.end(), cut.cycles.begin(), cut.cycles.end());
+            std::ranges::copy(cut.cycles(), std::back_inserter(all));
     return all;
 }
 
@@ -361,7 +394,7 @@ std::vector<Part> divide(const Signal& signal, const Borders& borders, const Sti
                          const PeriodRange& periods, const Progress& progress) {
     RowProgress reported(progress, signal.rows());
     std::vector<Part> parts;
-    for (const Part& part : undecided(signal, borders, reported))
+    for (const Part& part : undecided(signal, borders, still.rests, reported))
         parts.push_back(part.is_hole ? part : decide(signal, part.rows, still, periods, reported));
     if (borders.features == nullptr)
         return parts;

@@ -12,9 +12,6 @@
 
 namespace stltsa::recording {
 
-/// Longer recordings need surer cycles, because noise repeats by chance now and then.
-constexpr double long_recording_s = 120;
-
 /// Rows of one behavior.
 struct Part {
     Rows rows;

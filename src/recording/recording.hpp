@@ -9,7 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "motion/decomposition.hpp"
+#include "base/warning.hpp"
+#include "linalg/matrix.hpp"
+#include "ltsa/parameters.hpp"
 
 namespace stltsa::recording {
 
@@ -67,8 +69,19 @@ struct Repetition {
     double confidence = 0;
 };
 
+/// Same values as STLTSA_UNIT_* (checked in capi).
+enum class UnitKind : std::int32_t {
+    preparing = 1,
+    initial = 2,
+    cyclic = 3,
+    final = 4,
+    wind_up = 5,
+    action = 6, ///< motion without claimed cycles
+    hold = 8,   ///< keeping a posture between motions that is not the one at rest
+};
+
 struct Unit {
-    motion::UnitKind kind = motion::UnitKind::action;
+    UnitKind kind = UnitKind::action;
     std::int64_t segment = 0;
     double begin = 0;
     double end = 0;
@@ -81,7 +94,8 @@ struct Hole {
 };
 
 struct Options {
-    motion::DecomposeOptions single; ///< of a clip of one motion
+    double shortest_period = 0.3; ///< seconds
+    double longest_period = 6;    ///< seconds
     /// Number in motion; unset: as many as the behavior changes.
     std::optional<std::int64_t> segments;
     double smoothed_s = 0; ///< sigma of the Gaussian that smoothed the samples
@@ -89,20 +103,38 @@ struct Options {
     /// One weight for each column of the samples: positive where the sum of weighted velocities is,
     /// one side of the body moves forward. Empty: the body is unknown.
     std::vector<double> side;
-    /// Whether all cycles begin with the same side, at the cost of half a cycle; otherwise each
-    /// cycle states the side with which it begins.
-    bool begin_with_side = true;
     std::vector<Hole> holes; ///< ascending
+    // For messages only.
+    std::string jump; ///< where the pose jumps; empty: nowhere
+    double jump_s = no_time;
+    bool in_space = false; ///< the samples may contain the body's path through space
+};
+
+/// The coordinates of all segments with cycles, and the fit of the longest one.
+struct Curve {
+    Matrix coords;             ///< samples x 2: the coordinate, and one a quarter of a cycle behind
+    std::vector<double> curve; ///< the coordinate; 0 outside segments with cycles
+    // Of the longest segment with cycles: its first 12 periods, 24 samples in each.
+    ltsa::Parameters parameters;
+    int coordinate = 0;   ///< 1-based, of those of the fit; 0: no fit
+    double cyclicity = 0; ///< of that coordinate, at most 1
+    std::vector<double> eigenvalues;
+    double residual = 0, error_estimate = 0;
+    double period = 0;      ///< samples; 0: nothing is cyclic
+    double lag_quality = 0; ///< match of the velocities one period apart, at most 1
 };
 
 struct Recording {
-    /// Embedding and curve: of the whole clip, or traced through the segments that have cycles.
-    motion::Decomposition shown;
+    Curve curve;
     std::vector<Segment> segments; ///< cover [0, samples) without gap or overlap
     std::vector<Unit> units;       ///< so do these
     std::vector<Cycle> cycles;
     std::vector<Step> steps;
     std::vector<Repetition> repetitions;
+    std::int64_t representative = -1; ///< of the longest cyclic segment: its first cycle
+    std::int64_t best = -1;           ///< and the one most like its mean cycle
+    std::string reason;               ///< why nothing repeats; empty if something does
+    Warnings warnings;
 };
 
 } // namespace stltsa::recording

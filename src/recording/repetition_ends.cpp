@@ -41,9 +41,9 @@ Rows free_rows(const Signal& signal, const Draft& other, bool at_end) {
     if (!other.stretches.empty()) {
         const auto row = [](double at) { return static_cast<std::int64_t>(std::lround(at)); };
         if (at_end)
-            free.begin = std::max(free.begin, row(other.stretches.back().cycles.back().end));
+            free.begin = std::max(free.begin, row(other.stretches.back().borders.back()));
         else
-            free.end = std::min(free.end, row(other.stretches.front().cycles.front().begin));
+            free.end = std::min(free.end, row(other.stretches.front().borders.front()));
     }
     return free;
 }
@@ -84,7 +84,7 @@ bool is_other(const Draft& repetitions, const Draft& other) {
     return other.kind != SegmentKind::rest && other.group != repetitions.group;
 }
 
-/// Makes motions and margins what is left of them.
+/// Makes the motions what is left of them.
 void shorten(Draft& other, double begin, double end) {
     other.begin = begin;
     other.end = end;
@@ -92,9 +92,6 @@ void shorten(Draft& other, double begin, double end) {
         other.motions.front().begin = std::max(other.motions.front().begin, other.rows().begin);
         other.motions.back().end = std::min(other.motions.back().end, other.rows().end);
     }
-    for (CyclicStretch& cut : other.stretches)
-        for (std::vector<double>& margins : cut.margins)
-            std::erase_if(margins, [&](double at) { return at < begin || at > end; });
 }
 
 void add(Draft& to, Rows piece, bool first) {

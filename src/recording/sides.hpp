@@ -1,29 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which side of the body a cycle begins with. The sign of a coordinate is arbitrary; that of the
-// body's motion is the same in every clip of a skeleton.
+// Which side of the body does what in a cycle.
 #pragma once
 
-#include "recording/drafts.hpp"
+#include <span>
+#include <vector>
+
+#include "recording/stretch_cycles.hpp"
 
 namespace stltsa::recording {
 
-/// Weighted sums of the velocities at each row, in units of the usual speed: `side` in terms of the
-/// samples' columns.
+/// How fast the sides swing against each other at each row, relative to how fast the body usually
+/// moves: the velocity, weighted as Options::side says. The mirror image has the negative.
 std::vector<double> side_motion(const Signal& signal, const std::vector<double>& side);
 
-/// Begins the cycles of a motion without two like sides at the same half everywhere: that in which
-/// the columns rise.
-void turn_to_rise(const Signal& signal, CyclicStretch& cut);
+/// Whether each side does in one half of the cycles what the other does in the next.
+bool sides_alternate(const std::vector<double>& motion, std::span<const Interval> cycles);
 
-/// Whether the two halves of the cycles are alike but for the side.
-bool sides_alternate(const std::vector<double>& motion, const CyclicStretch& cut);
+/// The side that comes forward where the cycles begin, 0 or 1.
+int leading_side(const std::vector<double>& motion, std::span<const double> borders);
 
-/// The side with which each cycle begins: 0 while `motion` is negative, else 1. The cycles are not
-/// changed.
-std::vector<int> sides_of(const std::vector<double>& motion, const CyclicStretch& cut);
-
-/// Makes the cycles of each regular sequence begin while `motion` is negative, if that leaves one,
-/// and gives the side of each cycle: 0, or 1 if they begin while it is positive.
-std::vector<int> turn_to_side(const std::vector<double>& motion, CyclicStretch& cut);
+/// Where in the cycle the other side does what the first does where the cycle begins.
+double middle_of(const std::vector<double>& motion, const Interval& cycle);
 
 } // namespace stltsa::recording

@@ -5,41 +5,39 @@
 #include <cmath>
 #include <optional>
 #include <span>
+#include <cstdio>
+#include <cstdlib>
 
+#include "linalg/simd.hpp"
 #include "motion/curve/extrema.hpp"
 #include "motion/curve/smoothing.hpp"
 #include "motion/curve/statistics.hpp"
+#include "recording/evidence.hpp"
+#include "recording/border_alignment.hpp"
 
 namespace stltsa::recording {
 namespace {
 
-// The values of motion/margins.cpp and motion/evidence.cpp; the two of a single clip.
+/// Turns that must be seen for the motion to repeat.
+constexpr double min_turns = 1.3;
+/// A cycle may lack so much of a turn: phases at the ends are not known better.
+constexpr double turn_tolerance = 0.02;
+/// The mean cycle passes through the posture of rest if its squared distance from it is at most this
+/// share of the variance of its poses,
+constexpr double same_posture = 0.25;
+/// and if it is slow there: share of its mean squared speed. Walks pass through the posture of
+/// standing with 0.7 and more, squats with less than 0.01, punches with 0.16.
+constexpr double slow_in_posture = 0.3;
+/// A motion begins at a rest if no more than this share of a cycle lies between.
+constexpr double near_rest = 0.25;
+/// Time before and after a motion in which its posture of rest is read.
+constexpr double posture_s = 0.3;
+/// Sigma of the smoothing of the coordinate as a share of a cycle (motion/decompose.cpp).
 constexpr double curve_smoothing = 0.06;
+/// Least height of a swing of the coordinate between its margins, as a share of its extent.
 constexpr double prominence = 0.25;
-constexpr double like_swing = 0.6;
-constexpr double like_swing_cut = 0.4;
-constexpr double most_swing = 2;
-constexpr double like_steepness = 0.7;
-constexpr double shortest_cycle = 0.7;
-constexpr double longest_cycle = 1.4;
-constexpr double least_cyclicity = 0.65;
-constexpr double least_quality = 0.4;
-constexpr double least_quality_of_few = 0.5;
-constexpr std::size_t few_cycles = 2;
-constexpr std::size_t margins_of_a_cycle = 3;
-/// No margin is found nearer to the ends of the curve than this share of a period.
-constexpr double at_end = 2.0 / samples_per_period;
-constexpr double steady = 0.08;
 /// The height of the curve is that of so many periods to each side.
 constexpr std::int64_t height_periods = 8;
-
-struct Margin {
-    double at = 0; ///< warped samples
-    double swing = 0;
-    double steepness = 0;
-    bool rising = false;
-    bool cut = false; ///< the curve ends within its swing
-};
 
 /// The curve divided by its height around each sample, from the 5th to the 95th percentile.
 std::vector<double> leveled(const std::vector<double>& curve) {
@@ -59,114 +57,191 @@ std::vector<double> leveled(const std::vector<double>& curve) {
     return result;
 }
 
-/// The steepest sample between two extrema; none at the very ends, where it may lie beyond.
-std::vector<Margin> find_margins(const std::vector<double>& curve) {
-    const auto extrema = motion::alternating_extrema(curve, prominence);
-    const std::vector<double> slopes = motion::slope(curve);
-    const auto steep = [&](std::int64_t i) {
-        return std::abs(slopes[static_cast<std::size_t>(i)]);
+/// Takes the rows at rest off both ends.
+void trim(const std::vector<Rows>& rests, Growth& growth) {
+    phase::Run& run = growth.run;
+    std::int64_t begin = run.begin, end = run.end();
+    for (const Rows& rest : rests) {
+        if (rest.begin <= begin && rest.end > begin)
+            begin = std::min(rest.end, end);
+        if (rest.end >= end && rest.begin < end)
+            end = std::max(rest.begin, begin);
+    }
+    const auto keep = [&](std::vector<double>& values) {
+        values = {values.begin() + (begin - run.begin), values.begin() + (end - run.begin)};
     };
-    std::vector<Margin> margins;
+    keep(growth.deviation);
+    keep(run.phase);
+    run.begin = begin;
+}
+
+/// Where the motion comes from rest or goes to rest, in the same posture.
+struct Home {
+    double phase = 0;           ///< at which the mean cycle is in that posture
+    std::optional<double> from; ///< row at which the motion leaves it
+    std::optional<double> to;   ///< row at which it is back
+};
+
+/// The phase at which the mean cycle is nearest to the mean pose of the rows, if it is near.
+std::optional<double> phase_of_posture(const Signal& signal, const Growth& growth, Rows rows) {
+    constexpr std::int64_t places = 96;
+    const std::int64_t cols = signal.cols();
+    std::vector<double> posture(static_cast<std::size_t>(cols));
+    for (std::int64_t i = rows.begin; i < rows.end; ++i)
+        axpy(1 / static_cast<double>(rows.count()), signal.poses.row(i), posture.data(), cols);
+    const Matrix cycle = growth.mean.loop.sampled(places);
+    std::vector<double> center(posture.size()), distances;
+    for (std::int64_t p = 0; p < places; ++p)
+        axpy(1.0 / places, cycle.row(p), center.data(), cols);
+    double variance = 0;
+    for (std::int64_t p = 0; p < places; ++p) {
+        variance += squared_distance(cycle.row(p), center.data(), cols) / places;
+        distances.push_back(squared_distance(cycle.row(p), posture.data(), cols));
+    }
+    const auto nearest = std::ranges::min_element(distances);
+    const double at = static_cast<double>(nearest - distances.begin()) / places;
+    std::vector<double> slope(static_cast<std::size_t>(growth.mean.loop.cols()));
+    double mean_speed = 0; // squared
+    for (std::int64_t p = 0; p < places; ++p) {
+        growth.mean.loop.slope(static_cast<double>(p) / places, slope.data());
+        mean_speed += dot(slope.data(), slope.data(), cols) / places;
+    }
+    growth.mean.loop.slope(at, slope.data());
+    const bool slow = dot(slope.data(), slope.data(), cols) < slow_in_posture * mean_speed;
+    return slow && *nearest < same_posture * variance ? std::optional(at) : std::nullopt;
+}
+
+/// Difference of two phases, from -1/2 to 1/2.
+double turned(double from, double to) {
+    return to - from - std::round(to - from);
+}
+
+std::optional<Home> home_of(const Signal& signal, const std::vector<Rows>& rests,
+                            const Growth& growth) {
+    const auto reach = static_cast<std::int64_t>(near_rest * growth.mean.period);
+    const auto posture = std::max<std::int64_t>(1, std::lround(posture_s * signal.rate));
+    const std::int64_t begin = growth.run.begin, end = growth.run.end();
+    std::optional<Home> home;
+    const auto meet = [&](Rows rows, double phase, bool at_end, std::int64_t row) {
+        const auto at = phase_of_posture(signal, growth, rows);
+        if (!at || std::abs(turned(*at, phase)) > near_rest)
+            return;
+        if (!home)
+            home = Home{*at, {}, {}};
+        (at_end ? home->to : home->from) = static_cast<double>(row);
+    };
+    for (const Rows& rest : rests) {
+        if (rest.begin < begin && std::abs(rest.end - begin) <= reach)
+            meet({std::max(rest.begin, rest.end - posture), rest.end}, growth.run.phase.front(),
+                 false, rest.end);
+        if (rest.end > end && std::abs(rest.begin - end) <= reach)
+            meet({rest.begin, std::min(rest.end, rest.begin + posture)}, growth.run.phase.back(),
+                 true, rest.begin);
+    }
+    return home;
+}
+
+/// Cycles from the posture of rest to itself. The first leaves it with the rest, whatever the phase
+/// there, and the last ends with the next rest.
+std::vector<double> borders_from_home(const Growth& growth, const Home& home) {
+    const double first = growth.run.phase.front(), last = growth.run.phase.back();
+    const double begin = home.from ? std::round(first - home.phase) : std::ceil(first - home.phase);
+    const double end = home.to ? std::round(last - home.phase) : std::floor(last - home.phase);
+    std::vector<double> borders;
+    for (double turn = begin; turn <= end; ++turn)
+        borders.push_back(growth.row_of(home.phase + turn));
+    if (borders.empty())
+        return borders;
+    borders.front() = home.from.value_or(borders.front());
+    borders.back() = home.to.value_or(borders.back());
+    return borders;
+}
+
+/// Phases at which the coordinate, averaged over the cycles, is steepest between its peaks and
+/// valleys: the margins of the paper.
+std::vector<double> margins_of(const PhaseCurve& curve) {
+    constexpr auto period = static_cast<std::size_t>(samples_per_period);
+    std::vector<double> mean(period), counts(period);
+    const auto phase_of = [&](std::size_t i) { return i % period; };
+    for (std::size_t i = 0; i < curve.curve.size(); ++i) {
+        mean[phase_of(i)] += curve.curve[i];
+        counts[phase_of(i)] += 1;
+    }
+    std::vector<double> thrice; // so that extrema and slopes at the seam are whole
+    for (std::size_t i = 0; i < 3 * period; ++i)
+        thrice.push_back(mean[phase_of(i)] / std::max(1.0, counts[phase_of(i)]));
+    const auto [low, high] = std::ranges::minmax(thrice);
+    const auto extrema = motion::alternating_extrema(thrice, prominence * (high - low));
+    const std::vector<double> slopes = motion::slope(thrice);
+    const auto steep = [&](std::int64_t i) { return std::abs(slopes[static_cast<std::size_t>(i)]); };
+    std::vector<double> margins;
     for (std::size_t e = 0; e + 1 < extrema.size(); ++e) {
         std::int64_t at = extrema[e].at;
         for (std::int64_t i = at; i <= extrema[e + 1].at; ++i)
             if (steep(i) > steep(at))
                 at = i;
-        if (at < 2 || at + 2 >= static_cast<std::int64_t>(curve.size()))
+        if (at < samples_per_period || at >= 2 * samples_per_period)
             continue;
         const double offset = motion::parabola_vertex(steep(at - 1), steep(at), steep(at + 1));
-        margins.push_back({static_cast<double>(at) + offset,
-                           std::abs(curve[static_cast<std::size_t>(extrema[e + 1].at)] -
-                                    curve[static_cast<std::size_t>(extrema[e].at)]),
-                           steep(at), extrema[e + 1].peak,
-                           extrema[e].at == 0 ||
-                               extrema[e + 1].at + 1 == static_cast<std::int64_t>(curve.size())});
+        margins.push_back((static_cast<double>(at - samples_per_period) + offset) /
+                          samples_per_period);
     }
     return margins;
 }
 
-template <class Value, class Which>
-double median_of(const std::vector<Margin>& margins, Value value, Which which) {
-    std::vector<double> values;
-    for (const Margin& margin : margins)
-        if (which(margin))
-            values.push_back(value(margin));
-    return motion::median(values);
-}
-
-using Sequence = std::vector<Margin>;
-
-/// The regular sequences: swings as high as the others, one period from margin i to i + 2.
-std::vector<Sequence> regular_sequences(const std::vector<Margin>& margins) {
-    const double swing = median_of(
-        margins, [](const Margin& m) { return m.swing; }, [](const Margin&) { return true; });
-    const double steepness[] = {median_of(
-                                    margins, [](const Margin& m) { return m.steepness; },
-                                    [](const Margin& m) { return !m.rising; }),
-                                median_of(
-                                    margins, [](const Margin& m) { return m.steepness; },
-                                    [](const Margin& m) { return m.rising; })};
-    std::vector<Sequence> sequences;
-    Sequence sequence;
-    const auto close = [&] {
-        if (sequence.size() >= margins_of_a_cycle)
-            sequences.push_back(sequence);
-        sequence.clear();
+/// How much a margin is preferred over the others of its cycle: where one side of the body comes
+/// forward; or, if the sides are unknown, where the columns rise. The coordinate itself has no sign.
+double preference_for(const Signal& signal, const Growth& growth, double margin) {
+    const auto rows = [&](const auto& visit) {
+        const double first = margin + std::ceil(growth.run.phase.front() - margin);
+        for (double at = first; at <= growth.run.phase.back(); ++at)
+            visit(growth.row_of(at));
     };
-    constexpr double period = samples_per_period;
-    for (const Margin& margin : margins) {
-        if (margin.swing < (margin.cut ? like_swing_cut : like_swing) * swing ||
-            margin.swing > most_swing * swing ||
-            margin.steepness < like_steepness * steepness[margin.rising ? 1 : 0]) {
-            close();
-            continue;
-        }
-        if (sequence.size() == 1 && margin.at - sequence[0].at > longest_cycle * period)
-            sequence.clear();
-        if (sequence.size() > 1) {
-            const double cycle = margin.at - sequence[sequence.size() - 2].at;
-            if (cycle < shortest_cycle * period || cycle > longest_cycle * period) {
-                const Margin last = sequence.back();
-                close();
-                if (margin.at - last.at <= longest_cycle * period)
-                    sequence.push_back(last);
-            }
-        }
-        sequence.push_back(margin);
+    double sum = 0, count = 0;
+    if (!signal.side.empty()) {
+        rows([&](double row) {
+            double value = 0;
+            row_at({signal.side.data(), signal.rows(), 1, 1}, row, &value);
+            sum -= value;
+            ++count;
+        });
+        return count > 0 ? sum / count : 0;
     }
-    close();
-    return sequences;
+    std::vector<double> velocity(static_cast<std::size_t>(signal.cols())), mean = velocity;
+    rows([&](double row) {
+        row_at(signal.velocity.view(), row, velocity.data());
+        axpy(1, velocity.data(), mean.data(), signal.cols());
+    });
+    for (std::int64_t c = 0; c < signal.directions.rows(); ++c) {
+        const double rise = dot(mean.data(), signal.directions.row(c), signal.cols());
+        sum += rise * std::abs(rise);
+        count += rise * rise;
+    }
+    return count > 0 ? sum / count : 0;
 }
 
-double row_of(const std::vector<double>& places, double sample) {
-    const auto before = std::min(static_cast<std::size_t>(sample), places.size() - 2);
-    const double part = sample - static_cast<double>(before);
-    return (1 - part) * places[before] + part * places[before + 1];
-}
-
-/// The margin before the first, or none if the next two cycles differ in length.
-std::optional<double> margin_before(std::span<const double> margins) {
-    const double period = margins[3] - margins[1];
-    if (std::abs(margins[2] - margins[0] - period) > steady * std::abs(period))
-        return {};
-    return margins[1] - period;
-}
-
-/// Adds the margins at the very ends of the rows, where the curve does not show them, if the period
-/// is steady there. The rows may end half a row before the motion does.
-void add_end_margins(Rows range, std::vector<double>& margins) {
-    if (margins.size() < margins_of_a_cycle + 1)
-        return;
-    const auto begin = static_cast<double>(range.begin), end = static_cast<double>(range.end);
-    const double reach = at_end * (margins[3] - margins[1]);
-    if (const auto first = margin_before(margins);
-        first && *first >= begin - 0.5 && *first < begin + reach)
-        margins.insert(margins.begin(), std::max(*first, begin));
-    const std::size_t n = margins.size();
-    const double from_end[] = {margins[n - 1], margins[n - 2], margins[n - 3], margins[n - 4]};
-    if (const auto last = margin_before(from_end);
-        last && *last <= end + 0.5 && *last > end - reach)
-        margins.push_back(std::min(*last, end));
+/// As many whole cycles as the motion has turns, beginning at the preferred margin, or as near to it
+/// as this number allows.
+std::vector<double> borders_at_margins(const Signal& signal, const Growth& growth,
+                                       const PhaseCurve& curve) {
+    const double first = growth.run.phase.front(), turns = growth.turns();
+    const double count = std::floor(turns + turn_tolerance);
+    const double room = std::max(0.0, turns - count);
+    double preferred = first, most = -std::numeric_limits<double>::infinity();
+    for (const double margin : margins_of(curve)) {
+        const double phase = margin + curve.first_phase;
+        if (const double value = preference_for(signal, growth, phase); value > most) {
+            most = value;
+            preferred = phase;
+        }
+    }
+    double after = preferred - first - std::floor(preferred - first);
+    if (after > room)
+        after = after - room < 1 - after ? room : 0;
+    std::vector<double> borders;
+    for (double turn = 0; turn <= count; ++turn)
+        borders.push_back(growth.row_of(first + after + turn));
+    return borders;
 }
 
 bool holds_rest(const Interval& cycle, const std::vector<Rows>& rests) {
@@ -176,28 +251,29 @@ bool holds_rest(const Interval& cycle, const std::vector<Rows>& rests) {
     });
 }
 
-std::string doubt_about(const CyclicStretch& cut, const StillRows& still, double rate) {
-    const double seconds = motion::median(cut.stretch.period) / rate;
-    if (cut.phase.curve.empty())
-        return format_text("a repetition after {:.2f} s lasts less than one and a half periods",
-                           seconds);
-    if (cut.cyclicity < least_cyclicity)
-        return format_text("low cyclicity: the motion repeats after {:.2f} s (quality {:.2f}), but "
-                           "the curve has a cyclicity of only {:.3f}, below {:.2f}",
-                           seconds, cut.stretch.quality, cut.cyclicity, least_cyclicity);
-    const bool few = cut.cycles.size() <= few_cycles;
-    const double needed = few ? least_quality_of_few : least_quality;
-    if (cut.stretch.quality < needed)
-        return format_text("low quality: it resembles itself most after {:.2f} s, but with a "
-                           "quality of only {:.3f}, below {:.2f} (1: it repeats)",
-                           seconds, cut.stretch.quality, needed);
-    if (cut.cycles.empty())
-        return format_text("less than one cycle: it resembles itself most after {:.2f} s "
-                           "(quality {:.2f}; 1: it repeats), but completes no cycle",
-                           seconds, cut.stretch.quality);
-    const bool rested = std::ranges::any_of(
-        cut.cycles, [&](const Interval& cycle) { return holds_rest(cycle, still.rests); });
-    if ((few && rested) || paused(cut.cycles, still.pauses))
+/// Takes unsure cycles off both ends; what is left is claimed if it is sure on the average.
+std::string decide(const StillRows& still, double rate, CyclicStretch& cut) {
+    std::vector<double>& sure = cut.confidences;
+    const double seconds = cut.growth.mean.period / rate;
+    std::size_t first = 0, last = sure.size();
+    while (first < last && sure[first] < min_confidence)
+        ++first;
+    while (last > first && sure[last - 1] < min_confidence)
+        --last;
+    const double mean = mean_of(first < last ? std::span(sure).subspan(first, last - first) : sure);
+    if (mean < min_confidence || first == last)
+        return format_text("cycles unlike each other: the motion repeats after {:.2f} s (quality "
+                           "{:.2f}), but the confidence of its {} is only {:.2f}",
+                           seconds, cut.stretch.quality, sure.size() == 1 ? "cycle" : "cycles",
+                           mean);
+    cut.borders = {cut.borders.begin() + static_cast<std::ptrdiff_t>(first),
+                   cut.borders.begin() + static_cast<std::ptrdiff_t>(last) + 1};
+    sure = {sure.begin() + static_cast<std::ptrdiff_t>(first),
+            sure.begin() + static_cast<std::ptrdiff_t>(last)};
+    const auto held = std::ranges::count_if(cut.cycles(), [&](const Interval& cycle) {
+        return holds_rest(cycle, still.pauses);
+    });
+    if (2 * held > static_cast<std::ptrdiff_t>(sure.size()))
         return format_text("a rest within each repetition: the motion repeats after {:.2f} s",
                            seconds);
     return {};
@@ -205,42 +281,45 @@ std::string doubt_about(const CyclicStretch& cut, const StillRows& still, double
 
 } // namespace
 
+std::vector<Interval> CyclicStretch::cycles() const {
+    std::vector<Interval> all;
+    for (std::size_t i = 0; i + 1 < borders.size(); ++i)
+        all.push_back({borders[i], borders[i + 1]});
+    return all;
+}
+
 double CyclicStretch::period() const {
     std::vector<double> lengths;
-    for (const Interval& cycle : cycles)
+    for (const Interval& cycle : cycles())
         lengths.push_back(cycle.length());
     return motion::median(lengths);
 }
 
-bool paused(const std::vector<Interval>& cycles, const std::vector<Rows>& pauses) {
-    const auto held = std::ranges::count_if(
-        cycles, [&](const Interval& cycle) { return holds_rest(cycle, pauses); });
-    return 2 * held > static_cast<std::ptrdiff_t>(cycles.size());
-}
-
-CyclicStretch cut_stretch(const Signal& signal, const Stretch& stretch, const StillRows& still,
-                          const Anchor* like, RowProgress& progress) {
-    CyclicStretch cut{stretch, trace_phase(signal, stretch, like, progress), 0, {}, {}, {}};
-    if (!cut.phase.curve.empty()) {
-        cut.cyclicity = cut.phase.typical_cyclicity();
-        for (std::vector<double>* curve : {&cut.phase.curve, &cut.phase.partner})
-            *curve = leveled(motion::smooth(*curve, curve_smoothing * samples_per_period));
-        for (const Sequence& sequence : regular_sequences(find_margins(cut.phase.curve))) {
-            std::vector<double> rows;
-            for (const Margin& margin : sequence)
-                rows.push_back(row_of(cut.phase.places, margin.at));
-            add_end_margins(stretch.rows, rows);
-            // Cycles begin on the same side of the coordinate everywhere.
-            if (like != nullptr && !sequence.front().rising)
-                rows.erase(rows.begin());
-            if (rows.size() < margins_of_a_cycle)
-                continue;
-            for (std::size_t i = 0; i + 2 < rows.size(); i += 2)
-                cut.cycles.push_back({rows[i], rows[i + 2]});
-            cut.margins.push_back(std::move(rows));
-        }
+CyclicStretch cut_stretch(const Signal& signal, const Stretch& stretch, Rows within,
+                          const StillRows& still, RowProgress& progress) {
+    CyclicStretch cut{stretch, grow(signal, stretch, within, progress.poll()), {}, {}, {}, {}};
+    Growth& growth = cut.growth;
+    if (growth.run.rows() > 1)
+        trim(still.rests, growth);
+    const auto home = growth.run.rows() > 1 ? home_of(signal, still.rests, growth) : std::nullopt;
+    if (home)
+        cut.borders = borders_from_home(growth, *home);
+    if (cut.borders.size() < 3 && growth.turns() < min_turns) {
+        cut.doubt = format_text("a repetition after {:.2f} s lasts less than {} periods",
+                                motion::median(stretch.period) / signal.rate, min_turns);
+        return cut;
     }
-    cut.doubt = doubt_about(cut, still, signal.rate);
+    cut.phase = trace_phase(signal, growth, progress);
+    if (cut.borders.size() < 2)
+        cut.borders = align_borders(signal, within, borders_at_margins(signal, growth, cut.phase),
+                                    progress.poll());
+    for (std::vector<double>* curve : {&cut.phase.curve, &cut.phase.partner})
+        *curve = leveled(motion::smooth(*curve, curve_smoothing * samples_per_period));
+    if (getenv("DBG3")) { fprintf(stderr,"dev:"); for(std::size_t i=0;i<growth.deviation.size();++i) if(i<40||i+40>growth.deviation.size()) fprintf(stderr," %.2f:%.2f",growth.run.phase[i],growth.deviation[i]); fprintf(stderr,"\n");}
+    if (getenv("DBG")) { fprintf(stderr,"run %ld-%ld phase %.3f..%.3f T %.2f q %.2f curve cyc %.2f\n borders",(long)growth.run.begin,(long)growth.run.end(),growth.run.phase.front(),growth.run.phase.back(),growth.mean.period,stretch.quality,cut.phase.typical_cyclicity()); for(double b: cut.borders) fprintf(stderr," %.3f",b); fprintf(stderr,"\n unaligned"); if(!cut.phase.places.empty()) for(double b: borders_at_margins(signal,growth,cut.phase)) fprintf(stderr," %.3f",b); fprintf(stderr,"\n"); }
+    cut.confidences = cycle_confidences(cut);
+    if (getenv("DBG")) { for(double b: cut.confidences) fprintf(stderr," %.3f",b); fprintf(stderr,"\n");}
+    cut.doubt = decide(still, signal.rate, cut);
     return cut;
 }
 

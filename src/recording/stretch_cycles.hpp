@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The cycles of a stretch that repeats, cut where the smoothed coordinate is steepest between its
-// peaks and valleys (paper, section 3.1).
+// The cycles of a stretch that repeats: whole turns of its phase. They begin in the posture of
+// rest if the motion passes through it, or else where the STLTSA coordinate is steepest between a
+// peak and a valley (paper, section 3.1).
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include "recording/growth.hpp"
 #include "recording/phase_curve.hpp"
 
 namespace stltsa::recording {
@@ -20,16 +22,15 @@ struct Interval {
 
 struct CyclicStretch {
     Stretch stretch;
+    Growth growth;
     PhaseCurve phase;
-    double cyclicity = 0;
-    std::vector<std::vector<double>> margins; ///< rows, of each regular sequence of at least three
-    std::vector<Interval> cycles;             ///< rows, from margin i to margin i + 2
-    std::string doubt;                        ///< why no cycle is claimed; empty if cycles are
+    std::vector<double> borders;     ///< rows: cycle i lasts from border i to i + 1
+    std::vector<double> confidences; ///< of the cycles
+    std::string doubt;               ///< why no cycle is claimed; empty if cycles are
 
     bool claimed() const { return doubt.empty(); }
+    std::vector<Interval> cycles() const;
     double period() const; ///< median length of the cycles, rows
-    double first_margin() const { return margins.front().front(); } ///< if claimed
-    double last_margin() const { return margins.back().back(); }
 };
 
 /// Where the body keeps still: at all, and between motions (find_rests(), find_pauses()).
@@ -38,11 +39,8 @@ struct StillRows {
     const std::vector<Rows>& pauses;
 };
 
-/// Whether most of the cycles contain a pause: these are repetitions.
-bool paused(const std::vector<Interval>& cycles, const std::vector<Rows>& pauses);
-
-/// `like`: see trace_phase().
-CyclicStretch cut_stretch(const Signal& signal, const Stretch& stretch, const StillRows& still,
-                          const Anchor* like, RowProgress& progress);
+/// The cycles of the stretch, which may grow to the rows `within`.
+CyclicStretch cut_stretch(const Signal& signal, const Stretch& stretch, Rows within,
+                          const StillRows& still, RowProgress& progress);
 
 } // namespace stltsa::recording

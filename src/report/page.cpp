@@ -22,14 +22,14 @@ std::int64_t step_of(std::int64_t rows) {
 
 /// The coordinate that was cut and, beside it, the two of the loop; NaN where nothing was fitted.
 Json curve_json(const results::Decomposed& decomposed) {
-    const motion::Decomposition& found = decomposed.result;
+    const recording::Curve& found = decomposed.curve;
     const auto count = static_cast<std::int64_t>(found.curve.size());
     const std::int64_t step = step_of(count);
     Matrix rows((count + step - 1) / step, 3);
     for (std::int64_t r = 0; r < rows.rows(); ++r) {
         rows(r, 0) = found.curve[static_cast<std::size_t>(r * step)];
         for (int c = 0; c < 2; ++c)
-            rows(r, 1 + c) = found.loop(r * step, c);
+            rows(r, 1 + c) = found.coords(r * step, c);
         if (std::all_of(rows.row(r), rows.row(r) + 3, [](double value) { return value == 0; }))
             std::fill_n(rows.row(r), 3, none);
     }
@@ -50,7 +50,7 @@ Json phase_json(const results::Phased& phased) {
     return JsonObject("step", step, "values", packed(rows.view()), "warnings", phased.warnings);
 }
 
-Json accuracy_json(const motion::Decomposition& found) {
+Json accuracy_json(const recording::Curve& found) {
     return JsonObject("residual", found.residual, "error_estimate", found.error_estimate);
 }
 
@@ -90,7 +90,7 @@ std::string page(const Reported& reported, const Progress& progress) {
     const std::vector<Part> parts = parts_of(clip);
     JsonObject data("format", "stltsa-report/1", "command", reported.command, "checksum",
                     checksum(bytes_of(clip.values)), "source", source_json(reported));
-    data.set("accuracy", accuracy_json(reported.decomposed.result), "curve",
+    data.set("accuracy", accuracy_json(reported.decomposed.curve), "curve",
              curve_json(reported.decomposed), "phase", phase_json(phased), "motions",
              motions_json(clip, reported.decomposed, phased, parts, reported.prepare, progress));
     const Template around = report_template();

@@ -63,9 +63,8 @@ class SourceFrames {
     const ClipFacts& clip_;
 };
 
-void set_messages(const ClipSamples& prepared, motion::DecomposeOptions& options) {
+void set_messages(const ClipSamples& prepared, recording::Options& options) {
     const double fps = prepared.source.clips.front().fps;
-    options.first_s = static_cast<double>(prepared.source.samples.first) / fps;
     options.in_space = prepared.source.samples.features == clip::Features::raw;
     if (prepared.jump > 0) {
         options.jump_s = static_cast<double>(prepared.jump) / fps;
@@ -289,7 +288,7 @@ Decomposed decompose(const clip::Clip& clip, const clip::PrepareOptions& prepare
              clip.path.empty() ? "the clip" : clip.path);
     const clip::Clip* single = &clip;
     ClipSamples prepared = prepare_clips({&single, 1}, prepare, progress);
-    set_messages(prepared, options.single);
+    set_messages(prepared, options);
     const SampleFacts& samples = prepared.source.samples;
     const double fps = samples.fps;
     const auto poll = [&] { progress.report(Stage::features, 1); };
@@ -299,15 +298,12 @@ Decomposed decompose(const clip::Clip& clip, const clip::PrepareOptions& prepare
     options.size = body_size(samples.features, prepared.samples);
     options.holes = holes_of(prepared);
     options.side = side_weights_of(clip, samples, prepared.samples.view());
-    // For points, the sign of a leg depends on their names and layout, not on the body as with a
-    // skeleton, so beginning all cycles with the same side is not worth the loss of half a cycle.
-    options.begin_with_side = samples.features != clip::Features::points;
     recording::Recording found =
         recording::analyze(prepared.samples.view(), fps, options, progress);
     Decomposed made;
     made.source = std::move(prepared.source);
-    made.source.period = {found.shown.period / fps, found.shown.lag_quality,
-                          options.single.shortest_period, options.single.longest_period};
+    made.source.period = {found.curve.period / fps, found.curve.lag_quality,
+                          options.shortest_period, options.longest_period};
     const SourceFrames frames(made.source);
     const auto owners = clip::column_owners(clip, made.source.samples.features);
     for (const recording::Segment& segment : found.segments) {
@@ -323,8 +319,12 @@ Decomposed decompose(const clip::Clip& clip, const clip::PrepareOptions& prepare
         made.postures.push_back(made.source.samples.first + row * made.source.samples.step);
     made.source.period.period = period_of_longest(made.segments);
     made.summaries = summaries_of(made.segments, made.cycle_parts, made.repetitions);
-    made.result = std::move(found.shown);
-    warn_of_order(clip, made.source.samples.features, made.result.warnings);
+    made.curve = std::move(found.curve);
+    made.representative = found.representative;
+    made.best = found.best;
+    made.reason = std::move(found.reason);
+    made.warnings = std::move(found.warnings);
+    warn_of_order(clip, made.source.samples.features, made.warnings);
     return made;
 }
 

@@ -14,7 +14,10 @@
 namespace stltsa::results {
 
 struct Decomposed {
-    motion::Decomposition result; ///< embedding, curve, reason, warnings; in samples
+    recording::Curve curve; ///< in samples
+    std::int64_t representative = -1, best = -1; ///< see Recording
+    std::string reason;
+    Warnings warnings;
     Source source;
     // In frames of the source file.
     std::vector<stltsa_segment> segments;           ///< cover the file, as the units do

@@ -53,10 +53,10 @@ std::int32_t kind_of(const std::string& name) {
 }
 
 clip::Frames named(const Decomposed& found, const std::string& name) {
-    const std::string& reason = found.result.reason;
+    const std::string& reason = found.reason;
     if (name == "best" || name == "representative")
         return numbered(found.cycles,
-                        (name == "best" ? found.result.best : found.result.representative) + 1 +
+                        (name == "best" ? found.best : found.representative) + 1 +
                             (found.cycles.empty() ? 1 : 0),
                         "cycles", reason);
     const stltsa_interval* unit = longest(found.units, kind_of(name));
@@ -72,7 +72,7 @@ std::vector<clip::Frames> find_stretches(const clip::Clip& clip, const clip::Str
     if (stretch.kind == Kind::range)
         return {clip::frames_of(stretch, clip)};
     const Decomposed found = decomposed();
-    const std::string& reason = found.result.reason;
+    const std::string& reason = found.reason;
     switch (stretch.kind) {
     case Kind::cycle:
         return {numbered(found.cycles, stretch.number, "cycles", reason)};

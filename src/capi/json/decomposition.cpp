@@ -168,29 +168,20 @@ Json chosen_cycle(std::span<const stltsa_interval> cycles, std::int64_t index) {
     return object;
 }
 
-Json embedding_json(const motion::Decomposition& found) {
+Json embedding_json(const recording::Curve& found) {
     return JsonObject("eigenvalues", found.eigenvalues, "tangent_dimension",
                       found.parameters.dimension, "coordinate",
                       json_count_or_null(found.coordinate), "cyclicity", found.cyclicity);
 }
 
-Json intrinsic_json(const std::optional<ltsa::Dimension>& dimension) {
-    if (!dimension)
-        return nullptr;
-    return JsonObject("local_pca", json_count_or_null(dimension->local_pca), "eigengap",
-                      json_count_or_null(dimension->eigengap));
-}
-
 } // namespace
 
 std::string decomposition_json(const Decomposed& decomposed) {
-    const motion::Decomposition& found = decomposed.result;
     JsonObject object = json_head("decomposition", 2);
     object.set("clip", json_clip(decomposed.source));
     object.set("samples", json_samples(decomposed.source.samples));
-    object.set("parameters", json_parameters(found.parameters, decomposed.source));
-    object.set("embedding", embedding_json(found));
-    object.set("intrinsic_dimension", intrinsic_json(found.intrinsic));
+    object.set("parameters", json_parameters(decomposed.curve.parameters, decomposed.source));
+    object.set("embedding", embedding_json(decomposed.curve));
     object.set("period_s", json_positive_or_null(decomposed.source.period.period));
     object.set("lag_quality", decomposed.source.period.lag_quality);
     object.set("segments", segments_json(decomposed));
@@ -199,10 +190,10 @@ std::string decomposition_json(const Decomposed& decomposed) {
     object.set("steps", steps_json(decomposed));
     object.set("repetitions", repetitions_json(decomposed));
     object.set("summary", summary_json(decomposed));
-    object.set("representative_cycle", chosen_cycle(decomposed.cycles, found.representative));
-    object.set("best_cycle", chosen_cycle(decomposed.cycles, found.best));
-    object.set("reason", json_string_or_null(found.reason));
-    object.set("warnings", timed_warnings_json(found.warnings));
+    object.set("representative_cycle", chosen_cycle(decomposed.cycles, decomposed.representative));
+    object.set("best_cycle", chosen_cycle(decomposed.cycles, decomposed.best));
+    object.set("reason", json_string_or_null(decomposed.reason));
+    object.set("warnings", timed_warnings_json(decomposed.warnings));
     return object.text();
 }
 

@@ -122,19 +122,18 @@ ltsa::DimensionOptions OptionsReader::dimension_options() const {
 }
 
 recording::Options OptionsReader::decompose_options() const {
+    for (const std::int32_t key : {STLTSA_OPT_NEIGHBORS, STLTSA_OPT_WINDOW, STLTSA_OPT_DIMENSION,
+                                   STLTSA_OPT_MODE})
+        if (is_set(options_, key))
+            fail(Status::argument,
+                 "option {} belongs to fit: decompose embeds each segment with cycles at 24 samples "
+                 "a cycle, with parameters of its own",
+                 option_row(key).name);
     recording::Options options;
     options.segments = integer_if_set(STLTSA_OPT_SEGMENTS);
-    motion::DecomposeOptions& decompose = options.single;
-    decompose.neighbors = integer_if_set(STLTSA_OPT_NEIGHBORS);
-    decompose.window = integer_if_set(STLTSA_OPT_WINDOW);
-    decompose.dimension = integer_if_set<int>(STLTSA_OPT_DIMENSION);
-    decompose.mode = static_cast<ltsa::Mode>(integer(STLTSA_OPT_MODE));
     const results::PeriodRange range = results::range_of(period_search(), 1, 0); // in seconds
-    decompose.shortest_period = range.shortest;
-    decompose.longest_period = range.longest;
-    if (integer(STLTSA_OPT_DIMENSION_ESTIMATE) != 0)
-        decompose.estimate = dimension_options();
-    decompose.threads = threads();
+    options.shortest_period = range.shortest;
+    options.longest_period = range.longest;
     return options;
 }
 

@@ -39,18 +39,17 @@ constexpr int32_t analyzes = embeds | STLTSA_CALL_DECOMPOSE;
 constexpr int32_t maps = STLTSA_CALL_MAP | STLTSA_CALL_UNMAP;
 
 constexpr stltsa_option_info rows[] = {
-    whole(STLTSA_OPT_NEIGHBORS, analyzes, "neighbors",
+    whole(STLTSA_OPT_NEIGHBORS, embeds, "neighbors",
           "Neighbors of each frame (k); auto: 1.2 periods if a period is found, otherwise 1.2 "
           "seconds, or 12 frames if the rate is unknown.",
           1, most_frames, automatic),
-    whole(STLTSA_OPT_WINDOW, analyzes, "window",
+    whole(STLTSA_OPT_WINDOW, embeds, "window",
           "Frames on each side in which neighbors may lie (w); auto: as neighbors.", 1, most_frames,
           automatic),
-    whole(STLTSA_OPT_DIMENSION, analyzes, "dimension",
-          "Tangent dimension, the number of coordinates (d); auto: fit 2, decompose the best of 1 "
-          "to 3.",
+    whole(STLTSA_OPT_DIMENSION, embeds, "dimension",
+          "Tangent dimension, the number of coordinates (d); auto: 2.",
           1, 1000, automatic),
-    whole(STLTSA_OPT_MODE, analyzes, "mode",
+    whole(STLTSA_OPT_MODE, embeds, "mode",
           "Candidates for neighbors: temporal, frames of the clip within the window; spatial, all "
           "frames; recurrent, frames within the window and, as links, frames outside the exclusion "
           "zone.",
@@ -97,11 +96,11 @@ constexpr stltsa_option_info rows[] = {
          "and "
          "at most 1000 by default.",
          0.01, 3600, 6),
-    real(STLTSA_OPT_EIGENGAP, STLTSA_CALL_DIMENSION | STLTSA_CALL_DECOMPOSE, "eigengap",
+    real(STLTSA_OPT_EIGENGAP, STLTSA_CALL_DIMENSION, "eigengap",
          "Smallest gap between eigenvalues that determines the dimension, as a fraction of the "
          "neighbors.",
          0, 1, 0.1),
-    real(STLTSA_OPT_VARIANCE, STLTSA_CALL_DIMENSION | STLTSA_CALL_DECOMPOSE, "variance",
+    real(STLTSA_OPT_VARIANCE, STLTSA_CALL_DIMENSION, "variance",
          "Share of a neighborhood's variance that local PCA must explain.", 0.01, 1, 0.95),
     text(STLTSA_OPT_SKELETON, STLTSA_CALL_OPEN, "skeleton",
          "The ASF file of an AMC clip; auto: found beside the clip."),
@@ -140,8 +139,6 @@ constexpr stltsa_option_info rows[] = {
          "Largest allowed distance between the postures at a seam, relative to the typical "
          "distance between repetitions of one motion; 0: no limit.",
          0, 1e6, 3),
-    whole(STLTSA_OPT_DIMENSION_ESTIMATE, STLTSA_CALL_DECOMPOSE, "dimension_estimate",
-          "Also estimate the intrinsic dimension of the embedded part.", 0, 1, 0),
     whole(STLTSA_OPT_SEGMENTS, STLTSA_CALL_DECOMPOSE, "segments",
           "Number of segments in motion, without rests; auto: as many as the behavior changes.", 1,
           10000, automatic),
