@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "linalg/simd.hpp"
 #include "motion/curve/statistics.hpp"
@@ -20,6 +21,8 @@ namespace {
 constexpr double slow = 0.25;
 constexpr double still = 0.15;
 constexpr double shortest_rest_s = 0.3;
+/// What covers less than the path of this time at the usual speed is no motion but noise.
+constexpr double min_path_s = 0.2;
 constexpr double shortest_action_s = 0.25;
 /// A rest away from home ends a motion only if it lasts longer than this; even then the motion may
 /// go on after it, up to the second limit, since arms may be held up.
@@ -165,14 +168,27 @@ std::vector<Rows> find_rests(const Signal& signal) {
     for (std::size_t i = 0; i < signal.speed.size(); ++i)
         level.push_back(signal.near_usual[i] > 0 ? signal.speed[i] / signal.near_usual[i] : 0);
     std::vector<Rows> rests;
+    const auto moved = [&](std::int64_t begin, std::int64_t end) {
+        return std::accumulate(level.begin() + begin, level.begin() + end, 0.0) >=
+               min_path_s * signal.rate;
+    };
     for (const motion::Rest& rest :
          motion::find_rests(level, {slow, shortest_rest_s * signal.rate, still})) {
         const Rows rows{static_cast<std::int64_t>(std::ceil(rest.begin)),
                         static_cast<std::int64_t>(std::ceil(rest.end))};
         if (std::any_of(level.begin() + rows.begin, level.begin() + rows.end,
-                        [](double each) { return each < still; }))
-            rests.push_back(rows);
+                        [](double each) { return each < still; })) {
+            if (const std::int64_t before = rests.empty() ? 0 : rests.back().end;
+                moved(before, rows.begin))
+                rests.push_back(rows);
+            else if (rests.empty())
+                rests.push_back({0, rows.end});
+            else
+                rests.back().end = rows.end;
+        }
     }
+    if (!rests.empty() && !moved(rests.back().end, signal.rows()))
+        rests.back().end = signal.rows();
     return rests;
 }
 

@@ -75,7 +75,25 @@ void trim(const std::vector<Rows>& rests, Growth& growth) {
     run.begin = begin;
 }
 
-/// Where the motion comes from rest or goes to rest, in the same posture.
+/// The rests beside the motion.
+struct Beside {
+    std::optional<Rows> before, after;
+};
+
+Beside rests_beside(const std::vector<Rows>& rests, const Growth& growth) {
+    const auto reach = static_cast<std::int64_t>(near_rest * growth.mean.period);
+    const std::int64_t begin = growth.run.begin, end = growth.run.end();
+    Beside beside;
+    for (const Rows& rest : rests) {
+        if (rest.begin < begin && std::abs(rest.end - begin) <= reach)
+            beside.before = rest;
+        if (rest.end > end && std::abs(rest.begin - end) <= reach && !beside.after)
+            beside.after = rest;
+    }
+    return beside;
+}
+
+/// A posture of rest through which the mean cycle passes.
 struct Home {
     double phase = 0;           ///< at which the mean cycle is in that posture
     std::optional<double> from; ///< row at which the motion leaves it
@@ -116,28 +134,23 @@ double turned(double from, double to) {
     return to - from - std::round(to - from);
 }
 
-std::optional<Home> home_of(const Signal& signal, const std::vector<Rows>& rests,
-                            const Growth& growth) {
-    const auto reach = static_cast<std::int64_t>(near_rest * growth.mean.period);
+std::optional<Home> home_of(const Signal& signal, const Beside& beside, const Growth& growth) {
     const auto posture = std::max<std::int64_t>(1, std::lround(posture_s * signal.rate));
-    const std::int64_t begin = growth.run.begin, end = growth.run.end();
     std::optional<Home> home;
-    const auto meet = [&](Rows rows, double phase, bool at_end, std::int64_t row) {
+    const auto meet = [&](Rows rows, double phase, std::int64_t row, auto end) {
         const auto at = phase_of_posture(signal, growth, rows);
         if (!at || std::abs(turned(*at, phase)) > near_rest)
             return;
         if (!home)
             home = Home{*at, {}, {}};
-        (at_end ? home->to : home->from) = static_cast<double>(row);
+        (*home).*end = static_cast<double>(row);
     };
-    for (const Rows& rest : rests) {
-        if (rest.begin < begin && std::abs(rest.end - begin) <= reach)
-            meet({std::max(rest.begin, rest.end - posture), rest.end}, growth.run.phase.front(),
-                 false, rest.end);
-        if (rest.end > end && std::abs(rest.begin - end) <= reach)
-            meet({rest.begin, std::min(rest.end, rest.begin + posture)}, growth.run.phase.back(),
-                 true, rest.begin);
-    }
+    if (beside.before)
+        meet({std::max(beside.before->begin, beside.before->end - posture), beside.before->end},
+             growth.run.phase.front(), beside.before->end, &Home::from);
+    if (beside.after)
+        meet({beside.after->begin, std::min(beside.after->end, beside.after->begin + posture)},
+             growth.run.phase.back(), beside.after->begin, &Home::to);
     return home;
 }
 
@@ -220,13 +233,12 @@ double preference_for(const Signal& signal, const Growth& growth, double margin)
     return count > 0 ? sum / count : 0;
 }
 
-/// As many whole cycles as the motion has turns, beginning at the preferred margin, or as near to it
-/// as this number allows.
+/// Cycles from one preferred margin to the next. A motion that is cut off at both ends has as many
+/// as it has whole turns: they begin as near to the margin as this allows. At a rest there are the
+/// first and the last steps instead (initial and final unit).
 std::vector<double> borders_at_margins(const Signal& signal, const Growth& growth,
-                                       const PhaseCurve& curve) {
+                                       const PhaseCurve& curve, bool cut_off) {
     const double first = growth.run.phase.front(), turns = growth.turns();
-    const double count = std::floor(turns + turn_tolerance);
-    const double room = std::max(0.0, turns - count);
     double preferred = first, most = -std::numeric_limits<double>::infinity();
     for (const double margin : margins_of(curve)) {
         const double phase = margin + curve.first_phase;
@@ -236,8 +248,12 @@ std::vector<double> borders_at_margins(const Signal& signal, const Growth& growt
         }
     }
     double after = preferred - first - std::floor(preferred - first);
-    if (after > room)
+    double count = std::floor(turns - after + turn_tolerance);
+    if (const double most = std::floor(turns + turn_tolerance); cut_off && count < most) {
+        const double room = std::max(0.0, turns - most);
         after = after - room < 1 - after ? room : 0;
+        count = most;
+    }
     std::vector<double> borders;
     for (double turn = 0; turn <= count; ++turn)
         borders.push_back(growth.row_of(first + after + turn));
@@ -301,8 +317,8 @@ CyclicStretch cut_stretch(const Signal& signal, const Stretch& stretch, Rows wit
     Growth& growth = cut.growth;
     if (growth.run.rows() > 1)
         trim(still.rests, growth);
-    const auto home = growth.run.rows() > 1 ? home_of(signal, still.rests, growth) : std::nullopt;
-    if (home)
+    const Beside beside = rests_beside(still.rests, growth);
+    if (const auto home = growth.run.rows() > 1 ? home_of(signal, beside, growth) : std::nullopt)
         cut.borders = borders_from_home(growth, *home);
     if (cut.borders.size() < 3 && growth.turns() < min_turns) {
         cut.doubt = format_text("a repetition after {:.2f} s lasts less than {} periods",
@@ -311,12 +327,12 @@ CyclicStretch cut_stretch(const Signal& signal, const Stretch& stretch, Rows wit
     }
     cut.phase = trace_phase(signal, growth, progress);
     if (cut.borders.size() < 2)
-        cut.borders = align_borders(signal, within, borders_at_margins(signal, growth, cut.phase),
+        cut.borders = align_borders(signal, within, borders_at_margins(signal, growth, cut.phase, !beside.before && !beside.after),
                                     progress.poll());
     for (std::vector<double>* curve : {&cut.phase.curve, &cut.phase.partner})
         *curve = leveled(motion::smooth(*curve, curve_smoothing * samples_per_period));
     if (getenv("DBG3")) { fprintf(stderr,"dev:"); for(std::size_t i=0;i<growth.deviation.size();++i) if(i<40||i+40>growth.deviation.size()) fprintf(stderr," %.2f:%.2f",growth.run.phase[i],growth.deviation[i]); fprintf(stderr,"\n");}
-    if (getenv("DBG")) { fprintf(stderr,"run %ld-%ld phase %.3f..%.3f T %.2f q %.2f curve cyc %.2f\n borders",(long)growth.run.begin,(long)growth.run.end(),growth.run.phase.front(),growth.run.phase.back(),growth.mean.period,stretch.quality,cut.phase.typical_cyclicity()); for(double b: cut.borders) fprintf(stderr," %.3f",b); fprintf(stderr,"\n unaligned"); if(!cut.phase.places.empty()) for(double b: borders_at_margins(signal,growth,cut.phase)) fprintf(stderr," %.3f",b); fprintf(stderr,"\n"); }
+    if (getenv("DBG")) { fprintf(stderr,"run %ld-%ld phase %.3f..%.3f T %.2f q %.2f curve cyc %.2f\n borders",(long)growth.run.begin,(long)growth.run.end(),growth.run.phase.front(),growth.run.phase.back(),growth.mean.period,stretch.quality,cut.phase.typical_cyclicity()); for(double b: cut.borders) fprintf(stderr," %.3f",b); fprintf(stderr,"\n unaligned"); if(!cut.phase.places.empty()) for(double b: borders_at_margins(signal,growth,cut.phase,!beside.before && !beside.after)) fprintf(stderr," %.3f",b); fprintf(stderr,"\n"); }
     cut.confidences = cycle_confidences(cut);
     if (getenv("DBG")) { for(double b: cut.confidences) fprintf(stderr," %.3f",b); fprintf(stderr,"\n");}
     cut.doubt = decide(still, signal.rate, cut);
