@@ -15,8 +15,10 @@ namespace {
 // Scores are per second.
 /// The match of repeated motion; below it, none is the better state.
 constexpr double none_score = 0.35;
-/// A lag must match better than some shorter lag by this: slow motion matches at any short lag.
+/// A lag must match better than some shorter lag by this: slow motion matches at any short lag. What
+/// it lacks counts so many times: once, and smooth noise has cycles.
 constexpr double least_rise = 0.5;
+constexpr double price_of_rise = 2;
 /// Price for each doubling of the lag, since multiples of a period match as well.
 constexpr double price_of_doubling = 0.05;
 /// Prices of a change of the lag by a factor of e, of a jump to any lag, and of beginning or
@@ -27,11 +29,15 @@ constexpr double price_of_border = 0.2;
 /// Most lags of the grid that the track moves at a time without a jump: 12 % in an eighth of a
 /// second.
 constexpr int most_move = 4;
-/// A shorter lag is the period if it matches nearly as well, after a clear minimum.
-constexpr double about_as_good = 0.2;
-constexpr double clear_minimum = 0.3;
-constexpr double shortest_fraction = 0.15;
-constexpr double longest_fraction = 0.9;
+/// A shorter lag is the period if it matches nearly as well, after a clear minimum, at half of the
+/// moments: a turn within a period is like itself only now and then, and a way there and back, of
+/// which strides are the period, interrupts them at its ends.
+constexpr double about_as_good = 0.15;
+constexpr double clear_minimum = 0.25;
+constexpr double shortest_fraction = 0.12;
+constexpr double longest_fraction = 0.8;
+/// Lags that differ more from one moment to the next, on a log scale, are of two stretches.
+constexpr double same_stretch = 0.15;
 /// Shorter lags than the shortest period are needed to see the match fall before it rises.
 constexpr double lags_below = 0.5;
 constexpr double least_lag_rows = 3;
@@ -78,7 +84,7 @@ void Tracker::score(std::int64_t time, std::vector<double>& scores) const {
             continue;
         const double rise = static_cast<double>(match) - static_cast<double>(lowest);
         scores[l - first_] =
-            dt_ * (static_cast<double>(match) - std::max(0.0, least_rise - rise) -
+            dt_ * (static_cast<double>(match) - price_of_rise * std::max(0.0, least_rise - rise) -
                    price_of_doubling * std::log2(map_.lags[l] / map_.lags[first_]));
     }
 }
@@ -132,10 +138,10 @@ std::vector<std::size_t> Tracker::path(const std::function<void()>& poll) {
     return path;
 }
 
-/// The match at a lag between those of the grid; NaN below the shortest.
+/// The match at a lag between those of the grid.
 double match_at(const LagMap& map, std::int64_t time, double lag) {
-    if (lag < map.lags.front())
-        return std::nan("");
+    if (lag <= map.lags.front())
+        return map.at(time, 0);
     if (lag >= map.lags.back())
         return map.at(time, map.lags.size() - 1);
     const auto above = static_cast<std::size_t>(
@@ -147,28 +153,31 @@ double match_at(const LagMap& map, std::int64_t time, double lag) {
 }
 
 /// The part of the tracked lags that is the period: 1, or less if a shorter one matches about as
-/// well over the whole stretch.
-double octave(const LagMap& map, std::int64_t first, const std::vector<double>& lags) {
-    const auto mean_match = [&](double fraction) {
-        double sum = 0;
+/// well most of the time.
+double octave(const LagMap& map, double shortest, std::int64_t first,
+              const std::vector<double>& lags) {
+    const auto usual_match = [&](double fraction) {
+        std::vector<double> matches;
         for (std::size_t i = 0; i < lags.size(); ++i)
-            sum += match_at(map, first + static_cast<std::int64_t>(i), fraction * lags[i]);
-        return sum / static_cast<double>(lags.size());
+            matches.push_back(
+                match_at(map, first + static_cast<std::int64_t>(i), fraction * lags[i]));
+        return motion::median(matches);
     };
     constexpr double step = 0.03;
-    const double needed = mean_match(1) - about_as_good;
-    double before = std::nan(""), here = before, lowest = 9, here_fraction = 0;
-    for (double x = std::log(shortest_fraction); x <= std::log(longest_fraction) + 2 * step;
-         x += step) {
-        const double after = mean_match(std::exp(x));
-        if (here_fraction > 0 && here_fraction <= longest_fraction && here >= before &&
-            here >= after && here >= needed && here - lowest >= clear_minimum)
-            return here_fraction;
+    const double needed = usual_match(1) - about_as_good;
+    const double below = map.lags.front() / motion::median(lags);
+    double before = -1, here = -1, lowest = 1, fraction = 0;
+    for (double x = std::log(std::max(shortest_fraction, below));
+         x <= std::log(longest_fraction) + 2 * step; x += step) {
+        const double after = usual_match(std::exp(x));
+        if (fraction > 0 && fraction <= longest_fraction && here >= before && here >= after &&
+            here >= needed && here - lowest >= clear_minimum &&
+            fraction * motion::median(lags) >= shortest)
+            return fraction;
         before = here;
         here = after;
-        here_fraction = std::exp(x);
-        if (!std::isnan(here))
-            lowest = std::min(lowest, here);
+        fraction = std::exp(x);
+        lowest = std::min(lowest, here);
     }
     return 1;
 }
@@ -197,7 +206,7 @@ Stretch make_stretch(const LagMap& map, std::size_t first_state, std::int64_t be
         lags.push_back(map.lags[lag]);
         matches.push_back(static_cast<double>(map.at(t, lag)));
     }
-    const double fraction = octave(map, begin, lags);
+    const double fraction = octave(map, map.lags[first_state], begin, lags);
     for (double& lag : lags)
         lag *= fraction;
     Stretch stretch;
@@ -245,11 +254,14 @@ PeriodTrack track_period(const Signal& signal, Rows range, const PeriodRange& pe
     const auto path = tracker.path(poll);
     for (std::int64_t t = 0; t < map.times;) {
         std::int64_t end = t;
-        while (end < map.times && path[static_cast<std::size_t>(end)] < tracker.states())
+        const auto lag = [&](std::int64_t time) { return path[static_cast<std::size_t>(time)]; };
+        while (end < map.times && lag(end) < tracker.states() &&
+               (end == t || std::abs(std::log(map.lags[first + lag(end)] /
+                                              map.lags[first + lag(end - 1)])) <= same_stretch))
             ++end;
         if (end > t)
             track.stretches.push_back(make_stretch(map, first, t, end, path, range));
-        t = end + 1;
+        t = std::max(end, t + 1);
     }
     return track;
 }
