@@ -70,8 +70,9 @@ double deviation_of(const Growth& growth, const Interval& cycle) {
     return sum / count;
 }
 
-/// On a log scale.
-double length_deviation(const std::vector<Interval>& cycles, std::size_t i) {
+/// On a log scale. A cycle at a rest lacks the time of the pauses between the others.
+double length_deviation(const CyclicStretch& cut, const std::vector<Interval>& cycles,
+                        std::size_t i) {
     const auto count = static_cast<std::ptrdiff_t>(cycles.size());
     const auto at = static_cast<std::ptrdiff_t>(i);
     const auto first = std::max<std::ptrdiff_t>(
@@ -79,7 +80,9 @@ double length_deviation(const std::vector<Interval>& cycles, std::size_t i) {
     std::vector<double> lengths;
     for (std::ptrdiff_t k = first; k < std::min(count, first + compared_lengths); ++k)
         lengths.push_back(cycles[static_cast<std::size_t>(k)].length());
-    return std::abs(std::log(cycles[i].length() / motion::median(lengths)));
+    const double deviation = std::log(cycles[i].length() / motion::median(lengths));
+    const bool at_rest = (i == 0 && cut.from_rest) || (i + 1 == cycles.size() && cut.to_rest);
+    return at_rest ? std::max(deviation, 0.0) : std::abs(deviation);
 }
 
 } // namespace
@@ -113,7 +116,7 @@ std::vector<double> cycle_confidences(const CyclicStretch& cut) {
                 ? 0
                 : logistic(base + of_deviation * std::log(deviation + min_deviation) +
                            of_turns * std::log(turns - no_turns) +
-                           of_length * length_deviation(cycles, i)));
+                           of_length * length_deviation(cut, cycles, i)));
     }
     return confidences;
 }

@@ -113,7 +113,7 @@ Part decide(const Signal& signal, Rows rows, const StillRows& still, const Perio
     refuse_nested(signal.rate, part.stretches);
     std::ranges::move(small, std::back_inserter(part.stretches));
     std::ranges::stable_sort(part.stretches, {},
-                             [](const CyclicStretch& cut) { return cut.stretch.rows.begin; });
+                             [](const CyclicStretch& cut) { return cut.growth.run.begin; });
     return part;
 }
 

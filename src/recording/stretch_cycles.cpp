@@ -22,14 +22,15 @@ namespace {
 constexpr double min_turns = 1.3;
 /// A cycle may lack so much of a turn: phases at the ends are not known better.
 constexpr double turn_tolerance = 0.02;
-/// The mean cycle passes through the posture of rest if its squared distance from it is at most this
-/// share of the variance of its poses,
-constexpr double same_posture = 0.25;
-/// and if it is slow there: share of its mean squared speed. Walks pass through the posture of
-/// standing with 0.7 and more, squats with less than 0.01, punches with 0.16.
-constexpr double slow_in_posture = 0.3;
-/// A motion begins at a rest if no more than this share of a cycle lies between.
-constexpr double near_rest = 0.25;
+/// The mean cycle passes through a posture of rest, and is slow there, if its squared distance from
+/// it, velocities included, is at most this share of its variance: 0.6 and more in walks, 0.15 in
+/// punches, less than 0.1 in squats.
+constexpr double same_posture = 0.3;
+/// A motion begins at a rest if no more than this share of a cycle lies between, and in its posture
+/// if the mean cycle is near it within this share of the phase there.
+constexpr double near_rest = 0.5;
+constexpr double near_phase = 0.25;
+constexpr std::int64_t posture_phases = 96;
 /// Time before and after a motion in which its posture of rest is read.
 constexpr double posture_s = 0.3;
 /// Sigma of the smoothing of the coordinate as a share of a cycle (motion/decompose.cpp).
@@ -85,9 +86,9 @@ Beside rests_beside(const std::vector<Rows>& rests, const Growth& growth) {
     const std::int64_t begin = growth.run.begin, end = growth.run.end();
     Beside beside;
     for (const Rows& rest : rests) {
-        if (rest.begin < begin && std::abs(rest.end - begin) <= reach)
+        if (rest.begin < begin && rest.end >= begin - reach)
             beside.before = rest;
-        if (rest.end > end && std::abs(rest.begin - end) <= reach && !beside.after)
+        if (rest.end > end && rest.begin <= end + reach && !beside.after)
             beside.after = rest;
     }
     return beside;
@@ -95,38 +96,22 @@ Beside rests_beside(const std::vector<Rows>& rests, const Growth& growth) {
 
 /// A posture of rest through which the mean cycle passes.
 struct Home {
-    double phase = 0;           ///< at which the mean cycle is in that posture
-    std::optional<double> from; ///< row at which the motion leaves it
-    std::optional<double> to;   ///< row at which it is back
+    double phase = 0; ///< at which the mean cycle is in that posture
+    /// Row and phase at which the motion leaves it, and at which it is back.
+    std::optional<std::pair<double, double>> from, to;
 };
 
-/// The phase at which the mean cycle is nearest to the mean pose of the rows, if it is near.
-std::optional<double> phase_of_posture(const Signal& signal, const Growth& growth, Rows rows) {
-    constexpr std::int64_t places = 96;
-    const std::int64_t cols = signal.cols();
-    std::vector<double> posture(static_cast<std::size_t>(cols));
+/// Squared distances of the mean cycle from standing in the mean pose of the rows, at equal phases.
+std::vector<double> distances_from(const Signal& signal, const phase::Loop& loop, Rows rows) {
+    std::vector<double> standing(static_cast<std::size_t>(loop.cols())); // velocities are 0
     for (std::int64_t i = rows.begin; i < rows.end; ++i)
-        axpy(1 / static_cast<double>(rows.count()), signal.poses.row(i), posture.data(), cols);
-    const Matrix cycle = growth.mean.loop.sampled(places);
-    std::vector<double> center(posture.size()), distances;
-    for (std::int64_t p = 0; p < places; ++p)
-        axpy(1.0 / places, cycle.row(p), center.data(), cols);
-    double variance = 0;
-    for (std::int64_t p = 0; p < places; ++p) {
-        variance += squared_distance(cycle.row(p), center.data(), cols) / places;
-        distances.push_back(squared_distance(cycle.row(p), posture.data(), cols));
-    }
-    const auto nearest = std::ranges::min_element(distances);
-    const double at = static_cast<double>(nearest - distances.begin()) / places;
-    std::vector<double> slope(static_cast<std::size_t>(growth.mean.loop.cols()));
-    double mean_speed = 0; // squared
-    for (std::int64_t p = 0; p < places; ++p) {
-        growth.mean.loop.slope(static_cast<double>(p) / places, slope.data());
-        mean_speed += dot(slope.data(), slope.data(), cols) / places;
-    }
-    growth.mean.loop.slope(at, slope.data());
-    const bool slow = dot(slope.data(), slope.data(), cols) < slow_in_posture * mean_speed;
-    return slow && *nearest < same_posture * variance ? std::optional(at) : std::nullopt;
+        axpy(1 / static_cast<double>(rows.count()), signal.poses.row(i), standing.data(),
+             signal.cols());
+    const Matrix cycle = loop.sampled(posture_phases);
+    std::vector<double> distances;
+    for (std::int64_t p = 0; p < posture_phases; ++p)
+        distances.push_back(squared_distance(cycle.row(p), standing.data(), loop.cols()));
+    return distances;
 }
 
 /// Difference of two phases, from -1/2 to 1/2.
@@ -136,38 +121,52 @@ double turned(double from, double to) {
 
 std::optional<Home> home_of(const Signal& signal, const Beside& beside, const Growth& growth) {
     const auto posture = std::max<std::int64_t>(1, std::lround(posture_s * signal.rate));
+    const phase::Run& run = growth.run;
     std::optional<Home> home;
-    const auto meet = [&](Rows rows, double phase, std::int64_t row, auto end) {
-        const auto at = phase_of_posture(signal, growth, rows);
-        if (!at || std::abs(turned(*at, phase)) > near_rest)
+    const auto meet = [&](Rows rows, std::int64_t row, auto end) {
+        const double phase =
+            row <= run.begin
+                ? run.phase.front() - static_cast<double>(run.begin - row) / growth.mean.period
+                : run.phase.back() + static_cast<double>(row - run.end()) / growth.mean.period;
+        const std::vector<double> distances = distances_from(signal, growth.mean.loop, rows);
+        double least = same_posture * growth.mean.loop.variance();
+        std::optional<double> at;
+        for (std::size_t p = 0; p < distances.size(); ++p) {
+            const double there = static_cast<double>(p) / posture_phases;
+            if (distances[p] <= least && std::abs(turned(phase, there)) <= near_phase) {
+                least = distances[p];
+                at = there;
+            }
+        }
+        if (!at)
             return;
         if (!home)
             home = Home{*at, {}, {}};
-        (*home).*end = static_cast<double>(row);
+        (*home).*end = {static_cast<double>(row), phase};
     };
     if (beside.before)
         meet({std::max(beside.before->begin, beside.before->end - posture), beside.before->end},
-             growth.run.phase.front(), beside.before->end, &Home::from);
+             beside.before->end, &Home::from);
     if (beside.after)
         meet({beside.after->begin, std::min(beside.after->end, beside.after->begin + posture)},
-             growth.run.phase.back(), beside.after->begin, &Home::to);
+             beside.after->begin, &Home::to);
     return home;
 }
 
 /// Cycles from the posture of rest to itself. The first leaves it with the rest, whatever the phase
 /// there, and the last ends with the next rest.
 std::vector<double> borders_from_home(const Growth& growth, const Home& home) {
-    const double first = growth.run.phase.front(), last = growth.run.phase.back();
-    const double begin = home.from ? std::round(first - home.phase) : std::ceil(first - home.phase);
-    const double end = home.to ? std::round(last - home.phase) : std::floor(last - home.phase);
+    const phase::Run& run = growth.run;
+    const double begin = home.from ? std::round(home.from->second - home.phase)
+                                   : std::ceil(run.phase.front() - home.phase);
+    const double end = home.to ? std::round(home.to->second - home.phase)
+                               : std::floor(run.phase.back() - home.phase);
     std::vector<double> borders;
     for (double turn = begin; turn <= end; ++turn)
-        borders.push_back(growth.row_of(home.phase + turn));
-    if (borders.empty())
-        return borders;
-    borders.front() = home.from.value_or(borders.front());
-    borders.back() = home.to.value_or(borders.back());
-    return borders;
+        borders.push_back(turn == begin && home.from ? home.from->first
+                          : turn == end && home.to   ? home.to->first
+                                                     : growth.row_of(home.phase + turn));
+    return std::ranges::is_sorted(borders) ? borders : std::vector<double>();
 }
 
 /// Phases at which the coordinate, averaged over the cycles, is steepest between its peaks and
@@ -282,6 +281,8 @@ std::string decide(const StillRows& still, double rate, CyclicStretch& cut) {
                            "{:.2f}), but the confidence of its {} is only {:.2f}",
                            seconds, cut.stretch.quality, sure.size() == 1 ? "cycle" : "cycles",
                            mean);
+    cut.from_rest = cut.from_rest && first == 0;
+    cut.to_rest = cut.to_rest && last == sure.size();
     cut.borders = {cut.borders.begin() + static_cast<std::ptrdiff_t>(first),
                    cut.borders.begin() + static_cast<std::ptrdiff_t>(last) + 1};
     sure = {sure.begin() + static_cast<std::ptrdiff_t>(first),
@@ -313,13 +314,18 @@ double CyclicStretch::period() const {
 
 CyclicStretch cut_stretch(const Signal& signal, const Stretch& stretch, Rows within,
                           const StillRows& still, RowProgress& progress) {
-    CyclicStretch cut{stretch, grow(signal, stretch, within, progress.poll()), {}, {}, {}, {}};
+    CyclicStretch cut;
+    cut.stretch = stretch;
+    cut.growth = grow(signal, stretch, within, progress.poll());
     Growth& growth = cut.growth;
     if (growth.run.rows() > 1)
         trim(still.rests, growth);
     const Beside beside = rests_beside(still.rests, growth);
-    if (const auto home = growth.run.rows() > 1 ? home_of(signal, beside, growth) : std::nullopt)
+    if (const auto home = growth.run.rows() > 1 ? home_of(signal, beside, growth) : std::nullopt) {
         cut.borders = borders_from_home(growth, *home);
+        cut.from_rest = home->from.has_value();
+        cut.to_rest = home->to.has_value();
+    }
     if (cut.borders.size() < 3 && growth.turns() < min_turns) {
         cut.doubt = format_text("a repetition after {:.2f} s lasts less than {} periods",
                                 motion::median(stretch.period) / signal.rate, min_turns);
