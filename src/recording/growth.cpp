@@ -176,10 +176,10 @@ class Grower {
                                             more.begin);
         };
         for (std::int64_t i = 0; i < fresh.rows(); ++i) {
-            double sum = 0;
+            std::vector<double> last; // the median, since single points may jump
             for (std::int64_t k = i + 1 - reach; k <= i; ++k)
-                sum += all[row(k)];
-            if (sum > max_deviation * static_cast<double>(reach))
+                last.push_back(all[row(k)]);
+            if (motion::median(last) > max_deviation)
                 return std::max<std::int64_t>(0, i + 1 - reach);
         }
         return fresh.rows();
