@@ -21,22 +21,27 @@ constexpr std::int64_t most_harmonics = 12;
 /// So many columns are solved at once, because to solve all would need a copy of all coefficients.
 constexpr std::int64_t columns_at_once = 4096;
 
-/// 1, cos(2 pi h phase), sin(2 pi h phase).
+/// 1, cos(2 pi h phase), sin(2 pi h phase); by the addition theorem, since cosines and sines are
+/// most of the time of a registration.
 void basis(double phase, std::int64_t harmonics, double* values) {
+    const double c = std::cos(turn * phase), s = std::sin(turn * phase);
     values[0] = 1;
+    double cosine = 1, sine = 0;
     for (std::int64_t h = 1; h <= harmonics; ++h) {
-        const double angle = turn * static_cast<double>(h) * phase;
-        values[h] = std::cos(angle);
-        values[harmonics + h] = std::sin(angle);
+        const double next = cosine * c - sine * s;
+        sine = sine * c + cosine * s;
+        values[h] = cosine = next;
+        values[harmonics + h] = sine;
     }
 }
 
 void basis_slope(double phase, std::int64_t harmonics, double* values) {
+    basis(phase, harmonics, values);
     values[0] = 0;
     for (std::int64_t h = 1; h <= harmonics; ++h) {
-        const double k = turn * static_cast<double>(h);
-        values[h] = -k * std::sin(k * phase);
-        values[harmonics + h] = k * std::cos(k * phase);
+        const double k = turn * static_cast<double>(h), cosine = values[h];
+        values[h] = -k * values[harmonics + h];
+        values[harmonics + h] = k * cosine;
     }
 }
 

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "linalg/gaussian.hpp"
 #include "linalg/simd.hpp"
 #include "motion/curve/statistics.hpp"
 
@@ -29,8 +28,6 @@ constexpr double growth_periods = 0.5;
 constexpr double periods_beyond = 3;
 /// Cycles at an end with which new rows are registered.
 constexpr double registered_again = 3;
-/// Sway that is slower than this many periods is no deviation.
-constexpr double slow_periods = 0.75;
 constexpr std::int64_t min_rows = 6;
 
 class Grower {
@@ -192,11 +189,20 @@ class Grower {
             for (std::int64_t c = 0; c < off.cols(); ++c)
                 off(i, c) = both_(run.begin + i, c) - off(i, c);
         }
-        const Matrix slow = gaussian_smoothed(off.view(), slow_periods * typical_, Beyond::nothing, 1, poll_);
-        std::vector<double> squares;
+        // Sway: what the poses are off over the period around, or beside the row at an end.
+        const auto period = std::min<std::int64_t>(run.rows(), std::max<std::int64_t>(1, std::llround(typical_)));
+        std::vector<double> squares, sway(static_cast<std::size_t>(poses_));
+        std::int64_t begin = 0, end = 0;
         for (std::int64_t i = 0; i < run.rows(); ++i) {
-            axpy(-1, slow.row(i), off.row(i), poses_);
-            squares.push_back(dot(off.row(i), off.row(i), off.cols()) / mean_.loop.variance());
+            const std::int64_t from = std::clamp<std::int64_t>(i - period / 2, 0, run.rows() - period);
+            for (; end < from + period; ++end)
+                axpy(1 / static_cast<double>(period), off.row(end), sway.data(), poses_);
+            for (; begin < from; ++begin)
+                axpy(-1 / static_cast<double>(period), off.row(begin), sway.data(), poses_);
+            const double all = dot(off.row(i), off.row(i), off.cols());
+            const double along = dot(off.row(i), sway.data(), poses_);
+            squares.push_back(std::max(0.0, all - 2 * along + dot(sway.data(), sway.data(), poses_)) /
+                              mean_.loop.variance());
         }
         return squares;
     }
