@@ -110,13 +110,13 @@ def columns(rng, turns, count=6, harmonics=4):
 
 
 def hand(rng, kind, seconds=30, rate=100):
-    """Millimeters; times and turns."""
+    """Millimeters; times and turns; loops within a turn of a spiral."""
     period = {"to and fro": rng.uniform(0.8, 1.3), "there and back": rng.uniform(2.2, 3.2),
               "spiral": rng.uniform(3.2, 4.2)}[kind]
     times, turns = clock(rng, seconds, rate, period, 0.05)
     size = 1 + 0.05 * smooth_noise(rng, times, period)
     swing = (1 - np.cos(2 * np.pi * turns)) / 2
-    x, y = np.zeros(len(times)), np.zeros(len(times))
+    loops = rng.integers(3, 7)
     if kind == "to and fro":
         x = 150 * np.cos(2 * np.pi * turns)
         y = 0.1 * x * np.sin(2 * np.pi * turns)
@@ -124,7 +124,6 @@ def hand(rng, kind, seconds=30, rate=100):
         angle = 2 * np.pi * rng.uniform(0.85, 1) * swing
         x, y = 120 * np.cos(angle), 120 * np.sin(angle)
     else:
-        loops = rng.integers(3, 7)
         radius = 20 + 110 * swing
         angle = 2 * np.pi * loops * turns + 0.15 * smooth_noise(rng, times, period)
         x, y = radius * np.cos(angle), radius * np.sin(angle)
@@ -132,7 +131,7 @@ def hand(rng, kind, seconds=30, rate=100):
     rows = size[:, None] * np.stack([x, depth, y], 1)
     rows += np.stack([8 * smooth_noise(rng, times, 3) for _ in "xyz"], 1)
     turn = about(0, np.array([rng.uniform(0, 360)]))[0] @ about(2, np.array([rng.uniform(0, 360)]))[0]
-    return rows @ turn.T + (300, 250, 1500) + 0.3 * rng.normal(size=rows.shape), times, turns
+    return rows @ turn.T + (300, 250, 1500) + 0.3 * rng.normal(size=rows.shape), times, turns, loops
 
 
 def walk(body, turns, heading=None, treadmill=False):

@@ -177,6 +177,14 @@ def near(a, b, share=0.1):
     return a is not None and b is not None and abs(a / b - 1) <= share
 
 
+def numbers(answer):
+    """Periods that an answer names, in figures or in words."""
+    words = " ".join([answer["reason"] or "", *(w["text"] for w in answer["warnings"]),
+                      *(s["reason"] or "" for s in answer["segments"])])
+    found = [s[key] for s in answer["segments"] for key in ("period_s", "candidate_period_s")]
+    return [*found, *map(float, re.findall(r"([0-9]+\.?[0-9]*) s", words))]
+
+
 def kinds(answer):
     return ", ".join(f"{s['kind']} {s['count']}" + (f" of {s['period_s']:.2f} s" if s["period_s"] else "")
                      + f" ({s['confidence']:.2f})" for s in answer["segments"]) or answer["reason"]

@@ -14,7 +14,7 @@ def repetitions(run):
                               ("raw columns, back to back", None, True),
                               ("raw columns, with pauses", (0.3, 1), True)):
         for kind in made.ACTIONS:
-            for i, rng in run.cases(38 if not raw else 19, what, kind):
+            for i, rng in run.cases(38, what, kind):
                 count, rate = 2 + i % 19, float(rng.choice([30, 50, 60, 100]))
                 points, begins, ends = made.repetitions(rng, kind, count, pauses, rate)
                 options = []
@@ -121,7 +121,7 @@ def hands(run):
     """Hands that move to and fro, in a circle there and back, in a spiral."""
     for kind in ("to and fro", "there and back", "spiral"):
         for i, rng in run.cases(16, kind):
-            rows, times, turns = made.hand(rng, kind)
+            rows, times, turns, _ = made.hand(rng, kind)
             names = ["hand_x", "hand_y", "hand_z"]
             path = run.table(kind, rows, None, names)
             metres = run.table(f"{kind} m", rows / 1000, None, names)
