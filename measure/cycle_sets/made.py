@@ -5,65 +5,48 @@ import numpy as np
 from recording.body import about
 from recording.motions import minimum_jerk, smooth_noise
 
-# Forward, left, up, of the left side; those of the right are mirrored.
+# Forward, left, up of the left side and the middle; points of the right side are mirrored.
 STAND = {"Ankle": (0, 0.10, 0.08), "Knee": (0.02, 0.10, 0.50), "Hip": (0, 0.10, 0.95),
          "Shoulder": (0, 0.19, 1.45), "Elbow": (0, 0.24, 1.15), "Wrist": (0.05, 0.22, 0.92),
          "Head": (0, 0, 1.70), "Sacrum": (-0.1, 0, 1.0)}
-SQUAT = {"Knee": (0.25, 0.05, -0.08), "Hip": (-0.2, 0, -0.42), "Shoulder": (0.05, 0, -0.45),
-         "Elbow": (0.3, 0, -0.3), "Wrist": (0.55, 0, 0.05), "Head": (0.1, 0, -0.45),
-         "Sacrum": (-0.25, 0, -0.42)}
-NAMES = [side + name for name in STAND for side in ("L", "R") if name not in ("Head", "Sacrum")]
-NAMES += ["Head", "Sacrum"]
-# Shortest and longest duration in seconds; shares of it to rise and to fall.
-ACTIONS = {"squat": (1.6, 2.6, 0.45, 0.47), "jack": (0.9, 1.3, 0.46, 0.46), "bow": (1.8, 3, 0.4, 0.45)}
-
-
-def squat(name, at, legs, arms):
-    share = arms if name in ("Elbow", "Wrist") else legs
-    bent = 0.04 * legs * (1 - legs) * (name != "Ankle")
-    return at + share[:, None] * np.array(SQUAT.get(name, (0, 0, 0))) + bent[:, None]
-
-
-def jack(name, at, legs, arms):
-    """The arms swing up at the sides, the legs apart; two hops."""
-    out = np.zeros((len(legs), 3))
-    out[:, 1] = legs * {"Ankle": 0.25, "Knee": 0.14, "Hip": 0.02}.get(name, 0)
-    out[:, 2] = 0.3 * legs * (1 - legs)
-    if name in ("Elbow", "Wrist"):
-        reach = STAND["Shoulder"][2] - at[2]
-        angle = np.radians(160) * arms
-        out[:, 1] += reach * np.sin(angle)
-        out[:, 2] += reach * (1 - np.cos(angle))
-    return at + out
-
-
-def bow(name, at, legs, arms):
-    """The trunk turns about the hips, which move back."""
-    moved = np.tile(np.array(at, float), (len(legs), 1))
-    if name not in ("Ankle", "Knee"):
-        angle = np.radians(60) * legs
-        up = at[2] - STAND["Hip"][2]
-        turned = np.radians(20) * arms if name in ("Elbow", "Wrist") else 0
-        if name not in ("Hip", "Sacrum"):
-            moved[:, 0] = at[0] * np.cos(angle) + up * np.sin(angle + turned)
-            moved[:, 2] = STAND["Hip"][2] + up * np.cos(angle + turned) - at[0] * np.sin(angle)
-        moved[:, 0] -= 0.1 * legs
-    return moved
+POINTS = [(side + name, name) for name in STAND for side in ("L", "R") if name not in ("Head", "Sacrum")]
+POINTS += [("Head", "Head"), ("Sacrum", "Sacrum")]
+NAMES = [full for full, _ in POINTS]
+# Shortest and longest duration in seconds, shares of it to rise and to fall, and for each point the
+# way to the other end, and from its middle to the arc.
+ACTIONS = {
+    "squat": (1.6, 2.6, 0.45, 0.47, {
+        "Knee": ((0.25, 0.05, -0.08), (0.02, 0, 0.02)), "Hip": ((-0.2, 0, -0.42), (-0.03, 0, 0)),
+        "Shoulder": ((0.05, 0, -0.45), (0.03, 0, 0)), "Elbow": ((0.3, 0, -0.3), (0.05, 0.02, -0.05)),
+        "Wrist": ((0.55, 0, 0.05), (0.1, 0, -0.15)), "Head": ((0.1, 0, -0.45), (0.05, 0, 0)),
+        "Sacrum": ((-0.25, 0, -0.42), (-0.03, 0, 0))}),
+    "jack": (0.9, 1.3, 0.46, 0.46, {
+        "Ankle": ((0, 0.25, 0), (0, 0, 0.06)), "Knee": ((0, 0.14, -0.02), (0, 0, 0.06)),
+        "Hip": ((0, 0.02, -0.04), (0, 0, 0.07)), "Shoulder": ((0, 0, -0.02), (0, 0, 0.07)),
+        "Elbow": ((0, 0.1, 0.6), (0, 0.3, 0.07)), "Wrist": ((0, 0.02, 1.1), (0, 0.6, 0.07)),
+        "Head": ((0, 0, -0.04), (0, 0, 0.07)), "Sacrum": ((0, 0, -0.04), (0, 0, 0.07))}),
+    "bow": (1.8, 3, 0.4, 0.45, {
+        "Knee": ((-0.02, 0, 0), (0, 0, 0)), "Hip": ((-0.1, 0, -0.01), (0, 0, 0)),
+        "Shoulder": ((0.35, 0, -0.25), (0.03, 0, 0.08)), "Elbow": ((0.3, 0, -0.25), (-0.02, 0, 0.08)),
+        "Wrist": ((0.25, 0, -0.25), (-0.04, 0, 0.05)), "Head": ((0.55, 0, -0.4), (0.05, 0, 0.12)),
+        "Sacrum": ((-0.12, 0, 0.03), (0, 0, 0))}),
+}
 
 
 def pose(kind, legs, arms):
-    """Frames x 3 for each of NAMES."""
-    move = {"squat": squat, "jack": jack, "bow": bow}[kind]
-    points = []
-    for full in NAMES:
-        name = full if full in STAND else full[1:]
-        points.append(move(name, np.array(STAND[name]), legs, arms) * (1, -1 if full[0] == "R" else 1, 1))
-    return np.stack(points, 1)
+    """Frames x points x 3; `legs` and `arms` go from 0, standing, to 1."""
+    places = []
+    for full, name in POINTS:
+        way, arc = np.array(ACTIONS[kind][4].get(name, np.zeros((2, 3))))
+        share = (arms if name in ("Elbow", "Wrist") else legs)[:, None]
+        place = STAND[name] + share * way + 4 * share * (1 - share) * arc
+        places.append(place * (1, -1 if full[0] == "R" else 1, 1))
+    return np.stack(places, 1)
 
 
 def still(rng, times, sway, breath, noise):
     """Sway and breathing of a body (deviations in meters), and noise of its points."""
-    height = np.array([STAND[n if n in STAND else n[1:]][2] for n in NAMES])
+    height = np.array([STAND[name][2] for _, name in POINTS])
     sways = np.stack([smooth_noise(rng, times, 1.3) for _ in "xy"], 1)
     out = np.zeros((len(times), len(NAMES), 3))
     out[:, :, :2] = sway * sways[:, None] * (height / 1.7)[:, None]
@@ -76,7 +59,7 @@ def still(rng, times, sway, breath, noise):
 
 def repetitions(rng, kind, count, pauses, rate):
     """Frames x points x 3; begins and ends in seconds. From standing to standing."""
-    shortest, longest, rise, fall = ACTIONS[kind]
+    shortest, longest, rise, fall, _ = ACTIONS[kind]
     lengths = rng.uniform(shortest, longest) * np.exp(0.04 * rng.normal(size=count))
     sizes = 1 + 0.05 * rng.normal(size=count)
     before, after = rng.uniform(0.8, 3, 2)

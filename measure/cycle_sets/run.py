@@ -73,13 +73,15 @@ class Run:
 
     def end(self):
         for row in self.rows.values():
+            if not any(row.values):
+                continue
             figures = [row.figure(b)[1] for b in range(len(self.builds))]
             passed = row.passed()
             verdict = {None: "", True: "pass", False: "FAIL"}[passed]
             self.counted += passed is not None
             if passed is False:
                 self.missed.append(f"{self.name}: {row.what}")
-            line = [f"{self.name:<12}", f"{row.what:<48}", *(f"{f:>16}" for f in figures),
+            line = [f"{self.name:<12}", f"{row.what:<58}", *(f"{f:>16}" for f in figures),
                     f"{row.limit_text():>16}", verdict]
             print(" | ".join(line).rstrip(" |"), flush=True)
 
@@ -134,9 +136,10 @@ class Run:
 
     # ---- Cycles ----
 
-    def judge(self, build, answer, pieces):
-        """(right, wrong) cycles. `pieces` are pairs of times and turns; a cycle is right if it lasts
-        one turn within 15 %, about as long as it lies in a piece, and overlaps none."""
+    def judge(self, build, answer, pieces, what="", limit=0.97, wrong_limit=0):
+        """Adds rows of cycles, right and wrong, and returns whether none is lost or wrong. `pieces`
+        are pairs of times and turns. A cycle is right if it lasts one turn within 15 %, lies in a
+        piece by half of it, and does not begin before the end of the last one."""
         right, last = 0, -np.inf
         for cycle in answer["cycles"]:
             a, b = cycle["begin_s"], cycle["end_s"]
@@ -144,7 +147,10 @@ class Run:
             last = b
             right += ok
             self.said[build].append((cycle["confidence"], ok))
-        return right, len(answer["cycles"]) - right
+        possible, wrong = whole(pieces), len(answer["cycles"]) - right
+        self.row(f"{what}cycles", limit).add(build, right, possible)
+        self.row(f"{what}wrong ones", wrong_limit, "of", True).add(build, wrong, max(possible, 1))
+        return right >= possible and not wrong
 
 
 def inside(times, turns, a, b):
