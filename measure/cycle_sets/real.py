@@ -9,7 +9,7 @@ import sys
 import measuring
 import numpy as np
 
-from .run import EMPTY, counted, cyclic, kinds, near
+from .run import counted, cyclic, kinds, near
 from .synthetic import phase_error
 
 # Seconds from strike to strike, from the ankles (measure/clips).
@@ -75,44 +75,49 @@ def hands(run):
     for _, row in run.half(labels("hands.csv")):
         marks = numbers_of(row["begins"])
         source = measuring.DATA / "hands" / f"{row['file']}.csv"
-        columns = np.loadtxt(source, delimiter=",", skiprows=1)
+        columns = np.genfromtxt(source, delimiter=",", skip_header=1)  # some cells are empty
         names, options = source.read_text().split("\n")[0].split(","), ["--fps", 100]
-        others = [[counted(a) for _, a in run.ask(run.table("hand", changed, None, names), *options)]
-                  for changed in (columns / 1000, columns + (5000, -3000, 800))]
+        others = [[counted(a) for _, a in run.ask(run.table("hand", moved, None, names), *options)]
+                  for moved in (columns / 1000, columns + (5000, -3000, 800))]
         for build, answer in run.ask(source, *options):
             count, turns = sum(s["count"] for s in cyclic(answer)), len(marks) - 1
-            run.judge(build, answer, [(marks / 100, np.arange(len(marks)))])
-            period = (marks[-1] - marks[0]) / 100 / turns
-            good = abs(count - turns) <= 1 and near(answer["period_s"], period)
+            period = (marks[-1] - marks[0]) / turns
+            further = [m for m in (marks[0] - period, *marks, marks[-1] + period) if 0 <= m < len(columns)]
+            run.judge(build, answer, [(np.array(further) / 100, np.arange(len(further)))])
+            good = turns - 1 <= count <= len(marks) + 1 and near(answer["period_s"], period / 100)
             same = all(other[build] == counted(answer) for other in others)
             run.row("count within one, and period", 1).add(build, good, 1)
             run.row("the same in meters and elsewhere", 1).add(build, same, 1)
-            error = phase_error(run, build, source, options, marks / 100, np.arange(len(marks))) if good else 50
+            error = 50
+            if good:
+                error = phase_error(run, build, source, options, marks / 100, np.arange(len(marks)))
             run.row("phase within 1 % at the median: files", "before").add(build, error <= 1, 1)
             if good:
                 run.row("phase: mean of the medians", 1, "mean", True, " %").add(build, error)
-            run.note(build, good and same and error <= 1, source, f"{turns} of {period:.2f} s: {kinds(answer)}"
-                     f"; {error:.2f} %; others {[other[build] for other in others]}")
+            run.note(build, good and same and error <= 1, source,
+                     f"{turns} of {period / 100:.2f} s: {kinds(answer)}; "
+                     f"{error:.2f} %; others {[other[build] for other in others]}")
 
 
 def imu(run):
     """Angular velocities: strides of two walks, placed against the strikes of one foot."""
     for _, row in run.half(labels("imu.csv")):
-        walk = [(int(row["walk_begin"]), int(row["turn_begin"])), (int(row["turn_end"]), int(row["walk_end"]))]
+        walks = [("walk_begin", "turn_begin"), ("turn_end", "walk_end")]
         feet = []
         for foot in ("left", "right"):
             strikes = numbers_of(row[f"{foot}_strikes"])
-            parts = [strikes[(strikes >= a - 10) & (strikes <= b + 10)] / 100 for a, b in walk]
+            parts = [strikes[(strikes >= int(row[a]) - 10) & (strikes <= int(row[b]) + 10)] / 100
+                     for a, b in walks]
             feet.append([(part, np.arange(len(part))) for part in parts if len(part) > 1])
         path = measuring.DATA / "imu" / f"{row['file']}.csv"
         for build, answer in run.ask(path, "--fps", 100):
             right = run.judge(build, answer, feet[0], "", "before", 0.02)
-            spread = [scatter([c["begin_s"] for c in answer["cycles"]], pieces) for pieces in feet]
-            for segment in cyclic(answer):
-                starts = [c["begin_s"] for c in answer["cycles"] if segment["begin_s"] <= c["begin_s"] < segment["end_s"]]
-                within = [scatter(starts, pieces) for pieces in feet]
-                if not np.isnan(within).any():
-                    run.row("SD of the starts of a segment: mean", 20, "mean", True, " ms").add(build, min(within))
+            starts = [c["begin_s"] for c in answer["cycles"]]
+            spread = [scatter(starts, pieces) for pieces in feet]
+            for pieces in zip(*feet):
+                within = min(scatter(starts, [piece]) for piece in pieces)
+                if not np.isnan(within):
+                    run.row("SD of the starts in one walk: mean", 20, "mean", True, " ms").add(build, within)
             if answer["cycles"]:
                 run.row("SD of the starts: mean", 20, "mean", True, " ms").add(build, min(spread))
                 run.row("SD of the starts: worst", "before", "worst", True, " ms").add(build, min(spread))
@@ -145,7 +150,8 @@ def cases(run):
         lengths = [s["end_s"] - s["begin_s"] for s in answer["steps"]]
         run.row("steps_sym: steps", None, "sum").add(build, len(lengths))
         if lengths:
-            run.row("steps_sym: longest less shortest", 2, "worst", True, " ms").add(build, 1000 * np.ptp(lengths))
+            run.row("steps_sym: longest less shortest", 2, "worst", True, " ms").add(
+                build, 1000 * np.ptp(lengths))
 
 
 def steps(run):
@@ -154,11 +160,13 @@ def steps(run):
         return
     for _, path in run.half(sorted((measuring.DATA / "markers").glob("*.c3d"))):
         for build, folder in enumerate(run.builds):
-            done = subprocess.run([sys.executable, "-c", BINDING, folder.parent, folder, path], check=False,
-                                  capture_output=True, text=True)
-            found = json.loads(done.stdout) if done.returncode == 0 else {"events": [], "answers": [EMPTY] * 2}
+            done = subprocess.run([sys.executable, "-c", BINDING, folder.parent, folder, path],
+                                  check=False, capture_output=True, text=True)
+            found = {"events": [], "answers": []}
             if done.returncode:
-                print(done.stderr[-300:])
+                print(f"    {path.name}: {done.stderr[-300:]}")
+            else:
+                found = json.loads(done.stdout)
             strikes = sorted((s, foot) for foot, s in map(heel_strike, found["events"]) if foot)
             for what, answer in zip(("with events", "without"), found["answers"]):
                 name = f"{path.stem[:12]}, {what}"
@@ -168,9 +176,11 @@ def steps(run):
                 run.row(f"{name}: steps", None, "sum").add(build, len(answer["steps"]))
                 if sides["L"] and sides["R"]:
                     (left, true_left), (right, true_right) = (np.mean(sides[s], 0) for s in "LR")
-                    said, true = ((200 * (r - l) / (r + l)) for l, r in ((left, right), (true_left, true_right)))
+                    said = 200 * (right - left) / (right + left)
+                    true = 200 * (true_right - true_left) / (true_right + true_left)
                     run.row(f"{name}: asymmetry", None, "mean", False, " %").add(build, said)
-                    run.row(f"{name}: true asymmetry of these steps", None, "mean", False, " %").add(build, true)
+                    run.row(f"{name}: true asymmetry of these steps", None, "mean", False, " %").add(
+                        build, true)
                     run.row(f"{name}: asymmetry off by", 2, "mean", True, " %").add(build, abs(said - true))
                     run.row(f"{name}: step times off by", 10, "worst", True, " ms").add(
                         build, 1000 * max(abs(left - true_left), abs(right - true_right)))

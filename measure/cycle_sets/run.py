@@ -14,8 +14,9 @@ WRONG = 0.15  # of a period
 
 
 class Row:
-    """One figure of each build. `kind`: "of" adds pairs (got, possible); else the name of a
-    function over the values; "trust" compares confidences with the share right. `limit`: a number, or "before"; of the share, if `kind` is "of"."""
+    """One figure of each build. `kind`: "of" adds pairs (got, possible); "trust" compares confidences
+    with the share right; else the name of a function over the values. `limit`: a number, of the share
+    if `kind` is "of", or "before"."""
 
     KINDS = {"median": np.median, "worst": np.max, "mean": np.mean, "sum": np.sum,
              "p95": lambda v: np.quantile(v, 0.95)}
@@ -53,8 +54,9 @@ class Row:
     def limit_text(self):
         sign = "at most " if self.most else "at least "
         percent = self.kind == "of" and self.limit not in (None, "before")
-        return "" if self.limit is None else sign + (f"{100 * self.limit:g} %" if percent
-                                                     else f"{self.limit}{self.unit * (self.limit != 'before')}")
+        unit = self.unit if self.limit != "before" else ""
+        text = f"{100 * self.limit:g} %" if percent else f"{self.limit}{unit}"
+        return "" if self.limit is None else sign + text
 
 
 class Run:
@@ -118,7 +120,9 @@ class Run:
         if rate:
             rows = np.column_stack([np.arange(len(rows)) / rate, rows])
             names = ["time", *names]
-        np.savetxt(path, rows, "%.6g", ",", header=",".join(names) if names else "", comments="")
+        with open(path, "w", encoding="ascii") as file:
+            file.write(",".join(names) + "\n" if names else "")
+            np.savetxt(file, rows, "%.6g", ",")
         return path
 
     def command(self, build, *words):

@@ -93,7 +93,8 @@ def ramps(run):
                 path, options = run.table("ramp", rows + 0.05 * rng.normal(size=rows.shape)), ["--fps", 60]
             else:
                 points, names = made.walk(run.body, turns)
-                path, options = run.table("ramp", points + 0.003 * rng.normal(size=points.shape), 60, names), []
+                points += 0.003 * rng.normal(size=points.shape)
+                path, options = run.table("ramp", points, 60, names), []
             for build, answer in run.ask(path, *options):
                 right = run.judge(build, answer, [(times, turns)], f"{first} to {last} s: ", 0.98)
                 run.note(build, right, path, f"{turns[-1] - turns[0]:.1f}: {kinds(answer)}")
@@ -157,7 +158,8 @@ def acyclic(run):
         times = np.arange(round(rng.uniform(10, 40) * 30)) / 30
         legs = np.maximum(0.3 + 0.12 * smooth_noise(rng, times, 1.5), 0)
         points = made.pose("bow", legs, legs) + made.still(rng, times, 0.03, 0.004, 0.001)
-        none(run, run.table("sway", points, 30, made.NAMES), "shifting of weight: clips with cycles", limit=0.05)
+        path = run.table("sway", points, 30, made.NAMES)
+        none(run, path, "shifting of weight: clips with cycles", limit=0.05)
 
 
 def none(run, path, what, *options, limit=0.01):

@@ -20,7 +20,8 @@ def gait(run):
         period, fps = rng.uniform(0.8, 1.5), int(rng.choice([30, 60, 100, 120]))
         settings = {"--fps": fps, "--cycles": rng.integers(2, 10), "--period": period,
                     "--noise": rng.choice([0, 1, 3]), "--seed": i, "--stride": rng.uniform(0.6, 1.2),
-                    "--ramp": rng.choice([0, 0.2]), "--turn": rng.choice([0, 30]), "--stand": rng.uniform(0, 2)}
+                    "--ramp": rng.choice([0, 0.2]), "--turn": rng.choice([0, 30]),
+                    "--stand": rng.uniform(0, 2)}
         path = run.path("walk", ".bvh")
         subprocess.run([run.builds[-1] / "tests" / "walker" / "stltsa-walker", "-o", path,
                         *[str(word) for pair in settings.items() for word in pair]], check=True)
@@ -56,7 +57,8 @@ def crops(run):
         else:
             path = run.path("crop", ".bvh")
             rows = run.body.stand + run.body.walking(turns)
-            run.body.write(path, rows + 0.5 * rng.normal(size=rows.shape) * (np.arange(rows.shape[1]) > 2), fps)
+            rows[:, 3:] += 0.5 * rng.normal(size=rows[:, 3:].shape)
+            run.body.write(path, rows, fps)
             cropped(run, "skeleton", path, period, times, turns)
     walks = [("walk_normal_007", 1.069), ("walk_feminine_007", 1.091), ("run_normal_007", 0.774),
              ("walk_active_007", 0.953)]
@@ -88,8 +90,8 @@ def cropped(run, what, path, period, times, turns):
                     build, moved > 0.1 + needed, 1)
                 limit = "before" if what == "recorded" else 0.02
                 run.row(f"{what}: crops that lose a whole cycle", limit, "of", True).add(build, lost > 0, 1)
-                run.note(build, lost <= 0 and moved <= 0.1 + needed, path, f"{first}-{last}: {kinds(answer)}; "
-                         f"moved {100 * moved:.0f} %, needed {100 * needed:.0f} %, lost {lost}")
+                run.note(build, lost <= 0 and moved <= 0.1 + needed, path,
+                         f"{first}-{last}: {kinds(answer)}; moved {100 * moved:.0f} %, needed {100 * needed:.0f} %, lost {lost}")
 
 
 def waves(run):
@@ -171,31 +173,32 @@ def timing(run):
     run.body.write(long, mixture.rows, mixture.fps)
     hand = run.table("hand", hand)
 
-    def cost(words, repeats=7):
-        """Median CPU seconds of each build, without the start of the program."""
-        seconds = [[] for _ in run.builds]
+    def cost(commands, repeats):
+        """Median CPU seconds of each command and build, in turns, without the start of the program."""
+        seconds = [[[] for _ in run.builds] for _ in range(len(commands) + 1)]
         for _ in range(repeats):
-            for build, each in enumerate(seconds):
-                before = resource.getrusage(resource.RUSAGE_CHILDREN)
-                run.command(build, *words)
-                after = resource.getrusage(resource.RUSAGE_CHILDREN)
-                each.append(after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime)
-        return [statistics.median(each) for each in seconds]
+            for each, words in zip(seconds, [["--version"], *commands]):
+                for build, spent in enumerate(each):
+                    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+                    run.command(build, *words)
+                    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+                    spent.append(after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime)
+        start, *others = [[statistics.median(spent) for spent in each] for each in seconds]
+        return [[s - s0 for s, s0 in zip(each, start)] for each in others]
 
-    start = cost(["--version"], 15)
     short = {"walk": walk, "skeleton": skeleton, "hand": hand, "squats": squats}
-    for name, path in {**short, "recording of 3 min": long}.items():
-        spent = [c - s for c, s in zip(cost(["decompose", path, "--json", *(["--fps", 100] * (path == hand))],
-                                            3 if path == long else 9), start)]
-        limit = 1.0 if path == long else 0.8
-        for build, seconds in enumerate(spent):
-            run.row(f"decompose: {name}", None, "mean", True, " ms").add(build, 1000 * seconds)
-            if len(spent) > 1 and build:
-                what = "recordings" if path == long else "short clips"
-                run.row(f"{what}: share of the time before", limit, "mean", True).add(build, seconds / spent[0])
-    base = cost(["decompose", skeleton, "--json"], 9)
-    for words in (["events", skeleton, "--mark", "200=x", "--json"], ["compare", skeleton, "--json"],
-                  ["fit", skeleton, "-o", run.path("model", ".stltsa")]):
-        for build, (seconds, one) in enumerate(zip(cost(words, 9), base)):
-            run.row(f"{words[0]} of 5 s: times decompose", 2, "mean", True).add(
-                build, (seconds - start[build]) / (one - start[build]))
+    spent = cost([["decompose", path, "--json", *(["--fps", 100] * (path == hand))]
+                  for path in short.values()], 15)
+    spent += cost([["decompose", long, "--json"]], 5)
+    for name, seconds in zip([*short, "recording of 3 min"], spent):
+        for build, each in enumerate(seconds):
+            run.row(f"decompose: {name}", None, "mean", True, " ms").add(build, 1000 * each)
+        what, limit = ("short clips", 0.8) if name in short else ("recordings", 1.0)
+        if len(seconds) > 1:
+            run.row(f"{what}: share of the time before", limit, "mean", True).add(1, seconds[1] / seconds[0])
+    words = [["events", skeleton, "--mark", "200=x", "--json"], ["compare", skeleton, "--json"],
+             ["fit", skeleton, "-o", run.path("model", ".stltsa")]]
+    base, *others = cost([["decompose", skeleton, "--json"], *words], 15)
+    for (name, *_), seconds in zip(words, others):
+        for build, each in enumerate(seconds):
+            run.row(f"{name} of 5 s: times decompose", 2, "mean", True).add(build, each / base[build])
