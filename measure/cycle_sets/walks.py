@@ -135,12 +135,13 @@ def nested(run):
     for i, rng in run.cases(32, "walk"):
         ways, strides, turn = int(rng.choice([2, 4])), rng.uniform(1.5, 5), rng.uniform(0.5, 1.5)
         period, fps, jitter = rng.uniform(0.95, 1.25), 50, 0.02
-        if i // 2 % 2:  # closed: a whole number of strides, and the last turn leads into the first frame
+        closed = i // 2 % 2
+        if closed:  # a whole number of strides, and the last turn leads into the first frame
             ways, turn, jitter = 2, 0.9, 0
             strides = np.ceil(2 * strides) / 2 - turn / period
         times, turns = made.clock(rng, ways * (strides * period + turn), fps, period, jitter)
         heading = np.zeros(len(times))
-        for way in range(1, ways + i // 2 % 2):
+        for way in range(1 - closed, ways + closed):
             heading += 180 * made.minimum_jerk((times - way * (strides * period + turn)) / turn + 0.5)
         points, names = made.walk(run.body, turns, heading)
         points += 0.003 * rng.normal(size=points.shape)
