@@ -173,11 +173,14 @@ def nested(run):
 def timing(run):
     """CPU time of decompose beside the build before, and of other commands beside decompose."""
     rng = np.random.default_rng(1)
-    points, names = made.walk(run.body, np.arange(500) / 110)
-    walk = run.table("walk", points, 100, names)
+    turns = made.clock(rng, 5, 120, 1.1, 0.02)[1]
+    points, names = made.walk(run.body, turns)
+    walk = run.table("walk", points + 0.002 * rng.normal(size=points.shape), 120, names)
     hand, times = made.hand(rng, "to and fro", 10)[:2]
     skeleton = run.path("walk", ".bvh")
-    run.body.write(skeleton, run.body.stand + run.body.walking(np.arange(600) / 132), 120)
+    rows = run.body.stand + run.body.walking(turns)
+    rows[:, 3:] += 0.5 * rng.normal(size=rows[:, 3:].shape)
+    run.body.write(skeleton, rows, 120)
     squats = run.table("squats", made.repetitions(rng, "squat", 5, None, 50)[0], 50, made.NAMES)
     long = run.path("mixture", ".bvh")
     mixture = recordings.mixture(run.body, 1, 180)
@@ -187,11 +190,11 @@ def timing(run):
     def cost(commands, repeats):
         """Median CPU seconds of each command and build, in turns, without the start of the program."""
         seconds = [[[] for _ in run.builds] for _ in range(len(commands) + 1)]
-        for _ in range(repeats):
+        for turn in range(repeats):
             for each, words in zip(seconds, [["--version"], *commands]):
-                for build, spent in enumerate(each):
+                for build, spent in list(enumerate(each))[::1 - 2 * (turn % 2)]:
                     before = resource.getrusage(resource.RUSAGE_CHILDREN)
-                    run.command(build, *words)
+                    run.command(build, *words, *(["--threads", 1] * (len(words) > 1)))
                     after = resource.getrusage(resource.RUSAGE_CHILDREN)
                     spent.append(after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime)
         start, *others = [[statistics.median(spent) for spent in each] for each in seconds]
@@ -199,8 +202,8 @@ def timing(run):
 
     short = {"walk": walk, "skeleton": skeleton, "hand": hand, "squats": squats}
     spent = cost([["decompose", path, "--json", *(["--fps", 100] * (path == hand))]
-                  for path in short.values()], 15)
-    spent += cost([["decompose", long, "--json"]], 5)
+                  for path in short.values()], 24)
+    spent += cost([["decompose", long, "--json"]], 6)
     for name, seconds in zip([*short, "recording of 3 min"], spent):
         for build, each in enumerate(seconds):
             run.row(f"decompose: {name}", None, "mean", True, " ms").add(build, 1000 * each)
@@ -209,7 +212,7 @@ def timing(run):
             run.row(f"{what}: share of the time before", limit, "mean", True).add(1, seconds[1] / seconds[0])
     words = [["events", skeleton, "--mark", "200=x", "--json"], ["compare", skeleton, "--json"],
              ["fit", skeleton, "-o", run.path("model", ".stltsa")]]
-    base, *others = cost([["decompose", skeleton, "--json"], *words], 15)
+    base, *others = cost([["decompose", skeleton, "--json"], *words], 24)
     for (name, *_), seconds in zip(words, others):
         for build, each in enumerate(seconds):
             run.row(f"{name} of 5 s: times decompose", 2, "mean", True).add(build, each / base[build])
