@@ -259,13 +259,6 @@ std::vector<double> borders_at_margins(const Signal& signal, const Growth& growt
     return borders;
 }
 
-bool holds_rest(const Interval& cycle, const std::vector<Rows>& rests) {
-    return std::ranges::any_of(rests, [&](const Rows& rest) {
-        return static_cast<double>(rest.begin) >= cycle.begin - 1 &&
-               static_cast<double>(rest.end) <= cycle.end + 1;
-    });
-}
-
 /// Takes unsure cycles off both ends; what is left is claimed if it is sure on the average.
 std::string decide(const StillRows& still, double rate, CyclicStretch& cut) {
     std::vector<double>& sure = cut.confidences;
@@ -287,8 +280,9 @@ std::string decide(const StillRows& still, double rate, CyclicStretch& cut) {
                    cut.borders.begin() + static_cast<std::ptrdiff_t>(last) + 1};
     sure = {sure.begin() + static_cast<std::ptrdiff_t>(first),
             sure.begin() + static_cast<std::ptrdiff_t>(last)};
-    const auto held = std::ranges::count_if(cut.cycles(), [&](const Interval& cycle) {
-        return holds_rest(cycle, still.pauses);
+    const auto held = std::ranges::count_if(still.pauses, [&](const Rows& pause) {
+        const double middle = static_cast<double>(pause.begin + pause.end) / 2;
+        return middle > cut.borders.front() && middle < cut.borders.back();
     });
     if (2 * held > static_cast<std::ptrdiff_t>(sure.size()))
         return format_text("a rest within each repetition: the motion repeats after {:.2f} s",
