@@ -116,7 +116,7 @@ std::vector<Run> linear_runs(std::span<const Borders> sequences, std::int64_t ro
 /// Phases that begin as `runs`.
 Phases registered(ConstMatrixView both, std::vector<Run> runs, double period,
                   const std::function<void()>& poll) {
-    Registration found = register_runs(both, runs, period, poll);
+    Registration found = register_runs(both, runs, period, smooth_share, poll);
     Phases phases;
     phases.mean = std::move(found.mean);
     phases.residual = found.residual;

@@ -303,7 +303,7 @@ void settle(ConstMatrixView rows, const MeanCycle& mean, const Spread& spread, b
 } // namespace
 
 Registration register_runs(ConstMatrixView rows, std::vector<Run> runs, double period,
-                           const std::function<void()>& poll) {
+                           double smooth, const std::function<void()>& poll) {
     Registration result;
     result.mean.period = period;
     result.mean.variance = variance_of(rows, runs, poll);
@@ -316,7 +316,7 @@ Registration register_runs(ConstMatrixView rows, std::vector<Run> runs, double p
         std::vector<Pull> pulls;
         for (const Moving& moving : all)
             pulls.push_back(pull_to(rows, loop, moving.run, {}, poll));
-        const double stiffness = stiffness_of(mean_weight(pulls), smooth_share * period);
+        const double stiffness = stiffness_of(mean_weight(pulls), smooth * period);
         for (std::size_t r = 0; r < all.size(); ++r)
             all[r].follow(pulls[r], stiffness, slowest_in_cycle / period);
         even_out(all);

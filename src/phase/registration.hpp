@@ -33,8 +33,9 @@ struct Registration {
 /// Registers runs of whole cycles with each other. `runs`: linear time between the borders of
 /// cycles; each has at least four rows. `rows`: pose_and_velocity(). After it, over whole turns,
 /// the mean share of time at each phase is uniform, so that phases of several clips compare.
+/// `smooth`: see smooth_share.
 Registration register_runs(ConstMatrixView rows, std::vector<Run> runs, double period,
-                           const std::function<void()>& poll = {});
+                           double smooth = smooth_share, const std::function<void()>& poll = {});
 
 /// Registers one run with a known mean cycle. Steps of the phase are at least `slowest` of the
 /// mean.

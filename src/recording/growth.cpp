@@ -20,14 +20,19 @@ constexpr double seed_periods = 3;
 constexpr double steady = 0.02;
 /// The motion ends where rows are farther from the mean cycle than this share of its variance, or
 /// where it is faster or slower than the tracked period by this factor.
-constexpr double max_deviation = 0.5;
+constexpr double max_deviation = 0.4;
 constexpr double deviation_periods = 0.25; // so many rows at a time
 constexpr double max_tempo_ratio = 1.4;
 /// Periods by which it grows at a time, and at most beyond the tracked rows on each side.
 constexpr double growth_periods = 0.5;
 constexpr double periods_beyond = 3;
 /// Cycles at an end with which new rows are registered.
-constexpr double registered_again = 3;
+constexpr double registered_again = 1;
+/// Least tempo of a registered row, as a share of the mean one.
+constexpr double slowest = 0.2;
+/// Phases vary smoothly over this share of a cycle: with the finer phase::smooth_share, noise that
+/// is as large as the motion adds turns.
+constexpr double smooth = 0.2;
 constexpr std::int64_t min_rows = 6;
 
 class Grower {
@@ -109,7 +114,7 @@ class Grower {
     /// Registers the run with its own mean cycle; false if nothing moves.
     bool enter(Run run) {
         phase::Registration found =
-            phase::register_runs(both_.view(), {std::move(run)}, typical_, poll_);
+            phase::register_runs(both_.view(), {std::move(run)}, typical_, smooth, poll_);
         grown_ = {found.runs.front().begin, found.runs.front().end()};
         take(found.runs.front(), grown_);
         mean_ = std::move(found.mean);
@@ -137,18 +142,33 @@ class Grower {
             return false;
         const auto again =
             std::min<std::int64_t>(grown_.rows(), std::llround(registered_again * period));
-        const Range known =
-            at_end ? Range{grown_.end - again, grown_.end} : Range{grown_.begin, grown_.begin + again};
-        const Range all{std::min(known.begin, fresh.begin), std::max(known.end, fresh.end)};
-        const Run more = phase::grown(both_.view(), mean_, part(known), all, poll_);
+        const Range all = at_end ? Range{fresh.begin - again, fresh.end}
+                                 : Range{fresh.begin, fresh.end + again};
+        const Run more = phase::register_with(both_.view(), mean_, continued(all), slowest,
+                                              smooth, poll_);
         const std::int64_t kept = same_motion(more, fresh, at_end);
         if (kept > 0) {
-            const Range rows{at_end ? known.begin : fresh.end - kept,
-                             at_end ? fresh.begin + kept : known.end};
+            const Range rows = at_end ? Range{fresh.begin - again / 2, fresh.begin + kept}
+                                      : Range{fresh.end - kept, fresh.end + again / 2};
             take(more, rows);
             grown_ = {std::min(grown_.begin, rows.begin), std::max(grown_.end, rows.end)};
         }
         return kept == step;
+    }
+
+    /// What is known of the rows, continued at the tracked period.
+    Run continued(Range rows) const {
+        Run run{rows.begin, std::vector<double>(static_cast<std::size_t>(rows.rows()))};
+        const auto phase = [&](std::int64_t row) -> double& {
+            return run.phase[static_cast<std::size_t>(row - rows.begin)];
+        };
+        const Range known{std::max(rows.begin, grown_.begin), std::min(rows.end, grown_.end)};
+        std::copy_n(phase_.begin() + known.begin, known.rows(), &phase(known.begin));
+        for (std::int64_t row = known.end; row < rows.end; ++row)
+            phase(row) = phase(row - 1) + 1 / period_[static_cast<std::size_t>(row - 1)];
+        for (std::int64_t row = known.begin - 1; row >= rows.begin; --row)
+            phase(row) = phase(row + 1) - 1 / period_[static_cast<std::size_t>(row)];
+        return run;
     }
 
     /// How many of the fresh rows next to the run go on with its motion.
