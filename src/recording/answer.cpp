@@ -52,12 +52,13 @@ void append_cyclic(Work& work, const Draft& draft, Segment& segment) {
     for (const CyclicStretch& cut : draft.stretches) {
         const std::vector<Interval> cycles = cut.cycles();
         const bool steps = !motion.empty() && sides_alternate(motion, cycles);
+        const double half = steps ? first_half_of(work.signal, cycles) : 0;
         const int side = steps ? leading_side(motion, cut.borders) : -1;
         for (std::size_t i = 0; i < cycles.size(); ++i) {
             const Interval& cycle = cycles[i];
             const double begin = work.sample(cycle.begin), end = work.sample(cycle.end);
             if (steps) {
-                const double middle = work.sample(middle_of(motion, cycle));
+                const double middle = work.sample(cycle.begin + half * cycle.length());
                 const auto number = static_cast<std::int64_t>(work.result.cycles.size());
                 work.result.steps.push_back({index, number, begin, middle, side});
                 work.result.steps.push_back({index, number, middle, end, 1 - side});

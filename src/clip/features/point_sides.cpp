@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 
 #include "base/side_name.hpp"
@@ -62,6 +63,33 @@ Line lateral(const std::vector<Pair>& pairs, const std::vector<double>& mean, st
     return d.a * line.a + d.b * line.b < 0 ? Line{-line.a, -line.b} : line;
 }
 
+/// The line across the direction in which the points of the pairs swing against each other, if it is
+/// near the line along which they lie apart: of a body that moves forward. It is the better one of
+/// the two, because lateral motion is the same for both sides of a step: at a degree of difference,
+/// equal steps of 0.55 s seem to last 0.547 and 0.553 s.
+Line across_swing(const std::vector<Pair>& pairs, ConstMatrixView samples, std::size_t first,
+                  std::size_t second, const Line& apart) {
+    constexpr double near = 0.87; // cosine of 30 degrees
+    double aa = 0, ab = 0, bb = 0;
+    for (std::int64_t i = 1; i < samples.rows; ++i)
+        for (const Pair& pair : pairs) {
+            const auto swing = [&](std::size_t axis) {
+                const auto one = static_cast<std::int64_t>(3 * pair.one + axis);
+                const auto other = static_cast<std::int64_t>(3 * pair.other + axis);
+                return samples(i, one) - samples(i, other) - samples(i - 1, one) +
+                       samples(i - 1, other);
+            };
+            const double a = swing(first), b = swing(second);
+            aa += a * a, ab += a * b, bb += b * b;
+        }
+    const double angle = std::atan2(2 * ab, aa - bb) / 2;
+    Line line{-std::sin(angle), std::cos(angle)};
+    const double along = line.a * apart.a + line.b * apart.b;
+    if (along < 0)
+        line = {-line.a, -line.b};
+    return std::abs(along) > near ? line : apart;
+}
+
 } // namespace
 
 std::vector<double> point_side_weights(const Clip& clip, Axis up, ConstMatrixView samples) {
@@ -71,28 +99,32 @@ std::vector<double> point_side_weights(const Clip& clip, Axis up, ConstMatrixVie
     const auto above = static_cast<std::size_t>(up) - 1;
     const std::size_t first = (above + 1) % 3, second = (above + 2) % 3;
     const std::vector<double> mean = column_means(samples);
-    const Line line = lateral(pairs, mean, first, second);
     double least = mean[above], most = least;
     for (std::size_t c = above; c < mean.size(); c += 3) {
         least = std::min(least, mean[c]);
         most = std::max(most, mean[c]);
     }
+    std::vector<Pair> legs;
+    std::ranges::copy_if(pairs, std::back_inserter(legs), [&](const Pair& pair) {
+        return std::max(mean[3 * pair.one + above], mean[3 * pair.other + above]) <=
+               least + low * (most - least);
+    });
+    if (legs.empty())
+        return {};
+    const Line line = across_swing(legs, samples, first, second,
+                                   lateral(pairs, mean, first, second));
     std::vector<double> weights(mean.size());
     const auto set = [&](std::size_t point, double weight) {
         weights[3 * point + first] = -line.b * weight;
         weights[3 * point + second] = line.a * weight;
     };
-    for (const auto& [one, other] : pairs) {
-        const double height = std::max(mean[3 * one + above], mean[3 * other + above]);
-        if (height > least + low * (most - least))
-            continue;
+    for (const auto& [one, other] : legs) {
         const double across = line.a * (mean[3 * one + first] - mean[3 * other + first]) +
                               line.b * (mean[3 * one + second] - mean[3 * other + second]);
         set(one, across > 0 ? 1 : -1);
         set(other, across > 0 ? -1 : 1);
     }
-    const bool none = std::ranges::all_of(weights, [](double weight) { return weight == 0; });
-    return none ? std::vector<double>() : weights;
+    return weights;
 }
 
 } // namespace stltsa::clip
