@@ -11,6 +11,7 @@
 
 #include "linalg/simd.hpp"
 #include "motion/curve/statistics.hpp"
+#include "recording/closed_clip.hpp"
 
 namespace stltsa::recording {
 namespace {
@@ -111,6 +112,11 @@ Part decide(const Signal& signal, Rows rows, const StillRows& still, const Perio
         (cut.borders.empty() ? small : part.stretches).push_back(std::move(cut));
     }
     refuse_nested(signal.rate, part.stretches);
+    if (rows == Rows{0, signal.rows()} && part.cycles().empty())
+        if (auto closed = closed_cycle(signal, periods, progress)) {
+            part.stretches = {*std::move(closed)};
+            return part;
+        }
     std::ranges::move(small, std::back_inserter(part.stretches));
     std::ranges::stable_sort(part.stretches, {},
                              [](const CyclicStretch& cut) { return cut.growth.run.begin; });
