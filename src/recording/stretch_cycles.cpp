@@ -31,6 +31,7 @@ constexpr double same_posture = 0.3;
 constexpr double near_rest = 0.5;
 constexpr double near_phase = 0.25;
 constexpr std::int64_t posture_phases = 96;
+constexpr double golden_angle = 2.399963229728653;
 /// Time before and after a motion in which its posture of rest is read.
 constexpr double posture_s = 0.3;
 /// Sigma of the smoothing of the coordinate as a share of a cycle (motion/decompose.cpp).
@@ -226,8 +227,10 @@ double preference_for(const Signal& signal, const Growth& growth, double margin)
     });
     for (std::int64_t c = 0; c < signal.directions.rows(); ++c) {
         const double rise = dot(mean.data(), signal.directions.row(c), signal.cols());
-        sum += rise * std::abs(rise);
-        count += rise * rise;
+        // By the golden angle, few columns have like weights: those of both legs do not cancel.
+        const double weight = 1 + std::cos(golden_angle * static_cast<double>(c));
+        sum += weight * rise * std::abs(rise);
+        count += weight * rise * rise;
     }
     return count > 0 ? sum / count : 0;
 }
