@@ -16,7 +16,6 @@
 #include "results/events.hpp"
 #include "results/fitted.hpp"
 #include "results/phased.hpp"
-#include "results/sides.hpp"
 #include "results/synthesized.hpp"
 #include "stltsa.h"
 
@@ -78,10 +77,6 @@ struct stltsa_phase : stltsa::results::Phased {
 
 struct stltsa_cycles : stltsa::phase::Resampled {
     explicit stltsa_cycles(Resampled of) : Resampled(std::move(of)) {}
-};
-
-struct stltsa_sides : stltsa::results::ComparedSides {
-    explicit stltsa_sides(ComparedSides of) : ComparedSides(std::move(of)) {}
 };
 
 struct stltsa_comparison : stltsa::results::Comparison {

@@ -190,17 +190,26 @@ Matrix times_between(const Borders& borders, std::int64_t samples) {
 
 Resampled resample(ConstMatrixView signals, Turns turns, const std::function<void()>& poll) {
     PacedPoll polls(poll);
+    const Matrix& rows = turns.rows;
+    std::vector<Matrix> each;
+    for (std::int64_t k = 0; k < rows.rows(); ++k) {
+        const Range repeated =
+            turns.repeated.empty() ? Range{} : turns.repeated[static_cast<std::size_t>(k)];
+        each.push_back(linear_rows(signals, rows.row(k), rows.cols(), repeated, polls));
+    }
+    return spread_of(std::move(turns.rows), std::move(each), poll);
+}
+
+Resampled spread_of(Matrix rows, std::vector<Matrix> each, const std::function<void()>& poll) {
+    PacedPoll polls(poll);
     Resampled made;
-    Matrix& rows = turns.rows;
+    made.each = std::move(each);
     made.warp = Matrix(rows.rows(), rows.cols());
     const std::int64_t last = rows.cols() - 1;
     for (std::int64_t k = 0; k < rows.rows(); ++k) {
         const double begin = rows(k, 0), length = rows(k, last) - begin;
         for (std::int64_t s = 0; s <= last; ++s)
             made.warp(k, s) = (rows(k, s) - begin) / length - share_of(s, last + 1);
-        const Range repeated =
-            turns.repeated.empty() ? Range{} : turns.repeated[static_cast<std::size_t>(k)];
-        made.each.push_back(linear_rows(signals, rows.row(k), rows.cols(), repeated, polls));
     }
     set_spread(made, polls);
     set_distances(made, polls);

@@ -49,4 +49,7 @@ Matrix group_distance(const Resampled& of, std::span<const std::int64_t> groups)
 /// row that is NaN, or beyond the last one, has no values. `poll`: called periodically, may throw.
 Resampled resample(ConstMatrixView signals, Turns turns, const std::function<void()>& poll = {});
 
+/// The same of cycles that are resampled already; `rows`: of each sample of each cycle.
+Resampled spread_of(Matrix rows, std::vector<Matrix> each, const std::function<void()>& poll = {});
+
 } // namespace stltsa::phase

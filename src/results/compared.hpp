@@ -4,6 +4,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -62,10 +63,16 @@ Comparison compare(const Phased& first, std::optional<std::int32_t> label, const
                    std::optional<std::int32_t> other_label, std::int64_t samples,
                    const Progress& progress);
 
-/// The left side against the right one, mirrored and half a cycle later. Throws Status::unsupported
-/// if the sides cannot be compared.
+/// The left side against the right one, mirrored and half a cycle later: the second half of each
+/// cycle, then its first, so that both sides have all cycles. Throws Status::unsupported if the
+/// sides cannot be compared.
 Comparison compare_left_right(const clip::Clip& clip, const Phased& phased,
                               std::optional<std::int32_t> label, std::int64_t samples,
                               const clip::PrepareOptions& prepare, const Progress& progress);
+
+/// The same of signals whose names differ only in the side, such as knee_l and knee_r. `names`: one
+/// for each column. `fps`: 0 if it is unknown.
+Comparison compare_left_right(const phase::Resampled& cycles, std::span<const std::string> names,
+                              double fps, const Progress& progress);
 
 } // namespace stltsa::results

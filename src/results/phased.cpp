@@ -192,6 +192,17 @@ const PhasedMotion& motion_of(const Phased& phased, std::int32_t label) {
     return *motion;
 }
 
+std::string no_halves(const PhasedMotion& motion) {
+    if (!motion.phases.cyclic)
+        return format_text("motion {} has repetitions but no cycles", label_text(motion.label));
+    if (motion.like_halves)
+        return "";
+    return format_text(
+        "the second half of a cycle of motion {} may not mirror the first: only the legs of a "
+        "skeleton, or leg points whose names state a side, can show that it does",
+        label_text(motion.label));
+}
+
 phase::Turns turns_of(const PhasedMotion& motion, std::int64_t samples, double zero) {
     std::int64_t count = 0;
     for (const std::int64_t cycles : motion.cycles)
@@ -218,13 +229,7 @@ phase::Resampled resample(const Phased& phased, std::int32_t label, ConstMatrixV
     for (phase::Range& rows : turns.repeated)
         rows = {rows.begin + phased.clip.first, rows.end + phased.clip.first};
     phase::Resampled made = phase::resample(signals, std::move(turns), poll);
-    if (!motion.phases.cyclic)
-        made.no_halves = format_text("motion {} has repetitions but no cycles", label_text(label));
-    else if (!motion.like_halves)
-        made.no_halves = format_text(
-            "the second half of a cycle of motion {} may not mirror the first: only the legs of a "
-            "skeleton, or leg points whose names state a side, can show that it does",
-            label_text(label));
+    made.no_halves = no_halves(motion);
     return made;
 }
 

@@ -49,6 +49,9 @@ phase::Range unbroken(const Phased& phased, const phase::Run& run);
 /// has neither cycles nor repetitions.
 const PhasedMotion& motion_of(const Phased& phased, std::int32_t label);
 
+/// Why left and right of the motion cannot be compared; empty if they can: its halves are alike.
+std::string no_halves(const PhasedMotion& motion);
+
 /// For each cycle, the rows at which the phase passes `samples` evenly spaced values, from the
 /// `zero` that is nearest to its begin to the next one. NaN beyond the reach of its run; but a
 /// single cycle (not a repetition) that would begin or end with NaN is closed.

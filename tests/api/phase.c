@@ -262,8 +262,9 @@ static void wrong_arguments_are_named(void** state) {
     assert_int_equal(stltsa_phase_find(part, w.found, NULL, &phase), STLTSA_E_ARGUMENT);
     assert_non_null(strstr(stltsa_last_error(), "not of this clip"));
     assert_null(phase);
-    stltsa_sides* sides = NULL;
-    assert_int_equal(stltsa_sides_find(part, w.phase, 0, 101, NULL, &sides), STLTSA_E_ARGUMENT);
+    stltsa_comparison* sides = NULL;
+    assert_int_equal(stltsa_compare_left_right(part, w.phase, 0, 101, NULL, &sides),
+                     STLTSA_E_ARGUMENT);
     assert_non_null(strstr(stltsa_last_error(), "the phase belongs to another clip"));
     assert_null(sides);
     stltsa_phase_free(NULL);

@@ -296,32 +296,18 @@ stltsa_status phases(const std::string&) {
 stltsa_status sides(const std::string&) {
     Calls calls;
     stltsa_cycles* cycles = nullptr;
-    stltsa_sides *of_features = nullptr, *of_signals = nullptr;
+    stltsa_comparison* comparison = nullptr;
     const double at[] = {3, 33, 63, 93};
     const char* names[] = {"hip_l",  "hip_r",  "knee_l",     "knee_r",
                            "foot_l", "foot_r", "shoulder_l", "shoulder_r"};
     const stltsa_in signals = in(waves(), frames, 8), borders = in(at, 4, 1);
-    calls.make(
-        [&] {
-            return stltsa_sides_find(kept().matrix, kept().phase, 0, 20, nullptr, &of_features);
-        },
-        of_features);
     calls.make([&] { return stltsa_cycles_between(&borders, &signals, 20, &cycles); }, cycles);
-    calls.make([&] { return stltsa_sides_compare(cycles, names, &of_signals); }, of_signals);
-    if (calls.good()) {
-        stltsa_side_pair pair{};
-        pair.size = sizeof pair;
-        const std::int64_t pairs = stltsa_sides_count(of_signals);
-        const stltsa_out left = out(20, pairs);
-        calls.make([&] { return stltsa_sides_pair(of_signals, 0, &pair); });
-        calls.make([&] { return stltsa_sides_curves(of_signals, &left, nullptr, nullptr); });
-        if (pairs != 4 || *stltsa_sides_left_name(of_signals, 0) != 'h' ||
-            *stltsa_sides_right_name(of_signals, 0) != 'h' ||
-            stltsa_sides_reason(of_features) == nullptr)
-            calls.make([] { return 1; });
-    }
-    stltsa_sides_free(of_signals);
-    stltsa_sides_free(of_features);
+    calls.make(
+        [&] { return stltsa_cycles_compare_left_right(cycles, names, 0, nullptr, &comparison); },
+        comparison);
+    if (calls.good() && stltsa_comparison_part_count(comparison) != 4)
+        calls.make([] { return 1; });
+    stltsa_comparison_free(comparison);
     stltsa_cycles_free(cycles);
     return calls.status();
 }

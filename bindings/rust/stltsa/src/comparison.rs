@@ -11,7 +11,7 @@ use crate::clip::Clip;
 use crate::error::{c_count, c_name, c_path, check, count, text, texts, Error, ErrorKind, Result};
 use crate::handle::Owned;
 use crate::options::Options;
-use crate::phase::Phase;
+use crate::phase::{Cycles, Phase};
 
 /// A quantity of both mean cycles and its difference, second minus first. NaN: unknown.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -202,6 +202,30 @@ impl Phase {
             })
         })?;
         Comparison::read(found)
+    }
+}
+
+impl Cycles {
+    /// Compares left with right half a cycle later: signals whose names differ only in the side, such
+    /// as `knee_l` and `knee_r`; one name for each column. Both signals must have the same sign
+    /// convention, as flexion has. `fps`: frames per second; 0: unknown, so that times are NaN.
+    ///
+    /// # Errors
+    /// [`Shape`](crate::ErrorKind::Shape) unless there is one name for each column,
+    /// [`Unsupported`](crate::ErrorKind::Unsupported) if no two of them differ only in the side, or
+    /// the halves of the cycles are not known to be alike.
+    pub fn compare_left_right(&self, names: &[&str], fps: f64) -> Result<Comparison> {
+        if names.len() != self.columns() {
+            let text = format!("there are {} names and {} columns", names.len(), self.columns());
+            return Err(Error::new(ErrorKind::Shape, text));
+        }
+        let texts = names.iter().map(|name| c_name(name)).collect::<Result<Vec<_>>>()?;
+        let raw: Vec<_> = texts.iter().map(|text| text.as_ptr()).collect();
+        let options = std::ptr::null();
+        // SAFETY: a live handle, a text for each column.
+        Comparison::read(Owned::make(|out| unsafe {
+            sys::stltsa_cycles_compare_left_right(self.raw(), raw.as_ptr(), fps, options, out)
+        })?)
     }
 }
 

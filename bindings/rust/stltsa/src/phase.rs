@@ -178,10 +178,6 @@ impl Cycles {
         self.handle.raw()
     }
 
-    pub(crate) fn samples(&self) -> usize {
-        self.samples
-    }
-
     pub(crate) fn columns(&self) -> usize {
         self.columns
     }

@@ -90,32 +90,17 @@ fn sides_of_signals_are_compared() {
         .map(|at| [at.sin(), 0.8 * (at - turn * 0.55).sin() + 0.1])
         .collect();
     let cycles = Cycles::between(&[0.0, 100.0, 200.0], &knees, 101).unwrap();
-    let sides = cycles.sides(&["knee_l", "knee_r"]).unwrap();
-    assert_eq!(sides.pairs.len(), 1);
-    let pair = &sides.pairs[0];
-    assert_eq!((&*pair.left, &*pair.right), ("knee_l", "knee_r"));
-    assert_eq!((pair.left_column, pair.right_column), (0, 1));
-    assert!((pair.shift - 0.05).abs() < 1e-3 && (pair.mean + 0.1).abs() < 1e-9);
-    assert!((pair.left_range - 2.0).abs() < 1e-2 && (pair.right_range - 1.6).abs() < 1e-2);
-    assert!(pair.rms > 0.1 && pair.chance < 1e-9 && pair.correlation > 0.999);
-    let expected = sides.left[(7, 0)] - sides.right[(7, 0)];
-    assert_eq!(sides.difference[(7, 0)], expected);
-    assert_eq!(sides.reason, "");
-    let none = cycles.sides(&["knee_l", "hip_r"]).unwrap();
-    assert!(none.pairs.is_empty() && none.reason.contains("differ only in the side"));
-    assert_eq!(cycles.sides(&["knee_l"]).unwrap_err().kind(), ErrorKind::Shape);
-}
-
-#[test]
-#[ignore = "needs STLTSA_TEST_CLIP"]
-fn sides_of_a_symmetric_walk_differ_by_nothing() {
-    let clip = common::walker();
-    let options = Options::new();
-    let phase = Phase::find(&clip, &clip.decompose(&options).unwrap(), &options).unwrap();
-    let sides = phase.sides(&clip, 0, 101, &options).unwrap();
-    assert!(sides.pairs.len() > 20);
-    assert!(sides.pairs.iter().all(|pair| pair.rms < 0.1));
-    assert_eq!(phase.sides(&clip, 9, 101, &options).unwrap_err().kind(), ErrorKind::Argument);
+    let compared = cycles.compare_left_right(&["knee_l", "knee_r"], 50.0).unwrap();
+    assert_eq!((compared.parts.len(), compared.counts), (1, [2, 2]));
+    let pair = &compared.parts[0];
+    assert_eq!((&*pair.name, &*pair.second_name), ("knee_l", "knee_r"));
+    assert!((pair.lag.difference - 0.05).abs() < 1e-3 && (pair.mean.difference - 0.1).abs() < 1e-9);
+    assert!((pair.ratio[0] - 0.8).abs() < 1e-2 && pair.chance < 1e-9 && pair.correlation > 0.999);
+    assert!((compared.cycle_time.first - 2.0).abs() < 1e-9);
+    let unlike = cycles.compare_left_right(&["knee_l", "hip_r"], 0.0).unwrap_err();
+    assert_eq!(unlike.kind(), ErrorKind::Unsupported);
+    let few = cycles.compare_left_right(&["knee_l"], 0.0).unwrap_err();
+    assert_eq!(few.kind(), ErrorKind::Shape);
 }
 
 #[test]
