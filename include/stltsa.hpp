@@ -1051,6 +1051,12 @@ class Phase {
     std::vector<std::string> warnings() const {
         return detail::texts(stltsa_phase_warning_count, stltsa_phase_warning, get());
     }
+    /// Where the body is at the same place in every clip; `label`: 0 for A.
+    double zero(std::int32_t label) const {
+        double zero = 0;
+        detail::check(stltsa_phase_zero(get(), label, &zero));
+        return zero;
+    }
     /// The joint, point or column of the file that each column of the features belongs to.
     std::vector<std::string> column_owners() const {
         return detail::texts(stltsa_phase_column_count, stltsa_phase_column_owner, get());
@@ -1159,12 +1165,11 @@ inline void keep_mark(Model& model, const Phase& phase, double frame, const std:
     detail::check(stltsa_model_keep_mark(model.get(), phase.get(), frame, name.c_str()));
 }
 
-/// `options`: as for the decomposition.
-inline Phase find_phase(const Clip& clip, const Decomposition& decomposition,
-                        const Options& options = {}) {
+/// Found by the first call, and kept by the decomposition. `options`: progress.
+inline Phase find_phase(const Decomposition& decomposition, const Options& options = {}) {
     stltsa_phase* phase = nullptr;
-    detail::check(stltsa_phase_find(clip.get(), decomposition.get(), options.get(), &phase));
-    return {phase, clip.frames()};
+    detail::check(stltsa_phase_find(decomposition.get(), options.get(), &phase));
+    return {phase, decomposition.info().integer(STLTSA_INFO_CLIP_FRAMES)};
 }
 
 /// Linear in time between the borders.

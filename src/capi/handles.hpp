@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -71,8 +72,11 @@ struct stltsa_decomposition : stltsa_info, stltsa::results::Decomposed {
         : stltsa_info{&stltsa::capi::decomposition_table}, Decomposed(std::move(of)) {}
 };
 
-struct stltsa_phase : stltsa::results::Phased {
-    explicit stltsa_phase(Phased of) : Phased(std::move(of)) {}
+/// Shares the phase with its decomposition.
+struct stltsa_phase {
+    std::shared_ptr<const stltsa::results::Phased> found;
+
+    operator const stltsa::results::Phased&() const { return *found; }
 };
 
 struct stltsa_cycles : stltsa::phase::Resampled {

@@ -26,13 +26,6 @@ std::string name_of(const Phased& phased, const char* which) {
     return phased.clip.path.empty() ? format_text("the {} clip", which) : phased.clip.path;
 }
 
-std::int64_t frames_of(const PhasedMotion& motion) {
-    std::int64_t count = 0;
-    for (const phase::Run& run : motion.phases.runs)
-        count += run.rows();
-    return count;
-}
-
 /// The cyclic motions that may be compared.
 std::vector<const PhasedMotion*> candidates(const Phased& phased, std::optional<std::int32_t> label,
                                             const char* which) {
@@ -48,11 +41,6 @@ std::vector<const PhasedMotion*> candidates(const Phased& phased, std::optional<
              "{} has no cycles, so it cannot be compared by phase: its decomposition says why",
              name_of(phased, which));
     return found;
-}
-
-const PhasedMotion& longest(const std::vector<const PhasedMotion*>& motions) {
-    return **std::ranges::max_element(
-        motions, {}, [](const PhasedMotion* motion) { return frames_of(*motion); });
 }
 
 Matrix chosen(const Matrix& rows, const std::vector<std::int64_t>& columns) {
@@ -91,8 +79,7 @@ phase::Resampled kept(const std::vector<bool>& wanted, phase::Resampled cycles,
             each.push_back(std::move(cycles.each[k]));
         }
     if (each.empty())
-        fail(Status::too_few_frames,
-             "{} has no complete cycle from 0 to 100 %: a longer clip is needed", name);
+        fail(Status::too_few_frames, "{} have no cycle without a missing value", name);
     return phase::spread_of(std::move(rows), std::move(each), poll);
 }
 
@@ -104,10 +91,12 @@ struct Side {
     const char* which;
     Poll poll;
 
-    phase::Resampled cycles(std::int64_t samples, double zero) const {
-        auto all = phase::resample(signals.view(), turns_of(motion, samples, zero), poll);
-        const std::vector<bool> whole = complete(all);
-        return kept(whole, std::move(all), name_of(phased, which), poll);
+    /// `shift`: phase at which samples begin; cycles begin at their borders all the same.
+    phase::Resampled cycles(std::int64_t samples, double shift = 0) const {
+        auto made = phase::resample(signals.view(), turns_of(phased, motion, samples, shift), poll);
+        if (shift != 0)
+            made.rows = turns_of(phased, motion, samples).rows;
+        return made;
     }
 };
 
@@ -134,7 +123,7 @@ bool headings_differ(const Phased& first, const Phased& second) {
         second.samples.up == clip::Axis::none)
         return false;
     return first.samples.features == clip::Features::points ||
-           !clip::same_hierarchy(first.body.skeleton, second.body.skeleton);
+           !clip::same_hierarchy(first.of->body.skeleton, second.of->body.skeleton);
 }
 
 phase::Lag lag_of(const phase::Resampled& first, const phase::Resampled& second, const Poll& poll) {
@@ -145,7 +134,7 @@ phase::Lag lag_of(const phase::Resampled& first, const phase::Resampled& second,
 
 /// Turns the second body about `axis`, the up axis of the first, to face as the first does.
 double turn_second(const phase::Resampled& first, clip::Axis axis, Side& second) {
-    const phase::Resampled other = second.cycles(first.mean.rows(), 0);
+    const phase::Resampled other = second.cycles(first.mean.rows());
     const auto up = static_cast<std::int64_t>(axis);
     const Level level{up % 3, (up + 1) % 3, 3};
     const ConstMatrixView to = phase::once_around(first.mean),
@@ -250,11 +239,12 @@ Placement placement(const Phased& first, const CommonColumns& columns) {
                      first.samples.up, std::vector<std::int64_t>(columns.names.size(), -1)};
     if (!placed.skeleton)
         return placed;
-    const auto& joints = first.body.skeleton.joints;
+    const auto& joints = first.of->body.skeleton.joints;
     std::vector<std::int64_t> part_of(joints.size(), -1);
     for (std::size_t c = 0; c < columns.first.size(); ++c) // each joint has three
-        part_of[first.body.root + static_cast<std::size_t>(columns.first[c] / 3)] = columns.part[c];
-    for (std::size_t j = first.body.root; j < joints.size(); ++j) {
+        part_of[first.of->body.root + static_cast<std::size_t>(columns.first[c] / 3)] =
+            columns.part[c];
+    for (std::size_t j = first.of->body.root; j < joints.size(); ++j) {
         int parent = joints[j].parent;
         while (parent >= 0 && part_of[static_cast<std::size_t>(parent)] < 0)
             parent = joints[static_cast<std::size_t>(parent)].parent;
@@ -344,10 +334,10 @@ Comparison compared_with(const Phased& first, const PhasedMotion& motion, const 
         center(first, one.signals);
         center(first, two.signals); // its axes are those of the first
     }
-    phase::Resampled of_one = one.cycles(samples, 0);
+    phase::Resampled of_one = one.cycles(samples);
     const double turn =
         headings_differ(first, second) ? turn_second(of_one, first.samples.up, two) : 0;
-    const phase::Lag lag = lag_of(of_one, two.cycles(samples, 0), poll);
+    const phase::Lag lag = lag_of(of_one, two.cycles(samples), poll);
     const double zero =
         std::isnan(lag.samples) ? 0 : lag.samples / static_cast<double>(samples - 1);
     Comparison result =
@@ -378,7 +368,8 @@ Comparison compare(const Phased& first, std::optional<std::int32_t> label, const
                    std::optional<std::int32_t> other_label, std::int64_t samples,
                    const Progress& progress) {
     const Poll poll = poll_of(progress);
-    const PhasedMotion& motion = longest(candidates(first, label, "first"));
+    candidates(first, label, "first"); // throws if there are none
+    const PhasedMotion& motion = *longest_in_cycles(first, label);
     std::optional<Comparison> best;
     for (const PhasedMotion* other : candidates(second, other_label, "second")) {
         poll();
@@ -393,7 +384,8 @@ Comparison compare(const Phased& first, std::optional<std::int32_t> label, const
 Comparison compare_left_right(const clip::Clip& clip, const Phased& phased,
                               std::optional<std::int32_t> label, std::int64_t samples,
                               const clip::PrepareOptions& prepare, const Progress& progress) {
-    const PhasedMotion& motion = longest(candidates(phased, label, "first"));
+    candidates(phased, label, "first"); // throws if there are none
+    const PhasedMotion& motion = *longest_in_cycles(phased, label);
     check_same_clip(clip, phased);
     if (const std::string reason = no_halves(motion); !reason.empty())
         fail(Status::unsupported, "{}", reason);

@@ -57,8 +57,8 @@ double expected_by_chance(const Comparison& of);
 
 /// `label`: of a cyclic motion. Empty: in the first clip the one with the most frames, in the
 /// second the one most like it. Throws Status::no_such_part for a clip without cycles,
-/// Status::argument for a label without cycles, Status::shape if the clips have nothing in common,
-/// and Status::too_few_frames if a clip has no complete cycle.
+/// Status::argument for a label without cycles, and Status::shape if the clips have nothing in
+/// common.
 Comparison compare(const Phased& first, std::optional<std::int32_t> label, const Phased& second,
                    std::optional<std::int32_t> other_label, std::int64_t samples,
                    const Progress& progress);

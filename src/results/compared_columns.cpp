@@ -34,8 +34,9 @@ std::vector<Part> parts_of(const Phased& phased) {
 std::vector<std::string> axes_of(const Phased& phased) {
     std::vector<std::string> axes;
     if (phased.samples.features == clip::Features::euler)
-        for (std::size_t j = phased.body.root + 1; j < phased.body.skeleton.joints.size(); ++j)
-            for (const clip::Channel channel : phased.body.skeleton.joints[j].channels)
+        for (std::size_t j = phased.of->body.root + 1; j < phased.of->body.skeleton.joints.size();
+             ++j)
+            for (const clip::Channel channel : phased.of->body.skeleton.joints[j].channels)
                 if (clip::is_rotation(channel))
                     axes.emplace_back(clip::channel_name(channel));
     if (axes.empty())
@@ -117,7 +118,8 @@ std::int64_t axis_turn(const Phased& first, const Phased& second) {
 
 bool in_space(const Phased& phased) {
     return phased.samples.features == clip::Features::positions ||
-           (phased.samples.features == clip::Features::points && phased.body.shape.rule.width == 3);
+           (phased.samples.features == clip::Features::points &&
+            phased.of->body.shape.rule.width == 3);
 }
 
 CommonColumns common_columns(const Phased& first, const Phased& second) {

@@ -267,6 +267,26 @@ void warn_of_order(const clip::Clip& clip, clip::Features features, Warnings& wa
         warnings.push_back(*std::move(warning));
 }
 
+std::shared_ptr<const FrameRows> frame_rows(const clip::Clip& clip, const Source& source,
+                                            std::vector<double> side, ClipSamples& prepared,
+                                            const std::function<void()>& poll) {
+    const auto made = std::make_shared<FrameRows>();
+    made->rows = std::move(prepared.rows);
+    made->drifting = clip::remove_drift(made->rows, clip.fps, poll);
+    made->clip = source.clips.front();
+    made->clip.step = 1;
+    made->samples = source.samples;
+    made->body = clip::body_of(clip, source.samples.features, source.samples.up, prepared.turned);
+    made->side = std::move(side);
+    made->owners = clip::column_owners(clip, source.samples.features);
+    const auto row = [&](std::int64_t frame) {
+        return std::clamp<std::int64_t>(frame - made->clip.first, 0, made->rows.rows());
+    };
+    for (const clip::Frames& hole : prepared.holes)
+        made->holes.push_back({row(hole.begin), row(hole.end)});
+    return made;
+}
+
 } // namespace
 
 Parts Decomposed::parts(std::int32_t kind) const {
@@ -288,7 +308,9 @@ Decomposed decompose(const clip::Clip& clip, const clip::PrepareOptions& prepare
         fail(Status::argument, "the frame rate of {} is unknown: open it with option fps",
              clip.path.empty() ? "the clip" : clip.path);
     const clip::Clip* single = &clip;
-    ClipSamples prepared = prepare_clips({&single, 1}, prepare, progress);
+    clip::PrepareOptions with_rows = prepare;
+    with_rows.keep_rows = true;
+    ClipSamples prepared = prepare_clips({&single, 1}, with_rows, progress);
     set_messages(prepared, options.single);
     const SampleFacts& samples = prepared.source.samples;
     const double fps = samples.fps;
@@ -308,8 +330,9 @@ Decomposed decompose(const clip::Clip& clip, const clip::PrepareOptions& prepare
     made.source = std::move(prepared.source);
     made.source.period = {found.shown.period / fps, found.shown.lag_quality,
                           options.single.shortest_period, options.single.longest_period};
+    made.rows = frame_rows(clip, made.source, std::move(options.side), prepared, poll);
     const SourceFrames frames(made.source);
-    const auto owners = clip::column_owners(clip, made.source.samples.features);
+    const std::vector<std::string>& owners = made.rows->owners;
     for (const recording::Segment& segment : found.segments) {
         made.segments.push_back(segment_of(segment, frames));
         made.carriers.push_back(carriers_of(segment.energy, owners));

@@ -14,7 +14,7 @@ std::string walker_path; // set by main()
 void frames_have_phases(void**) {
     const stltsa::Clip clip = stltsa::Clip::open(walker_path);
     const stltsa::Decomposition found = stltsa::decompose(clip);
-    const stltsa::Phase phase = stltsa::find_phase(clip, found);
+    const stltsa::Phase phase = stltsa::find_phase(found);
     const std::vector<double> values = phase.values(), residuals = phase.residuals();
     const std::vector<std::int64_t> cycle = phase.cycles();
     assert_int_equal(values.size(), clip.frames());
@@ -38,6 +38,7 @@ void frames_have_phases(void**) {
     assert_true(cycles.distance()[1] < 0.5);
     const stltsa::Matrix columns = cycles.column_distance();
     assert_int_equal(columns.cols, features.cols);
+    assert_true(phase.zero(0) > 0 && phase.zero(0) < 1);
     const std::vector<std::string> owners = phase.column_owners();
     assert_int_equal(owners.size(), features.cols);
     std::vector<std::int64_t> groups(owners.size(), -1);
@@ -57,9 +58,9 @@ void frames_have_phases(void**) {
 
 void motions_are_compared(void**) {
     const stltsa::Clip clip = stltsa::Clip::open(walker_path);
-    const stltsa::Phase phase = stltsa::find_phase(clip, stltsa::decompose(clip));
+    const stltsa::Phase phase = stltsa::find_phase(stltsa::decompose(clip));
     const stltsa::Clip part = clip.stretch("170-600");
-    const stltsa::Phase other = stltsa::find_phase(part, stltsa::decompose(part));
+    const stltsa::Phase other = stltsa::find_phase(stltsa::decompose(part));
     const stltsa::Comparison of = phase.compare(other, 0, -1, 51);
     assert_non_null(of.get());
     const stltsa::ComparedCycles cycles = of.cycles();
@@ -86,7 +87,7 @@ void motions_are_compared(void**) {
 void a_mark_is_found_in_every_cycle(void**) {
     const stltsa::Clip clip = stltsa::Clip::open(walker_path);
     const stltsa::Decomposition found = stltsa::decompose(clip);
-    const stltsa::Phase phase = stltsa::find_phase(clip, found);
+    const stltsa::Phase phase = stltsa::find_phase(found);
     const stltsa::Events events = phase.events({250});
     assert_non_null(events.get());
     const std::vector<stltsa::Event> all = events.all();
@@ -98,7 +99,7 @@ void a_mark_is_found_in_every_cycle(void**) {
     assert_true(events.warnings().empty());
     assert_int_equal(phase.events({250, 316}).warnings().size(), 1);
     const stltsa::Clip part = clip.stretch("170-600");
-    const stltsa::Phase other = stltsa::find_phase(part, stltsa::decompose(part));
+    const stltsa::Phase other = stltsa::find_phase(stltsa::decompose(part));
     assert_true(phase.events({250}, other).likeness() > 0.99);
 }
 
@@ -106,7 +107,7 @@ void a_stream_is_followed(void**) {
     const stltsa::Clip clip = stltsa::Clip::open(walker_path);
     stltsa::Model model = stltsa::fit(clip);
     assert_false(model.has_cycle());
-    const stltsa::Phase phase = stltsa::find_phase(clip, stltsa::decompose(clip));
+    const stltsa::Phase phase = stltsa::find_phase(stltsa::decompose(clip));
     stltsa::keep_cycle(model, phase);
     stltsa::keep_mark(model, phase, 250, "strike");
     stltsa::Live live(model);

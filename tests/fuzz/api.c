@@ -82,7 +82,7 @@ static cycles find_cycles(const stltsa_clip* clip, const stltsa_options* options
     cycles made = {NULL, NULL};
     MAKES(stltsa_decompose(clip, options, &made.found), made.found);
     if (made.found != NULL)
-        MAKES(stltsa_phase_find(clip, made.found, options, &made.phase), made.phase);
+        MAKES(stltsa_phase_find(made.found, options, &made.phase), made.phase);
     return made;
 }
 

@@ -59,7 +59,7 @@ struct Kept {
                           stltsa_clip_from_skeleton(joints, 3, STLTSA_ROTATIONS_CHANNELS, &angles,
                                                     nullptr, 30, &body) == STLTSA_OK &&
                           stltsa_decompose(matrix, nullptr, &parts) == STLTSA_OK &&
-                          stltsa_phase_find(matrix, parts, nullptr, &phase) == STLTSA_OK &&
+                          stltsa_phase_find(parts, nullptr, &phase) == STLTSA_OK &&
                           stltsa_fit_clip(matrix, nullptr, &model) == STLTSA_OK;
         if (!made)
             std::abort();
@@ -256,8 +256,7 @@ stltsa_status phases(const std::string&) {
     const std::int64_t groups[] = {0, 1, 0, 1, 0, 1, 0, 1};
     const stltsa_in signals = in(waves(), frames, 8), marks = in(&mark, 1, 1),
                     borders = in(at, 4, 1), of_columns = in(groups, 8, 1, STLTSA_I64);
-    calls.make([&] { return stltsa_phase_find(kept().matrix, kept().parts, nullptr, &phase); },
-               phase);
+    calls.make([&] { return stltsa_phase_find(kept().parts, nullptr, &phase); }, phase);
     calls.make([&] { return stltsa_cycles_resample(phase, 0, &signals, 20, &cycles); }, cycles);
     calls.make([&] { return stltsa_cycles_between(&borders, &signals, 20, &between); }, between);
     calls.make([&] { return stltsa_events_find(phase, &marks, phase, &events); }, events);
@@ -280,6 +279,8 @@ stltsa_status phases(const std::string&) {
         stltsa_events_likeness(events);
         stltsa_events_warning(events, 0);
         stltsa_phase_warning(phase, 0);
+        double zero = 0;
+        calls.make([&] { return stltsa_phase_zero(phase, 0, &zero); });
         stltsa_phase_column_owner(phase, 0);
         if (stltsa_events_count(events) + stltsa_events_warning_count(events) +
                 stltsa_phase_warning_count(phase) + stltsa_phase_column_count(phase) <

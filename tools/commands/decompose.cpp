@@ -77,7 +77,7 @@ std::vector<LabelSides> compare_sides(const Session& session, const stltsa::Clip
 
 /// Writes the phase.
 PhaseAnswer add_phase(Session& session, const stltsa::Decomposition& found) {
-    const stltsa::Phase phase = stltsa::find_phase(session.clip(), found, session.options());
+    const stltsa::Phase phase = stltsa::find_phase(found, session.options());
     session.add_columns(session.arguments().phase, phase_table(session.clip(), found, phase),
                         {"frame", "seconds", "segment", "cycle", "phase", "residual"});
     return {phase.warnings(), compare_sides(session, session.clip(), found, phase)};

@@ -64,6 +64,8 @@ Prepared prepare(const Clip& clip, const PrepareOptions& options) {
     ConstMatrixView kept = from_row(all, prepared.first);
     if (const std::int64_t jump = find_jump(kept); jump > 0)
         prepared.jump = prepared.first + jump;
+    if (options.keep_rows)
+        prepared.rows = copied(kept);
     // Decimation and smoothing are in seconds, so they need a frame rate.
     if (clip.fps > 0 && options.rate > 0)
         prepared.step = static_cast<std::int64_t>(

@@ -239,7 +239,7 @@ static void cut(const char* path) {
     CHECK(segment.begin == 0 && segment.end <= frames && segment.confidence <= 1);
     MUST(stltsa_decomposition_json(decomposition, &json));
     CHECK(strstr(json, "\"format\":\"stltsa-decomposition/2\"") != NULL);
-    MUST(stltsa_phase_find(clip, decomposition, NULL, &phase));
+    MUST(stltsa_phase_find(decomposition, NULL, &phase));
 
     stltsa_free(json);
     stltsa_phase_free(phase);

@@ -1114,8 +1114,7 @@ typedef struct stltsa_phase stltsa_phase;
  * says, without further smoothing. If a mean cycle explains less than 0.6 of the variance of the
  * features, the phase of its motion is linear in time, and a warning says so. Options: as
  * stltsa_decompose, with the values it had. E_ARGUMENT: the decomposition is of another clip. */
-STLTSA_API stltsa_status stltsa_phase_find(const stltsa_clip *clip,
-                                           const stltsa_decomposition *decomposition,
+STLTSA_API stltsa_status stltsa_phase_find(const stltsa_decomposition *decomposition,
                                            const stltsa_options *options,
                                            stltsa_phase **phase) STLTSA_NOEXCEPT;
 STLTSA_API void stltsa_phase_free(stltsa_phase *phase) STLTSA_NOEXCEPT;

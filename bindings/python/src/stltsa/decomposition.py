@@ -387,8 +387,8 @@ class Decomposition(Described):
         (3, 101)
         """
         out = ffi.new("stltsa_phase **")
-        with Call(self._options, working_rate(self.clip.fps, self._options)) as call:
-            call.check(lib.stltsa_phase_find(self.clip._handle, self._handle, call.options, out))
+        with Call({"progress": self._options.get("progress")}) as call:
+            call.check(lib.stltsa_phase_find(self._handle, call.options, out))
         return Phase(owned("phase", out), len(self.clip), self.clip.fps)
 
     def compare(

@@ -2335,7 +2335,6 @@ pub struct stltsa_phase {
 }
 extern "C" {
     pub fn stltsa_phase_find(
-        clip: *const stltsa_clip,
         decomposition: *const stltsa_decomposition,
         options: *const stltsa_options,
         phase: *mut *mut stltsa_phase,
@@ -2350,6 +2349,13 @@ extern "C" {
         values: *const stltsa_out,
         residual: *const stltsa_out,
         cycle: *const stltsa_out,
+    ) -> stltsa_status;
+}
+extern "C" {
+    pub fn stltsa_phase_zero(
+        phase: *const stltsa_phase,
+        label: i32,
+        zero: *mut f64,
     ) -> stltsa_status;
 }
 extern "C" {

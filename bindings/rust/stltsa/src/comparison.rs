@@ -76,7 +76,7 @@ pub struct Comparison {
     pub parts: Vec<ComparedPart>,
     /// Their coordinates, part by part.
     pub channels: Vec<ComparedPart>,
-    /// Number of complete cycles, which were compared.
+    /// Number of cycles.
     pub counts: [usize; 2],
     /// Labels of their segments, 0 for A.
     pub labels: [usize; 2],
@@ -134,7 +134,7 @@ impl Phase {
     /// let options = Options::new();
     /// let phase = |path: &str| {
     ///     let clip = Clip::open(path)?;
-    ///     Phase::find(&clip, &clip.decompose(&options)?, &options)
+    ///     Phase::find(&clip.decompose(&options)?, &options)
     /// };
     /// let compared = phase("before.bvh")?.compare(&phase("after.bvh")?, None, None, 101)?;
     /// for part in &compared.parts {
@@ -146,8 +146,7 @@ impl Phase {
     /// # Errors
     /// [`NoSuchPart`](crate::ErrorKind::NoSuchPart) if a clip has no cycles,
     /// [`Argument`](crate::ErrorKind::Argument) if a label has no cycles,
-    /// [`Shape`](crate::ErrorKind::Shape) if the clips have nothing in common,
-    /// [`TooFewFrames`](crate::ErrorKind::TooFewFrames) if a clip has no complete cycle.
+    /// [`Shape`](crate::ErrorKind::Shape) if the clips have nothing in common.
     pub fn compare(
         &self,
         second: &Phase,

@@ -11,7 +11,7 @@ fn frames_of_cycles_have_phases() {
     let clip = common::walker();
     let options = Options::new();
     let found = clip.decompose(&options).unwrap();
-    let phase = Phase::find(&clip, &found, &options).unwrap();
+    let phase = Phase::find(&found, &options).unwrap();
     let (values, cycles) = (phase.values().unwrap(), phase.cycles().unwrap());
     let residuals = phase.residuals().unwrap();
     assert_eq!(values.len(), clip.frames());
@@ -48,7 +48,7 @@ fn motions_are_compared() {
     let clip = common::walker();
     let options = Options::new();
     let phase = |clip: &stltsa::Clip| {
-        Phase::find(clip, &clip.decompose(&options).unwrap(), &options).unwrap()
+        Phase::find(&clip.decompose(&options).unwrap(), &options).unwrap()
     };
     let (whole, part) = (phase(&clip), phase(&clip.stretch("200-", &options).unwrap()));
     let found = whole.compare(&part, Some(0), None, 51).unwrap();
@@ -109,7 +109,7 @@ fn a_mark_is_found_in_every_cycle() {
     let clip = common::walker();
     let options = Options::new();
     let found = clip.decompose(&options).unwrap();
-    let phase = Phase::find(&clip, &found, &options).unwrap();
+    let phase = Phase::find(&found, &options).unwrap();
     let middle = |cycle: usize| {
         let part = &found.cycles()[cycle];
         (part.begin_s + part.end_s) / 2.0 * clip.fps().unwrap()
@@ -126,7 +126,7 @@ fn a_mark_is_found_in_every_cycle() {
     }
     assert_eq!(phase.events(&[middle(1)], Some(&phase)).unwrap(), events);
     let image = clip.mirrored(&options).unwrap();
-    let image = Phase::find(&image, &image.decompose(&options).unwrap(), &options).unwrap();
+    let image = Phase::find(&image.decompose(&options).unwrap(), &options).unwrap();
     let other_side = phase.events(&[middle(1)], Some(&image)).unwrap();
     assert!(other_side.likeness > 0.9 && !other_side.events.is_empty());
     assert_eq!(phase.events(&[2.0], None).unwrap_err().kind(), ErrorKind::Argument);
@@ -138,7 +138,7 @@ fn a_stream_has_the_phase_of_the_clip() {
     let clip = common::walker();
     let options = Options::new();
     let found = clip.decompose(&options).unwrap();
-    let phase = Phase::find(&clip, &found, &options).unwrap();
+    let phase = Phase::find(&found, &options).unwrap();
     let mut model = Model::fit_clip(&clip, &options).unwrap();
     assert!(!model.has_cycle());
     assert_eq!(Live::new(&model).unwrap_err().kind(), ErrorKind::Unsupported);
