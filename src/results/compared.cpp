@@ -43,14 +43,6 @@ std::vector<const PhasedMotion*> candidates(const Phased& phased, std::optional<
     return found;
 }
 
-Matrix chosen(const Matrix& rows, const std::vector<std::int64_t>& columns) {
-    Matrix result = Matrix::unset(rows.rows(), static_cast<std::int64_t>(columns.size()));
-    for (std::int64_t i = 0; i < result.rows(); ++i)
-        for (std::size_t c = 0; c < columns.size(); ++c)
-            result(i, static_cast<std::int64_t>(c)) = rows(i, columns[c]);
-    return result;
-}
-
 using Poll = std::function<void()>;
 
 Poll poll_of(const Progress& progress) {
@@ -309,9 +301,11 @@ Comparison compared_sides(const phase::Resampled& left, const phase::Resampled& 
             each.push_back(make(cycle));
         return phase::spread_of(copied(cycles.rows.view()), std::move(each), poll);
     };
-    auto one = of_all(left, [&](const Matrix& of) { return chosen(of, columns.first); });
-    auto other = of_all(
-        right, [&](const Matrix& of) { return half_later(chosen(of, columns.second), polls); });
+    auto one = of_all(
+        left, [&](const Matrix& of) { return phase::chosen(of.view(), columns.first, polls); });
+    auto other = of_all(right, [&](const Matrix& of) {
+        return half_later(phase::chosen(of.view(), columns.second, polls), polls);
+    });
     std::vector<bool> both = complete(one);
     const std::vector<bool> of_right = complete(other);
     for (std::size_t k = 0; k < both.size(); ++k)
@@ -326,9 +320,10 @@ Comparison compared_sides(const phase::Resampled& left, const phase::Resampled& 
 Comparison compared_with(const Phased& first, const PhasedMotion& motion, const Phased& second,
                          const PhasedMotion& other, std::int64_t samples, const Poll& poll) {
     CommonColumns columns = common_columns(first, second);
-    poll();
-    Side one{first, motion, chosen(first.rows, columns.first), "first", poll};
-    Side two{second, other, chosen(second.rows, columns.second), "second", poll};
+    PacedPoll polls(poll);
+    Side one{first, motion, phase::chosen(first.rows.view(), columns.first, polls), "first", poll};
+    Side two{second, other, phase::chosen(second.rows.view(), columns.second, polls), "second",
+             poll};
     if (first.samples.features == clip::Features::points && in_space(first) &&
         columns.left_out.size() + columns.other_left_out.size() > 0) {
         center(first, one.signals);

@@ -268,11 +268,12 @@ void warn_of_order(const clip::Clip& clip, clip::Features features, Warnings& wa
 }
 
 std::shared_ptr<const FrameRows> frame_rows(const clip::Clip& clip, const Source& source,
-                                            std::vector<double> side, ClipSamples& prepared,
-                                            const std::function<void()>& poll) {
+                                            std::vector<double> side,
+                                            std::vector<std::int64_t> drifting,
+                                            ClipSamples& prepared) {
     const auto made = std::make_shared<FrameRows>();
     made->rows = std::move(prepared.rows);
-    made->drifting = clip::remove_drift(made->rows, clip.fps, poll);
+    made->drifting = std::move(drifting);
     made->clip = source.clips.front();
     made->clip.step = 1;
     made->samples = source.samples;
@@ -315,8 +316,10 @@ Decomposed decompose(const clip::Clip& clip, const clip::PrepareOptions& prepare
     const SampleFacts& samples = prepared.source.samples;
     const double fps = samples.fps;
     const auto poll = [&] { progress.report(Stage::features, 1); };
-    note_drift(clip, samples.features, clip::remove_drift(prepared.samples, fps, poll),
-               prepared.source.clips.front().notes);
+    std::vector<std::int64_t> drifting = clip::remove_drift(prepared.samples, fps, poll);
+    note_drift(clip, samples.features, drifting, prepared.source.clips.front().notes);
+    if (!drifting.empty())
+        drifting = clip::remove_drift(prepared.rows, clip.fps, poll);
     options.smoothed_s = samples.smoothing;
     options.size = body_size(samples.features, prepared.samples);
     options.holes = holes_of(prepared);
@@ -330,7 +333,8 @@ Decomposed decompose(const clip::Clip& clip, const clip::PrepareOptions& prepare
     made.source = std::move(prepared.source);
     made.source.period = {found.shown.period / fps, found.shown.lag_quality,
                           options.single.shortest_period, options.single.longest_period};
-    made.rows = frame_rows(clip, made.source, std::move(options.side), prepared, poll);
+    made.rows =
+        frame_rows(clip, made.source, std::move(options.side), std::move(drifting), prepared);
     const SourceFrames frames(made.source);
     const std::vector<std::string>& owners = made.rows->owners;
     for (const recording::Segment& segment : found.segments) {
