@@ -22,6 +22,8 @@ fn frames_of_cycles_have_phases() {
         assert!(values[frame].is_nan() || residuals[frame] < 0.5);
     }
     assert!(phase.warnings().is_empty());
+    assert!((0.0..1.0).contains(&phase.zero(0).unwrap()));
+    assert_eq!(phase.zero(9).unwrap_err().kind(), ErrorKind::Argument);
 
     let ramp: Vec<[f64; 1]> = (0..clip.frames()).map(|frame| [frame as f64]).collect();
     let cycles = phase.resample(0, &ramp, 11).unwrap();
